@@ -1,0 +1,87 @@
+#include "engine/collision/broad_phase.h"
+
+#include <algorithm>
+
+namespace engine {
+namespace {
+
+bool isPlane(const Bodies& bodies, int i) {
+    return bodies.defs[i].shape.type == ShapeType::plane;
+}
+
+bool mayMeet(const Bodies& bodies, int i, int j) {
+    return bodies.isDynamic(i) || bodies.isDynamic(j);
+}
+
+/// Where the body may be within the next step.
+Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
+    const Bounds now = boundsOf(bodies.defs[i].shape, bodies.poses[i]);
+    const Vec3 way = dt * bodies.velocities[i].linear;
+    const Bounds then{now.low + way, now.high + way};
+    return now.with(then).grownBy(margin);
+}
+
+}  // namespace
+
+void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
+    proxies_.resize(bodies.count());
+    bool anyMoved = false;
+    for (int i = 0; i < bodies.count(); ++i) {
+        Proxy& proxy = proxies_[i];
+        proxy.moved = false;
+        if (!bodies.present[i] || !bodies.defs[i].collide) continue;
+        if (isPlane(bodies, i)) {  // no leaf: `moved` once, when it is new
+            proxy.moved = proxy.leaf == -1;
+            proxy.leaf = -2;
+        } else {
+            proxy.tight = reachOf(bodies, i, 0.5 * margin, dt);
+            if (proxy.leaf >= 0 && tree_.bounds(proxy.leaf).contains(proxy.tight)) continue;
+            if (proxy.leaf >= 0) tree_.remove(proxy.leaf);
+            // Fat by a tenth of its size: a body that creeps stays in its leaf for many steps.
+            const double fat = 0.05 * (proxy.tight.high - proxy.tight.low).maxCoeff();
+            proxy.leaf = tree_.insert(proxy.tight.grownBy(fat), i);
+            proxy.moved = true;
+        }
+        anyMoved = anyMoved || proxy.moved;
+    }
+    if (!anyMoved) return;
+    forgetPairsOfMoved();
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.present[i] || !bodies.defs[i].collide) continue;
+        if (isPlane(bodies, i))
+            findPairsOfPlane(bodies, i);
+        else if (proxies_[i].moved)
+            findPairsOf(bodies, i);
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+}
+
+void BroadPhase::forgetPairsOfMoved() {
+    std::erase_if(pairs_, [&](const PairKey& pair) {
+        return proxies_[pair.a].moved || proxies_[pair.b].moved;
+    });
+}
+
+void BroadPhase::findPairsOf(const Bodies& bodies, int i) {
+    tree_.query(tree_.bounds(proxies_[i].leaf), [&](int j) {
+        if (j != i && mayMeet(bodies, i, j))
+            pairs_.push_back({std::min(i, j), std::max(i, j)});
+    });
+}
+
+void BroadPhase::findPairsOfPlane(const Bodies& bodies, int plane) {
+    for (int j = 0; j < bodies.count(); ++j)
+        if (bodies.isDynamic(j) && bodies.defs[j].collide &&
+            (proxies_[plane].moved || proxies_[j].moved))
+            pairs_.push_back({std::min(plane, j), std::max(plane, j)});
+}
+
+void BroadPhase::remove(int body) {
+    if (body >= static_cast<int>(proxies_.size())) return;
+    if (proxies_[body].leaf >= 0) tree_.remove(proxies_[body].leaf);
+    proxies_[body] = {};
+    std::erase_if(pairs_, [&](const PairKey& p) { return p.a == body || p.b == body; });
+}
+
+}  // namespace engine

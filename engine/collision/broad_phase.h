@@ -1,0 +1,47 @@
+/// Which pairs of bodies are close enough to look at: a dynamic tree of fat bounds. Only a body that
+/// has left its fat bounds is put in anew and asked for its neighbours; a resting heap costs a walk
+/// over its bodies. Planes meet everything that moves.
+#pragma once
+#include <compare>
+#include <vector>
+
+#include "engine/collision/tree.h"
+#include "engine/dynamics/bodies.h"
+
+namespace engine {
+
+/// The lower body number first: the order of everything that follows from pairs.
+struct PairKey {
+    int a = 0, b = 0;
+    auto operator<=>(const PairKey&) const = default;
+};
+
+class BroadPhase {
+public:
+    /// Moves the bounds with the bodies; they reach `margin` (m) and one step of length dt (s) ahead.
+    void update(const Bodies& bodies, double margin, double dt);
+    void remove(int body);
+
+    /// Sorted, each pair once. Of two bodies at least one is dynamic.
+    const std::vector<PairKey>& pairs() const { return pairs_; }
+    /// Today's bounds, margin and motion included.
+    const Bounds& bounds(int body) const { return proxies_[body].tight; }
+    const BoundsTree& tree() const { return tree_; }
+
+private:
+    struct Proxy {
+        Bounds tight;
+        int leaf = -1;
+        bool moved = false;
+    };
+
+    void forgetPairsOfMoved();
+    void findPairsOf(const Bodies& bodies, int body);
+    void findPairsOfPlane(const Bodies& bodies, int plane);
+
+    BoundsTree tree_;
+    std::vector<Proxy> proxies_;
+    std::vector<PairKey> pairs_;
+};
+
+}  // namespace engine

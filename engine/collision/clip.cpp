@@ -1,0 +1,80 @@
+#include "engine/collision/clip.h"
+
+#include <algorithm>
+
+namespace engine {
+
+Polygon faceOf(const Mat3& axes, const Vec3& centre, const Vec3& half, int axis, double side) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const Vec3 middle = centre + side * half[axis] * axes.col(axis);
+    const Vec3 across = half[u] * axes.col(u), up = half[v] * axes.col(v);
+    Polygon face;
+    face.add(middle - across - up, 0);
+    face.add(middle + across - up, 1);
+    face.add(middle + across + up, 2);
+    face.add(middle - across + up, 3);
+    return face;
+}
+
+void clip(Polygon& polygon, const Vec3& normal, double offset, int line) {
+    constexpr double kStays = 5e-4;  // m
+    Polygon kept;
+    for (int i = 0; i < polygon.count; ++i) {
+        const int next = i + 1 < polygon.count ? i + 1 : 0;
+        const Vec3 &p = polygon.corner[i], &q = polygon.corner[next];
+        const double heightP = normal.dot(p) - offset, heightQ = normal.dot(q) - offset;
+        const bool insideP = heightP <= kStays, insideQ = heightQ <= kStays;
+        if (insideP && kept.count < Polygon::kMaxCorners) kept.add(p, polygon.edge[i]);
+        if (insideP == insideQ || kept.count == Polygon::kMaxCorners) continue;
+        const Vec3 crossing = p + (heightP / (heightP - heightQ)) * (q - p);
+        // Leaving: the next edge runs along the plane. Entering: on along the old line.
+        kept.add(crossing, insideP ? line : polygon.edge[i]);
+    }
+    polygon = kept;
+}
+
+ClippedPoints::ClippedPoints(const Polygon& polygon, const Vec3& n, double height, double margin) {
+    for (int i = 0; i < polygon.count; ++i) {
+        const double s = n.dot(polygon.corner[i]) - height;
+        if (s > margin) continue;
+        const int before = polygon.edge[i > 0 ? i - 1 : polygon.count - 1];
+        position[count] = polygon.corner[i];
+        separation[count] = s;
+        label[count++] = before * 8 + polygon.edge[i];
+    }
+}
+
+void ClippedPoints::keepFour(const Vec3& n) {
+    if (count <= 4) return;
+    // Ties within 0.2 mm go to the first in the ring, so that a flat rest keeps its choice.
+    constexpr double kTie = 2e-4;
+    int first = 0;
+    for (int i = 1; i < count; ++i)
+        if (separation[i] < separation[first] - kTie) first = i;
+    int second = first;
+    double farthest = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const double square = (position[i] - position[first]).squaredNorm();
+        if (square > farthest + kTie * kTie) farthest = square, second = i;
+    }
+    const Vec3 across = n.cross(position[second] - position[first]);
+    int left = -1, right = -1;
+    double most = 0.0, least = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const double area = across.dot(position[i] - position[first]);
+        if (area > most + kTie * kTie) most = area, left = i;
+        if (area < least - kTie * kTie) least = area, right = i;
+    }
+    std::array<int, 4> kept{first, second, left, right};
+    std::sort(kept.begin(), kept.end());
+    int n4 = 0;
+    for (int i = 0; i < 4; ++i) {
+        if (kept[i] < 0 || (i > 0 && kept[i] == kept[i - 1])) continue;
+        position[n4] = position[kept[i]];
+        separation[n4] = separation[kept[i]];
+        label[n4++] = label[kept[i]];
+    }
+    count = n4;
+}
+
+}  // namespace engine

@@ -1,0 +1,32 @@
+/// Shape against shape. Every function finds the points whose separation is at most `margin`, so
+/// that the solver sees a contact before it is too late; none found leaves count = 0.
+#pragma once
+#include "engine/collision/manifold.h"
+#include "engine/shape.h"
+
+namespace engine {
+
+/// Any shape against any other; the normal points from a to b.
+Manifold collide(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                 double margin);
+
+Manifold collideSphereSphere(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                             double margin);
+Manifold collideSphereBox(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                          double margin);
+Manifold collideSphereCapsule(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                              double margin);
+Manifold collideSpherePlane(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                            double margin);
+Manifold collideBoxBox(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                       double margin);
+Manifold collideBoxCapsule(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                           double margin);
+Manifold collideBoxPlane(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                         double margin);
+Manifold collideCapsuleCapsule(const Shape& a, const Pose& poseA, const Shape& b,
+                               const Pose& poseB, double margin);
+Manifold collideCapsulePlane(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                             double margin);
+
+}  // namespace engine

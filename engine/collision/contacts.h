@@ -1,0 +1,25 @@
+/// Step 6 of the loop: collision detection, which makes the temporary constraints of the next step
+/// and hands every point that is found again the impulses it had (contact caching).
+#pragma once
+#include <vector>
+
+#include "engine/collision/broad_phase.h"
+#include "engine/constraints/contact.h"
+
+namespace engine {
+
+struct ContactFinder {
+    BroadPhase broadPhase;
+    std::vector<PairKey> jointed;    // sorted: bodies held by a joint do not collide
+    std::vector<Contact> contacts;   // sorted by pair
+    std::vector<Contact> previous;   // kept for its memory only
+};
+
+/// `margin` (m): contacts are made this far ahead of touching, farther for a pair that would cover
+/// more than that within dt (s).
+void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt);
+
+/// Impulses from one contact of a pair to the next: by feature, or else by place.
+void carryImpulses(const Contact& from, Contact& to);
+
+}  // namespace engine

@@ -1,0 +1,30 @@
+/// Where two shapes touch: what a collide_* function finds.
+#pragma once
+#include <array>
+
+#include "engine/base/math.h"
+
+namespace engine {
+
+struct ManifoldPoint {
+    Vec3 onA, onB;    // m, world axes: the two surfaces; onB - onA lies along the normal
+    int feature = 0;  // which corner, edge pair or end made the point: the same from step to step
+};
+
+struct Manifold {
+    static constexpr int kMaxPoints = 4;
+    Vec3 normal = Vec3::Zero();  // unit, from a to b
+    int count = 0;
+    std::array<ManifoldPoint, kMaxPoints> points;
+
+    void add(const Vec3& onA, const Vec3& onB, int feature) {
+        points[count++] = ManifoldPoint{onA, onB, feature};
+    }
+    /// The same seen from the other body.
+    void flip() {
+        normal = -normal;
+        for (int i = 0; i < count; ++i) points[i].onA.swap(points[i].onB);
+    }
+};
+
+}  // namespace engine

@@ -1,0 +1,65 @@
+/// A dynamic tree of bounds: leaves are bodies, every inner node holds its two children. Leaves go
+/// where they enlarge the tree's surface least, and neighbours are swapped on the way up when that
+/// makes it smaller, so that inserting, removing and asking cost the logarithm of the number of
+/// bodies. (Goldsmith and Salmon 1987; Kopta et al. 2012; Catto, GDC 2019.)
+#pragma once
+#include <vector>
+
+#include "engine/collision/bounds.h"
+
+namespace engine {
+
+class BoundsTree {
+public:
+    /// Returns the leaf's number, which stays until it is removed.
+    int insert(const Bounds& bounds, int body);
+    void remove(int leaf);
+    const Bounds& bounds(int leaf) const { return nodes_[leaf].bounds; }
+
+    /// Calls visit(body) for every leaf that overlaps, in an order that depends on the tree alone.
+    template <class Visit>
+    void query(const Bounds& bounds, Visit visit) const {
+        if (root_ < 0) return;
+        stack_.clear();
+        stack_.push_back(root_);
+        while (!stack_.empty()) {
+            const Node& node = nodes_[stack_.back()];
+            stack_.pop_back();
+            if (!node.bounds.overlaps(bounds)) continue;
+            if (node.isLeaf()) {
+                visit(node.body);
+            } else {
+                stack_.push_back(node.children[0]);
+                stack_.push_back(node.children[1]);
+            }
+        }
+    }
+
+    /// Levels below the root; 0 for a single leaf.
+    int height() const;
+    /// True when every node holds its children and knows its parent (for tests).
+    bool isConsistent() const;
+
+private:
+    struct Node {
+        Bounds bounds;
+        int parent = -1;
+        int children[2] = {-1, -1};
+        int body = -1;
+        bool isLeaf() const { return children[0] < 0; }
+    };
+
+    int newNode();
+    int bestSibling(const Bounds& bounds) const;
+    void refitFrom(int node);
+    void rotate(int node);
+    void swapNodes(int parentA, int sideA, int parentB, int sideB);
+    int sideOf(int node) const { return nodes_[nodes_[node].parent].children[0] == node ? 0 : 1; }
+
+    std::vector<Node> nodes_;
+    std::vector<int> free_;
+    mutable std::vector<int> stack_;
+    int root_ = -1;
+};
+
+}  // namespace engine

@@ -1,0 +1,16 @@
+/// Ball joint: a point of a and a point of b are one.
+///   C = p_b - p_a = x_b + r_b - x_a - r_a                       three rows, along e = x, y, z
+///   dC/dt = v_b + w_b x r_b - v_a - w_a x r_a
+///   J_e = [-e, -(r_a x e), e, r_b x e]                          from e.(w x r) = w.(r x e)
+#pragma once
+#include "engine/constraints/joint_constraint.h"
+
+namespace engine {
+
+template <class Real>
+void addBallRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+    for (int i = 0; i < 3; ++i)
+        rows.add(alongDirection<Real>(Vec3T<Real>::Unit(i), g.armA, g.armB), g.between[i]);
+}
+
+}  // namespace engine

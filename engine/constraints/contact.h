@@ -1,0 +1,27 @@
+/// A collision constraint as it persists: rebuilt after every step from the shapes, its impulses
+/// carried over by feature. What a solver computes from it is in contact_constraint.h.
+#pragma once
+#include <array>
+
+#include "engine/base/math.h"
+
+namespace engine {
+
+struct ContactPoint {
+    Vec3 anchorA = Vec3::Zero(), anchorB = Vec3::Zero();  // m, body axes, on either surface
+    int feature = 0;
+    double impulse = 0.0;           // N s along the normal, of one sub-step
+    Vec3 friction = Vec3::Zero();   // N s on b, of one sub-step
+};
+
+struct Contact {
+    static constexpr int kMaxPoints = 4;
+    int a = -1, b = -1;             // body numbers, a < b
+    Vec3 normal = Vec3::UnitY();    // unit, from a to b
+    double friction = 0.0;          // mu of the two surfaces together
+    double restitution = 0.0;       // e of the two surfaces together
+    int count = 0;
+    std::array<ContactPoint, kMaxPoints> points;
+};
+
+}  // namespace engine

@@ -1,0 +1,176 @@
+/// Contact: two points that must not pass each other, and friction between them.
+///   C = (p_b - p_a) . n >= 0          n from a to b, p on either surface
+///   J = [-n, -(r_a x n), n, r_b x n]  lambda in [0, inf)
+/// The complete derivative has a further term (p_b - p_a) . dn/dt, of the order of the gap; the normal
+/// is held for one step, so it is zero here.
+/// Friction acts along two tangents t1, t2 with the same arms; its impulse is held in the cone
+///   |lambda_t| <= mu lambda_n
+/// on accumulated values. It is solved as a 2-vector: the impulse that stops the slip where the cone
+/// has room for it, else a step against the slip, cut to the cone. The step is one number times the
+/// slip, so that a sliding body is braked straight backwards; cutting the stopping impulse instead,
+/// which K_t has turned, brakes a box 13 % too little and depends on the direction.
+/// (First seed, 'Constraint function' and 'The algorithm'; Catto, GDC 2006 and 2009.)
+#pragma once
+#include <array>
+
+#include "engine/constraints/contact.h"
+#include "engine/constraints/normal_block.h"
+
+namespace engine {
+
+template <class Real>
+struct ContactRow {
+    Row<Real> normal;
+    Row<Real> tangent[2];
+    Mat2T<Real> frictionMass = Mat2T<Real>::Zero();    // K_t^-1 = (J_t M^-1 J_t^T)^-1
+    Real slideMass = Real(0);                          // 1 / largest eigenvalue of K_t
+    Real gapAtStart = Real(0);                         // C when the rows were made, m
+    Real separation = Real(0);                         // C now, m
+    Real bias = Real(0);                               // b in J v + b >= 0, m/s
+    Real lambda = Real(0);                             // N s, accumulated along n
+    Vec2T<Real> friction = Vec2T<Real>::Zero();        // N s, accumulated along t1, t2
+    Real bounce = Real(0);                             // N s, from the impact pass of this sub-step
+    Real total = Real(0);                              // N s along n, over the whole step
+    Vec2T<Real> totalFriction = Vec2T<Real>::Zero();   // N s, over the whole step
+};
+
+template <class Real>
+struct ContactConstraint {
+    int a = -1, b = -1;
+    Real friction = Real(0);     // mu
+    Real restitution = Real(0);  // e
+    Vec3T<Real> t1 = Vec3T<Real>::Zero(), t2 = Vec3T<Real>::Zero();
+    int count = 0;
+    std::array<ContactRow<Real>, Contact::kMaxPoints> rows;
+    NormalBlock<Real> block;
+};
+
+/// Where a contact's points are, in world axes relative to the bodies' centres of mass.
+template <class Real>
+struct ContactGeometry {
+    Vec3T<Real> armA, armB;  // m, to the middle between the surfaces: one point, so that a pair of
+                             // impulses changes no angular momentum
+    Real separation;         // C, m
+};
+
+/// K_t^-1 and the step for sliding, of two tangent rows; no mass, no friction.
+template <class Real>
+void setFrictionMass(ContactRow<Real>& row) {
+    const Real ss = row.tangent[0].k, tt = row.tangent[1].k;
+    const Real st = coupling(row.tangent[0], row.tangent[1]);
+    const Real determinant = ss * tt - st * st;
+    if (determinant <= Real(0)) return;
+    row.frictionMass << tt / determinant, -st / determinant, -st / determinant, ss / determinant;
+    const Real half = Real(0.5) * (ss - tt);
+    row.slideMass = Real(1) / (Real(0.5) * (ss + tt) + std::sqrt(half * half + st * st));
+}
+
+/// Rows, effective masses and the block of one contact. `points` may be written by hand: the solver
+/// does not care where its constraints come from.
+template <class Real>
+ContactConstraint<Real> makeContactConstraint(const Contact& contact,
+                                              const ContactGeometry<Real>* points,
+                                              const InverseMass<Real>& massA,
+                                              const InverseMass<Real>& massB) {
+    ContactConstraint<Real> c;
+    c.a = contact.a, c.b = contact.b, c.count = contact.count;
+    c.friction = static_cast<Real>(contact.friction);
+    c.restitution = static_cast<Real>(contact.restitution);
+    const Vec3T<Real> n = contact.normal.template cast<Real>();
+    tangents(n, c.t1, c.t2);
+    for (int i = 0; i < c.count; ++i) {
+        ContactRow<Real>& row = c.rows[i];
+        const ContactGeometry<Real>& p = points[i];
+        row.gapAtStart = row.separation = p.separation;
+        row.normal = makeRow(alongDirection(n, p.armA, p.armB), massA, massB);
+        row.tangent[0] = makeRow(alongDirection(c.t1, p.armA, p.armB), massA, massB);
+        row.tangent[1] = makeRow(alongDirection(c.t2, p.armA, p.armB), massA, massB);
+        setFrictionMass(row);
+        row.lambda = static_cast<Real>(contact.points[i].impulse);
+        const Vec3T<Real> friction = contact.points[i].friction.template cast<Real>();
+        row.friction << friction.dot(c.t1), friction.dot(c.t2);
+    }
+    c.block = makeNormalBlock<Real>(
+        c.count, [&c](int i) -> const Row<Real>& { return c.rows[i].normal; });
+    return c;
+}
+
+/// The largest |change of velocity along a row|, and sum of |change of lambda|, of one solve.
+template <class Real>
+struct Correction {
+    Real velocity = Real(0);
+    Real impulse = Real(0);
+
+    void add(Real dv, Real dLambda) {
+        velocity = larger(velocity, std::abs(dv));
+        impulse += std::abs(dLambda);
+    }
+};
+
+/// lambda may only push, and it is the sum over all sweeps that is clamped, not this sweep's share.
+/// (First seed, 'Global solution'.) accumulate = false shows what happens otherwise.
+template <class Real>
+Real pushOnly(Real& accumulated, Real lambda, bool accumulate) {
+    const Real before = accumulated;
+    accumulated = accumulate ? larger(before + lambda, Real(0)) : before + larger(lambda, Real(0));
+    return accumulated - before;
+}
+
+/// One normal row after the other.
+template <class Real>
+void solveNormals(ContactConstraint<Real>& c, bool accumulate, Velocity<Real>& a,
+                  Velocity<Real>& b, Correction<Real>& correction) {
+    for (int i = 0; i < c.count; ++i) {
+        ContactRow<Real>& row = c.rows[i];
+        const Real lambda = correctiveImpulse(row.normal, row.bias, a, b);
+        const Real change = pushOnly(row.lambda, lambda, accumulate);
+        apply(row.normal, change, a, b);
+        correction.add(row.normal.k * change, change);
+    }
+}
+
+/// All normal rows of the manifold at once.
+template <class Real>
+void solveNormalsTogether(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b,
+                          Correction<Real>& correction) {
+    Vec4T<Real> before = Vec4T<Real>::Zero(), q = Vec4T<Real>::Zero();
+    for (int i = 0; i < c.count; ++i) {
+        before[i] = c.rows[i].lambda;
+        q[i] = velocityAlong(c.rows[i].normal.j, a, b) + c.rows[i].bias;
+    }
+    const Vec4T<Real> lambda = solveNormalBlock(c.block, Vec4T<Real>(q - c.block.k * before));
+    const Vec4T<Real> change = lambda - before;
+    const Vec4T<Real> dv = c.block.k * change;
+    for (int i = 0; i < c.count; ++i) {
+        c.rows[i].lambda = lambda[i];
+        apply(c.rows[i].normal, change[i], a, b);
+        correction.add(dv[i], change[i]);
+    }
+}
+
+/// The cone, as described on top.
+template <class Real>
+void solveFriction(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b,
+                   Correction<Real>& correction) {
+    for (int i = 0; i < c.count; ++i) {
+        ContactRow<Real>& row = c.rows[i];
+        const Vec2T<Real> slip(velocityAlong(row.tangent[0].j, a, b),
+                               velocityAlong(row.tangent[1].j, a, b));
+        const Vec2T<Real> before = row.friction;
+        Vec2T<Real> wanted = before - row.frictionMass * slip;
+        const Real limit = c.friction * (row.lambda + row.bounce);
+        if (wanted.squaredNorm() > limit * limit) {
+            wanted = before - row.slideMass * slip;
+            const Real square = wanted.squaredNorm();
+            if (square > limit * limit) wanted *= limit / std::sqrt(square);
+        }
+        row.friction = wanted;
+        const Vec2T<Real> change = wanted - before;
+        for (int t = 0; t < 2; ++t) {
+            apply(row.tangent[t], change[t], a, b);
+            correction.add(row.tangent[t].k * change[t], change[t]);
+        }
+    }
+}
+
+}  // namespace engine

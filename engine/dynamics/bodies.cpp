@@ -1,0 +1,52 @@
+#include "engine/dynamics/bodies.h"
+
+#include "engine/base/check.h"
+#include "engine/dynamics/mass.h"
+
+namespace engine {
+namespace {
+
+BodyMass massOf(const BodyDef& def) {
+    if (def.kind != BodyKind::dynamic) return {};
+    BodyMass m;
+    m.mass = def.mass ? *def.mass : def.material.density * volume(def.shape);
+    ENGINE_CHECK(m.mass > 0.0, "a dynamic body needs a positive mass");
+    m.inertia = def.inertia ? *def.inertia : inertiaOf(def.shape, m.mass);
+    const Eigen::LLT<Mat3> factor(m.inertia);
+    ENGINE_CHECK(factor.info() == Eigen::Success && m.inertia.isApprox(m.inertia.transpose()),
+                 "an inertia tensor must be symmetric and positive definite");
+    m.inverseInertia = factor.solve(Mat3::Identity());
+    return m;
+}
+
+}  // namespace
+
+int addBody(Bodies& bodies, const BodyDef& def) {
+    ENGINE_CHECK(def.kind != BodyKind::dynamic || def.shape.type != ShapeType::plane,
+                 "a plane is endless; make it fixed");
+    ENGINE_CHECK(def.pose.rotation.norm() > 0.0, "a rotation needs a quaternion that is not zero");
+    const int i = bodies.count();
+    BodyDef filled = def;
+    filled.pose.rotation.normalize();
+    const BodyMass mass = massOf(def);
+    if (def.kind == BodyKind::dynamic) filled.mass = mass.mass, filled.inertia = mass.inertia;
+    bodies.defs.push_back(filled);
+    bodies.poses.push_back(filled.pose);
+    const bool moves = def.kind != BodyKind::fixed;
+    bodies.velocities.push_back(moves ? Velocity<double>{def.velocity, def.spin}
+                                      : Velocity<double>{});
+    bodies.inverseMasses.push_back({mass.mass > 0.0 ? 1.0 / mass.mass : 0.0, Mat3::Zero()});
+    bodies.masses.push_back(mass);
+    bodies.loads.push_back({});
+    bodies.accelerations.push_back({});
+    bodies.present.push_back(1);
+    updateInverseInertia(bodies, i);
+    return i;
+}
+
+void updateInverseInertia(Bodies& bodies, int i) {
+    bodies.inverseMasses[i].angular =
+        inWorldAxes(bodies.masses[i].inverseInertia, bodies.poses[i].rotation);
+}
+
+}  // namespace engine

@@ -1,0 +1,58 @@
+/// The bodies of a world, an array per use: what a solver gathers (velocity, inverse mass) lies
+/// close together.
+#pragma once
+#include <vector>
+
+#include "engine/base/math.h"
+#include "engine/body.h"
+
+namespace engine {
+
+/// [v; w], m/s and rad/s in world axes, w about the centre of mass.
+template <class Real>
+struct Velocity {
+    Vec3T<Real> linear = Vec3T<Real>::Zero();
+    Vec3T<Real> angular = Vec3T<Real>::Zero();
+};
+
+/// M^-1 of one body: 1/m and the inverse inertia in world axes. All zero: no impulse moves it.
+template <class Real>
+struct InverseMass {
+    Real linear = Real(0);                          // 1/kg
+    Mat3T<Real> angular = Mat3T<Real>::Zero();      // 1/(kg m^2)
+};
+
+/// Mass in body axes: what does not change from step to step.
+struct BodyMass {
+    double mass = 0.0;                        // kg
+    Mat3 inertia = Mat3::Zero();              // kg m^2
+    Mat3 inverseInertia = Mat3::Zero();
+};
+
+/// m/s^2 and rad/s^2
+struct Acceleration {
+    Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+};
+
+struct Bodies {
+    std::vector<BodyDef> defs;
+    std::vector<Pose> poses;
+    std::vector<Velocity<double>> velocities;
+    std::vector<InverseMass<double>> inverseMasses;  // world axes, of the current pose
+    std::vector<BodyMass> masses;
+    std::vector<Load> loads;                         // of the coming step
+    std::vector<Acceleration> accelerations;         // of this sub-step
+    std::vector<char> present;                       // 0: removed
+
+    int count() const { return static_cast<int>(defs.size()); }
+    bool isDynamic(int i) const { return present[i] && defs[i].kind == BodyKind::dynamic; }
+    bool isMoving(int i) const { return present[i] && defs[i].kind != BodyKind::fixed; }
+};
+
+/// Adds a body; what the definition leaves open is filled in. Returns its number.
+int addBody(Bodies& bodies, const BodyDef& def);
+
+/// I^-1 in world axes, after the body was turned.
+void updateInverseInertia(Bodies& bodies, int i);
+
+}  // namespace engine

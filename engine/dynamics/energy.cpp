@@ -1,0 +1,37 @@
+#include "engine/dynamics/energy.h"
+
+namespace engine {
+namespace {
+
+Vec3 spinMomentum(const Bodies& bodies, int i) {
+    const Quat& q = bodies.poses[i].rotation;
+    const Vec3 local = q.conjugate() * bodies.velocities[i].angular;
+    return q * Vec3(bodies.masses[i].inertia * local);
+}
+
+}  // namespace
+
+Energy energyOf(const Bodies& bodies, const Vec3& gravity) {
+    Energy e;
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isDynamic(i)) continue;
+        const double m = bodies.masses[i].mass;
+        const Velocity<double>& v = bodies.velocities[i];
+        e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));
+        e.potential -= m * gravity.dot(bodies.poses[i].position);
+    }
+    return e;
+}
+
+Momentum momentumOf(const Bodies& bodies) {
+    Momentum sum;
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isDynamic(i)) continue;
+        const Vec3 p = bodies.masses[i].mass * bodies.velocities[i].linear;
+        sum.linear += p;
+        sum.angular += bodies.poses[i].position.cross(p) + spinMomentum(bodies, i);
+    }
+    return sum;
+}
+
+}  // namespace engine

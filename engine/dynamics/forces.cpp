@@ -1,0 +1,18 @@
+#include "engine/dynamics/forces.h"
+
+namespace engine {
+
+void applyForces(Bodies& bodies, const Vec3& gravity, std::span<const Load> field) {
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isDynamic(i)) continue;
+        Load load = bodies.loads[i];
+        if (!field.empty()) {
+            load.force += field[i].force;
+            load.torque += field[i].torque;
+        }
+        const InverseMass<double>& m = bodies.inverseMasses[i];
+        bodies.accelerations[i] = {gravity + m.linear * load.force, m.angular * load.torque};
+    }
+}
+
+}  // namespace engine

@@ -1,0 +1,33 @@
+#include "engine/dynamics/integration.h"
+
+#include "engine/dynamics/rotation.h"
+
+namespace engine {
+
+void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h) {
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isDynamic(i)) continue;
+        Velocity<double>& v = bodies.velocities[i];
+        v.linear += h * bodies.accelerations[i].linear;
+        v.angular += h * bodies.accelerations[i].angular;
+        if (gyroscope == Gyroscope::implicitEuler)
+            v.angular = spinAfterGyroscopicTorque(bodies.masses[i], bodies.poses[i].rotation,
+                                                  v.angular, h);
+    }
+}
+
+void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h) {
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isMoving(i)) continue;
+        Velocity<double>& v = bodies.velocities[i];
+        Pose& pose = bodies.poses[i];
+        pose.position += h * v.linear;
+        if (gyroscope == Gyroscope::momentum && bodies.isDynamic(i))
+            turnKeepingMomentum(bodies.masses[i], h, pose.rotation, v.angular);
+        else
+            pose.rotation = cayley(h * v.angular, pose.rotation);
+        updateInverseInertia(bodies, i);
+    }
+}
+
+}  // namespace engine

@@ -1,0 +1,17 @@
+/// Semi-implicit Euler: velocities first, then positions with the new velocities.
+///   v1 = v0 + a h
+///   x1 = x0 + v1 h
+/// (Second seed, 'Integration'. The order is what keeps an oscillator's energy bounded.)
+#pragma once
+#include "engine/dynamics/bodies.h"
+#include "engine/settings.h"
+
+namespace engine {
+
+/// Step 2 of the loop, with the accelerations of step 1 (dynamics/forces.h).
+void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h);
+
+/// Step 4 of the loop.
+void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h);
+
+}  // namespace engine

@@ -1,0 +1,66 @@
+/// Every switch of the solver, so that each idea can be turned off and its worth be seen.
+/// `demos/scene` reads the same names from a scene's [solver] table.
+#pragma once
+
+namespace engine {
+
+/// gravity: contacts from the top down, so that a sweep carries weight to the floor in one pass.
+/// pairs: lower body number first, as the author numbered them.
+enum class Order { gravity, pairs };
+
+/// direct: trees of joints are solved exactly, a tree at a time. rows: like any other constraint.
+enum class JointSolving { direct, rows };
+
+/// How the spin of a free body is carried on (dynamics/rotation.h).
+enum class Gyroscope { momentum, implicitEuler, none };
+
+/// Which velocity a bounce is measured from. impacts: a pass of its own before the sweeps, one pair
+/// after the other, so that a blow travels through a row of balls. bias: b = e (J v1), taken once
+/// before solving (Eberly's formula).
+enum class Bounce { impacts, bias };
+
+struct Settings {
+    int substeps = 4;         // velocities, impulses, positions and nudges, this often a step
+    int maxSubsteps = 32;     // as often where joints or masses ask for it (solver/substeps.h)
+    int sweeps = 30;          // velocity sweeps a sub-step, at most
+    int minSweeps = 2;        // and at least
+    double tolerance = 2e-3;  // m/s: enough when no row's correction was larger; 0 = all sweeps
+    int nudges = 1;           // position sweeps a sub-step; 0 = off
+    double nudgeFactor = 0.5; // beta: the share of the error C that one nudge takes away
+    double slop = 5e-4;       // m: penetration left alone, so that a resting contact stays a contact
+    double baumgarte = 0.0;   // b = beta C / h instead of nudges; never both
+    Order order = Order::gravity;
+    bool block = true;        // a manifold's normal rows solved together
+    JointSolving joints = JointSolving::direct;
+    bool warmStart = true;    // start from the impulses of the last step
+    bool accumulate = true;   // clamp the total; false = clamp the correction: the wrong way
+    Gyroscope gyroscope = Gyroscope::momentum;
+    Bounce bounce = Bounce::impacts;
+    double bounceSpeed = 0.25;       // m/s: slower approaches do not bounce, so that things rest
+    double speculativeMargin = 0.02; // m: contacts are made this far ahead of touching
+
+    /// The default: what held still and kept its energy best in experiment.
+    static Settings steady() { return {}; }
+
+    /// The two seed documents as printed: one sub-step, ten sweeps over single points in pair
+    /// order, then four nudges.
+    static Settings seed() {
+        Settings s;
+        s.substeps = 1;
+        s.maxSubsteps = 1;
+        s.sweeps = 10;
+        s.minSweeps = 10;
+        s.tolerance = 0.0;
+        s.nudges = 4;
+        s.nudgeFactor = 0.2;
+        s.slop = 5e-3;
+        s.order = Order::pairs;
+        s.block = false;
+        s.joints = JointSolving::rows;
+        s.gyroscope = Gyroscope::implicitEuler;
+        s.bounce = Bounce::bias;
+        return s;
+    }
+};
+
+}  // namespace engine

@@ -1,0 +1,22 @@
+/// What goes into the solver and comes out of it: the black box of the first seed. Bodies are an
+/// array of velocities; constraints name them by number; nothing here knows a shape.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/constraints/contact_constraint.h"
+#include "engine/constraints/joint_constraint.h"
+#include "engine/settings.h"
+#include "engine/solver/joint_trees.h"
+#include "engine/step_report.h"
+
+namespace engine {
+
+template <class Real>
+struct Constraints {
+    std::vector<ContactConstraint<Real>> contacts;
+    std::vector<JointConstraint<Real>> joints;
+    std::vector<int> order;  // of the contacts in a sweep
+};
+
+}  // namespace engine

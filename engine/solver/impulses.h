@@ -1,0 +1,33 @@
+/// Step 3 of the loop: sequential impulses (first seed, 'The algorithm').
+///   foreach constraint: start from the impulse of the last step, and apply it
+///   while not satisfied: foreach constraint:
+///       lambda = -(J v + b) / K;  total += lambda, clamped;  v += M^-1 J^T (what the total gained)
+/// The seed starts from 0; it also asks for contact caching, which is to start from the last step.
+#pragma once
+#include "engine/solver/constraints.h"
+
+namespace engine {
+
+/// b of every contact row, for a sub-step of length h (s), from the velocities before solving:
+///   still apart by C     b = C / h: the gap may close, no more
+///   overlapping          b = beta (C + slop) / h with Baumgarte; else 0, the nudges' business
+///   bouncing             b = e (J v1) where it will touch at more than the bounce speed
+template <class Real>
+void setBiases(Constraints<Real>& c, std::span<const Velocity<Real>> v, const Settings& settings,
+               Real h);
+
+/// v += M^-1 J^T lambda of the last step; with warm starting off the totals are set to 0 instead.
+template <class Real>
+void warmStart(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings);
+
+/// One sweep over everything; trees of joints are solved exactly, each at its place.
+template <class Real>
+SweepReport sweep(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
+                  const Settings& settings);
+
+/// Sweeps until the residual is small or the count is reached; appends a report per sweep.
+template <class Real>
+void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
+                   const Settings& settings, Real h, std::vector<SweepReport>& report);
+
+}  // namespace engine

@@ -1,0 +1,44 @@
+/// From this step's contacts and joints to rows, and back to the impulses that persist.
+#pragma once
+#include "engine/constraints/contact.h"
+#include "engine/solver/constraints.h"
+
+namespace engine {
+
+/// Everything the solver of a world keeps from one sub-step to the next.
+struct Solver {
+    Constraints<double> constraints;
+    JointTrees trees;
+    std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
+    std::vector<char> nudged;    // bodies that the nudges have moved
+    std::vector<double> errors;  // C of the trees' joints
+};
+
+/// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a
+/// step that making them anew every sub-step costs a third more and steadies nothing.
+void prepareContacts(std::span<const Contact> contacts, const Bodies& bodies, const Vec3& gravity,
+                     const Settings& settings, Solver& solver);
+
+/// C of every contact point, carried along by the bodies since the rows were made:
+///   C = C0 + J (way and turn since then)
+/// A ball's contact stays below it while it rolls, which an anchor fixed on the ball would not.
+/// Every sub-step.
+void updateSeparations(const Bodies& bodies, Solver& solver);
+double separationNow(const ContactConstraint<double>& contact, const ContactRow<double>& row,
+                     const Bodies& bodies, const Solver& solver);
+
+/// A constraint for every joint; for when joints come or go.
+void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+                   Solver& solver);
+
+/// Rows of all joints at the bodies' present poses, and the factors of their trees.
+void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, Solver& solver);
+
+/// Gravity order: contacts from the top down, ties in the order of pairs.
+void orderContacts(std::span<const Contact> contacts, const Bodies& bodies, const Vec3& gravity,
+                   Order order, std::vector<int>& result);
+
+/// Impulses go back to where the next step finds them.
+void storeImpulses(const Solver& solver, std::span<Contact> contacts, std::span<Joint> joints);
+
+}  // namespace engine

@@ -1,0 +1,211 @@
+#include "engine/world.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/check.h"
+#include "engine/dynamics/forces.h"
+#include "engine/dynamics/integration.h"
+#include "engine/solver/impulses.h"
+#include "engine/solver/nudges.h"
+#include "engine/world_state.h"
+
+namespace engine {
+
+World::World(const Settings& settings) : state_(std::make_unique<WorldState>()) {
+    setSettings(settings);
+}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+/// The second seed's six steps, in its order; the step may be cut in several, with collision
+/// detection once, at its end.
+bool World::step(double dt) {
+    ENGINE_CHECK(dt > 0.0, "a step needs time; to look at the world, read it");
+    WorldState& s = *state_;
+    if (!beginStep(s, dt)) return false;
+    const double h = dt / s.report.substeps;
+    for (int i = 0; i < s.report.substeps; ++i) {
+        s.phase(Phase::forces, i);
+        evaluateField(*this, s);
+        applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp
+
+        s.phase(Phase::velocities, i);
+        integrateVelocities(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
+
+        s.phase(Phase::impulses, i);
+        updateSeparations(s.bodies, s.solver);
+        solveImpulses<double>(s.solver.constraints, s.solver.trees, s.bodies.velocities,
+                              s.settings, h, s.report.sweeps);  // solver/impulses.cpp
+
+        s.phase(Phase::positions, i);
+        integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
+
+        s.phase(Phase::nudges, i);
+        solveNudges(s.joints, s.bodies, s.solver, s.settings, h);  // solver/nudges.cpp
+    }
+    s.phase(Phase::collisions, s.report.substeps - 1);
+    return endStep(s, dt);  // collision/contacts.cpp, solved in the next step
+}
+
+BodyId World::add(const BodyDef& def) {
+    state_->contactsStale = true;
+    return {addBody(state_->bodies, def)};
+}
+
+JointId World::add(const JointDef& def) {
+    WorldState& s = *state_;
+    ENGINE_CHECK(has(def.a) && has(def.b), "a joint needs two bodies of this world");
+    ENGINE_CHECK(def.a != def.b, "a joint needs two different bodies");
+    ENGINE_CHECK(s.bodies.isDynamic(def.a.index) || s.bodies.isDynamic(def.b.index),
+                 "one of a joint's bodies must be dynamic");
+    ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0,
+                 "a distance joint needs a positive length; for zero use a ball joint");
+    ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
+                 "a hinge needs an axis that is not zero");
+    s.joints.push_back(makeJoint(s, def));
+    s.jointsStale = s.contactsStale = true;
+    return {static_cast<int>(s.joints.size()) - 1};
+}
+
+void World::remove(BodyId id) {
+    ENGINE_CHECK(has(id), "there is no such body");
+    WorldState& s = *state_;
+    for (Joint& joint : s.joints)
+        if (joint.def.a == id || joint.def.b == id) joint.present = false;
+    s.bodies.present[id.index] = 0;
+    s.bodies.velocities[id.index] = {};
+    s.bodies.inverseMasses[id.index] = {};
+    s.finder.broadPhase.remove(id.index);
+    std::erase_if(s.finder.contacts, [&](const Contact& c) {
+        return c.a == id.index || c.b == id.index;
+    });
+    s.jointsStale = s.contactsStale = true;
+}
+
+void World::remove(JointId id) {
+    ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
+                 "there is no such joint");
+    state_->joints[id.index].present = false;
+    state_->jointsStale = state_->contactsStale = true;
+}
+
+void World::setSettings(const Settings& settings) {
+    ENGINE_CHECK(settings.substeps >= 1 && settings.sweeps >= 0 && settings.nudges >= 0,
+                 "a step has at least one sub-step, and no negative number of sweeps");
+    ENGINE_CHECK(settings.baumgarte == 0.0 || settings.nudges == 0,
+                 "use Baumgarte or nudges for one error, never both");
+    state_->settings = settings;
+    state_->substeps = {};
+    state_->jointsStale = true;
+}
+
+const Settings& World::settings() const { return state_->settings; }
+void World::setGravity(const Vec3& gravity) { state_->gravity = gravity; }
+const Vec3& World::gravity() const { return state_->gravity; }
+int World::bodyCount() const { return state_->bodies.count(); }
+int World::jointCount() const { return static_cast<int>(state_->joints.size()); }
+
+bool World::has(BodyId id) const {
+    return id.index >= 0 && id.index < bodyCount() && state_->bodies.present[id.index];
+}
+
+namespace {
+constexpr const char* kNoSuchBody = "there is no such body; it was removed or never added";
+}
+
+const BodyDef& World::def(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->bodies.defs[id.index];
+}
+const Pose& World::pose(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->bodies.poses[id.index];
+}
+const Vec3& World::velocity(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->bodies.velocities[id.index].linear;
+}
+const Vec3& World::spin(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->bodies.velocities[id.index].angular;
+}
+double World::mass(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->bodies.masses[id.index].mass;
+}
+const Mat3& World::inertia(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->bodies.masses[id.index].inertia;
+}
+
+JointState World::joint(JointId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < jointCount(), "there is no such joint");
+    return stateOf(*state_, state_->joints[id.index]);
+}
+
+void World::setPose(BodyId id, const Pose& pose) {
+    ENGINE_CHECK(has(id), kNoSuchBody);
+    WorldState& s = *state_;
+    s.bodies.poses[id.index] = pose;
+    s.bodies.poses[id.index].rotation.normalize();
+    updateInverseInertia(s.bodies, id.index);
+    s.contactsStale = s.jointsStale = true;
+}
+
+void World::setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
+    ENGINE_CHECK(has(id) && def(id).kind != BodyKind::fixed,
+                 "only a dynamic or kinematic body has a velocity");
+    state_->bodies.velocities[id.index] = {velocity, spin};
+}
+
+void World::applyForce(BodyId id, const Vec3& force, const Vec3& torque) {
+    ENGINE_CHECK(has(id), kNoSuchBody);
+    state_->bodies.loads[id.index].force += force;
+    state_->bodies.loads[id.index].torque += torque;
+}
+
+void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
+    ENGINE_CHECK(has(id), kNoSuchBody);
+    Bodies& bodies = state_->bodies;
+    // dv = P / m, dw = I^-1 (r x P)
+    const InverseMass<double>& m = bodies.inverseMasses[id.index];
+    const Vec3 arm = at - bodies.poses[id.index].position;
+    bodies.velocities[id.index].linear += m.linear * impulse;
+    bodies.velocities[id.index].angular += m.angular * arm.cross(impulse);
+}
+
+std::span<const ContactState> World::contacts() const {
+    refresh(*state_);
+    return state_->contactStates;
+}
+
+const StepReport& World::report() const {
+    refresh(*state_);
+    return state_->report;
+}
+
+Energy World::energy() const { return energyOf(state_->bodies, state_->gravity); }
+
+std::uint64_t World::hash() const {
+    StateHash hash;
+    const Bodies& bodies = state_->bodies;
+    for (int i = 0; i < bodies.count(); ++i) {
+        hash.add(static_cast<std::uint64_t>(bodies.present[i] != 0));
+        hash.add(bodies.poses[i].position), hash.add(bodies.poses[i].rotation);
+        hash.add(bodies.velocities[i].linear), hash.add(bodies.velocities[i].angular);
+    }
+    return hash.value();
+}
+
+void World::setForceField(std::function<void(const World&, std::span<Load>)> field) {
+    state_->field = std::move(field);
+    state_->fieldLoads.clear();
+}
+
+void World::observe(std::function<void(Phase, int)> observer) {
+    state_->observer = std::move(observer);
+}
+
+}  // namespace engine

@@ -1,0 +1,60 @@
+/// What a World holds, and what happens before and after the six steps of the loop.
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/base/hash.h"
+#include "engine/collision/contacts.h"
+#include "engine/dynamics/energy.h"
+#include "engine/solver/prepare.h"
+#include "engine/solver/substeps.h"
+#include "engine/world.h"
+
+namespace engine {
+
+struct WorldState {
+    Settings settings;
+    Vec3 gravity{0.0, -9.81, 0.0};
+    Bodies bodies;
+    std::vector<Joint> joints;
+    ContactFinder finder;
+    Solver solver;
+    SubstepChooser substeps;
+    StepReport report;
+    std::vector<ContactState> contactStates;
+    std::function<void(const World&, std::span<Load>)> field;
+    std::vector<Load> fieldLoads;
+    std::function<void(Phase, int)> observer;
+
+    bool contactsStale = true;  // bodies came, went or were moved by the caller
+    bool jointsStale = true;
+    double startOfPace = 0.0;   // s, when steps began to be of this length, and how many since:
+    long long stepsAtPace = 0;  // time is counted, not added up
+    double lastDt = 0.0;        // s; impulses are kept per sub-step of this length
+    int lastSubsteps = 0;
+
+    std::vector<Velocity<double>> velocitiesBefore;  // to go back to when a step turns out wrong
+
+    void phase(Phase which, int substep) const {
+        if (observer) observer(which, substep);
+    }
+};
+
+/// Contacts and joints up to date with what the caller did; rows for the solver. False: the world
+/// has stopped.
+bool beginStep(WorldState& s, double dt);
+
+/// What the caller's force field says of this moment.
+void evaluateField(const World& world, WorldState& s);
+
+/// Step 6, the report, and the last look at whether the new state is one to pass on.
+bool endStep(WorldState& s, double dt);
+
+/// Contacts and report as of now, without a step.
+void refresh(WorldState& s);
+
+Joint makeJoint(const WorldState& s, const JointDef& def);
+JointState stateOf(const WorldState& s, const Joint& joint);
+
+}  // namespace engine

@@ -1,0 +1,46 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace render {
+
+Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up) {
+    const Vec3 back = (eye - target).normalized();
+    Vec3 right = up.cross(back);
+    if (right.norm() < 1e-4f) right = Vec3(0, 0, -1).cross(back);  // looking along `up`
+    right.normalize();
+    Eigen::Matrix4f m = Eigen::Matrix4f::Identity();
+    m.block<1, 3>(0, 0) = right.transpose();
+    m.block<1, 3>(1, 0) = back.cross(right).transpose();
+    m.block<1, 3>(2, 0) = back.transpose();
+    m.block<3, 1>(0, 3) = -m.block<3, 3>(0, 0) * eye;
+    return m;
+}
+
+View makeView(const Camera& camera, float aspect) {
+    View v;
+    v.eye = camera.from;
+    v.view = lookAt(camera.from, camera.lookAt, camera.up);
+    const float distance = (camera.from - camera.lookAt).norm();
+    v.nearest = std::max(0.02f * distance, 0.01f);
+    v.farthest = 150.0f * std::max(distance, 4.0f);
+    const float f = 1.0f / std::tan(0.5f * camera.fovDegrees * 3.14159265f / 180.0f);
+    v.projection.setZero();
+    v.projection(0, 0) = f / aspect;
+    v.projection(1, 1) = f;
+    v.projection(2, 2) = (v.farthest + v.nearest) / (v.nearest - v.farthest);
+    v.projection(2, 3) = 2.0f * v.farthest * v.nearest / (v.nearest - v.farthest);
+    v.projection(3, 2) = -1.0f;
+    return v;
+}
+
+Projected project(const View& view, const Vec3& world, int width, int height) {
+    const Eigen::Vector4f clip = view.worldToClip() * world.homogeneous();
+    const float w = clip.w();
+    if (w <= view.nearest) return {0, 0, 0};
+    return {(0.5f + 0.5f * clip.x() / w) * static_cast<float>(width),
+            (0.5f - 0.5f * clip.y() / w) * static_cast<float>(height), w};
+}
+
+}  // namespace render

@@ -1,0 +1,26 @@
+/// Matrices of a camera, and from the world to the picture.
+#pragma once
+#include "render/frame.h"
+
+namespace render {
+
+struct View {
+    Eigen::Matrix4f view;        // world to eye: x right, y up, z towards the viewer
+    Eigen::Matrix4f projection;  // eye to clip
+    Vec3 eye;                    // m, world
+    float nearest, farthest;     // m, the clip planes
+
+    Eigen::Matrix4f worldToClip() const { return projection * view; }
+};
+
+View makeView(const Camera& camera, float aspect);
+
+/// Pixels from the top left corner, and the distance along the view axis (m; <= 0: behind).
+struct Projected {
+    float x = 0, y = 0, depth = 0;
+};
+Projected project(const View& view, const Vec3& world, int width, int height);
+
+Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up);
+
+}  // namespace render

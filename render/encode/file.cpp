@@ -1,0 +1,97 @@
+#include "render/encode/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "render/error.h"
+
+namespace render {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+    throw Error("cannot write '" + path.string() + "': " + describeError(error));
+}
+
+/// Zero or an errno. A short count is no error: the next call tells why it was short.
+int writeAll(int file, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        if (written == 0) return EIO;  // no progress and no reason: do not spin
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+/// Zero or an errno. Network disks tell only here that they were full. Not repeated on EINTR:
+/// Linux has released the number by then, and another thread may own it.
+int closeFile(int file) { return ::close(file) == 0 || errno == EINTR ? 0 : errno; }
+
+}  // namespace
+
+std::string describeError(int error) {
+    switch (error) {
+        case ENOSPC:
+            return "disk full";
+        case EDQUOT:
+            return "disk quota used up";
+        case EFBIG:
+            return "file larger than this disk or process may write (see ulimit -f)";
+        default:
+            return std::generic_category().message(error);
+    }
+}
+
+void checkReplaceable(const fs::path& path) {
+    struct stat found = {};
+    if (::lstat(path.c_str(), &found) != 0) {
+        if (errno == ENOENT) return;
+        fail(path, errno);
+    }
+    if (S_ISREG(found.st_mode)) return;
+    const std::string what = S_ISLNK(found.st_mode)   ? "a symbolic link"
+                             : S_ISDIR(found.st_mode) ? "a directory"
+                                                      : "not an ordinary file";
+    throw Error("cannot write '" + path.string() + "': it is " + what +
+                "; remove it or give another name");
+}
+
+fs::path temporaryNameFor(const fs::path& path) {
+    fs::path temporary = path;
+    temporary += ".tmp" + std::to_string(::getpid());
+    return temporary;
+}
+
+int createTemporary(const fs::path& temporary, const fs::path& target) {
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    int file = ::open(temporary.c_str(), kFlags, 0666);
+    if (file < 0 && errno == EEXIST) {
+        ::unlink(temporary.c_str());  // removes a symlink itself, never what it points to
+        file = ::open(temporary.c_str(), kFlags, 0666);
+    }
+    if (file < 0) fail(target, errno);
+    return file;
+}
+
+void writeFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    checkReplaceable(path);
+    const fs::path temporary = temporaryNameFor(path);
+    const int file = createTemporary(temporary, path);
+    int error = writeAll(file, bytes);
+    const int closeError = closeFile(file);
+    if (error == 0) error = closeError;
+    // rename replaces a symlink that appeared meanwhile; it does not follow it
+    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    ::unlink(temporary.c_str());
+    fail(path, error);
+}
+
+}  // namespace render

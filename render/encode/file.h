@@ -1,0 +1,36 @@
+/// Files that are either whole or absent: temporary name, write, close, rename.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace render {
+
+/// Replaces `path` by a file with this content in one step; a reader, or a run killed half way,
+/// sees the old file or the new one. The folder must exist.
+/// Throws Error (path and reason) when the target is a symlink, a directory or a device, or when
+/// the disk is full; then neither a temporary file nor a half-written one is left.
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+inline void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
+    writeFileAtomically(path,
+                        std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+/// Throws Error unless `path` is free or an ordinary file that may be replaced.
+void checkReplaceable(const std::filesystem::path& path);
+
+/// The name a file carries until it is whole: beside the target (rename does not cross disks),
+/// with the number of this process.
+std::filesystem::path temporaryNameFor(const std::filesystem::path& path);
+
+/// Creates `temporary` anew and opens it for writing, never through a symlink. A file left there
+/// by a killed run of the same process number is removed first. `target` is for the message.
+int createTemporary(const std::filesystem::path& temporary, const std::filesystem::path& target);
+
+/// One line for an errno: "disk full", "file too large: ...", otherwise the system's text.
+std::string describeError(int error);
+
+}  // namespace render

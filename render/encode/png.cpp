@@ -1,0 +1,144 @@
+#include "render/encode/png.h"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "render/error.h"
+
+namespace {
+
+/// stb's compressor, replaced: level 1 of libdeflate is both faster and smaller.
+/// The buffer comes from malloc because stb frees it.
+unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, int /*quality*/) {
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+        libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
+    if (!compressor) return nullptr;
+    const auto length = static_cast<std::size_t>(size);
+    const std::size_t room = libdeflate_zlib_compress_bound(compressor.get(), length);
+    auto* out = static_cast<unsigned char*>(std::malloc(room));
+    if (!out) return nullptr;
+    const auto used = libdeflate_zlib_compress(compressor.get(), bytes, length, out, room);
+    *compressedSize = static_cast<int>(used);  // fits: 4 * 16384^2 = 2^30
+    return out;
+}
+
+}  // namespace
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wconversion"
+#endif
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#define STBIW_ZLIB_COMPRESS deflateFast
+#include <stb/stb_image_write.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace render {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+bool isOpaque(const Image& image) {
+    for (std::size_t alpha = 3; alpha < image.pixels.size(); alpha += 4) {
+        if (image.pixels[alpha] != 255) return false;
+    }
+    return true;
+}
+
+std::vector<std::uint8_t> withoutAlpha(const Image& image) {
+    std::vector<std::uint8_t> rgb(image.pixels.size() / 4 * 3);
+    const std::uint8_t* from = image.pixels.data();
+    for (std::size_t i = 0; i < rgb.size(); i += 3, from += 4) std::copy_n(from, 3, &rgb[i]);
+    return rgb;
+}
+
+std::uint32_t bigEndian32(Bytes bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | bytes[at + i];
+    return value;
+}
+
+bool hasName(Bytes bytes, std::size_t at, const char* name) {
+    return std::memcmp(bytes.data() + at, name, 4) == 0;
+}
+
+/// One chunk: length (4), name (4), content, CRC of name and content (4). PNG 1.2, section 3.2.
+struct Chunk {
+    std::size_t name = 0, next = 0;  // offsets in the file; next = 0: damaged
+};
+
+Chunk chunkAt(Bytes bytes, std::size_t at) {
+    if (bytes.size() - at < 12) return {};
+    const std::size_t length = bigEndian32(bytes, at);
+    if (length > bytes.size() - at - 12) return {};
+    const std::uint32_t crc = libdeflate_crc32(0, bytes.data() + at + 4, length + 4);
+    if (crc != bigEndian32(bytes, at + 8 + length)) return {};
+    return {at + 4, at + 12 + length};
+}
+
+bool startsWithHeader(Bytes bytes, int width, int height) {
+    constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    if (bytes.size() < 33 || !std::equal(kSignature, kSignature + 8, bytes.begin())) return false;
+    return bigEndian32(bytes, 8) == 13 && hasName(bytes, 12, "IHDR") &&
+           bigEndian32(bytes, 16) == static_cast<std::uint32_t>(width) &&
+           bigEndian32(bytes, 20) == static_cast<std::uint32_t>(height);
+}
+
+}  // namespace
+
+void checkSize(const Image& image) {
+    const auto allowed = [](int side) { return side >= 1 && side <= kLargestSide; };
+    const std::string size = std::to_string(image.width) + "x" + std::to_string(image.height);
+    if (!allowed(image.width) || !allowed(image.height)) {
+        throw Error("picture size " + size + ": each side must be within 1.." +
+                    std::to_string(kLargestSide) + " pixels");
+    }
+    const std::size_t needed = std::size_t{4} * image.width * image.height;
+    if (image.pixels.size() != needed) {
+        throw Error("a picture of " + size + " holds " + std::to_string(image.pixels.size()) +
+                    " bytes; RGBA needs " + std::to_string(needed));
+    }
+}
+
+std::vector<std::uint8_t> encodePng(const Image& image) {
+    checkSize(image);
+    static const int noFilter = stbi_write_force_png_filter = 0;  // once: it is a global of stb's
+    static_cast<void>(noFilter);
+    const bool opaque = isOpaque(image);
+    const int channels = opaque ? 3 : 4;
+    const std::vector<std::uint8_t> rgb =
+        opaque ? withoutAlpha(image) : std::vector<std::uint8_t>{};
+    const std::uint8_t* pixels = opaque ? rgb.data() : image.pixels.data();
+    int size = 0;
+    const std::unique_ptr<unsigned char, decltype(&std::free)> png(
+        stbi_write_png_to_mem(pixels, 0, image.width, image.height, channels, &size), &std::free);
+    if (!png) throw Error("out of memory while encoding a PNG; draw smaller pictures");
+    return {png.get(), png.get() + size};
+}
+
+bool pngIsWhole(Bytes bytes, int width, int height) {
+    if (!startsWithHeader(bytes, width, height)) return false;
+    bool hasPixels = false;
+    for (std::size_t at = 8; at < bytes.size();) {
+        const Chunk chunk = chunkAt(bytes, at);
+        if (chunk.next == 0) return false;
+        if (hasName(bytes, chunk.name, "IEND")) return hasPixels && chunk.next == bytes.size();
+        hasPixels = hasPixels || hasName(bytes, chunk.name, "IDAT");
+        at = chunk.next;
+    }
+    return false;
+}
+
+}  // namespace render

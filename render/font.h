@@ -1,0 +1,8 @@
+/// DejaVu Sans, embedded at build time.
+#pragma once
+
+namespace render {
+
+const unsigned char* fontBytes();
+
+}  // namespace render

@@ -1,0 +1,139 @@
+#include "render/meshes.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace render {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+std::vector<Vertex> boxMesh() {
+    std::vector<Vertex> mesh;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0f, 1.0f}) {
+            const Vec3 normal = side * Vec3::Unit(axis);
+            const Vec3 u = Vec3::Unit((axis + 1) % 3), v = normal.cross(u);
+            const Vec3 corner[4] = {normal - u - v, normal + u - v, normal + u + v, normal - u + v};
+            for (const int i : {0, 1, 2, 0, 2, 3}) mesh.push_back({corner[i], normal, 0.0f});
+        }
+    return mesh;
+}
+
+/// A sphere in rings; the equator is there twice, once for either end of a capsule.
+std::vector<Vertex> ballMesh() {
+    constexpr int kSlices = 48, kRings = 12;  // of half a sphere
+    struct Ring {
+        float angle, end;
+    };
+    std::vector<Ring> rings;
+    for (int i = 0; i <= kRings; ++i)
+        rings.push_back({kPi / 2 * static_cast<float>(i) / kRings - kPi / 2, -1.0f});
+    for (int i = 0; i <= kRings; ++i)
+        rings.push_back({kPi / 2 * static_cast<float>(i) / kRings, 1.0f});
+    const auto vertex = [](const Ring& ring, int slice) {
+        const float turn = 2 * kPi * static_cast<float>(slice % kSlices) / kSlices;
+        const Vec3 p(std::cos(ring.angle) * std::cos(turn), std::sin(ring.angle),
+                     -std::cos(ring.angle) * std::sin(turn));
+        return Vertex{p, p, ring.end};
+    };
+    std::vector<Vertex> mesh;
+    for (std::size_t r = 0; r + 1 < rings.size(); ++r)
+        for (int s = 0; s < kSlices; ++s) {
+            const Vertex a = vertex(rings[r], s), b = vertex(rings[r], s + 1);
+            const Vertex c = vertex(rings[r + 1], s + 1), d = vertex(rings[r + 1], s);
+            mesh.insert(mesh.end(), {a, b, c, a, c, d});
+        }
+    return mesh;
+}
+
+/// A cylinder along y from -1 to 1, open: its ends are hidden in what it holds together.
+std::vector<Vertex> barMesh() {
+    constexpr int kSlices = 20;
+    const auto vertex = [](int slice, float y) {
+        const float turn = 2 * kPi * static_cast<float>(slice % kSlices) / kSlices;
+        const Vec3 out(std::cos(turn), 0, -std::sin(turn));
+        return Vertex{out + Vec3(0, y, 0), out, 0.0f};
+    };
+    std::vector<Vertex> mesh;
+    for (int s = 0; s < kSlices; ++s) {
+        const Vertex a = vertex(s, -1), b = vertex(s + 1, -1), c = vertex(s + 1, 1), d = vertex(s, 1);
+        mesh.insert(mesh.end(), {a, b, c, a, c, d});
+    }
+    return mesh;
+}
+
+void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(index, divisor);
+}
+
+}  // namespace
+
+std::vector<Vertex> meshOf(MeshKind kind) {
+    switch (kind) {
+        case MeshKind::box: return boxMesh();
+        case MeshKind::ball: return ballMesh();
+        case MeshKind::bar: return barMesh();
+    }
+    return {};
+}
+
+InstancedMesh::InstancedMesh(MeshKind kind)
+    : array_(newArray()), vertices_(newBuffer()), instances_(newBuffer()) {
+    const std::vector<Vertex> mesh = meshOf(kind);
+    vertexCount_ = static_cast<int>(mesh.size());
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(Vertex)),
+                 mesh.data(), GL_STATIC_DRAW);
+    attribute(0, 3, sizeof(Vertex), offsetof(Vertex, position), 0);
+    attribute(1, 3, sizeof(Vertex), offsetof(Vertex, normal), 0);
+    attribute(2, 1, sizeof(Vertex), offsetof(Vertex, end), 0);
+    glBindBuffer(GL_ARRAY_BUFFER, instances_);
+    attribute(3, 3, sizeof(Instance), offsetof(Instance, position), 1);
+    attribute(4, 4, sizeof(Instance), offsetof(Instance, rotation), 1);
+    attribute(5, 3, sizeof(Instance), offsetof(Instance, scale), 1);
+    attribute(6, 1, sizeof(Instance), offsetof(Instance, stretch), 1);
+    attribute(7, 3, sizeof(Instance), offsetof(Instance, color), 1);
+}
+
+void InstancedMesh::setInstances(const std::vector<Instance>& instances) {
+    instanceCount_ = static_cast<int>(instances.size());
+    glBindBuffer(GL_ARRAY_BUFFER, instances_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
+                 instances.data(), GL_STREAM_DRAW);
+}
+
+void InstancedMesh::draw() const {
+    if (instanceCount_ == 0) return;
+    glBindVertexArray(array_);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertexCount_, instanceCount_);
+}
+
+Instances instancesOf(const Frame& frame) {
+    Instances result;
+    for (const Solid& s : frame.solids) {
+        const Eigen::Vector4f q = s.rotation.normalized().coeffs();
+        const Vec3 color = linear(s.color);
+        const float r = s.halfSize.x();
+        if (s.shape == SolidShape::box)
+            result.boxes.push_back({s.position, q, s.halfSize, 0.0f, color});
+        else
+            result.balls.push_back({s.position, q, Vec3(r, r, r),
+                                    s.shape == SolidShape::capsule ? s.halfSize.y() : 0.0f, color});
+    }
+    for (const Rod& rod : frame.rods) {
+        const Vec3 along = rod.to - rod.from;
+        const float length = along.norm();
+        if (length < 1e-6f) continue;
+        const Quat q = Quat::FromTwoVectors(Vec3::UnitY(), along);
+        result.bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
+                               {rod.radius, 0.5f * length, rod.radius}, 0.0f, linear(rod.color)});
+    }
+    return result;
+}
+
+}  // namespace render

@@ -1,0 +1,15 @@
+#version 330 core
+#include "instance.glsl"
+uniform mat4 worldToClip;
+out vec3 world, worldNormal, tint, local;
+flat out vec3 halfSize;
+flat out vec4 q;
+void main() {
+    world = worldPoint();
+    worldNormal = turn(rotation, vertexNormal);
+    local = localPoint();
+    halfSize = scale;
+    q = rotation;
+    tint = color;
+    gl_Position = worldToClip * vec4(world, 1.0);
+}

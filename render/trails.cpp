@@ -1,0 +1,51 @@
+#include "render/trails.h"
+
+namespace render {
+namespace {
+
+/// Half the band's width at a point, across its way over the picture, in clip coordinates.
+Eigen::Vector4f sideways(const Eigen::Vector4f& before, const Eigen::Vector4f& here,
+                         const Eigen::Vector4f& after, float pixels, int width, int height) {
+    const float w = static_cast<float>(width), h = static_cast<float>(height);
+    const Eigen::Vector2f from = before.head<2>() / before.w(), to = after.head<2>() / after.w();
+    Eigen::Vector2f way((to.x() - from.x()) * w, (to.y() - from.y()) * h);
+    if (way.norm() < 1e-6f) way = {1, 0};
+    way.normalize();
+    const float half = 0.5f * pixels * h / 720.0f;
+    return Eigen::Vector4f(-way.y() * half * 2 / w, way.x() * half * 2 / h, 0, 0) * here.w();
+}
+
+void addBand(const Trail& trail, const View& view, int width, int height,
+             std::vector<TrailVertex>& band) {
+    std::vector<Eigen::Vector4f> clip;
+    for (const Vec3& p : trail.points) clip.push_back(view.worldToClip() * p.homogeneous());
+    const int n = static_cast<int>(clip.size());
+    const auto vertices = [&](int i, TrailVertex (&pair)[2]) {
+        const float age = static_cast<float>(i) / static_cast<float>(n - 1);  // 1: now
+        const Eigen::Vector4f color(trail.color.r, trail.color.g, trail.color.b,
+                                    trail.color.a * (0.04f + 0.9f * age * age));
+        const Eigen::Vector4f side =
+            sideways(clip[std::max(i - 1, 0)], clip[i], clip[std::min(i + 1, n - 1)],
+                     trail.pixels * (0.35f + 0.65f * age), width, height);
+        pair[0] = {clip[i] + side, color};
+        pair[1] = {clip[i] - side, color};
+    };
+    for (int i = 0; i + 1 < n; ++i) {
+        if (clip[i].w() < view.nearest || clip[i + 1].w() < view.nearest) continue;
+        TrailVertex a[2], b[2];
+        vertices(i, a);
+        vertices(i + 1, b);
+        for (const TrailVertex& v : {a[0], a[1], b[0], b[0], a[1], b[1]}) band.push_back(v);
+    }
+}
+
+}  // namespace
+
+std::vector<TrailVertex> trailBands(const Frame& frame, const View& view, int width, int height) {
+    std::vector<TrailVertex> band;
+    for (const Trail& trail : frame.trails)
+        if (trail.points.size() > 1) addBand(trail, view, width, height, band);
+    return band;
+}
+
+}  // namespace render

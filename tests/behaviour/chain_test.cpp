@@ -1,0 +1,89 @@
+// mission 34 and heavy loads on light links.
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+using support::body;
+using support::kGravity;
+using support::kStep;
+using support::run;
+
+/// `links` of 1 kg and half a metre, straight down or level, and a ball (0 = none).
+struct Chain {
+    World world;
+    std::vector<JointId> joints;
+
+    Chain(int links, double ballMass, bool level, const Settings& settings = Settings::steady())
+        : world(settings) {
+        const Vec3 along = level ? Vec3(1, 0, 0) : Vec3(0, -1, 0);
+        BodyId last = world.add(support::hook());
+        const Vec3 size = level ? Vec3(0.5, 0.1, 0.1) : Vec3(0.1, 0.5, 0.1);
+        for (int i = 0; i < links; ++i) {
+            BodyDef link = body(Shape::box(size), along * (0.5 * i + 0.25), 1.0);
+            link.collide = false;
+            last = hang(last, link, along * (0.5 * i));
+        }
+        if (ballMass == 0.0) return;
+        BodyDef ball = body(Shape::sphere(0.5), along * (0.5 * links + 0.5), ballMass);
+        ball.collide = false;
+        hang(last, ball, along * (0.5 * links));
+    }
+    BodyId hang(BodyId last, const BodyDef& def, const Vec3& at) {
+        const BodyId next = world.add(def);
+        joints.push_back(support::join(world, JointType::ball, last, next, at));
+        return next;
+    }
+};
+
+TEST(Chain, TheTopJointCarriesTheWeightOfAll) {
+    for (const Settings& settings : {Settings::steady(), Settings::seed()}) {
+        Chain chain(10, 0.0, false, settings);
+        run(chain.world, 120);
+        EXPECT_NEAR(chain.world.joint(chain.joints[0]).force.y(), 98.1, 0.2);  // on the link below
+    }
+}
+
+TEST(Chain, HoldsAThousandKilogramsOnOneKilogramLinks) {
+    Chain chain(20, 1000.0, false);
+    double worst = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        chain.world.step(kStep);
+        worst = larger(worst, chain.world.report().worstSeparation);
+    }
+    EXPECT_LT(worst, 1e-5);
+}
+
+TEST(Chain, SwingsAThousandKilogramsWithoutTearingOrGaining) {
+    Chain chain(20, 1000.0, true);
+    const double scale = 1000 * kGravity * 10.5;
+    double worst = 0.0, gain = 0.0;
+    for (int i = 0; i < 600; ++i) {
+        ASSERT_TRUE(chain.world.step(kStep));
+        worst = larger(worst, chain.world.report().worstSeparation);
+        gain = larger(gain, chain.world.report().energy.total() / scale);
+    }
+    EXPECT_LT(worst, 2e-3);
+    EXPECT_LT(gain, 5e-3);
+}
+
+TEST(Weld, HoldsACantileverOfFiveBlocks) {
+    World world;
+    BodyId last = world.add(support::fixed(Shape::box({1, 1, 1})));
+    for (int i = 1; i <= 5; ++i) {
+        const BodyId next = world.add(body(Shape::box({1, 1, 1}), {1.0 * i, 0, 0}, 10.0));
+        support::join(world, JointType::weld, last, next, {i - 0.5, 0, 0});
+        last = next;
+    }
+    run(world, 300);
+    EXPECT_NEAR(world.pose(last).position.y(), 0.0, 1e-4);
+    // The moment at the wall: sum of m g x from the first joint.
+    const JointState root = world.joint({0});
+    EXPECT_NEAR(root.force.y(), 5 * 10 * kGravity, 0.5);
+    EXPECT_NEAR(root.torque.z(), 10 * kGravity * (0.5 + 1.5 + 2.5 + 3.5 + 4.5), 2.0);
+}
+
+}  // namespace
+}  // namespace engine

@@ -1,0 +1,95 @@
+// mission 34: J v2 = -e J v1, with a threshold.
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+using support::body;
+using support::kGravity;
+using support::kStep;
+using support::run;
+
+/// Highest point after the first bounce of a ball dropped from 2 m (its lowest point).
+double reboundHeight(double e, const Settings& settings) {
+    World world(settings);
+    BodyDef floor = support::floorPlane();
+    world.add(floor);
+    BodyDef ball = body(Shape::sphere(0.25), {0, 2.25, 0});
+    ball.material.restitution = e;
+    const BodyId id = world.add(ball);
+    double highest = 0.0;
+    bool bounced = false;
+    for (int i = 0; i < 150; ++i) {
+        world.step(kStep);
+        bounced = bounced || world.velocity(id).y() > 0.0;
+        if (bounced) highest = larger(highest, world.pose(id).position.y() - 0.25);
+    }
+    return highest;
+}
+
+TEST(Restitution, RisesToESquared) {
+    for (const double e : {0.3, 0.5, 0.8, 1.0}) {
+        // Up to half a sub-step's fall is lost or won where the hit lies between two steps.
+        EXPECT_NEAR(reboundHeight(e, Settings::steady()), 2.0 * e * e, 0.06) << e;
+        EXPECT_NEAR(reboundHeight(e, Settings::seed()), 2.0 * e * e, 0.25) << e;
+    }
+}
+
+TEST(Restitution, SlowContactsDoNotBounce) {
+    World world;
+    world.add(support::floorPlane());
+    BodyDef ball = body(Shape::sphere(0.25), {0, 0.252, 0});
+    ball.material.restitution = 0.9;
+    const BodyId id = world.add(ball);
+    run(world, 60);
+    EXPECT_LT(world.velocity(id).norm(), 1e-3);
+    EXPECT_NEAR(world.pose(id).position.y(), 0.25, 1e-3);
+}
+
+TEST(Restitution, ABoxDroppedFlatStaysFlat) {
+    World world;
+    world.add(support::floorPlane());
+    BodyDef box = body(Shape::box({1, 1, 1}), {0, 1.5, 0});
+    box.material.restitution = 0.5;
+    const BodyId id = world.add(box);
+    for (int i = 0; i < 120; ++i) {
+        world.step(kStep);
+        ASSERT_LT(world.spin(id).norm(), 1e-9);
+    }
+}
+
+// One ball in, one ball out: momentum and energy leave no other choice for equal masses.
+TEST(Cradle, ABlowTravelsThroughARowOfTouchingBalls) {
+    World world;
+    world.setGravity(Vec3::Zero());
+    for (int i = 0; i < 5; ++i) {
+        BodyDef ball = body(Shape::sphere(0.25), {0.5 * i + (i > 0 ? 0.3 : 0.0), 0, 0});
+        ball.material.restitution = 1.0;
+        ball.material.friction = 0.0;
+        if (i == 0) ball.velocity = {2, 0, 0};
+        world.add(ball);
+    }
+    run(world, 30);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(world.velocity({i}).norm(), 0.0, 1e-9) << i;
+    EXPECT_NEAR(world.velocity({4}).x(), 2.0, 1e-9);
+}
+
+TEST(Cradle, TwoBallsInTwoBallsOut) {
+    World world;
+    world.setGravity(Vec3::Zero());
+    for (int i = 0; i < 5; ++i) {
+        BodyDef ball = body(Shape::sphere(0.25), {0.5 * i + (i > 1 ? 0.3 : 0.0), 0, 0});
+        ball.material.restitution = 1.0;
+        ball.material.friction = 0.0;
+        if (i < 2) ball.velocity = {2, 0, 0};
+        world.add(ball);
+    }
+    run(world, 30);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(world.velocity({i}).norm(), 0.0, 1e-6) << i;
+    for (int i = 3; i < 5; ++i) EXPECT_NEAR(world.velocity({i}).x(), 2.0, 1e-6) << i;
+}
+
+}  // namespace
+}  // namespace engine

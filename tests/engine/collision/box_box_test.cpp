@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "engine/base/trigonometry.h"
+#include "engine/collision/collide.h"
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+const Shape kCube = Shape::box({1, 1, 1});
+
+Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return {p, q}; }
+
+std::set<int> features(const Manifold& m) {
+    std::set<int> result;
+    for (int i = 0; i < m.count; ++i) result.insert(m.points[i].feature);
+    return result;
+}
+
+TEST(BoxBox, AFaceOnAFaceGivesItsFourCorners) {
+    const Manifold m = collide(kCube, at({0, 0, 0}), kCube, at({0, 0.99, 0}), 0.02);
+    ASSERT_EQ(m.count, 4);
+    EXPECT_LT((m.normal - Vec3::UnitY()).norm(), 1e-15);
+    for (int i = 0; i < 4; ++i) {
+        const Vec3 gap = m.points[i].onB - m.points[i].onA;
+        EXPECT_NEAR(gap.dot(m.normal), -0.01, 1e-12);
+        EXPECT_NEAR(std::abs(m.points[i].onA.x()), 0.5, 1e-12);
+        EXPECT_NEAR(std::abs(m.points[i].onA.z()), 0.5, 1e-12);
+    }
+    EXPECT_EQ(features(m).size(), 4u);
+}
+
+TEST(BoxBox, FeaturesSurviveRoundingAndSmallTurns) {
+    support::Random random(5);
+    const std::set<int> rest = features(collide(kCube, at({0, 0, 0}), kCube, at({0, 1, 0}), 0.02));
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 shake = random.vector(1e-5);
+        const Quat turn = turnAboutXyz(random.vector(1e-5));
+        EXPECT_EQ(features(collide(kCube, at({0, 0, 0}), kCube, at(Vec3(0, 1, 0) + shake, turn),
+                                   0.02)),
+                  rest);
+    }
+}
+
+// Two crossed edges: the distance of two lines at right angles.
+TEST(BoxBox, EdgesThatCrossGiveOnePointBetween) {
+    const Quat tiltX = turnAbout(Vec3::UnitX(), radians(45));
+    const Quat tiltZ = turnAbout(Vec3::UnitZ(), radians(45));
+    const double height = std::sqrt(2.0) - 0.01;
+    const Manifold m = collide(kCube, at({0, 0, 0}, tiltX), kCube, at({0, height, 0}, tiltZ), 0.02);
+    ASSERT_EQ(m.count, 1);
+    EXPECT_LT((m.normal - Vec3::UnitY()).norm(), 1e-12);
+    EXPECT_NEAR((m.points[0].onB - m.points[0].onA).dot(m.normal), -0.01, 1e-12);
+    EXPECT_NEAR(m.points[0].onA.y(), std::sqrt(0.5), 1e-9);
+}
+
+TEST(BoxBox, ATurnedFaceKeepsFourPointsThatHoldTheCentre) {
+    const Quat turn = turnAbout(Vec3::UnitY(), radians(45));  // an octagon in common
+    const Manifold m = collide(kCube, at({0, 0, 0}), kCube, at({0, 1, 0}, turn), 0.02);
+    ASSERT_EQ(m.count, 4);
+    Vec3 middle = Vec3::Zero();
+    for (int i = 0; i < 4; ++i) middle += 0.25 * m.points[i].onA;
+    EXPECT_LT(std::hypot(middle.x(), middle.z()), 0.15);
+    for (int i = 0; i < 4; ++i) EXPECT_GT(std::hypot(m.points[i].onA.x(), m.points[i].onA.z()), 0.5);
+}
+
+TEST(BoxBox, ApartByMoreThanTheMarginGivesNothing) {
+    EXPECT_EQ(collide(kCube, at({0, 0, 0}), kCube, at({0, 1.021, 0}), 0.02).count, 0);
+    EXPECT_EQ(collide(kCube, at({0, 0, 0}), kCube, at({0, 1.019, 0}), 0.02).count, 4);
+    EXPECT_EQ(collide(kCube, at({0, 0, 0}), kCube, at({1.2, 1.2, 0}), 0.02).count, 0);
+}
+
+// Whatever the poses: the normal is unit and points from a to b, no point lies deeper than the
+// boxes reach, and the other way round gives the same depths.
+TEST(BoxBox, IsSaneForRandomPoses) {
+    support::Random random(6);
+    int touching = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Shape a = Shape::box(Vec3::Constant(0.4) + random.vector(0.3));
+        const Shape b = Shape::box(Vec3::Constant(0.4) + random.vector(0.3));
+        const Pose poseA = at(Vec3::Zero(), random.rotation());
+        const Pose poseB = at(random.vector(0.5), random.rotation());
+        const Manifold m = collide(a, poseA, b, poseB, 0.02);
+        const Manifold back = collide(b, poseB, a, poseA, 0.02);
+        EXPECT_EQ(m.count > 0, back.count > 0);
+        if (m.count == 0) continue;
+        ++touching;
+        EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
+        EXPECT_GT(m.normal.dot(poseB.position - poseA.position), -1e-9);
+        double deepest = 0.0, deepestBack = 0.0;
+        for (int k = 0; k < m.count; ++k) {
+            const Vec3 gap = m.points[k].onB - m.points[k].onA;
+            EXPECT_LE(gap.dot(m.normal), 0.02 + 1e-12);
+            EXPECT_LT(gap.cross(m.normal).norm(), 1e-9);
+            deepest = smaller(deepest, gap.dot(m.normal));
+        }
+        for (int k = 0; k < back.count; ++k)
+            deepestBack = smaller(
+                deepestBack, (back.points[k].onB - back.points[k].onA).dot(back.normal));
+        EXPECT_NEAR(deepest, deepestBack, 3e-3);  // the axes' bonuses may decide otherwise
+    }
+    EXPECT_GT(touching, 1000);
+}
+
+}  // namespace
+}  // namespace engine

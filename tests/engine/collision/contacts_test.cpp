@@ -1,0 +1,76 @@
+#include "engine/collision/contacts.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+Contact withFeatures(std::initializer_list<int> features, double firstImpulse) {
+    Contact c;
+    for (const int feature : features) {
+        ContactPoint& p = c.points[c.count++];
+        p.feature = feature;
+        p.impulse = firstImpulse++;
+        p.anchorA = Vec3(c.count, 0, 0);
+    }
+    return c;
+}
+
+TEST(ContactCaching, ImpulsesFollowTheirFeature) {
+    const Contact before = withFeatures({11, 12, 13, 14}, 1.0);
+    Contact after = withFeatures({14, 11, 13, 12}, 0.0);
+    carryImpulses(before, after);
+    EXPECT_EQ(after.points[0].impulse, 4.0);
+    EXPECT_EQ(after.points[1].impulse, 1.0);
+    EXPECT_EQ(after.points[2].impulse, 3.0);
+    EXPECT_EQ(after.points[3].impulse, 2.0);
+}
+
+TEST(ContactCaching, ANewNameInTheSamePlaceKeepsItsImpulse) {
+    const Contact before = withFeatures({11, 12}, 1.0);
+    Contact after = withFeatures({91, 12}, 0.0);
+    carryImpulses(before, after);
+    EXPECT_EQ(after.points[0].impulse, 1.0);
+    EXPECT_EQ(after.points[1].impulse, 2.0);
+}
+
+TEST(ContactCaching, ANewPlaceStartsFromNothing) {
+    const Contact before = withFeatures({11}, 1.0);
+    Contact after = withFeatures({91}, 0.0);
+    after.points[0].anchorA = Vec3(5, 0, 0);
+    carryImpulses(before, after);
+    EXPECT_EQ(after.points[0].impulse, 0.0);
+}
+
+// sqrt(mu_a mu_b), and the bouncier of the two
+TEST(Contacts, MixMaterials) {
+    Bodies bodies;
+    BodyDef a = support::floorPlane(), b = support::body(Shape::sphere(0.5), {0, 0.5, 0});
+    a.material.friction = 0.9, b.material.friction = 0.4;
+    a.material.restitution = 0.1, b.material.restitution = 0.7;
+    addBody(bodies, a);
+    addBody(bodies, b);
+    ContactFinder finder;
+    findContacts(bodies, finder, 0.02, support::kStep);
+    ASSERT_EQ(finder.contacts.size(), 1u);
+    EXPECT_NEAR(finder.contacts[0].friction, 0.6, 1e-15);
+    EXPECT_EQ(finder.contacts[0].restitution, 0.7);
+}
+
+TEST(Contacts, AFastPairIsSeenFromFartherAway) {
+    Bodies bodies;
+    addBody(bodies, support::floorPlane());
+    BodyDef ball = support::body(Shape::sphere(0.5), {0, 0.7, 0});
+    addBody(bodies, ball);
+    ContactFinder slow, fast;
+    findContacts(bodies, slow, 0.02, support::kStep);
+    bodies.velocities[1].linear = {0, -18, 0};  // 30 cm a step
+    findContacts(bodies, fast, 0.02, support::kStep);
+    EXPECT_EQ(slow.contacts.size(), 0u);
+    EXPECT_EQ(fast.contacts.size(), 1u);
+}
+
+}  // namespace
+}  // namespace engine

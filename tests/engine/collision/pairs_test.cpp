@@ -1,0 +1,128 @@
+// Every pair of shapes against a measure of its own: the smallest distance between sampled surfaces.
+#include <gtest/gtest.h>
+
+#include "engine/base/trigonometry.h"
+#include "engine/collision/collide.h"
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+/// Signed distance of a point to a shape; negative inside (a box's inside is the nearest face).
+double distanceTo(const Shape& s, const Pose& pose, const Vec3& world) {
+    const Vec3 p = pose.toLocal(world);
+    switch (s.type) {
+        case ShapeType::sphere: return p.norm() - s.radius;
+        case ShapeType::capsule:
+            return (p - Vec3(0, clamped(p.y(), -s.halfLength, s.halfLength), 0)).norm() - s.radius;
+        case ShapeType::plane: return s.normal.dot(p);
+        case ShapeType::box: break;
+    }
+    const Vec3 d = p.cwiseAbs() - s.halfSize;
+    const Vec3 outside = d.cwiseMax(0.0);
+    return outside.norm() + smaller(d.maxCoeff(), 0.0);
+}
+
+/// Smallest distance from points of the core of a round shape `a` to `b`, less a's radius.
+double gapOf(const Shape& round, const Pose& pose, const Shape& other, const Pose& otherPose) {
+    double least = 1e9;
+    for (int i = 0; i <= 400; ++i) {
+        const double y = (i / 200.0 - 1.0) * round.halfLength;
+        least = smaller(least, distanceTo(other, otherPose, pose.toWorld({0, y, 0})));
+    }
+    return least - round.radius;
+}
+
+struct Pair {
+    Shape round, other;
+};
+
+class RoundPairs : public testing::TestWithParam<int> {
+protected:
+    static Pair pair(int i) {
+        const Shape ball = Shape::sphere(0.4), pill = Shape::capsule(0.25, 1.3);
+        const Shape box = Shape::box({1.0, 0.7, 1.4}), plane = Shape::plane({0, 1, 0});
+        const Pair all[] = {{ball, ball}, {ball, box},  {ball, pill}, {ball, plane},
+                            {pill, pill}, {pill, box}, {pill, plane}};
+        return all[i];
+    }
+};
+
+TEST_P(RoundPairs, TheDeepestPointIsTheGap) {
+    const Pair p = pair(GetParam());
+    support::Random random(10 + GetParam());
+    int touching = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Pose a{random.vector(1.2), random.rotation()};
+        const Pose b{Vec3::Zero(), p.other.type == ShapeType::plane ? Quat::Identity()
+                                                                    : random.rotation()};
+        const double gap = gapOf(p.round, a, p.other, b);
+        const bool coreOutside = gap > -p.round.radius + 1e-3;
+        const Manifold m = collide(p.round, a, p.other, b, 0.05);
+        if (gap > 0.051) {
+            EXPECT_EQ(m.count, 0);
+        }
+        if (gap > 0.049) continue;
+        ASSERT_GT(m.count, 0);
+        double deepest = 1e9;
+        for (int k = 0; k < m.count; ++k) {
+            const Vec3 between = m.points[k].onB - m.points[k].onA;
+            EXPECT_LT(between.cross(m.normal).norm(), 1e-9);
+            deepest = smaller(deepest, between.dot(m.normal));
+        }
+        EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
+        if (!coreOutside) continue;  // inside, 'deepest' depends on the way out that is chosen
+        ++touching;
+        EXPECT_NEAR(deepest, gap, 4e-3) << "sampling is 3.2 mm fine";
+    }
+    EXPECT_GT(touching, 80);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RoundPairs, testing::Range(0, 7));
+
+TEST(BoxPlane, GivesTheFourLowestCorners) {
+    const Manifold m = collide(Shape::box({2, 1, 1}), {{0, 0.49, 0}, Quat::Identity()},
+                               Shape::plane({0, 1, 0}), {}, 0.02);
+    ASSERT_EQ(m.count, 4);
+    EXPECT_EQ(m.normal, Vec3(0, -1, 0));  // from the box to the plane
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_NEAR(m.points[i].onA.y(), -0.01, 1e-15);
+        EXPECT_NEAR(m.points[i].onB.y(), 0.0, 1e-15);
+    }
+}
+
+TEST(CapsuleBox, LyingOnAFaceGivesTwoPoints) {
+    const Pose lying{{0, 0.5 + 0.25, 0}, turnAbout(Vec3::UnitZ(), radians(90))};
+    const Manifold m =
+        collide(Shape::box({4, 1, 4}), {}, Shape::capsule(0.25, 1.5), lying, 0.02);
+    ASSERT_EQ(m.count, 2);
+    EXPECT_NEAR(std::abs(m.points[0].onA.x() - m.points[1].onA.x()), 1.0, 1e-9);
+}
+
+TEST(CapsuleBox, OverhangingIsHeldAtTheEdge) {
+    const Pose lying{{2.0, 0.5 + 0.25, 0}, turnAbout(Vec3::UnitZ(), radians(90))};
+    const Manifold m =
+        collide(Shape::box({4, 1, 4}), {}, Shape::capsule(0.25, 1.5), lying, 0.02);
+    ASSERT_EQ(m.count, 2);
+    EXPECT_NEAR(larger(m.points[0].onA.x(), m.points[1].onA.x()), 2.0, 1e-9);
+}
+
+TEST(CapsuleCapsule, SideBySideGivesTwoPoints) {
+    const Shape pill = Shape::capsule(0.25, 1.5);
+    const Manifold m = collide(pill, {}, pill, {{0.5, 0.3, 0}, Quat::Identity()}, 0.02);
+    ASSERT_EQ(m.count, 2);
+    EXPECT_LT((m.normal - Vec3::UnitX()).norm(), 1e-6);
+}
+
+TEST(Concentric, ShapesGetSomeNormalAndNoNaN) {
+    for (const Shape& a : {Shape::sphere(0.5), Shape::box({1, 1, 1}), Shape::capsule(0.3, 1.2)})
+        for (const Shape& b : {Shape::sphere(0.5), Shape::box({1, 1, 1}), Shape::capsule(0.3, 1.2)}) {
+            const Manifold m = collide(a, {}, b, {}, 0.02);
+            ASSERT_GT(m.count, 0);
+            EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
+            for (int i = 0; i < m.count; ++i) EXPECT_TRUE(m.points[i].onB.allFinite());
+        }
+}
+
+}  // namespace
+}  // namespace engine

@@ -1,0 +1,166 @@
+#include "engine/world.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+using support::body;
+using support::kStep;
+using support::run;
+
+// mission 7: the second seed's six steps, in its order
+TEST(World, StepsInTheSeedsOrder) {
+    Settings settings = Settings::seed();
+    World world = support::stack(1, settings);
+    std::vector<Phase> phases;
+    world.observe([&](Phase phase, int) { phases.push_back(phase); });
+    world.step(kStep);
+    EXPECT_EQ(phases, (std::vector{Phase::forces, Phase::velocities, Phase::impulses,
+                                   Phase::positions, Phase::nudges, Phase::collisions}));
+}
+
+TEST(World, SubstepsRepeatTheFirstFiveAndDetectCollisionsOnce) {
+    World world = support::stack(1);
+    int impulses = 0, collisions = 0;
+    world.observe([&](Phase phase, int) {
+        impulses += phase == Phase::impulses;
+        collisions += phase == Phase::collisions;
+    });
+    world.step(kStep);
+    EXPECT_EQ(impulses, 4);
+    EXPECT_EQ(collisions, 1);
+}
+
+// mission 7: contacts are found once more before the very first step, and after a body was moved
+TEST(World, SeesContactsBeforeTheFirstStepAndAfterAMove) {
+    World world = support::stack(1);
+    EXPECT_EQ(world.report().contacts, 4);
+    run(world, 10);
+    world.setPose({1}, {{0, 5, 0}, Quat::Identity()});
+    EXPECT_EQ(world.report().contacts, 0);
+    world.setPose({1}, {{0, 0.499, 0}, Quat::Identity()});
+    EXPECT_EQ(world.contacts().size(), 4u);
+    world.step(kStep);
+    EXPECT_GT(world.contacts()[0].impulse, 0.0);
+}
+
+// mission 9: a static body's pose is the same to the bit after 10^4 steps
+TEST(World, AFixedBodyNeverMoves) {
+    World world;
+    BodyDef table = support::fixed(Shape::box({3, 1, 3}), {0.1, 0.2, 0.3});
+    table.pose.rotation = Quat(0.99, 0.01, 0.02, 0.03).normalized();
+    const BodyId id = world.add(table);
+    const Pose before = world.pose(id);
+    world.add(body(Shape::box({1, 1, 1}), {0, 2, 0}, 50));
+    world.applyImpulse(id, {1e6, 0, 0}, {0, 1, 0});
+    world.applyForce(id, {1e6, 0, 0});
+    run(world, 10000);
+    EXPECT_EQ(world.pose(id).position, before.position);
+    EXPECT_EQ(world.pose(id).rotation.coeffs(), before.rotation.coeffs());
+}
+
+TEST(World, AKinematicBodyMovesAsToldAndCarries) {
+    World world;
+    BodyDef belt = support::fixed(Shape::box({20, 1, 4}), {0, -0.5, 0});
+    belt.kind = BodyKind::kinematic;
+    belt.velocity = {1, 0, 0};
+    const BodyId moving = world.add(belt);
+    const BodyId box = world.add(body(Shape::box({1, 1, 1}), {0, 0.5, 0}, 5));
+    run(world, 120);
+    EXPECT_NEAR(world.pose(moving).position.x(), 2.0, 1e-9);
+    EXPECT_NEAR(world.velocity(box).x(), 1.0, 1e-3);  // friction has brought it to the belt's speed
+}
+
+TEST(World, KinematicSpinTurnsAsTold) {
+    World world;
+    BodyDef wheel = support::fixed(Shape::sphere(1));
+    wheel.kind = BodyKind::kinematic;
+    wheel.spin = {0, 0, 1.0};
+    const BodyId id = world.add(wheel);
+    run(world, 60);
+    const Vec3 x = world.pose(id).rotation * Vec3(1, 0, 0);
+    EXPECT_NEAR(std::atan2(x.y(), x.x()), 1.0, 1e-4);  // Cayley: (h w)^3 / 12 a step
+}
+
+// mission 24: a removed body leaves no cache behind
+TEST(World, ARemovedBodyLeavesNothingBehind) {
+    World world = support::stack(3);
+    run(world, 60);
+    world.remove(BodyId{2});
+    EXPECT_FALSE(world.has({2}));
+    for (const ContactState& c : world.contacts()) EXPECT_TRUE(c.a.index != 2 && c.b.index != 2);
+    run(world, 120);
+    EXPECT_NEAR(world.pose({3}).position.y(), 1.5, 0.01);  // fell on the first
+    for (const ContactState& c : world.contacts()) EXPECT_TRUE(c.a.index != 2 && c.b.index != 2);
+}
+
+TEST(World, ABodyTakesItsJointsAlong) {
+    World world;
+    const BodyId a = world.add(support::hook()), b = world.add(body(Shape::sphere(0.1), {1, 0, 0}));
+    const BodyId c = world.add(body(Shape::sphere(0.1), {2, 0, 0}));
+    const JointId ab = support::rod(world, a, b), bc = support::rod(world, b, c);
+    run(world, 10);
+    world.remove(b);
+    EXPECT_TRUE(world.joint(ab).removed && world.joint(bc).removed);
+    const double speed = world.velocity(c).y();
+    world.step(kStep);
+    EXPECT_NEAR(world.velocity(c).y(), speed - support::kGravity * kStep, 1e-12);
+}
+
+TEST(World, JointedBodiesDoNotCollideAndOthersDo) {
+    World world;
+    const BodyId a = world.add(body(Shape::box({1, 1, 1}), {0, 0, 0}));
+    const BodyId b = world.add(body(Shape::box({1, 1, 1}), {0.9, 0, 0}));
+    const JointId joint = support::join(world, JointType::ball, a, b, {0.45, 0, 0});
+    EXPECT_EQ(world.contacts().size(), 0u);
+    world.remove(joint);
+    EXPECT_EQ(world.contacts().size(), 4u);
+}
+
+TEST(World, ReportsTimeInCountsAndNotSums) {
+    World world;
+    world.add(body(Shape::sphere(0.5), {0, 5, 0}));
+    run(world, 600);
+    EXPECT_EQ(world.report().step, 600);
+    EXPECT_EQ(world.report().time, 600 * kStep);
+}
+
+// mission 20: five 2 kg boxes at rest press the floor with 98.1 N
+TEST(World, ReactionForcesCarryTheWeight) {
+    World world = support::stack(5, Settings::steady(), 0.6, 2.0);
+    run(world, 300);
+    double floor = 0.0;
+    for (const ContactState& c : world.contacts())
+        if (c.a.index == 0) floor -= c.impulse * c.normal.y() / kStep;
+    EXPECT_NEAR(std::abs(floor), 98.1, 0.05);
+}
+
+TEST(World, MayChangeItsSettingsBetweenTwoSteps) {
+    World world = support::stack(5);
+    run(world, 60);
+    world.setSettings(Settings::seed());
+    run(world, 60);
+    world.setSettings(Settings::steady());
+    run(world, 60);
+    for (int i = 1; i <= 5; ++i) EXPECT_NEAR(world.pose({i}).position.y(), i - 0.5, 0.02);
+}
+
+TEST(World, StopsTheProgramAtTheCallersBugs) {
+    World world;
+    const BodyId id = world.add(body(Shape::sphere(1), Vec3::Zero()));
+    EXPECT_DEATH(world.step(0.0), "a step needs time");
+    EXPECT_DEATH((void)world.pose({7}), "no such body");
+    EXPECT_DEATH(support::join(world, JointType::ball, id, id, Vec3::Zero()), "two different");
+    Settings both = Settings::steady();
+    both.baumgarte = 0.2;
+    EXPECT_DEATH(world.setSettings(both), "never both");
+    BodyDef weightless = body(Shape::sphere(1), Vec3::Zero());
+    weightless.mass = 0.0;
+    EXPECT_DEATH(world.add(weightless), "positive mass");
+}
+
+}  // namespace
+}  // namespace engine

@@ -1,0 +1,179 @@
+// Golden frames: small pictures kept in tests/golden, drawn in the reproducible class of pixels.
+// IMPULSE_UPDATE_GOLDEN=1 writes them anew; look at them before they are committed.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "render/difference.h"
+#include "render/encode/file.h"
+#include "render/encode/png.h"
+#include "render/encode/png_read.h"
+#include "render/palette.h"
+#include "render/renderer.h"
+
+namespace render {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+
+RendererSettings small(int width = kWidth, int height = kHeight) {
+    RendererSettings s;
+    s.width = width, s.height = height;
+    s.reproducible = true;
+    return s;
+}
+
+/// A row of boxes, the topmost moved by `shift` (m), a ball, a capsule on a rod.
+Frame still(float shift = 0.0f) {
+    Frame frame;
+    frame.camera = {{4, 3, 7}, {0, 1.1f, 0}, {0, 1, 0}, 35};
+    frame.grounds.push_back({});
+    for (int i = 0; i < 3; ++i) {
+        Solid box;
+        box.position = {i == 2 ? shift : 0.0f, 0.5f + static_cast<float>(i), 0};
+        box.color = paletteColor(i);
+        frame.solids.push_back(box);
+    }
+    Solid ball;
+    ball.shape = SolidShape::sphere;
+    ball.position = {1.6f, 0.5f, 0.4f};
+    ball.color = heavyColor();
+    frame.solids.push_back(ball);
+    Solid capsule;
+    capsule.shape = SolidShape::capsule;
+    capsule.halfSize = {0.2f, 0.4f, 0.2f};
+    capsule.position = {-1.6f, 1.4f, 0};
+    capsule.color = paletteColor(4);
+    frame.solids.push_back(capsule);
+    frame.rods.push_back({{-1.6f, 1.8f, 0}, {-1.6f, 3.0f, 0}, 0.03f, jointColor()});
+    return frame;
+}
+
+Frame annotated() {
+    Frame frame = still();
+    frame.markers.push_back({{0.5f, 1, 0.5f}, 3.5f, contactColor()});
+    frame.arrows.push_back({{0, 0, 0.5f}, {0, 0.9f, 0.5f}, impulseColor()});
+    Trail trail;
+    for (int i = 0; i < 20; ++i)
+        trail.points.push_back({1.6f, 0.5f + 0.1f * static_cast<float>(i), 0.4f});
+    trail.color = paletteColor(5);
+    frame.trails.push_back(trail);
+    frame.texts.push_back({"t = 1.250 s   λ = 9.81 N s", Corner::topLeft, 30});
+    frame.texts.push_back({"three boxes", Corner::bottomRight, 30});
+    return frame;
+}
+
+Image golden(const std::string& name, const Image& actual) {
+    const std::filesystem::path path = std::filesystem::path(IMPULSE_GOLDEN_DIR) / (name + ".png");
+    if (std::getenv("IMPULSE_UPDATE_GOLDEN")) writeFileAtomically(path, encodePng(actual));
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
+    return decodePng(bytes);
+}
+
+/// The renderer is made once: the first one in a process decides the class of pixels.
+Renderer& renderer() {
+    static Renderer one(small());
+    return one;
+}
+
+void expectGolden(const std::string& name, const Frame& frame) {
+    const Image actual = renderer().draw(frame);
+    const Difference d = compare(golden(name, actual), actual);
+    EXPECT_TRUE(samePicture(d, Gate{})) << name << ": worst window " << d.worstWindow << " at "
+                                        << d.windowX << "," << d.windowY << ", worst SSIM "
+                                        << d.worstSsim;
+}
+
+TEST(GoldenPicture, StillLife) { expectGolden("still", still()); }
+TEST(GoldenPicture, Annotated) { expectGolden("annotated", annotated()); }
+TEST(GoldenPicture, DarkWithoutOcclusion) {
+    Frame frame = still();
+    frame.look.skyTop = frame.look.skyHorizon = frame.look.fog = fromHex(0x1b1d21);
+    frame.look.ground = fromHex(0x2a2d33);
+    frame.look.ambientOcclusion = false;
+    frame.look.edges = false;
+    expectGolden("dark", frame);
+}
+
+// What the gate is for: a body one centimetre off, a shadow missing, a body hidden.
+TEST(Gate, CatchesPlantedDamage) {
+    const Image right = renderer().draw(still());
+    EXPECT_FALSE(samePicture(compare(right, renderer().draw(still(0.01f))), Gate{}));
+    Frame noShadow = still();
+    noShadow.look.shadows = false;
+    EXPECT_FALSE(samePicture(compare(right, renderer().draw(noShadow)), Gate{}));
+    Frame hidden = still();
+    hidden.solids.pop_back();
+    EXPECT_FALSE(samePicture(compare(right, renderer().draw(hidden)), Gate{}));
+}
+
+TEST(Renderer, DrawsTheSameFrameTwiceToTheByte) {
+    const Image first = renderer().draw(annotated());
+    renderer().draw(still(1.0f));
+    EXPECT_EQ(renderer().draw(annotated()).pixels, first.pixels);
+}
+
+// A second renderer in its own process, with other threads: the pixels are the same.
+TEST(Renderer, ThreadsDoNotChangePixels) {
+    const auto drawnWith = [](int threads) {
+        const std::string name =
+            testing::TempDir() + "threads" + std::to_string(::getpid()) + std::to_string(threads);
+        const pid_t child = fork();
+        if (child == 0) {
+            RendererSettings s = small();
+            s.threads = threads;
+            Renderer r(s);
+            writeFileAtomically(name, encodePng(r.draw(still())));
+            _exit(0);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+        std::ifstream file(name, std::ios::binary);
+        std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+        std::filesystem::remove(name);
+        return bytes;
+    };
+    const std::vector<char> alone = drawnWith(0);
+    EXPECT_FALSE(alone.empty());
+    EXPECT_EQ(drawnWith(2), alone);
+}
+
+TEST(Renderer, RefusesSizesItCannotDraw) {
+    for (const auto& [w, h] : {std::pair{0, 10}, {10, 16385}, {-1, 10}}) {
+        try {
+            Renderer bad(small(w, h));
+            FAIL() << w << "x" << h;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("16384"), std::string::npos);
+        }
+    }
+}
+
+TEST(Renderer, SaysWhenNothingIsDrawn) {
+    Frame empty;
+    empty.look.skyTop = empty.look.skyHorizon = empty.look.fog = fromHex(0x808080);
+    EXPECT_THROW(renderer().draw(empty), Error);
+}
+
+TEST(Renderer, ACameraStraightAboveAndAnEmptySceneWork) {
+    Frame frame = still();
+    frame.camera.from = {0, 9, 0};
+    frame.camera.lookAt = {0, 0, 0};
+    EXPECT_NO_THROW(renderer().draw(frame));
+    Frame ground;
+    ground.grounds.push_back({});
+    EXPECT_NO_THROW(renderer().draw(ground));
+}
+
+TEST(Renderer, NamesItsDriver) {
+    EXPECT_NE(renderer().describe().find("Mesa"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace render
