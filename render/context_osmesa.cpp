@@ -1,67 +1,76 @@
-// The only file that knows OSMesa.
-#include "render/context.h"
-#include "render/error.h"
-#include "render/gl.h"
+#include "render/gl.h"  // before osmesa.h, whose own gl.h then stays out
 
-// After glad: osmesa.h would otherwise bring its own gl.h.
 #include <GL/osmesa.h>
 
-#include <array>
-#include <string>
+#include <cstdlib>
+#include <vector>
+
+#include "render/context.h"
+#include "render/error.h"
 
 namespace render {
 namespace {
 
-std::string glText(GLenum name) {
-    const GLubyte* text = glGetString(name);
-    return text ? std::string(reinterpret_cast<const char*>(text)) : std::string("?");
+constexpr int kMostPixels = 16384;  // a side; OSMesa takes more without a word and draws nothing
+
+/// What a user's environment says to the driver would change pixels or crash it; only we speak.
+void prepareEnvironment(const ContextSettings& settings) {
+    for (const char* name :
+         {"LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH", "LP_DEBUG", "LP_PERF", "LP_NO_RAST",
+          "GALLIUM_DRIVER", "GALLIUM_OVERRIDE_CPU_CAPS", "GALLIUM_NOSSE", "GALLIVM_DEBUG",
+          "GALLIVM_PERF", "DRAW_USE_LLVM", "MESA_GL_VERSION_OVERRIDE"})
+        unsetenv(name);
+    if (settings.threads >= 0)
+        setenv("LP_NUM_THREADS", std::to_string(settings.threads).c_str(), 1);
+    if (settings.reproducible) {
+        setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);  // no FMA: the two classes of pixels meet
+        setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
+    }
 }
 
 class OsmesaContext final : public Context {
-   public:
-    OsmesaContext(int width, int height) : Context(width, height) {
-        static constexpr std::array<int, 9> kAttributes{OSMESA_FORMAT,
-                                                        OSMESA_RGBA,
-                                                        OSMESA_PROFILE,
-                                                        OSMESA_CORE_PROFILE,
-                                                        OSMESA_CONTEXT_MAJOR_VERSION,
-                                                        3,
-                                                        OSMESA_CONTEXT_MINOR_VERSION,
-                                                        3,
-                                                        0};
-        context_ = OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
-        if (context_ == nullptr)
-            throw Error("renderer: OSMesa gives no OpenGL 3.3 core context; Mesa 22 does");
+public:
+    explicit OsmesaContext(const ContextSettings& settings) {
+        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0,
+                                  OSMESA_STENCIL_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3,
+                                  0};
+        context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+        if (!context_) throw Error("no OpenGL 3.3 core context from OSMesa; is libosmesa6 there?");
+        // Everything is drawn into framebuffers of our own; OSMesa wants a buffer all the same.
+        if (!OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) ||
+            !gladLoadGL(OSMesaGetProcAddress)) {
+            OSMesaDestroyContext(context_);
+            throw Error("OSMesa could not make its " + std::to_string(settings.width) + "x" +
+                        std::to_string(settings.height) + " context current");
+        }
     }
     ~OsmesaContext() override { OSMesaDestroyContext(context_); }
     OsmesaContext(const OsmesaContext&) = delete;
     OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-    bool makeCurrent() override {
-        if (OSMesaGetCurrentContext() == context_) return true;
-        // Everything is drawn into framebuffer objects: the context's own buffer is never used.
-        return OSMesaMakeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_TRUE;
-    }
+    std::string describe() const override { return glText(GL_RENDERER) + ", " + glText(GL_VERSION); }
 
-    std::string describe() const override {
-        return "OSMesa, " + glText(GL_RENDERER) + ", " + glText(GL_VERSION);
+private:
+    static constexpr int kSide = 16;
+    static std::string glText(GLenum name) {
+        const GLubyte* text = glGetString(name);
+        return text ? reinterpret_cast<const char*>(text) : "unknown";
     }
-
-   private:
     OSMesaContext context_ = nullptr;
-    std::array<unsigned char, 4> pixel_{};
+    std::vector<GLubyte> buffer_ = std::vector<GLubyte>(4 * kSide * kSide);
 };
 
 }  // namespace
 
-std::unique_ptr<Context> makeContext(int width, int height) {
-    auto context = std::make_unique<OsmesaContext>(width, height);
-    if (!context->makeCurrent())
-        throw Error("renderer: OSMesa refuses to make its context current");
-    const int version = gladLoadGL(OSMesaGetProcAddress);
-    if (version < GLAD_MAKE_VERSION(3, 3))
-        throw Error("renderer: OSMesa offers OpenGL " + glText(GL_VERSION) + "; 3.3 is needed");
-    return context;
+std::unique_ptr<Context> makeContext(const ContextSettings& settings) {
+    for (const int side : {settings.width, settings.height})
+        if (side < 1 || side > kMostPixels)
+            throw Error("a picture of " + std::to_string(settings.width) + "x" +
+                        std::to_string(settings.height) + " pixels cannot be drawn; 1 to " +
+                        std::to_string(kMostPixels) + " a side can");
+    prepareEnvironment(settings);
+    return std::make_unique<OsmesaContext>(settings);
 }
 
 }  // namespace render

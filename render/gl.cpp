@@ -1,132 +1,139 @@
 #include "render/gl.h"
 
-#include <array>
-#include <string>
+#include <cmath>
 
 #include "render/error.h"
+#include "render/shaders.h"
 
 namespace render {
-namespace {
 
-std::string compileLog(GLuint shader) {
-    std::array<char, 1024> text{};
-    glGetShaderInfoLog(shader, text.size(), nullptr, text.data());
-    return text.data();
+GlBuffer newBuffer() {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    return GlBuffer(name);
 }
 
-Object compile(GLenum kind, std::string_view name, std::string_view prefix) {
-    const std::string text = "#version 330 core\n#extension GL_ARB_texture_gather : require\n" +
-                             std::string(prefix) + std::string(shaderText("common.glsl")) +
-                             std::string(shaderText(name));
-    Object shader{glCreateShader(kind), [](GLuint id) { glDeleteShader(id); }};
-    const char* source = text.c_str();
-    glShaderSource(shader.id(), 1, &source, nullptr);
-    glCompileShader(shader.id());
-    GLint good = GL_FALSE;
-    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &good);
-    if (good != GL_TRUE)
-        throw Error("renderer: shader " + std::string(name) + ": " + compileLog(shader.id()));
-    return shader;
+GlArray newArray() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    return GlArray(name);
 }
 
-const char* errorName(GLenum code) {
-    switch (code) {
-        case GL_INVALID_ENUM: return "invalid enum";
-        case GL_INVALID_VALUE: return "invalid value";
-        case GL_INVALID_OPERATION: return "invalid operation";
-        case GL_INVALID_FRAMEBUFFER_OPERATION: return "invalid framebuffer operation";
-        case GL_OUT_OF_MEMORY: return "out of memory";
-        default: return "unknown error";
-    }
-}
-
-}  // namespace
-
-Object makeBuffer() {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    return {id, [](GLuint name) { glDeleteBuffers(1, &name); }};
-}
-
-Object makeVertexArray() {
-    GLuint id = 0;
-    glGenVertexArrays(1, &id);
-    return {id, [](GLuint name) { glDeleteVertexArrays(1, &name); }};
-}
-
-Object makeFramebuffer() {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    return {id, [](GLuint name) { glDeleteFramebuffers(1, &name); }};
-}
-
-Object makeTexture(int width, int height, GLenum internalFormat) {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    Object texture{id, [](GLuint name) { glDeleteTextures(1, &name); }};
-    glBindTexture(GL_TEXTURE_2D, id);
-    const bool isDepth = internalFormat == GL_DEPTH_COMPONENT32F;
-    const bool isFloat = internalFormat == GL_RG16F;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), width, height, 0,
-                 isDepth ? GL_DEPTH_COMPONENT : GL_RGBA,
-                 isDepth || isFloat ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+GlTexture newTexture(GLenum format, int width, int height) {
+    const bool depth = format == GL_DEPTH_COMPONENT24;
+    const GLenum layout = depth ? GL_DEPTH_COMPONENT : format == GL_RGBA8 ? GL_RGBA : GL_RED;
+    const GLenum type = depth ? GL_UNSIGNED_INT : format == GL_R32F ? GL_FLOAT : GL_UNSIGNED_BYTE;
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, layout, type,
+                 nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    return texture;
+    return GlTexture(name);
 }
 
-Object makeRenderbuffer(int width, int height, int samples, GLenum internalFormat) {
-    GLuint id = 0;
-    glGenRenderbuffers(1, &id);
-    Object buffer{id, [](GLuint name) { glDeleteRenderbuffers(1, &name); }};
-    glBindRenderbuffer(GL_RENDERBUFFER, id);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, internalFormat,
-                                     width, height);
-    return buffer;
+GlRenderbuffer newRenderbuffer(GLenum format, int width, int height, int samples) {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width,
+                                     height);
+    return GlRenderbuffer(name);
 }
 
-void requireComplete(const char* name) {
+GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint colorBuffer,
+                             GLuint depthBuffer) {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    GlFramebuffer framebuffer(name);
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    const auto texture = [](GLenum where, GLuint what) {
+        if (what) glFramebufferTexture2D(GL_FRAMEBUFFER, where, GL_TEXTURE_2D, what, 0);
+    };
+    const auto buffer = [](GLenum where, GLuint what) {
+        if (what) glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, what);
+    };
+    texture(GL_COLOR_ATTACHMENT0, colorTexture);
+    texture(GL_DEPTH_ATTACHMENT, depthTexture);
+    buffer(GL_COLOR_ATTACHMENT0, colorBuffer);
+    buffer(GL_DEPTH_ATTACHMENT, depthBuffer);
+    if (!colorTexture && !colorBuffer) {
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+    }
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("renderer: framebuffer '" + std::string(name) + "' is not complete (" +
-                    std::to_string(status) + "); out of memory?");
+        throw Error("OpenGL refuses a framebuffer (status " + std::to_string(status) +
+                    "); is the picture too large for the memory?");
+    return framebuffer;
 }
 
-Program::Program(std::string_view vertexName, std::string_view fragmentName,
-                 std::string_view prefix)
-    : object_{glCreateProgram(), [](GLuint id) { glDeleteProgram(id); }} {
-    const Object vertex = compile(GL_VERTEX_SHADER, vertexName, prefix);
-    const Object fragment = compile(GL_FRAGMENT_SHADER, fragmentName, prefix);
-    glAttachShader(object_.id(), vertex.id());
-    glAttachShader(object_.id(), fragment.id());
-    glLinkProgram(object_.id());
-    GLint good = GL_FALSE;
-    glGetProgramiv(object_.id(), GL_LINK_STATUS, &good);
-    if (good != GL_TRUE)
-        throw Error("renderer: shaders " + std::string(vertexName) + " and " +
-                    std::string(fragmentName) + " do not link");
-    const GLuint block = glGetUniformBlockIndex(object_.id(), "FrameBlock");
-    if (block != GL_INVALID_INDEX)
-        glUniformBlockBinding(object_.id(), block, kFrameBlockBinding);
+namespace {
+
+GLuint compile(GLenum stage, const std::string& name, const char* text) {
+    const GLuint shader = glCreateShader(stage);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint good = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+    if (good) return shader;
+    char log[512] = {};
+    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    const std::string all(log);
+    throw Error("shader " + name + ": " + all.substr(0, all.find('\n')));
 }
 
-void Program::setSampler(const char* name, int unit) const {
-    use();
-    glUniform1i(uniform(name), unit);
+}  // namespace
+
+GlProgram newProgram(const std::string& vertex, const std::string& fragment) {
+    GlProgram program(glCreateProgram());
+    const std::pair<GLenum, std::string> stages[] = {{GL_VERTEX_SHADER, vertex + ".vert"},
+                                                     {GL_FRAGMENT_SHADER, fragment + ".frag"}};
+    for (const auto& [stage, file] : stages) {
+        const GLuint shader = compile(stage, file, shaderText(file));
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program);
+    GLint good = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &good);
+    if (!good) throw Error("shaders " + vertex + " and " + fragment + " do not link");
+    return program;
 }
 
-void drawFullScreen(const Object& emptyVertexArray) {
-    glBindVertexArray(emptyVertexArray.id());
+void setUniform(GLuint program, const char* name, int value) {
+    glUniform1i(glGetUniformLocation(program, name), value);
+}
+void setUniform(GLuint program, const char* name, float value) {
+    glUniform1f(glGetUniformLocation(program, name), value);
+}
+void setUniform(GLuint program, const char* name, float x, float y) {
+    glUniform2f(glGetUniformLocation(program, name), x, y);
+}
+void setUniform(GLuint program, const char* name, const Vec3& value) {
+    glUniform3fv(glGetUniformLocation(program, name), 1, value.data());
+}
+void setUniform(GLuint program, const char* name, const Eigen::Matrix4f& value) {
+    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, value.data());
+}
+
+Vec3 linear(const Color& color) {
+    const auto decode = [](float s) {
+        return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
+    };
+    return {decode(color.r), decode(color.g), decode(color.b)};
+}
+
+void setColorUniform(GLuint program, const char* name, const Color& color) {
+    setUniform(program, name, linear(color));
+}
+
+void drawFullScreen(GLuint emptyArray) {
+    glBindVertexArray(emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void checkGl(const char* where) {
-    const GLenum code = glGetError();
-    if (code != GL_NO_ERROR)
-        throw Error("renderer: OpenGL reports '" + std::string(errorName(code)) + "' in " + where);
 }
 
 }  // namespace render

@@ -1,74 +1,72 @@
-/// OpenGL 3.3 through glad, and the few GL objects the passes use: each owns its name, moves and
-/// never copies. All of it needs a current context, the destructors too.
+/// OpenGL objects that free themselves.
 #pragma once
 #include <glad/gl.h>
 
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "render/frame.h"
 
 namespace render {
 
-/// A GL name and how to delete it.
-class Object {
-   public:
-    using Delete = void (*)(GLuint);
-    Object() = default;
-    Object(GLuint id, Delete destroy) : id_(id), destroy_(destroy) {}
-    Object(Object&& other) noexcept
-        : id_(std::exchange(other.id_, 0)), destroy_(std::exchange(other.destroy_, nullptr)) {}
-    Object& operator=(Object&& other) noexcept {
-        std::swap(id_, other.id_);
-        std::swap(destroy_, other.destroy_);
+/// One name of OpenGL's, deleted with its owner.
+template <auto Delete>
+class GlName {
+public:
+    GlName() = default;
+    explicit GlName(GLuint name) : name_(name) {}
+    ~GlName() {
+        if (name_ != 0) Delete(name_);
+    }
+    GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlName& operator=(GlName&& other) noexcept {
+        std::swap(name_, other.name_);
         return *this;
     }
-    ~Object() {
-        if (destroy_ != nullptr) destroy_(id_);
-    }
-    GLuint id() const { return id_; }
+    operator GLuint() const { return name_; }
 
-   private:
-    GLuint id_ = 0;
-    Delete destroy_ = nullptr;
+private:
+    GLuint name_ = 0;
 };
 
-Object makeBuffer();
-Object makeVertexArray();
-Object makeFramebuffer();
+inline void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
+inline void deleteArray(GLuint name) { glDeleteVertexArrays(1, &name); }
+inline void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
+inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+inline void deleteRenderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
+inline void deleteProgram(GLuint name) { glDeleteProgram(name); }
 
-/// NEAREST, clamped, no mip-maps: GL's linear filter gives other bits on other CPUs.
-Object makeTexture(int width, int height, GLenum internalFormat);
+using GlBuffer = GlName<deleteBuffer>;
+using GlArray = GlName<deleteArray>;
+using GlTexture = GlName<deleteTexture>;
+using GlFramebuffer = GlName<deleteFramebuffer>;
+using GlRenderbuffer = GlName<deleteRenderbuffer>;
+using GlProgram = GlName<deleteProgram>;
 
-/// A renderbuffer of `samples` per pixel (1 = plain).
-Object makeRenderbuffer(int width, int height, int samples, GLenum internalFormat);
+GlBuffer newBuffer();
+GlArray newArray();
+/// NEAREST, clamped; `format` is sized (GL_RGBA8, GL_R8, GL_R32F, GL_DEPTH_COMPONENT24).
+GlTexture newTexture(GLenum format, int width, int height);
+GlRenderbuffer newRenderbuffer(GLenum format, int width, int height, int samples);
+/// With the attachments given (0 = none); throws Error when incomplete.
+GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint colorBuffer = 0,
+                             GLuint depthBuffer = 0);
 
-/// Attaches to the framebuffer that is bound; throws Error when it is not complete.
-void requireComplete(const char* name);
+/// Compiles and links two files of render/shaders, named without their endings .vert and .frag.
+/// Throws Error with the compiler's first line.
+GlProgram newProgram(const std::string& vertex, const std::string& fragment);
 
-/// A vertex and a fragment shader of render/shaders; `prefix` goes in front of both ("#define BOX").
-class Program {
-   public:
-    Program(std::string_view vertexName, std::string_view fragmentName, std::string_view prefix = {});
-    void use() const { glUseProgram(object_.id()); }
-    GLint uniform(const char* name) const { return glGetUniformLocation(object_.id(), name); }
-    /// Binds the sampler `name` to texture unit `unit`, once.
-    void setSampler(const char* name, int unit) const;
+void setUniform(GLuint program, const char* name, int value);
+void setUniform(GLuint program, const char* name, float value);
+void setUniform(GLuint program, const char* name, float x, float y);
+void setUniform(GLuint program, const char* name, const Vec3& value);
+void setUniform(GLuint program, const char* name, const Eigen::Matrix4f& value);
+/// sRGB to linear, in which light adds up.
+void setColorUniform(GLuint program, const char* name, const Color& color);
+Vec3 linear(const Color& color);
 
-   private:
-    Object object_;
-};
-
-/// Every program sees the uniform block FrameBlock here.
-inline constexpr GLuint kFrameBlockBinding = 0;
-
-/// A vertex array without attributes: three vertices that cover the picture.
-void drawFullScreen(const Object& emptyVertexArray);
-
-/// Throws Error naming `where` when GL has reported a failure.
-void checkGl(const char* where);
-
-/// The text of a file of render/shaders, built in.
-std::string_view shaderText(std::string_view name);
+/// Three corners without a buffer: a triangle that covers the picture.
+void drawFullScreen(GLuint emptyArray);
 
 }  // namespace render

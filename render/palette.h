@@ -1,21 +1,29 @@
-/// Colours that stay apart for colour-blind eyes and in print (Okabe and Ito, 'Color Universal
-/// Design', 2008), slightly softened for large faces.
+/// Colours that stay apart for colour-blind eyes (Okabe and Ito 2008), and those of the overlays.
 #pragma once
 #include "render/frame.h"
 
 namespace render {
 
-inline constexpr int kPaletteSize = 7;
+/// 0xRRGGBB, sRGB.
+inline Color fromHex(unsigned rgb) {
+    return {static_cast<float>(rgb >> 16 & 0xffu) / 255.0f,
+            static_cast<float>(rgb >> 8 & 0xffu) / 255.0f,
+            static_cast<float>(rgb & 0xffu) / 255.0f, 1.0f};
+}
 
-/// Green, yellow, sky blue, orange, pink, vermilion, blue, and again from the start; any int is fine.
-Color paletteColor(int index);
+/// Body colours, in an order in which neighbours differ clearly.
+inline Color paletteColor(int i) {
+    constexpr unsigned kColors[] = {0x3579b1, 0xe69f2e, 0x2f9e73, 0xcc79a7,
+                                    0x5fb4e0, 0xd9622b, 0xe3d24d};
+    return fromHex(kColors[static_cast<unsigned>(i) % 7u]);
+}
 
-/// Static and heavy bodies.
-Color darkGrey();
-
-/// Contact dots, contact impulses and nudges in overlays.
-Color markerPink();
-Color arrowRed();
-Color nudgeBlue();
+inline Color fixedColor() { return fromHex(0x55585c); }    // what cannot move
+inline Color heavyColor() { return fromHex(0x3a3c40); }    // what is much heavier than the rest
+inline Color contactColor() { return fromHex(0xe0218a); }
+inline Color normalColor() { return fromHex(0x1f77d0); }
+inline Color impulseColor() { return fromHex(0xd62728); }
+inline Color frictionColor() { return fromHex(0xf0a202); }
+inline Color jointColor() { return fromHex(0x4a4d52); }
 
 }  // namespace render

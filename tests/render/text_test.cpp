@@ -27,7 +27,7 @@ TEST(Text, HasInkAtEverySizeOfPicture) {
         Frame frame;
         frame.texts.push_back({"t = 0.000 s", Corner::topLeft, 19});
         drawTexts(image, frame);
-        EXPECT_GT(ink(image, false, false), 30 * height / 270) << height;
+        EXPECT_GT(ink(image, false, false), 15 * height / 270) << height;
         EXPECT_EQ(ink(image, true, true), 0);
     }
 }

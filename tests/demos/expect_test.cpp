@@ -1,0 +1,120 @@
+// Every kind of expectation can hold and can fail.
+
+#include "demos/scene/expect.h"
+
+#include <gtest/gtest.h>
+
+#include "demos/scene/reader.h"
+
+namespace demos {
+namespace {
+
+const std::string kFalling =
+    "format = 1\nseconds = 1\n"
+    "[[body]]\nname = 'ball'\nshape = { sphere = 0.1 }\nat = [0, 9, 0]\nvelocity = [2, 0, 0]\n";
+const std::string kPendulum =
+    "format = 1\nseconds = 5\n[world]\nhz = 240\n"
+    "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [0.1, 0, 0]\n"
+    "[[joint]]\ntype = 'distance'\nname = 'rod'\na = 'world'\nb = 'bob'\nanchor_a = [0, 1, 0]\n";
+const std::string kSpinning =
+    "format = 1\nseconds = 1\n[world]\ngravity = [0, 0, 0]\n"
+    "[[body]]\nname = 'top'\nshape = { sphere = 0.1 }\nspin = [1, 0, 0]\n"
+    "[[body]]\nname = 'still'\nshape = { sphere = 0.1 }\nat = [5, 0, 0]\n";
+const std::string kPressed =  // ten millimetres deep at the start
+    "format = 1\nseconds = 0.2\n[[body]]\nname = 'floor'\nshape = { plane = [0, 1, 0] }\nfixed = "
+    "true\n"
+    "[[body]]\nname = 'box'\nshape = { box = [1, 1, 1] }\nat = [0, 0.49, 0]\n";
+
+ExpectationResult check(const std::string& scene, const std::string& expectation) {
+    Stage stage(readScene(scene + "[[expect]]\nwhy = 'because'\n" + expectation, "a", "a"));
+    ExpectationChecker checker(stage);
+    checker.look(stage);
+    const int steps = static_cast<int>(stage.scene.seconds * stage.scene.hz + 0.5);
+    for (int i = 0; i < steps && stage.step(); ++i) checker.look(stage);
+    return checker.results().at(0);
+}
+
+struct Case {
+    const char* name;
+    std::string scene, holds, fails;
+    double value, tolerance;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+class Expectations : public testing::TestWithParam<Case> {};
+
+TEST_P(Expectations, HoldOrFail) {
+    const Case& c = GetParam();
+    const ExpectationResult holds = check(c.scene, c.holds), fails = check(c.scene, c.fails);
+    EXPECT_TRUE(holds.passed) << holds.text << ": " << holds.value;
+    EXPECT_FALSE(fails.passed) << fails.text << ": " << fails.value;
+    EXPECT_NEAR(holds.value, c.value, c.tolerance) << holds.text;
+    EXPECT_EQ(holds.why, "because");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, Expectations,
+    testing::Values(
+        // 1 s at 2 m/s
+        Case{"drift", kFalling, "what = 'drift'\nbelow = 2.001\n", "what = 'drift'\nbelow = 1.9\n",
+             2.0, 1e-9},
+        // v^2 = 2^2 + 9.81^2
+        Case{"speed", kFalling, "what = 'speed'\nnear = 10.0118\nwithin = 0.001\n",
+             "what = 'speed'\nbelow = 10\n", 10.0118, 1e-4},
+        // 9.81 / 2 m, and half a sub-step more of it
+        Case{"position", kFalling, "what = 'position'\nnear = [2, 4.095, 0]\nwithin = 0.03\n",
+             "what = 'position'\nnear = [2, 4.095, 0]\nwithin = 0.01\n", 0.0204, 1e-3},
+        Case{"energy", kFalling, "what = 'energy'\nbelow = 0.01\n",
+             "what = 'energy'\nbelow = 1e-6\n", 0.004, 0.004},
+        Case{"count", kFalling, "what = 'count'\nnear = 1\nwithin = 0\n",
+             "what = 'count'\nbelow = 1\n", 1.0, 0.0},
+        // 1 rad in 1 s
+        Case{"angle", kSpinning,
+             "what = 'angle_deg'\nof = ['top']\nnear = 57.29578\nwithin = 0.01\n",
+             "what = 'angle_deg'\nof = ['top']\nbelow = 57\n", 57.29578, 1e-3},
+        // A small swing: 2 pi sqrt(l / g) (1 + A^2 / 16), l^2 = 1.01, A = 0.0997 rad
+        Case{"period", kPendulum, "what = 'period'\nnear = 2.0123\nwithin = 0.002\n",
+             "what = 'period'\nbelow = 2\n", 2.0123, 0.002},
+        Case{"separation", kPendulum, "what = 'separation'\nof = ['rod']\nbelow = 1e-6\n",
+             "what = 'separation'\nabove = 1e-3\n", 0.0, 1e-6},
+        Case{"penetration", kPressed, "what = 'penetration'\nnear = 0.01\nwithin = 1e-9\n",
+             "what = 'penetration'\nbelow = 0.01\n", 0.01, 1e-9}),
+    [](const testing::TestParamInfo<Case>& c) { return std::string(c.param.name); });
+
+TEST(ExpectationWindow, OpensAndCloses) {
+    // 2 m/s: 1 m at 0.5 s
+    EXPECT_TRUE(check(kFalling, "what = 'drift'\nbelow = 1.001\nuntil = 0.5\n").passed);
+    // The overlap is gone after a while
+    EXPECT_TRUE(check(kPressed, "what = 'penetration'\nbelow = 0.009\nafter = 0.1\n").passed);
+}
+
+TEST(ExpectationBound, HoldsForEveryBody) {
+    // The top turns, the other does not: "above" is about the least, "below" about the most.
+    EXPECT_FALSE(check(kSpinning, "what = 'angle_deg'\nabove = 10\n").passed);
+    EXPECT_FALSE(check(kSpinning, "what = 'angle_deg'\nbelow = 10\n").passed);
+    EXPECT_TRUE(check(kSpinning, "what = 'angle_deg'\nabove = 10\nof = ['top']\n").passed);
+}
+
+TEST(ExpectationText, SaysWhatWasAsked) {
+    const ExpectationResult r =
+        check(kFalling, "what = 'drift'\nof = ['ball']\nbelow = 0.0001\nuntil = 0.5\n");
+    EXPECT_EQ(r.text, "drift of ball below 0.0001 m, 0 s to 0.5 s");
+    EXPECT_EQ(r.unit, "m");
+}
+
+TEST(ExpectationPeriod, NeedsAFullSwing) {
+    EXPECT_FALSE(check(kFalling, "what = 'period'\nnear = 0.1\nwithin = 0.01\n").passed);
+}
+
+TEST(ExpectationRun, ThatWasNotFinishedFails) {
+    Stage stage(
+        readScene(kFalling + "[[expect]]\nwhat = 'drift'\nbelow = 99\nafter = 0.5\n", "a", "a"));
+    ExpectationChecker checker(stage);
+    checker.look(stage);
+    EXPECT_FALSE(checker.results().at(0).passed);
+    EXPECT_NE(checker.results().at(0).text.find("never reached"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace demos

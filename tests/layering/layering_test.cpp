@@ -1,0 +1,95 @@
+// Arrows point one way: what each folder may include of the project and of other libraries.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+    std::string file, line, header;
+};
+
+std::vector<Include> includesOf(const std::string& folder) {
+    std::vector<Include> result;
+    const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / folder)) {
+        const std::string ending = entry.path().extension();
+        if (ending != ".h" && ending != ".cpp" && ending != ".in") continue;
+        std::ifstream file(entry.path());
+        std::smatch match;
+        for (std::string line; std::getline(file, line);)
+            if (std::regex_search(line, match, pattern))
+                result.push_back({fs::relative(entry.path(), IMPULSE_SOURCE_DIR), line, match[1]});
+    }
+    return result;
+}
+
+bool startsWith(const std::string& text, const std::string& beginning) {
+    return text.rfind(beginning, 0) == 0;
+}
+
+TEST(Layering, EngineIncludesEigenAndItselfOnly) {
+    const std::vector<Include> includes = includesOf("engine");
+    EXPECT_GT(includes.size(), 100u);
+    for (const Include& i : includes) {
+        const bool standard = i.header.find('/') == std::string::npos &&
+                              i.header.find('.') == std::string::npos;
+        EXPECT_TRUE(standard || startsWith(i.header, "Eigen/") || startsWith(i.header, "engine/"))
+            << i.file << ": " << i.line;
+    }
+}
+
+TEST(Layering, EngineOpensNoFileAndPrintsNothing) {
+    const std::set<std::string> forbidden{"fstream", "iostream", "filesystem", "cstdlib", "cstdio",
+                                          "random", "unordered_map", "unordered_set", "thread"};
+    for (const Include& i : includesOf("engine")) {
+        if (i.file == "engine/base/check.cpp") continue;  // the caller's bug is printed
+        EXPECT_FALSE(forbidden.count(i.header)) << i.file << ": " << i.line;
+    }
+}
+
+TEST(Layering, FoldersOfTheEngineLookDownOnly) {
+    const std::map<std::string, std::vector<std::string>> forbidden{
+        {"engine/base", {"engine/dynamics/", "engine/collision/", "engine/constraints/",
+                         "engine/solver/", "engine/world"}},
+        {"engine/dynamics", {"engine/collision/", "engine/constraints/", "engine/solver/",
+                             "engine/world"}},
+        {"engine/constraints", {"engine/collision/", "engine/solver/", "engine/world"}},
+        {"engine/solver", {"engine/collision/", "engine/world"}},
+        {"engine/collision", {"engine/solver/", "engine/world"}}};
+    for (const auto& [folder, above] : forbidden)
+        for (const Include& i : includesOf(folder))
+            for (const std::string& name : above)
+                EXPECT_FALSE(startsWith(i.header, name)) << i.file << ": " << i.line;
+}
+
+TEST(Layering, RenderKnowsNoPhysics) {
+    for (const Include& i : includesOf("render"))
+        EXPECT_FALSE(startsWith(i.header, "engine/") || startsWith(i.header, "demos/"))
+            << i.file << ": " << i.line;
+}
+
+TEST(Layering, EachOfTheseLibrariesHasOneFile) {
+    const std::map<std::string, std::string> only{
+        {"GL/osmesa.h", "render/context_osmesa.cpp"},
+        {"stb/stb_image_write.h", "render/encode/png.cpp"},
+        {"stb/stb_truetype.h", "render/text.cpp"},
+        {"CLI/CLI.hpp", "demos/options.cpp"}};
+    std::set<std::string> seen;
+    for (const char* folder : {"engine", "render", "demos"})
+        for (const Include& i : includesOf(folder)) {
+            const auto found = only.find(i.header);
+            if (found == only.end()) continue;
+            EXPECT_EQ(i.file, found->second);
+            seen.insert(i.header);
+        }
+    EXPECT_EQ(seen.size(), only.size());
+}
+
+}  // namespace
