@@ -1,0 +1,16 @@
+/// The commands, one a file. Each throws Stop, SceneError or render::Error, or returns its code.
+#pragma once
+#include "demos/options.h"
+#include "demos/stop.h"
+
+namespace demos {
+
+Exit renderCommand(const Options& options);
+Exit stillCommand(const Options& options);
+Exit simCommand(const Options& options);
+Exit listCommand(const Options& options);
+Exit doctorCommand(const Options& options);
+Exit benchCommand(const Options& options);
+Exit completionCommand(const Options& options);
+
+}  // namespace demos

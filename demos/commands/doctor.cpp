@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "demos/commands/commands.h"
+#include "demos/film/progress.h"
+#include "demos/version.h"
+#include "render/encode/png.h"
+#include "render/encode/video.h"
+#include "render/renderer.h"
+
+namespace demos {
+namespace {
+
+struct Finding {
+    std::string name, value;
+    bool good = true;
+    std::string advice;  // what to do when it is not
+};
+
+/// 200 boxes on the ground: about what a demo shows.
+render::Frame testFrame() {
+    render::Frame frame;
+    frame.grounds.push_back({});
+    for (int i = 0; i < 200; ++i) {
+        render::Solid solid;
+        solid.position = {static_cast<float>(i % 10) * 1.2f - 5.4f,
+                          0.5f + static_cast<float>(i / 100) * 1.1f,
+                          static_cast<float>(i / 10 % 10) * 1.2f - 5.4f};
+        frame.solids.push_back(solid);
+    }
+    return frame;
+}
+
+/// Milliseconds for a picture and its PNG, the second of two (the first compiles shaders).
+double pictureTime(render::Renderer& renderer) {
+    using Clock = std::chrono::steady_clock;
+    const render::Frame frame = testFrame();
+    renderer.draw(frame);
+    const Clock::time_point start = Clock::now();
+    render::encodePng(renderer.draw(frame));
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void findRenderer(std::vector<Finding>& findings) try {
+    render::RendererSettings settings;
+    settings.threads = 0;
+    render::Renderer renderer(settings);
+    findings.push_back({"OpenGL", renderer.describe(), true, ""});
+    const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+    const double one = pictureTime(renderer);
+    findings.push_back({"picture", fmt::format("{:.0f} ms for 1280x720 on one core; 10 s of film "
+                                               "in about {:.0f} s on {}",
+                                               one, 300 * one / 1000 / cores, cores),
+                        true, ""});
+} catch (const std::exception& error) {
+    findings.push_back({"OpenGL", error.what(), false, "install libosmesa6; 'sim' works without"});
+}
+
+std::vector<Finding> examine() {
+    std::vector<Finding> findings;
+    findings.push_back({"impulse", fmt::format("{}, compiled by {}", kVersion, __VERSION__), true,
+                        ""});
+    findings.push_back({"cores", fmt::format("{}", std::thread::hardware_concurrency()), true, ""});
+    findRenderer(findings);
+    const bool ffmpeg = render::haveFfmpeg();
+    findings.push_back({"ffmpeg", ffmpeg ? "found" : "not found", ffmpeg,
+                        "install ffmpeg for .mp4 .webm .gif; PNG frames work without"});
+    std::error_code error;
+    const auto space = std::filesystem::space(".", error);
+    const double free = error ? 0.0 : static_cast<double>(space.available) / 1e9;
+    findings.push_back({"disk", fmt::format("{:.1f} GB free here", free), free > 0.1,
+                        "a 10 s film needs about 70 MB as PNG files"});
+    return findings;
+}
+
+}  // namespace
+
+Exit doctorCommand(const Options& options) {
+    const Talk talk(options, false);
+    bool allGood = true;
+    for (const Finding& finding : examine()) {
+        allGood = allGood && finding.good;
+        talk.json(fmt::format(R"({{"name":{},"value":{},"ok":{}}})", jsonString(finding.name),
+                              jsonString(finding.value), finding.good));
+        talk.say(fmt::format("{:7}  {:8} {}", finding.good ? "ok" : "missing", finding.name,
+                             finding.value));
+        if (!finding.good) talk.say(fmt::format("{:16}  {}", "", finding.advice));
+    }
+    talk.say(allGood ? "next: impulse render stack -q draft" : "next: impulse sim stack");
+    return allGood ? Exit::ok : Exit::environment;
+}
+
+}  // namespace demos

@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/commands/commands.h"
+#include "demos/commands/table.h"
+#include "demos/film/film_plan.h"
+#include "demos/film/progress.h"
+#include "demos/film/signals.h"
+#include "demos/player.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/expect.h"
+
+namespace demos {
+namespace {
+
+/// What one run writes, a row per step or more.
+struct Tables {
+    Table energies, bodies, joints, contacts, sweeps;
+
+    explicit Tables(const Options& options)
+        : energies(options.csv,
+                   "time,energy,kinetic,potential,contacts,penetration_max,separation_max,residual"),
+          bodies(options.bodies, "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"),
+          joints(options.joints, "time,joint,separation,force,torque"),
+          contacts(options.contacts,
+                   "time,a,b,x,y,z,nx,ny,nz,penetration,impulse,friction"),
+          sweeps(options.sweeps, "time,sweep,residual,delta") {}
+
+    std::vector<const Table*> wanted() const {
+        std::vector<const Table*> tables;
+        for (const Table* table : {&energies, &bodies, &joints, &contacts, &sweeps})
+            if (table->wanted()) tables.push_back(table);
+        return tables;
+    }
+};
+
+void addEnergies(const Stage& stage, double time, Table& table) {
+    const engine::StepReport& report = stage.world.report();
+    const engine::Energy energy = stage.world.energy();
+    int contacts = report.contacts;
+    double penetration = report.worstPenetration, separation = report.worstSeparation;
+    if (report.step == 0) {  // nothing reported yet: what the first step will find
+        contacts = static_cast<int>(stage.world.contacts().size());
+        for (const engine::ContactState& contact : stage.world.contacts())
+            penetration = std::max(penetration, contact.penetration);
+        for (const engine::JointId id : stage.joints)
+            separation = std::max(separation, stage.world.joint(id).separation);
+    }
+    table.cell(time).cell(energy.total()).cell(energy.kinetic).cell(energy.potential);
+    table.cell(contacts).cell(penetration).cell(separation).cell(report.residual);
+    table.endRow();
+}
+
+void addBodies(const Stage& stage, double time, Table& table) {
+    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        const engine::Pose& pose = stage.world.pose(stage.bodies[i]);
+        const Quat& q = pose.rotation;
+        table.cell(time).cell(stage.scene.bodies[i].name).cells(pose.position);
+        table.cell(q.w()).cell(q.x()).cell(q.y()).cell(q.z());
+        table.cells(stage.world.velocity(stage.bodies[i])).cells(stage.world.spin(stage.bodies[i]));
+        table.endRow();
+    }
+}
+
+void addJoints(const Stage& stage, double time, Table& table) {
+    for (std::size_t i = 0; i < stage.joints.size(); ++i) {
+        const engine::JointState joint = stage.world.joint(stage.joints[i]);
+        table.cell(time).cell(stage.scene.joints[i].name).cell(joint.separation);
+        table.cell(joint.force.norm()).cell(joint.torque.norm());
+        table.endRow();
+    }
+}
+
+void addContacts(const Stage& stage, double time, Table& table) {
+    for (const engine::ContactState& contact : stage.world.contacts()) {
+        table.cell(time).cell(stage.nameOf(contact.a)).cell(stage.nameOf(contact.b));
+        table.cells(contact.position).cells(contact.normal);
+        table.cell(contact.penetration).cell(contact.impulse).cell(contact.friction.norm());
+        table.endRow();
+    }
+}
+
+void addSweeps(const Stage& stage, double time, Table& table) {
+    int number = 0;
+    for (const engine::SweepReport& sweep : stage.world.report().sweeps) {
+        table.cell(time).cell(++number).cell(sweep.residual).cell(sweep.delta);
+        table.endRow();
+    }
+}
+
+/// Contacts and sweeps belong to a step that was taken, so none are written for time 0.
+void addRows(const Stage& stage, long step, Tables& tables) {
+    const double time = static_cast<double>(step) / stage.scene.hz;
+    if (tables.energies.wanted()) addEnergies(stage, time, tables.energies);
+    if (tables.bodies.wanted()) addBodies(stage, time, tables.bodies);
+    if (tables.joints.wanted()) addJoints(stage, time, tables.joints);
+    if (step == 0) return;
+    if (tables.contacts.wanted()) addContacts(stage, time, tables.contacts);
+    if (tables.sweeps.wanted()) addSweeps(stage, time, tables.sweeps);
+}
+
+void writeAll(const Tables& tables, const Talk& talk) {
+    for (const Table* table : tables.wanted()) {
+        table->write();
+        if (table->target() != "-")
+            talk.say(fmt::format("wrote {} ({} rows)", printable(table->target()), table->rows()));
+    }
+}
+
+/// True when standard output carries a table.
+bool checkTargets(const Tables& tables, const Options& options) {
+    std::vector<std::string> seen;
+    for (const Table* table : tables.wanted()) {
+        if (std::find(seen.begin(), seen.end(), table->target()) != seen.end())
+            throw Stop(Exit::usage, fmt::format("two tables for '{}'; give each its own file",
+                                                printable(table->target())));
+        seen.push_back(table->target());
+    }
+    const bool standard = std::find(seen.begin(), seen.end(), "-") != seen.end();
+    if (standard && options.json)
+        throw Stop(Exit::usage, "--json has standard output; write the table to a file");
+    return standard;
+}
+
+/// Asked for by name, so said with --quiet too.
+void sayHash(const Stage& stage, long step, const Options& options, bool dataOnStdout) {
+    const std::string hash = hexText(stage.world.hash());
+    if (options.json)
+        fmt::print("{{\"event\":\"hash\",\"step\":{},\"state\":\"{}\"}}\n", step, hash);
+    else
+        fmt::print(dataOnStdout ? stderr : stdout, "step {}  state {}\n", step, hash);
+}
+
+std::string shortText(double value) { return fmt::format("{:.6g}", value); }
+
+/// False when one failed; those are errors, and said in any case.
+bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& scene,
+                     const Talk& talk) {
+    bool allPassed = true;
+    for (const ExpectationResult& result : checker.results()) {
+        const std::string unit = result.unit.empty() ? "" : " " + result.unit;
+        const std::string line = fmt::format("{}: {}{}", result.text, shortText(result.value), unit);
+        allPassed = allPassed && result.passed;
+        talk.json(fmt::format(
+            R"({{"event":"expect","text":{},"value":{},"unit":{},"passed":{},"why":{}}})",
+            jsonString(result.text),
+            std::isfinite(result.value) ? numberText(result.value) : "null",
+            jsonString(result.unit), result.passed, jsonString(result.why)));
+        if (result.passed)
+            talk.say("ok      " + line);
+        else
+            fmt::print(stderr, "impulse: {}: failed: {}{}\n", scene.name, line,
+                       result.why.empty() ? "" : " (" + printable(result.why) + ")");
+    }
+    return allPassed;
+}
+
+/// One run from time 0 to the end of the film.
+class Run {
+public:
+    Run(const Options& options, const SceneDescription& scene)
+        : options_(options),
+          tables_(options),
+          dataOnStdout_(checkTargets(tables_, options)),
+          talk_(options, dataOnStdout_),
+          player_(scene, Overlays{.trails = false}),
+          checker_(player_.stage()),
+          steps_(std::max(std::lround(scene.seconds * scene.hz), 1L)) {}
+
+    Exit play() {
+        watchSignals();
+        look(0);
+        for (long step = 1; step <= steps_; ++step) {
+            try {
+                player_.step();
+            } catch (const Stop&) {  // diverged: what was good stays readable
+                writeAll(tables_, talk_);
+                throw;
+            }
+            look(step);
+            if (interrupted()) stopInterrupted(step);
+        }
+        return finish();
+    }
+
+private:
+    void look(long step) {
+        const Stage& stage = player_.stage();
+        if (options_.expect) checker_.look(stage);
+        if (step % options_.every == 0) addRows(stage, step, tables_);
+        const bool last = step == steps_;
+        const bool every = options_.hashEvery > 0 && step % options_.hashEvery == 0;
+        if ((last && (options_.hash || options_.hashEvery > 0)) || (every && step > 0))
+            sayHash(stage, step, options_, dataOnStdout_);
+    }
+
+    [[noreturn]] void stopInterrupted(long step) {
+        writeAll(tables_, talk_);
+        throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
+                                                  step, options_.commandLine));
+    }
+
+    Exit finish() {
+        const Stage& stage = player_.stage();
+        const bool passed =
+            !options_.expect || sayExpectations(checker_, stage.scene, talk_);
+        writeAll(tables_, talk_);
+        talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
+                               hexText(stage.world.hash())));
+        talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
+                              static_cast<double>(steps_) / stage.scene.hz));
+        talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
+        return passed ? Exit::ok : Exit::failed;
+    }
+
+    const Options& options_;
+    Tables tables_;
+    bool dataOnStdout_;
+    Talk talk_;
+    Player player_;
+    ExpectationChecker checker_;
+    long steps_;
+};
+
+}  // namespace
+
+Exit simCommand(const Options& options) { return Run(options, sceneOf(options)).play(); }
+
+}  // namespace demos

@@ -1,0 +1,42 @@
+/// Tables of numbers, and where results go.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace demos {
+
+/// Rows of comma-separated values; a number reads back to the same value.
+class Table {
+public:
+    /// `target`: a file, "-" for standard output, or empty for a table that was not asked for.
+    Table(std::string target, std::string_view columns);
+
+    bool wanted() const { return !target_.empty(); }
+    const std::string& target() const { return target_; }
+
+    Table& cell(double value);
+    Table& cell(std::string_view text);
+    template <class Vector>
+    Table& cells(const Vector& v) {
+        return cell(v.x()).cell(v.y()).cell(v.z());
+    }
+    void endRow();
+    long rows() const { return rows_; }
+    /// To its target, whole or not at all. Throws render::Error.
+    void write() const;
+
+private:
+    std::string target_, text_;
+    bool rowBegun_ = false;
+    long rows_ = 0;
+};
+
+/// A file (written whole or not at all, its folder made) or "-". Throws render::Error.
+void writeResult(const std::string& target, std::span<const std::uint8_t> bytes);
+
+/// Throws Stop (wouldOverwrite) when the file is there.
+void checkFree(const std::string& target, bool overwrite);
+
+}  // namespace demos

@@ -1,0 +1,47 @@
+/// Whole messages between a worker and its parent, through a socket.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace demos {
+
+enum class MessageKind : std::uint32_t {
+    ready,     // worker: the renderer's name
+    orders,    // parent: which frames are wanted, a byte each
+    frame,     // worker: a picture
+    diverged,  // worker: the line for the user
+    failed     // worker: the line for the user
+};
+
+struct Message {
+    MessageKind kind = MessageKind::failed;
+    std::int32_t frame = 0;
+    std::uint64_t stateHash = 0;
+    std::vector<std::uint8_t> first, second;  // picture: PNG and raw RGBA; else text and nothing
+
+    std::string text() const { return {first.begin(), first.end()}; }
+    static Message ofText(MessageKind kind, const std::string& text);
+};
+
+/// One end of a socket; closed with its owner.
+class Channel {
+public:
+    explicit Channel(int socket) : socket_(socket) {}
+    ~Channel();
+    Channel(Channel&& other) noexcept;
+    Channel& operator=(Channel&& other) noexcept;
+
+    /// False: the other side is gone.
+    bool send(const Message& message);
+    bool receive(Message& message);
+    void close();
+
+private:
+    bool sendAll(std::span<const std::uint8_t> bytes);
+    bool receiveAll(std::span<std::uint8_t> bytes);
+    int socket_ = -1;
+};
+
+}  // namespace demos

@@ -1,0 +1,209 @@
+#include "demos/film/film.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+
+#include "demos/film/frame_files.h"
+#include "demos/film/outputs.h"
+#include "demos/film/progress.h"
+#include "demos/film/signals.h"
+#include "demos/film/text_hash.h"
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+#include "demos/version.h"
+#include "render/encode/file.h"
+#include "render/encode/video.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+void writeRaw(const render::Image& image) {
+    std::span<const std::uint8_t> bytes = image.pixels;
+    while (!bytes.empty()) {
+        const ssize_t wrote = write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote < 0)
+            throw render::Error("cannot write to standard output: " + render::describeError(errno));
+        bytes = bytes.subspan(static_cast<std::size_t>(wrote));
+    }
+}
+
+struct Film {
+    std::filesystem::path path;
+    std::unique_ptr<render::VideoWriter> writer;
+};
+
+/// All that one run writes.
+class Writers {
+public:
+    Writers(const FilmPlan& plan, const std::vector<Output>& outputs, const RunRecord& record,
+            bool overwrite) {
+        for (const Output& output : outputs) {
+            if (output.kind == OutputKind::raw) raw_ = true;
+            if (output.kind == OutputKind::frames) {
+                RunRecord own = record;
+                own.pattern = output.pattern;
+                files_.push_back(
+                    std::make_unique<FrameFiles>(plan, output.path, own, overwrite));
+            }
+            if (output.kind == OutputKind::film) {
+                makeFolder(output.path.parent_path());
+                films_.push_back({output.path, std::make_unique<render::VideoWriter>(
+                                                   output.path, plan.picture.width,
+                                                   plan.picture.height, plan.fps)});
+            }
+        }
+    }
+
+    /// A film or a stream needs every frame; a folder those that it has not.
+    bool wants(int frame) const {
+        bool wanted = raw_ || !films_.empty();
+        for (const auto& files : files_) wanted = wanted || !files->has(frame);
+        return wanted;
+    }
+
+    void add(const DrawnFrame& frame) {
+        for (const auto& files : files_) files->add(frame);
+        for (const Film& film : films_) film.writer->add(frame.image);
+        if (raw_) writeRaw(frame.image);
+    }
+
+    void close(bool finished) {
+        for (const auto& files : files_) files->close(finished);
+        for (const Film& film : films_)
+            if (film.writer->frames() > 0) film.writer->close();
+    }
+
+    /// After an error: the folders' records, as far as they can be written.
+    void saveRecords() noexcept {
+        for (const auto& files : files_) try {
+                files->close(false);
+            } catch (const std::exception&) {  // the first error is the one to tell
+            }
+    }
+
+    void tell(const FilmPlan& plan, const Talk& talk) const {
+        for (const auto& files : files_)
+            talk.say(fmt::format("wrote {} ... {} ({} frames{})",
+                                 printable(files->nameOf(0).string()),
+                                 printable(files->nameOf(plan.frames - 1).filename().string()),
+                                 plan.frames,
+                                 files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
+        for (const Film& film : films_)
+            talk.say(fmt::format("wrote {} ({} frames, {:.3g} s)", printable(film.path.string()),
+                                 plan.frames, plan.timeOf(plan.frames)));
+    }
+
+    bool hasFilms() const { return !films_.empty(); }
+
+private:
+    std::vector<std::unique_ptr<FrameFiles>> files_;
+    std::vector<Film> films_;
+    bool raw_ = false;
+};
+
+RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::string& renderer) {
+    TextHash hash;
+    hash.add(hexText(fingerprintOf(plan, options)));
+    hash.add(renderer);
+    RunRecord record;
+    record.fingerprint = hash.value();
+    record.version = kVersion;
+    record.renderer = renderer;
+    record.scene = plan.scene.name;
+    record.quality = plan.quality;
+    record.command = options.commandLine;
+    record.width = plan.picture.width;
+    record.height = plan.picture.height;
+    record.samples = plan.picture.samples;
+    record.fps = plan.fps;
+    record.hz = plan.scene.hz;
+    return record;
+}
+
+[[noreturn]] void stopInterrupted(const Writers& writers, const Options& options, int frame) {
+    const bool again = writers.hasFilms() && !options.overwrite;
+    throw Stop(Exit::interrupted,
+               fmt::format("interrupted after frame {}; to go on: {}{}", frame,
+                           options.commandLine, again ? " --overwrite" : ""));
+}
+
+bool has(const std::vector<Output>& outputs, OutputKind kind) {
+    for (const Output& output : outputs)
+        if (output.kind == kind) return true;
+    return false;
+}
+
+/// Frame by frame, until the last one or a signal.
+void drawAll(FrameSource& source, Writers& writers, const Options& options, const Talk& talk,
+             Progress& progress) {
+    DrawnFrame frame;
+    while (source.next(frame)) {
+        writers.add(frame);
+        talk.json(fmt::format(R"({{"event":"frame","frame":{},"state":"{}"}})", frame.frame,
+                              hexText(frame.stateHash)));
+        progress.advance();
+        if (!interrupted()) continue;
+        progress.finish();
+        writers.close(false);
+        stopInterrupted(writers, options, frame.frame);
+    }
+}
+
+std::vector<bool> wantedFrames(const Writers& writers, int frames) {
+    std::vector<bool> wanted(static_cast<std::size_t>(frames));
+    for (int frame = 0; frame < frames; ++frame) wanted[frame] = writers.wants(frame);
+    return wanted;
+}
+
+void tellNext(const Writers& writers, const Options& options, const Talk& talk) {
+    if (writers.hasFilms())
+        talk.say(fmt::format("next: impulse sim {} --hash", printable(options.scene())));
+    else
+        talk.say(fmt::format("next: impulse render {} -o {}.mp4", printable(options.scene()),
+                             "film"));
+}
+
+}  // namespace
+
+void makeFilm(const FilmPlan& plan, const Options& options) {
+    const std::vector<Output> outputs = outputsOf(plan, options);
+    checkOutputs(outputs, plan, options.overwrite);
+    const bool raw = has(outputs, OutputKind::raw);
+    const bool moving = raw || has(outputs, OutputKind::film);
+    const Talk talk(options, raw);
+    watchSignals();
+    FrameSource source(plan, workerCount(options.jobs, plan.frames),
+                       has(outputs, OutputKind::frames), moving);
+    Writers writers(plan, outputs, recordOf(plan, options, source.renderer()), options.overwrite);
+    const std::vector<bool> wanted = wantedFrames(writers, plan.frames);
+    const int missing = static_cast<int>(std::count(wanted.begin(), wanted.end(), true));
+    talk.json(fmt::format(R"({{"event":"start","scene":{},"frames":{},"kept":{},"fps":{}}})",
+                          jsonString(plan.scene.name), plan.frames, plan.frames - missing,
+                          plan.fps));
+    source.order(wanted);
+    Progress progress(options, plan.frames, plan.frames - missing);
+    try {
+        drawAll(source, writers, options, talk, progress);
+        progress.finish();
+        writers.close(true);
+    } catch (const Stop& stop) {
+        progress.finish();
+        if (stop.code() == Exit::diverged) writers.close(false);  // the last good frame is kept
+        throw;
+    } catch (...) {
+        progress.finish();
+        writers.saveRecords();
+        throw;
+    }
+    writers.tell(plan, talk);
+    talk.json(fmt::format(R"({{"event":"done","frames":{}}})", plan.frames));
+    tellNext(writers, options, talk);
+}
+
+}  // namespace demos

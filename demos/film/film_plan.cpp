@@ -1,0 +1,134 @@
+#include "demos/film/film_plan.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/film/quality.h"
+#include "demos/film/text_hash.h"
+#include "demos/scene/builtin.h"
+#include "demos/scene/reader.h"
+#include "demos/stop.h"
+#include "demos/version.h"
+
+namespace demos {
+namespace {
+
+constexpr int kMostFrames = 1'000'000;
+
+/// The frame rates up to 240 that divide `hz`, the six nearest to `wanted`.
+std::string goodRates(int hz, int wanted) {
+    std::vector<int> rates;
+    for (int fps = 1; fps <= std::min(hz, 240); ++fps)
+        if (hz % fps == 0) rates.push_back(fps);
+    std::stable_sort(rates.begin(), rates.end(), [wanted](int a, int b) {
+        return std::abs(a - wanted) < std::abs(b - wanted);
+    });
+    rates.resize(std::min<std::size_t>(rates.size(), 6));
+    std::sort(rates.begin(), rates.end());
+    return fmt::format("{}", fmt::join(rates, " "));
+}
+
+int stepsPerFrame(int hz, int fps) {
+    if (hz % fps != 0)
+        throw Stop(Exit::usage,
+                   fmt::format("--fps {}: the scene steps {} times a second, which must be a "
+                               "multiple; good: {}",
+                               fps, hz, goodRates(hz, fps)));
+    return hz / fps;
+}
+
+int frameCount(double seconds, int fps) {
+    const double frames = std::max(std::round(seconds * fps), 1.0);
+    if (frames > kMostFrames)
+        throw Stop(Exit::usage, fmt::format("a film of {} s at {} frames a second has {:.0f} "
+                                            "frames; at most {} can be written",
+                                            seconds, fps, frames, kMostFrames));
+    return static_cast<int>(frames);
+}
+
+/// About 57 MiB for the driver, 12 bytes a pixel and 8 more a sample; each worker has its own.
+void checkMemory(const render::RendererSettings& picture) {
+    const double pixels = static_cast<double>(picture.width) * picture.height;
+    const double need = 57.0 * 1024 * 1024 + pixels * (24.0 + 8.0 * picture.samples);
+    const double have = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                        static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (have > 0.0 && need > 0.8 * have)
+        throw Stop(Exit::environment,
+                   fmt::format("a picture of {}x{} with {} samples needs {:.1f} GB; this machine "
+                               "has {:.1f} GB",
+                               picture.width, picture.height, picture.samples, need / 1e9,
+                               have / 1e9));
+}
+
+Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
+    Overlays overlays;
+    for (const std::string& name : scene.look.show) switchOn(overlays, name);
+    for (const std::string& name : options.show) switchOn(overlays, name);
+    overlays.theme = options.theme.empty() ? scene.look.theme : options.theme;
+    if (options.clean) overlays.text = overlays.stats = false;
+    return overlays;
+}
+
+/// The program's own bytes: another build may draw or move things otherwise.
+std::string programText() {
+    std::string text;
+    if (std::FILE* file = std::fopen("/proc/self/exe", "rb")) {
+        char block[65536];
+        for (std::size_t got; (got = std::fread(block, 1, sizeof block, file)) > 0;)
+            text.append(block, got);
+        std::fclose(file);
+    }
+    return text;
+}
+
+std::string sceneText(const std::string& nameOrPath) {
+    for (const BuiltinScene& scene : builtinScenes())
+        if (scene.name == nameOrPath) return std::string(scene.text);
+    return readSceneFile(nameOrPath);
+}
+
+}  // namespace
+
+SceneDescription sceneOf(const Options& options) {
+    SceneDescription scene = loadScene(options.scene(), options.overrides);
+    if (options.seconds) scene.seconds = *options.seconds;
+    return scene;
+}
+
+FilmPlan planFilm(const Options& options) {
+    const Quality& quality = qualityOf(options.quality);
+    FilmPlan plan;
+    plan.scene = sceneOf(options);
+    plan.overlays = overlaysOf(plan.scene, options);
+    plan.quality = quality.name;
+    plan.fps = options.fps.value_or(quality.fps);
+    plan.stepsPerFrame = stepsPerFrame(plan.scene.hz, plan.fps);
+    plan.frames = frameCount(plan.scene.seconds, plan.fps);
+    plan.picture.width = options.size ? options.size->width : quality.width;
+    plan.picture.height = options.size ? options.size->height : quality.height;
+    plan.picture.samples = options.samples.value_or(quality.samples);
+    plan.picture.reproducible = options.reproducible;
+    checkMemory(plan.picture);
+    return plan;
+}
+
+std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
+    TextHash hash;
+    hash.add(kVersion);
+    hash.add(programText());
+    hash.add(sceneText(options.scene()));
+    for (const std::string& text : options.overrides) hash.add(text);
+    hash.add(fmt::format("{}x{} {} {} {} {} {}", plan.picture.width, plan.picture.height,
+                         plan.picture.samples, plan.picture.reproducible, plan.frames, plan.fps,
+                         plan.stepsPerFrame));
+    for (const std::string& name : plan.scene.look.show) hash.add(name);
+    for (const std::string& name : options.show) hash.add(name);
+    hash.add(plan.overlays.theme);
+    hash.add(plan.overlays.text ? "text" : "clean");
+    return hash.value();
+}
+
+}  // namespace demos

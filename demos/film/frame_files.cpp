@@ -1,0 +1,148 @@
+#include "demos/film/frame_files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "demos/film/outputs.h"
+#include "demos/film/text_hash.h"
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+#include "render/encode/file.h"
+#include "render/encode/png.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An ordinary file's bytes, not through a symlink; empty when there is none.
+std::vector<std::uint8_t> contentOf(const fs::path& path) {
+    std::vector<std::uint8_t> bytes;
+    const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) return bytes;
+    struct stat info {};
+    if (fstat(file, &info) == 0 && S_ISREG(info.st_mode)) {
+        bytes.resize(static_cast<std::size_t>(info.st_size));
+        std::size_t at = 0;
+        for (ssize_t got; at < bytes.size(); at += static_cast<std::size_t>(got))
+            if ((got = read(file, bytes.data() + at, bytes.size() - at)) <= 0) break;
+        bytes.resize(at);
+    }
+    ::close(file);
+    return bytes;
+}
+
+std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
+    TextHash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& what) {
+    throw Stop(Exit::wouldOverwrite,
+               fmt::format("'{}' {}", printable(folder.string()), what));
+}
+
+}  // namespace
+
+FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord record,
+                       bool overwrite)
+    : plan_(plan), folder_(folder), record_(std::move(record)) {
+    record_.frames.assign(static_cast<std::size_t>(plan.frames), {});
+    makeFolder(folder_);
+    lock();
+    const std::vector<std::uint8_t> bytes = contentOf(recordName());
+    const auto old = recordFromJson({bytes.begin(), bytes.end()});
+    const bool same = old && old->pattern == record_.pattern;
+    if (overwrite && same) {
+        removeBeyond(old->frames.size());
+    } else if (!overwrite && same && old->fingerprint == record_.fingerprint) {
+        takeUp(*old);
+    } else if (!overwrite && (old || !bytes.empty())) {
+        refuse(folder_, "holds the frames of another run (other settings, scene or program); "
+                        "--overwrite replaces them");
+    } else if (!overwrite) {
+        refuseStrangers();
+    }
+    render::checkReplaceable(recordName());
+    close(false);
+}
+
+FrameFiles::~FrameFiles() {
+    if (lock_ >= 0) ::close(lock_);
+}
+
+/// On the folder itself, so that no file is left over.
+void FrameFiles::lock() {
+    lock_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ < 0)
+        throw render::Error(fmt::format("cannot open the folder '{}': {}",
+                                        printable(folder_.string()),
+                                        render::describeError(errno)));
+    if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+    ::close(lock_);
+    lock_ = -1;
+    refuse(folder_, "is being written by another run; wait for it, or name another folder");
+}
+
+bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
+    if (!entry.written) return false;
+    const std::vector<std::uint8_t> bytes = contentOf(nameOf(frame));
+    return render::pngIsWhole(bytes, plan_.picture.width, plan_.picture.height) &&
+           hashOf(bytes) == entry.png;
+}
+
+void FrameFiles::takeUp(const RunRecord& old) {
+    const std::size_t count = std::min(old.frames.size(), record_.frames.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!isGood(static_cast<int>(i), old.frames[i])) continue;
+        record_.frames[i] = old.frames[i];
+        ++kept_;
+    }
+}
+
+/// Frames without a record are not ours to replace.
+void FrameFiles::refuseStrangers() const {
+    std::error_code ignored;
+    for (int frame = 0; frame < plan_.frames; ++frame)
+        if (fs::exists(fs::symlink_status(nameOf(frame), ignored)))
+            refuse(nameOf(frame), "is there already, and no run.json tells whose it is; "
+                                  "--overwrite replaces it");
+}
+
+/// A shorter film must not end in the old one's frames.
+void FrameFiles::removeBeyond(std::size_t oldFrames) const {
+    std::error_code ignored;
+    for (std::size_t frame = record_.frames.size(); frame < oldFrames; ++frame) {
+        const fs::path name = nameOf(static_cast<int>(frame));
+        if (fs::is_regular_file(fs::symlink_status(name, ignored))) fs::remove(name, ignored);
+    }
+}
+
+fs::path FrameFiles::nameOf(int frame) const {
+    const fs::path name = expandPattern(record_.pattern, valuesOf(plan_, frame));
+    return folder_ / name.filename();
+}
+
+void FrameFiles::add(const DrawnFrame& frame) {
+    if (has(frame.frame)) return;
+    render::writeFileAtomically(nameOf(frame.frame), frame.png);
+    record_.frames[frame.frame] = {true, frame.stateHash, hashOf(frame.png)};
+    // Seldom enough that a long film's record costs little, often enough that little is redrawn.
+    if (++unrecorded_ >= std::max(50, plan_.frames / 64)) close(false);
+}
+
+void FrameFiles::close(bool finished) {
+    record_.finished = finished;
+    render::writeFileAtomically(recordName(), jsonOf(record_));
+    unrecorded_ = 0;
+}
+
+}  // namespace demos

@@ -1,0 +1,50 @@
+/// A numbered sequence of PNG files in a folder, and the run.json beside them.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/film/frame_source.h"
+#include "demos/film/run_record.h"
+
+namespace demos {
+
+/// Holds the folder's lock from the constructor to the end.
+class FrameFiles {
+public:
+    /// `record`: what this run is. Takes up a run with the same fingerprint: frames that are whole
+    /// and have the recorded content are kept. Throws Stop (wouldOverwrite) when the folder holds
+    /// another run's frames and `overwrite` is not set, or is being written by another process.
+    FrameFiles(const FilmPlan& plan, const std::filesystem::path& folder, RunRecord record,
+               bool overwrite);
+    ~FrameFiles();
+    FrameFiles(const FrameFiles&) = delete;
+    FrameFiles& operator=(const FrameFiles&) = delete;
+
+    bool has(int frame) const { return record_.frames[frame].written; }
+    int kept() const { return kept_; }
+    /// Writes the frame, and from time to time the record.
+    void add(const DrawnFrame& frame);
+    /// Writes the record.
+    void close(bool finished);
+    std::filesystem::path nameOf(int frame) const;
+    const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    void lock();
+    void takeUp(const RunRecord& old);
+    void refuseStrangers() const;
+    void removeBeyond(std::size_t oldFrames) const;
+    bool isGood(int frame, const FrameRecord& entry) const;
+    std::filesystem::path recordName() const { return folder_ / "run.json"; }
+
+    const FilmPlan& plan_;
+    std::filesystem::path folder_;
+    RunRecord record_;
+    int lock_ = -1;
+    int kept_ = 0;
+    int unrecorded_ = 0;
+};
+
+}  // namespace demos

@@ -1,0 +1,127 @@
+#include "demos/film/outputs.h"
+
+#include <fmt/format.h>
+
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+#include "render/encode/file.h"
+#include "render/encode/video.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& pattern, const std::string& what) {
+    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(pattern), what));
+}
+
+std::string endingOf(const std::string& pattern) {
+    std::string ending = fs::path(pattern).extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return ending;
+}
+
+Output framesOutput(const FilmPlan& plan, const std::string& pattern) {
+    Output output;
+    output.pattern = pattern;
+    if (plan.frames > 1 && !namesEveryFrame(pattern))
+        refuse(pattern, "every frame needs a name of its own, as in frame_####.png; for one "
+                        "picture there is 'impulse still'");
+    output.path = fs::path(expandPattern(pattern, valuesOf(plan, 0))).parent_path();
+    if (plan.frames > 1 &&
+        fs::path(expandPattern(pattern, valuesOf(plan, 1))).parent_path() != output.path)
+        refuse(pattern, "all frames go to one folder; the frame may only be part of the name");
+    if (output.path.empty()) output.path = ".";
+    return output;
+}
+
+Output outputOf(const FilmPlan& plan, const std::string& pattern) {
+    if (pattern.empty()) refuse(pattern, "a file or folder is needed; '-' is standard output");
+    if (pattern.find('\0') != std::string::npos) refuse(pattern, "a name holds no NUL");
+    Output output;
+    if (pattern == "-") {
+        output.kind = OutputKind::raw;
+        return output;
+    }
+    const std::string ending = endingOf(pattern);
+    if (ending == ".png") return framesOutput(plan, pattern);
+    if (render::isVideoName(pattern)) {
+        if (namesEveryFrame(pattern)) refuse(pattern, "a film is one file; leave the frame out");
+        output.kind = OutputKind::film;
+        output.path = expandPattern(pattern, valuesOf(plan, 0));
+        return output;
+    }
+    const bool folder = ending.empty() || pattern.ends_with('/') || fs::is_directory(pattern);
+    if (!folder)
+        refuse(pattern, fmt::format("the ending '{}' is not known; known are: .png .mp4 .webm "
+                                    ".gif .webp .apng, none for a folder",
+                                    printable(ending)));
+    return framesOutput(plan, (fs::path(pattern) / "frame_{frame:6}.png").string());
+}
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(path, ignored));
+}
+
+void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
+    if (!render::haveFfmpeg())
+        throw render::Error(fmt::format("'{}' needs ffmpeg, which is not installed; PNG frames "
+                                        "(-o a folder) do not",
+                                        printable(output.path.string())));
+    const bool even = plan.picture.width % 2 == 0 && plan.picture.height % 2 == 0;
+    const std::string ending = endingOf(output.path.string());
+    if (!even && (ending == ".mp4" || ending == ".webm"))
+        throw Stop(Exit::usage, fmt::format("--size {}x{}: a {} film needs even sides",
+                                            plan.picture.width, plan.picture.height, ending));
+    render::checkReplaceable(output.path);
+    if (isThere(output.path) && !overwrite)
+        throw Stop(Exit::wouldOverwrite,
+                   fmt::format("'{}' is there already; --overwrite replaces it",
+                               printable(output.path.string())));
+}
+
+}  // namespace
+
+PatternValues valuesOf(const FilmPlan& plan, int frame) {
+    return {frame, plan.timeOf(frame), plan.scene.name, plan.quality};
+}
+
+std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {
+    std::vector<std::string> patterns = options.outputs;
+    if (patterns.empty()) patterns = {"output/{scene}"};
+    std::vector<Output> outputs;
+    for (const std::string& pattern : patterns) {
+        const Output output = outputOf(plan, pattern);
+        for (const Output& other : outputs)
+            if (other.kind == output.kind && other.path == output.path)
+                refuse(pattern, "another --output goes there already");
+        if (output.kind == OutputKind::raw && options.json)
+            refuse(pattern, "--json has standard output already");
+        outputs.push_back(output);
+    }
+    return outputs;
+}
+
+void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite) {
+    for (const Output& output : outputs)
+        if (output.kind == OutputKind::film) checkFilm(output, plan, overwrite);
+}
+
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    if (folder.empty() || fs::is_directory(folder, error)) return;
+    if (fs::exists(folder, error))
+        throw render::Error(fmt::format("cannot write into '{}': it is not a folder",
+                                        printable(folder.string())));
+    fs::create_directories(folder, error);
+    if (error)
+        throw render::Error(fmt::format("cannot make the folder '{}': {}",
+                                        printable(folder.string()),
+                                        render::describeError(error.value())));
+}
+
+}  // namespace demos

@@ -1,0 +1,35 @@
+/// Where a film goes: -o, understood.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/film/pattern.h"
+
+namespace demos {
+
+enum class OutputKind {
+    frames,  // PNG files and their run.json
+    film,    // a video
+    raw      // RGBA, a frame after the other, on standard output
+};
+
+struct Output {
+    OutputKind kind = OutputKind::frames;
+    std::string pattern;         // frames: of the files' names
+    std::filesystem::path path;  // film: the file; frames: their folder
+};
+
+/// Throws Stop (usage) for what cannot be written, or twice to one place.
+std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options);
+
+/// Throws Stop (wouldOverwrite) or render::Error where that can be known before drawing.
+void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite);
+
+/// The folder and its parents; throws render::Error.
+void makeFolder(const std::filesystem::path& folder);
+
+PatternValues valuesOf(const FilmPlan& plan, int frame);
+
+}  // namespace demos

@@ -1,0 +1,82 @@
+#include "demos/film/pattern.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "demos/scene/complaints.h"
+#include "demos/scene/nearest.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+constexpr int kWidest = 12;  // digits
+
+[[noreturn]] void refuse(const std::string& pattern, const std::string& what) {
+    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(pattern), what));
+}
+
+std::string padded(const std::string& pattern, int frame, std::size_t width) {
+    if (width > kWidest) refuse(pattern, fmt::format("a frame has at most {} digits", kWidest));
+    return fmt::format("{:0{}}", frame, width);
+}
+
+/// `{frame:6}` and its kin, without the brackets.
+std::string hole(const std::string& pattern, const std::string& word, const PatternValues& values) {
+    const std::size_t colon = word.find(':');
+    const std::string name = word.substr(0, colon);
+    const std::string width = colon == std::string::npos ? "" : word.substr(colon + 1);
+    if (name == "frame" && colon != std::string::npos) {
+        if (width.empty() || width.size() > 2 ||
+            width.find_first_not_of("0123456789") != std::string::npos || std::stoi(width) < 1)
+            refuse(pattern, fmt::format("'{{{}}}' needs a number of digits, as in {{frame:6}}",
+                                        printable(word)));
+        return padded(pattern, values.frame, static_cast<std::size_t>(std::stoi(width)));
+    }
+    if (colon == std::string::npos) {
+        if (name == "frame") return fmt::format("{}", values.frame);
+        if (name == "time") return fmt::format("{:.3f}", values.time);
+        if (name == "scene") return values.scene;
+        if (name == "quality") return values.quality;
+    }
+    refuse(pattern, fmt::format("'{{{}}}' is not known{}", printable(word),
+                                suggestion(name, {"frame", "time", "scene", "quality"})));
+}
+
+}  // namespace
+
+std::string expandPattern(const std::string& pattern, const PatternValues& values) {
+    std::string name;
+    for (std::size_t i = 0; i < pattern.size();) {
+        const char c = pattern[i];
+        if (c == '#') {
+            std::size_t end = pattern.find_first_not_of('#', i);
+            if (end == std::string::npos) end = pattern.size();
+            name += padded(pattern, values.frame, end - i);
+            i = end;
+        } else if ((c == '{' || c == '}') && i + 1 < pattern.size() && pattern[i + 1] == c) {
+            name += c;
+            i += 2;
+        } else if (c == '{') {
+            const std::size_t end = pattern.find('}', i);
+            if (end == std::string::npos) refuse(pattern, "'{' is not closed; '{{' is a bracket");
+            name += hole(pattern, pattern.substr(i + 1, end - i - 1), values);
+            i = end + 1;
+        } else if (c == '}') {
+            refuse(pattern, "'}' was not opened; '}}' is a bracket");
+        } else {
+            name += c;
+            ++i;
+        }
+    }
+    return name;
+}
+
+bool namesEveryFrame(const std::string& pattern) {
+    PatternValues a, b;
+    b.frame = 1;
+    return expandPattern(pattern, a) != expandPattern(pattern, b);
+}
+
+}  // namespace demos

@@ -1,0 +1,21 @@
+/// Names of output files with holes: `out/{scene}_####.png`.
+#pragma once
+#include <string>
+
+namespace demos {
+
+struct PatternValues {
+    int frame = 0;
+    double time = 0.0;  // s
+    std::string scene, quality;
+};
+
+/// `####` and `{frame:6}`: the frame, filled up with zeros; `{frame}`: as it is; `{time}`: seconds
+/// with three decimals; `{scene}`, `{quality}`; `{{` and `}}`: the brackets themselves.
+/// Throws Stop (usage) for what is none of these.
+std::string expandPattern(const std::string& pattern, const PatternValues& values);
+
+/// Whether two frames get two names.
+bool namesEveryFrame(const std::string& pattern);
+
+}  // namespace demos

@@ -1,0 +1,28 @@
+#include "demos/film/quality.h"
+
+namespace demos {
+namespace {
+
+constexpr Quality kQualities[] = {
+    {"draft", 480, 270, 15, 1},    {"low", 854, 480, 30, 2},  {"medium", 1280, 720, 30, 4},
+    {"high", 1920, 1080, 60, 4},   {"4k", 3840, 2160, 60, 4},
+};
+
+}  // namespace
+
+const std::vector<std::string>& qualityNames() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Quality& quality : kQualities) all.emplace_back(quality.name);
+        return all;
+    }();
+    return names;
+}
+
+const Quality& qualityOf(const std::string& name) {
+    for (const Quality& quality : kQualities)
+        if (name == quality.name) return quality;
+    return kQualities[2];
+}
+
+}  // namespace demos

@@ -1,0 +1,71 @@
+#include "demos/film/run_record.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "demos/film/progress.h"
+
+namespace demos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t kMostFrames = 1'000'000;
+
+std::uint64_t fromHex(const std::string& text) {
+    std::uint64_t value = 0;
+    const auto got = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (got.ec != std::errc{} || got.ptr != text.data() + text.size())
+        throw std::invalid_argument(text);
+    return value;
+}
+
+}  // namespace
+
+std::string jsonOf(const RunRecord& record) {
+    Json json;
+    json["impulse"] = record.version;
+    json["fingerprint"] = hexText(record.fingerprint);
+    json["scene"] = record.scene;
+    json["command"] = record.command;
+    json["renderer"] = record.renderer;
+    json["pattern"] = record.pattern;
+    json["quality"] = record.quality;
+    json["size"] = {record.width, record.height};
+    json["samples"] = record.samples;
+    json["fps"] = record.fps;
+    json["hz"] = record.hz;
+    json["finished"] = record.finished;
+    Json& frames = json["frames"] = Json::array();
+    for (const FrameRecord& frame : record.frames) {
+        if (frame.written)
+            frames.push_back({{"state", hexText(frame.state)}, {"png", hexText(frame.png)}});
+        else
+            frames.push_back(nullptr);
+    }
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<RunRecord> recordFromJson(const std::string& text) try {
+    const Json json = Json::parse(text);
+    RunRecord record;
+    record.version = json.at("impulse").get<std::string>();
+    record.fingerprint = fromHex(json.at("fingerprint").get<std::string>());
+    record.pattern = json.at("pattern").get<std::string>();
+    record.finished = json.at("finished").get<bool>();
+    const Json& frames = json.at("frames");
+    if (!frames.is_array() || frames.size() > kMostFrames) return std::nullopt;
+    for (const Json& frame : frames) {
+        FrameRecord entry;
+        if (!frame.is_null()) {
+            entry.written = true;
+            entry.state = fromHex(frame.at("state").get<std::string>());
+            entry.png = fromHex(frame.at("png").get<std::string>());
+        }
+        record.frames.push_back(entry);
+    }
+    return record;
+} catch (const std::exception&) {
+    return std::nullopt;
+}
+
+}  // namespace demos

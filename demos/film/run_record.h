@@ -1,0 +1,29 @@
+/// run.json: what a run was made of and what it has written, so that it can be gone on with.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace demos {
+
+struct FrameRecord {
+    bool written = false;
+    std::uint64_t state = 0;  // engine's state hash
+    std::uint64_t png = 0;    // TextHash of the file
+};
+
+struct RunRecord {
+    std::uint64_t fingerprint = 0;  // of all that decides about the pictures
+    std::string version, renderer, scene, pattern, quality, command;
+    int width = 0, height = 0, samples = 0, fps = 0, hz = 0;
+    bool finished = false;
+    std::vector<FrameRecord> frames;
+};
+
+std::string jsonOf(const RunRecord& record);
+/// Nothing when the text is not a record.
+std::optional<RunRecord> recordFromJson(const std::string& text);
+
+}  // namespace demos

@@ -1,0 +1,29 @@
+/// FNV-1a, 64 bits, of texts and files. Not for the state of a world: engine::StateHash is.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace demos {
+
+class TextHash {
+public:
+    void add(std::span<const std::uint8_t> bytes) {
+        for (const std::uint8_t byte : bytes) mix(byte);
+        mix(0xff);  // so that "ab" "c" and "a" "bc" differ: no UTF-8 text holds this byte
+    }
+    void add(std::string_view text) {
+        for (const char c : text) mix(static_cast<std::uint8_t>(c));
+        mix(0xff);
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    void mix(std::uint8_t byte) {
+        value_ ^= byte;
+        value_ *= 0x100000001b3ull;
+    }
+    std::uint64_t value_ = 0xcbf29ce484222325ull;
+};
+
+}  // namespace demos

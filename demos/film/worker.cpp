@@ -1,0 +1,54 @@
+#include "demos/film/worker.h"
+
+#include <exception>
+
+#include "demos/player.h"
+#include "demos/stop.h"
+#include "render/encode/png.h"
+#include "render/renderer.h"
+
+namespace demos {
+namespace {
+
+Message drawnMessage(const Player& player, const FilmPlan& plan, int frame, const WorkerTask& task,
+                     render::Renderer& renderer) {
+    render::Image image = renderer.draw(player.frame(plan.timeOf(frame)));
+    Message message;
+    message.kind = MessageKind::frame;
+    message.frame = frame;
+    message.stateHash = player.stage().world.hash();
+    if (task.png) message.first = render::encodePng(image);
+    if (task.raw) message.second = std::move(image.pixels);
+    return message;
+}
+
+void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
+    render::RendererSettings settings = plan.picture;
+    settings.threads = 0;  // this process is the thread
+    render::Renderer renderer(settings);
+    Player player(plan.scene, plan.overlays);
+    Message orders;
+    if (!channel.send(Message::ofText(MessageKind::ready, renderer.describe())) ||
+        !channel.receive(orders))
+        return;
+    int ordinal = 0;
+    for (int frame = 0; frame < static_cast<int>(orders.first.size()); ++frame) {
+        if (frame > 0) player.step(plan.stepsPerFrame);
+        if (!orders.first[frame] || ordinal++ % task.count != task.index) continue;
+        if (!channel.send(drawnMessage(player, plan, frame, task, renderer))) return;
+    }
+}
+
+}  // namespace
+
+void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel) noexcept {
+    try {
+        work(plan, task, channel);
+    } catch (const Stop& stop) {
+        channel.send(Message::ofText(MessageKind::diverged, stop.what()));
+    } catch (const std::exception& error) {
+        channel.send(Message::ofText(MessageKind::failed, error.what()));
+    }
+}
+
+}  // namespace demos

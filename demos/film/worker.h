@@ -1,0 +1,16 @@
+/// The life of a drawing process.
+#pragma once
+#include "demos/film/channel.h"
+#include "demos/film/film_plan.h"
+
+namespace demos {
+
+struct WorkerTask {
+    int index = 0, count = 1;  // draws the wanted frames number index, index + count, ...
+    bool png = true, raw = false;
+};
+
+/// Tells everything through the channel; throws nothing.
+void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel) noexcept;
+
+}  // namespace demos

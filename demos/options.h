@@ -1,0 +1,63 @@
+/// The command line as plain values. options.cpp alone knows how it is parsed.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace demos {
+
+enum class Command { render, still, sim, list, doctor, bench, completion };
+
+struct PictureSize {
+    int width = 0, height = 0;  // pixels
+};
+
+struct Options {
+    Command command = Command::list;
+    std::vector<std::string> scenes;     // built-in names or paths; one, except for bench
+    std::vector<std::string> overrides;  // "world.hz=240"
+
+    // render, still
+    std::vector<std::string> outputs;  // patterns; empty = the default
+    std::string quality = "medium";
+    std::optional<PictureSize> size;
+    std::optional<int> fps;
+    std::optional<int> samples;
+    std::optional<double> seconds;  // length; also of sim and bench
+    std::vector<std::string> show;  // overlays, added to the scene's
+    std::string theme;              // empty = the scene's
+    int jobs = 0;                   // 0 = a worker per core
+    bool clean = false;             // no text
+    bool overwrite = false;
+    bool reproducible = false;
+    std::optional<double> time;  // s, still
+    std::optional<int> frame;    // still; negative counts from the end
+
+    // sim
+    std::string csv, bodies, joints, contacts, sweeps;  // a file or "-"; empty = not asked for
+    int every = 1;
+    bool hash = false;
+    int hashEvery = 0;  // 0 = the last step only
+    bool expect = true;
+
+    bool quiet = false, json = false;
+    bool print = false;    // list: the scene file itself
+    bool picture = false;  // bench: time a frame as well
+    std::string shell = "bash";
+    std::string commandLine;  // as a shell takes it, to go on after an interruption
+
+    const std::string& scene() const { return scenes.front(); }
+};
+
+/// The options; nothing when help or the version was asked for and has been printed.
+/// Throws Stop (usage).
+std::optional<Options> parseOptions(int argc, const char* const* argv);
+
+/// A command's name and what may follow it, for shells to complete.
+struct CommandWords {
+    std::string name;
+    std::vector<std::string> options;
+};
+std::vector<CommandWords> commandWords();
+
+}  // namespace demos

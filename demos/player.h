@@ -1,0 +1,34 @@
+/// A stage that is played step by step, with what pictures of it need from the steps in between.
+#pragma once
+#include <string>
+
+#include "demos/snapshot.h"
+
+namespace demos {
+
+class Player {
+public:
+    Player(const SceneDescription& scene, const Overlays& overlays);
+    Player(const Player&) = delete;  // the world's observer points here
+    Player& operator=(const Player&) = delete;
+
+    /// One step. Throws Stop (diverged) with `scene: step 1234 (t = 5.142 s): body 'box7': ...`.
+    void step();
+    void step(int count);
+    render::Frame frame(double time) const { return snapshot(stage_, overlays_, time, history_); }
+    const Stage& stage() const { return stage_; }
+
+private:
+    void watchNudges();
+    void remember();
+
+    Stage stage_;
+    Overlays overlays_;
+    History history_;
+    std::vector<Vec3> before_;  // m, where the bodies were when the nudges began
+};
+
+/// The line for a step that did not end well.
+std::string troubleText(const Stage& stage);
+
+}  // namespace demos

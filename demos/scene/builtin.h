@@ -1,0 +1,15 @@
+/// The built-in scenes: the files of demos/scenes, embedded.
+#pragma once
+#include <span>
+#include <string_view>
+
+namespace demos {
+
+struct BuiltinScene {
+    std::string_view name, text;
+};
+
+/// Sorted by name.
+std::span<const BuiltinScene> builtinScenes();
+
+}  // namespace demos

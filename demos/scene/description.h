@@ -1,0 +1,107 @@
+/// A scene file as plain data: every value checked, in SI units and radians, every default filled
+/// in, [[repeat]] unrolled. See shared format 1; the reader makes it, the stage plays it.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/body.h"
+#include "engine/joint.h"
+#include "engine/settings.h"
+
+namespace demos {
+
+using engine::Quat;
+using engine::Vec3;
+
+/// Where in the file something was written; line and column count from 1.
+struct Place {
+    int line = 0, column = 0;
+};
+
+struct BodyDescription {
+    std::string name;
+    engine::BodyDef def;            // material values are already in def.material
+    std::optional<unsigned> color;  // 0xRRGGBB
+    Place place;
+};
+
+struct JointDescription {
+    std::string name;  // given, or "a-b" of its bodies
+    engine::JointType type = engine::JointType::ball;
+    int a = -1, b = -1;                       // place in `bodies`; -1: the world
+    Vec3 anchorA{0, 0, 0}, anchorB{0, 0, 0};  // body axes; of the world: world axes
+    Vec3 axis{0, 0, 1};                       // world axes
+    double length = 0.0;                      // m, distance joint
+    Place place;
+};
+
+struct CameraDescription {
+    Vec3 from{8, 5, 14}, lookAt{0, 2, 0};
+    double fovDegrees = 35.0;
+    double orbitDegreesPerSecond = 0.0;
+    std::string follow;  // a body, or empty
+};
+
+struct LookDescription {
+    std::string theme = "studio";     // studio | dark | print
+    std::vector<std::string> show;    // overlays
+    std::vector<std::string> trails;  // bodies
+};
+
+struct Section {
+    double at = 0.0;  // s
+    std::string name, caption, notes, poster;
+    double slow = 1.0;
+    bool pause = false, loop = false;
+};
+
+/// A line of the scene's physics contract.
+struct Expectation {
+    enum class What {
+        drift,
+        penetration,
+        separation,
+        energy,
+        speed,
+        position,
+        angle,
+        period,
+        count
+    };
+    What what = What::drift;
+    std::string of = "*";  // bodies or joints, with *; several: "box*,ball"
+    std::optional<double> below, above, near;
+    std::optional<Vec3> nearPoint;  // position
+    double within = 0.0;
+    double after = 0.0;           // s
+    std::optional<double> until;  // s; else the end of the film
+    std::string why;
+    Place place;
+};
+
+struct Snapshot {
+    std::vector<double> times;      // s
+    int width = 640, height = 360;  // pixels
+};
+
+struct SceneDescription {
+    std::string name;  // built-in name or the file's stem
+    std::string title;
+    double seconds = 5.0;       // length of the film
+    Vec3 gravity{0, -9.81, 0};  // m/s^2
+    int hz = 60;                // physics steps a second
+    std::uint64_t seed = 1;
+    std::string preset = "steady";
+    engine::Settings settings;
+    std::vector<BodyDescription> bodies;
+    std::vector<JointDescription> joints;
+    CameraDescription camera;
+    LookDescription look;
+    std::vector<Section> sections;
+    std::vector<Expectation> expectations;
+    Snapshot snapshot;
+};
+
+}  // namespace demos

@@ -1,0 +1,202 @@
+#include "demos/scene/keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "demos/scene/nearest.h"
+
+namespace demos {
+namespace {
+
+const Value kNoTable;
+
+std::string rangeText(const Range& range, const char* kind) {
+    return std::string(kind) + " from " + numberText(range.low) + " to " + numberText(range.high) +
+           (*range.unit ? std::string(" ") + range.unit : "");
+}
+
+}  // namespace
+
+std::string anyOf(const std::vector<std::string>& words) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+    return list;
+}
+
+Keys::Keys(const Value& table, std::string where, Complaints& complaints)
+    : table_(table.kind == Value::Kind::table ? table : kNoTable),
+      where_(std::move(where)),
+      complaints_(complaints) {
+    if (table.kind != Value::Kind::table)
+        complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table");
+}
+
+const Value* Keys::any(std::string_view key) {
+    known_.push_back(key);
+    return table_.find(key);
+}
+
+Place Keys::placeOf(std::string_view key) const {
+    for (const Key& k : table_.keys)
+        if (k.name == key) return k.place;
+    return table_.place;
+}
+
+void Keys::complain(std::string_view key, const std::string& what) {
+    complaints_.add(placeOf(key), what);
+}
+
+void Keys::wrong(const Value& value, std::string_view key, const std::string& right) {
+    complaints_.add(value.place,
+                    std::string(key) + " is " + describe(value) + "; it should be " + right);
+}
+
+std::optional<double> Keys::checked(const Value& value, std::string_view key, Range range) {
+    if (value.isNumber() && std::isfinite(value.real) && value.real >= range.low &&
+        value.real <= range.high)
+        return value.real + 0.0;  // -0 becomes +0
+    wrong(value, key, rangeText(range, "a number"));
+    return std::nullopt;
+}
+
+std::optional<double> Keys::number(std::string_view key, Range range) {
+    const Value* value = any(key);
+    return value ? checked(*value, key, range) : std::nullopt;
+}
+
+std::optional<int> Keys::whole(std::string_view key, Range range) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind == Value::Kind::integer && value->real >= range.low &&
+        value->real <= range.high)
+        return static_cast<int>(value->integer);
+    wrong(*value, key, rangeText(range, "a whole number"));
+    return std::nullopt;
+}
+
+std::optional<bool> Keys::truth(std::string_view key) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind == Value::Kind::boolean) return value->boolean;
+    wrong(*value, key, "true or false");
+    return std::nullopt;
+}
+
+std::optional<std::string> Keys::text(std::string_view key) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind == Value::Kind::text) return value->text;
+    wrong(*value, key, "a text in quotes");
+    return std::nullopt;
+}
+
+std::optional<Vec3> Keys::vector(std::string_view key, Range range) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind != Value::Kind::array || value->items.size() != 3) {
+        wrong(*value, key, "three numbers [x, y, z]");
+        return std::nullopt;
+    }
+    Vec3 v;
+    bool good = true;
+    for (int i = 0; i < 3; ++i) {
+        const std::optional<double> x =
+            checked(value->items[static_cast<std::size_t>(i)], key, range);
+        good = good && x.has_value();
+        v[i] = x.value_or(0.0);
+    }
+    return good ? std::optional<Vec3>(v) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> Keys::texts(std::string_view key) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind == Value::Kind::text) return std::vector<std::string>{value->text};
+    std::vector<std::string> list;
+    bool good = value->kind == Value::Kind::array;
+    for (const Value& item : value->items) {
+        good = good && item.kind == Value::Kind::text;
+        list.push_back(item.text);
+    }
+    if (good) return list;
+    wrong(*value, key, "a list of texts, like [\"box0\", \"box1\"]");
+    return std::nullopt;
+}
+
+std::optional<std::vector<double>> Keys::numbers(std::string_view key, Range range) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind != Value::Kind::array) {
+        wrong(*value, key, "a list of numbers");
+        return std::nullopt;
+    }
+    std::vector<double> list;
+    for (const Value& item : value->items)
+        if (const std::optional<double> x = checked(item, key, range)) list.push_back(*x);
+    return list.size() == value->items.size() ? std::optional(list) : std::nullopt;
+}
+
+std::optional<std::string> Keys::word(std::string_view key, const std::vector<std::string>& words,
+                                      const std::vector<std::string>& later) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind == Value::Kind::text) {
+        if (std::find(words.begin(), words.end(), value->text) != words.end()) return value->text;
+        if (std::find(later.begin(), later.end(), value->text) != later.end()) {
+            complaints_.add(value->place, std::string(key) + " \"" + value->text +
+                                              "\" is not available yet; use " + anyOf(words));
+            return std::nullopt;
+        }
+    }
+    const std::string close =
+        value->kind == Value::Kind::text ? nearest(value->text, words) : std::string();
+    wrong(*value, key, anyOf(words) + (close.empty() ? "" : "; did you mean '" + close + "'?"));
+    return std::nullopt;
+}
+
+std::optional<unsigned> Keys::color(std::string_view key) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    const std::string& text = value->text;
+    if (value->kind == Value::Kind::text && text.size() == 7 && text[0] == '#' &&
+        text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
+        return static_cast<unsigned>(std::stoul(text.substr(1), nullptr, 16));
+    wrong(*value, key, "like \"#c89b6c\": red, green and blue in hexadecimal");
+    return std::nullopt;
+}
+
+std::vector<const Value*> Keys::tables(std::string_view key) {
+    const Value* value = any(key);
+    if (!value) return {};
+    if (value->kind == Value::Kind::table) return {value};
+    std::vector<const Value*> list;
+    for (const Value& item : value->items) list.push_back(&item);
+    if (value->kind != Value::Kind::array)
+        wrong(*value, key, "one or more tables [[" + std::string(key) + "]]");
+    return list;
+}
+
+void Keys::later(std::initializer_list<std::string_view> keys) {
+    later_.insert(later_.end(), keys.begin(), keys.end());
+}
+
+void Keys::done() {
+    const auto holds = [](const std::vector<std::string_view>& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    for (const Key& key : table_.keys) {
+        if (holds(known_, key.name)) continue;
+        if (holds(later_, key.name)) {
+            complaints_.add(key.place, "'" + key.name + "' in " + where_ +
+                                           " is not available yet; leave it out");
+            continue;
+        }
+        const std::vector<std::string> names(known_.begin(), known_.end());
+        complaints_.add(
+            key.place, "unknown key '" + key.name + "' in " + where_ + suggestion(key.name, names));
+    }
+}
+
+}  // namespace demos

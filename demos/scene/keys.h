@@ -1,0 +1,65 @@
+/// Strict access to one table of a scene: what is not asked for is an unknown key, and every wrong
+/// value is a complaint that says what would be right. Values that were wrong are as if not given.
+#pragma once
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "demos/scene/toml_value.h"
+
+namespace demos {
+
+struct Range {
+    double low, high;
+    const char* unit = "";
+};
+
+class Keys {
+public:
+    /// `where`: what the table is called in messages: "[world]", "a [[body]]".
+    Keys(const Value& table, std::string where, Complaints& complaints);
+
+    /// Any value; null when not given.
+    const Value* any(std::string_view key);
+    bool has(std::string_view key) const { return table_.find(key) != nullptr; }
+    Place placeOf(std::string_view key) const;
+    Place place() const { return table_.place; }
+
+    std::optional<double> number(std::string_view key, Range range);
+    std::optional<int> whole(std::string_view key, Range range);
+    std::optional<bool> truth(std::string_view key);
+    std::optional<std::string> text(std::string_view key);
+    std::optional<Vec3> vector(std::string_view key, Range range);
+    std::optional<std::vector<std::string>> texts(std::string_view key);
+    std::optional<std::vector<double>> numbers(std::string_view key, Range range);
+    /// One of the words; `later`: words of the format that this version lacks.
+    std::optional<std::string> word(std::string_view key, const std::vector<std::string>& words,
+                                    const std::vector<std::string>& later = {});
+    /// 0xRRGGBB of "#rrggbb".
+    std::optional<unsigned> color(std::string_view key);
+    /// The tables of [[key]], or the table that is not in a list.
+    std::vector<const Value*> tables(std::string_view key);
+
+    /// Keys of the format that this version lacks.
+    void later(std::initializer_list<std::string_view> keys);
+    /// Complains of the keys that nobody asked for.
+    void done();
+
+    void complain(std::string_view key, const std::string& what);
+
+private:
+    std::optional<double> checked(const Value& value, std::string_view key, Range range);
+    void wrong(const Value& value, std::string_view key, const std::string& right);
+
+    const Value& table_;
+    std::string where_;
+    Complaints& complaints_;
+    std::vector<std::string_view> known_, later_;
+};
+
+/// "a, b or c"
+std::string anyOf(const std::vector<std::string>& words);
+
+}  // namespace demos

@@ -1,0 +1,21 @@
+/// "Did you mean": the known name that a misspelt one is closest to.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace demos {
+
+/// Insertions, deletions, substitutions and swaps of neighbours that lead from a to b
+/// (Damerau-Levenshtein, each letter edited once).
+int editDistance(std::string_view a, std::string_view b);
+
+/// The first of the names closest to `word` within two edits (one, for words of up to three
+/// letters); empty when there is none.
+std::string nearest(std::string_view word, std::span<const std::string> names);
+
+/// "; did you mean 'hz'?", or "; known are: gravity, hz, seed" (the first dozen).
+std::string suggestion(std::string_view word, const std::vector<std::string>& names);
+
+}  // namespace demos

@@ -1,0 +1,255 @@
+// [[material]] and [[body]]
+
+#include <algorithm>
+
+#include "demos/scene/nearest.h"
+#include "demos/scene/read_parts.h"
+#include "engine/base/trigonometry.h"
+#include "engine/dynamics/mass.h"
+
+namespace demos {
+namespace {
+
+constexpr Range kMass{1e-6, 1e9, "kg"};
+constexpr Range kDensity{1e-3, 1e6, "kg/m^3"};
+constexpr Range kMeters{-1e5, 1e5, "m"};
+constexpr Range kSpeed{-1e4, 1e4, "m/s"};
+constexpr Range kSpin{-1e4, 1e4, "rad/s"};
+
+/// Three numbers: the diagonal. Six: xx, yy, zz, xy, xz, yz.
+std::optional<engine::Mat3> readInertia(Keys& keys) {
+    const auto numbers = keys.numbers("inertia", {-1e18, 1e18, "kg m^2"});
+    if (!numbers) return std::nullopt;
+    const std::vector<double>& n = *numbers;
+    engine::Mat3 inertia = engine::Mat3::Zero();
+    if (n.size() == 3 || n.size() == 6) inertia.diagonal() = Vec3(n[0], n[1], n[2]);
+    if (n.size() == 6) {
+        inertia(0, 1) = inertia(1, 0) = n[3];
+        inertia(0, 2) = inertia(2, 0) = n[4];
+        inertia(1, 2) = inertia(2, 1) = n[5];
+    }
+    // Positive definite: the three leading minors are (Sylvester).
+    const double second = inertia(0, 0) * inertia(1, 1) - inertia(0, 1) * inertia(0, 1);
+    if (inertia(0, 0) > 0.0 && second > 0.0 && inertia.determinant() > 0.0) return inertia;
+    keys.complain("inertia",
+                  "inertia should be three positive numbers (xx, yy, zz) or six (xx, "
+                  "yy, zz, xy, xz, yz) of a positive definite matrix, in kg m^2");
+    return std::nullopt;
+}
+
+Quat readRotation(Keys& keys) {
+    const std::optional<Vec3> degrees = keys.vector("turn_deg", {-1e6, 1e6, "deg"});
+    const auto q = keys.numbers("quaternion", {-1e3, 1e3});
+    if (q && keys.has("turn_deg"))
+        keys.complain("quaternion", "turn_deg and quaternion in one body; give one of them");
+    if (q) {
+        const Quat turn =
+            q->size() == 4 ? Quat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : Quat(0.0, 0.0, 0.0, 0.0);
+        if (turn.norm() > 1e-6) return turn.normalized();
+        keys.complain("quaternion", "quaternion should be four numbers [w, x, y, z], not all zero");
+    }
+    if (!degrees) return Quat::Identity();
+    Vec3 angles;
+    for (int k = 0; k < 3; ++k) angles[k] = engine::radians((*degrees)[k]);
+    return engine::turnAboutXyz(angles);
+}
+
+/// One body of the file, or of one turn of a [[repeat]].
+class BodyReader {
+public:
+    BodyReader(const Instance& instance, const Materials& materials, Complaints& complaints)
+        : instance_(instance),
+          materials_(materials),
+          complaints_(complaints),
+          keys_(*instance.table, "a [[body]]", complaints) {
+        body_.place = instance.table->place;
+    }
+
+    /// Without a name when it has none that can be used.
+    BodyDescription read() {
+        readName();
+        if (const std::optional<engine::Shape> shape = readShape(keys_, complaints_))
+            body_.def.shape = *shape, shapeKnown_ = true;
+        readMaterial();
+        readKind();
+        readPose();
+        readMotion();
+        readMass();
+        if (const std::optional<unsigned> color = keys_.color("colour")) body_.color = color;
+        keys_.later({"rolling", "break_at"});
+        keys_.done();
+        return body_;
+    }
+
+private:
+    void readName() {
+        if (!keys_.has("name")) {
+            keys_.complain("name", "a [[body]] has no name; write name = \"box\"");
+            return;
+        }
+        const std::optional<std::string> text = keys_.text("name");
+        if (!text) return;
+        const std::string name = instance_.named(*text);
+        if (name == "world")
+            keys_.complain("name", "a body cannot be called 'world': so joints call what is fixed");
+        else if (checkName(name, keys_.placeOf("name"), "name", complaints_))
+            body_.name = name;
+    }
+
+    void readMaterial() {
+        const std::optional<std::string> name = keys_.text("material");
+        if (!name) return;
+        const auto found = materials_.find(*name);
+        if (found != materials_.end()) {
+            body_.def.material = found->second.material;
+            body_.color = found->second.color;
+            return;
+        }
+        std::vector<std::string> names;
+        for (const auto& [known, material] : materials_) names.push_back(known);
+        keys_.complain("material", "no material is called '" + *name + "'" +
+                                       (names.empty() ? "; write a [[material]] of that name"
+                                                      : suggestion(*name, names)));
+    }
+
+    void readKind() {
+        const bool fixed = keys_.truth("fixed").value_or(false);
+        const Value* kinematic = keys_.any("kinematic");
+        if (fixed && kinematic)
+            keys_.complain("kinematic", "fixed and kinematic in one body; give one of them");
+        if (fixed) body_.def.kind = engine::BodyKind::fixed;
+        if (kinematic) {
+            body_.def.kind = engine::BodyKind::kinematic;
+            Keys keys(*kinematic, "kinematic", complaints_);
+            body_.def.velocity = keys.vector("velocity", kSpeed).value_or(Vec3(0, 0, 0));
+            body_.def.spin = keys.vector("spin", kSpin).value_or(Vec3(0, 0, 0));
+            keys.done();
+        }
+        if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::plane && !fixed)
+            keys_.complain("shape", "a plane that is not fixed; write fixed = true");
+        if (body_.def.kind == engine::BodyKind::dynamic) return;
+        for (const char* key : {"velocity", "spin", "mass", "density", "inertia"})
+            if (keys_.has(key))
+                keys_.complain(key, std::string(key) + " of a body that is " +
+                                        (fixed ? "fixed" : "kinematic") + "; leave it out" +
+                                        (fixed ? "" : ": kinematic = { velocity, spin } moves it"));
+    }
+
+    void readPose() {
+        const Vec3 at = keys_.vector("at", kMeters).value_or(Vec3(0, 0, 0));
+        body_.def.pose.position = instance_.point(at);
+        body_.def.pose.rotation = instance_.rotation(readRotation(keys_));
+        if (body_.def.pose.position.cwiseAbs().maxCoeff() > kMeters.high)
+            keys_.complain("at", "a [[repeat]] puts '" + body_.name +
+                                     "' more than 100000 m from the origin; make its step smaller");
+    }
+
+    void readMotion() {
+        const std::optional<Vec3> velocity = keys_.vector("velocity", kSpeed);
+        const std::optional<Vec3> spin = keys_.vector("spin", kSpin);
+        if (velocity) body_.def.velocity = *velocity;
+        if (spin) body_.def.spin = *spin;
+        if (body_.def.velocity.norm() >= kSpeed.high)
+            keys_.complain("velocity", "velocity should be slower than 10000 m/s in all");
+    }
+
+    void readMass() {
+        const std::optional<double> mass = keys_.number("mass", kMass);
+        const std::optional<double> density = keys_.number("density", kDensity);
+        if (keys_.has("mass") && keys_.has("density"))
+            keys_.complain("density", "mass and density in one body; give one of them");
+        if (mass) body_.def.mass = mass;
+        if (density) body_.def.material.density = *density;
+        body_.def.inertia = readInertia(keys_);
+        if (!shapeKnown_ || mass || body_.def.kind != engine::BodyKind::dynamic) return;
+        const double own = body_.def.material.density * engine::volume(body_.def.shape);
+        if (own < kMass.low || own > kMass.high)
+            keys_.complain("shape", "its volume and a density of " +
+                                        numberText(body_.def.material.density) + " kg/m^3 make " +
+                                        numberText(own) +
+                                        " kg; it should be from 1e-06 to 1e+09 kg: give a mass");
+    }
+
+    const Instance& instance_;
+    const Materials& materials_;
+    Complaints& complaints_;
+    Keys keys_;
+    BodyDescription body_;
+    bool shapeKnown_ = false;
+};
+
+}  // namespace
+
+bool checkName(const std::string& name, Place place, const char* what, Complaints& complaints) {
+    constexpr std::size_t kLongest = 64;
+    const bool good = !name.empty() && name.size() <= kLongest &&
+                      std::all_of(name.begin(), name.end(), [](char c) {
+                          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                                 (c >= '0' && c <= '9') ||
+                                 std::string_view("_.{}+-").find(c) != std::string_view::npos;
+                      });
+    if (!good)
+        complaints.add(place, std::string(what) + " is '" + name.substr(0, kLongest) +
+                                  "'; it should be 1 to 64 of A-Z a-z 0-9 _ . { } + -");
+    return good;
+}
+
+Materials readMaterials(Keys& top, Complaints& complaints) {
+    Materials materials;
+    for (const Value* table : top.tables("material")) {
+        Keys keys(*table, "a [[material]]", complaints);
+        if (!keys.has("name"))
+            keys.complain("name", "a [[material]] has no name; write name = \"wood\"");
+        const std::string name = keys.text("name").value_or("");
+        MaterialDescription m;
+        m.material.density = keys.number("density", kDensity).value_or(m.material.density);
+        m.material.friction = keys.number("friction", {0.0, 100.0}).value_or(m.material.friction);
+        m.material.restitution =
+            keys.number("restitution", {0.0, 1.0}).value_or(m.material.restitution);
+        m.color = keys.color("colour");
+        keys.later({"rolling"});
+        keys.done();
+        if (!keys.has("name") || !checkName(name, keys.placeOf("name"), "name", complaints))
+            continue;
+        if (!materials.insert({name, m}).second)
+            keys.complain("name", "two materials are called '" + name + "'; rename one");
+    }
+    return materials;
+}
+
+BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
+                       SceneDescription& scene, Complaints& complaints) {
+    BodyNumbers numbers;
+    const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
+    for (const Instance& instance : instances) {
+        const int before = complaints.count();
+        BodyDescription body;
+        if (instance.table != complainedOf)
+            body = BodyReader(instance, materials, complaints).read();
+        else if (const Value* name = instance.table->find("name"))
+            body.name = instance.named(name->text);  // so that joints find it
+        const int number = static_cast<int>(scene.bodies.size());
+        const bool twice = !body.name.empty() && !numbers.insert({body.name, number}).second;
+        if (twice && instance.table != complainedOf)
+            complaints.add(body.place,
+                           "two bodies are called '" + body.name + "'; rename one" +
+                               (instance.depth > 0 ? ", in a [[repeat]] with {i}" : ""));
+        if (complaints.count() > before) complainedOf = instance.table;
+        scene.bodies.push_back(std::move(body));
+    }
+    return numbers;
+}
+
+std::vector<std::string> bodyNames(const SceneDescription& scene) {
+    std::vector<std::string> names;
+    for (const BodyDescription& body : scene.bodies) names.push_back(body.name);
+    return names;
+}
+
+std::vector<std::string> jointNames(const SceneDescription& scene) {
+    std::vector<std::string> names;
+    for (const JointDescription& joint : scene.joints) names.push_back(joint.name);
+    return names;
+}
+
+}  // namespace demos

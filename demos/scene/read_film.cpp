@@ -1,0 +1,116 @@
+// [camera], [look], [[section]] and [snapshot]
+
+#include <algorithm>
+
+#include "demos/scene/nearest.h"
+#include "demos/scene/pattern.h"
+#include "demos/scene/read_parts.h"
+
+namespace demos {
+namespace {
+
+constexpr Range kMeters{-1e5, 1e5, "m"};
+
+template <class To, class From>
+void set(To& to, const std::optional<From>& from) {
+    if (from) to = *from;
+}
+
+/// Up is y: the picture has no top when the camera looks along it.
+void checkView(Keys& keys, const CameraDescription& camera) {
+    const Vec3 sight = camera.lookAt - camera.from;
+    if (sight.norm() < 1e-3)
+        keys.complain("from", "from and look_at are the same point; move one of them");
+    else if (Vec3(sight.x(), 0.0, sight.z()).norm() < 1e-4 * sight.norm())
+        keys.complain("from", "the camera looks straight up or down; move it a little aside");
+}
+
+Section readSection(const Value& table, const SceneDescription& scene, Complaints& complaints) {
+    Keys keys(table, "a [[section]]", complaints);
+    Section section;
+    set(section.at, keys.number("at", {0.0, scene.seconds, "s"}));
+    set(section.name, keys.text("name"));
+    set(section.caption, keys.text("caption"));
+    set(section.notes, keys.text("notes"));
+    set(section.poster, keys.text("poster"));
+    set(section.slow, keys.number("slow", {0.001, 1000.0}));
+    set(section.pause, keys.truth("pause"));
+    set(section.loop, keys.truth("loop"));
+    keys.done();
+    return section;
+}
+
+}  // namespace
+
+void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
+                Complaints& complaints) {
+    const Value* table = top.any("camera");
+    if (!table) return;
+    Keys keys(*table, "[camera]", complaints);
+    CameraDescription& camera = scene.camera;
+    set(camera.from, keys.vector("from", kMeters));
+    set(camera.lookAt, keys.vector("look_at", kMeters));
+    set(camera.fovDegrees, keys.number("fov_deg", {1.0, 170.0, "deg"}));
+    set(camera.orbitDegreesPerSecond, keys.number("orbit_deg_per_s", {-3600.0, 3600.0, "deg/s"}));
+    set(camera.follow, keys.text("follow"));
+    if (!camera.follow.empty() && !numbers.contains(camera.follow))
+        keys.complain("follow", "no body is called '" + camera.follow + "'" +
+                                    suggestion(camera.follow, bodyNames(scene)));
+    keys.later({"keys"});
+    keys.done();
+    checkView(keys, camera);
+}
+
+void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
+    const Value* table = top.any("look");
+    if (!table) return;
+    Keys keys(*table, "[look]", complaints);
+    set(scene.look.theme, keys.word("theme", {"studio", "dark", "print"}, {"transparent"}));
+    const std::vector<std::string> overlays = {"contacts", "normals", "impulses", "friction",
+                                               "nudges",   "joints",  "axes",     "trails",
+                                               "ghost",    "ids",     "caption",  "stats"};
+    for (const std::string& name : keys.texts("show").value_or(std::vector<std::string>{})) {
+        scene.look.show.push_back(name);
+        if (std::find(overlays.begin(), overlays.end(), name) == overlays.end())
+            keys.complain("show",
+                          "no overlay is called '" + name + "'" + suggestion(name, overlays));
+    }
+    for (const std::string& pattern : keys.texts("trails").value_or(std::vector<std::string>{})) {
+        const std::size_t before = scene.look.trails.size();
+        for (const BodyDescription& body : scene.bodies)
+            if (matches(pattern, body.name)) scene.look.trails.push_back(body.name);
+        if (scene.look.trails.size() == before)
+            keys.complain("trails", "no body is called '" + pattern + "'" +
+                                        suggestion(pattern, bodyNames(scene)));
+    }
+    keys.done();
+}
+
+void readSections(Keys& top, SceneDescription& scene, Complaints& complaints) {
+    for (const Value* table : top.tables("section"))
+        scene.sections.push_back(readSection(*table, scene, complaints));
+    std::stable_sort(scene.sections.begin(), scene.sections.end(),
+                     [](const Section& a, const Section& b) { return a.at < b.at; });
+}
+
+void readSnapshot(Keys& top, SceneDescription& scene, Complaints& complaints) {
+    const Value* table = top.any("snapshot");
+    if (!table) return;
+    Keys keys(*table, "[snapshot]", complaints);
+    set(scene.snapshot.times, keys.numbers("times", {0.0, scene.seconds, "s"}));
+    constexpr Range kPixels{1.0, 16384.0, "pixels"};
+    if (const Value* size = keys.any("size")) {
+        const auto whole = [](const Value& v) { return v.kind == Value::Kind::integer; };
+        const auto numbers = keys.numbers("size", kPixels);
+        if (numbers && numbers->size() == 2 &&
+            std::all_of(size->items.begin(), size->items.end(), whole)) {
+            scene.snapshot.width = static_cast<int>((*numbers)[0]);
+            scene.snapshot.height = static_cast<int>((*numbers)[1]);
+        } else if (numbers) {
+            keys.complain("size", "size should be two whole numbers [width, height] of pixels");
+        }
+    }
+    keys.done();
+}
+
+}  // namespace demos

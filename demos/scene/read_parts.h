@@ -1,0 +1,54 @@
+/// The reader's parts, one per group of tables. Each fills in its share of the description and
+/// complains of what is wrong.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "demos/scene/description.h"
+#include "demos/scene/keys.h"
+#include "demos/scene/repeat.h"
+
+namespace demos {
+
+struct MaterialDescription {
+    engine::Material material;
+    std::optional<unsigned> color;
+};
+using Materials = std::map<std::string, MaterialDescription>;
+using BodyNumbers = std::map<std::string, int>;  // place in scene.bodies by name
+
+// read_settings.cpp
+void readWorld(Keys& top, SceneDescription& scene, Complaints& complaints);
+void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints);
+
+// read_bodies.cpp
+Materials readMaterials(Keys& top, Complaints& complaints);
+BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
+                       SceneDescription& scene, Complaints& complaints);
+
+// read_shape.cpp
+std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints);
+
+// read_joints.cpp
+void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbers,
+                SceneDescription& scene, Complaints& complaints);
+
+// read_film.cpp
+void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
+                Complaints& complaints);
+void readLook(Keys& top, SceneDescription& scene, Complaints& complaints);
+void readSections(Keys& top, SceneDescription& scene, Complaints& complaints);
+void readSnapshot(Keys& top, SceneDescription& scene, Complaints& complaints);
+
+// read_expectations.cpp
+void readExpectations(Keys& top, SceneDescription& scene, Complaints& complaints);
+
+/// `[A-Za-z0-9_.{}+-]{1,64}`, or a complaint.
+bool checkName(const std::string& name, Place place, const char* what, Complaints& complaints);
+
+/// Names of all bodies, of all joints, for suggestions.
+std::vector<std::string> bodyNames(const SceneDescription& scene);
+std::vector<std::string> jointNames(const SceneDescription& scene);
+
+}  // namespace demos

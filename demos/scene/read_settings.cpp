@@ -1,0 +1,97 @@
+// [world] and [solver]
+
+#include <algorithm>
+#include <utility>
+
+#include "demos/scene/read_parts.h"
+
+namespace demos {
+namespace {
+
+template <class To, class From>
+void set(To& to, const std::optional<From>& from) {
+    if (from) to = *from;
+}
+
+engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
+    set(scene.preset, keys.word("preset", {"steady", "seed"}, {"fast"}));
+    return scene.preset == "seed" ? engine::Settings::seed() : engine::Settings::steady();
+}
+
+void readSweeps(Keys& keys, engine::Settings& s) {
+    constexpr Range kSweeps{0, 10'000};
+    const std::optional<int> sweeps = keys.whole("sweeps", kSweeps);
+    const std::optional<int> least = keys.whole("min_sweeps", kSweeps);
+    set(s.sweeps, sweeps);
+    s.minSweeps = least ? *least : std::min(s.minSweeps, s.sweeps);
+    if (s.minSweeps > s.sweeps)
+        keys.complain("min_sweeps", "min_sweeps is " + std::to_string(s.minSweeps) +
+                                        "; it should be at most sweeps, " +
+                                        std::to_string(s.sweeps));
+    set(s.tolerance, keys.number("tolerance", {0.0, 10.0, "m/s"}));
+}
+
+void readSubsteps(Keys& keys, engine::Settings& s) {
+    constexpr Range kSubsteps{1, 1000};
+    set(s.substeps, keys.whole("substeps", kSubsteps));
+    const std::optional<int> most = keys.whole("max_substeps", kSubsteps);
+    s.maxSubsteps = most ? *most : std::max(s.maxSubsteps, s.substeps);
+    if (s.maxSubsteps < s.substeps)
+        keys.complain("max_substeps", "max_substeps is " + std::to_string(s.maxSubsteps) +
+                                          "; it should be at least substeps, " +
+                                          std::to_string(s.substeps));
+}
+
+void readCorrections(Keys& keys, engine::Settings& s) {
+    set(s.nudges, keys.whole("nudges", {0, 1000}));
+    set(s.baumgarte, keys.number("baumgarte", {0.0, 1.0}));
+    set(s.slop, keys.number("slop", {0.0, 0.1, "m"}));
+    if (s.baumgarte > 0.0 && s.nudges > 0) {
+        keys.complain("baumgarte", "baumgarte is " + numberText(s.baumgarte) + " and nudges are " +
+                                       std::to_string(s.nudges) +
+                                       "; use one of the two: write nudges = 0 or baumgarte = 0");
+        s.baumgarte = 0.0;
+    }
+}
+
+}  // namespace
+
+void readWorld(Keys& top, SceneDescription& scene, Complaints& complaints) {
+    const Value* table = top.any("world");
+    if (!table) return;
+    Keys keys(*table, "[world]", complaints);
+    set(scene.gravity, keys.vector("gravity", {-1e4, 1e4, "m/s^2"}));
+    set(scene.hz, keys.whole("hz", {10, 100'000, "steps a second"}));
+    constexpr double kLargest = 9007199254740992.0;  // 2^53: exact in every reader of TOML
+    if (const Value* seed = keys.any("seed")) {
+        if (seed->kind == Value::Kind::integer && seed->integer >= 0 && seed->real <= kLargest)
+            scene.seed = static_cast<std::uint64_t>(seed->integer);
+        else
+            complaints.add(seed->place, "seed is " + describe(*seed) +
+                                            "; it should be a whole number from 0 to 2^53");
+    }
+    keys.done();
+}
+
+void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints) {
+    scene.settings = engine::Settings::steady();
+    const Value* table = top.any("solver");
+    if (!table) return;
+    Keys keys(*table, "[solver]", complaints);
+    engine::Settings s = presetOf(keys, scene);
+    keys.word("type", {"impulses"}, {"pgs", "pgs-matrix", "direct"});
+    readSweeps(keys, s);
+    readSubsteps(keys, s);
+    readCorrections(keys, s);
+    if (const auto order = keys.word("order", {"gravity", "pairs"}))
+        s.order = *order == "pairs" ? engine::Order::pairs : engine::Order::gravity;
+    if (const auto joints = keys.word("joints", {"direct", "rows"}))
+        s.joints = *joints == "rows" ? engine::JointSolving::rows : engine::JointSolving::direct;
+    set(s.block, keys.truth("block"));
+    set(s.warmStart, keys.truth("warm_start"));
+    set(s.accumulate, keys.truth("accumulate"));
+    keys.done();
+    scene.settings = s;
+}
+
+}  // namespace demos

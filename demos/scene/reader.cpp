@@ -1,0 +1,127 @@
+#include "demos/scene/reader.h"
+
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "demos/scene/builtin.h"
+#include "demos/scene/nearest.h"
+#include "demos/scene/overrides.h"
+#include "demos/scene/read_parts.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = 8u << 20;
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+    return text;
+}
+
+void readTop(Keys& top, SceneDescription& scene) {
+    if (!top.has("format"))
+        top.complain("format", "the scene has no format; begin it with format = 1");
+    if (const Value* format = top.any("format");
+        format && !(format->kind == Value::Kind::integer && format->integer == 1))
+        top.complain("format", "format is " + describe(*format) + "; this version reads format 1");
+    scene.title = top.text("title").value_or(scene.name);
+    scene.seconds = top.number("seconds", {0.01, 1e5, "s"}).value_or(scene.seconds);
+}
+
+SceneDescription readDocument(const Value& document, const std::string& sceneName,
+                              Complaints& complaints) {
+    SceneDescription scene;
+    scene.name = sceneName;
+    Keys top(document, "a scene", complaints);
+    readTop(top, scene);
+    readWorld(top, scene, complaints);
+    readSolver(top, scene, complaints);
+    const Materials materials = readMaterials(top, complaints);
+    const Instances instances = unroll(top.tables("body"), top.tables("joint"),
+                                       top.tables("repeat"), scene.seed, complaints);
+    const BodyNumbers numbers = readBodies(instances.bodies, materials, scene, complaints);
+    readJoints(instances.joints, numbers, scene, complaints);
+    if (complaints.count() == 0 && scene.bodies.empty())
+        complaints.add({1, 1}, "the scene has no body; write a [[body]]");
+    readCamera(top, numbers, scene, complaints);
+    readLook(top, scene, complaints);
+    readSections(top, scene, complaints);
+    readExpectations(top, scene, complaints);
+    readSnapshot(top, scene, complaints);
+    top.later({"force"});
+    top.done();
+    return scene;
+}
+
+const BuiltinScene* findBuiltin(const std::string& name) {
+    for (const BuiltinScene& scene : builtinScenes())
+        if (scene.name == name) return &scene;
+    return nullptr;
+}
+
+[[noreturn]] void fail(const std::string& line) { throw SceneError({printable(line)}); }
+
+/// With "there is no such scene" and the nearest name, when it cannot be a path.
+[[noreturn]] void failUnknown(const std::string& name) {
+    std::vector<std::string> names;
+    for (const BuiltinScene& scene : builtinScenes()) names.emplace_back(scene.name);
+    fail("there is no built-in scene and no file '" + name + "'" + suggestion(name, names));
+}
+
+}  // namespace
+
+SceneError::SceneError(std::vector<std::string> lines)
+    : std::runtime_error(joined(lines)), lines_(std::move(lines)) {}
+
+SceneDescription readScene(std::string_view text, const std::string& fileName,
+                           const std::string& sceneName,
+                           const std::vector<std::string>& overrides) {
+    Complaints complaints(fileName, overrides);
+    if (text.size() > kMostBytes) fail(fileName + ": larger than 8 MiB");
+    Value document = parseToml(text, complaints);
+    if (complaints.count() > 0) throw SceneError(complaints.lines());
+    if (document.place.line < 1) document.place = {1, 1};
+    applyOverrides(overrides, document, complaints);
+    SceneDescription scene = readDocument(document, sceneName, complaints);
+    if (complaints.count() > 0) throw SceneError(complaints.lines());
+    return scene;
+}
+
+std::string readSceneFile(const fs::path& path) {
+    const std::string name = path.string();
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) fail(name + ": there is no such file");
+    if (status.type() == fs::file_type::directory)
+        fail(name + ": is a directory; it should be a scene file");
+    // Opening a FIFO waits, and /dev/zero never ends: neither is tried.
+    if (status.type() != fs::file_type::regular)
+        fail(name + ": is not a regular file; it should be a scene file");
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) fail(name + ": cannot be read: " + error.message());
+    if (size > kMostBytes)
+        fail(name + ": is " + std::to_string(size) + " bytes; it should be at most 8 MiB");
+    std::ifstream file(path, std::ios::binary);
+    std::string text(static_cast<std::size_t>(size), '\0');
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    if (!file || file.gcount() != static_cast<std::streamsize>(size))
+        fail(name + ": cannot be read; check its permissions");
+    return text;
+}
+
+SceneDescription loadScene(const std::string& nameOrPath,
+                           const std::vector<std::string>& overrides) {
+    if (const BuiltinScene* scene = findBuiltin(nameOrPath))
+        return readScene(scene->text, nameOrPath + ".toml", nameOrPath, overrides);
+    const fs::path path(nameOrPath);
+    std::error_code error;
+    const bool isPath = nameOrPath.find('/') != std::string::npos || path.extension() == ".toml";
+    if (!isPath && !fs::exists(path, error)) failUnknown(nameOrPath);
+    return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides);
+}
+
+}  // namespace demos

@@ -1,0 +1,36 @@
+/// From a scene file's text to its description. Strict: what is not understood is an error.
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "demos/scene/description.h"
+
+namespace demos {
+
+/// All that is wrong with one scene, a line each: `file:line:column: what, value, what would be
+/// right`, in the order of the file. Control bytes are escaped.
+class SceneError : public std::runtime_error {
+public:
+    explicit SceneError(std::vector<std::string> lines);
+    const std::vector<std::string>& lines() const { return lines_; }
+
+private:
+    std::vector<std::string> lines_;
+};
+
+/// `overrides`: "world.hz=240", set before anything is read, as if the file had said so.
+SceneDescription readScene(std::string_view text, const std::string& fileName,
+                           const std::string& sceneName,
+                           const std::vector<std::string>& overrides = {});
+
+/// A regular file of at most 8 MiB, or an error (SceneError) that says what it is instead.
+std::string readSceneFile(const std::filesystem::path& path);
+
+/// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
+SceneDescription loadScene(const std::string& nameOrPath,
+                           const std::vector<std::string>& overrides = {});
+
+}  // namespace demos

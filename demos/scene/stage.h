@@ -1,0 +1,26 @@
+/// A scene that plays: the world, and what the picture needs besides.
+#pragma once
+#include <vector>
+
+#include "demos/scene/description.h"
+#include "engine/world.h"
+
+namespace demos {
+
+struct Stage {
+    SceneDescription scene;
+    engine::World world;
+    engine::BodyId ground;                  // the body that stands for 'world' in joints
+    std::vector<engine::BodyId> bodies;     // by place in scene.bodies
+    std::vector<engine::JointId> joints;    // by place in scene.joints
+    std::vector<std::vector<Vec3>> trails;  // by place in scene.look.trails; one point per frame
+
+    explicit Stage(const SceneDescription& description);
+
+    double dt() const { return 1.0 / scene.hz; }
+    /// One step of the world. False: it diverged; world.report() says how.
+    bool step() { return world.step(dt()); }
+    const std::string& nameOf(engine::BodyId id) const;
+};
+
+}  // namespace demos

@@ -1,0 +1,84 @@
+#include "demos/scene/toml_limits.h"
+
+namespace demos {
+namespace {
+
+constexpr int kDeepest = 32;
+constexpr int kMostValues = 1'000'000;
+
+class Scan {
+public:
+    explicit Scan(std::string_view text) : text_(text) {}
+
+    std::optional<BeyondLimit> run() {
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '#') {
+                skipTo("\n");
+                continue;
+            }
+            if (c == '"' || c == '\'') {
+                skipQuoted(c);
+                continue;
+            }
+            count(c);
+            if (depth_ > kDeepest) return beyond("nested deeper than 32 tables and arrays");
+            if (dots_ >= kDeepest) return beyond("a key of more than 32 parts");
+            if (values_ > kMostValues) return beyond("more than a million values");
+            ++at_;
+        }
+        return std::nullopt;
+    }
+
+private:
+    void count(char c) {
+        if (c == '[' || c == '{') ++depth_;
+        if ((c == ']' || c == '}') && depth_ > 0) --depth_;
+        if (c == ',' || c == '=' || c == '\n') ++values_;
+        if (c == '.')
+            ++dots_;
+        else if (std::string_view("[]{},=\n").find(c) != std::string_view::npos)
+            dots_ = 0;
+        if (c == '\n') ++line_, lineStart_ = at_ + 1;
+    }
+
+    /// Leaves at_ on the text given, or at the end.
+    void skipTo(std::string_view end) {
+        const std::size_t found = text_.find(end, at_);
+        at_ = found == std::string_view::npos ? text_.size() : found;
+    }
+
+    void skipQuoted(char quote) {
+        const bool block = text_.substr(at_, 3) == std::string(3, quote);
+        at_ += block ? 3 : 1;
+        while (at_ < text_.size()) {
+            if (text_[at_] == '\n') {
+                if (!block) return;  // not closed: the parser says so
+                ++line_, lineStart_ = at_ + 1;
+            }
+            if (quote == '"' && text_[at_] == '\\') {
+                at_ += at_ + 1 < text_.size() && text_[at_ + 1] != '\n' ? 2 : 1;
+                continue;
+            }
+            if (block ? text_.substr(at_, 3) == std::string(3, quote) : text_[at_] == quote) {
+                at_ += block ? 3 : 1;
+                return;
+            }
+            ++at_;
+        }
+    }
+
+    BeyondLimit beyond(const char* what) const {
+        return {{line_, static_cast<int>(at_ - lineStart_) + 1}, what};
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0, lineStart_ = 0;
+    int line_ = 1, depth_ = 0, dots_ = 0, values_ = 0;
+};
+
+}  // namespace
+
+std::optional<BeyondLimit> beyondLimits(std::string_view text) { return Scan(text).run(); }
+
+}  // namespace demos

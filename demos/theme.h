@@ -1,0 +1,19 @@
+/// Light, ground and ink of a picture, by name.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/frame.h"
+#include "render/palette.h"
+
+namespace demos {
+
+/// studio, dark, print
+const std::vector<std::string>& themeNames();
+
+/// Sets the frame's look, and the ink of texts that have no colour of their own.
+void applyTheme(const std::string& theme, render::Frame& frame);
+
+inline render::Color nudgeColor() { return render::fromHex(0x7b3fb5); }
+
+}  // namespace demos

@@ -1,0 +1,12 @@
+/// What this program calls itself.
+#pragma once
+
+namespace demos {
+
+#ifdef IMPULSE_VERSION
+inline constexpr const char* kVersion = IMPULSE_VERSION;
+#else
+inline constexpr const char* kVersion = "0.1.0";
+#endif
+
+}  // namespace demos

@@ -1,0 +1,279 @@
+#include <sys/resource.h>
+
+#include <map>
+
+#include "render/encode/png.h"
+#include "tests/demos/program.h"
+
+namespace demos::test {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 54, kFrames = 10;
+
+using Files = std::map<std::string, std::string>;
+
+Files framesIn(const fs::path& folder) {
+    Files files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".png")
+            files[entry.path().filename().string()] = contentOf(entry.path());
+    return files;
+}
+
+bool isWhole(const std::string& png) {
+    return render::pngIsWhole({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()},
+                              kWidth, kHeight);
+}
+
+bool haveTools() {
+    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") ==
+           0;
+}
+
+/// Frames that can be decoded; -1 when the film does not play.
+int playableFrames(const fs::path& film) {
+    const std::string command =
+        "ffprobe -v error -count_frames -select_streams v -show_entries stream=nb_read_frames "
+        "-of csv=p=0 '" +
+        film.string() + "'";
+    FILE* pipe = popen(command.c_str(), "r");
+    char text[64] = {};
+    const bool got = std::fgets(text, sizeof text, pipe) != nullptr;
+    return pclose(pipe) == 0 && got ? std::atoi(text) : -1;
+}
+
+class RenderCommand : public testing::Test {
+protected:
+    RenderCommand() { write(folder / "ball.toml", kBall); }
+
+    static Launch small(const fs::path& where, std::vector<std::string> more) {
+        Launch launch;
+        launch.folder = where;
+        launch.arguments = {"render", "ball.toml", "--size",    "96x54", "--fps",
+                            "10",     "--samples", "1"};
+        launch.arguments.insert(launch.arguments.end(), more.begin(), more.end());
+        return launch;
+    }
+    Ended film(std::vector<std::string> more) { return run(small(folder.path(), std::move(more))); }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(RenderCommand, WritesFramesAndARecordAndSaysSo) {
+    const Ended ended = film({});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Files frames = framesIn(folder / "output/ball");
+    EXPECT_EQ(frames.size(), static_cast<std::size_t>(kFrames));
+    EXPECT_TRUE(frames.contains("frame_000009.png"));
+    for (const auto& [name, png] : frames) EXPECT_TRUE(isWhole(png)) << name;
+    EXPECT_NE(contentOf(folder / "output/ball/run.json").find("\"finished\": true"),
+              std::string::npos);
+    EXPECT_NE(ended.out.find("wrote output/ball/frame_000000.png"), std::string::npos);
+    EXPECT_NE(ended.out.find("next: "), std::string::npos);
+    EXPECT_NE(ended.err.find("100 %"), std::string::npos);
+}
+
+TEST_F(RenderCommand, TheNumberOfJobsDoesNotChangeAFrame) {
+    ASSERT_EQ(film({"-o", "one", "--jobs", "1"}).code, 0);
+    ASSERT_EQ(film({"-o", "two", "--jobs", "2"}).code, 0);
+    EXPECT_EQ(framesIn(folder / "one"), framesIn(folder / "two"));
+    EXPECT_EQ(framesIn(folder / "one").size(), static_cast<std::size_t>(kFrames));
+}
+
+TEST_F(RenderCommand, QuietSaysNothing) {
+    const Ended ended = film({"--quiet", "--seconds", "0.2"});
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_TRUE(ended.out.empty()) << ended.out;
+    EXPECT_TRUE(ended.err.empty()) << ended.err;
+}
+
+TEST_F(RenderCommand, ASecondRunKeepsEveryFrame) {
+    ASSERT_EQ(film({"--seconds", "0.3"}).code, 0);
+    const fs::path frame = folder / "output/ball/frame_000001.png";
+    const auto written = fs::last_write_time(frame);
+    const Ended again = film({"--seconds", "0.3"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("3 kept"), std::string::npos) << again.out;
+    EXPECT_EQ(fs::last_write_time(frame), written);
+}
+
+TEST_F(RenderCommand, ATornOrChangedFrameIsDrawnAgain) {
+    ASSERT_EQ(film({"--seconds", "0.3"}).code, 0);
+    const Files before = framesIn(folder / "output/ball");
+    write(folder / "output/ball/frame_000000.png", before.at("frame_000000.png").substr(0, 99));
+    write(folder / "output/ball/frame_000002.png", before.at("frame_000001.png"));
+    const Ended again = film({"--seconds", "0.3"});
+    EXPECT_NE(again.out.find("1 kept"), std::string::npos) << again.out;
+    EXPECT_EQ(framesIn(folder / "output/ball"), before);
+}
+
+TEST_F(RenderCommand, OtherSettingsAreRefusedUntilOverwriteIsSaid) {
+    ASSERT_EQ(film({}).code, 0);
+    const Files before = framesIn(folder / "output/ball");
+    const Ended refused = film({"--seconds", "0.5"});
+    EXPECT_EQ(refused.code, 5);
+    EXPECT_EQ(refused.errorLines(), 1);
+    EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
+    EXPECT_EQ(framesIn(folder / "output/ball"), before);
+    EXPECT_EQ(film({"--seconds", "0.5", "--overwrite"}).code, 0);
+    EXPECT_EQ(framesIn(folder / "output/ball").size(), 5u);  // none of the longer film's is left
+}
+
+TEST_F(RenderCommand, FramesOfUnknownOriginAreRefused) {
+    fs::create_directories(folder / "mine");
+    write(folder / "mine/frame_000003.png", "precious");
+    EXPECT_EQ(film({"-o", "mine"}).code, 5);
+    EXPECT_EQ(contentOf(folder / "mine/frame_000003.png"), "precious");
+}
+
+TEST_F(RenderCommand, ResumingAKilledRunGivesTheFilesOfAnUndisturbedOne) {
+    write(folder / "ball.toml", kBall);
+    ASSERT_EQ(film({"-o", "calm", "--seconds", "7"}).code, 0);
+    Launch killed = small(folder.path(), {"-o", "torn", "--seconds", "7", "--json"});
+    killed.awaited = "\"frame\":55,";  // the record is written after fifty
+    killed.signal = SIGKILL;
+    EXPECT_EQ(run(killed).signal, SIGKILL);
+    EXPECT_LT(framesIn(folder / "torn").size(), 70u);
+    const Ended resumed = film({"-o", "torn", "--seconds", "7"});
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_NE(resumed.out.find("50 kept"), std::string::npos) << resumed.out;
+    EXPECT_EQ(framesIn(folder / "torn"), framesIn(folder / "calm"));
+}
+
+TEST_F(RenderCommand, AnInterruptFinishesTheFrameAndNamesTheCommandToGoOn) {
+    Launch launch = small(folder.path(), {"--seconds", "20", "--json"});
+    launch.awaited = "\"frame\":4,";
+    launch.signal = SIGINT;
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 130);
+    EXPECT_EQ(ended.errorLines(), 1);
+    EXPECT_NE(ended.err.find("to go on: impulse render ball.toml"), std::string::npos) << ended.err;
+    for (const auto& [name, png] : framesIn(folder / "output/ball"))
+        EXPECT_TRUE(isWhole(png)) << name;
+    const Ended resumed = film({"--seconds", "20"});
+    EXPECT_EQ(resumed.code, 0);
+    EXPECT_NE(resumed.out.find(" kept"), std::string::npos) << resumed.out;
+}
+
+TEST_F(RenderCommand, AnInterruptedFilmPlays) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Launch launch =
+            small(folder.path(), {"--seconds", "20", "--json", "--overwrite", "-o", "film.mp4"});
+        launch.awaited = "\"frame\":4,";
+        launch.signal = signal;
+        EXPECT_EQ(run(launch).code, 130);
+        EXPECT_GE(playableFrames(folder / "film.mp4"), 5);
+    }
+}
+
+TEST_F(RenderCommand, AFilmHasEveryFrameAndIsNotReplacedUnasked) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const Ended ended = film({"-o", "film.mp4", "-o", "frames"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames);
+    EXPECT_EQ(framesIn(folder / "frames").size(), static_cast<std::size_t>(kFrames));
+    EXPECT_EQ(film({"-o", "film.mp4"}).code, 5);
+    EXPECT_EQ(film({"-o", "film.mp4", "--overwrite"}).code, 0);
+}
+
+TEST_F(RenderCommand, AFilmNeedsEvenSidesAndSaysSoAtOnce) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const Ended ended =
+        run(folder.path(), {"render", "ball.toml", "-o", "film.mp4", "--size", "97x55"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("even"), std::string::npos) << ended.err;
+    EXPECT_FALSE(fs::exists(folder / "film.mp4"));
+}
+
+TEST_F(RenderCommand, WithoutFfmpegAFilmIsCode4) {
+    Launch launch = small(folder.path(), {"-o", "film.mp4"});
+    launch.beforeExec = [] { setenv("PATH", "/nonexistent", 1); };
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_EQ(ended.errorLines(), 1);
+    EXPECT_NE(ended.err.find("ffmpeg"), std::string::npos) << ended.err;
+}
+
+TEST_F(RenderCommand, AFullDiskIsCode4AndNoFrameIsTorn) {
+    Launch launch = small(folder.path(), {"-o", "full", "--quiet"});
+    ASSERT_EQ(film({"-o", "calm"}).code, 0);
+    std::uintmax_t largest = 0;
+    for (const auto& [name, png] : framesIn(folder / "calm"))
+        largest = std::max<std::uintmax_t>(largest, png.size());
+    launch.beforeExec = [largest] {  // the largest frame does not fit
+        const rlimit limit{largest - 1, largest - 1};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 4) << ended.err;
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    const Files frames = framesIn(folder / "full");
+    EXPECT_LT(frames.size(), static_cast<std::size_t>(kFrames));
+    for (const auto& [name, png] : frames) EXPECT_TRUE(isWhole(png)) << name;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "full"))
+        EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+}
+
+TEST_F(RenderCommand, DivergenceIsCode6AndKeepsTheGoodFrames) {
+    write(folder / "ball.toml", kBall + "velocity = [0, 9950, 0]\n");
+    const Ended ended = film({"--set", "world.gravity=[0,100,0]", "--set", "camera.follow=ball"});
+    EXPECT_EQ(ended.code, 6) << ended.err;
+    EXPECT_NE(ended.err.find("body 'ball'"), std::string::npos) << ended.err;
+    const Files frames = framesIn(folder / "output/ball");
+    EXPECT_GT(frames.size(), 0u);
+    EXPECT_LT(frames.size(), static_cast<std::size_t>(kFrames));
+}
+
+TEST_F(RenderCommand, NeverWritesThroughASymlink) {
+    write(folder / "victim", "untouched");
+    fs::create_directories(folder / "out");
+    fs::create_symlink(folder / "victim", folder / "out/frame_000001.png");
+    EXPECT_EQ(film({"-o", "out", "--overwrite"}).code, 4);
+    EXPECT_EQ(contentOf(folder / "victim"), "untouched");
+}
+
+TEST_F(RenderCommand, RawFramesGoToStandardOutput) {
+    const Ended ended = film({"-o", "-", "--seconds", "0.3"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.out.size(), 3u * 4 * kWidth * kHeight);
+}
+
+TEST_F(RenderCommand, ABrokenPipeIsCode4) {
+    Launch launch = small(folder.path(), {"-o", "-"});
+    launch.beforeExec = [] { close(STDOUT_FILENO); };
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_NE(ended.err.find("standard output"), std::string::npos) << ended.err;
+}
+
+TEST_F(RenderCommand, AStillIsTheFilmsFrame) {
+    ASSERT_EQ(film({}).code, 0);
+    const Ended still =
+        run(folder.path(), {"still", "ball.toml", "--size", "96x54", "--fps", "10", "--samples",
+                            "1", "-f", "-3", "-o", "-"});
+    ASSERT_EQ(still.code, 0) << still.err;
+    EXPECT_TRUE(isWhole(still.out));
+    EXPECT_TRUE(still.out == contentOf(folder / "output/ball/frame_000007.png"));
+}
+
+TEST_F(RenderCommand, AStillIsNotReplacedUnasked) {
+    const std::vector<std::string> arguments = {"still", "ball.toml", "--size", "96x54",
+                                                "--samples", "1", "-t", "0.5", "-o", "a.png"};
+    EXPECT_EQ(run(folder.path(), arguments).code, 0);
+    EXPECT_EQ(run(folder.path(), arguments).code, 5);
+}
+
+TEST_F(RenderCommand, PatternsNameTheFiles) {
+    ASSERT_EQ(film({"-o", "x/{scene}-##-{quality}.png", "--seconds", "0.2"}).code, 0);
+    EXPECT_TRUE(fs::exists(folder / "x/ball-01-medium.png"));
+}
+
+TEST_F(RenderCommand, DoctorKnowsTheRenderer) {
+    const Ended ended = run(folder.path(), {"doctor"});
+    EXPECT_TRUE(ended.code == 0 || ended.code == 4);
+    EXPECT_NE(ended.out.find("OpenGL"), std::string::npos) << ended.out;
+}
+
+}  // namespace
+}  // namespace demos::test

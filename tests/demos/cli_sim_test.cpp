@@ -1,0 +1,195 @@
+#include <sys/resource.h>
+
+#include <charconv>
+#include <sstream>
+
+#include "tests/demos/program.h"
+
+namespace demos::test {
+namespace {
+
+std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream cells(line);
+        rows.emplace_back();
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+double number(const std::string& cell) {
+    double value = 0.0;
+    const auto got = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    EXPECT_EQ(got.ptr, cell.data() + cell.size()) << cell;
+    return value;
+}
+
+class Sim : public testing::Test {
+protected:
+    Sim() { write(folder / "ball.toml", kBall); }
+    Ended sim(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"sim", "ball.toml"});
+        return run(folder.path(), arguments);
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(Sim, WritesARowAStepAndOneForTimeZero) {
+    const Ended ended = sim({"--csv", "a.csv"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const auto rows = rowsOf(contentOf(folder / "a.csv"));
+    ASSERT_EQ(rows.size(), 62u);  // columns, time 0, sixty steps
+    EXPECT_EQ(rows[0].size(), 8u);
+    EXPECT_EQ(rows[0][0], "time");
+    EXPECT_EQ(rows[1][0], "0");
+    EXPECT_EQ(rows[61][0], "1");
+    EXPECT_NE(ended.out.find("wrote a.csv (61 rows)"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("next: impulse render ball.toml"), std::string::npos) << ended.out;
+}
+
+TEST_F(Sim, TheBallFallsAsTheFormulaSays) {
+    const Ended ended = sim({"--bodies", "-", "--seconds", "0.5"});
+    const auto rows = rowsOf(ended.out);
+    ASSERT_EQ(rows.size(), 1u + 31u * 2u);
+    EXPECT_EQ(rows[0].size(), 15u);
+    EXPECT_EQ(rows.back()[1], "ball");
+    // y = y0 - g h^2 n (n + 1) / 2 for n = 30 steps of 4 sub-steps each: h = 1/240 s, 120 of them
+    const double h = 1.0 / 240;
+    EXPECT_NEAR(number(rows.back()[3]), 3.0 - 9.81 * h * h * 120 * 121 / 2, 1e-9);
+}
+
+TEST_F(Sim, EveryThinsTheRows) {
+    const auto rows = rowsOf(sim({"--csv", "-", "--every", "20"}).out);
+    ASSERT_EQ(rows.size(), 5u);
+    EXPECT_EQ(rows[4][0], "1");
+}
+
+TEST_F(Sim, ContactsHoldTheImpulseThatCarriesTheWeight) {
+    const auto rows = rowsOf(
+        sim({"--contacts", "-", "--set", "body.ball.at=[0,0.5,0]", "--set", "body.ball.mass=2"})
+            .out);
+    ASSERT_GT(rows.size(), 30u);
+    EXPECT_EQ(rows[0].size(), 12u);
+    EXPECT_EQ(rows.back()[1], "floor");
+    EXPECT_EQ(rows.back()[2], "ball");
+    EXPECT_NEAR(number(rows.back()[10]), 2.0 * 9.81 / 60, 1e-3);  // m g dt
+}
+
+TEST_F(Sim, SweepsAndJointsHaveTheirColumns) {
+    const auto sweeps = rowsOf(sim({"--sweeps", "-", "--seconds", "0.1"}).out);
+    EXPECT_EQ(sweeps.at(0).size(), 4u);
+    const Ended ended = run(folder.path(), {"sim", "pendulum", "--joints", "-", "--seconds", "0.1",
+                                            "--no-expect"});
+    const auto joints = rowsOf(ended.out);
+    ASSERT_GT(joints.size(), 1u);
+    EXPECT_EQ(joints.at(0).size(), 5u);
+    EXPECT_EQ(joints.at(1).size(), 5u);
+}
+
+TEST_F(Sim, TheHashIsTheSameInEveryRunAndOfTheStep) {
+    const Ended first = sim({"--hash", "--quiet"});
+    EXPECT_EQ(first.out, sim({"--hash", "--quiet"}).out);
+    EXPECT_TRUE(first.out.starts_with("step 60  state ")) << first.out;
+    const Ended many = sim({"--hash-every", "25", "--quiet"});
+    EXPECT_EQ(std::count(many.out.begin(), many.out.end(), '\n'), 3);  // 25, 50 and the last
+    EXPECT_TRUE(many.out.ends_with(first.out)) << many.out;
+}
+
+TEST_F(Sim, AFailedExpectationIsCode1WithItsValue) {
+    write(folder / "ball.toml", kBall + R"([[expect]]
+what = "speed"
+of = ["ball"]
+below = 0.1
+why = "it should not fall"
+[[expect]]
+what = "penetration"
+below = 0.1
+)");
+    const Ended ended = sim({"--seconds", "0.5"});
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    EXPECT_NE(ended.err.find("4.905 m/s"), std::string::npos) << ended.err;  // g t
+    EXPECT_NE(ended.err.find("it should not fall"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find("ok "), std::string::npos) << ended.out;
+    EXPECT_EQ(sim({"--seconds", "0.5", "--no-expect"}).code, 0);
+}
+
+TEST_F(Sim, DivergenceIsCode6AndNamesStepAndBody) {
+    write(folder / "ball.toml", kBall + "velocity = [0, 9999, 0]\n");
+    const Ended ended = sim({"--set", "world.gravity=[0,100,0]", "--csv", "a.csv"});
+    EXPECT_EQ(ended.code, 6) << ended.err;
+    EXPECT_EQ(ended.errorLines(), 1);
+    EXPECT_NE(ended.err.find("ball: step "), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("body 'ball': faster than"), std::string::npos) << ended.err;
+    EXPECT_TRUE(fs::exists(folder / "a.csv"));  // what was good stays readable
+}
+
+TEST_F(Sim, JsonIsAnObjectALineAndNothingElse) {
+    const Ended ended = sim({"--json", "--hash"});
+    EXPECT_EQ(ended.code, 0);
+    std::istringstream lines(ended.out);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_EQ(line.front(), '{') << line;
+        EXPECT_EQ(line.back(), '}') << line;
+    }
+    EXPECT_NE(ended.out.find(R"("event":"done")"), std::string::npos);
+}
+
+TEST_F(Sim, AFullDiskIsCode4AndLeavesNoFile) {
+    Launch launch;
+    launch.folder = folder.path();
+    launch.arguments = {"sim", "ball.toml", "--bodies", "a.csv"};
+    launch.beforeExec = [] {
+        const rlimit limit{1000, 1000};  // bytes a file
+        setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 4) << ended.err;
+    EXPECT_EQ(ended.errorLines(), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);  // the scene alone
+}
+
+TEST_F(Sim, ClosedOrFullStandardOutputIsCode4) {
+    for (const bool closed : {true, false}) {
+        Launch launch;
+        launch.folder = folder.path();
+        launch.arguments = {"sim", "ball.toml", "--bodies", "-"};
+        launch.beforeExec = [closed] {
+            close(STDOUT_FILENO);
+            if (!closed) open("/dev/full", O_WRONLY);
+        };
+        const Ended ended = run(launch);
+        EXPECT_EQ(ended.code, 4) << ended.err;
+        EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    }
+}
+
+TEST_F(Sim, NeverWritesThroughASymlink) {
+    write(folder / "victim", "untouched");
+    fs::create_symlink(folder / "victim", folder / "a.csv");
+    const Ended ended = sim({"--csv", "a.csv"});
+    EXPECT_EQ(ended.code, 4) << ended.err;
+    EXPECT_EQ(contentOf(folder / "victim"), "untouched");
+}
+
+TEST_F(Sim, TakesAwkwardNamesAsTheyAre) {
+    for (const char* name : {"a;touch pwned", "%d%n", "sp ace.csv"}) {
+        EXPECT_EQ(sim({"--csv", name, "--seconds", "0.1"}).code, 0) << name;
+        EXPECT_TRUE(fs::exists(folder / name)) << name;
+    }
+    EXPECT_FALSE(fs::exists(folder / "pwned"));
+}
+
+TEST_F(Sim, BenchSaysItsFieldsAsJson) {
+    const Ended ended = run(folder.path(), {"bench", "ball.toml", "--json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    for (const char* field : {"scene", "bodies", "joints", "contacts", "steps",
+                              "ms_per_step_median", "ms_per_step_min", "ms_per_step_max",
+                              "ns_per_point", "hash"})
+        EXPECT_NE(ended.out.find("\"" + std::string(field) + "\":"), std::string::npos) << field;
+}
+
+}  // namespace
+}  // namespace demos::test

@@ -1,0 +1,75 @@
+// The README says what the program says: scenes, commands, links.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::string outputOf(const std::string& arguments) {
+    FILE* pipe = popen((std::string(IMPULSE_BINARY) + " " + arguments + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> piece;
+    while (const std::size_t n = std::fread(piece.data(), 1, piece.size(), pipe))
+        text.append(piece.data(), n);
+    pclose(pipe);
+    return text;
+}
+
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+    std::set<std::string> result;
+    const std::regex expression(pattern);
+    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+        result.insert((*i)[1]);
+    return result;
+}
+
+const std::string kReadme = textOf(fs::path(IMPULSE_SOURCE_DIR) / "README.md");
+
+TEST(Readme, NamesEveryBuiltInSceneAndNoOther) {
+    const std::set<std::string> listed =
+        matches(outputOf("list"), R"((?:^|\n)([a-z][a-z-]*) +\d+ bod)");
+    EXPECT_GE(listed.size(), 10u);
+    EXPECT_EQ(matches(kReadme, R"(\n\| `([a-z-]+)` \|)"), listed);
+}
+
+TEST(Readme, OpensWithTheTwoCommands) {
+    const std::size_t demos = kReadme.find("demos/run"), tests = kReadme.find("tests/run");
+    ASSERT_NE(demos, std::string::npos);
+    ASSERT_NE(tests, std::string::npos);
+    EXPECT_LT(demos, kReadme.find("\n## "));
+    EXPECT_LT(tests, kReadme.find("\n## "));
+}
+
+TEST(Readme, ItsCommandsExist) {
+    const std::set<std::string> commands = matches(kReadme, R"(\nimpulse ([a-z]+))");
+    EXPECT_GE(commands.size(), 5u);
+    for (const std::string& command : commands)
+        EXPECT_NE(outputOf(command + " --help").find("impulse " + command), std::string::npos)
+            << command;
+}
+
+TEST(Readme, ItsLinksLeadSomewhere) {
+    for (const char* file : {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
+                             "tests/README.md"}) {
+        const fs::path path = fs::path(IMPULSE_SOURCE_DIR) / file;
+        for (const std::string& link : matches(textOf(path), R"(\]\(([^)#:]+)\))"))
+            EXPECT_TRUE(fs::exists(path.parent_path() / link)) << file << ": " << link;
+    }
+}
+
+}  // namespace
