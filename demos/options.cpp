@@ -49,7 +49,8 @@ void addSceneChoice(CLI::App& app, Options& options, Raw& raw) {
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--solver", raw.solver, "the same as --set solver.type=NAME; default: the scene's")
+    app.add_option("--solver", raw.solver,
+                   "the same as --set solver.type=NAME; default: the scene's")
         ->type_name("NAME");
 }
 
@@ -116,8 +117,9 @@ void addStill(CLI::App& app, Options& options, Raw& raw) {
                    "number of the frame in the film; negative: from the end; default: the last")
         ->type_name("N")
         ->excludes(time);
-    app.add_option("-o,--output", options.outputs,
-                   "a .png, patterns as for render, or - ; default: output/<scene>/still_<time>.png")
+    app.add_option(
+           "-o,--output", options.outputs,
+           "a .png, patterns as for render, or - ; default: output/<scene>/still_<time>.png")
         ->type_name("OUT")
         ->expected(1);
     addSeconds(app, options);
@@ -162,22 +164,36 @@ struct CommandText {
     const char* examples[3];
 };
 constexpr CommandText kCommands[] = {
-    {Command::render, "render", "simulate and write a film: PNG frames, or a video",
+    {Command::render,
+     "render",
+     "simulate and write a film: PNG frames, or a video",
      {"impulse render stack", "impulse render stack -o stack.mp4 -q high",
       "impulse render my.toml -o 'frames/{scene}_####.png' --show contacts,impulses"}},
-    {Command::still, "still", "draw one frame",
+    {Command::still,
+     "still",
+     "draw one frame",
      {"impulse still stack -t 2.0", "impulse still stack -f -1 -o last.png -q 4k",
       "impulse still my.toml -t 0.5 --show impulses --theme print"}},
-    {Command::sim, "sim", "physics only: tables, state hash, the scene's expectations",
+    {Command::sim,
+     "sim",
+     "physics only: tables, state hash, the scene's expectations",
      {"impulse sim stack", "impulse sim stack --csv energy.csv --bodies bodies.csv --every 4",
       "impulse sim my.toml --set solver.sweeps=4 --hash"}},
-    {Command::list, "list", "the built-in scenes",
+    {Command::list,
+     "list",
+     "the built-in scenes",
      {"impulse list", "impulse list stack", "impulse list stack --print > my.toml"}},
-    {Command::doctor, "doctor", "what this machine can do",
+    {Command::doctor,
+     "doctor",
+     "what this machine can do",
      {"impulse doctor", "impulse doctor --json", "impulse doctor --quiet && impulse render stack"}},
-    {Command::bench, "bench", "time per step, measured over the last 2 s of a scene",
+    {Command::bench,
+     "bench",
+     "time per step, measured over the last 2 s of a scene",
      {"impulse bench", "impulse bench stack chain --json", "impulse bench my.toml --render"}},
-    {Command::completion, "completion", "a completion script for a shell",
+    {Command::completion,
+     "completion",
+     "a completion script for a shell",
      {"impulse completion bash", "source <(impulse completion bash)",
       "impulse completion bash > ~/.local/share/bash-completion/completions/impulse"}},
 };
@@ -189,11 +205,16 @@ std::string examplesOf(const char* const (&examples)[3], const char* purpose) {
 
 void addOptions(Command command, CLI::App& app, Options& options, Raw& raw) {
     switch (command) {
-        case Command::render: return addRender(app, options, raw);
-        case Command::still: return addStill(app, options, raw);
-        case Command::sim: return addSim(app, options, raw);
-        case Command::bench: return addBench(app, options, raw);
-        case Command::doctor: return addFeedback(app, options);
+        case Command::render:
+            return addRender(app, options, raw);
+        case Command::still:
+            return addStill(app, options, raw);
+        case Command::sim:
+            return addSim(app, options, raw);
+        case Command::bench:
+            return addBench(app, options, raw);
+        case Command::doctor:
+            return addFeedback(app, options);
         case Command::list:
             app.add_option("scene", options.scenes, "a scene to describe; default: all")
                 ->type_name("SCENE")
@@ -218,12 +239,14 @@ struct Parser {
 
     Parser() {
         app.set_version_flag("--version", std::string("impulse ") + kVersion, "the version");
-        app.set_help_flag("-h,--help", "this page; 'impulse COMMAND --help' for a command's options");
+        app.set_help_flag("-h,--help",
+                          "this page; 'impulse COMMAND --help' for a command's options");
         app.require_subcommand(1);
         app.get_formatter()->column_width(26);
-        app.footer("SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
-                   "1 expectation failed,\n2 usage, 3 scene file, 4 environment, 5 would overwrite, "
-                   "6 diverged, 130 interrupted.");
+        app.footer(
+            "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
+            "1 expectation failed,\n2 usage, 3 scene file, 4 environment, 5 would overwrite, "
+            "6 diverged, 130 interrupted.");
         for (const CommandText& text : kCommands) {
             CLI::App* sub = app.add_subcommand(text.name, text.purpose);
             sub->set_help_flag("-h,--help", "this page");
@@ -268,9 +291,10 @@ std::string unknownOption(const CLI::App& app, int argc, const char* const* argv
 std::string lineOf(const CLI::ParseError& error, const std::string& command) {
     std::string text = error.what();
     if (text == "scene is required")
-        return fmt::format("{0} needs a scene, as in 'impulse {0} stack'; 'impulse list' names "
-                           "them",
-                           command);
+        return fmt::format(
+            "{0} needs a scene, as in 'impulse {0} stack'; 'impulse list' names "
+            "them",
+            command);
     if (text.starts_with("scene: At Most 1")) return command + " takes one scene";
     if (const std::size_t twice = text.find(": At Most 1"); twice != std::string::npos)
         return text.substr(0, twice) + " was given more than once; which is meant?";
@@ -317,8 +341,7 @@ void checkPicture(Options& options, const Raw& raw) {
 
 /// In single quotes where a shell would take a word apart.
 std::string quoted(const std::string& word) {
-    const char* plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+    const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -357,8 +380,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::Success& asked) {  // help, version
         for (const CommandText& text : kCommands)
             if (parser.app.got_subcommand(text.name))
-                parser.app.get_subcommand(text.name)
-                    ->description(examplesOf(text.examples, text.purpose));
+                parser.app.get_subcommand(text.name)->description(
+                    examplesOf(text.examples, text.purpose));
         parser.app.exit(asked);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {

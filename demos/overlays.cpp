@@ -5,7 +5,7 @@ namespace {
 
 struct Switch {
     const char* name;
-    bool Overlays::* member;
+    bool Overlays::*member;
 };
 constexpr Switch kSwitches[] = {
     {"contacts", &Overlays::contacts}, {"normals", &Overlays::normals},

@@ -13,12 +13,18 @@ constexpr double kTrailSeconds = 3.0;  // older points are dropped
 
 const char* what(engine::Trouble trouble) {
     switch (trouble) {
-        case engine::Trouble::none: return "nothing is wrong";
-        case engine::Trouble::positionNotFinite: return "position is not finite";
-        case engine::Trouble::velocityNotFinite: return "velocity is not finite";
-        case engine::Trouble::positionTooLarge: return "farther than 100 km from the origin";
-        case engine::Trouble::velocityTooLarge: return "faster than 10000 m/s or rad/s";
-        case engine::Trouble::energyJump: return "energy grew tenfold in one step without a cause";
+        case engine::Trouble::none:
+            return "nothing is wrong";
+        case engine::Trouble::positionNotFinite:
+            return "position is not finite";
+        case engine::Trouble::velocityNotFinite:
+            return "velocity is not finite";
+        case engine::Trouble::positionTooLarge:
+            return "farther than 100 km from the origin";
+        case engine::Trouble::velocityTooLarge:
+            return "faster than 10000 m/s or rad/s";
+        case engine::Trouble::energyJump:
+            return "energy grew tenfold in one step without a cause";
     }
     return "unknown trouble";
 }
@@ -27,8 +33,8 @@ const char* what(engine::Trouble trouble) {
 
 std::string troubleText(const Stage& stage) {
     const engine::StepReport& report = stage.world.report();
-    const std::string where = fmt::format("{}: step {} (t = {:.3f} s): ", stage.scene.name,
-                                          report.step, report.time);
+    const std::string where =
+        fmt::format("{}: step {} (t = {:.3f} s): ", stage.scene.name, report.step, report.time);
     const bool known = report.troubledBody.index >= 0;
     const std::string body =
         known ? fmt::format("body '{}': ", stage.nameOf(report.troubledBody)) : "";

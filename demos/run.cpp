@@ -15,13 +15,20 @@ namespace {
 
 Exit perform(const Options& options) {
     switch (options.command) {
-        case Command::render: return renderCommand(options);
-        case Command::still: return stillCommand(options);
-        case Command::sim: return simCommand(options);
-        case Command::list: return listCommand(options);
-        case Command::doctor: return doctorCommand(options);
-        case Command::bench: return benchCommand(options);
-        case Command::completion: return completionCommand(options);
+        case Command::render:
+            return renderCommand(options);
+        case Command::still:
+            return stillCommand(options);
+        case Command::sim:
+            return simCommand(options);
+        case Command::list:
+            return listCommand(options);
+        case Command::doctor:
+            return doctorCommand(options);
+        case Command::bench:
+            return benchCommand(options);
+        case Command::completion:
+            return completionCommand(options);
     }
     return Exit::usage;
 }

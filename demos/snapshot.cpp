@@ -52,14 +52,16 @@ void addBody(const Stage& stage, int i, render::Frame& frame) {
 bool covers(const engine::Shape& shape, const Vec3& local) {
     constexpr double kHair = 1e-6;  // m
     switch (shape.type) {
-        case engine::ShapeType::sphere: return local.norm() <= shape.radius + kHair;
+        case engine::ShapeType::sphere:
+            return local.norm() <= shape.radius + kHair;
         case engine::ShapeType::box:
             return ((local.cwiseAbs() - shape.halfSize).array() <= kHair).all();
         case engine::ShapeType::capsule: {
             const double y = std::clamp(local.y(), -shape.halfLength, shape.halfLength);
             return (local - Vec3(0, y, 0)).norm() <= shape.radius + kHair;
         }
-        case engine::ShapeType::plane: return true;
+        case engine::ShapeType::plane:
+            return true;
     }
     return true;
 }
@@ -68,8 +70,8 @@ bool covers(const engine::Shape& shape, const Vec3& local) {
 void addArm(const Stage& stage, engine::BodyId body, const Vec3& local, const Vec3& anchor,
             render::Frame& frame) {
     if (body == stage.ground || covers(stage.world.def(body).shape, local)) return;
-    frame.rods.push_back({drawn(stage.world.pose(body).position), drawn(anchor), 0.025f,
-                          render::jointColor()});
+    frame.rods.push_back(
+        {drawn(stage.world.pose(body).position), drawn(anchor), 0.025f, render::jointColor()});
 }
 
 void addJoint(const Stage& stage, engine::JointId id, const Overlays& overlays,
@@ -77,8 +79,8 @@ void addJoint(const Stage& stage, engine::JointId id, const Overlays& overlays,
     const engine::JointState joint = stage.world.joint(id);
     if (joint.removed) return;
     if (joint.def.type == engine::JointType::distance)
-        frame.rods.push_back({drawn(joint.worldA), drawn(joint.worldB), 0.025f,
-                              render::jointColor()});
+        frame.rods.push_back(
+            {drawn(joint.worldA), drawn(joint.worldB), 0.025f, render::jointColor()});
     addArm(stage, joint.def.a, joint.def.anchorA, joint.worldA, frame);
     addArm(stage, joint.def.b, joint.def.anchorB, joint.worldB, frame);
     if (!overlays.joints) return;
@@ -86,16 +88,15 @@ void addJoint(const Stage& stage, engine::JointId id, const Overlays& overlays,
     frame.markers.push_back({drawn(joint.worldB), 3.0f, render::normalColor()});
 }
 
-void addContacts(const Stage& stage, const Overlays& overlays, double scale,
-                 render::Frame& frame) {
+void addContacts(const Stage& stage, const Overlays& overlays, double scale, render::Frame& frame) {
     constexpr double kLeast = 0.01;  // m: shorter arrows are specks
     for (const engine::ContactState& contact : stage.world.contacts()) {
         const Vec3& at = contact.position;
         if (overlays.contacts && contact.impulse > 0.0)
             frame.markers.push_back({drawn(at), 3.5f, render::contactColor()});
         if (overlays.normals)
-            frame.arrows.push_back({drawn(at), drawn(at + 0.3 * contact.normal),
-                                    render::normalColor()});
+            frame.arrows.push_back(
+                {drawn(at), drawn(at + 0.3 * contact.normal), render::normalColor()});
         const Vec3 push = contact.impulse / scale * contact.normal;
         if (overlays.impulses && push.norm() > kLeast)
             frame.arrows.push_back({drawn(at), drawn(at + push), render::impulseColor()});
@@ -109,8 +110,7 @@ void addNudges(const Stage& stage, const History& history, double scale, render:
     for (std::size_t i = 0; i < history.nudges.size() && i < stage.bodies.size(); ++i) {
         const Vec3& at = stage.world.pose(stage.bodies[i]).position;
         const Vec3 way = history.nudges[i] / scale;
-        if (way.norm() > 0.01)
-            frame.arrows.push_back({drawn(at), drawn(at + way), nudgeColor()});
+        if (way.norm() > 0.01) frame.arrows.push_back({drawn(at), drawn(at + way), nudgeColor()});
     }
 }
 
@@ -121,8 +121,8 @@ void addAxes(const Stage& stage, render::Frame& frame) {
         const engine::Pose& pose = stage.world.pose(id);
         if (stage.world.def(id).shape.type == engine::ShapeType::plane) continue;
         for (int axis = 0; axis < 3; ++axis)
-            frame.arrows.push_back({drawn(pose.position),
-                                    drawn(pose.toWorld(0.6 * Vec3::Unit(axis))), colors[axis]});
+            frame.arrows.push_back(
+                {drawn(pose.position), drawn(pose.toWorld(0.6 * Vec3::Unit(axis))), colors[axis]});
     }
 }
 
@@ -172,13 +172,12 @@ std::string counted(int count, const char* one, const char* many) {
 void addTexts(const Stage& stage, double time, render::Frame& frame) {
     const engine::Settings& settings = stage.world.settings();
     const int bodies = static_cast<int>(stage.bodies.size());
-    frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", time,
-                                       counted(bodies, "body", "bodies"), stage.scene.preset,
-                                       counted(settings.substeps, "sub-step", "sub-steps")),
-                           render::Corner::topLeft, 18.0f, kInk});
+    frame.texts.push_back(
+        {fmt::format("t = {:.3f} s   {}   {}, {}", time, counted(bodies, "body", "bodies"),
+                     stage.scene.preset, counted(settings.substeps, "sub-step", "sub-steps")),
+         render::Corner::topLeft, 18.0f, kInk});
     const std::string caption = captionAt(stage.scene, time);
-    if (!caption.empty())
-        frame.texts.push_back({caption, render::Corner::bottomLeft, 26.0f, kInk});
+    if (!caption.empty()) frame.texts.push_back({caption, render::Corner::bottomLeft, 26.0f, kInk});
 }
 
 void addStats(const Stage& stage, render::Frame& frame) {
@@ -197,15 +196,15 @@ void addLegend(const Overlays& overlays, double impulseScale, double nudgeScale,
         frame.texts.push_back({fmt::format("arrow 1 m = {:g} N s", impulseScale),
                                render::Corner::topLeft, 16.0f, render::impulseColor()});
     if (overlays.nudges)
-        frame.texts.push_back({nudged ? fmt::format("nudge 1 m = {:g} mm", 1e3 * nudgeScale)
-                                      : "no nudges so far",
-                               render::Corner::topLeft, 16.0f, nudgeColor()});
+        frame.texts.push_back(
+            {nudged ? fmt::format("nudge 1 m = {:g} mm", 1e3 * nudgeScale) : "no nudges so far",
+             render::Corner::topLeft, 16.0f, nudgeColor()});
 }
 
 }  // namespace
 
 double arrowScale(double largest) {
-    if (!(largest > 0.0)) return 1.0;
+    if (!(largest > 1e-6)) return 1.0;  // N s; less is rounding
     double decade = 1.0;
     while (decade > largest) decade /= 10.0;
     while (decade * 10.0 < largest) decade *= 10.0;

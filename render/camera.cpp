@@ -6,7 +6,9 @@
 namespace render {
 
 Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up) {
-    const Vec3 back = (eye - target).normalized();
+    // An eye in its own target looks along -z; the scene reader refuses it with a reason.
+    const Vec3 way = eye - target;
+    const Vec3 back = way.norm() > 1e-6f ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
     Vec3 right = up.cross(back);
     if (right.norm() < 1e-4f) right = Vec3(0, 0, -1).cross(back);  // looking along `up`
     right.normalize();

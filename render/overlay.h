@@ -1,12 +1,21 @@
 /// What is drawn over the finished picture, in two dimensions and with exact coverage: contact dots,
 /// arrows and text. On the processor: they are few, and the same on every driver.
 #pragma once
+#include <vector>
+
 #include "render/camera.h"
 #include "render/image.h"
 
 namespace render {
 
-void drawMarkers(Image& image, const Frame& frame, const View& view);
+/// The picture's depths, row 0 on top; empty: nothing hides anything.
+struct DepthImage {
+    std::vector<float> stored;  // as in the depth buffer, 0..1
+    int width = 0;
+};
+
+/// Markers behind something are left out.
+void drawMarkers(Image& image, const Frame& frame, const View& view, const DepthImage& depth);
 void drawArrows(Image& image, const Frame& frame, const View& view);
 /// Lines of text in the corners; sharp at every size, with a halo of the ground's tone.
 void drawTexts(Image& image, const Frame& frame);

@@ -36,6 +36,7 @@ struct Renderer::Passes {
     }
 
     Image readBack(GLuint framebuffer) const;
+    DepthImage readDepth() const;
 };
 
 namespace {
@@ -73,6 +74,20 @@ Image Renderer::Passes::readBack(GLuint framebuffer) const {
     return image;
 }
 
+DepthImage Renderer::Passes::readDepth() const {
+    DepthImage depth;
+    depth.width = settings.width;
+    const std::size_t row = static_cast<std::size_t>(settings.width);
+    std::vector<float> upward(row * settings.height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, scene.framebuffer());
+    glReadPixels(0, 0, settings.width, settings.height, GL_DEPTH_COMPONENT, GL_FLOAT, upward.data());
+    for (int y = settings.height - 1; y >= 0; --y)
+        depth.stored.insert(depth.stored.end(),
+                            upward.begin() + static_cast<std::ptrdiff_t>(row * y),
+                            upward.begin() + static_cast<std::ptrdiff_t>(row * (y + 1)));
+    return depth;
+}
+
 Renderer::Renderer(const RendererSettings& settings)
     : passes_(std::make_unique<Passes>(settings)) {
     checkGl();
@@ -94,10 +109,11 @@ Image Renderer::draw(const Frame& frame) {
     p.scene.draw(frame, view, p.shadow, p.boxes, p.balls, p.bars);
     if (frame.look.ambientOcclusion) p.occlusion.draw(frame, view, p.scene.color(), p.scene.depth());
     Image image = p.readBack(frame.look.ambientOcclusion ? p.occlusion.framebuffer() : p.plain);
+    const DepthImage depth = frame.markers.empty() ? DepthImage{} : p.readDepth();
     checkGl();
     checkNotEmpty(image);
 
-    drawMarkers(image, frame, view);
+    drawMarkers(image, frame, view, depth);
     drawArrows(image, frame, view);
     drawTexts(image, frame);
     return image;

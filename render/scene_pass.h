@@ -11,6 +11,7 @@ public:
     void draw(const Frame& frame, const View& view, const ShadowPass& shadow,
               const InstancedMesh& boxes, const InstancedMesh& balls, const InstancedMesh& bars);
 
+    GLuint framebuffer() const { return resolved_; }
     GLuint color() const { return color_; }  // sRGB, one sample a pixel
     GLuint depth() const { return depth_; }
 

@@ -29,12 +29,12 @@ double processorTime() {
 struct Timing {
     std::string scene;
     std::size_t bodies = 0, joints = 0;
-    int contacts = 0;         // at the end
-    int steps = 0;            // that were timed
-    std::vector<double> ms;   // a step
-    double points = 0.0;      // contact points, added up over the timed steps
+    int contacts = 0;        // at the end
+    int steps = 0;           // that were timed
+    std::vector<double> ms;  // a step
+    double points = 0.0;     // contact points, added up over the timed steps
     std::uint64_t hash = 0;
-    double frameMs = 0.0;     // 0 = not drawn
+    double frameMs = 0.0;  // 0 = not drawn
 };
 
 double medianOf(std::vector<double> values) {

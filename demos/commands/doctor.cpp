@@ -51,9 +51,10 @@ void findRenderer(std::vector<Finding>& findings) try {
     findings.push_back({"OpenGL", renderer.describe(), true, ""});
     const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
     const double one = pictureTime(renderer);
-    findings.push_back({"picture", fmt::format("{:.0f} ms for 1280x720 on one core; 10 s of film "
-                                               "in about {:.0f} s on {}",
-                                               one, 300 * one / 1000 / cores, cores),
+    findings.push_back({"picture",
+                        fmt::format("{:.0f} ms for 1280x720 on one core; 10 s of film "
+                                    "in about {:.0f} s on {}",
+                                    one, 300 * one / 1000 / cores, cores),
                         true, ""});
 } catch (const std::exception& error) {
     findings.push_back({"OpenGL", error.what(), false, "install libosmesa6; 'sim' works without"});
@@ -61,8 +62,8 @@ void findRenderer(std::vector<Finding>& findings) try {
 
 std::vector<Finding> examine() {
     std::vector<Finding> findings;
-    findings.push_back({"impulse", fmt::format("{}, compiled by {}", kVersion, __VERSION__), true,
-                        ""});
+    findings.push_back(
+        {"impulse", fmt::format("{}, compiled by {}", kVersion, __VERSION__), true, ""});
     findings.push_back({"cores", fmt::format("{}", std::thread::hardware_concurrency()), true, ""});
     findRenderer(findings);
     const bool ffmpeg = render::haveFfmpeg();

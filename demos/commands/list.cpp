@@ -26,7 +26,8 @@ SceneDescription described(const BuiltinScene& scene) {
 }
 
 void sayJson(const SceneDescription& scene) {
-    fmt::print(R"({{"scene":{},"title":{},"seconds":{},"bodies":{},"joints":{},"hz":{}}})" "\n",
+    fmt::print(R"({{"scene":{},"title":{},"seconds":{},"bodies":{},"joints":{},"hz":{}}})"
+               "\n",
                jsonString(scene.name), jsonString(scene.title), numberText(scene.seconds),
                scene.bodies.size(), scene.joints.size(), scene.hz);
 }

@@ -20,12 +20,12 @@ struct Tables {
     Table energies, bodies, joints, contacts, sweeps;
 
     explicit Tables(const Options& options)
-        : energies(options.csv,
-                   "time,energy,kinetic,potential,contacts,penetration_max,separation_max,residual"),
+        : energies(
+              options.csv,
+              "time,energy,kinetic,potential,contacts,penetration_max,separation_max,residual"),
           bodies(options.bodies, "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"),
           joints(options.joints, "time,joint,separation,force,torque"),
-          contacts(options.contacts,
-                   "time,a,b,x,y,z,nx,ny,nz,penetration,impulse,friction"),
+          contacts(options.contacts, "time,a,b,x,y,z,nx,ny,nz,penetration,impulse,friction"),
           sweeps(options.sweeps, "time,sweep,residual,delta") {}
 
     std::vector<const Table*> wanted() const {
@@ -141,7 +141,8 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
     bool allPassed = true;
     for (const ExpectationResult& result : checker.results()) {
         const std::string unit = result.unit.empty() ? "" : " " + result.unit;
-        const std::string line = fmt::format("{}: {}{}", result.text, shortText(result.value), unit);
+        const std::string line =
+            fmt::format("{}: {}{}", result.text, shortText(result.value), unit);
         allPassed = allPassed && result.passed;
         talk.json(fmt::format(
             R"({{"event":"expect","text":{},"value":{},"unit":{},"passed":{},"why":{}}})",
@@ -204,8 +205,7 @@ private:
 
     Exit finish() {
         const Stage& stage = player_.stage();
-        const bool passed =
-            !options_.expect || sayExpectations(checker_, stage.scene, talk_);
+        const bool passed = !options_.expect || sayExpectations(checker_, stage.scene, talk_);
         writeAll(tables_, talk_);
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));

@@ -47,8 +47,8 @@ std::string targetOf(const FilmPlan& plan, const Options& options, const Moment&
     const std::string name =
         expandPattern(pattern, {moment.frame, moment.time, plan.scene.name, plan.quality});
     if (!name.ends_with(".png"))
-        throw Stop(Exit::usage, fmt::format("--output '{}': a still ends in .png, or is -",
-                                            printable(name)));
+        throw Stop(Exit::usage,
+                   fmt::format("--output '{}': a still ends in .png, or is -", printable(name)));
     return name;
 }
 
@@ -69,7 +69,8 @@ Exit stillCommand(const Options& options) {
     const std::string hash = hexText(player.stage().world.hash());
     talk.json(fmt::format(R"({{"event":"done","file":{},"time":{},"state":"{}"}})",
                           jsonString(target), numberText(moment.time), hash));
-    talk.say(fmt::format("wrote {} (t = {:.3f} s, state {})", printable(target), moment.time, hash));
+    talk.say(
+        fmt::format("wrote {} (t = {:.3f} s, state {})", printable(target), moment.time, hash));
     talk.say(fmt::format("next: impulse render {}", printable(options.scene())));
     return Exit::ok;
 }

@@ -48,8 +48,7 @@ public:
             if (output.kind == OutputKind::frames) {
                 RunRecord own = record;
                 own.pattern = output.pattern;
-                files_.push_back(
-                    std::make_unique<FrameFiles>(plan, output.path, own, overwrite));
+                files_.push_back(std::make_unique<FrameFiles>(plan, output.path, own, overwrite));
             }
             if (output.kind == OutputKind::film) {
                 makeFolder(output.path.parent_path());
@@ -89,11 +88,10 @@ public:
 
     void tell(const FilmPlan& plan, const Talk& talk) const {
         for (const auto& files : files_)
-            talk.say(fmt::format("wrote {} ... {} ({} frames{})",
-                                 printable(files->nameOf(0).string()),
-                                 printable(files->nameOf(plan.frames - 1).filename().string()),
-                                 plan.frames,
-                                 files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
+            talk.say(fmt::format(
+                "wrote {} ... {} ({} frames{})", printable(files->nameOf(0).string()),
+                printable(files->nameOf(plan.frames - 1).filename().string()), plan.frames,
+                files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
         for (const Film& film : films_)
             talk.say(fmt::format("wrote {} ({} frames, {:.3g} s)", printable(film.path.string()),
                                  plan.frames, plan.timeOf(plan.frames)));
@@ -128,9 +126,8 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
 
 [[noreturn]] void stopInterrupted(const Writers& writers, const Options& options, int frame) {
     const bool again = writers.hasFilms() && !options.overwrite;
-    throw Stop(Exit::interrupted,
-               fmt::format("interrupted after frame {}; to go on: {}{}", frame,
-                           options.commandLine, again ? " --overwrite" : ""));
+    throw Stop(Exit::interrupted, fmt::format("interrupted after frame {}; to go on: {}{}", frame,
+                                              options.commandLine, again ? " --overwrite" : ""));
 }
 
 bool has(const std::vector<Output>& outputs, OutputKind kind) {
@@ -165,8 +162,8 @@ void tellNext(const Writers& writers, const Options& options, const Talk& talk) 
     if (writers.hasFilms())
         talk.say(fmt::format("next: impulse sim {} --hash", printable(options.scene())));
     else
-        talk.say(fmt::format("next: impulse render {} -o {}.mp4", printable(options.scene()),
-                             "film"));
+        talk.say(
+            fmt::format("next: impulse render {} -o {}.mp4", printable(options.scene()), "film"));
 }
 
 }  // namespace

@@ -53,14 +53,14 @@ int frameCount(double seconds, int fps) {
 void checkMemory(const render::RendererSettings& picture) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
     const double need = 57.0 * 1024 * 1024 + pixels * (24.0 + 8.0 * picture.samples);
-    const double have = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                        static_cast<double>(sysconf(_SC_PAGESIZE));
+    const double have =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     if (have > 0.0 && need > 0.8 * have)
-        throw Stop(Exit::environment,
-                   fmt::format("a picture of {}x{} with {} samples needs {:.1f} GB; this machine "
-                               "has {:.1f} GB",
-                               picture.width, picture.height, picture.samples, need / 1e9,
-                               have / 1e9));
+        throw Stop(
+            Exit::environment,
+            fmt::format("a picture of {}x{} with {} samples needs {:.1f} GB; this machine "
+                        "has {:.1f} GB",
+                        picture.width, picture.height, picture.samples, need / 1e9, have / 1e9));
 }
 
 Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
@@ -105,7 +105,10 @@ FilmPlan planFilm(const Options& options) {
     plan.overlays = overlaysOf(plan.scene, options);
     plan.quality = quality.name;
     plan.fps = options.fps.value_or(quality.fps);
-    plan.stepsPerFrame = stepsPerFrame(plan.scene.hz, plan.fps);
+    // A still of a given time falls on a step, whether or not a film would have a frame there.
+    const bool anyStep = options.command == Command::still && options.time;
+    plan.stepsPerFrame =
+        anyStep ? std::max(plan.scene.hz / plan.fps, 1) : stepsPerFrame(plan.scene.hz, plan.fps);
     plan.frames = frameCount(plan.scene.seconds, plan.fps);
     plan.picture.width = options.size ? options.size->width : quality.width;
     plan.picture.height = options.size ? options.size->height : quality.height;

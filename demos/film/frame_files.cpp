@@ -46,8 +46,7 @@ std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
 }
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& what) {
-    throw Stop(Exit::wouldOverwrite,
-               fmt::format("'{}' {}", printable(folder.string()), what));
+    throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(folder.string()), what));
 }
 
 }  // namespace
@@ -66,8 +65,9 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     } else if (!overwrite && same && old->fingerprint == record_.fingerprint) {
         takeUp(*old);
     } else if (!overwrite && (old || !bytes.empty())) {
-        refuse(folder_, "holds the frames of another run (other settings, scene or program); "
-                        "--overwrite replaces them");
+        refuse(folder_,
+               "holds the frames of another run (other settings, scene or program); "
+               "--overwrite replaces them");
     } else if (!overwrite) {
         refuseStrangers();
     }
@@ -84,8 +84,7 @@ void FrameFiles::lock() {
     lock_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock_ < 0)
         throw render::Error(fmt::format("cannot open the folder '{}': {}",
-                                        printable(folder_.string()),
-                                        render::describeError(errno)));
+                                        printable(folder_.string()), render::describeError(errno)));
     if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
     ::close(lock_);
     lock_ = -1;
@@ -113,8 +112,9 @@ void FrameFiles::refuseStrangers() const {
     std::error_code ignored;
     for (int frame = 0; frame < plan_.frames; ++frame)
         if (fs::exists(fs::symlink_status(nameOf(frame), ignored)))
-            refuse(nameOf(frame), "is there already, and no run.json tells whose it is; "
-                                  "--overwrite replaces it");
+            refuse(nameOf(frame),
+                   "is there already, and no run.json tells whose it is; "
+                   "--overwrite replaces it");
 }
 
 /// A shorter film must not end in the old one's frames.

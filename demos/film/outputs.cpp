@@ -28,8 +28,9 @@ Output framesOutput(const FilmPlan& plan, const std::string& pattern) {
     Output output;
     output.pattern = pattern;
     if (plan.frames > 1 && !namesEveryFrame(pattern))
-        refuse(pattern, "every frame needs a name of its own, as in frame_####.png; for one "
-                        "picture there is 'impulse still'");
+        refuse(pattern,
+               "every frame needs a name of its own, as in frame_####.png; for one "
+               "picture there is 'impulse still'");
     output.path = fs::path(expandPattern(pattern, valuesOf(plan, 0))).parent_path();
     if (plan.frames > 1 &&
         fs::path(expandPattern(pattern, valuesOf(plan, 1))).parent_path() != output.path)
@@ -69,9 +70,10 @@ bool isThere(const fs::path& path) {
 
 void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
     if (!render::haveFfmpeg())
-        throw render::Error(fmt::format("'{}' needs ffmpeg, which is not installed; PNG frames "
-                                        "(-o a folder) do not",
-                                        printable(output.path.string())));
+        throw render::Error(
+            fmt::format("'{}' needs ffmpeg, which is not installed; PNG frames "
+                        "(-o a folder) do not",
+                        printable(output.path.string())));
     const bool even = plan.picture.width % 2 == 0 && plan.picture.height % 2 == 0;
     const std::string ending = endingOf(output.path.string());
     if (!even && (ending == ".mp4" || ending == ".webm"))
@@ -115,8 +117,8 @@ void makeFolder(const fs::path& folder) {
     std::error_code error;
     if (folder.empty() || fs::is_directory(folder, error)) return;
     if (fs::exists(folder, error))
-        throw render::Error(fmt::format("cannot write into '{}': it is not a folder",
-                                        printable(folder.string())));
+        throw render::Error(
+            fmt::format("cannot write into '{}': it is not a folder", printable(folder.string())));
     fs::create_directories(folder, error);
     if (error)
         throw render::Error(fmt::format("cannot make the folder '{}': {}",

@@ -76,6 +76,7 @@ std::string expandPattern(const std::string& pattern, const PatternValues& value
 bool namesEveryFrame(const std::string& pattern) {
     PatternValues a, b;
     b.frame = 1;
+    b.time = 1.0;
     return expandPattern(pattern, a) != expandPattern(pattern, b);
 }
 

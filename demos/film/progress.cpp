@@ -102,8 +102,8 @@ void Progress::drawBar() const {
 void Progress::printLine() const {
     const double perSecond = rate();
     const double left = perSecond > 0.0 ? (total_ - done_) / perSecond : 0.0;
-    fmt::print(stderr, "{:3d} %  {}/{} frames  {:.1f} frames/s  {} left\n",
-               100LL * done_ / total_, done_, total_, perSecond, minutes(left));
+    fmt::print(stderr, "{:3d} %  {}/{} frames  {:.1f} frames/s  {} left\n", 100LL * done_ / total_,
+               done_, total_, perSecond, minutes(left));
 }
 
 void Progress::finish() {

@@ -4,8 +4,8 @@ namespace demos {
 namespace {
 
 constexpr Quality kQualities[] = {
-    {"draft", 480, 270, 15, 1},    {"low", 854, 480, 30, 2},  {"medium", 1280, 720, 30, 4},
-    {"high", 1920, 1080, 60, 4},   {"4k", 3840, 2160, 60, 4},
+    {"draft", 480, 270, 15, 1},  {"low", 854, 480, 30, 2},  {"medium", 1280, 720, 30, 4},
+    {"high", 1920, 1080, 60, 4}, {"4k", 3840, 2160, 60, 4},
 };
 
 }  // namespace

@@ -101,7 +101,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::ValuesIn(std::vector<BadScene>{
         {"Empty", "", "format"},
         {"Nul", std::string("format = 1\n\0", 12), "bad.toml"},
-        {"Utf16", "\xff\xfe" "f", "bad.toml"},
+        {"Utf16",
+         "\xff\xfe"
+         "f",
+         "bad.toml"},
         {"Truncated", "format = 1\nseconds = 1.", "2:"},
         {"UnknownKey", "format = 1\nsecnds = 3\n", "did you mean 'seconds'"},
         {"TwiceAKey", "format = 1\nformat = 1\n", "2:"},
@@ -113,10 +116,10 @@ INSTANTIATE_TEST_SUITE_P(
         {"SizeNone", "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = 0 }\n", "sphere"},
         {"Quaternion", body("quaternion = [0, 0, 0, 0]\n"), "quaternion"},
         {"TwoOfAName", body("[[body]]\nname = \"b\"\nshape = { sphere = 1 }\n"), "'b'"},
-        {"JointToNobody", body("[[joint]]\ntype = \"ball\"\na = \"b\"\nb = \"c\"\nanchor = [0,0,0]\n"),
-         "'c'"},
-        {"JointToItself", body("[[joint]]\ntype = \"ball\"\na = \"b\"\nb = \"b\"\nanchor = [0,0,0]\n"),
-         "b"},
+        {"JointToNobody",
+         body("[[joint]]\ntype = \"ball\"\na = \"b\"\nb = \"c\"\nanchor = [0,0,0]\n"), "'c'"},
+        {"JointToItself",
+         body("[[joint]]\ntype = \"ball\"\na = \"b\"\nb = \"b\"\nanchor = [0,0,0]\n"), "b"},
         {"CameraInItself", body("[camera]\nfrom = [0,0,0]\nlook_at = [0,0,0]\n"), "same point"},
         {"FieldOfView", body("[camera]\nfov_deg = 180\n"), "fov_deg"},
         {"EscapeInName", "format = 1\n[[body]]\nname = \"a\\u001b[2J\"\nshape = { sphere = 1 }\n",
@@ -143,7 +146,8 @@ TEST(Errors, NoEscapeBytesReachTheTerminal) {
 }
 
 TEST(Help, ShowsThreeExamplesFirst) {
-    for (const char* command : {"render", "still", "sim", "list", "doctor", "bench", "completion"}) {
+    for (const char* command :
+         {"render", "still", "sim", "list", "doctor", "bench", "completion"}) {
         const Ended ended = run(fs::temp_directory_path(), {command, "--help"});
         EXPECT_EQ(ended.code, 0);
         EXPECT_TRUE(ended.out.starts_with("Examples:\n  ")) << ended.out;
@@ -160,8 +164,8 @@ TEST(List, PrintsSceneFilesThatPlay) {
     write(folder / "mine.toml", printed.out);
     const Ended own = run(folder.path(), {"sim", "mine.toml", "--hash", "--seconds", "0.5",
                                           "--no-expect", "--quiet"});
-    const Ended builtin = run(folder.path(), {"sim", "pendulum", "--hash", "--seconds", "0.5",
-                                              "--no-expect", "--quiet"});
+    const Ended builtin = run(
+        folder.path(), {"sim", "pendulum", "--hash", "--seconds", "0.5", "--no-expect", "--quiet"});
     EXPECT_EQ(own.code, 0) << own.err;
     EXPECT_EQ(own.out, builtin.out);
     EXPECT_FALSE(own.out.empty());
@@ -170,8 +174,8 @@ TEST(List, PrintsSceneFilesThatPlay) {
 TEST(Completion, IsBashThatKnowsCommandsOptionsAndScenes) {
     const Ended ended = run(fs::temp_directory_path(), {"completion", "bash"});
     EXPECT_EQ(ended.code, 0);
-    for (const char* word : {"complete -o default -F _impulse impulse", "doctor", "--hash-every",
-                             "pendulum"})
+    for (const char* word :
+         {"complete -o default -F _impulse impulse", "doctor", "--hash-every", "pendulum"})
         EXPECT_NE(ended.out.find(word), std::string::npos) << word;
 }
 

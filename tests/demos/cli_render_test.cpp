@@ -1,3 +1,4 @@
+#include <sys/file.h>
 #include <sys/resource.h>
 
 #include <map>
@@ -49,8 +50,8 @@ protected:
     static Launch small(const fs::path& where, std::vector<std::string> more) {
         Launch launch;
         launch.folder = where;
-        launch.arguments = {"render", "ball.toml", "--size",    "96x54", "--fps",
-                            "10",     "--samples", "1"};
+        launch.arguments = {"render", "ball.toml", "--size",    "96x54",
+                            "--fps",  "10",        "--samples", "1"};
         launch.arguments.insert(launch.arguments.end(), more.begin(), more.end());
         return launch;
     }
@@ -138,6 +139,35 @@ TEST_F(RenderCommand, ResumingAKilledRunGivesTheFilesOfAnUndisturbedOne) {
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_NE(resumed.out.find("50 kept"), std::string::npos) << resumed.out;
     EXPECT_EQ(framesIn(folder / "torn"), framesIn(folder / "calm"));
+}
+
+TEST_F(RenderCommand, ADeadWorkerIsCode4AndNoHang) {
+    Launch launch = small(folder.path(), {"--seconds", "20", "--json"});
+    launch.awaited = "\"frame\":4,";
+    bool found = false;
+    launch.awaitedCall = [&found](pid_t parent) {
+        const std::string name = std::to_string(parent);
+        std::ifstream children("/proc/" + name + "/task/" + name + "/children");
+        pid_t worker = 0;
+        found = static_cast<bool>(children >> worker);
+        kill(found ? worker : parent, SIGKILL);
+    };
+    const Ended ended = run(launch);
+    if (!found) GTEST_SKIP() << "this kernel does not name a process's children";
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    EXPECT_NE(ended.err.find("signal 9"), std::string::npos) << ended.err;
+}
+
+TEST_F(RenderCommand, AFolderIsWrittenByOneRunAtATime) {
+    fs::create_directories(folder / "out");
+    const int other = open((folder / "out").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    const Ended ended = film({"-o", "out"});
+    close(other);
+    EXPECT_EQ(ended.code, 5);
+    EXPECT_NE(ended.err.find("another run"), std::string::npos) << ended.err;
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
 }
 
 TEST_F(RenderCommand, AnInterruptFinishesTheFrameAndNamesTheCommandToGoOn) {
@@ -249,17 +279,23 @@ TEST_F(RenderCommand, ABrokenPipeIsCode4) {
 
 TEST_F(RenderCommand, AStillIsTheFilmsFrame) {
     ASSERT_EQ(film({}).code, 0);
-    const Ended still =
-        run(folder.path(), {"still", "ball.toml", "--size", "96x54", "--fps", "10", "--samples",
-                            "1", "-f", "-3", "-o", "-"});
+    const Ended still = run(folder.path(), {"still", "ball.toml", "--size", "96x54", "--fps", "10",
+                                            "--samples", "1", "-f", "-3", "-o", "-"});
     ASSERT_EQ(still.code, 0) << still.err;
     EXPECT_TRUE(isWhole(still.out));
     EXPECT_TRUE(still.out == contentOf(folder / "output/ball/frame_000007.png"));
 }
 
+TEST_F(RenderCommand, AStillNeedsNoFrameRate) {
+    const std::vector<std::string> arguments = {"still",     "ball.toml", "--size", "96x54",
+                                                "--samples", "1",         "--set",  "world.hz=100",
+                                                "-t",        "0.5",       "-o",     "a.png"};
+    EXPECT_EQ(run(folder.path(), arguments).code, 0);
+}
+
 TEST_F(RenderCommand, AStillIsNotReplacedUnasked) {
-    const std::vector<std::string> arguments = {"still", "ball.toml", "--size", "96x54",
-                                                "--samples", "1", "-t", "0.5", "-o", "a.png"};
+    const std::vector<std::string> arguments = {
+        "still", "ball.toml", "--size", "96x54", "--samples", "1", "-t", "0.5", "-o", "a.png"};
     EXPECT_EQ(run(folder.path(), arguments).code, 0);
     EXPECT_EQ(run(folder.path(), arguments).code, 5);
 }

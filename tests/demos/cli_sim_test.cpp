@@ -80,8 +80,8 @@ TEST_F(Sim, ContactsHoldTheImpulseThatCarriesTheWeight) {
 TEST_F(Sim, SweepsAndJointsHaveTheirColumns) {
     const auto sweeps = rowsOf(sim({"--sweeps", "-", "--seconds", "0.1"}).out);
     EXPECT_EQ(sweeps.at(0).size(), 4u);
-    const Ended ended = run(folder.path(), {"sim", "pendulum", "--joints", "-", "--seconds", "0.1",
-                                            "--no-expect"});
+    const Ended ended =
+        run(folder.path(), {"sim", "pendulum", "--joints", "-", "--seconds", "0.1", "--no-expect"});
     const auto joints = rowsOf(ended.out);
     ASSERT_GT(joints.size(), 1u);
     EXPECT_EQ(joints.at(0).size(), 5u);
@@ -185,9 +185,9 @@ TEST_F(Sim, TakesAwkwardNamesAsTheyAre) {
 TEST_F(Sim, BenchSaysItsFieldsAsJson) {
     const Ended ended = run(folder.path(), {"bench", "ball.toml", "--json"});
     EXPECT_EQ(ended.code, 0) << ended.err;
-    for (const char* field : {"scene", "bodies", "joints", "contacts", "steps",
-                              "ms_per_step_median", "ms_per_step_min", "ms_per_step_max",
-                              "ns_per_point", "hash"})
+    for (const char* field :
+         {"scene", "bodies", "joints", "contacts", "steps", "ms_per_step_median", "ms_per_step_min",
+          "ms_per_step_max", "ns_per_point", "hash"})
         EXPECT_NE(ended.out.find("\"" + std::string(field) + "\":"), std::string::npos) << field;
 }
 

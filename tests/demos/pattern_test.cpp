@@ -19,9 +19,7 @@ TEST(Pattern, BracesNameWhatTheyStandFor) {
     EXPECT_EQ(expandPattern("{frame}_{time}.png", kValues), "42_1.400.png");
 }
 
-TEST(Pattern, DoubledBracesAreBraces) {
-    EXPECT_EQ(expandPattern("{{{frame}}}", kValues), "{42}");
-}
+TEST(Pattern, DoubledBracesAreBraces) { EXPECT_EQ(expandPattern("{{{frame}}}", kValues), "{42}"); }
 
 TEST(Pattern, WhatIsNotUnderstoodIsAnError) {
     for (const char* bad : {"{farme}", "{frame", "frame}", "{frame:}", "{frame:x}", "{frame:99}",
@@ -41,6 +39,7 @@ TEST(Pattern, ErrorsNameTheNearest) {
 TEST(Pattern, KnowsWhetherFramesGetNamesOfTheirOwn) {
     EXPECT_TRUE(namesEveryFrame("a_##.png"));
     EXPECT_TRUE(namesEveryFrame("{frame}.png"));
+    EXPECT_TRUE(namesEveryFrame("{time}.png"));
     EXPECT_FALSE(namesEveryFrame("{scene}.png"));
     EXPECT_FALSE(namesEveryFrame("{{frame}}.png"));
 }

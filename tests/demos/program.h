@@ -42,7 +42,7 @@ private:
 };
 
 struct Ended {
-    int code = -1;    // -1: ended by a signal
+    int code = -1;  // -1: ended by a signal
     int signal = 0;
     std::string out, err;
 
@@ -50,11 +50,12 @@ struct Ended {
 };
 
 struct Launch {
-    fs::path folder;                        // where it runs
+    fs::path folder;  // where it runs
     std::vector<std::string> arguments;
-    std::string awaited;                    // text of standard output at which ...
-    int signal = 0;                         // ... this is sent, once
-    std::function<void()> beforeExec = {};  // in the child
+    std::string awaited;                          // text of standard output at which ...
+    int signal = 0;                               // ... this is sent, once
+    std::function<void()> beforeExec = {};        // in the child
+    std::function<void(pid_t)> awaitedCall = {};  // then, in the parent, with the child's number
 };
 
 inline void becomeProgram(const Launch& launch, int out, int err) {
@@ -62,7 +63,8 @@ inline void becomeProgram(const Launch& launch, int out, int err) {
     dup2(err, STDERR_FILENO);
     if (chdir(launch.folder.c_str()) != 0) _exit(126);
     std::vector<char*> words{const_cast<char*>("impulse")};
-    for (const std::string& word : launch.arguments) words.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : launch.arguments)
+        words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     if (launch.beforeExec) launch.beforeExec();
     execv(IMPULSE_BINARY, words.data());
@@ -73,7 +75,7 @@ inline void becomeProgram(const Launch& launch, int out, int err) {
 inline void listen(const Launch& launch, pid_t child, int out, int err, Ended& ended) {
     pollfd streams[] = {{out, POLLIN, 0}, {err, POLLIN, 0}};
     std::string* texts[] = {&ended.out, &ended.err};
-    bool sent = launch.signal == 0;
+    bool sent = launch.awaited.empty();
     while (streams[0].fd >= 0 || streams[1].fd >= 0) {
         poll(streams, 2, -1);
         for (int i = 0; i < 2; ++i) {
@@ -86,7 +88,8 @@ inline void listen(const Launch& launch, pid_t child, int out, int err, Ended& e
                 streams[i].fd = -1;
         }
         if (!sent && ended.out.find(launch.awaited) != std::string::npos) {
-            kill(child, launch.signal);
+            if (launch.signal != 0) kill(child, launch.signal);
+            if (launch.awaitedCall) launch.awaitedCall(child);
             sent = true;
         }
     }

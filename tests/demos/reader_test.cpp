@@ -80,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"key twice", "title = 'a'\ntitle = 'b'\n", "3:9", "not TOML"},
         BadScene{"no body", "title = 'a'\n", "1:1", "the scene has no body"},
         BadScene{"later", kBall + "[[force]]\ntype = 'wind'\n", "6:3", "not available yet"},
-        BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n",
-                 "7:1", "hz is a table; it should be a whole number from 10 to 100000"}));
+        BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
+                 "hz is a table; it should be a whole number from 10 to 100000"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Settings, BadScenes,
