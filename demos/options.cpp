@@ -3,43 +3,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 
-#include "demos/film/quality.h"
-#include "demos/overlays.h"
+#include "demos/options_check.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
 #include "demos/stop.h"
-#include "demos/theme.h"
 #include "demos/version.h"
 
 namespace demos {
 namespace {
 
-constexpr double kLongest = 1e5;  // s
-
 [[noreturn]] void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
 
-std::optional<PictureSize> sizeFrom(const std::string& text) {
-    PictureSize size;
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return std::nullopt;
-    const auto height = std::from_chars(width.ptr + 1, end, size.height);
-    if (height.ec != std::errc{} || height.ptr != end) return std::nullopt;
-    return size;
-}
-
-/// What CLI11 fills in as text and we check ourselves, for messages with the right range.
-struct Raw {
-    std::string size;
-    std::vector<std::string> show;
-    std::string solver;
-};
-
-void addSceneChoice(CLI::App& app, Options& options, Raw& raw) {
+void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("scene", options.scenes, "a built-in scene (impulse list) or a scene file")
         ->type_name("SCENE")
         ->expected(1)
@@ -59,7 +37,7 @@ void addFeedback(CLI::App& app, Options& options) {
     app.add_flag("--json", options.json, "one JSON object a line on standard output; default: off");
 }
 
-void addPicture(CLI::App& app, Options& options, Raw& raw) {
+void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("-q,--quality", options.quality,
                    "draft 480x270 @15, low 854x480 @30, medium 1280x720 @30, high 1920x1080 @60, "
                    "4k 3840x2160 @60; default: medium")
@@ -93,7 +71,7 @@ void addSeconds(CLI::App& app, Options& options) {
         ->type_name("S");
 }
 
-void addRender(CLI::App& app, Options& options, Raw& raw) {
+void addRender(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     app.add_option("-o,--output", options.outputs,
                    "a folder, a pattern (#### {frame:6} {scene} {quality} {time}), a film (.mp4 "
@@ -109,7 +87,7 @@ void addRender(CLI::App& app, Options& options, Raw& raw) {
     addFeedback(app, options);
 }
 
-void addStill(CLI::App& app, Options& options, Raw& raw) {
+void addStill(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     CLI::Option* time = app.add_option("-t,--time", options.time, "time in s; default: the end");
     time->type_name("S");
@@ -127,7 +105,7 @@ void addStill(CLI::App& app, Options& options, Raw& raw) {
     addFeedback(app, options);
 }
 
-void addSim(CLI::App& app, Options& options, Raw& raw) {
+void addSim(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     addSeconds(app, options);
     const auto table = [&](const char* name, std::string& file, const char* columns) {
@@ -149,7 +127,7 @@ void addSim(CLI::App& app, Options& options, Raw& raw) {
     addFeedback(app, options);
 }
 
-void addBench(CLI::App& app, Options& options, Raw& raw) {
+void addBench(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     app.get_option("scene")->expected(0, 1000)->required(false);
     addSeconds(app, options);
@@ -203,7 +181,7 @@ std::string examplesOf(const char* const (&examples)[3], const char* purpose) {
                        purpose);
 }
 
-void addOptions(Command command, CLI::App& app, Options& options, Raw& raw) {
+void addOptions(Command command, CLI::App& app, Options& options, RawOptions& raw) {
     switch (command) {
         case Command::render:
             return addRender(app, options, raw);
@@ -235,7 +213,7 @@ struct Parser {
                             "impulse: sequential-impulse rigid bodies, filmed without a display"),
                  "impulse"};
     Options options;
-    Raw raw;
+    RawOptions raw;
 
     Parser() {
         app.set_version_flag("--version", std::string("impulse ") + kVersion, "the version");
@@ -304,41 +282,6 @@ std::string lineOf(const CLI::ParseError& error, const std::string& command) {
     return printable(text);
 }
 
-void checkRange(const char* name, int value, int low, int high) {
-    if (value < low || value > high)
-        refuse(fmt::format("{} {}: must be {} to {}", name, value, low, high));
-}
-
-void checkSamples(int samples) {
-    for (const int good : {1, 2, 4, 8, 16})
-        if (samples == good) return;
-    refuse(fmt::format("--samples {}: must be 1, 2, 4, 8 or 16", samples));
-}
-
-void checkName(const char* option, const std::string& word, const std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), word) == names.end())
-        refuse(fmt::format("{} '{}' is not known{}", option, printable(word),
-                           suggestion(word, names)));
-}
-
-void checkPicture(Options& options, const Raw& raw) {
-    checkName("--quality", options.quality, qualityNames());
-    if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
-    for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
-    options.show = raw.show;
-    if (!raw.size.empty()) {
-        options.size = sizeFrom(raw.size);
-        if (!options.size)
-            refuse(fmt::format("--size '{}': must be WIDTHxHEIGHT, for example 1280x720",
-                               printable(raw.size)));
-        checkRange("--size: a width of", options.size->width, 1, 16384);
-        checkRange("--size: a height of", options.size->height, 1, 16384);
-    }
-    if (options.fps) checkRange("--fps", *options.fps, 1, 1000);
-    if (options.samples) checkSamples(*options.samples);
-    checkRange("--jobs", options.jobs, 0, 256);
-}
-
 /// In single quotes where a shell would take a word apart.
 std::string quoted(const std::string& word) {
     const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
@@ -352,22 +295,6 @@ std::string commandLineOf(int argc, const char* const* argv) {
     std::string line = "impulse";
     for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
     return printable(line);
-}
-
-void check(Options& options, const Raw& raw) {
-    checkPicture(options, raw);
-    if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= kLongest))
-        refuse(fmt::format("--seconds {}: must be above 0 and at most 100000", *options.seconds));
-    if (options.time && !(*options.time >= 0.0 && *options.time <= kLongest))
-        refuse(fmt::format("--time {}: must be 0 to 100000 s", *options.time));
-    checkRange("--every", options.every, 1, 1'000'000'000);
-    checkRange("--hash-every", options.hashEvery, 0, 1'000'000'000);
-    if (options.command == Command::completion) checkName("shell", options.shell, {"bash"});
-    for (const std::string& text : options.overrides)
-        if (text.find('=') == std::string::npos)
-            refuse(fmt::format("--set '{}': must be KEY=VALUE, for example world.hz=240",
-                               printable(text)));
-    if (!raw.solver.empty()) options.overrides.push_back("solver.type=" + raw.solver);
 }
 
 }  // namespace
@@ -390,7 +317,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
         const std::string unknown = unknownOption(app, argc, argv);
         refuse(unknown.empty() ? lineOf(error, app.get_name()) : unknown);
     }
-    check(parser.options, parser.raw);
+    checkOptions(parser.options, parser.raw);
     parser.options.commandLine = commandLineOf(argc, argv);
     return parser.options;
 }

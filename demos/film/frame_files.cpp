@@ -60,6 +60,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     const std::vector<std::uint8_t> bytes = contentOf(recordName());
     const auto old = recordFromJson({bytes.begin(), bytes.end()});
     const bool same = old && old->pattern == record_.pattern;
+    if (same) sweepTemporaries();
     if (overwrite && same) {
         removeBeyond(old->frames.size());
     } else if (!overwrite && same && old->fingerprint == record_.fingerprint) {
@@ -115,6 +116,20 @@ void FrameFiles::refuseStrangers() const {
             refuse(nameOf(frame),
                    "is there already, and no run.json tells whose it is; "
                    "--overwrite replaces it");
+}
+
+/// What a killed run was writing. The lock says that nobody is writing it now.
+void FrameFiles::sweepTemporaries() const {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const std::size_t at = name.find_last_not_of("0123456789");
+        const bool temporary =
+            at != std::string::npos &&
+            (name.substr(0, at + 1).ends_with(".png.tmp") || name.starts_with("run.json.tmp"));
+        if (temporary && entry.symlink_status(ignored).type() == fs::file_type::regular)
+            fs::remove(entry.path(), ignored);
+    }
 }
 
 /// A shorter film must not end in the old one's frames.

@@ -35,6 +35,7 @@ private:
     void lock();
     void takeUp(const RunRecord& old);
     void refuseStrangers() const;
+    void sweepTemporaries() const;
     void removeBeyond(std::size_t oldFrames) const;
     bool isGood(int frame, const FrameRecord& entry) const;
     std::filesystem::path recordName() const { return folder_ / "run.json"; }

@@ -26,7 +26,10 @@ void clip(Polygon& polygon, const Vec3& normal, double offset, int line) {
         const bool insideP = heightP <= kStays, insideQ = heightQ <= kStays;
         if (insideP && kept.count < Polygon::kMaxCorners) kept.add(p, polygon.edge[i]);
         if (insideP == insideQ || kept.count == Polygon::kMaxCorners) continue;
-        const Vec3 crossing = p + (heightP / (heightP - heightQ)) * (q - p);
+        // Between the two, also where the inner one is kept by grace: the line through both may meet
+        // the plane far away.
+        const double t = clamped(heightP / (heightP - heightQ), 0.0, 1.0);
+        const Vec3 crossing = p + t * (q - p);
         // Leaving: the next edge runs along the plane. Entering: on along the old line.
         kept.add(crossing, insideP ? line : polygon.edge[i]);
     }

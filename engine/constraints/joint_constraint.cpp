@@ -22,6 +22,16 @@ JointGeometry<double> geometryOf(const Joint& joint, const Pose& a, const Pose& 
     return g;
 }
 
+int rowCount(JointType type) {
+    switch (type) {
+        case JointType::ball: return 3;
+        case JointType::distance: return 1;
+        case JointType::hinge: return 5;
+        case JointType::weld: return 6;
+    }
+    return 0;
+}
+
 template <class Real>
 JointRows<Real> rowsOf(JointType type, const JointGeometry<Real>& geometry) {
     JointRows<Real> rows;

@@ -64,6 +64,9 @@ void push(JointConstraint<Real>& joint, int i, Real lambda, Velocity<Real>& a,
     joint.totalTwist += lambda * joint.rows[i].j.angularB;
 }
 
+/// 3 for a ball, 1 for a distance, 5 for a hinge, 6 for a weld.
+int rowCount(JointType type);
+
 JointGeometry<double> geometryOf(const Joint& joint, const Pose& a, const Pose& b);
 
 /// C and J of any joint.

@@ -4,9 +4,10 @@
 ///
 ///   find lambda >= 0 with w = K lambda + q >= 0 and lambda . w = 0
 ///
-/// Four points of one plane have only three independent rows: K is singular, and its diagonal is
-/// raised by a thousandth (two or three points need none). With q = (J v + b) - K lambda_old every sweep is a proximal step, whose
-/// limit is the exact solution all the same.
+/// Four points of one plane have only three independent rows, and two points may lie in one place: K is
+/// singular, and its diagonal is raised by a thousandth where there is more than one row. With
+/// q = (J v + b) - K lambda_old every sweep is a proximal step, whose limit is the exact solution all
+/// the same.
 #pragma once
 #include <array>
 
@@ -57,7 +58,7 @@ NormalBlock<Real> makeNormalBlock(int count, RowAt rowAt) {
     block.count = count;
     for (int i = 0; i < count; ++i)
         for (int j = 0; j < count; ++j) block.k(i, j) = coupling<Real>(rowAt(i), rowAt(j));
-    for (int i = 0; count == 4 && i < count; ++i) block.k(i, i) *= Real(1.001);
+    for (int i = 0; count > 1 && i < count; ++i) block.k(i, i) *= Real(1.001);
     for (int i = 0; i < count; ++i) {
         Vec4T<Real> unit = Vec4T<Real>::Zero();
         unit[i] = Real(-1);

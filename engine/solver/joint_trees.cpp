@@ -10,8 +10,10 @@ namespace {
 /// A body that many joints meet in couples each of them with all others, which costs their number
 /// squared; what comes after this many is left to the sweep.
 constexpr int kMostJointsOfABody = 16;
-/// A pivot that elimination has reduced to this share of itself was a difference of equals.
-constexpr double kVanished = 1e-10;
+/// A pivot that elimination has reduced to this share of itself was nearly a difference of equals:
+/// its row follows from the others but for a little play, and dividing by that would tear at the
+/// bodies.
+constexpr double kVanished = 1e-6;
 
 int find(std::vector<int>& leader, int i) {
     while (leader[i] != i) i = leader[i] = leader[leader[i]];
@@ -85,6 +87,7 @@ int commonBody(const JointConstraint<double>& x, const JointConstraint<double>& 
 void JointTrees::choose(std::span<JointConstraint<double>> joints,
                         std::span<const InverseMass<double>> masses) {
     std::vector<int> leader(masses.size()), degree(masses.size(), 0);
+    std::vector<char> held(masses.size(), 0);  // by leader: the tree hangs on something immovable
     for (int i = 0; i < static_cast<int>(leader.size()); ++i) leader[i] = i;
     for (JointConstraint<double>& joint : joints) {
         bool fits = true;
@@ -92,9 +95,15 @@ void JointTrees::choose(std::span<JointConstraint<double>> joints,
             fits = fits && (masses[body].linear == 0.0 || degree[body] < kMostJointsOfABody);
         const bool linksTwo = masses[joint.a].linear > 0.0 && masses[joint.b].linear > 0.0;
         const int a = find(leader, joint.a), b = find(leader, joint.b);
-        joint.inTree = fits && !(linksTwo && a == b);
+        const bool heldA = masses[joint.a].linear == 0.0 || held[a];
+        const bool heldB = masses[joint.b].linear == 0.0 || held[b];
+        // Hinges and welds between two held ends hold the directions across twice.
+        const bool heldTwice = heldA && heldB && joint.count > 3;
+        joint.inTree = fits && !(linksTwo && a == b) &&
+                       !(heldTwice && (linksTwo || held[masses[joint.a].linear > 0.0 ? a : b]));
         if (!joint.inTree) continue;
         if (linksTwo) leader[std::max(a, b)] = std::min(a, b);
+        held[masses[joint.a].linear > 0.0 ? find(leader, a) : find(leader, b)] = heldA || heldB;
         ++degree[joint.a], ++degree[joint.b];
     }
 }
@@ -156,8 +165,7 @@ void JointTrees::factor(std::span<const JointConstraint<double>> joints) {
             const JointConstraint<double>& other = joints[order_[n.place]];
             for (int i = 0; i < other.count; ++i)
                 for (int k = 0; k < joint.count; ++k)
-                    n.block(i, k) =
-                        n.body < 0 ? 0.0 : couplingThrough(n.body, other, i, joint, k);
+                    n.block(i, k) = n.body < 0 ? 0.0 : couplingThrough(n.body, other, i, joint, k);
         }
         for (int i = 0; i < joint.count; ++i) work_[place * kRows + i] = node.diagonal(i, i);
     }
@@ -172,7 +180,7 @@ void JointTrees::eliminate(int place) {
         const Block a = n.block;  // A_ik
         n.block.setZero();
         subtractProduct(n.block, a, node.diagonal, rows, node.rows, node.rows);
-        n.block = -n.block;       // W_ik = A_ik D_k^-1
+        n.block = -n.block;  // W_ik = A_ik D_k^-1
         subtractProduct(nodes_[n.place].diagonal, n.block, a, rows, rows, node.rows);
         // A_li -= W_lk A_ik^T for the pairs already passed, whose W is known.
         for (Neighbour& l : node.later) {
@@ -185,7 +193,7 @@ void JointTrees::eliminate(int place) {
                 if (lFirst)  // A_nl -= A_nk D^-1 A_lk^T = A_nk W_lk^T
                     subtractProduct(target.block, a, l.block, rows, nodes_[l.place].rows,
                                     node.rows);
-                else         // A_ln -= W_lk A_nk^T
+                else  // A_ln -= W_lk A_nk^T
                     subtractProduct(target.block, l.block, a, nodes_[l.place].rows, rows,
                                     node.rows);
             }
@@ -214,8 +222,7 @@ void JointTrees::solve(std::vector<double>& x) const {
 }
 
 void JointTrees::solveVelocities(std::span<JointConstraint<double>> joints,
-                                 std::span<Velocity<double>> v,
-                                 Correction<double>& correction) {
+                                 std::span<Velocity<double>> v, Correction<double>& correction) {
     for (int place = 0; place < static_cast<int>(order_.size()); ++place) {
         const JointConstraint<double>& joint = joints[order_[place]];
         for (int i = 0; i < joint.count; ++i)

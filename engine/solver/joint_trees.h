@@ -5,7 +5,9 @@
 /// its links and a tree hardly more. Sweeping a chain of a heavy ball on light links needs thousands
 /// of sweeps instead (Catto, GDC 2014: they grow with the ratio of the masses).
 ///
-/// A joint that would close a loop is left to the sweep. A row that follows from the others (the three
+/// A joint that would close a loop is left to the sweep, and so is a hinge or weld that would hold a
+/// tree at a second fixed body: a row of parallel hinges between two banks holds the directions across
+/// twice, but for a play so small that dividing by it throws the planks about. A row that follows from the others (the three
 /// directions that a row of parallel hinges holds twice) shows as a pivot that vanishes; its impulse
 /// is 0, so that contradicting joints do not tear at each other with ever larger impulses.
 #pragma once
@@ -19,7 +21,8 @@ namespace engine {
 
 class JointTrees {
 public:
-    /// Chooses the forest and the order of elimination; sets `inTree`. For when joints come or go.
+    /// Chooses the forest and the order of elimination; sets `inTree`. For when joints come or go;
+    /// their `count` of rows is known by then.
     void build(std::span<JointConstraint<double>> joints, std::span<const InverseMass<double>> masses);
     bool empty() const { return order_.empty(); }
 

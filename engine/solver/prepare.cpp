@@ -72,6 +72,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         JointConstraint<double> joint;
         joint.a = joints[i].def.a.index, joint.b = joints[i].def.b.index;
         joint.joint = i;
+        joint.count = rowCount(joints[i].def.type);
         joint.lambda = joints[i].lambda;
         list.push_back(joint);
     }

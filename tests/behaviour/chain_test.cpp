@@ -69,6 +69,26 @@ TEST(Chain, SwingsAThousandKilogramsWithoutTearingOrGaining) {
     EXPECT_LT(gain, 5e-3);
 }
 
+// Parallel hinges between two banks hold the directions across twice.
+TEST(Bridge, OfHingesAtBothBanksCarriesAFallingCrate) {
+    World world;
+    const BodyId left = world.add(support::fixed(Shape::box({1, 1, 2}), {-5.5, 0, 0}));
+    const BodyId right = world.add(support::fixed(Shape::box({1, 1, 2}), {5.5, 0, 0}));
+    BodyId last = left;
+    for (int i = 0; i < 20; ++i) {
+        const double x = -5.0 + 0.5 * i;
+        const auto sag = [](double at) { return -0.6 * (1.0 - at * at / 25.0); };
+        BodyDef plank = body(Shape::box({0.48, 0.1, 2}), {x + 0.25, sag(x + 0.25), 0}, 20.0);
+        const BodyId next = world.add(plank);
+        support::join(world, JointType::hinge, last, next, {x, sag(x), 0});
+        last = next;
+    }
+    support::join(world, JointType::hinge, last, right, {5, 0, 0});
+    world.add(body(Shape::box({0.8, 0.8, 0.8}), {0.3, 1.5, 0.3}, 150.0));
+    for (int i = 0; i < 300; ++i) ASSERT_TRUE(world.step(kStep)) << i;
+    EXPECT_LT(world.report().worstSeparation, 0.02);
+}
+
 TEST(Weld, HoldsACantileverOfFiveBlocks) {
     World world;
     BodyId last = world.add(support::fixed(Shape::box({1, 1, 1})));

@@ -53,7 +53,7 @@ inline const std::array<GoldenWorld, 3>& goldenWorlds() {
     static const std::array<GoldenWorld, 3> worlds{{
         {"stack", goldenStack, 300, 0xc5233e74964a3a3f},
         {"pendulum", goldenPendulum, 600, 0x5ceeb89e8f6bd6c1},
-        {"chain", goldenChain, 300, 0x20e36922c4ff7940},
+        {"chain", goldenChain, 300, 0xf121e0baa21c3cf8},
     }};
     return worlds;
 }

@@ -72,6 +72,19 @@ TEST(BoxBox, ApartByMoreThanTheMarginGivesNothing) {
     EXPECT_EQ(collide(kCube, at({0, 0, 0}), kCube, at({1.2, 1.2, 0}), 0.02).count, 0);
 }
 
+// A corner half a millimetre outside is kept; its neighbour a hair farther is not. The line through
+// both meets the cutting plane kilometres away, and no point may be there.
+TEST(BoxBox, PointsStayOnTheBoxesHoweverTheyGrazeEachOther) {
+    support::Random random(7);
+    for (int i = 0; i < 20000; ++i) {
+        const Quat turn = turnAboutXyz(random.vector(2e-3));
+        const Vec3 beside(1.0 + random.number(-1e-3, 1e-3), random.number(-1e-3, 1e-3),
+                          random.number(-1e-3, 1e-3));
+        const Manifold m = collide(kCube, at({0, 0, 0}), kCube, at(beside, turn), 0.02);
+        for (int k = 0; k < m.count; ++k) ASSERT_LT(m.points[k].onA.norm(), 1.0) << i;
+    }
+}
+
 // Whatever the poses: the normal is unit and points from a to b, no point lies deeper than the
 // boxes reach, and the other way round gives the same depths.
 TEST(BoxBox, IsSaneForRandomPoses) {

@@ -60,6 +60,9 @@ TEST(Joints, CountTheirRows) {
     const auto count = [](JointType type) {
         return rowsOf(type, geometryOf(Joint{}, Pose{}, Pose{})).count;
     };
+    for (const JointType type :
+         {JointType::ball, JointType::distance, JointType::hinge, JointType::weld})
+        EXPECT_EQ(count(type), rowCount(type));
     EXPECT_EQ(count(JointType::ball), 3);
     EXPECT_EQ(count(JointType::distance), 1);
     EXPECT_EQ(count(JointType::hinge), 5);

@@ -1,0 +1,85 @@
+#include "demos/options_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "demos/film/quality.h"
+#include "demos/overlays.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/nearest.h"
+#include "demos/stop.h"
+#include "demos/theme.h"
+
+namespace demos {
+namespace {
+
+constexpr double kLongest = 1e5;  // s
+
+[[noreturn]] void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
+
+std::optional<PictureSize> sizeFrom(const std::string& text) {
+    PictureSize size;
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    if (height.ec != std::errc{} || height.ptr != end) return std::nullopt;
+    return size;
+}
+
+void checkRange(const char* name, int value, int low, int high) {
+    if (value < low || value > high)
+        refuse(fmt::format("{} {}: must be {} to {}", name, value, low, high));
+}
+
+void checkSamples(int samples) {
+    for (const int good : {1, 2, 4, 8, 16})
+        if (samples == good) return;
+    refuse(fmt::format("--samples {}: must be 1, 2, 4, 8 or 16", samples));
+}
+
+void checkName(const char* option, const std::string& word, const std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), word) == names.end())
+        refuse(fmt::format("{} '{}' is not known{}", option, printable(word),
+                           suggestion(word, names)));
+}
+
+void checkPicture(Options& options, const RawOptions& raw) {
+    checkName("--quality", options.quality, qualityNames());
+    if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
+    for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
+    options.show = raw.show;
+    if (!raw.size.empty()) {
+        options.size = sizeFrom(raw.size);
+        if (!options.size)
+            refuse(fmt::format("--size '{}': must be WIDTHxHEIGHT, for example 1280x720",
+                               printable(raw.size)));
+        checkRange("--size: a width of", options.size->width, 1, 16384);
+        checkRange("--size: a height of", options.size->height, 1, 16384);
+    }
+    if (options.fps) checkRange("--fps", *options.fps, 1, 1000);
+    if (options.samples) checkSamples(*options.samples);
+    checkRange("--jobs", options.jobs, 0, 256);
+}
+
+}  // namespace
+
+void checkOptions(Options& options, const RawOptions& raw) {
+    checkPicture(options, raw);
+    if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= kLongest))
+        refuse(fmt::format("--seconds {}: must be above 0 and at most 100000", *options.seconds));
+    if (options.time && !(*options.time >= 0.0 && *options.time <= kLongest))
+        refuse(fmt::format("--time {}: must be 0 to 100000 s", *options.time));
+    checkRange("--every", options.every, 1, 1'000'000'000);
+    checkRange("--hash-every", options.hashEvery, 0, 1'000'000'000);
+    if (options.command == Command::completion) checkName("shell", options.shell, {"bash"});
+    for (const std::string& text : options.overrides)
+        if (text.find('=') == std::string::npos)
+            refuse(fmt::format("--set '{}': must be KEY=VALUE, for example world.hz=240",
+                               printable(text)));
+    if (!raw.solver.empty()) options.overrides.push_back("solver.type=" + raw.solver);
+}
+
+}  // namespace demos

@@ -1,0 +1,17 @@
+/// Ranges and names of the command line, with messages that say what would be right.
+#pragma once
+#include "demos/options.h"
+
+namespace demos {
+
+/// What is parsed as text first and understood here.
+struct RawOptions {
+    std::string size;
+    std::vector<std::string> show;
+    std::string solver;
+};
+
+/// Moves `raw` into `options`. Throws Stop (usage).
+void checkOptions(Options& options, const RawOptions& raw);
+
+}  // namespace demos
