@@ -6,7 +6,7 @@
 
 namespace demos {
 
-enum class Command { render, still, sim, list, doctor, bench, completion };
+enum class Command { render, still, sim, plot, compare, sweep, list, doctor, bench, completion };
 
 struct PictureSize {
     int width = 0, height = 0;  // pixels
@@ -17,13 +17,13 @@ struct Options {
     std::vector<std::string> scenes;     // built-in names or paths; one, except for bench
     std::vector<std::string> overrides;  // "world.hz=240"
 
-    // render, still
+    // render, still; outputs, size and theme of plot too
     std::vector<std::string> outputs;  // patterns; empty = the default
     std::string quality = "medium";
     std::optional<PictureSize> size;
     std::optional<int> fps;
     std::optional<int> samples;
-    std::optional<double> seconds;  // length; also of sim and bench
+    std::optional<double> seconds;  // length; also of sim, plot and bench
     std::vector<std::string> show;  // overlays, added to the scene's
     std::string theme;              // empty = the scene's
     int jobs = 0;                   // 0 = a worker per core
@@ -35,10 +35,23 @@ struct Options {
 
     // sim
     std::string csv, bodies, joints, contacts, sweeps;  // a file or "-"; empty = not asked for
+    bool exact = false;  // sweeps are compared with the direct solution
     int every = 1;
     bool hash = false;
     int hashEvery = 0;  // 0 = the last step only
     bool expect = true;
+    std::string plot;  // a file; empty = not asked for
+
+    // plot
+    std::vector<std::string> what;  // charts; empty = the most telling ones that have data
+
+    // compare, sweep: those of render, --csv and --plot of sim, and
+    std::vector<std::string> vary, cases;  // KEY=VALUE,VALUE... | LABEL: KEY=VALUE KEY=VALUE
+    std::string over;                      // KEY=FROM..TO
+    std::string measure;                   // to plot; empty = the most telling
+    bool film = true;                      // compare: draw it
+    bool strip = true;                     // compare: a plot below the pictures
+    bool listOnly = false;                 // compare: the built-in ones
 
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself

@@ -7,6 +7,8 @@
 
 #include "demos/film/quality.h"
 #include "demos/overlays.h"
+#include "demos/report/measures.h"
+#include "demos/report/summary.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
 #include "demos/stop.h"
@@ -51,6 +53,8 @@ void checkPicture(Options& options, const RawOptions& raw) {
     if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
     for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
     options.show = raw.show;
+    for (const std::string& name : raw.what) checkName("--what", name, measureNames());
+    options.what = raw.what;
     if (!raw.size.empty()) {
         options.size = sizeFrom(raw.size);
         if (!options.size)
@@ -75,6 +79,13 @@ void checkOptions(Options& options, const RawOptions& raw) {
     checkRange("--every", options.every, 1, 1'000'000'000);
     checkRange("--hash-every", options.hashEvery, 0, 1'000'000'000);
     if (options.command == Command::completion) checkName("shell", options.shell, {"bash"});
+    if (!options.measure.empty() && measureCalled(options.measure) < 0) {
+        std::vector<std::string> names;
+        for (const Measure& measure : measures()) names.emplace_back(measure.name);
+        checkName("--measure", options.measure, names);
+    }
+    if (options.exact && options.sweeps.empty())
+        refuse("--exact belongs to --sweeps; name a file for them");
     for (const std::string& text : options.overrides)
         if (text.find('=') == std::string::npos)
             refuse(fmt::format("--set '{}': must be KEY=VALUE, for example world.hz=240",

@@ -8,6 +8,7 @@ namespace demos {
 struct RawOptions {
     std::string size;
     std::vector<std::string> show;
+    std::vector<std::string> what;
     std::string solver;
 };
 

@@ -23,6 +23,9 @@ const char* what(engine::Trouble trouble) {
             return "farther than 100 km from the origin";
         case engine::Trouble::velocityTooLarge:
             return "faster than 10000 m/s or rad/s";
+        case engine::Trouble::tooManyRows:
+            return "more than the 1000 rows that the direct solver takes; use solver.type = "
+                   "\"impulses\"";
         case engine::Trouble::energyJump:
             return "energy grew tenfold in one step without a cause";
     }

@@ -21,6 +21,12 @@ Exit perform(const Options& options) {
             return stillCommand(options);
         case Command::sim:
             return simCommand(options);
+        case Command::plot:
+            return plotCommand(options);
+        case Command::compare:
+            return compareCommand(options);
+        case Command::sweep:
+            return sweepCommand(options);
         case Command::list:
             return listCommand(options);
         case Command::doctor:

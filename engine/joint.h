@@ -16,6 +16,13 @@ struct JointId {
     auto operator<=>(const JointId&) const = default;
 };
 
+/// Makes a joint soft (constraints/soft.h).
+struct Spring {
+    double hz = 0.0;       // frequency of the masses it joins, along a row; 0: rigid
+    double damping = 0.0;  // ratio: 0 swings on, 1 just does not overshoot
+    bool isSoft() const { return hz > 0.0; }
+};
+
 struct JointDef {
     JointType type = JointType::ball;
     BodyId a, b;                 // two bodies, one of them dynamic
@@ -23,6 +30,7 @@ struct JointDef {
     Vec3 anchorB{0, 0, 0};       // m, in b's
     Vec3 axis{0, 0, 1};          // hinge: world axes, at the moment of adding, any length
     double length = 0.0;         // m, distance joint; must be positive
+    Spring spring;               // of all its rows
 };
 
 /// A joint as the last step left it.

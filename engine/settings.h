@@ -4,6 +4,14 @@
 
 namespace engine {
 
+/// How the constraints of a step are solved; all of them take the same rows and give the same kind of
+/// impulses, so that they can be changed between two steps of a running world.
+///   impulses   sequential impulses: one constraint after the other, velocities at once (the default)
+///   pgs        projected Gauss-Seidel on forces, a = B lambda carried along (Catto 2005)
+///   pgsMatrix  the same with A = J M^-1 J^T written out: what the first seed argues against
+///   direct     exact, by factoring A, with an active set for contacts; small scenes only
+enum class Method { impulses, pgs, pgsMatrix, direct };
+
 /// gravity: contacts from the top down, so that a sweep carries weight to the floor in one pass.
 /// pairs: lower body number first, as the author numbered them.
 enum class Order { gravity, pairs };
@@ -20,6 +28,7 @@ enum class Gyroscope { momentum, implicitEuler, none };
 enum class Bounce { impacts, bias };
 
 struct Settings {
+    Method method = Method::impulses;
     int substeps = 4;         // velocities, impulses, positions and nudges, this often a step
     int maxSubsteps = 32;     // as often where joints or masses ask for it (solver/substeps.h)
     int sweeps = 30;          // velocity sweeps a sub-step, at most
@@ -30,7 +39,7 @@ struct Settings {
     double slop = 5e-4;       // m: penetration left alone, so that a resting contact stays a contact
     double baumgarte = 0.0;   // b = beta C / h instead of nudges; never both
     Order order = Order::gravity;
-    bool block = true;        // a manifold's normal rows solved together
+    bool block = true;        // a manifold's normal rows, and a joint's point, solved together
     JointSolving joints = JointSolving::direct;
     bool warmStart = true;    // start from the impulses of the last step
     bool accumulate = true;   // clamp the total; false = clamp the correction: the wrong way
@@ -38,6 +47,7 @@ struct Settings {
     Bounce bounce = Bounce::impacts;
     double bounceSpeed = 0.25;       // m/s: slower approaches do not bounce, so that things rest
     double speculativeMargin = 0.02; // m: contacts are made this far ahead of touching
+    bool compareExact = false; // every sweep's distance to the direct solution in the report; slow
 
     /// The default: what held still and kept its energy best in experiment.
     static Settings steady() { return {}; }

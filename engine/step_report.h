@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/base/math.h"
-#include "engine/body.h"
+#include "engine/joint.h"
 
 namespace engine {
 
@@ -14,6 +14,17 @@ enum class Phase { forces, velocities, impulses, positions, nudges, collisions }
 struct SweepReport {
     double residual = 0.0;  // m/s (rad/s): the largest velocity correction along a row
     double delta = 0.0;     // N s: sum of |change of lambda|
+    double distance = -1.0; // m/s (rad/s): largest difference of a velocity from the direct
+                            // solution; -1: not asked for, or there is none
+};
+
+/// What the direct solver found in the worst sub-step of a step; all zero with other solvers.
+struct DirectReport {
+    int rows = 0;                      // that were active
+    int rank = 0;                      // of them; fewer than rows: solved with the least impulses
+    std::vector<JointId> redundant;    // joints with a row that follows from others
+    bool contradiction = false;        // the rows could not all be met: met as nearly as possible
+    bool found = true;                 // false: no consistent set of contacts; sweeps took over
 };
 
 enum class Trouble {
@@ -22,13 +33,15 @@ enum class Trouble {
     velocityNotFinite,
     positionTooLarge,  // farther than 1e5 m from the origin
     velocityTooLarge,  // faster than 1e4 m/s or rad/s
+    tooManyRows,       // more than the direct solver takes (solver/direct.h)
     energyJump         // ten times the energy in one step, with no kinematic body to give it
 };
 
 struct Energy {
     double kinetic = 0.0;    // J
     double potential = 0.0;  // J, in the field of gravity, 0 at the origin
-    double total() const { return kinetic + potential; }
+    double elastic = 0.0;    // J, in soft joints
+    double total() const { return kinetic + potential + elastic; }
 };
 
 struct StepReport {
@@ -41,6 +54,7 @@ struct StepReport {
     Energy energy;
     double residual = 0.0;            // m/s, of the last sweep of the last sub-step
     std::vector<SweepReport> sweeps;  // of all sub-steps, in order
+    DirectReport direct;
     Trouble trouble = Trouble::none;  // not none: the world is back where the step began, and stays
     BodyId troubledBody;
 };

@@ -6,8 +6,8 @@
 #include "engine/base/check.h"
 #include "engine/dynamics/forces.h"
 #include "engine/dynamics/integration.h"
-#include "engine/solver/impulses.h"
 #include "engine/solver/nudges.h"
+#include "engine/solver/solve.h"
 #include "engine/world_state.h"
 
 namespace engine {
@@ -36,8 +36,8 @@ bool World::step(double dt) {
 
         s.phase(Phase::impulses, i);
         updateSeparations(s.bodies, s.solver);
-        solveImpulses<double>(s.solver.constraints, s.solver.trees, s.bodies.velocities,
-                              s.settings, h, s.report.sweeps);  // solver/impulses.cpp
+        solveConstraints(s.solver.constraints, s.solver.trees, s.bodies.velocities, s.settings, h,
+                         s.report);  // solver/impulses.cpp, or another method
 
         s.phase(Phase::positions, i);
         integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
@@ -64,6 +64,8 @@ JointId World::add(const JointDef& def) {
                  "a distance joint needs a positive length; for zero use a ball joint");
     ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
                  "a hinge needs an axis that is not zero");
+    ENGINE_CHECK(def.spring.hz >= 0.0 && def.spring.damping >= 0.0,
+                 "a spring has no negative frequency or damping");
     s.joints.push_back(makeJoint(s, def));
     s.jointsStale = s.contactsStale = true;
     return {static_cast<int>(s.joints.size()) - 1};
@@ -186,7 +188,7 @@ const StepReport& World::report() const {
     return state_->report;
 }
 
-Energy World::energy() const { return energyOf(state_->bodies, state_->gravity); }
+Energy World::energy() const { return energyNow(*state_); }
 
 std::uint64_t World::hash() const {
     StateHash hash;

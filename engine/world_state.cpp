@@ -50,7 +50,7 @@ void reportSeparations(WorldState& s) {
         }
     s.report.worstSeparation = 0.0;
     for (const Joint& joint : s.joints)
-        if (joint.present)
+        if (joint.present && !joint.def.spring.isSoft())
             s.report.worstSeparation =
                 larger(s.report.worstSeparation, stateOf(s, joint).separation);
 }
@@ -135,8 +135,9 @@ bool beginStep(WorldState& s, double dt) {
                                        s.settings, dt);
     rescaleImpulses(s, dt);
     s.velocitiesBefore = s.bodies.velocities;
-    s.report.energy = energyOf(s.bodies, s.gravity);
+    s.report.energy = energyNow(s);
     s.report.sweeps.clear();
+    s.report.direct = {};
     prepareContacts(s.finder.contacts, s.bodies, s.gravity, s.settings, s.solver);
     for (JointConstraint<double>& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
@@ -150,8 +151,9 @@ void evaluateField(const World& world, WorldState& s) {
 }
 
 bool endStep(WorldState& s, double dt) {
-    const Energy before = s.report.energy, after = energyOf(s.bodies, s.gravity);
-    s.report.trouble = findTrouble(s, s.report.troubledBody);
+    const Energy before = s.report.energy, after = energyNow(s);
+    if (s.report.trouble == Trouble::none)
+        s.report.trouble = findTrouble(s, s.report.troubledBody);
     if (s.report.trouble == Trouble::none && energyJumped(s, before, after))
         s.report.trouble = Trouble::energyJump;
     if (s.report.trouble != Trouble::none) {
@@ -175,7 +177,7 @@ void refresh(WorldState& s) {
     listJointedPairs(s);
     findContacts(s, s.lastDt);
     s.contactsStale = s.report.step > 0;  // the caller's changes still count for the next step
-    s.report.energy = energyOf(s.bodies, s.gravity);
+    s.report.energy = energyNow(s);
     reportSeparations(s);
     s.contactStates.clear();
     for (const Contact& contact : s.finder.contacts)
@@ -186,6 +188,14 @@ void refresh(WorldState& s) {
                                        -contact.normal.dot(onB - onA), contact.points[i].impulse,
                                        contact.points[i].friction, contact.points[i].feature});
         }
+}
+
+Energy energyNow(const WorldState& s) {
+    Energy energy = energyOf(s.bodies, s.gravity);
+    for (const Joint& joint : s.joints)
+        if (joint.present && joint.def.spring.isSoft())
+            energy.elastic += elasticEnergy(joint, s.bodies);
+    return energy;
 }
 
 Joint makeJoint(const WorldState& s, const JointDef& def) {

@@ -51,6 +51,9 @@ void evaluateField(const World& world, WorldState& s);
 /// Step 6, the report, and the last look at whether the new state is one to pass on.
 bool endStep(WorldState& s, double dt);
 
+/// Of the bodies, and of the springs between them.
+Energy energyNow(const WorldState& s);
+
 /// Contacts and report as of now, without a step.
 void refresh(WorldState& s);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/blend.h"
+#include "render/canvas.h"
 #include "render/font.h"
 #include "render/overlay.h"
 
@@ -128,6 +129,17 @@ void drawLine(Image& image, const Text& text, int pixels, float x, float baselin
 
 float textWidth(const std::string& text, float pixels) {
     return walk(text, static_cast<int>(std::lround(pixels)), 0, 0, [](const Glyph&, int, int) {});
+}
+
+void drawLabel(Image& image, const std::string& text, Point at, Anchor anchor, float pixels,
+               const Color& color) {
+    const float most = 4.0f * static_cast<float>(image.width + image.height);
+    if (!(std::abs(at.x) <= most && std::abs(at.y) <= most && pixels >= 1.0f && pixels <= most))
+        return;  // not finite, or nowhere near the picture
+    const float width = anchor == Anchor::start ? 0.0f : textWidth(text, pixels);
+    const float x = at.x - (anchor == Anchor::end ? width : 0.5f * width);
+    walk(text, static_cast<int>(std::lround(pixels)), x, at.y,
+         [&](const Glyph& g, int left, int top) { paint(image, g, left, top, color, 1.0f); });
 }
 
 void drawTexts(Image& image, const Frame& frame) {

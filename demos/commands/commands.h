@@ -8,6 +8,9 @@ namespace demos {
 Exit renderCommand(const Options& options);
 Exit stillCommand(const Options& options);
 Exit simCommand(const Options& options);
+Exit plotCommand(const Options& options);
+Exit compareCommand(const Options& options);
+Exit sweepCommand(const Options& options);
 Exit listCommand(const Options& options);
 Exit doctorCommand(const Options& options);
 Exit benchCommand(const Options& options);

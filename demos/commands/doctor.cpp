@@ -8,7 +8,7 @@
 #include "demos/film/progress.h"
 #include "demos/version.h"
 #include "render/encode/png.h"
-#include "render/encode/video.h"
+#include "render/encode/ffmpeg.h"
 #include "render/renderer.h"
 
 namespace demos {

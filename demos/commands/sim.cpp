@@ -9,6 +9,8 @@
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
 #include "demos/player.h"
+#include "demos/report/direct_note.h"
+#include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/expect.h"
 
@@ -26,7 +28,8 @@ struct Tables {
           bodies(options.bodies, "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"),
           joints(options.joints, "time,joint,separation,force,torque"),
           contacts(options.contacts, "time,a,b,x,y,z,nx,ny,nz,penetration,impulse,friction"),
-          sweeps(options.sweeps, "time,sweep,residual,delta") {}
+          sweeps(options.sweeps, options.exact ? "time,sweep,residual,delta,distance"
+                                               : "time,sweep,residual,delta") {}
 
     std::vector<const Table*> wanted() const {
         std::vector<const Table*> tables;
@@ -37,19 +40,9 @@ struct Tables {
 };
 
 void addEnergies(const Stage& stage, double time, Table& table) {
-    const engine::StepReport& report = stage.world.report();
-    const engine::Energy energy = stage.world.energy();
-    int contacts = report.contacts;
-    double penetration = report.worstPenetration, separation = report.worstSeparation;
-    if (report.step == 0) {  // nothing reported yet: what the first step will find
-        contacts = static_cast<int>(stage.world.contacts().size());
-        for (const engine::ContactState& contact : stage.world.contacts())
-            penetration = std::max(penetration, contact.penetration);
-        for (const engine::JointId id : stage.joints)
-            separation = std::max(separation, stage.world.joint(id).separation);
-    }
-    table.cell(time).cell(energy.total()).cell(energy.kinetic).cell(energy.potential);
-    table.cell(contacts).cell(penetration).cell(separation).cell(report.residual);
+    const Measures m = measuresOf(stage);
+    table.cell(time).cell(m.energy.total()).cell(m.energy.kinetic).cell(m.energy.potential);
+    table.cell(m.contacts).cell(m.penetration).cell(m.separation).cell(m.residual);
     table.endRow();
 }
 
@@ -86,6 +79,8 @@ void addSweeps(const Stage& stage, double time, Table& table) {
     int number = 0;
     for (const engine::SweepReport& sweep : stage.world.report().sweeps) {
         table.cell(time).cell(++number).cell(sweep.residual).cell(sweep.delta);
+        if (stage.world.settings().compareExact)
+            sweep.distance < 0.0 ? table.cell("") : table.cell(sweep.distance);
         table.endRow();
     }
 }
@@ -118,6 +113,9 @@ bool checkTargets(const Tables& tables, const Options& options) {
                                                 printable(table->target())));
         seen.push_back(table->target());
     }
+    if (std::find(seen.begin(), seen.end(), options.plot) != seen.end())
+        throw Stop(Exit::usage, fmt::format("a table and the plot for '{}'; give each its own file",
+                                            printable(options.plot)));
     const bool standard = std::find(seen.begin(), seen.end(), "-") != seen.end();
     if (standard && options.json)
         throw Stop(Exit::usage, "--json has standard output; write the table to a file");
@@ -168,7 +166,10 @@ public:
           talk_(options, dataOnStdout_),
           player_(scene, Overlays{.trails = false}),
           checker_(player_.stage()),
-          steps_(std::max(std::lround(scene.seconds * scene.hz), 1L)) {}
+          choice_(plotChoiceOf(options, scene)),
+          steps_(std::max(std::lround(scene.seconds * scene.hz), 1L)) {
+        if (!options.plot.empty()) checkPlotFile(options.plot, choice_);
+    }
 
     Exit play() {
         watchSignals();
@@ -177,7 +178,7 @@ public:
             try {
                 player_.step();
             } catch (const Stop&) {  // diverged: what was good stays readable
-                writeAll(tables_, talk_);
+                writeResults();
                 throw;
             }
             look(step);
@@ -190,15 +191,24 @@ private:
     void look(long step) {
         const Stage& stage = player_.stage();
         if (options_.expect) checker_.look(stage);
+        direct_.look(stage);
         if (step % options_.every == 0) addRows(stage, step, tables_);
+        if (!options_.plot.empty()) recorder_.look(stage);
         const bool last = step == steps_;
         const bool every = options_.hashEvery > 0 && step % options_.hashEvery == 0;
         if ((last && (options_.hash || options_.hashEvery > 0)) || (every && step > 0))
             sayHash(stage, step, options_, dataOnStdout_);
     }
 
-    [[noreturn]] void stopInterrupted(long step) {
+    void writeResults() const {
         writeAll(tables_, talk_);
+        if (options_.plot.empty()) return;
+        const std::size_t charts = writePlot(options_.plot, recorder_, choice_);
+        talk_.say(fmt::format("wrote {} ({} charts)", printable(options_.plot), charts));
+    }
+
+    [[noreturn]] void stopInterrupted(long step) {
+        writeResults();
         throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
                                                   step, options_.commandLine));
     }
@@ -206,9 +216,10 @@ private:
     Exit finish() {
         const Stage& stage = player_.stage();
         const bool passed = !options_.expect || sayExpectations(checker_, stage.scene, talk_);
-        writeAll(tables_, talk_);
+        writeResults();
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));
+        for (const std::string& line : direct_.lines()) talk_.say(printable(line));
         talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
                               static_cast<double>(steps_) / stage.scene.hz));
         talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
@@ -221,11 +232,18 @@ private:
     Talk talk_;
     Player player_;
     ExpectationChecker checker_;
+    DirectNote direct_;
+    PlotChoice choice_;
+    Recorder recorder_;
     long steps_;
 };
 
 }  // namespace
 
-Exit simCommand(const Options& options) { return Run(options, sceneOf(options)).play(); }
+Exit simCommand(const Options& options) {
+    SceneDescription scene = sceneOf(options);
+    scene.settings.compareExact = options.exact;
+    return Run(options, scene).play();
+}
 
 }  // namespace demos

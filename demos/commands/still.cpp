@@ -26,10 +26,10 @@ Moment momentOf(const FilmPlan& plan, const Options& options) {
     Moment moment;
     constexpr double kMostSteps = 1e8;
     if (options.time) {
-        if (*options.time * plan.scene.hz > kMostSteps)
+        if (*options.time * plan.scene().hz > kMostSteps)
             throw Stop(Exit::usage, fmt::format("--time {}: is more than {:.0f} steps away",
                                                 *options.time, kMostSteps));
-        moment.steps = static_cast<int>(std::lround(*options.time * plan.scene.hz));
+        moment.steps = static_cast<int>(std::lround(*options.time * plan.scene().hz));
         moment.frame = moment.steps / plan.stepsPerFrame;
     } else {
         const int asked = options.frame.value_or(-1);
@@ -40,7 +40,7 @@ Moment momentOf(const FilmPlan& plan, const Options& options) {
                                    asked, plan.frames - 1, plan.frames));
         moment.steps = moment.frame * plan.stepsPerFrame;
     }
-    moment.time = static_cast<double>(moment.steps) / plan.scene.hz;
+    moment.time = static_cast<double>(moment.steps) / plan.scene().hz;
     return moment;
 }
 
@@ -49,7 +49,7 @@ std::string targetOf(const FilmPlan& plan, const Options& options, const Moment&
         options.outputs.empty() ? "output/{scene}/still_{time}.png" : options.outputs.front();
     if (pattern == "-") return pattern;
     const std::string name =
-        expandPattern(pattern, {moment.frame, moment.time, plan.scene.name, plan.quality});
+        expandPattern(pattern, {moment.frame, moment.time, plan.name, plan.quality});
     if (!name.ends_with(".png"))
         throw Stop(Exit::usage,
                    fmt::format("--output '{}': a still ends in .png, or is -", printable(name)));
@@ -63,7 +63,7 @@ Exit stillCommand(const Options& options) {
     const Moment moment = momentOf(plan, options);
     const std::string target = targetOf(plan, options, moment);
     checkFree(target, options.overwrite);
-    Player player(plan.scene, plan.overlays);
+    Player player(plan.scene(), plan.panels.front().overlays);
     player.step(moment.steps);
     render::Renderer renderer(plan.picture);
     const std::vector<std::uint8_t> png =

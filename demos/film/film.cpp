@@ -53,8 +53,8 @@ public:
             if (output.kind == OutputKind::film) {
                 makeFolder(output.path.parent_path());
                 films_.push_back({output.path, std::make_unique<render::VideoWriter>(
-                                                   output.path, plan.picture.width,
-                                                   plan.picture.height, plan.fps)});
+                                                   output.path, plan.layout.width,
+                                                   plan.layout.height, plan.fps)});
             }
         }
     }
@@ -113,14 +113,14 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
     record.fingerprint = hash.value();
     record.version = kVersion;
     record.renderer = renderer;
-    record.scene = plan.scene.name;
+    record.scene = plan.name;
     record.quality = plan.quality;
     record.command = options.commandLine;
-    record.width = plan.picture.width;
-    record.height = plan.picture.height;
+    record.width = plan.layout.width;
+    record.height = plan.layout.height;
     record.samples = plan.picture.samples;
     record.fps = plan.fps;
-    record.hz = plan.scene.hz;
+    record.hz = plan.scene().hz;
     return record;
 }
 
@@ -181,7 +181,7 @@ void makeFilm(const FilmPlan& plan, const Options& options) {
     const std::vector<bool> wanted = wantedFrames(writers, plan.frames);
     const int missing = static_cast<int>(std::count(wanted.begin(), wanted.end(), true));
     talk.json(fmt::format(R"({{"event":"start","scene":{},"frames":{},"kept":{},"fps":{}}})",
-                          jsonString(plan.scene.name), plan.frames, plan.frames - missing,
+                          jsonString(plan.name), plan.frames, plan.frames - missing,
                           plan.fps));
     source.order(wanted);
     Progress progress(options, plan.frames, plan.frames - missing);

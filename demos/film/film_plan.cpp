@@ -98,24 +98,36 @@ SceneDescription sceneOf(const Options& options) {
     return scene;
 }
 
-FilmPlan planFilm(const Options& options) {
+FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options) {
     const Quality& quality = qualityOf(options.quality);
     FilmPlan plan;
-    plan.scene = sceneOf(options);
-    plan.overlays = overlaysOf(plan.scene, options);
+    plan.panels = std::move(panels);
+    const SceneDescription& scene = plan.scene();
+    plan.name = scene.name;
+    for (Panel& panel : plan.panels) panel.overlays = overlaysOf(panel.scene, options);
     plan.quality = quality.name;
     plan.fps = options.fps.value_or(quality.fps);
     // A still of a given time falls on a step, whether or not a film would have a frame there.
     const bool anyStep = options.command == Command::still && options.time;
     plan.stepsPerFrame =
-        anyStep ? std::max(plan.scene.hz / plan.fps, 1) : stepsPerFrame(plan.scene.hz, plan.fps);
-    plan.frames = frameCount(plan.scene.seconds, plan.fps);
-    plan.picture.width = options.size ? options.size->width : quality.width;
-    plan.picture.height = options.size ? options.size->height : quality.height;
+        anyStep ? std::max(scene.hz / plan.fps, 1) : stepsPerFrame(scene.hz, plan.fps);
+    for (const Panel& panel : plan.panels)
+        if (!anyStep) stepsPerFrame(panel.scene.hz, plan.fps);
+    plan.frames = frameCount(scene.seconds, plan.fps);
+    const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
+    plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
+    plan.picture.width = plan.layout.panels.front().width;
+    plan.picture.height = plan.layout.panels.front().height;
     plan.picture.samples = options.samples.value_or(quality.samples);
     plan.picture.reproducible = options.reproducible;
     checkMemory(plan.picture);
     return plan;
+}
+
+FilmPlan planFilm(const Options& options) {
+    Panel panel;
+    panel.scene = sceneOf(options);
+    return planFilm({std::move(panel)}, false, options);
 }
 
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
@@ -124,13 +136,17 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     hash.add(programText());
     hash.add(sceneText(options.scene()));
     for (const std::string& text : options.overrides) hash.add(text);
-    hash.add(fmt::format("{}x{} {} {} {} {} {}", plan.picture.width, plan.picture.height,
-                         plan.picture.samples, plan.picture.reproducible, plan.frames, plan.fps,
-                         plan.stepsPerFrame));
-    for (const std::string& name : plan.scene.look.show) hash.add(name);
+    hash.add(fmt::format("{}x{} {}x{} {} {} {} {} {}", plan.layout.width, plan.layout.height,
+                         plan.picture.width, plan.picture.height, plan.picture.samples,
+                         plan.picture.reproducible, plan.frames, plan.fps, plan.stepsPerFrame));
     for (const std::string& name : options.show) hash.add(name);
-    hash.add(plan.overlays.theme);
-    hash.add(plan.overlays.text ? "text" : "clean");
+    for (const Panel& panel : plan.panels) {
+        for (const std::string& name : panel.scene.look.show) hash.add(name);
+        hash.add(panel.settings);
+        hash.add(panel.overlays.theme);
+        hash.add(panel.overlays.text ? "text" : "clean");
+    }
+    hash.add(plan.strip.pixels);
     return hash.value();
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "demos/film/panel_layout.h"
 #include "demos/options.h"
 #include "demos/overlays.h"
 #include "demos/scene/description.h"
@@ -10,15 +11,29 @@
 
 namespace demos {
 
-struct FilmPlan {
+/// One of a film's pictures: the scene, or one of its variants.
+struct Panel {
     SceneDescription scene;
     Overlays overlays;
-    render::RendererSettings picture;
+    std::string settings;  // what makes it differ from the others, as --set would take it
+};
+
+struct FilmPlan {
+    std::vector<Panel> panels;  // one: an ordinary film
+    PanelLayout layout;
+    render::Image strip;  // a plot; empty = none
+    struct {
+        float start = 0, end = 0;  // pixels across, at time 0 and at the end
+        float top = 0, bottom = 0;
+    } cursor;                          // a line in the strip that goes with the time
+    render::RendererSettings picture;  // of one panel
+    std::string name;                  // {scene} in output patterns
     std::string quality;
     int frames = 0;
     int fps = 30;
     int stepsPerFrame = 2;
 
+    const SceneDescription& scene() const { return panels.front().scene; }
     double timeOf(int frame) const { return static_cast<double>(frame) / fps; }  // s
 };
 
@@ -28,6 +43,10 @@ SceneDescription sceneOf(const Options& options);
 /// Throws Stop (usage) where the frame rate does not divide the scene's steps a second, or the film
 /// would be too long or the picture too large for this machine.
 FilmPlan planFilm(const Options& options);
+
+/// The same of several panels, which have one clock: their scenes have the same length and step.
+/// `strip`: leaves room for a plot. Their overlays are filled in.
+FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
 
 /// Everything that decides about a picture's bits, but the renderer: scene, program, settings.
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options);

@@ -51,7 +51,7 @@ int workerCount(int jobs, int frames) {
 }
 
 FrameSource::FrameSource(const FilmPlan& plan, int jobs, bool png, bool raw)
-    : width_(plan.picture.width), height_(plan.picture.height) {
+    : width_(plan.layout.width), height_(plan.layout.height) {
     workers_.reserve(static_cast<std::size_t>(jobs));
     for (int i = 0; i < jobs; ++i) {
         int ends[2];

@@ -5,6 +5,7 @@
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 #include "render/encode/file.h"
+#include "render/encode/ffmpeg.h"
 #include "render/encode/video.h"
 #include "render/error.h"
 
@@ -74,11 +75,11 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
             fmt::format("'{}' needs ffmpeg, which is not installed; PNG frames "
                         "(-o a folder) do not",
                         printable(output.path.string())));
-    const bool even = plan.picture.width % 2 == 0 && plan.picture.height % 2 == 0;
+    const bool even = plan.layout.width % 2 == 0 && plan.layout.height % 2 == 0;
     const std::string ending = endingOf(output.path.string());
     if (!even && (ending == ".mp4" || ending == ".webm"))
         throw Stop(Exit::usage, fmt::format("--size {}x{}: a {} film needs even sides",
-                                            plan.picture.width, plan.picture.height, ending));
+                                            plan.layout.width, plan.layout.height, ending));
     render::checkReplaceable(output.path);
     if (isThere(output.path) && !overwrite)
         throw Stop(Exit::wouldOverwrite,
@@ -89,7 +90,7 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
 }  // namespace
 
 PatternValues valuesOf(const FilmPlan& plan, int frame) {
-    return {frame, plan.timeOf(frame), plan.scene.name, plan.quality};
+    return {frame, plan.timeOf(frame), plan.name, plan.quality};
 }
 
 std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {

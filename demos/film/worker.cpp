@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "demos/player.h"
+#include "demos/film/screen.h"
 #include "demos/stop.h"
 #include "render/encode/png.h"
 #include "render/renderer.h"
@@ -10,13 +10,13 @@
 namespace demos {
 namespace {
 
-Message drawnMessage(const Player& player, const FilmPlan& plan, int frame, const WorkerTask& task,
+Message drawnMessage(Screen& screen, int frame, const WorkerTask& task,
                      render::Renderer& renderer) {
-    render::Image image = renderer.draw(player.frame(plan.timeOf(frame)));
+    render::Image image = screen.draw(frame, renderer);
     Message message;
     message.kind = MessageKind::frame;
     message.frame = frame;
-    message.stateHash = player.stage().world.hash();
+    message.stateHash = screen.hash();
     if (task.png) message.first = render::encodePng(image);
     if (task.raw) message.second = std::move(image.pixels);
     return message;
@@ -26,16 +26,16 @@ void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
     render::RendererSettings settings = plan.picture;
     settings.threads = 0;  // this process is the thread
     render::Renderer renderer(settings);
-    Player player(plan.scene, plan.overlays);
+    Screen screen(plan);
     Message orders;
     if (!channel.send(Message::ofText(MessageKind::ready, renderer.describe())) ||
         !channel.receive(orders))
         return;
     int ordinal = 0;
     for (int frame = 0; frame < static_cast<int>(orders.first.size()); ++frame) {
-        if (frame > 0) player.step(plan.stepsPerFrame);
+        if (frame > 0) screen.advance();
         if (!orders.first[frame] || ordinal++ % task.count != task.index) continue;
-        if (!channel.send(drawnMessage(player, plan, frame, task, renderer))) return;
+        if (!channel.send(drawnMessage(screen, frame, task, renderer))) return;
     }
 }
 

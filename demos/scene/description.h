@@ -34,6 +34,7 @@ struct JointDescription {
     Vec3 anchorA{0, 0, 0}, anchorB{0, 0, 0};  // body axes; of the world: world axes
     Vec3 axis{0, 0, 1};                       // world axes
     double length = 0.0;                      // m, distance joint
+    engine::Spring spring;
     Place place;
 };
 

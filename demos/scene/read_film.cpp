@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "demos/overlays.h"
 #include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
 #include "demos/scene/read_parts.h"
@@ -25,6 +26,26 @@ void checkView(Keys& keys, const CameraDescription& camera) {
         keys.complain("from", "the camera looks straight up or down; move it a little aside");
 }
 
+void checkOverlay(Keys& keys, const std::string& name) {
+    const auto holds = [&](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (holds(overlayNames())) return;
+    if (holds({"ghost", "ids"}))
+        keys.complain("show", "overlay '" + name + "' is not available yet; leave it out");
+    else
+        keys.complain("show",
+                      "no overlay is called '" + name + "'" + suggestion(name, overlayNames()));
+}
+
+/// "first", "last", or a time.
+std::optional<std::string> readPoster(Keys& keys, double seconds) {
+    const Value* value = keys.any("poster");
+    if (!value || !value->isNumber()) return keys.word("poster", {"first", "last"});
+    const std::optional<double> time = keys.number("poster", {0.0, seconds, "s"});
+    return time ? std::optional(numberText(*time)) : std::nullopt;
+}
+
 Section readSection(const Value& table, const SceneDescription& scene, Complaints& complaints) {
     Keys keys(table, "a [[section]]", complaints);
     Section section;
@@ -32,7 +53,7 @@ Section readSection(const Value& table, const SceneDescription& scene, Complaint
     set(section.name, keys.text("name"));
     set(section.caption, keys.text("caption"));
     set(section.notes, keys.text("notes"));
-    set(section.poster, keys.text("poster"));
+    set(section.poster, readPoster(keys, scene.seconds));
     set(section.slow, keys.number("slow", {0.001, 1000.0}));
     set(section.pause, keys.truth("pause"));
     set(section.loop, keys.truth("loop"));
@@ -66,14 +87,9 @@ void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
     if (!table) return;
     Keys keys(*table, "[look]", complaints);
     set(scene.look.theme, keys.word("theme", {"studio", "dark", "print"}, {"transparent"}));
-    const std::vector<std::string> overlays = {"contacts", "normals", "impulses", "friction",
-                                               "nudges",   "joints",  "axes",     "trails",
-                                               "ghost",    "ids",     "caption",  "stats"};
     for (const std::string& name : keys.texts("show").value_or(std::vector<std::string>{})) {
         scene.look.show.push_back(name);
-        if (std::find(overlays.begin(), overlays.end(), name) == overlays.end())
-            keys.complain("show",
-                          "no overlay is called '" + name + "'" + suggestion(name, overlays));
+        checkOverlay(keys, name);
     }
     for (const std::string& pattern : keys.texts("trails").value_or(std::vector<std::string>{})) {
         const std::size_t before = scene.look.trails.size();

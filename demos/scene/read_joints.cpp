@@ -30,7 +30,8 @@ public:
         readName();
         readAnchors();
         readAxis();
-        keys_.later({"limits", "limits_deg", "motor", "spring", "break_at"});
+        readSpring();
+        keys_.later({"limits", "limits_deg", "motor", "break_at"});
         keys_.done();
         return joint_;
     }
@@ -162,6 +163,17 @@ private:
             joint_.axis = instance_.direction(axis->normalized());
         else
             keys_.complain("axis", "axis is [0, 0, 0]; it should be a direction, like [0, 0, 1]");
+    }
+
+    void readSpring() {
+        const Value* table = keys_.any("spring");
+        if (!table) return;
+        Keys keys(*table, "a spring", complaints_);
+        if (!keys.has("hz"))
+            keys.complain("hz", "a spring has no frequency; write spring = { hz = 2, damping = 0.5 }");
+        joint_.spring.hz = keys.number("hz", {1e-3, 1e3, "hz"}).value_or(1.0);
+        joint_.spring.damping = keys.number("damping", {0.0, 100.0}).value_or(0.0);
+        keys.done();
     }
 
     const Instance& instance_;

@@ -18,6 +18,16 @@ engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
     return scene.preset == "seed" ? engine::Settings::seed() : engine::Settings::steady();
 }
 
+void readMethod(Keys& keys, engine::Settings& s) {
+    using engine::Method;
+    const auto type = keys.word("type", {"impulses", "pgs", "pgs-matrix", "direct"});
+    if (!type) return;
+    s.method = *type == "pgs"          ? Method::pgs
+               : *type == "pgs-matrix" ? Method::pgsMatrix
+               : *type == "direct"     ? Method::direct
+                                       : Method::impulses;
+}
+
 void readSweeps(Keys& keys, engine::Settings& s) {
     constexpr Range kSweeps{0, 10'000};
     const std::optional<int> sweeps = keys.whole("sweeps", kSweeps);
@@ -79,7 +89,7 @@ void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints) {
     if (!table) return;
     Keys keys(*table, "[solver]", complaints);
     engine::Settings s = presetOf(keys, scene);
-    keys.word("type", {"impulses"}, {"pgs", "pgs-matrix", "direct"});
+    readMethod(keys, s);
     readSweeps(keys, s);
     readSubsteps(keys, s);
     readCorrections(keys, s);

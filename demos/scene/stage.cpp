@@ -21,6 +21,7 @@ engine::JointDef jointDef(const JointDescription& joint, const Stage& stage) {
     def.anchorB = joint.anchorB;
     def.axis = joint.axis;
     def.length = joint.length;
+    def.spring = joint.spring;
     return def;
 }
 

@@ -148,7 +148,18 @@ void solveNormalsTogether(ContactConstraint<Real>& c, Velocity<Real>& a, Velocit
     }
 }
 
-/// The cone, as described on top.
+/// The cone, as described on top: where `before` goes, for the slip (m/s) that it leaves.
+template <class Real>
+Vec2T<Real> frictionInCone(const ContactRow<Real>& row, const Vec2T<Real>& before,
+                           const Vec2T<Real>& slip, Real limit) {
+    Vec2T<Real> wanted = before - row.frictionMass * slip;
+    if (wanted.squaredNorm() <= limit * limit) return wanted;
+    wanted = before - row.slideMass * slip;
+    const Real square = wanted.squaredNorm();
+    if (square > limit * limit) wanted *= limit / std::sqrt(square);
+    return wanted;
+}
+
 template <class Real>
 void solveFriction(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b,
                    Correction<Real>& correction) {
@@ -157,15 +168,9 @@ void solveFriction(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>
         const Vec2T<Real> slip(velocityAlong(row.tangent[0].j, a, b),
                                velocityAlong(row.tangent[1].j, a, b));
         const Vec2T<Real> before = row.friction;
-        Vec2T<Real> wanted = before - row.frictionMass * slip;
         const Real limit = c.friction * (row.lambda + row.bounce);
-        if (wanted.squaredNorm() > limit * limit) {
-            wanted = before - row.slideMass * slip;
-            const Real square = wanted.squaredNorm();
-            if (square > limit * limit) wanted *= limit / std::sqrt(square);
-        }
-        row.friction = wanted;
-        const Vec2T<Real> change = wanted - before;
+        row.friction = frictionInCone(row, before, slip, limit);
+        const Vec2T<Real> change = row.friction - before;
         for (int t = 0; t < 2; ++t) {
             apply(row.tangent[t], change[t], a, b);
             correction.add(row.tangent[t].k * change[t], change[t]);

@@ -50,6 +50,15 @@ Real coupling(const Row<Real>& i, const Row<Real>& j) {
            i.j.angularB.dot(j.turnB);
 }
 
+/// The part of J_i M^-1 J_k^T that goes through one body: i's b or a, and k's b or a.
+template <class Real>
+Real couplingThrough(const Row<Real>& i, bool ofB, const Row<Real>& k, bool toB) {
+    const Real mass = ofB ? i.massB : i.massA;
+    const Real sign = ofB == toB ? Real(1) : Real(-1);
+    return sign * mass * i.j.linear.dot(k.j.linear) +
+           (ofB ? i.j.angularB : i.j.angularA).dot(toB ? k.turnB : k.turnA);
+}
+
 template <class Real>
 Row<Real> makeRow(const Jacobian<Real>& j, const InverseMass<Real>& a,
                   const InverseMass<Real>& b) {

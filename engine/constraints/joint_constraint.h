@@ -3,8 +3,7 @@
 #pragma once
 #include <array>
 
-#include "engine/constraints/jacobian.h"
-#include "engine/joint.h"
+#include "engine/constraints/soft.h"
 
 namespace engine {
 
@@ -50,7 +49,10 @@ struct JointConstraint {
     int joint = -1;      // its number in the world
     bool inTree = false; // solved with its tree, not in the sweep
     std::array<Row<Real>, 6> rows;
-    std::array<Real, 6> error{}, bias{}, lambda{};
+    std::array<Real, 6> error{}, bias{}, softness{}, lambda{};
+    Spring spring;
+    bool pointAtOnce = false;  // the first three rows, a point's, are solved as one
+    Mat3T<Real> pointMass = Mat3T<Real>::Zero();     // (J M^-1 J^T)^-1 of these three
     Vec3T<Real> totalImpulse = Vec3T<Real>::Zero();  // N s on b, over the whole step
     Vec3T<Real> totalTwist = Vec3T<Real>::Zero();    // N m s on b about its centre of mass
 };

@@ -1,5 +1,6 @@
 #include "engine/solver/impulses.h"
 
+#include "engine/solver/exact_velocities.h"
 #include "engine/solver/impacts.h"
 
 namespace engine {
@@ -19,15 +20,53 @@ Real biasOf(const ContactRow<Real>& row, Real restitution, Real approach, const 
     return Real(0);
 }
 
+/// b, softness, and the block of the point's rows; after the rows were made.
 template <class Real>
-void sweepJoint(JointConstraint<Real>& joint, std::span<Velocity<Real>> v,
-                Correction<Real>& correction) {
+void setBiases(JointConstraint<Real>& joint, const Settings& settings, Real h) {
     for (int i = 0; i < joint.count; ++i) {
+        const SoftRow<Real> soft =
+            joint.spring.isSoft() ? softRow(joint.spring, joint.rows[i].k, joint.error[i], h)
+                                  : SoftRow<Real>{Real(0), static_cast<Real>(settings.baumgarte) *
+                                                               joint.error[i] / h};
+        joint.softness[i] = soft.softness;
+        joint.bias[i] = soft.bias;
+    }
+    joint.pointAtOnce = settings.block && !joint.inTree && joint.count >= 3;
+    if (!joint.pointAtOnce) return;
+    Mat3T<Real> k;
+    for (int i = 0; i < 3; ++i)
+        for (int l = 0; l < 3; ++l) k(i, l) = coupling(joint.rows[i], joint.rows[l]);
+    for (int i = 0; i < 3; ++i) k(i, i) += joint.softness[i];
+    joint.pointMass = k.inverse();
+}
+
+/// The point's three rows as one: lambda = -K^-1 (J v + b).
+template <class Real>
+void sweepPoint(JointConstraint<Real>& joint, Velocity<Real>& a, Velocity<Real>& b,
+                Correction<Real>& correction) {
+    Vec3T<Real> left;
+    for (int i = 0; i < 3; ++i)
+        left[i] = velocityAlong(joint.rows[i].j, a, b) + joint.bias[i] +
+                  joint.softness[i] * joint.lambda[i];
+    const Vec3T<Real> lambda = -(joint.pointMass * left);
+    for (int i = 0; i < 3; ++i) {
+        joint.lambda[i] += lambda[i];
+        push(joint, i, lambda[i], a, b);
+        correction.add(left[i], lambda[i]);
+    }
+}
+
+template <class Real>
+void sweepJoint(JointConstraint<Real>& joint, Velocity<Real>& a, Velocity<Real>& b,
+                Correction<Real>& correction) {
+    if (joint.pointAtOnce) sweepPoint(joint, a, b, correction);
+    for (int i = joint.pointAtOnce ? 3 : 0; i < joint.count; ++i) {
         const Row<Real>& row = joint.rows[i];
-        const Real lambda = correctiveImpulse(row, joint.bias[i], v[joint.a], v[joint.b]);
+        const Real lambda =
+            correctiveImpulse(row, joint.bias[i], joint.softness[i], joint.lambda[i], a, b);
         joint.lambda[i] += lambda;
-        push(joint, i, lambda, v[joint.a], v[joint.b]);
-        correction.add(row.k * lambda, lambda);
+        push(joint, i, lambda, a, b);
+        correction.add((row.k + joint.softness[i]) * lambda, lambda);
     }
 }
 
@@ -54,9 +93,7 @@ void setBiases(Constraints<Real>& c, std::span<const Velocity<Real>> v, const Se
             row.bias = biasOf(row, contact.restitution, approach, settings, h);
             row.bounce = Real(0);
         }
-    const Real share = static_cast<Real>(settings.baumgarte) / h;
-    for (JointConstraint<Real>& joint : c.joints)
-        for (int i = 0; i < joint.count; ++i) joint.bias[i] = share * joint.error[i];
+    for (JointConstraint<Real>& joint : c.joints) setBiases(joint, settings, h);
 }
 
 template <class Real>
@@ -83,29 +120,41 @@ SweepReport sweep(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Re
                   const Settings& settings) {
     Correction<Real> correction;
     for (JointConstraint<Real>& joint : c.joints)
-        if (!joint.inTree) sweepJoint(joint, v, correction);
+        if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
     trees.solveVelocities(c.joints, v, correction);
     for (const int i : c.order) sweepContact(c.contacts[i], v, settings, correction);
     return {static_cast<double>(correction.velocity), static_cast<double>(correction.impulse)};
 }
 
 template <class Real>
-void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
-                   const Settings& settings, Real h, std::vector<SweepReport>& report) {
+void beginSolving(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings,
+                  Real h) {
     setBiases<Real>(c, v, settings, h);
     if (settings.bounce == Bounce::impacts) solveImpacts(c, v, settings, h);
-    warmStart(c, v, settings);
-    for (int i = 0; i < settings.sweeps; ++i) {
-        report.push_back(sweep(c, trees, v, settings));
-        const bool enough = i + 1 >= settings.minSweeps;
-        if (enough && report.back().residual < settings.tolerance) break;
-    }
+}
+
+template <class Real>
+void bookImpulses(Constraints<Real>& c) {
     for (ContactConstraint<Real>& contact : c.contacts)
         for (int i = 0; i < contact.count; ++i) {
             ContactRow<Real>& row = contact.rows[i];
             row.total += row.lambda + row.bounce;
             row.totalFriction += row.friction;
         }
+}
+
+template <class Real>
+void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
+                   const Settings& settings, Real h, std::vector<SweepReport>& report) {
+    beginSolving(c, v, settings, h);
+    const ExactVelocities<Real> exact(c, v, settings, h);
+    warmStart(c, v, settings);
+    sweepUntilSatisfied(settings, report, [&] {
+        SweepReport swept = sweep(c, trees, v, settings);
+        swept.distance = exact.distance(v);
+        return swept;
+    });
+    bookImpulses(c);
 }
 
 #define ENGINE_INSTANTIATE(Real)                                                                \
@@ -115,6 +164,9 @@ void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<R
                                   const Settings&);                                             \
     template SweepReport sweep<Real>(Constraints<Real>&, JointTrees&, std::span<Velocity<Real>>,\
                                      const Settings&);                                          \
+    template void beginSolving<Real>(Constraints<Real>&, std::span<Velocity<Real>>,             \
+                                     const Settings&, Real);                                    \
+    template void bookImpulses<Real>(Constraints<Real>&);                                       \
     template void solveImpulses<Real>(Constraints<Real>&, JointTrees&,                          \
                                       std::span<Velocity<Real>>, const Settings&, Real,         \
                                       std::vector<SweepReport>&);

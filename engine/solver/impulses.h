@@ -25,7 +25,26 @@ template <class Real>
 SweepReport sweep(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
                   const Settings& settings);
 
-/// Sweeps until the residual is small or the count is reached; appends a report per sweep.
+/// Biases and bounces: what comes before the sweeps of every method.
+template <class Real>
+void beginSolving(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings,
+                  Real h);
+
+/// Adds a sub-step's impulses to the totals of the step: what comes after them.
+template <class Real>
+void bookImpulses(Constraints<Real>& c);
+
+/// 'While not satisfied': until the residual is small or the count is reached; a report per sweep.
+template <class Sweep>
+void sweepUntilSatisfied(const Settings& settings, std::vector<SweepReport>& report, Sweep sweep) {
+    for (int i = 0; i < settings.sweeps; ++i) {
+        report.push_back(sweep());
+        const bool enough = i + 1 >= settings.minSweeps;
+        if (enough && report.back().residual < settings.tolerance) break;
+    }
+}
+
+/// All of the above.
 template <class Real>
 void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
                    const Settings& settings, Real h, std::vector<SweepReport>& report);

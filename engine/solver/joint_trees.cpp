@@ -50,18 +50,6 @@ void invertKept(Block& m, int n, const double* scale) {
         for (int j = 0; j < n; ++j) m(i, j) = kept[i] && kept[j] ? -m(i, j) : 0.0;
 }
 
-/// The part of J_i M^-1 J_k^T that goes through one body.
-double couplingThrough(int body, const JointConstraint<double>& x, int i,
-                       const JointConstraint<double>& y, int k) {
-    const Row<double>&p = x.rows[i], &q = y.rows[k];
-    const bool ofB = x.b == body, toB = y.b == body;
-    const double mass = ofB ? p.massB : p.massA;
-    const double sign = ofB == toB ? 1.0 : -1.0;
-    const Vec3& turned = toB ? q.turnB : q.turnA;
-    return sign * mass * p.j.linear.dot(q.j.linear) +
-           (ofB ? p.j.angularB : p.j.angularA).dot(turned);
-}
-
 /// Which joints are coupled, as elimination goes on.
 struct Graph {
     std::vector<std::set<int>> neighbours;
@@ -90,7 +78,7 @@ void JointTrees::choose(std::span<JointConstraint<double>> joints,
     std::vector<char> held(masses.size(), 0);  // by leader: the tree hangs on something immovable
     for (int i = 0; i < static_cast<int>(leader.size()); ++i) leader[i] = i;
     for (JointConstraint<double>& joint : joints) {
-        bool fits = true;
+        bool fits = !joint.spring.isSoft();
         for (const int body : {joint.a, joint.b})
             fits = fits && (masses[body].linear == 0.0 || degree[body] < kMostJointsOfABody);
         const bool linksTwo = masses[joint.a].linear > 0.0 && masses[joint.b].linear > 0.0;
@@ -165,7 +153,10 @@ void JointTrees::factor(std::span<const JointConstraint<double>> joints) {
             const JointConstraint<double>& other = joints[order_[n.place]];
             for (int i = 0; i < other.count; ++i)
                 for (int k = 0; k < joint.count; ++k)
-                    n.block(i, k) = n.body < 0 ? 0.0 : couplingThrough(n.body, other, i, joint, k);
+                    n.block(i, k) =
+                        n.body < 0 ? 0.0
+                                   : couplingThrough(other.rows[i], other.b == n.body,
+                                                     joint.rows[k], joint.b == n.body);
         }
         for (int i = 0; i < joint.count; ++i) work_[place * kRows + i] = node.diagonal(i, i);
     }

@@ -54,6 +54,7 @@ void nudgeContact(const ContactConstraint<double>& contact, Bodies& bodies, Solv
 
 /// A joint outside the trees: row after row, the others' errors following to first order.
 void nudgeJoint(const Joint& joint, Bodies& bodies, Solver& solver, const Settings& settings) {
+    if (joint.def.spring.isSoft()) return;
     const int a = joint.def.a.index, b = joint.def.b.index;
     JointRows<double> rows =
         rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));

@@ -73,10 +73,11 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         joint.a = joints[i].def.a.index, joint.b = joints[i].def.b.index;
         joint.joint = i;
         joint.count = rowCount(joints[i].def.type);
+        joint.spring = joints[i].def.spring;
         joint.lambda = joints[i].lambda;
         list.push_back(joint);
     }
-    if (settings.joints == JointSolving::direct)
+    if (settings.method == Method::impulses && settings.joints == JointSolving::direct)
         solver.trees.build(list, bodies.inverseMasses);
     else
         solver.trees = {};
@@ -94,6 +95,20 @@ void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, Solver& 
         }
     }
     solver.trees.factor(solver.constraints.joints);
+}
+
+double elasticEnergy(const Joint& joint, const Bodies& bodies) {
+    const int a = joint.def.a.index, b = joint.def.b.index;
+    const JointRows<double> rows =
+        rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
+    const double w = 6.283185307179586 * joint.def.spring.hz;
+    double energy = 0.0;
+    for (int i = 0; i < rows.count; ++i) {
+        const double k =
+            makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
+        if (k > 0.0) energy += 0.5 * (w * w / k) * rows.error[i] * rows.error[i];
+    }
+    return energy;
 }
 
 void storeImpulses(const Solver& solver, std::span<Contact> contacts, std::span<Joint> joints) {

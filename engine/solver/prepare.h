@@ -34,6 +34,9 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
 /// Rows of all joints at the bodies' present poses, and the factors of their trees.
 void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, Solver& solver);
 
+/// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses.
+double elasticEnergy(const Joint& joint, const Bodies& bodies);
+
 /// Gravity order: contacts from the top down, ties in the order of pairs.
 void orderContacts(std::span<const Contact> contacts, const Bodies& bodies, const Vec3& gravity,
                    Order order, std::vector<int>& result);

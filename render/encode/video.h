@@ -8,11 +8,10 @@
 
 namespace render {
 
+class Ffmpeg;
+
 /// Whether the ending names a film this program writes: .mp4 .webm .gif .webp .apng
 bool isVideoName(const std::filesystem::path& path);
-
-/// Whether an ffmpeg can be run from PATH.
-bool haveFfmpeg();
 
 /// A film that is whole after close() and absent otherwise: written beside the target under a
 /// temporary name, renamed at the end. Every member may throw Error with ffmpeg's own last words;
@@ -39,8 +38,6 @@ public:
     int frames() const { return frames_; }  // taken so far
 
 private:
-    class Ffmpeg;
-
     [[noreturn]] void fail();
 
     std::filesystem::path target_, temporary_;

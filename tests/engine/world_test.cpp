@@ -47,6 +47,52 @@ TEST(World, SeesContactsBeforeTheFirstStepAndAfterAMove) {
     EXPECT_GT(world.contacts()[0].impulse, 0.0);
 }
 
+// mission 7: a step finds at its end what the next one solves
+TEST(World, SolvesInTheNextStepWhatItFoundInThis) {
+    World world(Settings::seed());
+    world.add(support::floorPlane());
+    const BodyId ball = world.add(body(Shape::sphere(0.5), {0, 0.9, 0}));
+    while (world.report().contacts == 0) world.step(kStep);
+    EXPECT_TRUE(world.contacts().empty());  // found, not solved
+    EXPECT_GT(world.pose(ball).position.y(), 0.5);
+    world.step(kStep);
+    EXPECT_EQ(world.contacts().size(), 1u);
+}
+
+// mission 8: collision constraints are temporary, and so are the impulses of those that have gone
+TEST(World, ForgetsTheContactsOfABodyThatHasLeft) {
+    World world = support::stack(1, Settings::seed());
+    run(world, 60);
+    EXPECT_GT(world.contacts()[0].impulse, 1.0);
+    world.setPose({1}, {{0, 5, 0}, Quat::Identity()});
+    world.step(kStep);
+    EXPECT_TRUE(world.contacts().empty());
+    world.setPose({1}, {{0, 0.5, 0}, Quat::Identity()});
+    world.setVelocity({1}, Vec3::Zero(), Vec3::Zero());
+    for (const ContactState& c : world.contacts()) EXPECT_EQ(c.impulse, 0.0);
+}
+
+// mission 4 and 5: box 1 x 2 x 4 m, 12 kg, turned 90 deg about z; impulse (0, 0, 1) at r = (0, 1, 0)
+TEST(World, AnImpulseOffCentreTurnsABoxByItsWorldInertia) {
+    World world;
+    BodyDef box = body(Shape::box({1, 2, 4}), {3, 2, 1}, 12.0);
+    box.pose.rotation = Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
+    const BodyId id = world.add(box);
+    world.applyImpulse(id, {0, 0, 1}, {3, 3, 1});
+    EXPECT_LT((world.spin(id) - Vec3(1.0 / 17.0, 0, 0)).norm(), 1e-15);
+    EXPECT_LT((world.velocity(id) - Vec3(0, 0, 1.0 / 12.0)).norm(), 1e-15);
+}
+
+// mission 29: the residual of every sweep is in the report
+TEST(World, ReportsEverySweep) {
+    World world = support::stack(5, Settings::seed());
+    world.step(kStep);
+    ASSERT_EQ(world.report().sweeps.size(), 10u);
+    for (int i = 1; i < 10; ++i)
+        EXPECT_LT(world.report().sweeps[i].delta, world.report().sweeps[i - 1].delta) << i;
+    EXPECT_EQ(world.report().residual, world.report().sweeps.back().residual);
+}
+
 // mission 9: a static body's pose is the same to the bit after 10^4 steps
 TEST(World, AFixedBodyNeverMoves) {
     World world;

@@ -1,3 +1,4 @@
+#include "render/encode/ffmpeg.h"
 #include "render/encode/video.h"
 
 #include <gtest/gtest.h>

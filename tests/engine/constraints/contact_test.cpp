@@ -46,6 +46,33 @@ TEST(Contact, TheVelocityIsTheDerivativeOfTheGap) {
     }
 }
 
+// mission 13: J = [-n, -(r_a x n), n, r_b x n]
+TEST(Contact, HasTheFourBlocks) {
+    const Vec3 n(0.6, 0.0, 0.8), ra(1, 2, 3), rb(-2, 1, 4);
+    const Jacobian<double> j = alongDirection<double>(n, ra, rb);
+    EXPECT_LT((j.angularA - -ra.cross(n)).norm(), 1e-15);
+    EXPECT_LT((j.angularB - rb.cross(n)).norm(), 1e-15);
+    const Velocity<double> still;
+    for (int i = 0; i < 3; ++i) {
+        const Velocity<double> one{Vec3::Unit(i), Vec3::Zero()};
+        EXPECT_EQ(velocityAlong(j, one, still), -n[i]);
+        EXPECT_EQ(velocityAlong(j, still, one), n[i]);
+    }
+}
+
+// A gap along n changes nothing: (r_a + s n) x n = r_a x n. So the engine may put both arms to the
+// middle between the surfaces.
+TEST(Contact, AGapAlongTheNormalDropsOutOfTheFullDerivative) {
+    support::Random random(2);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 n = random.vector(1).normalized(), ra = random.vector(1);
+        const Jacobian<double> printed = alongDirection<double>(n, ra, Vec3::Zero());
+        const Jacobian<double> full =
+            alongDirection<double>(n, ra + random.number(-0.1, 0.1) * n, Vec3::Zero());
+        EXPECT_LT((printed.angularA - full.angularA).norm(), 1e-15);
+    }
+}
+
 ContactConstraint<double> onePoint(double mu) {
     Contact contact;
     contact.a = 0, contact.b = 1, contact.count = 1;

@@ -77,6 +77,21 @@ TEST(DistanceJoint, IsTheDistanceLessTheLength) {
     const JointRows<double> rows =
         rowsOf(JointType::distance, geometryOf(joint, {}, {{3, 4, 0}, Quat::Identity()}));
     EXPECT_NEAR(rows.error[0], 1.0, 1e-15);
+    EXPECT_LT((rows.j[0].linear - Vec3(0.6, 0.8, 0)).norm(), 1e-15);  // unit(p - p0)
+}
+
+// and with r = (0, -0.5, 0), I = 0.4, m = 2, v = (1, 2, 3), w = (0, 0, 1): the joint's own row
+TEST(DistanceJoint, GivesTheSeedsImpulseAtAnArm) {
+    Joint joint;
+    joint.def.type = JointType::distance;
+    joint.def.length = 4.0;
+    joint.def.anchorB = {0, -0.5, 0};
+    const JointRows<double> rows =
+        rowsOf(JointType::distance, geometryOf(joint, {}, {{3, 4.5, 0}, Quat::Identity()}));
+    const Row<double> row = makeRow<double>(rows.j[0], {}, {0.5, Mat3::Identity() / 0.4});
+    EXPECT_NEAR(rows.error[0], 1.0, 1e-15);
+    EXPECT_NEAR(row.k, 0.725, 1e-15);
+    EXPECT_NEAR(correctiveImpulse<double>(row, 0.0, {}, {{1, 2, 3}, {0, 0, 1}}), -3.4482759, 5e-8);
 }
 
 }  // namespace

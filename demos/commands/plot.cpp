@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/commands/commands.h"
+#include "demos/film/film_plan.h"
+#include "demos/film/progress.h"
+#include "demos/film/signals.h"
+#include "demos/player.h"
+#include "demos/report/plot_file.h"
+#include "demos/scene/complaints.h"
+
+namespace demos {
+namespace {
+
+std::vector<std::string> filesOf(const Options& options, const SceneDescription& scene) {
+    if (options.outputs.empty()) return {"output/" + scene.name + ".svg"};
+    for (std::size_t i = 0; i < options.outputs.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (options.outputs[k] == options.outputs[i])
+                throw Stop(Exit::usage, fmt::format("two plots to '{}'; give another --output",
+                                                    printable(options.outputs[i])));
+    return options.outputs;
+}
+
+/// One run from time 0 to the end of the film.
+class Plotting {
+public:
+    Plotting(const Options& options, const SceneDescription& scene)
+        : options_(options),
+          choice_(plotChoiceOf(options, scene)),
+          files_(filesOf(options, scene)),
+          talk_(options, false),
+          player_(scene, Overlays{.trails = false}) {
+        for (const std::string& file : files_) checkPlotFile(file, choice_);
+    }
+
+    Exit play() {
+        watchSignals();
+        const SceneDescription& scene = player_.stage().scene;
+        const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
+        recorder_.look(player_.stage());
+        for (long step = 1; step <= steps; ++step) {
+            advance();
+            if (interrupted()) stopInterrupted(step);
+        }
+        writeAll();
+        talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
+        return Exit::ok;
+    }
+
+private:
+    /// A run that diverges is worth a look all the more.
+    void advance() try {
+        player_.step();
+        recorder_.look(player_.stage());
+    } catch (const Stop&) {
+        writeAll();
+        throw;
+    }
+
+    [[noreturn]] void stopInterrupted(long step) {
+        writeAll();
+        throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
+                                                  step, options_.commandLine));
+    }
+
+    void writeAll() const {
+        for (const std::string& file : files_) {
+            const std::size_t charts = writePlot(file, recorder_, choice_);
+            talk_.say(fmt::format("wrote {} ({} {})", printable(file), charts,
+                                  charts == 1 ? "chart" : "charts"));
+            talk_.json(fmt::format(R"({{"event":"plot","file":{},"charts":{}}})", jsonString(file),
+                                   charts));
+        }
+    }
+
+    const Options& options_;
+    PlotChoice choice_;
+    std::vector<std::string> files_;
+    Talk talk_;
+    Player player_;
+    Recorder recorder_;
+};
+
+}  // namespace
+
+Exit plotCommand(const Options& options) { return Plotting(options, sceneOf(options)).play(); }
+
+}  // namespace demos

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "demos/commands/commands.h"
+#include "demos/commands/table.h"
+#include "demos/film/film.h"
+#include "demos/film/progress.h"
+#include "demos/film/signals.h"
+#include "demos/report/measure_table.h"
+#include "demos/report/plot_file.h"
+#include "demos/scene/complaints.h"
+
+namespace demos {
+namespace {
+
+constexpr std::size_t kMostPanels = 16;
+
+std::vector<std::string> shortLabels(const Variation& variation) {
+    const std::size_t dot = variation.key.find_last_of('.');
+    const std::string name =
+        dot == std::string::npos ? variation.key : variation.key.substr(dot + 1);
+    std::vector<std::string> labels;
+    for (const std::string& value : variation.values) labels.push_back(name + " = " + value);
+    return labels;
+}
+
+/// At most 16 of the runs, the first and the last among them.
+std::vector<const Measured*> spread(const std::vector<Measured>& runs) {
+    std::vector<const Measured*> chosen;
+    const std::size_t count = std::min(runs.size(), kMostPanels);
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(&runs[count == 1 ? 0 : i * (runs.size() - 1) / (count - 1)]);
+    return chosen;
+}
+
+void makeGrid(const std::vector<Measured>& runs, const Options& options) {
+    std::vector<Panel> panels;
+    for (const Measured* run : spread(runs)) {
+        Panel panel;
+        panel.scene = run->variant.scene;
+        panel.settings = run->variant.settings.back();
+        panel.scene.title = run->variant.label;
+        panel.scene.sections.clear();
+        panels.push_back(std::move(panel));
+    }
+    FilmPlan film = planFilm(std::move(panels), false, options);
+    film.name = film.scene().name + "-sweep";
+    makeFilm(film, options);
+}
+
+std::vector<int> plotted(const Options& options) {
+    if (!options.measure.empty()) return {measureCalled(options.measure)};
+    return {measureCalled("drift"), measureCalled("penetration"), measureCalled("separation"),
+            measureCalled("residual"), measureCalled("ms")};
+}
+
+std::vector<Chart> chartsOf(const std::vector<Measured>& runs, const std::string& key,
+                            const Options& options) {
+    std::vector<Chart> charts;
+    for (const int measure : plotted(options)) {
+        const bool all0 = std::all_of(runs.begin(), runs.end(), [&](const Measured& run) {
+            return run.summary.values[static_cast<std::size_t>(measure)] == 0.0;
+        });
+        if (!all0 || !options.measure.empty()) charts.push_back(sweepChart(runs, measure, key));
+    }
+    return charts;
+}
+
+}  // namespace
+
+Exit sweepCommand(const Options& options) {
+    if (options.over.empty())
+        throw Stop(Exit::usage, "sweep needs --over, for example --over solver.sweeps=1..64:x2");
+    const Variation variation = rangeFrom(options.over, "--over");
+    const std::vector<Variant> variants =
+        variantsOf(options, combinations({variation}), shortLabels(variation), "--over");
+    if (!options.plot.empty()) checkChartFile(options.plot);
+    watchSignals();
+    const bool csvOnStdout = options.csv == "-";
+    const bool dataOnStdout =
+        csvOnStdout ||
+        std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
+    const Talk talk(options, dataOnStdout);
+    std::vector<Measured> runs;
+    for (const Variant& variant : variants) {
+        runs.push_back({variant, summarize(variant.scene)});
+        talk.json(jsonLine(runs.back()));
+    }
+    if (!options.json) fmt::print(dataOnStdout ? stderr : stdout, "{}\n", tableText(runs));
+    std::fflush(stdout);
+    if (!options.csv.empty()) {
+        const std::string text = csvText(runs, variation.key);
+        writeResult(options.csv, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+        if (!csvOnStdout) talk.say(fmt::format("wrote {}", printable(options.csv)));
+    }
+    if (!options.plot.empty()) {
+        const std::vector<Chart> charts = chartsOf(runs, variation.key, options);
+        const std::string theme =
+            options.theme.empty() ? variants.front().scene.look.theme : options.theme;
+        writeCharts(options.plot, charts, chartSize(charts.size()), theme);
+        talk.say(fmt::format("wrote {}", printable(options.plot)));
+    }
+    if (!options.outputs.empty()) makeGrid(runs, options);
+    return Exit::ok;
+}
+
+}  // namespace demos

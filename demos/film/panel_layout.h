@@ -1,0 +1,23 @@
+/// Where the panels of a film lie.
+#pragma once
+#include <vector>
+
+namespace demos {
+
+/// Pixels, from the top left corner.
+struct Rectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+struct PanelLayout {
+    int width = 0, height = 0;      // pixels, of the whole film
+    std::vector<Rectangle> panels;  // all of one size
+    Rectangle strip;                // of a plot; width 0 = none
+};
+
+/// One panel fills the film. Two stand side by side, with the plot below; three leave the fourth
+/// corner to it; more make a grid as square as can be, with the plot below. Sizes are even, so
+/// that every codec takes them.
+PanelLayout panelLayout(int panels, bool strip, int width, int height);
+
+}  // namespace demos

@@ -1,0 +1,113 @@
+#include "demos/film/screen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "demos/stop.h"
+#include "engine/base/hash.h"
+#include "render/palette.h"
+
+namespace demos {
+namespace {
+
+/// Scenes are framed for pictures at least this wide; a narrower panel looks wider up and down.
+constexpr std::uint8_t kWhite = 255;
+constexpr float kWidest = 4.0f / 3.0f;
+
+void place(const render::Image& part, int x, int y, render::Image& whole) {
+    for (int row = 0; row < part.height; ++row)
+        std::copy_n(part.at(0, row), 4 * part.width, whole.at(x, y + row));
+}
+
+/// White on the right and below, where another panel follows.
+void drawBorder(const Rectangle& at, render::Image& whole) {
+    const int width = std::max(whole.height / 360, 1);
+    const int right = at.x + at.width, bottom = at.y + at.height;
+    for (int y = at.y; y < bottom; ++y)
+        if (right < whole.width) std::fill_n(whole.at(right - width, y), 4 * width, kWhite);
+    for (int y = bottom - width; y < bottom; ++y)
+        if (bottom < whole.height) std::fill_n(whole.at(at.x, y), 4 * at.width, kWhite);
+}
+
+/// Half through: what is below it stays to be seen.
+void drawCursor(int x, int top, int bottom, render::Image& whole) {
+    const int width = std::max(whole.height / 360, 1);
+    for (int column = x; column < std::min(x + width, whole.width); ++column)
+        for (int y = top; y < bottom; ++y)
+            for (int c = 0; c < 3; ++c) {
+                std::uint8_t& value = whole.at(column, y)[c];
+                value = static_cast<std::uint8_t>((value + 128) / 2);
+            }
+}
+
+void keepWidth(float aspect, render::Camera& camera) {
+    if (aspect >= kWidest) return;
+    constexpr float kHalfDegree = std::numbers::pi_v<float> / 360.0f;
+    const float half = std::tan(camera.fovDegrees * kHalfDegree) * kWidest / aspect;
+    camera.fovDegrees = std::min(std::atan(half) / kHalfDegree, 170.0f);
+}
+
+}  // namespace
+
+Screen::Screen(const FilmPlan& plan) : plan_(plan) {
+    for (const Panel& panel : plan.panels)
+        shows_.push_back(std::unique_ptr<Show>(
+            new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}}));
+}
+
+void Screen::advance() {
+    for (const auto& show : shows_)
+        if (show->trouble.empty()) advance(*show);
+}
+
+void Screen::advance(Show& show) {
+    try {
+        show.player.step(show.steps);
+    } catch (const Stop& stop) {
+        if (shows_.size() == 1 || stop.code() != Exit::diverged) throw;
+        show.trouble = stop.what();
+    }
+}
+
+render::Frame Screen::frameOf(const Show& show, double time) const {
+    render::Frame frame = show.player.frame(time);
+    if (shows_.size() == 1) return frame;
+    keepWidth(static_cast<float>(plan_.picture.width) / static_cast<float>(plan_.picture.height),
+              frame.camera);
+    if (!show.trouble.empty())
+        frame.texts.push_back({"diverged: the last good state", render::Corner::topLeft, 22.0f,
+                               render::fromHex(0xc0392b)});
+    return frame;
+}
+
+render::Image Screen::draw(int frame, render::Renderer& renderer) {
+    const double time = plan_.timeOf(frame);
+    if (shows_.size() == 1 && plan_.strip.pixels.empty())
+        return renderer.draw(frameOf(*shows_.front(), time));
+    render::Image whole{plan_.layout.width, plan_.layout.height, {}};
+    whole.pixels.assign(4 * static_cast<std::size_t>(whole.width) * whole.height, 255);
+    for (std::size_t i = 0; i < shows_.size(); ++i) {
+        const Rectangle& at = plan_.layout.panels[i];
+        place(renderer.draw(frameOf(*shows_[i], time)), at.x, at.y, whole);
+        drawBorder(at, whole);
+    }
+    if (plan_.strip.pixels.empty()) return whole;
+    const Rectangle& strip = plan_.layout.strip;
+    place(plan_.strip, strip.x, strip.y, whole);
+    const auto& cursor = plan_.cursor;
+    const float share = static_cast<float>(time / plan_.scene().seconds);
+    const int x = static_cast<int>(std::lround(cursor.start + share * (cursor.end - cursor.start)));
+    drawCursor(strip.x + x, strip.y + static_cast<int>(cursor.top),
+               strip.y + static_cast<int>(cursor.bottom), whole);
+    return whole;
+}
+
+std::uint64_t Screen::hash() const {
+    if (shows_.size() == 1) return shows_.front()->player.stage().world.hash();
+    engine::StateHash hash;
+    for (const auto& show : shows_) hash.add(show->player.stage().world.hash());
+    return hash.value();
+}
+
+}  // namespace demos

@@ -1,0 +1,36 @@
+/// All panels of a film, played on one clock and drawn into one picture.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/player.h"
+
+namespace demos {
+
+class Screen {
+public:
+    /// `plan` has to stay.
+    explicit Screen(const FilmPlan& plan);
+
+    /// One frame further. A single panel that diverges throws Stop; among others it stays as it was
+    /// last, and says so.
+    void advance();
+    render::Image draw(int frame, render::Renderer& renderer);
+    /// Of all panels' states.
+    std::uint64_t hash() const;
+
+private:
+    struct Show {
+        Player player;
+        int steps;            // a frame
+        std::string trouble;  // empty: it plays
+    };
+    void advance(Show& show);
+    render::Frame frameOf(const Show& show, double time) const;
+
+    const FilmPlan& plan_;
+    std::vector<std::unique_ptr<Show>> shows_;
+};
+
+}  // namespace demos

@@ -1,0 +1,172 @@
+#include "demos/report/chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/report/curve.h"
+#include "demos/report/drawing.h"
+#include "demos/report/inks.h"
+#include "demos/report/layout.h"
+#include "demos/scene/complaints.h"
+#include "render/overlay.h"
+
+namespace demos {
+namespace {
+
+using render::Anchor;
+using render::Point;
+
+constexpr float kMiddle =
+    0.31f;  // of a text's height: from the middle of its digits to the baseline
+
+/// A page under the pen.
+class Pen {
+public:
+    Pen(const Page& page, PictureSize size, const std::string& theme)
+        : page_(page), inks_(inksOf(theme)), width_(static_cast<float>(size.width)) {
+        drawing_.size = size;
+        add(Rectangle{{0, 0}, width_, static_cast<float>(size.height), inks_.ground});
+    }
+
+    void draw(const Chart& chart, const Plot& plot) {
+        drawTitles(chart, plot);
+        drawGrid(plot);
+        if (plot.empty) return drawNoData(plot);
+        drawTicks(plot);
+        for (std::size_t i = 0; i < chart.series.size(); ++i)
+            drawSeries(chart, plot, static_cast<int>(i));
+        for (const EndLabel& label : plot.labels) drawEndLabel(chart, plot, label);
+    }
+    Drawing finish() { return std::move(drawing_); }
+
+private:
+    void add(Rectangle rectangle) { drawing_.rectangles.push_back(rectangle); }
+    void add(std::vector<Point> points, float width, const render::Color& color) {
+        drawing_.lines.push_back({std::move(points), width, color});
+    }
+    /// Nothing for an empty text, so that all labels have ink.
+    void add(std::string text, Point at, Anchor anchor, float pixels, const render::Color& color) {
+        if (!text.empty()) drawing_.labels.push_back({std::move(text), at, anchor, pixels, color});
+    }
+    float hair() const { return std::max(std::round(1.2f * page_.unit), 1.0f); }
+    float lineWidth() const { return std::max(2.6f * page_.unit, 1.4f); }
+
+    void drawTitles(const Chart& chart, const Plot& plot) {
+        const float room = width_ - 2.0f * page_.margin;
+        add(fitted(printable(chart.title), page_.title, room), {page_.margin, plot.titleBase},
+            Anchor::start, page_.title, inks_.ink);
+        add(fitted(plot.yText, page_.text, room), {page_.margin, plot.yTitleBase}, Anchor::start,
+            page_.text, inks_.muted);
+    }
+
+    void drawGrid(const Plot& plot) {
+        const float length = plot.right - plot.left;
+        for (const double tick : plot.y.ticks) {
+            const bool zero = tick == 0.0 && !plot.y.log;
+            add(Rectangle{{plot.left, std::round(plot.yOf(tick))},
+                          length,
+                          hair(),
+                          zero ? inks_.axis : inks_.grid});
+        }
+        add(Rectangle{{plot.left, plot.bottom}, length, hair(), inks_.axis});
+    }
+
+    void drawTicks(const Plot& plot) {
+        for (std::size_t i = 0; i < plot.y.ticks.size(); ++i)
+            add(plot.y.texts[i],
+                {plot.left - 0.5f * page_.text, plot.yOf(plot.y.ticks[i]) + kMiddle * page_.text},
+                Anchor::end, page_.text, inks_.muted);
+        float end = plot.right;
+        for (std::size_t i = 0; i < plot.x.ticks.size(); ++i) {
+            const float x = plot.xOf(plot.x.ticks[i]);
+            add(Rectangle{{std::round(x), plot.bottom}, hair(), 0.28f * page_.text, inks_.axis});
+            add(plot.x.texts[i], {x, plot.tickBase}, Anchor::middle, page_.text, inks_.muted);
+            end = std::max(end, x + 0.5f * render::textWidth(plot.x.texts[i], page_.text));
+        }
+        end += 0.6f * page_.text;
+        add(fitted(plot.xText, page_.text, width_ - 0.5f * page_.margin - end),
+            {end, plot.tickBase}, Anchor::start, page_.text, inks_.muted);
+    }
+
+    void drawNoData(const Plot& plot) {
+        add("no data",
+            {0.5f * (plot.left + plot.right),
+             0.5f * (plot.top + plot.bottom) + kMiddle * page_.title},
+            Anchor::middle, page_.title, inks_.muted);
+    }
+
+    /// Its unbroken pieces; few samples are marked by dots.
+    void drawSeries(const Chart& chart, const Plot& plot, int number) {
+        const Series& series = chart.series[number];
+        const render::Color color = lineColor(number, inks_);
+        std::vector<Point> piece, all;
+        const std::size_t count = std::min(series.x.size(), series.y.size());
+        for (std::size_t i = 0; i <= count; ++i) {
+            if (i < count && isDrawable(chart, series, i)) {
+                piece.push_back({plot.xOf(series.x[i]), plot.yOf(series.y[i])});
+                all.push_back(piece.back());
+            } else if (!piece.empty()) {
+                add(thinned(piece), piece.size() == 1 ? 2.2f * lineWidth() : lineWidth(), color);
+                piece.clear();
+            }
+        }
+        if (areApart(all, 5.0f * lineWidth()))
+            for (const Point& point : all) add({point}, 2.6f * lineWidth(), color);
+    }
+
+    /// On average, and there are two at least.
+    static bool areApart(const std::vector<Point>& points, float pixels) {
+        const float steps = static_cast<float>(points.size()) - 1.0f;
+        return points.size() > 1 && points.back().x - points.front().x > steps * pixels;
+    }
+
+    void drawEndLabel(const Chart& chart, const Plot& plot, const EndLabel& label) {
+        const float x = plot.right + 1.4f * page_.text;
+        const bool isLine = label.series >= 0;
+        add(label.text, {x, label.y + kMiddle * plot.labelPixels}, Anchor::start, plot.labelPixels,
+            isLine ? labelColor(label.series, inks_) : inks_.muted);
+        const bool near = std::abs(label.y - label.value) < 2.5f * plot.labelPixels;
+        if (!isLine || !near || !endsAtTheRight(chart, plot, label.series)) return;
+        render::Color color = lineColor(label.series, inks_);
+        color.a = 0.75f;
+        add({{plot.right + 0.45f * page_.text, label.value}, {x - 0.35f * page_.text, label.y}},
+            0.5f * lineWidth(), color);
+    }
+
+    bool endsAtTheRight(const Chart& chart, const Plot& plot, int number) const {
+        const Series& series = chart.series[number];
+        for (std::size_t i = std::min(series.x.size(), series.y.size()); i-- > 0;)
+            if (isDrawable(chart, series, i)) return plot.xOf(series.x[i]) > plot.right - 3.0f;
+        return false;
+    }
+
+    const Page& page_;
+    Inks inks_;
+    float width_;  // pixels, of the page
+    Drawing drawing_;
+};
+
+}  // namespace
+
+bool hasData(const Chart& chart) {
+    for (const Series& series : chart.series)
+        for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i)
+            if (isDrawable(chart, series, i)) return true;
+    return false;
+}
+
+PictureSize chartSize(std::size_t count) {
+    const int most = 16384;  // what a picture may have
+    const int charts = static_cast<int>(std::min<std::size_t>(std::max<std::size_t>(count, 1), 40));
+    return {1280, std::min(std::max(360 * charts, 720), most)};
+}
+
+Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme) {
+    if (charts.empty()) return drawingOf({Chart{}}, size, theme);
+    const Page page = pageOf(charts, size);
+    Pen pen(page, size, theme);
+    for (std::size_t i = 0; i < charts.size(); ++i) pen.draw(charts[i], page.plots[i]);
+    return pen.finish();
+}
+
+}  // namespace demos

@@ -1,0 +1,34 @@
+/// Line charts as plain data, and as pictures: SVG for slides and papers, pixels for PNG.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/options.h"
+#include "render/image.h"
+
+namespace demos {
+
+struct Series {
+    std::string label;         // at the line's end; empty = none
+    std::vector<double> x, y;  // of one length; what is not finite is a gap
+};
+
+struct Chart {
+    std::string title;
+    std::string xTitle, xUnit;  // "time", "s" is shown as "time (s)"
+    std::string yTitle, yUnit;
+    bool logY = false;  // decades; what is not above 0 is left out, and said so
+    std::vector<Series> series;
+};
+
+/// False when there is nothing to draw; the chart's picture says "no data".
+bool hasData(const Chart& chart);
+
+/// Room for charts below each other that read from the back of a room.
+PictureSize chartSize(std::size_t count);
+
+/// The charts below each other, sharing the width. `theme`: one of themeNames().
+std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme);
+render::Image imageOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme);
+
+}  // namespace demos

@@ -1,0 +1,50 @@
+/// Where everything of a page of charts goes.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/report/chart.h"
+#include "demos/report/ticks.h"
+
+namespace demos {
+
+/// True when the sample can be drawn: finite, and above 0 on a log axis.
+bool isDrawable(const Chart& chart, const Series& series, std::size_t sample);
+
+/// What stands at the ends of a chart's lines.
+struct EndLabel {
+    int series = -1;   // its number; -1: none, "+ 3 more"
+    std::string text;  // as much as has room
+    float value = 0;   // where it wants to be: pixels
+    float y = 0;       // where it is, apart from the others: pixels, its middle
+};
+
+/// One chart's place. Pixels.
+struct Plot {
+    float left = 0, right = 0, top = 0, bottom = 0;  // of the lines' area
+    float titleBase = 0, yTitleBase = 0, tickBase = 0;
+    Axis x, y;
+    bool empty = false;  // no data
+    std::string yText;   // the y axis's title, with a note on what is left out
+    std::string xText;
+    float labelPixels = 0;  // height of the end labels
+    std::vector<EndLabel> labels;
+
+    float xOf(double value) const {
+        return left + static_cast<float>(x.share(value)) * (right - left);
+    }
+    float yOf(double value) const {
+        return bottom - static_cast<float>(y.share(value)) * (bottom - top);
+    }
+};
+
+struct Page {
+    float unit = 1.0f;                  // 1 in a picture 1280 pixels wide
+    float text = 20.0f, title = 26.0f;  // pixels, whole
+    float margin = 18.0f;
+    std::vector<Plot> plots;  // as many as charts; they share left and right
+};
+
+Page pageOf(const std::vector<Chart>& charts, PictureSize size);
+
+}  // namespace demos

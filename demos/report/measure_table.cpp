@@ -1,0 +1,138 @@
+#include "demos/report/measure_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "demos/film/progress.h"
+#include "demos/scene/complaints.h"
+
+namespace demos {
+namespace {
+
+std::string shortText(double value) { return fmt::format("{:.4g}", value); }
+
+/// Lengths are told in mm: a separation of 3e-05 m says less than one of 0.03 mm.
+struct Unit {
+    double scale;
+    std::string name;
+};
+Unit shownUnit(const Measure& measure) {
+    if (std::string(measure.unit) == "m") return {1e3, "mm"};
+    return {1.0, measure.unit};
+}
+
+std::string heading(const Measure& measure) {
+    const Unit unit = shownUnit(measure);
+    const bool named = unit.name.empty() || unit.name == measure.name;
+    return named ? measure.name : fmt::format("{} ({})", measure.name, unit.name);
+}
+
+std::vector<std::size_t> columnsOf(const std::vector<Measured>& runs) {
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < measures().size(); ++i)
+        for (const Measured& run : runs)
+            if (run.summary.values[i] != 0.0) {
+                columns.push_back(i);
+                break;
+            }
+    return columns;
+}
+
+double numberOf(const std::string& text) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// What stands behind the '=' of the run's last setting.
+std::string valueOf(const Measured& run) {
+    const std::string& setting = run.variant.settings.back();
+    return setting.substr(setting.find('=') + 1);
+}
+
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+}  // namespace
+
+std::string tableText(const std::vector<Measured>& runs) {
+    const std::vector<std::size_t> columns = columnsOf(runs);
+    std::size_t width = 7;
+    for (const Measured& run : runs) width = std::max(width, run.variant.label.size());
+    std::string text = fmt::format("{:{}}", "variant", width);
+    for (const std::size_t i : columns) text += fmt::format("  {:>16}", heading(measures()[i]));
+    for (const Measured& run : runs) {
+        text += fmt::format("\n{:{}}", printable(run.variant.label), width);
+        for (const std::size_t i : columns)
+            text += fmt::format("  {:>16}",
+                                shortText(shownUnit(measures()[i]).scale * run.summary.values[i]));
+        if (!run.summary.diverged.empty()) text += "  diverged";
+    }
+    return text;
+}
+
+std::string jsonLine(const Measured& run) {
+    std::string text = fmt::format(R"({{"event":"variant","label":{},"settings":[)",
+                                   jsonString(run.variant.label));
+    for (std::size_t i = 0; i < run.variant.settings.size(); ++i)
+        text += (i ? "," : "") + jsonString(run.variant.settings[i]);
+    text += "]";
+    for (std::size_t i = 0; i < measures().size(); ++i)
+        text += fmt::format(",\"{}\":{}", measures()[i].name, numberText(run.summary.values[i]));
+    const std::string& diverged = run.summary.diverged;
+    return text + ",\"diverged\":" + (diverged.empty() ? "null" : jsonString(diverged)) + "}";
+}
+
+std::string csvText(const std::vector<Measured>& runs, const std::string& key) {
+    std::string text = key;
+    for (const Measure& measure : measures()) text += std::string(",") + measure.name;
+    text += ",diverged\n";
+    for (const Measured& run : runs) {
+        text += csvCell(valueOf(run));
+        for (const double value : run.summary.values) text += "," + numberText(value);
+        text += run.summary.diverged.empty() ? ",0\n" : ",1\n";
+    }
+    return text;
+}
+
+Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title) {
+    const Unit unit = shownUnit(measures()[static_cast<std::size_t>(measure)]);
+    Chart chart{title,     "time", "s", measures()[static_cast<std::size_t>(measure)].name,
+                unit.name, false,  {}};
+    for (const Measured& run : runs) {
+        Series series{run.variant.label, run.summary.time,
+                      run.summary.history[static_cast<std::size_t>(measure)]};
+        for (double& y : series.y) y *= unit.scale;
+        chart.series.push_back(std::move(series));
+    }
+    return chart;
+}
+
+Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key) {
+    const Measure& m = measures()[static_cast<std::size_t>(measure)];
+    const Unit unit = shownUnit(m);
+    Chart chart{"", key, "", fmt::format("{}: {}", m.name, m.meaning), unit.name, false, {}};
+    Series series;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double x = numberOf(valueOf(runs[i]));
+        series.x.push_back(std::isfinite(x) ? x : static_cast<double>(i));
+        const double y = unit.scale * runs[i].summary.values[static_cast<std::size_t>(measure)];
+        const bool whole = runs[i].summary.diverged.empty();
+        series.y.push_back(whole ? y : std::numeric_limits<double>::quiet_NaN());
+        if (whole && y > 0.0) least = std::min(least, y), most = std::max(most, y);
+    }
+    chart.logY = most > 100.0 * least;
+    chart.series.push_back(std::move(series));
+    return chart;
+}
+
+}  // namespace demos

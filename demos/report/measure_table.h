@@ -1,0 +1,32 @@
+/// The measures of several runs as a table: for eyes, as JSON lines, as CSV, and as charts.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/report/chart.h"
+#include "demos/report/summary.h"
+#include "demos/report/variants.h"
+
+namespace demos {
+
+struct Measured {
+    Variant variant;
+    Summary summary;
+};
+
+/// A line per run; measures that are 0 in all runs are left out.
+std::string tableText(const std::vector<Measured>& runs);
+
+/// An object on a line: label, settings, measures, how it diverged or null.
+std::string jsonLine(const Measured& run);
+
+/// A row per run: the swept values, then every measure.
+std::string csvText(const std::vector<Measured>& runs, const std::string& key);
+
+/// The measure over time, a line per run.
+Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title);
+
+/// The measure over the swept value, of runs whose label is a number.
+Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key);
+
+}  // namespace demos

@@ -1,0 +1,35 @@
+/// Charts of a run as files.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demos/report/measures.h"
+
+namespace demos {
+
+/// Which charts, and how they look.
+struct PlotChoice {
+    std::vector<std::string>
+        what;  // of measureNames(); empty: the most telling ones that have data
+    std::optional<PictureSize> size;  // empty: 1280 pixels wide, as high as the charts ask for
+    std::string theme;                // of themeNames()
+};
+PlotChoice plotChoiceOf(const Options& options, const SceneDescription& scene);
+
+/// Throws Stop (usage) unless the name ends in .svg or .png, and render::Error where something
+/// that is no ordinary file has it.
+void checkChartFile(const std::string& file);
+
+/// Whole or not at all; its folder is made. Throws render::Error.
+void writeCharts(const std::string& file, const std::vector<Chart>& charts, PictureSize size,
+                 const std::string& theme);
+
+/// Before anything is played. Throws Stop (usage) unless the name ends in .svg or .png, and
+/// render::Error where something that is no ordinary file has it.
+void checkPlotFile(const std::string& file, const PlotChoice& choice);
+
+/// Whole or not at all; its folder is made. The number of charts. Throws render::Error.
+std::size_t writePlot(const std::string& file, const Recorder& recorder, const PlotChoice& choice);
+
+}  // namespace demos

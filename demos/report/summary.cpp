@@ -1,0 +1,141 @@
+#include "demos/report/summary.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/film/signals.h"
+#include "demos/player.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+enum Place { drift, speed, penetration, separation, energy, residual, sweeps, milliseconds };
+
+/// ms of processor time of this process.
+double processorTime() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double largest(const std::vector<double>& values) {
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+double mean(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+class Recording {
+public:
+    explicit Recording(const Stage& stage) : startEnergy_(stage.world.energy().total()) {
+        summary_.history.resize(measures().size());
+        for (const engine::BodyId body : stage.bodies)
+            start_.push_back(stage.world.pose(body).position);
+    }
+
+    void look(const Stage& stage, double ms) {
+        const engine::StepReport& report = stage.world.report();
+        summary_.time.push_back(report.time);
+        const double values[] = {largestMove(stage),
+                                 largestSpeed(stage),
+                                 report.worstPenetration,
+                                 report.worstSeparation,
+                                 report.energy.total() - startEnergy_,
+                                 report.residual,
+                                 static_cast<double>(report.sweeps.size()),
+                                 ms};
+        for (std::size_t i = 0; i < std::size(values); ++i)
+            summary_.history[i].push_back(values[i]);
+    }
+
+    Summary finish(const std::string& diverged) {
+        const auto& h = summary_.history;
+        summary_.diverged = diverged;
+        summary_.values = {h[drift].empty() ? 0.0 : h[drift].back(),
+                           largest(h[speed]),
+                           largest(h[penetration]),
+                           largest(h[separation]),
+                           h[energy].empty() ? 0.0 : h[energy].back(),
+                           mean(h[residual]),
+                           mean(h[sweeps]),
+                           median(h[milliseconds])};
+        return std::move(summary_);
+    }
+
+private:
+    double largestMove(const Stage& stage) const {
+        double most = 0.0;
+        for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+            Vec3 move = stage.world.pose(stage.bodies[i]).position - start_[i];
+            move.y() = 0.0;
+            most = std::max(most, move.norm());
+        }
+        return most;
+    }
+
+    static double largestSpeed(const Stage& stage) {
+        double most = 0.0;
+        for (const engine::BodyId body : stage.bodies)
+            most = std::max(most, stage.world.velocity(body).norm());
+        return most;
+    }
+
+    double startEnergy_;
+    std::vector<Vec3> start_;
+    Summary summary_;
+};
+
+}  // namespace
+
+const std::vector<Measure>& measures() {
+    static const std::vector<Measure> all = {
+        {"drift", "m", "largest horizontal way of a body, at the end"},
+        {"speed", "m/s", "fastest body, at most"},
+        {"penetration", "m", "deepest contact"},
+        {"separation", "m", "widest joint"},
+        {"energy", "J", "change from start to end"},
+        {"residual", "m/s", "left by the last sweep of a step, mean"},
+        {"sweeps", "", "a step, mean"},
+        {"ms", "ms", "processor time of a step, median"},
+    };
+    return all;
+}
+
+int measureCalled(const std::string& name) {
+    for (std::size_t i = 0; i < measures().size(); ++i)
+        if (name == measures()[i].name) return static_cast<int>(i);
+    return -1;
+}
+
+Summary summarize(const SceneDescription& scene) {
+    Player player(scene, Overlays{.trails = false});
+    Recording recording(player.stage());
+    const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
+    for (long step = 1; step <= steps; ++step) {
+        const double before = processorTime();
+        try {
+            player.step();
+        } catch (const Stop& stop) {
+            if (stop.code() != Exit::diverged) throw;
+            return recording.finish(stop.what());
+        }
+        recording.look(player.stage(), processorTime() - before);
+        if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
+    }
+    return recording.finish({});
+}
+
+}  // namespace demos

@@ -1,0 +1,107 @@
+#include "engine/solver/global_rows.h"
+
+namespace engine {
+namespace {
+
+template <class Real>
+class Collector {
+public:
+    Collector(GlobalRows<Real>& rows, std::span<const Velocity<Real>> v, Real keep)
+        : g_(rows), v_(v), keep_(keep) {}
+
+    void add(const GlobalRow<Real>& row, Real bias, Real lambda) {
+        g_.rows.push_back(row);
+        g_.wanted.push_back(-(velocityAlong(row.row->j, v_[row.a], v_[row.b]) + bias) / g_.h);
+        g_.force.push_back(keep_ * lambda / g_.h);
+    }
+
+    void add(const JointConstraint<Real>& joint, int place) {
+        for (int i = 0; i < joint.count; ++i) {
+            GlobalRow<Real> row{&joint.rows[i], joint.a, joint.b};
+            row.softness = joint.softness[i];
+            row.joint = place;
+            add(row, joint.bias[i], joint.lambda[i]);
+        }
+    }
+
+    void add(const ContactConstraint<Real>& contact) {
+        const int first = g_.count();
+        for (int i = 0; i < contact.count; ++i) {
+            const ContactRow<Real>& point = contact.rows[i];
+            GlobalRow<Real> row{&point.normal, contact.a, contact.b, RowKind::push};
+            row.contact = &point;
+            add(row, point.bias, point.lambda);
+        }
+        for (int i = 0; i < contact.count; ++i) {
+            const ContactRow<Real>& point = contact.rows[i];
+            for (int t = 0; t < 2; ++t) {
+                GlobalRow<Real> row{&point.tangent[t], contact.a, contact.b, RowKind::slide};
+                row.contact = &point;
+                row.normal = first + i;
+                row.mu = contact.friction;
+                add(row, Real(0), point.friction[t]);
+            }
+        }
+    }
+
+private:
+    GlobalRows<Real>& g_;
+    std::span<const Velocity<Real>> v_;
+    Real keep_;
+};
+
+}  // namespace
+
+template <class Real>
+GlobalRows<Real> globalRows(const Constraints<Real>& c, std::span<const Velocity<Real>> v,
+                            const Settings& settings, Real h) {
+    GlobalRows<Real> g;
+    g.h = h;
+    Collector<Real> collector(g, v, settings.warmStart ? Real(1) : Real(0));
+    for (int i = 0; i < static_cast<int>(c.joints.size()); ++i) collector.add(c.joints[i], i);
+    for (const int i : c.order) collector.add(c.contacts[i]);
+    return g;
+}
+
+template <class Real>
+void addAlongRows(const GlobalRows<Real>& g, std::span<const Real> lambda,
+                  std::span<Velocity<Real>> v) {
+    for (int i = 0; i < g.count(); ++i)
+        apply(*g.rows[i].row, lambda[i], v[g.rows[i].a], v[g.rows[i].b]);
+}
+
+template <class Real>
+void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Velocity<Real>> v) {
+    int i = 0;
+    for (JointConstraint<Real>& joint : c.joints)
+        for (int k = 0; k < joint.count; ++k, ++i) {
+            joint.lambda[k] = g.h * g.force[i];
+            push(joint, k, joint.lambda[k], v[joint.a], v[joint.b]);
+        }
+    for (const int place : c.order) {
+        ContactConstraint<Real>& contact = c.contacts[place];
+        Velocity<Real>&a = v[contact.a], &b = v[contact.b];
+        for (int k = 0; k < contact.count; ++k, ++i) {
+            contact.rows[k].lambda = g.h * g.force[i];
+            apply(contact.rows[k].normal, contact.rows[k].lambda, a, b);
+        }
+        for (int k = 0; k < contact.count; ++k)
+            for (int t = 0; t < 2; ++t, ++i) {
+                contact.rows[k].friction[t] = g.h * g.force[i];
+                apply(contact.rows[k].tangent[t], contact.rows[k].friction[t], a, b);
+            }
+    }
+}
+
+#define ENGINE_INSTANTIATE(Real)                                                           \
+    template GlobalRows<Real> globalRows<Real>(                                            \
+        const Constraints<Real>&, std::span<const Velocity<Real>>, const Settings&, Real); \
+    template void addAlongRows<Real>(const GlobalRows<Real>&, std::span<const Real>,       \
+                                     std::span<Velocity<Real>>);                           \
+    template void takeForces<Real>(const GlobalRows<Real>&, Constraints<Real>&,            \
+                                   std::span<Velocity<Real>>);
+ENGINE_INSTANTIATE(float)
+ENGINE_INSTANTIATE(double)
+#undef ENGINE_INSTANTIATE
+
+}  // namespace engine

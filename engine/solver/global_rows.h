@@ -1,0 +1,89 @@
+/// The constraints as a global solver sees them: all rows in one list, in the order in which a
+/// sweep of sequential impulses comes by them, and the system that they have to meet together.
+///   A lambda = zeta / h - J (v1 / h + M^-1 f_ext),   A = J M^-1 J^T,   zeta = -b
+/// lambda is a force here, in N (N m). The velocities that come in have taken up the external
+/// forces already, so the second term in the bracket is part of the first. (First seed, 'Projected
+/// Gauss-Seidel'; Catto 2005.) An impulse is h times the force.
+#pragma once
+#include "engine/solver/constraints.h"
+
+namespace engine {
+
+/// free: any lambda. push: lambda >= 0. slide: this row and the next are one contact point's two
+/// tangents, |(lambda_1, lambda_2)| <= mu lambda_normal.
+enum class RowKind { free, push, slide };
+
+template <class Real>
+struct GlobalRow {
+    const Row<Real>* row = nullptr;
+    int a = -1, b = -1;  // body numbers
+    RowKind kind = RowKind::free;
+    Real softness = Real(0);                    // added to A's diagonal, 1/kg
+    const ContactRow<Real>* contact = nullptr;  // push, slide: the point it belongs to
+    int normal = -1;                            // slide: the row that holds it
+    Real mu = Real(0);                          // slide
+    int joint = -1;                             // its place in the constraints' joints, or -1
+
+    Real diagonal() const { return row->k + softness; }
+};
+
+template <class Real>
+struct GlobalRows {
+    std::vector<GlobalRow<Real>> rows;
+    std::vector<Real> wanted;  // the right-hand side, m/s^2 (rad/s^2)
+    std::vector<Real> force;   // lambda, N (N m)
+    Real h = Real(0);          // s
+
+    int count() const { return static_cast<int>(rows.size()); }
+    /// The largest friction force of a slide row and its partner, N.
+    Real frictionLimit(int i) const {
+        const GlobalRow<Real>& row = rows[i];
+        return row.mu * (force[row.normal] + row.contact->bounce / h);
+    }
+};
+
+/// Rows and right-hand side, from the velocities before solving; the forces start from the impulses
+/// of the last step, or from 0. Trees of joints count row by row. Points into `c`.
+template <class Real>
+GlobalRows<Real> globalRows(const Constraints<Real>& c, std::span<const Velocity<Real>> v,
+                            const Settings& settings, Real h);
+
+/// v += M^-1 J^T lambda
+template <class Real>
+void addAlongRows(const GlobalRows<Real>& g, std::span<const Real> lambda,
+                  std::span<Velocity<Real>> v);
+
+/// The forces become impulses of the constraints, and change the velocities.
+template <class Real>
+void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Velocity<Real>> v);
+
+/// One projected Gauss-Seidel sweep. `residual(i)` = wanted_i - (A lambda)_i as it is now, without
+/// the softness; `moved(i, change)` is told of every change of a force.
+template <class Real, class Residual, class Moved>
+SweepReport sweepRows(GlobalRows<Real>& g, Residual residual, Moved moved) {
+    Correction<Real> correction;
+    const auto change = [&](int i, Real force) {
+        const Real by = force - g.force[i];
+        g.force[i] = force;
+        moved(i, by);
+        correction.add(g.h * g.rows[i].diagonal() * by, g.h * by);
+    };
+    for (int i = 0; i < g.count(); ++i) {
+        const GlobalRow<Real>& row = g.rows[i];
+        if (row.kind == RowKind::slide) {
+            const Vec2T<Real> force = frictionInCone<Real>(
+                *row.contact, {g.force[i], g.force[i + 1]},
+                Vec2T<Real>(-residual(i), -residual(i + 1)), g.frictionLimit(i));
+            change(i, force[0]);
+            change(i + 1, force[1]);
+            ++i;
+        } else if (row.diagonal() > Real(0)) {
+            const Real left = residual(i) - row.softness * g.force[i];
+            const Real force = g.force[i] + left / row.diagonal();
+            change(i, row.kind == RowKind::push ? larger(force, Real(0)) : force);
+        }
+    }
+    return {static_cast<double>(correction.velocity), static_cast<double>(correction.impulse)};
+}
+
+}  // namespace engine

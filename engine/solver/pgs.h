@@ -1,0 +1,28 @@
+/// Projected Gauss-Seidel on forces, in Catto's form: the accelerations a = B lambda are carried
+/// along, with B = M^-1 J^T, so that A is never written down.
+///   a = B lambda
+///   foreach row: lambda_i += (wanted_i - J_i a) / A_ii, clamped;  a += B_i (what lambda_i gained)
+/// The same row order and bounds given, h lambda is what sequential impulses have accumulated,
+/// after every sweep: a is the change of velocity they have made so far, divided by h. (First seed,
+/// 'Comparison'; Catto 2005, 'Iterative Dynamics with Temporal Coherence', algorithm 3.)
+#pragma once
+#include "engine/solver/global_rows.h"
+
+namespace engine {
+
+template <class Real>
+class Pgs {
+public:
+    /// Works on the forces of `rows`, which has to stay.
+    Pgs(GlobalRows<Real>& rows, int bodies);
+    SweepReport sweep();
+
+private:
+    GlobalRows<Real>& g_;
+    std::vector<Velocity<Real>> accelerations_;  // B lambda
+};
+
+extern template class Pgs<float>;
+extern template class Pgs<double>;
+
+}  // namespace engine

@@ -1,0 +1,33 @@
+/// Projected Gauss-Seidel with the matrix of the whole system written out, the way the first seed
+/// begins with and argues against.
+///   A = J M^-1 J^T, sparse: A_ij is not zero where the rows i and j share a movable body
+///   foreach row: lambda_i += (wanted_i - sum_j A_ij lambda_j) / A_ii, clamped
+/// Assembling costs the square of the rows that meet in a body, and every row then reads as many
+/// entries as it has neighbours; the other forms read two bodies (tests/benchmark has the figures).
+#pragma once
+#include <Eigen/SparseCore>
+
+#include "engine/solver/global_rows.h"
+
+namespace engine {
+
+/// A, with the rows' softness left out; row-major, columns ascending.
+template <class Real>
+Eigen::SparseMatrix<Real, Eigen::RowMajor> systemMatrix(const GlobalRows<Real>& g, int bodies);
+
+template <class Real>
+class PgsMatrix {
+public:
+    /// Works on the forces of `rows`, which has to stay.
+    PgsMatrix(GlobalRows<Real>& rows, int bodies) : g_(rows), matrix_(systemMatrix(rows, bodies)) {}
+    SweepReport sweep();
+
+private:
+    GlobalRows<Real>& g_;
+    Eigen::SparseMatrix<Real, Eigen::RowMajor> matrix_;
+};
+
+extern template class PgsMatrix<float>;
+extern template class PgsMatrix<double>;
+
+}  // namespace engine

@@ -1,0 +1,260 @@
+#include "render/encode/ffmpeg.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include "render/encode/file.h"
+#include "render/error.h"
+
+extern char** environ;
+
+namespace render {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kUnknownStatus = 255 << 8;  // as if it had ended with exit(255)
+
+/// All of a file in memory that a child writes; the offset is shared, so read by position.
+std::string contentOf(const Descriptor& file) {
+    std::string text(std::size_t{1} << 16, '\0');
+    const off_t end = ::lseek(file.number(), 0, SEEK_END);
+    const off_t start = std::max<off_t>(0, end - static_cast<off_t>(text.size()));
+    const ssize_t length = ::pread(file.number(), text.data(), text.size(), start);
+    text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
+    return text;
+}
+
+/// The last line that says something, without what could steer a terminal.
+std::string lastLineOf(std::string_view text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+    const std::size_t lineEnd = text.find_last_of("\r\n");
+    if (lineEnd != std::string_view::npos) text.remove_prefix(lineEnd + 1);
+    std::string line(text.substr(0, 300));
+    for (char& c : line) {
+        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    }
+    return line;
+}
+
+/// Time runs out only while the child does nothing at all: the palette of a long GIF is slow
+/// work, and a machine under load is no reason to end it.
+class Patience {
+public:
+    Patience(pid_t child, std::chrono::milliseconds limit) : limit_(limit) {
+        if (::clock_getcpuclockid(child, &clock_) == 0) hasClock_ = true;
+        left();
+    }
+    bool left() {
+        timespec used = {};
+        if (hasClock_) ::clock_gettime(clock_, &used);
+        const auto now = Clock::now();
+        if (first_ || used.tv_sec != used_.tv_sec || used.tv_nsec != used_.tv_nsec) {
+            end_ = now + limit_;
+        }
+        first_ = false;
+        used_ = used;
+        return now < end_;
+    }
+
+private:
+    std::chrono::milliseconds limit_;
+    clockid_t clock_ = 0;
+    bool hasClock_ = false, first_ = true;
+    timespec used_ = {};
+    Clock::time_point end_;
+};
+
+/// posix_spawn's two structures, freed on every way out.
+struct SpawnPlan {
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attributes;
+    SpawnPlan() {
+        ::posix_spawn_file_actions_init(&files);
+        ::posix_spawnattr_init(&attributes);
+    }
+    ~SpawnPlan() {
+        ::posix_spawn_file_actions_destroy(&files);
+        ::posix_spawnattr_destroy(&attributes);
+    }
+    SpawnPlan(const SpawnPlan&) = delete;
+    SpawnPlan& operator=(const SpawnPlan&) = delete;
+
+    /// Ctrl-C reaches a whole process group: in one of its own, ffmpeg lives to close the film.
+    void standAlone() {
+        sigset_t none, defaults;
+        ::sigemptyset(&none);
+        ::sigemptyset(&defaults);
+        for (const int signal : {SIGPIPE, SIGINT, SIGTERM}) ::sigaddset(&defaults, signal);
+        ::posix_spawnattr_setsigmask(&attributes, &none);
+        ::posix_spawnattr_setsigdefault(&attributes, &defaults);
+        ::posix_spawnattr_setpgroup(&attributes, 0);
+        ::posix_spawnattr_setflags(
+            &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    }
+};
+
+}  // namespace
+
+Descriptor::Descriptor(int number) : number_(number) {
+    if (number < 0) throw Error("cannot talk to ffmpeg: " + describeError(errno));
+    if (number > 2) return;
+    number_ = ::fcntl(number, F_DUPFD_CLOEXEC, 3);
+    const int error = errno;
+    ::close(number);
+    if (number_ < 0) throw Error("cannot talk to ffmpeg: " + describeError(error));
+}
+
+Descriptor::~Descriptor() { ::close(number_); }
+
+Ffmpeg::Sockets Ffmpeg::makeSockets() {
+    int pair[2] = {-1, -1};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0) {
+        throw Error("cannot talk to ffmpeg: " + describeError(errno));
+    }
+    return {pair[0], pair[1]};
+}
+
+Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience)
+    : Ffmpeg(arguments, patience, makeSockets()) {}
+
+Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
+               Sockets sockets)
+    : frames_(sockets.ours),
+      theirs_(std::make_unique<Descriptor>(sockets.theirs)),
+      progress_(::memfd_create("progress", MFD_CLOEXEC)),
+      errors_(::memfd_create("errors", MFD_CLOEXEC)),
+      patience_(patience) {
+    spawn(arguments);
+    theirs_.reset();
+}
+
+void Ffmpeg::spawn(const std::vector<std::string>& arguments) {
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) {
+        argv.push_back(const_cast<char*>(argument.c_str()));  // the C interface; not written to
+    }
+    argv.push_back(nullptr);
+    SpawnPlan plan;
+    plan.standAlone();
+    ::posix_spawn_file_actions_adddup2(&plan.files, theirs_->number(), 0);
+    ::posix_spawn_file_actions_adddup2(&plan.files, progress_.number(), 1);
+    ::posix_spawn_file_actions_adddup2(&plan.files, errors_.number(), 2);
+    const int error =
+        ::posix_spawnp(&child_, argv[0], &plan.files, &plan.attributes, argv.data(), environ);
+    if (error == ENOENT) {
+        throw Error(
+            "ffmpeg was not found; install it (apt install ffmpeg); PNG frames need nothing else");
+    }
+    if (error != 0) throw Error("ffmpeg does not start: " + describeError(error));
+    running_ = true;
+}
+
+bool Ffmpeg::send(std::span<const std::uint8_t> bytes) {
+    Patience patience(child_, patience_);
+    while (!bytes.empty()) {
+        const ssize_t sent =
+            ::send(frames_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent > 0) {
+            bytes = bytes.subspan(static_cast<std::size_t>(sent));
+            patience = Patience(child_, patience_);
+            continue;
+        }
+        if (errno == EINTR) continue;
+        if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
+        if (!patience.left()) {
+            hung_ = true;
+            return false;
+        }
+        pollfd wait = {frames_.number(), POLLOUT, 0};
+        ::poll(&wait, 1, 100);
+    }
+    return true;
+}
+
+bool Ffmpeg::finish() {
+    ::shutdown(frames_.number(), SHUT_WR);
+    Patience patience(child_, patience_);
+    while (running_) {
+        const pid_t ended = ::waitpid(child_, &status_, WNOHANG);
+        if (ended != 0) running_ = false;
+        if (ended < 0) status_ = kUnknownStatus;  // our caller ignores SIGCHLD
+        if (ended != 0) break;
+        if (hung_ || !patience.left()) {
+            hung_ = true;
+            end();
+            break;
+        }
+        pollfd wait = {frames_.number(), POLLIN, 0};
+        if (::poll(&wait, 1, 100) > 0) std::this_thread::sleep_for(1ms);  // its end is near
+    }
+    return !hung_ && WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
+}
+
+void Ffmpeg::end() noexcept {
+    if (!running_) return;
+    ::kill(child_, SIGKILL);
+    while (::waitpid(child_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    running_ = false;
+}
+
+std::string Ffmpeg::complaint() const {
+    const std::string words = lastLineOf(contentOf(errors_));
+    const std::string tail = words.empty() ? "" : ": " + words;
+    if (hung_) {
+        return "ffmpeg did nothing for " + std::to_string(patience_.count() / 1000) +
+               " s and was ended" + tail;
+    }
+    if (WIFSIGNALED(status_)) {
+        return "ffmpeg was killed by signal " + std::to_string(WTERMSIG(status_)) + tail;
+    }
+    return "ffmpeg stopped with status " + std::to_string(WEXITSTATUS(status_)) + tail;
+}
+
+/// -progress writes blocks of "key=value" lines; the last block tells the final count.
+int Ffmpeg::framesWritten() const {
+    const std::string text = contentOf(progress_);
+    const std::size_t key = text.rfind("frame=");
+    int count = 0;
+    if (key == std::string::npos) return count;
+    std::from_chars(text.data() + key + 6, text.data() + text.size(), count);
+    return count;
+}
+
+bool haveFfmpeg() {
+    const char* variable = std::getenv("PATH");
+    std::string_view folders = variable ? variable : "/bin:/usr/bin";
+    while (true) {
+        const std::size_t colon = folders.find(':');
+        const std::filesystem::path folder =
+            colon == 0 || folders.empty() ? "." : folders.substr(0, colon);
+        const std::filesystem::path program = folder / "ffmpeg";
+        std::error_code ignored;
+        if (::access(program.c_str(), X_OK) == 0 &&
+            std::filesystem::is_regular_file(program, ignored)) {
+            return true;
+        }
+        if (colon == std::string_view::npos) return false;
+        folders.remove_prefix(colon + 1);
+    }
+}
+
+}  // namespace render

@@ -1,0 +1,76 @@
+/// The child that makes the films: one running ffmpeg, fed with raw pictures.
+#pragma once
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace render {
+
+/// A file descriptor that closes itself. Always above 2: a program started with its standard
+/// output closed would else be given number 1, and dup2 in the child would tread on it.
+class Descriptor {
+public:
+    /// Takes over an open one; Error when it is negative, with errno's words.
+    explicit Descriptor(int number);
+    ~Descriptor();
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+/// One running ffmpeg. Frames go through a socket instead of a pipe: send() can be told not to
+/// raise SIGPIPE, for this call alone, and the other end closing tells when the child has ended.
+/// Its words go to files in memory, which cannot fill up and block it.
+class Ffmpeg {
+public:
+    /// Starts `arguments` (the program's name first, looked up in PATH). `patience`: a child that
+    /// neither reads nor uses processor time for so long is taken for hanging.
+    Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience);
+    ~Ffmpeg() { end(); }
+    Ffmpeg(const Ffmpeg&) = delete;
+    Ffmpeg& operator=(const Ffmpeg&) = delete;
+
+    /// False when the child does not take the bytes; finish() and complaint() tell why.
+    bool send(std::span<const std::uint8_t> bytes);
+
+    /// No more frames: waits for the end. True when the child ended well.
+    bool finish();
+
+    /// Why finish() was false.
+    std::string complaint() const;
+
+    int framesWritten() const;
+
+    /// Ends the child now, if it still runs.
+    void end() noexcept;
+
+private:
+    struct Sockets {
+        int ours, theirs;
+    };
+    static Sockets makeSockets();
+    Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
+           Sockets sockets);
+    void spawn(const std::vector<std::string>& arguments);
+
+    Descriptor frames_;
+    std::unique_ptr<Descriptor> theirs_;  // the child's end; open here until it has started
+    Descriptor progress_, errors_;
+    std::chrono::milliseconds patience_;
+    pid_t child_ = -1;
+    bool running_ = false, hung_ = false;
+    int status_ = 0;
+};
+
+/// Whether an ffmpeg can be run from PATH.
+bool haveFfmpeg();
+
+}  // namespace render

@@ -1,0 +1,436 @@
+#include "demos/report/chart.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include "demos/report/curve.h"
+#include "demos/report/drawing.h"
+#include "demos/report/inks.h"
+#include "demos/report/layout.h"
+#include "demos/report/ticks.h"
+#include "demos/theme.h"
+#include "render/overlay.h"
+
+namespace demos {
+namespace {
+
+using render::Point;
+using Texts = std::vector<std::string>;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr PictureSize kSize{1280, 720};
+
+Texts linearTexts(double low, double high, double most) {
+    return linearAxis(low, high, most, Reach::ticks, false).texts;
+}
+
+TEST(Ticks, AreOneTwoOrFiveTimesAPowerOfTen) {
+    for (double range = 1e-9; range < 1e9; range *= 1.7)
+        for (const double most : {3.0, 5.0, 8.0}) {
+            const Axis axis = linearAxis(0.0, range, most, Reach::data, false);
+            const double step = axis.ticks.at(1) - axis.ticks.at(0);
+            const double mantissa = step / std::pow(10.0, std::floor(std::log10(step * 1.000001)));
+            EXPECT_TRUE(std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 ||
+                        std::abs(mantissa - 5) < 1e-6)
+                << step;
+            EXPECT_LE(axis.ticks.size(), most + 1);
+            EXPECT_GE(axis.ticks.front(), axis.low);
+            EXPECT_LE(axis.ticks.back(), axis.high * (1 + 1e-9));
+        }
+}
+
+TEST(Ticks, AreWrittenWithoutNoise) {
+    EXPECT_EQ(linearTexts(0, 0.3, 3), (Texts{"0", "0.1", "0.2", "0.3"}));
+    EXPECT_EQ(linearTexts(-1, 1, 2), (Texts{"−1", "0", "1"}));
+    EXPECT_EQ(linearTexts(0, 4000, 4), (Texts{"0", "1000", "2000", "3000", "4000"}));
+    EXPECT_EQ(linearTexts(0, 40000, 4), (Texts{"0", "10k", "20k", "30k", "40k"}));
+    EXPECT_EQ(linearTexts(0, 1.5e6, 3), (Texts{"0", "0.5M", "1.0M", "1.5M"}));
+    EXPECT_EQ(linearTexts(0, 4e-4, 2), (Texts{"0", "2×10⁻⁴", "4×10⁻⁴"}));
+    EXPECT_EQ(tickText(2e20, 1e20, 3e20), "2×10²⁰");
+}
+
+TEST(Ticks, AreWholeWhereTheValuesAre) {
+    EXPECT_EQ(linearAxis(1, 2, 8, Reach::data, true).texts, (Texts{"1", "2"}));
+}
+
+TEST(Ticks, TheTickAtTheEndSurvivesRounding) {
+    double time = 0.0;
+    for (int i = 0; i < 420; ++i) time += 1.0 / 60;  // 7 s, nearly
+    EXPECT_EQ(linearAxis(0, time, 7, Reach::data, false).texts.back(), "7");
+}
+
+TEST(Ticks, AConstantStandsInAnAxisWithZero) {
+    for (const double value : {0.0, 5.0, -5.0, 1e-200, 1e200, 66.1234567}) {
+        const Axis axis = linearAxis(value, value * (1 + 1e-12), 5, Reach::ticks, false);
+        EXPECT_LT(axis.low, axis.high);
+        EXPECT_LE(axis.low, 0.0);
+        EXPECT_GE(axis.high, 0.0);
+        EXPECT_GE(axis.ticks.size(), 2u) << value;
+    }
+}
+
+TEST(Ticks, DecadesHaveSuperscripts) {
+    EXPECT_EQ(decadeText(-6), "10⁻⁶");
+    EXPECT_EQ(decadeText(0), "1");
+    EXPECT_EQ(decadeText(12), "10¹²");
+    EXPECT_EQ(logAxis(2e-3, 3.0, 8).texts, (Texts{"10⁻³", "10⁻²", "10⁻¹", "1", "10"}));
+    EXPECT_EQ(logAxis(1e-3, 1e-3, 8).texts, (Texts{"10⁻⁴", "10⁻³", "10⁻²"}));
+    EXPECT_EQ(logAxis(1e-15, 1.0, 4).texts, (Texts{"10⁻¹⁵", "10⁻¹⁰", "10⁻⁵", "1"}));
+}
+
+TEST(Ticks, ALogAxisPlacesDecadesEvenly) {
+    const Axis axis = logAxis(1e-4, 1.0, 8);
+    EXPECT_NEAR(axis.share(1e-4), 0.0, 1e-12);
+    EXPECT_NEAR(axis.share(1e-1), 0.75, 1e-12);
+}
+
+TEST(EndLabels, AreMovedApartAndKeepTheirOrder) {
+    const std::vector<float> wanted = {50, 50, 10, 48, 90, 91};
+    const std::vector<float> y = separated(wanted, 12.0f, 0.0f, 100.0f);
+    for (std::size_t i = 0; i < y.size(); ++i)
+        for (std::size_t k = 0; k < y.size(); ++k) {
+            if (i == k) continue;
+            EXPECT_GE(std::abs(y[i] - y[k]), 12.0f - 1e-3f);
+            if (wanted[i] < wanted[k]) {
+                EXPECT_LT(y[i], y[k]);
+            }
+        }
+    EXPECT_LT(y[0], y[1]);  // the same wish: as given
+    for (const float place : y) EXPECT_TRUE(place >= 0.0f && place <= 100.0f) << place;
+}
+
+TEST(EndLabels, StayWhereThereIsRoomAndShareTheShiftWhereThereIsNot) {
+    EXPECT_EQ(separated({10, 50, 90}, 12, 0, 100), (std::vector<float>{10, 50, 90}));
+    EXPECT_EQ(separated({50, 50}, 12, 0, 100), (std::vector<float>{44, 56}));
+    EXPECT_EQ(separated({0, 0, 0}, 10, 0, 100), (std::vector<float>{0, 10, 20}));
+    EXPECT_EQ(separated({100, 100}, 10, 0, 100), (std::vector<float>{90, 100}));
+}
+
+TEST(Thinning, KeepsEveryColumnsExtremes) {
+    std::vector<Point> points;
+    for (int i = 0; i < 100000; ++i)
+        points.push_back({static_cast<float>(i) / 1000.0f, i == 54321   ? -7.0f
+                                                           : i == 54322 ? 9.0f
+                                                                        : 0.0f});
+    const std::vector<Point> kept = thinned(points);
+    EXPECT_LE(kept.size(), 200u);
+    float low = 0, high = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        low = std::min(low, kept[i].y), high = std::max(high, kept[i].y);
+        if (i > 0) {
+            EXPECT_GE(kept[i].x, kept[i - 1].x);
+        }
+    }
+    EXPECT_EQ(low, -7.0f);
+    EXPECT_EQ(high, 9.0f);
+}
+
+TEST(Thinning, LeavesFewPointsAlone) {
+    const std::vector<Point> points = {{0, 1}, {0.5f, 2}, {3, 3}, {9, 4}};
+    EXPECT_EQ(thinned(points).size(), 4u);
+    EXPECT_TRUE(thinned({}).empty());
+}
+
+TEST(Inks, LinesAndLabelsStandOutOnEveryTheme) {
+    for (const std::string& theme : themeNames()) {
+        const Inks inks = inksOf(theme);
+        for (int i = 0; i < 12; ++i) {
+            EXPECT_GE(contrast(lineColor(i, inks), inks.ground), 3.0) << theme << i;
+            EXPECT_GE(contrast(labelColor(i, inks), inks.ground), 4.5) << theme << i;
+        }
+        EXPECT_GE(contrast(inks.muted, inks.ground), 4.5) << theme;
+    }
+}
+
+using Matrix = double[3][3];
+
+/// CIE L*a*b* of a colour as an eye with this matrix sees it; matrices for linear light.
+std::array<double, 3> seenAs(const Matrix& m, const render::Color& color) {
+    const auto linear = [](float channel) {
+        const double c = static_cast<double>(channel);
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    const double rgb[3] = {linear(color.r), linear(color.g), linear(color.b)};
+    double seen[3] = {};
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) seen[i] += m[i][k] * rgb[k];
+    const auto part = [&](double r, double g, double b, double white) {
+        return std::cbrt(std::max((r * seen[0] + g * seen[1] + b * seen[2]) / white, 0.01));
+    };
+    const double x = part(0.4124, 0.3576, 0.1805, 0.95047);
+    const double y = part(0.2126, 0.7152, 0.0722, 1.0), z = part(0.0193, 0.1192, 0.9505, 1.08883);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+// Machado, Oliveira, Fernandes 2009, table 1, severity 1: protanopia, deuteranopia
+constexpr Matrix kEyes[] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                            {{0.152286, 1.052583, -0.204868},
+                             {0.114503, 0.786281, 0.099216},
+                             {-0.003882, -0.048116, 1.051998}},
+                            {{0.367322, 0.860646, -0.227968},
+                             {0.280085, 0.672501, 0.047413},
+                             {-0.011820, 0.042940, 0.968881}}};
+
+TEST(Inks, SixLinesStayApartForColourBlindEyes) {
+    for (const std::string& theme : themeNames())
+        for (const Matrix& eye : kEyes)
+            for (int i = 0; i < 6; ++i)
+                for (int k = 0; k < i; ++k) {
+                    const auto a = seenAs(eye, lineColor(i, inksOf(theme)));
+                    const auto b = seenAs(eye, lineColor(k, inksOf(theme)));
+                    // 2.3 is what can just be told apart side by side; a thin line needs more
+                    EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 12.0)
+                        << theme << ": " << k << " and " << i;
+                }
+}
+
+/// A wave and its double, a second long.
+Chart waves() {
+    Chart chart;
+    chart.title = "waves";
+    chart.xTitle = "time", chart.xUnit = "s";
+    chart.yTitle = "height", chart.yUnit = "mm";
+    chart.series = {{"one", {}, {}}, {"two", {}, {}}};
+    for (int i = 0; i <= 500; ++i)
+        for (Series& series : chart.series) {
+            series.x.push_back(i / 500.0);
+            series.y.push_back((&series == &chart.series[0] ? 1 : 2) * std::sin(i / 40.0));
+        }
+    return chart;
+}
+
+Chart single(std::vector<double> x, std::vector<double> y) {
+    Chart chart;
+    chart.title = "t";
+    chart.series = {{"a", std::move(x), std::move(y)}};
+    return chart;
+}
+
+bool says(const Drawing& drawing, const std::string& text) {
+    for (const Label& label : drawing.labels)
+        if (label.text == text) return true;
+    return false;
+}
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+/// Every tag is closed in its order, and no character is left that XML would not take.
+testing::AssertionResult isWellFormed(const std::string& xml) {
+    std::vector<std::string> open;
+    const std::regex tag(R"(<(/?)([a-z]+)((?: [a-zA-Z-]+="[^"<&]*(?:&[a-z]+;[^"<&]*)*")*)(/?)>)");
+    std::string rest = xml;
+    for (std::smatch found; std::regex_search(rest, found, tag); rest = found.suffix()) {
+        if (found.prefix().str().find_first_of("<>") != std::string::npos)
+            return testing::AssertionFailure() << "no tag: " << found.prefix().str();
+        if (found[1].length() == 0) {
+            if (found[4].length() == 0) open.push_back(found[2]);
+        } else if (open.empty() || open.back() != found[2]) {
+            return testing::AssertionFailure() << "closes nothing: " << found.str();
+        } else {
+            open.pop_back();
+        }
+    }
+    if (!open.empty()) return testing::AssertionFailure() << "not closed: " << open.back();
+    for (const char c : xml)
+        if (static_cast<unsigned char>(c) < 32 && c != '\n')
+            return testing::AssertionFailure() << "control byte";
+    return testing::AssertionSuccess();
+}
+
+TEST(Drawing, NamesItsAxesWithUnitsAndItsLinesAtTheirEnds) {
+    const Drawing drawing = drawingOf({waves()}, kSize, "studio");
+    for (const char* text : {"waves", "time (s)", "height (mm)", "one", "two", "0", "0.5"})
+        EXPECT_TRUE(says(drawing, text)) << text;
+}
+
+struct Box {
+    float left, right, top, bottom;
+};
+Box boxOf(const Label& label) {
+    const float width = render::textWidth(label.text, label.pixels);
+    const float left = label.at.x - (label.anchor == render::Anchor::start ? 0.0f
+                                     : label.anchor == render::Anchor::end ? width
+                                                                           : 0.5f * width);
+    // Letters with ascent and descent; the whole height includes room for accents.
+    return {left, left + width, label.at.y - 0.65f * label.pixels,
+            label.at.y + 0.2f * label.pixels};
+}
+
+Chart manyEnds(int lines) {
+    Chart chart = waves();
+    for (int i = 2; i < lines; ++i) {
+        chart.series.push_back(chart.series[0]);
+        chart.series.back().label = "line number " + std::to_string(i);
+    }
+    return chart;
+}
+
+TEST(Drawing, TextsNeitherOverlapNorLeaveThePicture) {
+    for (const PictureSize size : {PictureSize{1280, 720}, {1920, 1080}, {640, 480}, {480, 270}})
+        for (const int lines : {2, 12, 40}) {
+            const Drawing drawing = drawingOf({manyEnds(lines), waves()}, size, "dark");
+            for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
+                const Box a = boxOf(drawing.labels[i]);
+                EXPECT_GE(a.left, 0.0f) << drawing.labels[i].text;
+                EXPECT_LE(a.right, static_cast<float>(size.width)) << drawing.labels[i].text;
+                EXPECT_GE(a.top, 0.0f) << drawing.labels[i].text;
+                EXPECT_LE(a.bottom, static_cast<float>(size.height)) << drawing.labels[i].text;
+                for (std::size_t k = 0; k < i; ++k) {
+                    const Box b = boxOf(drawing.labels[k]);
+                    EXPECT_FALSE(a.left < b.right && b.left < a.right && a.top < b.bottom &&
+                                 b.top < a.bottom)
+                        << drawing.labels[i].text << " over " << drawing.labels[k].text << ", "
+                        << size.width << ", " << lines << " lines";
+                }
+            }
+        }
+}
+
+TEST(Drawing, WhatHasNoRoomIsCounted) {
+    const Drawing drawing = drawingOf({manyEnds(40)}, {640, 240}, "studio");
+    bool more = false;
+    for (const Label& label : drawing.labels) more = more || label.text.starts_with("+ ");
+    EXPECT_TRUE(more);
+}
+
+TEST(Drawing, LinesStayInTheirPlot) {
+    const Page page = pageOf({waves()}, kSize);
+    for (const Line& line : drawingOf({waves()}, kSize, "studio").lines)
+        for (const Point& point : line.points) {
+            EXPECT_GE(point.y, page.plots[0].top - 0.01f);
+            EXPECT_LE(point.y, page.plots[0].bottom + 0.01f);
+            EXPECT_GE(point.x, page.plots[0].left - 0.01f);
+        }
+}
+
+TEST(Drawing, ChartsOfOneRunShareTheirTimeAxis) {
+    Chart late = waves();
+    late.series[0].y.front() = late.series[1].y.front() = kNan;
+    const Page page = pageOf({waves(), late}, kSize);
+    EXPECT_EQ(page.plots[0].xOf(0.5), page.plots[1].xOf(0.5));
+}
+
+TEST(Drawing, AGapIsNotBridged) {
+    const Drawing whole = drawingOf({single({0, 1, 2, 3, 4}, {1, 2, 3, 4, 5})}, kSize, "studio");
+    const Drawing cut = drawingOf({single({0, 1, 2, 3, 4}, {1, 2, kNan, 4, 5})}, kSize, "studio");
+    const auto pieces = [](const Drawing& drawing) {
+        int lines = 0;  // longer than a leader
+        for (const Line& line : drawing.lines)
+            lines += line.points.size() > 1 && line.points.front().x < 1000.0f;
+        return lines;
+    };
+    EXPECT_EQ(pieces(whole), 1);
+    EXPECT_EQ(pieces(cut), 2);
+}
+
+TEST(Drawing, ALogAxisSaysWhatItLeavesOut) {
+    Chart chart = single({1, 2, 3, 4}, {0.1, 0.0, 0.001, 0.0});
+    chart.logY = true;
+    chart.yTitle = "residual", chart.yUnit = "m/s";
+    EXPECT_TRUE(
+        says(drawingOf({chart}, kSize, "studio"), "residual (m/s) · 2 values of 0 not shown"));
+    chart.series[0].y = {0.1, -1.0, 0.001, kNan};
+    EXPECT_TRUE(says(drawingOf({chart}, kSize, "studio"),
+                     "residual (m/s) · 1 value of 0 or below not shown"));
+}
+
+TEST(Drawing, SaysNoDataWhereThereIsNone) {
+    Chart log = single({0, 1}, {0, -1});
+    log.logY = true;
+    for (const Chart& chart :
+         {Chart{}, single({}, {}), single({0, 1}, {kNan, kNan}), log, single({kNan}, {1}),
+          single({0, 1}, {kInfinity, -kInfinity}), single({1, 2, 3}, {})}) {
+        EXPECT_FALSE(hasData(chart));
+        EXPECT_TRUE(says(drawingOf({chart}, kSize, "studio"), "no data"));
+    }
+    EXPECT_TRUE(says(drawingOf({}, kSize, "studio"), "no data"));
+}
+
+TEST(Drawing, SurvivesWhatIsUnusual) {
+    std::vector<Chart> charts = {single({3}, {4}),
+                                 single({0, 1}, {5, 5}),
+                                 single({0, 1}, {0, 0}),
+                                 single({2, 2}, {0, 1}),
+                                 single({0, 1}, {-1e300, 1e300}),
+                                 single({0, 1e-300}, {1e-320, 0}),
+                                 single({0, 1}, {1e9, 1e9 + 1e-7}),
+                                 single({1, 0, 1}, {1, 2, 3})};
+    for (const PictureSize size : {kSize, PictureSize{1, 1}, {16384, 9}, {9, 2000}}) {
+        for (const Chart& chart : charts) {
+            EXPECT_TRUE(hasData(chart));
+            const Drawing drawing = drawingOf({chart}, size, "print");
+            EXPECT_TRUE(isWellFormed(svgOf(drawing)));
+            EXPECT_EQ(imageOf(drawing).width, size.width);
+        }
+        EXPECT_TRUE(isWellFormed(svgOf(charts, size, "dark")));
+        imageOf(charts, size, "dark");
+    }
+}
+
+TEST(Svg, EscapesWhatXmlWouldMisread) {
+    Chart chart = single({0, 1}, {0, 1});
+    chart.title = "a < b & \"c\" > 'd'";
+    chart.series[0].label = std::string("tab\tand \x1b[31m and \xff") + "</text>";
+    const std::string svg = svgOf({chart}, kSize, "studio");
+    EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot; &gt; &apos;d&apos;"), std::string::npos);
+    EXPECT_EQ(count(svg, "</text>"), count(svg, "<text "));
+    EXPECT_TRUE(isWellFormed(svg)) << svg;
+    EXPECT_FALSE(isWellFormed("<svg><g></svg>"));
+    EXPECT_FALSE(isWellFormed("<svg>a < b</svg>"));
+}
+
+TEST(Svg, HasOneElementForEveryPrimitive) {
+    const Drawing drawing = drawingOf({waves(), manyEnds(12)}, kSize, "studio");
+    const std::string svg = svgOf(drawing);
+    EXPECT_EQ(count(svg, "<rect "), static_cast<int>(drawing.rectangles.size()));
+    EXPECT_EQ(count(svg, "<path "), static_cast<int>(drawing.lines.size()));
+    EXPECT_EQ(count(svg, "<text "), static_cast<int>(drawing.labels.size()));
+    EXPECT_NE(svg.find("viewBox=\"0 0 1280 720\""), std::string::npos);
+    EXPECT_NE(svg.find("font-family=\"DejaVu Sans, sans-serif\""), std::string::npos);
+}
+
+int colored(const render::Image& image, const render::Color& color) {
+    int found = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+        found += std::abs(image.pixels[i] - 255 * color.r) < 2 &&
+                 std::abs(image.pixels[i + 1] - 255 * color.g) < 2 &&
+                 std::abs(image.pixels[i + 2] - 255 * color.b) < 2;
+    return found;
+}
+
+/// Leaving a primitive out must be seen in the pixels, as it is in the elements of the SVG.
+TEST(Picture, DrawsEveryPrimitive) {
+    const Drawing whole = drawingOf({waves()}, kSize, "print");
+    const render::Image image = imageOf(whole);
+    for (std::size_t i = 0; i < whole.lines.size(); ++i) {
+        Drawing less = whole;
+        less.lines.erase(less.lines.begin() + static_cast<std::ptrdiff_t>(i));
+        EXPECT_NE(imageOf(less).pixels, image.pixels) << "line " << i;
+    }
+    for (std::size_t i = 0; i < whole.labels.size(); ++i) {
+        Drawing less = whole;
+        less.labels.erase(less.labels.begin() + static_cast<std::ptrdiff_t>(i));
+        EXPECT_NE(imageOf(less).pixels, image.pixels) << whole.labels[i].text;
+    }
+    EXPECT_GT(colored(image, lineColor(0, inksOf("print"))), 500);
+    EXPECT_GT(colored(image, inksOf("print").ground), 800000);
+    for (std::size_t i = 3; i < image.pixels.size(); i += 4) ASSERT_EQ(image.pixels[i], 255);
+}
+
+TEST(Picture, IsTheSameEveryTime) {
+    EXPECT_EQ(imageOf({waves()}, kSize, "dark").pixels, imageOf({waves()}, kSize, "dark").pixels);
+    EXPECT_EQ(svgOf({waves()}, kSize, "dark"), svgOf({waves()}, kSize, "dark"));
+}
+
+}  // namespace
+}  // namespace demos

@@ -1,0 +1,138 @@
+// impulse compare and impulse sweep, as a user runs them.
+#include "render/encode/png_read.h"
+#include "tests/demos/program.h"
+
+namespace demos::test {
+namespace {
+
+class Compare : public testing::Test {
+protected:
+    Compare() { write(folder / "ball.toml", kBall); }
+    Ended compare(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "compare");
+        return run(folder.path(), arguments);
+    }
+    Ended sweep(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "sweep");
+        return run(folder.path(), arguments);
+    }
+    render::Image picture(const std::string& name) {
+        const std::string bytes = contentOf(folder / name);
+        return render::decodePng(
+            {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    }
+    TemporaryFolder folder;
+};
+
+const std::vector<std::string> kSmall = {"--size",    "320x180", "--fps",     "10",
+                                         "--samples", "1",       "--seconds", "0.3"};
+
+std::vector<std::string> with(std::vector<std::string> first,
+                              const std::vector<std::string>& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
+    const Ended ended = compare(
+        with({"ball.toml", "--vary", "world.gravity=[0,-9.81,0],[0,0,0]", "-o", "film"}, kSmall));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("gravity=[0,0,0]"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("speed (m/s)"), std::string::npos) << ended.out;
+    EXPECT_TRUE(fs::exists(folder / "film/frame_000002.png"));
+    const render::Image last = picture("film/frame_000002.png");
+    EXPECT_EQ(last.width, 320);
+    EXPECT_EQ(last.height, 180);
+    // one panel's ball has fallen by then, the other's has not
+    int different = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 150; ++x)
+            different += !std::equal(last.at(x, y), last.at(x, y) + 3, last.at(x + 160, y));
+    EXPECT_GT(different, 50);
+}
+
+TEST_F(Compare, GivesJson) {
+    const Ended ended =
+        compare({"ball.toml", "--no-film", "--json", "--vary", "solver.nudges=0,4"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 2);
+    EXPECT_NE(ended.out.find(R"("label":"nudges=4","settings":["solver.nudges=4"],"drift":)"),
+              std::string::npos)
+        << ended.out;
+}
+
+TEST_F(Compare, TakesCasesThatGoTogether) {
+    const Ended ended =
+        compare({"ball.toml", "--no-film", "--case", "coarse: solver.substeps=1 solver.sweeps=4",
+                 "--case", "fine: solver.substeps=4 solver.sweeps=1 solver.min_sweeps=1"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("\nfine "), std::string::npos) << ended.out;
+}
+
+TEST_F(Compare, ADivergedPanelStaysAndIsSaid) {
+    const Ended ended =
+        compare(with({"ball.toml", "--vary", "body.ball.velocity=[0,0,0],[9999,0,0]", "--set",
+                      "body.ball.mass=1", "-o", "film"},
+                     kSmall));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const Ended far =
+        compare({"ball.toml", "--no-film", "--seconds", "60", "--vary",
+                 "body.ball.velocity=[0,0,0],[9999,0,0]", "--set", "world.gravity=[0,0,0]"});
+    EXPECT_EQ(far.code, 0) << far.err;
+    EXPECT_NE(far.out.find("diverged"), std::string::npos) << far.out;
+}
+
+TEST_F(Compare, RefusesWhatCannotBeCompared) {
+    const std::pair<std::vector<std::string>, std::string> bad[] = {
+        {{}, "clamping, caching"},
+        {{"ball.toml"}, "give two to four"},
+        {{"ball.toml", "--vary", "solver.sweeps=1"}, "give two to four"},
+        {{"ball.toml", "--vary", "solver.sweeps=1,2,3,4,5"}, "give two to four"},
+        {{"ball.toml", "--vary", "solver.sweeps"}, "KEY=VALUE"},
+        {{"ball.toml", "--case", "a: b"}, "LABEL: KEY=VALUE"},
+        {{"clamping", "--vary", "solver.sweeps=1,2"}, "a comparison of its own"},
+        {{"ball.toml", "--vary", "solver.sweeps=1,2", "--measure", "sped"}, "did you mean 'speed'"},
+    };
+    for (const auto& [arguments, text] : bad) {
+        const Ended ended = compare(with(arguments, {"--no-film"}));
+        EXPECT_EQ(ended.code, 2) << text;
+        EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+        EXPECT_NE(ended.err.find(text), std::string::npos) << ended.err;
+    }
+    const Ended unknown = compare({"ball.toml", "--vary", "solver.sweep=1,2"});
+    EXPECT_EQ(unknown.code, 3);
+    EXPECT_NE(unknown.err.find("did you mean 'sweeps'?"), std::string::npos) << unknown.err;
+}
+
+TEST_F(Compare, ListsWhatIsBuiltIn) {
+    const Ended ended = compare({"--list"});
+    EXPECT_EQ(ended.code, 0);
+    for (const char* name : {"clamping", "caching", "nudges", "pgs", "sweeps", "substeps"})
+        EXPECT_NE(ended.out.find(name), std::string::npos) << name;
+}
+
+TEST_F(Compare, SweepWritesATableAPlotAndAGrid) {
+    const Ended ended = sweep(with({"ball.toml", "--over", "world.hz=30,60,120", "--csv", "a.csv",
+                                    "--plot", "a.svg", "-o", "grid"},
+                                   kSmall));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const std::string csv = contentOf(folder / "a.csv");
+    EXPECT_TRUE(csv.starts_with("world.hz,drift,speed,penetration,")) << csv;
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+    EXPECT_NE(contentOf(folder / "a.svg").find("world.hz"), std::string::npos);
+    EXPECT_EQ(picture("grid/frame_000000.png").width, 320);
+}
+
+TEST_F(Compare, SweepSaysWhichSettingNeedsWholeNumbers) {
+    const Ended ended = sweep({"ball.toml", "--over", "solver.sweeps=0..2:0.5"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(
+        ended.err.find("--over solver.sweeps=0.5: sweeps is 0.5; it should be a whole number"),
+        std::string::npos)
+        << ended.err;
+    EXPECT_EQ(sweep({"ball.toml"}).code, 2);
+    EXPECT_EQ(sweep({"ball.toml", "--over", "solver.sweeps=1..4", "--plot", "a.gif"}).code, 2);
+}
+
+}  // namespace
+}  // namespace demos::test

@@ -1,0 +1,257 @@
+// A scene file is read strictly: what is wrong is told with its place, and what would be right.
+
+#include <gtest/gtest.h>
+
+#include "tests/demos/reading.h"
+
+namespace demos::test {
+namespace {
+
+struct BadScene {
+    const char* what;
+    std::string text;  // after "format = 1\n"
+    const char* place;
+    const char* message;
+};
+
+std::ostream& operator<<(std::ostream& out, const BadScene& bad) { return out << bad.what; }
+
+class BadScenes : public testing::TestWithParam<BadScene> {};
+
+TEST_P(BadScenes, AreToldWithTheirPlace) {
+    const BadScene& bad = GetParam();
+    const std::vector<std::string> lines = errorsOf("format = 1\n" + bad.text);
+    EXPECT_TRUE(tells(lines, std::string("a.toml:") + bad.place + ": ", bad.message))
+        << bad.what << "\n"
+        << listed(lines);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Top, BadScenes,
+    testing::Values(
+        BadScene{"unknown key", "secods = 3\n" + kBall, "2:1",
+                 "unknown key 'secods' in a scene; did you mean 'seconds'?"},
+        BadScene{"wrong type", "seconds = \"3\"\n" + kBall, "2:11",
+                 "seconds is the text \"3\"; it should be a number from 0.01 to 100000 s"},
+        BadScene{"not a number", "seconds = nan\n" + kBall, "2:11", "seconds is nan"},
+        BadScene{"infinite", "seconds = inf\n" + kBall, "2:11", "seconds is inf"},
+        BadScene{"not TOML", "seconds = = 3\n", "2:11", "not TOML"},
+        BadScene{"cut in a number", "seconds = 3.", "2:13", "not TOML"},
+        BadScene{"key twice", "title = 'a'\ntitle = 'b'\n", "3:9", "not TOML"},
+        BadScene{"no body", "title = 'a'\n", "1:1", "the scene has no body"},
+        BadScene{"later", kBall + "[[force]]\ntype = 'wind'\n", "6:3", "not available yet"},
+        BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
+                 "hz is a table; it should be a whole number from 10 to 100000"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Settings, BadScenes,
+    testing::Values(
+        BadScene{"hz", "[world]\nhz = 5\n" + kBall, "3:6", "hz is 5; it should be a whole number"},
+        BadScene{"hz of 60.5", "[world]\nhz = 60.5\n" + kBall, "3:6", "hz is 60.5"},
+        BadScene{"gravity", "[world]\ngravity = 9.81\n" + kBall, "3:11", "three numbers"},
+        BadScene{"seed", "[world]\nseed = -1\n" + kBall, "3:8", "seed is -1"},
+        BadScene{"preset", "[solver]\npreset = 'stedy'\n" + kBall, "3:10",
+                 "did you mean 'steady'?"},
+        BadScene{"preset later", "[solver]\npreset = 'fast'\n" + kBall, "3:10",
+                 "not available yet; use steady or seed"},
+        BadScene{"type", "[solver]\ntype = 'pg'\n" + kBall, "3:8", "did you mean 'pgs'?"},
+        BadScene{"both corrections", "[solver]\nbaumgarte = 0.2\n" + kBall, "3:1",
+                 "write nudges = 0 or baumgarte = 0"},
+        BadScene{"sweeps", "[solver]\nsweeps = 5\nmin_sweeps = 6\n" + kBall, "4:1",
+                 "it should be at most sweeps, 5"},
+        BadScene{"substeps", "[solver]\nsubsteps = 0\n" + kBall, "3:12", "from 1 to 1000"},
+        BadScene{"max_substeps", "[solver]\nmax_substeps = 2\n" + kBall, "3:1",
+                 "at least substeps"},
+        BadScene{"block", "[solver]\nblock = 1\n" + kBall, "3:9", "true or false"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, BadScenes,
+    testing::Values(
+        BadScene{"no name", "[[body]]\nshape = { sphere = 1 }\n", "2:1", "has no name"},
+        BadScene{"bad name", "[[body]]\nname = 'a b'\nshape = { sphere = 1 }\n", "3:1",
+                 "1 to 64 of A-Z a-z 0-9"},
+        BadScene{"world", "[[body]]\nname = 'world'\nshape = { sphere = 1 }\n", "3:1", "'world'"},
+        BadScene{"two of one name", kBall + kBall, "6:1", "two bodies are called 'ball'"},
+        BadScene{"no shape", "[[body]]\nname = 'a'\n", "2:1", "has no shape"},
+        BadScene{"two shapes", "[[body]]\nname = 'a'\nshape = { sphere = 1, box = [1, 1, 1] }\n",
+                 "4:9", "two shapes in one"},
+        BadScene{"size 0", "[[body]]\nname = 'a'\nshape = { sphere = 0 }\n", "4:20",
+                 "sphere is 0; it should be a number from 0.001 to 1000 m"},
+        BadScene{"capsule",
+                 "[[body]]\nname = 'a'\nshape = { capsule = { radius = 1, height = 1 } }\n", "4:35",
+                 "at least twice the radius, 2"},
+        BadScene{"later shape", "[[body]]\nname = 'a'\nshape = { cylinder = 1 }\n", "4:11",
+                 "'cylinder' in a shape is not available yet"},
+        BadScene{"moving plane", "[[body]]\nname = 'a'\nshape = { plane = [0, 1, 0] }\n", "4:1",
+                 "write fixed = true"},
+        BadScene{"normal 0", "[[body]]\nname = 'a'\nshape = { plane = [0, 0, 0] }\nfixed = true\n",
+                 "4:11", "direction out of the solid"},
+        BadScene{"mass 0", kBall + "mass = 0\n", "6:8", "mass is 0; it should be a number from"},
+        BadScene{"mass twice", kBall + "mass = 1\ndensity = 1\n", "7:1", "give one of them"},
+        BadScene{"mass of a floor", kFloor + "mass = 1\n", "6:1", "that is fixed; leave it out"},
+        BadScene{"light", "[[body]]\nname = 'a'\nshape = { sphere = 0.001 }\ndensity = 0.01\n",
+                 "4:1", "give a mass"},
+        BadScene{"material", kBall + "material = 'wod'\n[[material]]\nname = 'wood'\n", "6:1",
+                 "no material is called 'wod'; did you mean 'wood'?"},
+        BadScene{"inertia", kBall + "inertia = [1, 1, -1]\n", "6:1", "positive definite"},
+        BadScene{"quaternion", kBall + "quaternion = [0, 0, 0, 0]\n", "6:1", "not all zero"},
+        BadScene{"colour", kBall + "colour = 'red'\n", "6:10", "like \"#c89b6c\""},
+        BadScene{"position", kBall + "velocity = [1, nan, 0]\n", "6:16", "velocity is nan"},
+        BadScene{"restitution", kBall + "[[material]]\nname = 'm'\nrestitution = 1.5\n", "8:15",
+                 "from 0 to 1"},
+        BadScene{"rolling later", kBall + "[[material]]\nname = 'm'\nrolling = 0.5\n", "8:1",
+                 "not available yet"}));
+
+const std::string kJoint = kFloor + kBall + "[[joint]]\n";  // line 10
+
+INSTANTIATE_TEST_SUITE_P(
+    Joints, BadScenes,
+    testing::Values(
+        BadScene{"no type", kJoint + "a = 'world'\nb = 'ball'\n", "10:1", "has no type"},
+        BadScene{"later", kJoint + "type = 'slider'\na = 'world'\nb = 'ball'\n", "11:8",
+                 "not available yet; use ball, distance, hinge or weld"},
+        BadScene{"no body", kJoint + "type = 'ball'\na = 'world'\nb = 'bal'\nanchor = [0, 0, 0]\n",
+                 "13:1", "no body is called 'bal'; did you mean 'ball'?"},
+        BadScene{"itself", kJoint + "type = 'ball'\na = 'ball'\nb = 'ball'\nanchor = [0, 0, 0]\n",
+                 "13:1", "with itself"},
+        BadScene{"two fixed",
+                 kJoint + "type = 'ball'\na = 'world'\nb = 'floor'\nanchor = [0, 0, 0]\n", "13:1",
+                 "should be dynamic"},
+        BadScene{"no anchor", kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\n", "11:1",
+                 "give either anchor"},
+        BadScene{"no axis",
+                 kJoint + "type = 'hinge'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n", "11:1",
+                 "write axis = [0, 0, 1]"},
+        BadScene{"axis 0",
+                 kJoint + "type = 'hinge'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n"
+                          "axis = [0, 0, 0]\n",
+                 "15:1", "should be a direction"},
+        BadScene{"axis of a ball",
+                 kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\n"
+                          "anchor = [0, 0, 0]\naxis = [0, 0, 1]\n",
+                 "15:1", "a ball joint has no axis"},
+        BadScene{"length 0",
+                 kJoint + "type = 'distance'\na = 'world'\nb = 'ball'\n"
+                          "anchor_a = [0, 2, 0]\n",
+                 "11:1", "or use a ball"},
+        BadScene{"world's end", kJoint + "type = 'distance'\na = 'world'\nb = 'ball'\n", "11:1",
+                 "give anchor_a"},
+        BadScene{"spring",
+                 kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n"
+                          "spring = { damping = 1 }\n",
+                 "15:10", "has no frequency"},
+        BadScene{"limits",
+                 kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n"
+                          "break_at = 3\n",
+                 "15:1", "not available yet"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Films, BadScenes,
+    testing::Values(
+        BadScene{"fov", kBall + "[camera]\nfov_deg = 180\n", "7:11", "from 1 to 170 deg"},
+        BadScene{"eye", kBall + "[camera]\nfrom = [1, 1, 1]\nlook_at = [1, 1, 1]\n", "7:1",
+                 "the same point"},
+        BadScene{"follow", kBall + "[camera]\nfollow = 'bll'\n", "7:1", "did you mean 'ball'?"},
+        BadScene{"keys", kBall + "[camera]\nkeys = []\n", "7:1", "not available yet"},
+        BadScene{"theme", kBall + "[look]\ntheme = 'darc'\n", "7:9", "did you mean 'dark'?"},
+        BadScene{"overlay", kBall + "[look]\nshow = ['contact']\n", "7:1",
+                 "did you mean 'contacts'?"},
+        BadScene{"overlay later", kBall + "[look]\nshow = ['contacts', 'ids']\n", "7:1",
+                 "overlay 'ids' is not available yet"},
+        BadScene{"poster", kBall + "[[section]]\nat = 0\nposter = 'lst'\n", "8:10",
+                 "did you mean 'last'?"},
+        BadScene{"poster at", kBall + "[[section]]\nat = 0\nposter = 99\n", "8:10",
+                 "from 0 to 5 s"},
+        BadScene{"trails", kBall + "[look]\ntrails = ['box']\n", "7:1", "no body is called 'box'"},
+        BadScene{"section", kBall + "[[section]]\nat = 99\n", "7:6", "from 0 to 5 s"},
+        BadScene{"snapshot", kBall + "[snapshot]\nsize = [640, 16385]\n", "7:14", "16384"},
+        BadScene{"what", kBall + "[[expect]]\nwhat = 'drit'\nbelow = 1\n", "7:8",
+                 "did you mean 'drift'?"},
+        BadScene{"no bound", kBall + "[[expect]]\nwhat = 'drift'\n", "7:1", "needs a bound"},
+        BadScene{"near alone", kBall + "[[expect]]\nwhat = 'speed'\nnear = 1\n", "8:1",
+                 "go together"},
+        BadScene{"of whom", kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1\nof = ['box*']\n", "9:1",
+                 "no body is called 'box*'"},
+        BadScene{"window", kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1\nafter = 2\nuntil = 1\n",
+                 "10:1", "should not be before after, 2"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Repeats, BadScenes,
+    testing::Values(
+        BadScene{"no count", "[[repeat]]\nbody = { name = 'a', shape = { sphere = 1 } }\n", "2:1",
+                 "has no count"},
+        BadScene{"nothing", "[[repeat]]\ncount = 3\n", "2:1", "a [[repeat]] of nothing"},
+        BadScene{"one name",
+                 "[[repeat]]\ncount = 3\nbody = { name = 'a', shape = { sphere = 1 } }\n", "4:8",
+                 "in a [[repeat]] with {i}"},
+        BadScene{"too many",
+                 "[[repeat]]\ncount = 10001\nbody = { name = 'a{i}', shape = { sphere = 1 } }\n",
+                 "3:9", "from 1 to 10000"},
+        BadScene{"far too many",
+                 "[[repeat]]\ncount = 10000\n[[repeat.repeat]]\ncount = 10000\n"
+                 "body = { name = 'a{i}.{j}', shape = { sphere = 1 } }\n",
+                 "6:8", "more than 10000 bodies"},
+        BadScene{"three deep",
+                 "[[repeat]]\ncount = 1\n[[repeat.repeat]]\ncount = 1\n[[repeat.repeat.repeat]]\n"
+                 "count = 1\n",
+                 "6:17", "there are i and j"}));
+
+TEST(Reader, TellsSeveralErrorsInTheOrderOfTheFile) {
+    const std::vector<std::string> lines =
+        errorsOf("format = 1\nx = 1\n" + kBall + "mass = 0\n[camera]\nfov_deg = 0\n");
+    ASSERT_EQ(lines.size(), 3u) << listed(lines);
+    EXPECT_TRUE(lines[0].starts_with("a.toml:2:1: "));
+    EXPECT_TRUE(lines[1].starts_with("a.toml:7:8: "));
+    EXPECT_TRUE(lines[2].starts_with("a.toml:9:11: "));
+}
+
+TEST(Reader, TellsTwentyErrorsAndHowManyMore) {
+    std::string text = "format = 1\n" + kBall;
+    for (int i = 0; i < 30; ++i)
+        text += std::string(static_cast<std::size_t>(i) + 1, 'x') + " = 1\n";
+    const std::vector<std::string> lines = errorsOf(text);
+    ASSERT_EQ(lines.size(), 21u);
+    EXPECT_EQ(lines.back(), "and 10 more");
+}
+
+TEST(Reader, AsksForTheFormat) {
+    EXPECT_TRUE(tells(errorsOf(""), "a.toml:1:1: ", "begin it with format = 1"));
+    EXPECT_TRUE(tells(errorsOf("format = 2\n" + kBall), "a.toml:1:1: ", "reads format 1"));
+}
+
+TEST(Reader, RefusesBytesThatAreNoText) {
+    EXPECT_FALSE(errorsOf(std::string("format = 1\n\0", 12)).empty());
+    EXPECT_FALSE(errorsOf(std::string("\xff\xfe"
+                                      "f\0o\0",
+                                      6))
+                     .empty());
+    EXPECT_FALSE(errorsOf("seconds = 1e999\n" + kBall).empty());
+}
+
+TEST(Reader, RefusesWhatWouldExhaustTheParser) {
+    const std::string deep(100'000, '[');
+    EXPECT_TRUE(tells(errorsOf("a = " + deep), "a.toml:1:", "nested deeper than 32"));
+    std::string dotted = "a";
+    for (int i = 0; i < 100'000; ++i) dotted += ".a";
+    EXPECT_TRUE(tells(errorsOf(dotted + " = 1"), "a.toml:1:", "more than 32 parts"));
+    std::string many = "a = [";
+    for (int i = 0; i < 1'000'001; ++i) many += "1,";
+    EXPECT_TRUE(tells(errorsOf(many + "]"), "a.toml:1:", "more than a million values"));
+    EXPECT_TRUE(tells(errorsOf(std::string(9u << 20, ' ')), "a.toml: ", "8 MiB"));
+}
+
+TEST(Reader, AllowsDotsInTexts) {
+    EXPECT_EQ(read("title = '" + std::string(99, '.') + "'\n" + kBall).title.size(), 99u);
+}
+
+TEST(Reader, PrintsNoControlBytes) {
+    const std::vector<std::string> lines =
+        errorsOf("format = 1\n[[body]]\nname = \"\\u001b[31m\"\nshape = { sphere = 1 }\n");
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(listed(lines).find('\x1b'), std::string::npos);
+    EXPECT_NE(listed(lines).find("\\x1b[31m"), std::string::npos);
+    EXPECT_EQ(printable("a\n\x7f\xc2\x9b\xff\xc3\xa9"), "a\\x0a\\x7f\\xc2\\x9b\\xff\xc3\xa9");
+}
+
+}  // namespace
+}  // namespace demos::test
