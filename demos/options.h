@@ -56,6 +56,8 @@ struct Options {
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself
     bool picture = false;  // bench: time a frame as well
+    bool phases = false;   // bench: and every phase of the loop
+    std::string against;   // bench: an earlier run's JSON lines
     std::string shell = "bash";
     std::string commandLine;  // as a shell takes it, to go on after an interruption
 

@@ -202,6 +202,11 @@ void addBench(CLI::App& app, Options& options, RawOptions& raw) {
     app.get_option("scene")->expected(0, 1000)->required(false);
     addSeconds(app, options);
     app.add_flag("--render", options.picture, "draw 1280x720 frames as well; default: off");
+    app.add_flag("--phases", options.phases,
+                 "ms of every phase of the step, from a second run; default: off");
+    app.add_option("--against", options.against,
+                   "compare with an earlier 'impulse bench --json > FILE'; default: none")
+        ->type_name("FILE");
     addFeedback(app, options);
 }
 
@@ -248,7 +253,7 @@ constexpr CommandText kCommands[] = {
     {Command::bench,
      "bench",
      "time per step, measured over the last 2 s of a scene",
-     {"impulse bench", "impulse bench stack chain --json", "impulse bench my.toml --render"}},
+     {"impulse bench", "impulse bench stack chain --json", "impulse bench wall --phases --against before.json"}},
     {Command::completion,
      "completion",
      "a completion script for a shell",

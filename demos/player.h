@@ -1,6 +1,8 @@
 /// A stage that is played step by step, with what pictures of it need from the steps in between.
 #pragma once
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "demos/snapshot.h"
 
@@ -17,6 +19,10 @@ public:
     void step(int count);
     render::Frame frame(double time) const { return snapshot(stage_, overlays_, time, history_); }
     const Stage& stage() const { return stage_; }
+    /// In place of what the nudges' overlay watches (engine::World::observe).
+    void observe(std::function<void(engine::Phase, int)> observer) {
+        stage_.world.observe(std::move(observer));
+    }
 
 private:
     void watchNudges();

@@ -1,114 +1,96 @@
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
-#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "demos/commands/commands.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
-#include "demos/player.h"
+#include "demos/report/timing.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
-#include "render/renderer.h"
+#include "render/error.h"
 
 namespace demos {
 namespace {
 
-constexpr int kStepsASecond = 60;  // of the step that is timed, whatever the scene's own
-constexpr int kWindow = 2 * kStepsASecond;
-
-/// s of processor time of this process.
-double processorTime() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-struct Timing {
-    std::string scene;
-    std::size_t bodies = 0, joints = 0;
-    int contacts = 0;        // at the end
-    int steps = 0;           // that were timed
-    std::vector<double> ms;  // a step
-    double points = 0.0;     // contact points, added up over the timed steps
-    std::uint64_t hash = 0;
-    double frameMs = 0.0;  // 0 = not drawn
+/// One scene of an earlier run.
+struct Earlier {
+    double ms = 0.0;
+    std::string hash;
 };
+using EarlierRun = std::map<std::string, Earlier>;
 
-double medianOf(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-double pictureTime(const Player& player) {
-    render::RendererSettings settings;
-    settings.threads = 0;
-    render::Renderer renderer(settings);
-    std::vector<double> ms;
-    for (int i = 0; i < 6; ++i) {
-        const double before = processorTime();
-        renderer.draw(player.frame(0.0));
-        if (i > 0) ms.push_back(1e3 * (processorTime() - before));  // the first compiles shaders
+/// What `impulse bench --json > FILE` has written.
+EarlierRun readEarlier(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw render::Error(fmt::format("cannot read '{}'", printable(path)));
+    EarlierRun run;
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        ++number;
+        const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
+        const bool good = object.is_object() && object.contains("scene") &&
+                          object["scene"].is_string() && object.contains("ms_per_step_median") &&
+                          object["ms_per_step_median"].is_number() && object.contains("hash") &&
+                          object["hash"].is_string();
+        if (!good)
+            throw Stop(Exit::usage,
+                       fmt::format("--against {}:{}: is not a line of 'impulse bench --json'",
+                                   printable(path), number));
+        run[object["scene"]] = {object["ms_per_step_median"], object["hash"]};
     }
-    return medianOf(ms);
+    return run;
 }
 
-Timing measure(const SceneDescription& scene, bool picture) {
-    Player player(scene, Overlays{.trails = false});
-    const int chunks = std::max(static_cast<int>(std::lround(scene.seconds * kStepsASecond)), 1);
-    Timing timing;
-    long long done = 0;
-    for (int chunk = 1; chunk <= chunks; ++chunk) {
-        const long long until = static_cast<long long>(chunk) * scene.hz / kStepsASecond;
-        const int count = static_cast<int>(until - done);
-        done = until;
-        const double before = processorTime();
-        player.step(count);
-        const double after = processorTime();
-        if (chunk <= chunks - kWindow) continue;
-        timing.ms.push_back(1e3 * (after - before));
-        timing.points += player.stage().world.report().contacts;
-        if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
-    }
-    timing.scene = scene.name;
-    timing.bodies = scene.bodies.size();
-    timing.joints = scene.joints.size();
-    timing.contacts = player.stage().world.report().contacts;
-    timing.steps = static_cast<int>(timing.ms.size());
-    timing.hash = player.stage().world.hash();
-    if (picture) timing.frameMs = pictureTime(player);
-    return timing;
-}
-
-double nanosecondsAPoint(const Timing& timing) {
-    double sum = 0.0;
-    for (const double ms : timing.ms) sum += ms;
-    return timing.points > 0.0 ? 1e6 * sum / timing.points : 0.0;
-}
-
-void sayJson(const Timing& t) {
+void sayJson(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     const auto [least, most] = std::minmax_element(t.ms.begin(), t.ms.end());
     fmt::print(R"({{"scene":{},"bodies":{},"joints":{},"contacts":{},"steps":{},)"
                R"("ms_per_step_median":{:.6g},"ms_per_step_min":{:.6g},"ms_per_step_max":{:.6g},)"
                R"("ns_per_point":{:.6g},"hash":"{}")",
-               jsonString(t.scene), t.bodies, t.joints, t.contacts, t.steps, medianOf(t.ms), *least,
-               *most, nanosecondsAPoint(t), hexText(t.hash));
+               jsonString(t.scene), t.bodies, t.joints, t.contacts, t.steps, t.median(), *least,
+               *most, t.nanosecondsAPoint(), hexText(t.hash));
+    if (phases)
+        for (std::size_t i = 0; i < phases->size(); ++i)
+            fmt::print(R"(,"ms_{}":{:.6g})", kPhaseNames[i], (*phases)[i]);
+    if (before)
+        fmt::print(R"(,"ratio":{:.6g},"same_hash":{})", t.median() / before->ms,
+                   before->hash == hexText(t.hash));
     if (t.frameMs > 0.0) fmt::print(R"(,"ms_per_frame_median":{:.6g})", t.frameMs);
     fmt::print("}}\n");
     std::fflush(stdout);
 }
 
-void sayRow(const Timing& t) {
+void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     const auto [least, most] = std::minmax_element(t.ms.begin(), t.ms.end());
     fmt::print("{:18} {:6} {:6} {:8}  {:8.3f} {:8.3f} {:8.3f}  {:8.0f}  {}", t.scene, t.bodies,
-               t.joints, t.contacts, medianOf(t.ms), *least, *most, nanosecondsAPoint(t),
+               t.joints, t.contacts, t.median(), *least, *most, t.nanosecondsAPoint(),
                hexText(t.hash));
     if (t.frameMs > 0.0) fmt::print("  {:.1f} ms a frame", t.frameMs);
+    if (before)
+        fmt::print("  {:.2f} x {}", t.median() / before->ms,
+                   before->hash == hexText(t.hash) ? "as before, same state" : "another state");
     fmt::print("\n");
+    if (phases) {
+        fmt::print("{:18}", "");
+        for (std::size_t i = 0; i < phases->size(); ++i)
+            fmt::print(" {} {:.3f}", kPhaseNames[i], (*phases)[i]);
+        fmt::print("\n");
+    }
     std::fflush(stdout);
+}
+
+void benchScene(const SceneDescription& scene, const EarlierRun& earlier, const Options& options) {
+    const Timing timing = timeScene(scene, options.picture);
+    PhaseTimes phases{};
+    if (options.phases) phases = timePhases(scene);
+    const auto found = earlier.find(scene.name);
+    const Earlier* before = found == earlier.end() ? nullptr : &found->second;
+    const auto say = options.json ? sayJson : sayRow;
+    say(timing, options.phases ? &phases : nullptr, before);
 }
 
 }  // namespace
@@ -117,6 +99,8 @@ Exit benchCommand(const Options& options) {
     std::vector<std::string> scenes = options.scenes;
     if (scenes.empty())
         for (const BuiltinScene& scene : builtinScenes()) scenes.emplace_back(scene.name);
+    EarlierRun earlier;
+    if (!options.against.empty()) earlier = readEarlier(options.against);
     watchSignals();
     if (!options.json && !options.quiet)
         fmt::print("{:18} {:>6} {:>6} {:>8}  {:>8} {:>8} {:>8}  {:>8}  {}\n", "scene", "bodies",
@@ -124,8 +108,7 @@ Exit benchCommand(const Options& options) {
     for (const std::string& name : scenes) {
         Options one = options;
         one.scenes = {name};
-        const Timing timing = measure(sceneOf(one), options.picture);
-        options.json ? sayJson(timing) : sayRow(timing);
+        benchScene(sceneOf(one), earlier, options);
     }
     const Talk talk(options, false);
     talk.say(fmt::format("next: impulse bench {} --json", printable(scenes.front())));

@@ -191,5 +191,22 @@ TEST_F(Sim, BenchSaysItsFieldsAsJson) {
         EXPECT_NE(ended.out.find("\"" + std::string(field) + "\":"), std::string::npos) << field;
 }
 
+TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
+    const Ended first = run(folder.path(), {"bench", "ball.toml", "--json", "--quiet"});
+    write(folder / "before.json", first.out);
+    const Ended ended =
+        run(folder.path(), {"bench", "ball.toml", "--phases", "--against", "before.json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("same state"), std::string::npos) << ended.out;
+    for (const char* phase :
+         {"prepare", "forces", "velocities", "impulses", "positions", "nudges", "collisions"})
+        EXPECT_NE(ended.out.find(std::string(phase) + " 0."), std::string::npos) << phase;
+    write(folder / "bad.json", "no json\n");
+    const Ended bad = run(folder.path(), {"bench", "ball.toml", "--against", "bad.json"});
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_NE(bad.err.find("bad.json:1"), std::string::npos) << bad.err;
+    EXPECT_EQ(run(folder.path(), {"bench", "ball.toml", "--against", "none.json"}).code, 4);
+}
+
 }  // namespace
 }  // namespace demos::test
