@@ -18,18 +18,19 @@
 
 namespace engine {
 
+/// One point. What the sweeps read of it is small on purpose: J and M^-1 J^T follow from the arms and
+/// the two masses by a few products, which cost less than fetching three rows of 144 bytes.
 template <class Real>
 struct ContactRow {
-    Row<Real> normal;
-    Row<Real> tangent[2];
+    Vec3T<Real> armA = Vec3T<Real>::Zero(), armB = Vec3T<Real>::Zero();  // m, to the point
     Mat2T<Real> frictionMass = Mat2T<Real>::Zero();    // K_t^-1 = (J_t M^-1 J_t^T)^-1
     Real slideMass = Real(0);                          // 1 / largest eigenvalue of K_t
-    Real gapAtStart = Real(0);                         // C when the rows were made, m
-    Real separation = Real(0);                         // C now, m
     Real bias = Real(0);                               // b in J v + b >= 0, m/s
     Real lambda = Real(0);                             // N s, accumulated along n
     Vec2T<Real> friction = Vec2T<Real>::Zero();        // N s, accumulated along t1, t2
     Real bounce = Real(0);                             // N s, from the impact pass of this sub-step
+    Real gapAtStart = Real(0);                         // C when the rows were made, m
+    Real separation = Real(0);                         // C now, m
     Real total = Real(0);                              // N s along n, over the whole step
     Vec2T<Real> totalFriction = Vec2T<Real>::Zero();   // N s, over the whole step
 };
@@ -37,12 +38,13 @@ struct ContactRow {
 template <class Real>
 struct ContactConstraint {
     int a = -1, b = -1;
+    int count = 0;
     Real friction = Real(0);     // mu
     Real restitution = Real(0);  // e
-    Vec3T<Real> t1 = Vec3T<Real>::Zero(), t2 = Vec3T<Real>::Zero();
-    int count = 0;
-    std::array<ContactRow<Real>, Contact::kMaxPoints> rows;
+    Vec3T<Real> n = Vec3T<Real>::Zero(), t1 = Vec3T<Real>::Zero(), t2 = Vec3T<Real>::Zero();
+    InverseMass<Real> massA, massB;
     NormalBlock<Real> block;
+    std::array<ContactRow<Real>, Contact::kMaxPoints> rows;
 };
 
 /// Where a contact's points are, in world axes relative to the bodies' centres of mass.
@@ -53,11 +55,47 @@ struct ContactGeometry {
     Real separation;         // C, m
 };
 
+/// A point's row along one of the contact's directions n, t1, t2.
+template <class Real>
+Row<Real> rowAlong(const ContactConstraint<Real>& c, int i, const Vec3T<Real>& direction) {
+    return makeRow(alongDirection(direction, c.rows[i].armA, c.rows[i].armB), c.massA, c.massB);
+}
+
+/// How fast the point of b leaves the point of a, m/s.
+template <class Real>
+Vec3T<Real> velocityBetween(const ContactRow<Real>& row, const Velocity<Real>& a,
+                            const Velocity<Real>& b) {
+    return (b.linear + b.angular.cross(row.armB)) - (a.linear + a.angular.cross(row.armA));
+}
+
+/// Applies the impulse P (N s) on b, -P on a, with the angular impulses about their centres.
+template <class Real>
+void applyImpulse(const ContactConstraint<Real>& c, const Vec3T<Real>& impulse,
+                  const Vec3T<Real>& angularA, const Vec3T<Real>& angularB, Velocity<Real>& a,
+                  Velocity<Real>& b) {
+    a.linear -= c.massA.linear * impulse;
+    a.angular -= c.massA.angular * angularA;
+    b.linear += c.massB.linear * impulse;
+    b.angular += c.massB.angular * angularB;
+}
+
+/// What a point has got so far, along n, t1 and t2 together.
+template <class Real>
+Vec3T<Real> impulseOf(const ContactConstraint<Real>& c, const ContactRow<Real>& row) {
+    return row.lambda * c.n + row.friction[0] * c.t1 + row.friction[1] * c.t2;
+}
+
+/// At one point.
+template <class Real>
+void applyAt(const ContactConstraint<Real>& c, const ContactRow<Real>& row,
+             const Vec3T<Real>& impulse, Velocity<Real>& a, Velocity<Real>& b) {
+    applyImpulse<Real>(c, impulse, row.armA.cross(impulse), row.armB.cross(impulse), a, b);
+}
+
 /// K_t^-1 and the step for sliding, of two tangent rows; no mass, no friction.
 template <class Real>
-void setFrictionMass(ContactRow<Real>& row) {
-    const Real ss = row.tangent[0].k, tt = row.tangent[1].k;
-    const Real st = coupling(row.tangent[0], row.tangent[1]);
+void setFrictionMass(const Row<Real>& s, const Row<Real>& t, ContactRow<Real>& row) {
+    const Real ss = s.k, tt = t.k, st = coupling(s, t);
     const Real determinant = ss * tt - st * st;
     if (determinant <= Real(0)) return;
     row.frictionMass << tt / determinant, -st / determinant, -st / determinant, ss / determinant;
@@ -65,7 +103,7 @@ void setFrictionMass(ContactRow<Real>& row) {
     row.slideMass = Real(1) / (Real(0.5) * (ss + tt) + std::sqrt(half * half + st * st));
 }
 
-/// Rows, effective masses and the block of one contact. `points` may be written by hand: the solver
+/// Arms, effective masses and the block of one contact. `points` may be written by hand: the solver
 /// does not care where its constraints come from.
 template <class Real>
 ContactConstraint<Real> makeContactConstraint(const Contact& contact,
@@ -74,24 +112,24 @@ ContactConstraint<Real> makeContactConstraint(const Contact& contact,
                                               const InverseMass<Real>& massB) {
     ContactConstraint<Real> c;
     c.a = contact.a, c.b = contact.b, c.count = contact.count;
+    c.massA = massA, c.massB = massB;
     c.friction = static_cast<Real>(contact.friction);
     c.restitution = static_cast<Real>(contact.restitution);
-    const Vec3T<Real> n = contact.normal.template cast<Real>();
-    tangents(n, c.t1, c.t2);
+    c.n = contact.normal.template cast<Real>();
+    tangents(c.n, c.t1, c.t2);
+    Row<Real> normals[Contact::kMaxPoints];
     for (int i = 0; i < c.count; ++i) {
         ContactRow<Real>& row = c.rows[i];
-        const ContactGeometry<Real>& p = points[i];
-        row.gapAtStart = row.separation = p.separation;
-        row.normal = makeRow(alongDirection(n, p.armA, p.armB), massA, massB);
-        row.tangent[0] = makeRow(alongDirection(c.t1, p.armA, p.armB), massA, massB);
-        row.tangent[1] = makeRow(alongDirection(c.t2, p.armA, p.armB), massA, massB);
-        setFrictionMass(row);
+        row.armA = points[i].armA, row.armB = points[i].armB;
+        row.gapAtStart = row.separation = points[i].separation;
+        normals[i] = rowAlong(c, i, c.n);
+        setFrictionMass(rowAlong(c, i, c.t1), rowAlong(c, i, c.t2), row);
         row.lambda = static_cast<Real>(contact.points[i].impulse);
         const Vec3T<Real> friction = contact.points[i].friction.template cast<Real>();
         row.friction << friction.dot(c.t1), friction.dot(c.t2);
     }
-    c.block = makeNormalBlock<Real>(
-        c.count, [&c](int i) -> const Row<Real>& { return c.rows[i].normal; });
+    c.block = makeNormalBlock<Real>(c.count,
+                                    [&](int i) -> const Row<Real>& { return normals[i]; });
     return c;
 }
 
@@ -104,6 +142,12 @@ struct Correction {
     void add(Real dv, Real dLambda) {
         velocity = larger(velocity, std::abs(dv));
         impulse += std::abs(dLambda);
+    }
+    /// Of friction: the slip that its change makes, at most.
+    void add(const ContactRow<Real>& row, const Vec2T<Real>& change) {
+        const Real most = larger(std::abs(change[0]), std::abs(change[1]));
+        if (row.slideMass > Real(0)) velocity = larger(velocity, most / row.slideMass);
+        impulse += std::abs(change[0]) + std::abs(change[1]);
     }
 };
 
@@ -122,10 +166,12 @@ void solveNormals(ContactConstraint<Real>& c, bool accumulate, Velocity<Real>& a
                   Velocity<Real>& b, Correction<Real>& correction) {
     for (int i = 0; i < c.count; ++i) {
         ContactRow<Real>& row = c.rows[i];
-        const Real lambda = correctiveImpulse(row.normal, row.bias, a, b);
+        const Real k = c.block.exact[i];
+        if (k <= Real(0)) continue;
+        const Real lambda = -(c.n.dot(velocityBetween(row, a, b)) + row.bias) / k;
         const Real change = pushOnly(row.lambda, lambda, accumulate);
-        apply(row.normal, change, a, b);
-        correction.add(row.normal.k * change, change);
+        applyAt<Real>(c, row, change * c.n, a, b);
+        correction.add(k * change, change);
     }
 }
 
@@ -136,16 +182,21 @@ void solveNormalsTogether(ContactConstraint<Real>& c, Velocity<Real>& a, Velocit
     Vec4T<Real> before = Vec4T<Real>::Zero(), q = Vec4T<Real>::Zero();
     for (int i = 0; i < c.count; ++i) {
         before[i] = c.rows[i].lambda;
-        q[i] = velocityAlong(c.rows[i].normal.j, a, b) + c.rows[i].bias;
+        q[i] = c.n.dot(velocityBetween(c.rows[i], a, b)) + c.rows[i].bias;
     }
     const Vec4T<Real> lambda = solveNormalBlock(c.block, Vec4T<Real>(q - c.block.k * before));
     const Vec4T<Real> change = lambda - before;
     const Vec4T<Real> dv = c.block.k * change;
+    Real sum = Real(0);
+    Vec3T<Real> leverA = Vec3T<Real>::Zero(), leverB = Vec3T<Real>::Zero();
     for (int i = 0; i < c.count; ++i) {
         c.rows[i].lambda = lambda[i];
-        apply(c.rows[i].normal, change[i], a, b);
+        sum += change[i];
+        leverA += change[i] * c.rows[i].armA;
+        leverB += change[i] * c.rows[i].armB;
         correction.add(dv[i], change[i]);
     }
+    applyImpulse<Real>(c, sum * c.n, leverA.cross(c.n), leverB.cross(c.n), a, b);
 }
 
 /// The cone, as described on top: where `before` goes, for the slip (m/s) that it leaves.
@@ -165,16 +216,14 @@ void solveFriction(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>
                    Correction<Real>& correction) {
     for (int i = 0; i < c.count; ++i) {
         ContactRow<Real>& row = c.rows[i];
-        const Vec2T<Real> slip(velocityAlong(row.tangent[0].j, a, b),
-                               velocityAlong(row.tangent[1].j, a, b));
+        const Vec3T<Real> between = velocityBetween(row, a, b);
+        const Vec2T<Real> slip(c.t1.dot(between), c.t2.dot(between));
         const Vec2T<Real> before = row.friction;
         const Real limit = c.friction * (row.lambda + row.bounce);
         row.friction = frictionInCone(row, before, slip, limit);
         const Vec2T<Real> change = row.friction - before;
-        for (int t = 0; t < 2; ++t) {
-            apply(row.tangent[t], change[t], a, b);
-            correction.add(row.tangent[t].k * change[t], change[t]);
-        }
+        applyAt<Real>(c, row, change[0] * c.t1 + change[1] * c.t2, a, b);
+        correction.add(row, change);
     }
 }
 

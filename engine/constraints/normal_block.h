@@ -19,6 +19,7 @@ template <class Real>
 struct NormalBlock {
     static constexpr int kMaxRows = 4;
     int count = 0;
+    Vec4T<Real> exact = Vec4T<Real>::Zero();    // the diagonal of J M^-1 J^T
     Mat4T<Real> k = Mat4T<Real>::Zero();        // J M^-1 J^T, diagonal raised
     Mat4T<Real> inverse = Mat4T<Real>::Zero();  // used when every point pushes, the common case
 };
@@ -58,6 +59,7 @@ NormalBlock<Real> makeNormalBlock(int count, RowAt rowAt) {
     block.count = count;
     for (int i = 0; i < count; ++i)
         for (int j = 0; j < count; ++j) block.k(i, j) = coupling<Real>(rowAt(i), rowAt(j));
+    block.exact = block.k.diagonal();
     for (int i = 0; count > 1 && i < count; ++i) block.k(i, i) *= Real(1.001);
     for (int i = 0; i < count; ++i) {
         Vec4T<Real> unit = Vec4T<Real>::Zero();

@@ -11,13 +11,13 @@ public:
 
     void add(const GlobalRow<Real>& row, Real bias, Real lambda) {
         g_.rows.push_back(row);
-        g_.wanted.push_back(-(velocityAlong(row.row->j, v_[row.a], v_[row.b]) + bias) / g_.h);
+        g_.wanted.push_back(-(velocityAlong(row.row.j, v_[row.a], v_[row.b]) + bias) / g_.h);
         g_.force.push_back(keep_ * lambda / g_.h);
     }
 
     void add(const JointConstraint<Real>& joint, int place) {
         for (int i = 0; i < joint.count; ++i) {
-            GlobalRow<Real> row{&joint.rows[i], joint.a, joint.b};
+            GlobalRow<Real> row{joint.rows[i], joint.a, joint.b};
             row.softness = joint.softness[i];
             row.joint = place;
             add(row, joint.bias[i], joint.lambda[i]);
@@ -28,14 +28,16 @@ public:
         const int first = g_.count();
         for (int i = 0; i < contact.count; ++i) {
             const ContactRow<Real>& point = contact.rows[i];
-            GlobalRow<Real> row{&point.normal, contact.a, contact.b, RowKind::push};
+            GlobalRow<Real> row{rowAlong(contact, i, contact.n), contact.a, contact.b,
+                                RowKind::push};
             row.contact = &point;
             add(row, point.bias, point.lambda);
         }
         for (int i = 0; i < contact.count; ++i) {
             const ContactRow<Real>& point = contact.rows[i];
             for (int t = 0; t < 2; ++t) {
-                GlobalRow<Real> row{&point.tangent[t], contact.a, contact.b, RowKind::slide};
+                GlobalRow<Real> row{rowAlong(contact, i, t == 0 ? contact.t1 : contact.t2), contact.a,
+                                    contact.b, RowKind::slide};
                 row.contact = &point;
                 row.normal = first + i;
                 row.mu = contact.friction;
@@ -67,7 +69,7 @@ template <class Real>
 void addAlongRows(const GlobalRows<Real>& g, std::span<const Real> lambda,
                   std::span<Velocity<Real>> v) {
     for (int i = 0; i < g.count(); ++i)
-        apply(*g.rows[i].row, lambda[i], v[g.rows[i].a], v[g.rows[i].b]);
+        apply(g.rows[i].row, lambda[i], v[g.rows[i].a], v[g.rows[i].b]);
 }
 
 template <class Real>
@@ -81,15 +83,11 @@ void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Veloc
     for (const int place : c.order) {
         ContactConstraint<Real>& contact = c.contacts[place];
         Velocity<Real>&a = v[contact.a], &b = v[contact.b];
-        for (int k = 0; k < contact.count; ++k, ++i) {
-            contact.rows[k].lambda = g.h * g.force[i];
-            apply(contact.rows[k].normal, contact.rows[k].lambda, a, b);
-        }
+        for (int k = 0; k < contact.count; ++k) contact.rows[k].lambda = g.h * g.force[i++];
         for (int k = 0; k < contact.count; ++k)
-            for (int t = 0; t < 2; ++t, ++i) {
-                contact.rows[k].friction[t] = g.h * g.force[i];
-                apply(contact.rows[k].tangent[t], contact.rows[k].friction[t], a, b);
-            }
+            for (int t = 0; t < 2; ++t) contact.rows[k].friction[t] = g.h * g.force[i++];
+        for (int k = 0; k < contact.count; ++k)
+            applyAt<Real>(contact, contact.rows[k], impulseOf(contact, contact.rows[k]), a, b);
     }
 }
 

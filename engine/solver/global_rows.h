@@ -15,7 +15,7 @@ enum class RowKind { free, push, slide };
 
 template <class Real>
 struct GlobalRow {
-    const Row<Real>* row = nullptr;
+    Row<Real> row;
     int a = -1, b = -1;  // body numbers
     RowKind kind = RowKind::free;
     Real softness = Real(0);                    // added to A's diagonal, 1/kg
@@ -24,7 +24,7 @@ struct GlobalRow {
     Real mu = Real(0);                          // slide
     int joint = -1;                             // its place in the constraints' joints, or -1
 
-    Real diagonal() const { return row->k + softness; }
+    Real diagonal() const { return row.k + softness; }
 };
 
 template <class Real>
@@ -43,7 +43,7 @@ struct GlobalRows {
 };
 
 /// Rows and right-hand side, from the velocities before solving; the forces start from the impulses
-/// of the last step, or from 0. Trees of joints count row by row. Points into `c`.
+/// of the last step, or from 0. Trees of joints count row by row. Points to the contact rows of `c`.
 template <class Real>
 GlobalRows<Real> globalRows(const Constraints<Real>& c, std::span<const Velocity<Real>> v,
                             const Settings& settings, Real h);
@@ -66,7 +66,7 @@ SweepReport sweepRows(GlobalRows<Real>& g, Residual residual, Moved moved) {
         const Real by = force - g.force[i];
         g.force[i] = force;
         moved(i, by);
-        correction.add(g.h * g.rows[i].diagonal() * by, g.h * by);
+        return by;
     };
     for (int i = 0; i < g.count(); ++i) {
         const GlobalRow<Real>& row = g.rows[i];
@@ -74,13 +74,14 @@ SweepReport sweepRows(GlobalRows<Real>& g, Residual residual, Moved moved) {
             const Vec2T<Real> force = frictionInCone<Real>(
                 *row.contact, {g.force[i], g.force[i + 1]},
                 Vec2T<Real>(-residual(i), -residual(i + 1)), g.frictionLimit(i));
-            change(i, force[0]);
-            change(i + 1, force[1]);
+            const Real first = change(i, force[0]), second = change(i + 1, force[1]);
+            correction.add(*row.contact, g.h * Vec2T<Real>(first, second));
             ++i;
         } else if (row.diagonal() > Real(0)) {
             const Real left = residual(i) - row.softness * g.force[i];
             const Real force = g.force[i] + left / row.diagonal();
-            change(i, row.kind == RowKind::push ? larger(force, Real(0)) : force);
+            const Real by = change(i, row.kind == RowKind::push ? larger(force, Real(0)) : force);
+            correction.add(g.h * row.diagonal() * by, g.h * by);
         }
     }
     return {static_cast<double>(correction.velocity), static_cast<double>(correction.impulse)};

@@ -14,7 +14,7 @@ bool bounce(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b, Re
     bool any = false;
     for (int i = 0; i < c.count; ++i) {
         const ContactRow<Real>& row = c.rows[i];
-        const Real approach = velocityAlong(row.normal.j, a, b);
+        const Real approach = c.n.dot(velocityBetween(row, a, b));
         const bool hits = approach < -threshold && row.separation + h * approach <= Real(0);
         any = any || hits;
         // w = K lambda + q >= 0 is J v2 >= -e J v1 where it hits, and 'no faster' elsewhere.
@@ -24,7 +24,7 @@ bool bounce(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b, Re
     const Vec4T<Real> lambda = solveNormalBlock(c.block, q);
     for (int i = 0; i < c.count; ++i) {
         c.rows[i].bounce += lambda[i];
-        apply(c.rows[i].normal, lambda[i], a, b);
+        applyAt<Real>(c, c.rows[i], lambda[i] * c.n, a, b);
     }
     return true;
 }

@@ -89,7 +89,7 @@ void setBiases(Constraints<Real>& c, std::span<const Velocity<Real>> v, const Se
     for (ContactConstraint<Real>& contact : c.contacts)
         for (int i = 0; i < contact.count; ++i) {
             ContactRow<Real>& row = contact.rows[i];
-            const Real approach = velocityAlong(row.normal.j, v[contact.a], v[contact.b]);
+            const Real approach = contact.n.dot(velocityBetween(row, v[contact.a], v[contact.b]));
             row.bias = biasOf(row, contact.restitution, approach, settings, h);
             row.bounce = Real(0);
         }
@@ -109,9 +109,7 @@ void warmStart(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings
             ContactRow<Real>& row = contact.rows[i];
             row.lambda *= keep;
             row.friction *= keep;
-            apply(row.normal, row.lambda, v[contact.a], v[contact.b]);
-            for (int t = 0; t < 2; ++t)
-                apply(row.tangent[t], row.friction[t], v[contact.a], v[contact.b]);
+            applyAt<Real>(contact, row, impulseOf(contact, row), v[contact.a], v[contact.b]);
         }
 }
 

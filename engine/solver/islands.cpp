@@ -12,7 +12,7 @@ int find(std::vector<int>& leader, int i) {
 
 /// A movable body of the row; -1 where it moves none.
 int bodyOf(const GlobalRow<double>& row) {
-    return row.row->massB > 0.0 ? row.b : row.row->massA > 0.0 ? row.a : -1;
+    return row.row.massB > 0.0 ? row.b : row.row.massA > 0.0 ? row.a : -1;
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ std::vector<Island> islandsOf(const GlobalRows<double>& g, int bodies) {
     std::vector<int> leader(bodies);
     for (int i = 0; i < bodies; ++i) leader[i] = i;
     for (const GlobalRow<double>& row : g.rows) {
-        if (row.row->massA <= 0.0 || row.row->massB <= 0.0) continue;
+        if (row.row.massA <= 0.0 || row.row.massB <= 0.0) continue;
         const int a = find(leader, row.a), b = find(leader, row.b);
         leader[std::max(a, b)] = std::min(a, b);
     }

@@ -40,15 +40,15 @@ void nudgeContact(const ContactConstraint<double>& contact, Bodies& bodies, Solv
     if (settings.block) {
         const Vec4 lambda = solveNormalBlock(contact.block, q);
         for (int i = 0; i < contact.count; ++i)
-            nudge(contact.rows[i].normal, lambda[i], contact.a, contact.b, bodies, solver);
+            nudge(rowAlong(contact, i, contact.n), lambda[i], contact.a, contact.b, bodies, solver);
         return;
     }
     for (int i = 0; i < contact.count; ++i) {
-        const Row<double>& row = contact.rows[i].normal;
+        const Row<double> row = rowAlong(contact, i, contact.n);
         const double lambda = q[i] < 0.0 && row.k > 0.0 ? -q[i] / row.k : 0.0;
         nudge(row, lambda, contact.a, contact.b, bodies, solver);
         for (int k = i + 1; k < contact.count; ++k)
-            q[k] += coupling(row, contact.rows[k].normal) * lambda;
+            q[k] += coupling(row, rowAlong(contact, k, contact.n)) * lambda;
     }
 }
 

@@ -12,11 +12,11 @@ SweepReport Pgs<Real>::sweep() {
     const auto residual = [this](int i) {
         const GlobalRow<Real>& row = g_.rows[i];
         return g_.wanted[i] -
-               velocityAlong(row.row->j, accelerations_[row.a], accelerations_[row.b]);
+               velocityAlong(row.row.j, accelerations_[row.a], accelerations_[row.b]);
     };
     const auto moved = [this](int i, Real change) {
         const GlobalRow<Real>& row = g_.rows[i];
-        apply(*row.row, change, accelerations_[row.a], accelerations_[row.b]);
+        apply(row.row, change, accelerations_[row.a], accelerations_[row.b]);
     };
     return sweepRows(g_, residual, moved);
 }

@@ -14,8 +14,8 @@ std::vector<std::vector<Hold>> holdsByBody(const GlobalRows<Real>& g, int bodies
     std::vector<std::vector<Hold>> holds(bodies);
     for (int i = 0; i < g.count(); ++i) {
         const GlobalRow<Real>& row = g.rows[i];
-        if (row.row->massA > Real(0)) holds[row.a].push_back({i, false});
-        if (row.row->massB > Real(0)) holds[row.b].push_back({i, true});
+        if (row.row.massA > Real(0)) holds[row.a].push_back({i, false});
+        if (row.row.massB > Real(0)) holds[row.b].push_back({i, true});
     }
     return holds;
 }
@@ -30,7 +30,7 @@ Eigen::SparseMatrix<Real, Eigen::RowMajor> systemMatrix(const GlobalRows<Real>& 
             for (const Hold& k : holds)
                 entries.emplace_back(
                     i.row, k.row,
-                    couplingThrough(*g.rows[i.row].row, i.ofB, *g.rows[k.row].row, k.ofB));
+                    couplingThrough(g.rows[i.row].row, i.ofB, g.rows[k.row].row, k.ofB));
     Eigen::SparseMatrix<Real, Eigen::RowMajor> matrix(g.count(), g.count());
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;

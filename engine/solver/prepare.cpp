@@ -53,7 +53,8 @@ double separationNow(const ContactConstraint<double>& contact, const ContactRow<
         if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
         return Velocity<double>{now.position - start.position, 2.0 * turn.vec()};
     };
-    return row.gapAtStart + velocityAlong(row.normal.j, since(contact.a), since(contact.b));
+    return row.gapAtStart +
+           contact.n.dot(velocityBetween(row, since(contact.a), since(contact.b)));
 }
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {

@@ -51,9 +51,9 @@ inline World goldenChain() {
 
 inline const std::array<GoldenWorld, 3>& goldenWorlds() {
     static const std::array<GoldenWorld, 3> worlds{{
-        {"stack", goldenStack, 300, 0xc5233e74964a3a3f},
+        {"stack", goldenStack, 300, 0xbb7649dd2f151cb9},
         {"pendulum", goldenPendulum, 600, 0x5ceeb89e8f6bd6c1},
-        {"chain", goldenChain, 300, 0xf121e0baa21c3cf8},
+        {"chain", goldenChain, 300, 0x371dbd5b21eadd9b},
     }};
     return worlds;
 }

@@ -148,7 +148,7 @@ TEST(Pgs, TheMatrixIsSymmetricWithKOnItsDiagonal) {
         globalRows<double>(problem.constraints, problem.v, Settings::seed(), support::kStep);
     const Eigen::MatrixXd a = systemMatrix(rows, 6);
     EXPECT_NEAR((a - a.transpose()).cwiseAbs().maxCoeff(), 0.0, 1e-14);
-    for (int i = 0; i < rows.count(); ++i) EXPECT_NEAR(a(i, i), rows.rows[i].row->k, 1e-14);
+    for (int i = 0; i < rows.count(); ++i) EXPECT_NEAR(a(i, i), rows.rows[i].row.k, 1e-14);
 }
 
 /// The running world: a step by any method from the same state ends in the same velocities.
