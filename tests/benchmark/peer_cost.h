@@ -1,0 +1,24 @@
+/// What a step costs. Nothing is measured here but time: watch() (peer_quality.h) does the rest in
+/// a run of its own.
+#pragma once
+#include "tests/benchmark/peer_engine.h"
+
+namespace peers {
+
+/// Medians over the steps of the first and of the last two simulated seconds.
+struct Cost {
+    double first = 0.0, last = 0.0;          // s of processor time a step, all threads together
+    double wallFirst = 0.0, wallLast = 0.0;  // s on the clock a step
+    double points = 0.0;                     // contact points after the last step
+    int steps = 0;
+
+    double perPoint() const { return points > 0.0 ? last / points : 0.0; }  // s; 0: no contacts
+};
+
+/// Runs the scene once; ends early after `budget` seconds on the clock.
+Cost measureCost(const Scene& scene, Engine& engine, double budget);
+
+/// Number by number.
+Cost median(const std::vector<Cost>& runs);
+
+}  // namespace peers

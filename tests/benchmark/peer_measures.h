@@ -1,0 +1,35 @@
+/// How well a scene is at one moment: measured from the states of the bodies alone, the same way
+/// for all engines.
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "tests/benchmark/peer_engine.h"
+
+namespace peers {
+
+using States = std::span<const BodyState>;
+
+/// Of all joints at one moment.
+struct Separation {
+    double worst = 0.0;       // m, between the two anchors
+    double meanSquare = 0.0;  // m^2
+    double axisAngle = 0.0;   // rad, the worst between the two axes of a hinge
+};
+
+/// Of all dynamic bodies, from where they began; the largest of each.
+struct Drift {
+    double total = 0.0, horizontal = 0.0, vertical = 0.0;  // m
+};
+
+Separation separation(const Scene& scene, States states);
+Drift drift(const Scene& scene, States states);
+double energy(const Scene& scene, States states);         // J, kinetic and potential
+Vec3 angularMomentum(const Scene& scene, States states);  // kg m^2/s, of the spins
+double fastest(const Scene& scene, States states);        // m/s
+int lostBodies(const Scene& scene, States states);
+bool finite(States states);
+/// Of all poses, bit for bit (FNV-1a).
+std::uint64_t hash(States states);
+
+}  // namespace peers

@@ -1,0 +1,393 @@
+#include "tests/benchmark/peer_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace peers {
+
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s^2
+constexpr double kPi = std::numbers::pi;
+
+/// Numbers without a library: the same on every machine (Knuth's multiplier; the upper 31 bits).
+class Lcg {
+public:
+    /// Uniform in [low, high).
+    double number(double low, double high) {
+        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+        const double share = static_cast<double>((state_ >> 33) & 0x7fffffff) / 2147483648.0;
+        return low + (high - low) * share;
+    }
+
+private:
+    std::uint64_t state_ = 12345;
+};
+
+Body box(const Vec3& halfSize, const Vec3& at, double density = 1000.0) {
+    Body body;
+    body.halfSize = halfSize, body.pose.position = at, body.density = density;
+    return body;
+}
+
+Body sphere(double radius, const Vec3& at, double density = 1000.0) {
+    Body body;
+    body.isBox = false;
+    body.radius = radius, body.pose.position = at, body.density = density;
+    return body;
+}
+
+Body cube(const Vec3& at, double density = 1000.0) { return box({.5, .5, .5}, at, density); }
+
+Body fixed(Body body) {
+    body.dynamic = false;
+    return body;
+}
+
+Body ghost(Body body) {
+    body.collide = false;
+    return body;
+}
+
+Quat turn(const Vec3& axis, double angle) {
+    const double x = axis.x(), y = axis.y(), z = axis.z();
+    const double s = std::sin(angle / 2) / std::sqrt(x * x + y * y + z * z);
+    return Quat(std::cos(angle / 2), x * s, y * s, z * s);
+}
+
+int add(Scene& scene, const Body& body) {
+    scene.bodies.push_back(body);
+    return static_cast<int>(scene.bodies.size()) - 1;
+}
+
+void addBall(Scene& scene, int a, int b, const Vec3& at) {
+    scene.joints.push_back({false, a, b, at});
+}
+
+void addHinge(Scene& scene, int a, int b, const Vec3& at) {
+    scene.joints.push_back({true, a, b, at, {0, 0, 1}});
+}
+
+/// Its top is y = 0.
+void addFloor(Scene& scene) {
+    add(scene, fixed(box({100, 1, 100}, {0, -1, 0})));
+    scene.lostBelow = -5.0;
+}
+
+/// Joints only: nothing collides, so there is nothing to penetrate.
+Scene jointScene() {
+    Scene scene;
+    scene.watchPenetration = false;
+    return scene;
+}
+
+/// Twenty cubes: does a tower stand when the solver has too few sweeps for its height?
+Scene stack() {
+    Scene scene;
+    scene.shouldStand = true;
+    addFloor(scene);
+    for (int i = 0; i < 20; ++i) add(scene, cube({0, i + 0.5, 0}));
+    return scene;
+}
+
+/// Touching cubes, `base` at the bottom and one at the top: weight on many paths at once, and the
+/// cost of many contacts. The layout of Box3D's CreateLargePyramid.
+Scene pyramid(int base) {
+    Scene scene;
+    scene.shouldStand = true;
+    addFloor(scene);
+    const double h = 0.5;
+    for (int row = 0; row < base; ++row)
+        for (int i = row; i < base; ++i) {
+            const double x = (row + 1.0) * h + 2.0 * (i - row) * h - h * base;
+            add(scene, cube({x, (2.0 * row + 1) * h, 0}));
+        }
+    return scene;
+}
+
+/// Twenty rows of bricks, half a brick at the ends of every second row.
+Scene wall() {
+    Scene scene;
+    scene.shouldStand = true;
+    addFloor(scene);
+    for (int row = 0; row < 20; ++row) {
+        const double y = row + 0.5;
+        if (row % 2 == 0) {
+            for (int i = 0; i < 20; ++i) add(scene, cube({i - 9.5, y, 0}));
+        } else {
+            add(scene, box({.25, .5, .5}, {-9.75, y, 0}));
+            for (int i = 0; i < 19; ++i) add(scene, cube({i - 9.0, y, 0}));
+            add(scene, box({.25, .5, .5}, {9.75, y, 0}));
+        }
+    }
+    return scene;
+}
+
+/// A chain of 100 links, released level: joints that have to carry one another's weight.
+Scene chain() {
+    Scene scene = jointScene();
+    scene.watchEnergy = true;
+    const int links = 100;
+    const double length = 0.5;
+    int previous = add(scene, ghost(fixed(sphere(0.05, {0, 0, 0}))));
+    double mass = 0.0;
+    for (int i = 0; i < links; ++i) {
+        const int link = add(scene, ghost(box({.25, .1, .1}, {length * (i + 0.5), 0, 0})));
+        mass += scene.bodies[link].mass();
+        addBall(scene, previous, link, {length * i, 0, 0});
+        previous = link;
+    }
+    scene.energyScale = mass * kGravity * 0.5 * links * length;
+    return scene;
+}
+
+/// A ball of 1000 kg on twenty links of 1 kg, hanging or released level: a mass ratio that sweeps
+/// from row to row do not see.
+Scene heavyBall(bool level) {
+    Scene scene = jointScene();
+    scene.watchEnergy = level;
+    const int links = 20;
+    const double length = 0.5, radius = 0.5;
+    const double linkDensity = 1.0 / (8 * .25 * .05 * .05);
+    const double ballDensity = 1000.0 / (4.0 / 3 * kPi * radius * radius * radius);
+    const auto along = [&](double s) { return level ? Vec3(s, 0, 0) : Vec3(0, -s, 0); };
+    const Vec3 halfSize = level ? Vec3(.25, .05, .05) : Vec3(.05, .25, .05);
+    int previous = add(scene, ghost(fixed(sphere(0.05, {0, 0, 0}))));
+    for (int i = 0; i < links; ++i) {
+        const int link = add(scene, ghost(box(halfSize, along(length * (i + 0.5)), linkDensity)));
+        addBall(scene, previous, link, along(length * i));
+        previous = link;
+    }
+    const Body ball = sphere(radius, along(length * links + radius), ballDensity);
+    addBall(scene, previous, add(scene, ghost(ball)), along(length * links));
+    scene.energyScale = 1000 * kGravity * (length * links + radius);
+    return scene;
+}
+
+constexpr double kBridgeRadius = 100.0;  // m, of the arc
+
+Vec3 onBridge(double angle) {
+    const double r = kBridgeRadius;
+    return {r * std::sin(angle), -r * std::cos(angle) + r + 20, 0};
+}
+
+/// A hundred hinged planks between two banks, slack on an arc, and ten boxes of 1 t dropped on
+/// them: joints and contacts that depend on each other.
+Scene bridge() {
+    Scene scene;
+    scene.lostBelow = -20.0;  // far below any sag: what leaves the bridge falls for ever
+    const int planks = 100;
+    const double plank = 2 * std::asin(0.5 / kBridgeRadius);  // rad, of the arc
+    const double start = -0.5 * planks * plank;
+    const Vec3 left = onBridge(start), right = onBridge(start + planks * plank);
+    int previous = add(scene, fixed(box({.5, .5, 1.0}, {left.x() - 0.5, left.y(), 0})));
+    const int bank = add(scene, fixed(box({.5, .5, 1.0}, {right.x() + 0.5, right.y(), 0})));
+    for (int i = 0; i < planks; ++i) {
+        const double angle = start + i * plank;
+        const Vec3 from = onBridge(angle), to = onBridge(angle + plank);
+        Body body = box({.5, .1, 1.0}, 0.5 * (from + to));
+        body.pose.rotation = turn({0, 0, 1}, std::atan2(to.y() - from.y(), to.x() - from.x()));
+        const int next = add(scene, body);
+        addHinge(scene, previous, next, from);
+        if (i == planks - 1) addHinge(scene, next, bank, to);
+        previous = next;
+    }
+    for (int i = 0; i < 10; ++i) {
+        const Vec3 at = onBridge((i - 4.5) * 4 * plank);
+        add(scene, cube({at.x(), at.y() + 1.2, 0}));
+    }
+    return scene;
+}
+
+/// Four walls around a floor of 13 m by 13 m.
+void addBin(Scene& scene) {
+    const double half = 6.5, height = 30;
+    addFloor(scene);
+    add(scene, fixed(box({.5, height, half + 1}, {-half - 0.5, height, 0})));
+    add(scene, fixed(box({.5, height, half + 1}, {half + 0.5, height, 0})));
+    add(scene, fixed(box({half, height, .5}, {0, height, -half - 0.5})));
+    add(scene, fixed(box({half, height, .5}, {0, height, half + 0.5})));
+}
+
+/// A thousand boxes and a thousand spheres fall into a bin: every kind of contact at once.
+Scene pile() {
+    Scene scene;
+    addBin(scene);
+    Lcg random;
+    for (int layer = 0; layer < 20; ++layer)
+        for (int i = 0; i < 10; ++i)
+            for (int k = 0; k < 10; ++k) {
+                const double x = (i - 4.5) * 1.2 + random.number(-.08, .08);
+                const double z = (k - 4.5) * 1.2 + random.number(-.08, .08);
+                const Vec3 at{x, 1.0 + layer * 1.2, z};
+                Body body = (i + k + layer) % 2 == 1 ? sphere(.5, at) : box({.45, .45, .45}, at);
+                if (body.isBox) {
+                    const double angle = random.number(0, 0.6);
+                    const double u = random.number(-1, 1), v = random.number(-1, 1);
+                    body.pose.rotation = turn({u, v, random.number(.1, 1)}, angle);
+                }
+                add(scene, body);
+            }
+    return scene;
+}
+
+/// A cloth of 50 x 50 spheres, held at one edge: loops of joints.
+Scene grid() {
+    Scene scene = jointScene();
+    scene.watchEnergy = true;
+    const int n = 50;
+    double mass = 0.0;
+    for (int k = 0; k < n; ++k)
+        for (int i = 0; i < n; ++i) {
+            const double x = k, z = i;
+            Body body = ghost(sphere(0.4, {x, 0, z}));
+            body.dynamic = i > 0;
+            const int id = add(scene, body);  // k n + i
+            if (i == 0) continue;
+            mass += body.mass();
+            addBall(scene, id - 1, id, {x, 0, i - 0.5});
+            if (k > 0) addBall(scene, id - n, id, {k - 0.5, 0, z});
+        }
+    scene.energyScale = mass * kGravity * 0.5 * n;
+    return scene;
+}
+
+/// One body on one ball joint at the origin: energy over a minute, against the formula.
+Scene pendulum(const Body& bob) {
+    Scene scene = jointScene();
+    scene.watchEnergy = true;
+    scene.seconds = 60;
+    const int hook = add(scene, ghost(fixed(sphere(.01, {0, 0, 0}))));
+    addBall(scene, hook, add(scene, ghost(bob)), {0, 0, 0});
+    scene.energyScale = bob.mass() * kGravity * bob.pose.position.x();
+    return scene;
+}
+
+/// Ten cubes, the top one a hundred times heavier: the mass ratio that contacts suffer from most.
+Scene heavyOnTop() {
+    Scene scene;
+    scene.shouldStand = true;
+    addFloor(scene);
+    for (int i = 0; i < 10; ++i) add(scene, cube({0, i + 0.5, 0}, i == 9 ? 100000 : 1000));
+    return scene;
+}
+
+/// A free box spun about its middle axis tumbles for ever (Dzhanibekov): energy and momentum.
+Scene freeSpin() {
+    Scene scene = jointScene();
+    scene.watchEnergy = scene.watchMomentum = true;
+    scene.seconds = 60;
+    scene.gravity = Vec3::Zero();
+    Body body = ghost(box({1.0, 0.5, 0.2}, {0, 0, 0}));
+    body.spin = {0.01, 5.0, 0.01};
+    add(scene, body);
+    scene.energyScale = 0.5 * body.inertia().dot(body.spin.cwiseProduct(body.spin));
+    return scene;
+}
+
+/// A cube on a slope. 30 degrees: tan = .577 < mu, it must stick. 32 degrees: tan = .625 > mu, it
+/// must slide with a = g (sin - mu cos).
+Scene incline(int degrees) {
+    Scene scene;
+    const double angle = degrees * kPi / 180;
+    const Quat tilt = turn({0, 0, 1}, -angle);
+    const Vec3 normal = tilt * Vec3(0, 1, 0);
+    scene.slide = std::max(0.0, kGravity * (std::sin(angle) - scene.friction * std::cos(angle)));
+    scene.shouldStand = scene.slide == 0.0;
+    Body slope = fixed(box({200, 1, 20}, -1.0 * normal));
+    Body body = cube(0.5 * normal);
+    slope.pose.rotation = body.pose.rotation = tilt;
+    add(scene, slope);
+    add(scene, body);
+    return scene;
+}
+
+/// Every body 0.1 mm and 0.2 mrad off: a stand that depends on perfect symmetry is none.
+Scene perturbed(Scene scene) {
+    const double shift = 1e-4, angle = 2e-4;  // m, rad
+    Lcg random;
+    scene.seconds = 60;
+    for (Body& body : scene.bodies) {
+        if (!body.dynamic) continue;
+        for (double& x : body.pose.position) x += random.number(-shift, shift);
+        Vec3 axis;
+        for (double& x : axis) x = random.number(-1, 1);
+        body.pose.rotation = turn(axis, angle) * body.pose.rotation;
+    }
+    return scene;
+}
+
+Scene lasting(double seconds, Scene scene) {
+    scene.seconds = seconds;
+    return scene;
+}
+
+struct Entry {
+    const char* name;
+    Scene (*make)();
+};
+
+constexpr Entry kScenes[] = {
+    {"S1", stack},
+    {"S1p", [] { return perturbed(stack()); }},
+    {"S2", [] { return pyramid(20); }},
+    {"S3", [] { return pyramid(60); }},
+    {"S3L", [] { return lasting(40, pyramid(60)); }},
+    {"S4", wall},
+    {"S5", chain},
+    {"S6v", [] { return heavyBall(false); }},
+    {"S6h", [] { return heavyBall(true); }},
+    {"S7", bridge},
+    {"S8", pile},
+    {"S9", grid},
+    {"S10", [] { return pendulum(sphere(.05, {1, 0, 0})); }},
+    {"S10b", [] { return pendulum(box({.5, .05, .05}, {.5, 0, 0})); }},
+    {"S11", heavyOnTop},
+    {"S11p", [] { return perturbed(heavyOnTop()); }},
+    {"S12", freeSpin},
+    {"S13a", [] { return incline(30); }},
+    {"S13b", [] { return incline(32); }},
+    {"P20", [] { return pyramid(20); }},
+    {"P40", [] { return pyramid(40); }},
+    {"P60", [] { return pyramid(60); }},
+    {"P100", [] { return pyramid(100); }},
+};
+
+}  // namespace
+
+double Body::mass() const {
+    if (!isBox) return density * 4.0 / 3 * kPi * radius * radius * radius;
+    return density * 8 * halfSize.x() * halfSize.y() * halfSize.z();
+}
+
+Vec3 Body::inertia() const {
+    const double m = mass();
+    if (!isBox) return Vec3::Constant(0.4 * m * radius * radius);
+    const double xx = halfSize.x() * halfSize.x(), yy = halfSize.y() * halfSize.y(),
+                 zz = halfSize.z() * halfSize.z();
+    return {m / 3 * (yy + zz), m / 3 * (xx + zz), m / 3 * (xx + yy)};
+}
+
+double Body::reach() const { return isBox ? halfSize.norm() : radius; }
+
+int Scene::stepCount() const { return static_cast<int>(std::lround(seconds / step)); }
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const Entry& entry : kScenes) names.push_back(entry.name);
+    return names;
+}
+
+std::optional<Scene> makeScene(const std::string& name) {
+    for (const Entry& entry : kScenes)
+        if (name == entry.name) {
+            Scene scene = entry.make();
+            scene.name = name;
+            return scene;
+        }
+    return {};
+}
+
+}  // namespace peers

@@ -1,0 +1,66 @@
+/// The scenes in which engines are compared: what to build, and what is worth measuring there.
+/// No engine is known here; of ours only the words for vectors and poses. y is up.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/math.h"
+
+namespace peers {
+
+using engine::Pose;
+using engine::Quat;
+using engine::Vec3;
+
+struct Body {
+    bool isBox = true;             // else a sphere
+    Vec3 halfSize{0.5, 0.5, 0.5};  // m; box: half edges
+    double radius = 0.5;           // m; sphere
+    Pose pose;
+    Vec3 velocity{0, 0, 0};   // m/s
+    Vec3 spin{0, 0, 0};       // rad/s, world axes
+    double density = 1000.0;  // kg/m^3
+    bool dynamic = true;      // else it never moves
+    bool collide = true;      // false: passes through everything
+
+    double mass() const;   // kg
+    Vec3 inertia() const;  // kg m^2, about the body's axes
+    double reach() const;  // m, from the centre to the farthest point
+};
+
+/// Joined bodies do not collide with each other.
+struct Joint {
+    bool isHinge = false;  // else a ball joint
+    int a = 0, b = 0;      // bodies
+    Vec3 at{0, 0, 0};      // m, world axes, at the start
+    Vec3 axis{0, 0, 1};    // of a hinge, world axes, at the start
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Body> bodies;
+    std::vector<Joint> joints;
+    double seconds = 10.0;      // s, of simulated time
+    double step = 1.0 / 60.0;   // s
+    Vec3 gravity{0, -9.81, 0};  // m/s^2
+    double friction = 0.6;      // mu, where two surfaces meet; nothing bounces
+
+    bool watchPenetration = true;     // measured by us, not asked of the engine
+    bool shouldStand = false;         // it has fallen when a body is half a metre from its start
+    bool watchEnergy = false;         // nothing here may take or give energy
+    double energyScale = 1.0;         // J: what 100 % of an energy error is
+    bool watchMomentum = false;       // nothing here may turn the angular momentum
+    double slide = 0.0;               // m/s^2: body 1 should slide with this acceleration
+    std::optional<double> lostBelow;  // m: lower than this a body has left the scene
+
+    int stepCount() const;
+};
+
+/// S1 to S13b as in the table of README.md; p: perturbed; P<n>: a pyramid of n boxes at its base.
+std::vector<std::string> sceneNames();
+
+/// Nothing where there is no scene of this name.
+std::optional<Scene> makeScene(const std::string& name);
+
+}  // namespace peers
