@@ -5,14 +5,14 @@
 namespace demos {
 
 /// Pixels, from the top left corner.
-struct Rectangle {
+struct Area {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
 struct PanelLayout {
     int width = 0, height = 0;      // pixels, of the whole film
-    std::vector<Rectangle> panels;  // all of one size
-    Rectangle strip;                // of a plot; width 0 = none
+    std::vector<Area> panels;  // all of one size
+    Area strip;                // of a plot; width 0 = none
 };
 
 /// One panel fills the film. Two stand side by side, with the plot below; three leave the fourth

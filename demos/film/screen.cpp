@@ -21,7 +21,7 @@ void place(const render::Image& part, int x, int y, render::Image& whole) {
 }
 
 /// White on the right and below, where another panel follows.
-void drawBorder(const Rectangle& at, render::Image& whole) {
+void drawBorder(const Area& at, render::Image& whole) {
     const int width = std::max(whole.height / 360, 1);
     const int right = at.x + at.width, bottom = at.y + at.height;
     for (int y = at.y; y < bottom; ++y)
@@ -88,12 +88,12 @@ render::Image Screen::draw(int frame, render::Renderer& renderer) {
     render::Image whole{plan_.layout.width, plan_.layout.height, {}};
     whole.pixels.assign(4 * static_cast<std::size_t>(whole.width) * whole.height, 255);
     for (std::size_t i = 0; i < shows_.size(); ++i) {
-        const Rectangle& at = plan_.layout.panels[i];
+        const Area& at = plan_.layout.panels[i];
         place(renderer.draw(frameOf(*shows_[i], time)), at.x, at.y, whole);
         drawBorder(at, whole);
     }
     if (plan_.strip.pixels.empty()) return whole;
-    const Rectangle& strip = plan_.layout.strip;
+    const Area& strip = plan_.layout.strip;
     place(plan_.strip, strip.x, strip.y, whole);
     const auto& cursor = plan_.cursor;
     const float share = static_cast<float>(time / plan_.scene().seconds);

@@ -141,7 +141,7 @@ TEST(PanelLayout, FillsThePictureWithEvenPanels) {
             ASSERT_EQ(layout.panels.size(), static_cast<std::size_t>(panels));
             EXPECT_EQ(layout.width % 2 + layout.height % 2, 0);
             EXPECT_EQ(layout.strip.width > 0, strip);
-            std::vector<Rectangle> all = layout.panels;
+            std::vector<Area> all = layout.panels;
             if (strip) all.push_back(layout.strip);
             for (std::size_t i = 0; i < all.size(); ++i) {
                 EXPECT_LE(all[i].x + all[i].width, layout.width);

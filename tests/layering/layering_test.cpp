@@ -18,7 +18,8 @@ struct Include {
 std::vector<Include> includesOf(const std::string& folder) {
     std::vector<Include> result;
     const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / folder)) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / folder)) {
         const std::string ending = entry.path().extension();
         if (ending != ".h" && ending != ".cpp" && ending != ".in") continue;
         std::ifstream file(entry.path());
@@ -38,16 +39,17 @@ TEST(Layering, EngineIncludesEigenAndItselfOnly) {
     const std::vector<Include> includes = includesOf("engine");
     EXPECT_GT(includes.size(), 100u);
     for (const Include& i : includes) {
-        const bool standard = i.header.find('/') == std::string::npos &&
-                              i.header.find('.') == std::string::npos;
+        const bool standard =
+            i.header.find('/') == std::string::npos && i.header.find('.') == std::string::npos;
         EXPECT_TRUE(standard || startsWith(i.header, "Eigen/") || startsWith(i.header, "engine/"))
             << i.file << ": " << i.line;
     }
 }
 
 TEST(Layering, EngineOpensNoFileAndPrintsNothing) {
-    const std::set<std::string> forbidden{"fstream", "iostream", "filesystem", "cstdlib", "cstdio",
-                                          "random", "unordered_map", "unordered_set", "thread"};
+    const std::set<std::string> forbidden{"fstream",       "iostream",      "filesystem",
+                                          "cstdlib",       "cstdio",        "random",
+                                          "unordered_map", "unordered_set", "thread"};
     for (const Include& i : includesOf("engine")) {
         if (i.file == "engine/base/check.cpp") continue;  // the caller's bug is printed
         EXPECT_FALSE(forbidden.count(i.header)) << i.file << ": " << i.line;
@@ -56,10 +58,11 @@ TEST(Layering, EngineOpensNoFileAndPrintsNothing) {
 
 TEST(Layering, FoldersOfTheEngineLookDownOnly) {
     const std::map<std::string, std::vector<std::string>> forbidden{
-        {"engine/base", {"engine/dynamics/", "engine/collision/", "engine/constraints/",
-                         "engine/solver/", "engine/world"}},
-        {"engine/dynamics", {"engine/collision/", "engine/constraints/", "engine/solver/",
-                             "engine/world"}},
+        {"engine/base",
+         {"engine/dynamics/", "engine/collision/", "engine/constraints/", "engine/solver/",
+          "engine/world"}},
+        {"engine/dynamics",
+         {"engine/collision/", "engine/constraints/", "engine/solver/", "engine/world"}},
         {"engine/constraints", {"engine/collision/", "engine/solver/", "engine/world"}},
         {"engine/solver", {"engine/collision/", "engine/world"}},
         {"engine/collision", {"engine/solver/", "engine/world"}}};
@@ -73,6 +76,27 @@ TEST(Layering, RenderKnowsNoPhysics) {
     for (const Include& i : includesOf("render"))
         EXPECT_FALSE(startsWith(i.header, "engine/") || startsWith(i.header, "demos/"))
             << i.file << ": " << i.line;
+}
+
+/// Two types of one name in one namespace link without a word and crash: the One Definition Rule.
+TEST(Layering, EveryTypeOfAFolderHasItsOwnName) {
+    const std::regex definition(R"(^(?:struct|class) (\w+)[^;]*\{)");
+    for (const char* folder : {"engine", "render", "demos"}) {
+        std::map<std::string, std::string> where;
+        for (const auto& entry :
+             fs::recursive_directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / folder)) {
+            if (entry.path().extension() != ".h") continue;
+            std::ifstream file(entry.path());
+            std::smatch match;
+            for (std::string line; std::getline(file, line);)
+                if (std::regex_search(line, match, definition)) {
+                    const bool added = where.emplace(match[1], entry.path().string()).second;
+                    EXPECT_TRUE(added)
+                        << match[1] << ": " << entry.path() << " and " << where[match[1]];
+                }
+        }
+        EXPECT_GT(where.size(), 10u);
+    }
 }
 
 TEST(Layering, EachOfTheseLibrariesHasOneFile) {
