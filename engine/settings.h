@@ -27,12 +27,16 @@ enum class Gyroscope { momentum, implicitEuler, none };
 /// before solving (Eberly's formula).
 enum class Bounce { impacts, bias };
 
+/// What the wide contact solver runs on; the bits are the same.
+enum class Instructions { best, baseline };
+
 struct Settings {
     Method method = Method::impulses;
     int substeps = 4;         // velocities, impulses, positions and nudges, this often a step
     int maxSubsteps = 32;     // as often where joints or masses ask for it (solver/substeps.h)
     int sweeps = 30;          // velocity sweeps a sub-step, at most
     int minSweeps = 2;        // and at least
+    int movingSweeps = 4;     // at most for an island on the move (wide/groups.h); lanes only
     double tolerance = 2e-3;  // m/s: enough when no row's correction was larger; 0 = all sweeps
     int nudges = 1;           // position sweeps a sub-step; 0 = off
     double nudgeFactor = 0.5; // beta: the share of the error C that one nudge takes away
@@ -47,7 +51,15 @@ struct Settings {
     Bounce bounce = Bounce::impacts;
     double bounceSpeed = 0.25;       // m/s: slower approaches do not bounce, so that things rest
     double speculativeMargin = 0.02; // m: contacts are made this far ahead of touching
+    bool lanes = true;        // contacts eight side by side, in single precision; needs block and
+                              // accumulate, and method impulses
+    Instructions instructions = Instructions::best;
     bool compareExact = false; // every sweep's distance to the direct solution in the report; slow
+
+    /// Whether contacts are solved in lanes.
+    bool usesLanes() const {
+        return lanes && block && accumulate && method == Method::impulses && !compareExact;
+    }
 
     /// The default: what held still and kept its energy best in experiment.
     static Settings steady() { return {}; }
@@ -66,6 +78,7 @@ struct Settings {
         s.slop = 5e-3;
         s.order = Order::pairs;
         s.block = false;
+        s.lanes = false;
         s.joints = JointSolving::rows;
         s.gyroscope = Gyroscope::implicitEuler;
         s.bounce = Bounce::bias;

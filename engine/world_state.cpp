@@ -59,14 +59,11 @@ void reportImpulses(WorldState& s, double dt) {
     s.contactStates.clear();
     for (int k = 0; k < static_cast<int>(s.finder.contacts.size()); ++k) {
         const Contact& contact = s.finder.contacts[k];
-        const ContactConstraint<double>& c = s.solver.constraints.contacts[k];
         for (int i = 0; i < contact.count; ++i) {
-            const ContactRow<double>& row = c.rows[i];
+            const PointImpulses got = impulsesOf(s.solver, k, i);
             const ContactState& was = s.contactStates.emplace_back(ContactState{
                 {contact.a}, {contact.b}, s.solver.posesAtStart[contact.a].toWorld(contact.points[i].anchorA),
-                contact.normal, 0.0, row.total,
-                row.totalFriction[0] * c.t1 + row.totalFriction[1] * c.t2,
-                contact.points[i].feature});
+                contact.normal, 0.0, got.total, got.totalFriction, contact.points[i].feature});
             const Vec3 onB = s.solver.posesAtStart[contact.b].toWorld(contact.points[i].anchorB);
             ContactState& state = s.contactStates.back();
             state.penetration = -contact.normal.dot(onB - was.position);
@@ -138,7 +135,7 @@ bool beginStep(WorldState& s, double dt) {
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
     s.report.direct = {};
-    prepareContacts(s.finder.contacts, s.bodies, s.gravity, s.settings, s.solver);
+    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
     for (JointConstraint<double>& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
     return true;

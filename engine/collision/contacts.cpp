@@ -42,6 +42,7 @@ bool boundsMeet(const Bodies& bodies, const BroadPhase& broad, const PairKey& pa
 }  // namespace
 
 void carryImpulses(const Contact& from, Contact& to) {
+    to.depth = from.depth;
     bool taken[Contact::kMaxPoints] = {}, found[Contact::kMaxPoints] = {};
     const auto carry = [&](int i, int j) {
         to.points[i].impulse = from.points[j].impulse;

@@ -20,6 +20,7 @@ struct Contact {
     Vec3 normal = Vec3::UnitY();    // unit, from a to b
     double friction = 0.0;          // mu of the two surfaces together
     double restitution = 0.0;       // e of the two surfaces together
+    double depth = 1e9;             // m, how far down it is for the order of a sweep; not yet known
     int count = 0;
     std::array<ContactPoint, kMaxPoints> points;
 };

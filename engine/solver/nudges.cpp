@@ -1,6 +1,7 @@
 #include "engine/solver/nudges.h"
 
 #include "engine/dynamics/rotation.h"
+#include "engine/solver/lanes.h"
 
 namespace engine {
 namespace {
@@ -120,6 +121,8 @@ void nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
     for (const JointConstraint<double>& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, solver, settings);
     if (!solver.trees.empty()) nudgeTrees(joints, bodies, solver, h, first);
+    if (solver.lanes && nudgeInLanes(solver, bodies, settings))
+        solver.wide.separate(bodies, settings.slop);
     for (const int i : solver.constraints.order)
         nudgeContact(solver.constraints.contacts[i], bodies, solver, settings);
 }
@@ -129,6 +132,7 @@ void nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
 void solveNudges(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h) {
     solver.nudged.assign(bodies.count(), 0);
+    if (solver.lanes && settings.nudges == 0) solver.wide.separate(bodies, settings.slop);
     for (int i = 0; i < settings.nudges; ++i)
         nudgeOnce(joints, bodies, solver, settings, h, i == 0);
     for (int i = 0; i < bodies.count(); ++i)

@@ -12,27 +12,43 @@ ContactGeometry<double> geometryOf(const Contact& contact, const ContactPoint& p
     return {middle - a.position, middle - b.position, contact.normal.dot(onB - onA)};
 }
 
+constexpr double kLayer = 1e-3;  // m: contacts less far apart are one layer, in the order of pairs
+constexpr double kStays = 0.02;  // m: a contact that has moved by less keeps its place
+
 }  // namespace
 
-void orderContacts(std::span<const Contact> contacts, const Bodies& bodies, const Vec3& gravity,
-                   Order order, std::vector<int>& result) {
-    result.resize(contacts.size());
-    for (int i = 0; i < static_cast<int>(result.size()); ++i) result[i] = i;
-    if (order == Order::pairs) return;
-    const auto depth = [&](int i) {  // how far down: the first point stands for the contact
-        return gravity.dot(bodies.poses[contacts[i].a].toWorld(contacts[i].points[0].anchorA));
-    };
-    std::sort(result.begin(), result.end(), [&](int i, int j) {
-        const double x = depth(i), y = depth(j);
-        return x < y || (x == y && i < j);
-    });
+void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3& gravity,
+                   Order order, std::vector<std::uint64_t>& keys, std::vector<int>& result) {
+    const double g = order == Order::gravity ? gravity.norm() : 0.0;
+    const Vec3 down = g > 0.0 ? Vec3(gravity / g) : Vec3::Zero();
+    keys.clear();
+    for (Contact& contact : contacts) {
+        const Vec3 at = bodies.poses[contact.a].toWorld(contact.points[0].anchorA);
+        const double depth = down.dot(at);
+        if (!(std::abs(depth - contact.depth) <= kStays))
+            contact.depth = std::floor(depth / kLayer + 0.5) * kLayer;
+        const auto layer = static_cast<std::uint32_t>(
+            static_cast<std::int32_t>(contact.depth / kLayer) + (1 << 30));
+        keys.push_back(std::uint64_t{layer} << 32 | keys.size());
+    }
+    std::sort(keys.begin(), keys.end());
+    result.clear();
+    for (const std::uint64_t key : keys) result.push_back(static_cast<int>(key & 0xffffffffu));
 }
 
-void prepareContacts(std::span<const Contact> contacts, const Bodies& bodies, const Vec3& gravity,
-                     const Settings& settings, Solver& solver) {
+void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
+                     const Bodies& bodies, const Vec3& gravity, const Settings& settings,
+                     Solver& solver) {
     Constraints<double>& c = solver.constraints;
     c.contacts.clear();
     solver.posesAtStart = bodies.poses;
+    orderContacts(contacts, bodies, gravity, settings.order, solver.keys, c.order);
+    solver.lanes = settings.usesLanes();
+    if (solver.lanes) {
+        solver.wide.prepare(contacts, c.order, joints, bodies, settings);
+        c.order.clear();
+        return;
+    }
     for (const Contact& contact : contacts) {
         ContactGeometry<double> points[Contact::kMaxPoints];
         for (int i = 0; i < contact.count; ++i)
@@ -42,7 +58,14 @@ void prepareContacts(std::span<const Contact> contacts, const Bodies& bodies, co
                                                    bodies.inverseMasses[contact.a],
                                                    bodies.inverseMasses[contact.b]));
     }
-    orderContacts(contacts, bodies, gravity, settings.order, c.order);
+}
+
+PointImpulses impulsesOf(const Solver& solver, int k, int i) {
+    if (solver.lanes) return solver.wide.impulses(k, i);
+    const ContactConstraint<double>& c = solver.constraints.contacts[k];
+    const ContactRow<double>& row = c.rows[i];
+    return {row.lambda, row.total, row.friction[0] * c.t1 + row.friction[1] * c.t2,
+            row.totalFriction[0] * c.t1 + row.totalFriction[1] * c.t2};
 }
 
 double separationNow(const ContactConstraint<double>& contact, const ContactRow<double>& row,
@@ -58,6 +81,7 @@ double separationNow(const ContactConstraint<double>& contact, const ContactRow<
 }
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {
+    if (solver.lanes) return;  // they are up to date since the nudges
     for (ContactConstraint<double>& contact : solver.constraints.contacts)
         for (int i = 0; i < contact.count; ++i)
             contact.rows[i].separation =
@@ -113,14 +137,12 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
 }
 
 void storeImpulses(const Solver& solver, std::span<Contact> contacts, std::span<Joint> joints) {
-    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
-        const ContactConstraint<double>& c = solver.constraints.contacts[k];
-        for (int i = 0; i < c.count; ++i) {
-            contacts[k].points[i].impulse = c.rows[i].lambda;
-            contacts[k].points[i].friction =
-                c.rows[i].friction[0] * c.t1 + c.rows[i].friction[1] * c.t2;
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
+        for (int i = 0; i < contacts[k].count; ++i) {
+            const PointImpulses got = impulsesOf(solver, k, i);
+            contacts[k].points[i].impulse = got.normal;
+            contacts[k].points[i].friction = got.friction;
         }
-    }
     for (const JointConstraint<double>& c : solver.constraints.joints)
         joints[c.joint].lambda = c.lambda;
 }

@@ -3,6 +3,7 @@
 #include "engine/solver/direct.h"
 #include "engine/solver/exact_velocities.h"
 #include "engine/solver/impulses.h"
+#include "engine/solver/lanes.h"
 #include "engine/solver/pgs.h"
 #include "engine/solver/pgs_matrix.h"
 
@@ -79,6 +80,14 @@ void solveConstraints(Constraints<double>& c, JointTrees& trees, std::span<Veloc
             solveDirectly(c, v, settings, h, report);
             break;
     }
+}
+
+void solveConstraints(Solver& solver, std::span<Velocity<double>> v, const Settings& settings,
+                      double h, StepReport& report) {
+    if (solver.lanes)
+        solveInLanes(solver, v, settings, h, report.sweeps);
+    else
+        solveConstraints(solver.constraints, solver.trees, v, settings, h, report);
 }
 
 }  // namespace engine

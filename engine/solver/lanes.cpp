@@ -1,0 +1,75 @@
+#include "engine/solver/lanes.h"
+
+#include "engine/dynamics/rotation.h"
+#include "engine/solver/impulses.h"
+
+namespace engine {
+namespace {
+
+/// Sweep i of a group, beside those of the others.
+void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& swept) {
+    if (report.size() <= i) report.emplace_back();
+    report[i].residual = larger(report[i].residual, swept.residual);
+    report[i].delta += swept.delta;
+}
+
+/// The joints' share of a sweep; contacts see what it changed, and it sees what they did.
+SweepReport sweepJoints(Solver& s, std::span<Velocity<double>> v, const Settings& settings) {
+    const std::span<const int> shared = s.wide.groups().jointedBodies();
+    s.wide.give(v, shared);
+    const SweepReport swept = sweep<double>(s.constraints, s.trees, v, settings);
+    s.wide.take(v, shared);
+    return swept;
+}
+
+void sweepGroup(Solver& s, int group, std::span<Velocity<double>> v, const Settings& settings,
+                std::size_t first, std::vector<SweepReport>& report) {
+    const bool joints = group == 0 && s.wide.groups().hasJoints();
+    const int most = s.wide.groups().moving(group) ? smaller(settings.movingSweeps, settings.sweeps)
+                                                   : settings.sweeps;
+    for (int i = 0; i < most; ++i) {
+        SweepReport swept = joints ? sweepJoints(s, v, settings) : SweepReport{};
+        const SweepReport contacts = s.wide.sweep(group);
+        swept.residual = larger(swept.residual, contacts.residual);
+        swept.delta += contacts.delta;
+        merge(report, first + i, swept);
+        if (i + 1 >= settings.minSweeps && swept.residual < settings.tolerance) return;
+    }
+}
+
+}  // namespace
+
+void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& settings, double h,
+                  std::vector<SweepReport>& report) {
+    beginSolving<double>(s.constraints, v, settings, h);  // of the joints
+    s.wide.begin(v, settings, h);
+    const std::size_t first = report.size();
+    const std::span<const int> shared = s.wide.groups().jointedBodies();
+    s.wide.give(v, shared);
+    warmStart<double>(s.constraints, v, settings);
+    s.wide.take(v, shared);
+    for (int group = 0; group < s.wide.groups().count(); ++group) {
+        s.wide.warmStart(group);
+        sweepGroup(s, group, v, settings, first, report);
+    }
+    s.wide.finish(v);
+}
+
+bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
+    if (!s.wide.separate(bodies, settings.slop)) return false;
+    const std::span<const WideVelocity> ways = s.wide.nudge(settings);
+    for (int i = 0; i < bodies.count(); ++i) {
+        const WideVelocity& way = ways[i];
+        if (!bodies.isDynamic(i)) continue;
+        Pose& pose = bodies.poses[i];
+        const Vec3 move(way.linear[0], way.linear[1], way.linear[2]);
+        const Vec3 turn(way.angular[0], way.angular[1], way.angular[2]);
+        if (move.isZero(0.0) && turn.isZero(0.0)) continue;
+        pose.position += move;
+        pose.rotation = cayley(turn, pose.rotation);
+        s.nudged[i] = 1;
+    }
+    return true;
+}
+
+}  // namespace engine

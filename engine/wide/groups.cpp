@@ -1,0 +1,91 @@
+#include "engine/wide/groups.h"
+
+#include <algorithm>
+
+namespace engine {
+namespace {
+
+constexpr double kFast = 0.5;         // m/s
+constexpr int kFewContacts = 64;      // islands with fewer share a group
+
+/// A body of the pair that impulses move.
+int movable(const Bodies& bodies, int a, int b) { return bodies.isDynamic(a) ? a : b; }
+
+bool isFast(const Contact& contact, const Bodies& bodies) {
+    const Vec3 passing =
+        bodies.velocities[contact.b].linear - bodies.velocities[contact.a].linear;
+    return passing.squaredNorm() > kFast * kFast;
+}
+
+}  // namespace
+
+int ContactGroups::leaderOf(int body) {
+    while (leader_[body] != body) body = leader_[body] = leader_[leader_[body]];
+    return body;
+}
+
+void ContactGroups::connect(int a, int b) {
+    const int x = leaderOf(a), y = leaderOf(b);
+    leader_[std::max(x, y)] = std::min(x, y);
+}
+
+void ContactGroups::find(std::span<const Contact> contacts, std::span<const Joint> joints,
+                         const Bodies& bodies) {
+    leader_.resize(bodies.count());
+    for (int i = 0; i < bodies.count(); ++i) leader_[i] = i;
+    for (const Contact& contact : contacts)
+        if (bodies.isDynamic(contact.a) && bodies.isDynamic(contact.b))
+            connect(contact.a, contact.b);
+    for (const Joint& joint : joints)
+        if (joint.present && bodies.isDynamic(joint.def.a.index) &&
+            bodies.isDynamic(joint.def.b.index))
+            connect(joint.def.a.index, joint.def.b.index);
+    islands_.assign(bodies.count(), {});
+    jointed_ = false;
+    for (const Joint& joint : joints) {
+        if (!joint.present) continue;
+        islands_[leaderOf(movable(bodies, joint.def.a.index, joint.def.b.index))].jointed = true;
+        jointed_ = true;
+    }
+    count(contacts, bodies);
+    number(contacts, bodies);
+}
+
+void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodies) {
+    for (const Contact& contact : contacts) {
+        Island& island = islands_[leaderOf(movable(bodies, contact.a, contact.b))];
+        ++island.contacts;
+        island.fast += isFast(contact, bodies) ? 1 : 0;
+    }
+}
+
+void ContactGroups::number(std::span<const Contact> contacts, const Bodies& bodies) {
+    int open[2] = {-1, -1}, room[2] = {0, 0};  // the group that small islands go to: calm, moving
+    moving_.assign(jointed_ ? 1 : 0, 0);
+    ofContact_.clear();
+    for (const Contact& contact : contacts) {
+        Island& island = islands_[leaderOf(movable(bodies, contact.a, contact.b))];
+        if (island.group < 0 && island.jointed) island.group = 0;
+        if (island.group < 0) {
+            const int kind = 50 * island.fast > island.contacts ? 1 : 0;
+            if (room[kind] <= 0 || island.contacts >= kFewContacts) {
+                island.group = count();
+                moving_.push_back(kind != 0);
+                if (island.contacts < kFewContacts) open[kind] = island.group, room[kind] = kFewContacts;
+            } else {
+                island.group = open[kind];
+            }
+            room[kind] -= island.contacts < kFewContacts ? island.contacts : 0;
+        }
+        ofContact_.push_back(island.group);
+    }
+    jointedBodies_.clear();
+    if (!jointed_) return;
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isDynamic(i)) continue;
+        const Island& island = islands_[leaderOf(i)];
+        if (island.jointed && island.contacts > 0) jointedBodies_.push_back(i);
+    }
+}
+
+}  // namespace engine

@@ -1,0 +1,46 @@
+/// Islands: bodies that no chain of contacts and joints connects are problems of their own, and each
+/// is swept as often as it needs. Small ones are taken together, so that lanes are full; all islands
+/// with joints are one group, the first, because their trees are solved together.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/constraints/contact.h"
+#include "engine/constraints/joint_constraint.h"
+#include "engine/dynamics/bodies.h"
+
+namespace engine {
+
+class ContactGroups {
+public:
+    /// Of the bodies as they move now.
+    void find(std::span<const Contact> contacts, std::span<const Joint> joints,
+              const Bodies& bodies);
+
+    int count() const { return static_cast<int>(moving_.size()); }
+    bool hasJoints() const { return jointed_; }  // then they are in group 0
+    int of(int contact) const { return ofContact_[contact]; }
+    /// More than one in fifty of its contacts joins bodies that pass each other at more than 0.5 m/s:
+    /// what is on its way is not worth the sweeps that a resting heap needs to stay at rest.
+    bool moving(int group) const { return moving_[group] != 0; }
+    /// Bodies of group 0 that contacts may move.
+    std::span<const int> jointedBodies() const { return jointedBodies_; }
+
+private:
+    struct Island {
+        int contacts = 0, fast = 0, group = -1;
+        bool jointed = false;
+    };
+
+    int leaderOf(int body);
+    void connect(int a, int b);
+    void count(std::span<const Contact> contacts, const Bodies& bodies);
+    void number(std::span<const Contact> contacts, const Bodies& bodies);
+
+    std::vector<int> leader_, ofContact_, jointedBodies_;
+    std::vector<Island> islands_;  // at their leaders
+    std::vector<char> moving_;
+    bool jointed_ = false;
+};
+
+}  // namespace engine

@@ -1,0 +1,231 @@
+#include "engine/wide/wide_contacts.h"
+
+#include <utility>
+
+namespace engine {
+namespace {
+
+constexpr float kNoPoint = 1e6f;  // m: the gap of a point that does not exist
+constexpr int kMostBounces = 64;  // passes, as in solver/impacts.cpp
+
+void set3(float (&x)[3][8], int lane, const Vec3& v) {
+    for (int i = 0; i < 3; ++i) x[i][lane] = static_cast<float>(v[i]);
+}
+void set6(float (&x)[6][8], int lane, const Mat3& m) {
+    constexpr int kRow[6] = {0, 0, 0, 1, 1, 2}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+    for (int i = 0; i < 6; ++i) x[i][lane] = static_cast<float>(m(kRow[i], kColumn[i]));
+}
+void set3(float (&x)[4], const Vec3& v) {
+    for (int i = 0; i < 3; ++i) x[i] = static_cast<float>(v[i]);
+}
+Vec3 get3(const float (&x)[3][8], int lane) { return {x[0][lane], x[1][lane], x[2][lane]}; }
+
+WideVelocity narrowed(const Velocity<double>& v) {
+    WideVelocity w;
+    set3(w.linear, v.linear), set3(w.angular, v.angular);
+    return w;
+}
+
+}  // namespace
+
+void WideContacts::prepare(std::span<const Contact> contacts, std::span<const int> order,
+                           std::span<const Joint> joints, const Bodies& bodies,
+                           const Settings& settings) {
+    kernels_ = &contactKernels(settings.instructions);
+    groups_.find(contacts, joints, bodies);
+    arrange(contacts, order, bodies);
+    start_ = bodies.poses;
+    bouncing_ = false;
+    for (const Contact& contact : contacts) bouncing_ = bouncing_ || contact.restitution > 0.0;
+    const auto batches = schedule_.batches();
+    batches_.resize(batches.size()), records_.resize(batches.size());
+    place_.resize(contacts.size());
+    for (int k = 0; k < static_cast<int>(batches.size()); ++k) {
+        for (int lane = 0; lane < 8; ++lane) {
+            const int contact = records_[k].contact[lane] = batches[k][lane];
+            if (contact < 0) {
+                fillEmptyLane(k, lane);
+            } else {
+                place_[contact] = 8 * k + lane;
+                fillLane(k, lane, contacts[contact], bodies);
+            }
+        }
+        kernels_->prepare(batches_[k], records_[k]);
+    }
+    for (std::vector<WideVelocity>* v : {&now_, &before_, &motions_, &ways_})
+        v->resize(bodies.count() + 2);
+}
+
+void WideContacts::arrange(std::span<const Contact> contacts, std::span<const int> order,
+                           const Bodies& bodies) {
+    const auto moved = [&](int body) { return bodies.isDynamic(body) ? body : -1; };
+    pairs_.clear();
+    for (const Contact& c : contacts) pairs_.push_back({moved(c.a), moved(c.b)});
+    if (static_cast<int>(orders_.size()) < groups_.count()) orders_.resize(groups_.count());
+    for (std::vector<int>& list : orders_) list.clear();
+    for (const int contact : order) orders_[groups_.of(contact)].push_back(contact);
+    schedule_.begin(bodies.count());
+    firstBatch_.assign(1, 0);
+    for (int g = 0; g < groups_.count(); ++g) {
+        schedule_.add(pairs_, orders_[g]);
+        firstBatch_.push_back(static_cast<int>(schedule_.batches().size()));
+    }
+}
+
+void WideContacts::fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies) {
+    ContactBatch& c = batches_[batch];
+    ContactRecord& record = records_[batch];
+    const Pose &a = bodies.poses[contact.a], &b = bodies.poses[contact.b];
+    const int waste = bodies.count() + 1;
+    c.a[lane] = contact.a, c.b[lane] = contact.b;
+    c.writeA[lane] = pairs_[record.contact[lane]].a >= 0 ? contact.a : waste;
+    c.writeB[lane] = pairs_[record.contact[lane]].b >= 0 ? contact.b : waste;
+    Vec3 t1, t2;
+    tangents(contact.normal, t1, t2);
+    set3(c.n, lane, contact.normal), set3(c.t1, lane, t1), set3(c.t2, lane, t2);
+    set3(c.offset, lane, a.position - b.position);
+    c.massA[lane] = static_cast<float>(bodies.inverseMasses[contact.a].linear);
+    c.massB[lane] = static_cast<float>(bodies.inverseMasses[contact.b].linear);
+    set6(c.turnA, lane, bodies.inverseMasses[contact.a].angular);
+    set6(c.turnB, lane, bodies.inverseMasses[contact.b].angular);
+    c.mu[lane] = static_cast<float>(contact.friction);
+    record.restitution[lane] = static_cast<float>(contact.restitution);
+    for (int i = 0; i < ContactBatch::kPoints; ++i) {
+        WidePoint& point = c.point[i];
+        const bool real = i < contact.count;
+        const ContactPoint& from = contact.points[real ? i : 0];
+        const Vec3 onA = a.toWorld(from.anchorA), onB = b.toWorld(from.anchorB);
+        set3(point.arm, lane, 0.5 * (onA + onB) - a.position);
+        point.lambda[lane] = real ? static_cast<float>(from.impulse) : 0.0f;
+        point.friction[0][lane] = real ? static_cast<float>(from.friction.dot(t1)) : 0.0f;
+        point.friction[1][lane] = real ? static_cast<float>(from.friction.dot(t2)) : 0.0f;
+        record.gapAtStart[i][lane] = record.separation[i][lane] =
+            real ? static_cast<float>(contact.normal.dot(onB - onA)) : kNoPoint;
+        record.total[i][lane] = 0.0f;
+        record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
+    }
+}
+
+void WideContacts::fillEmptyLane(int batch, int lane) {
+    ContactBatch& c = batches_[batch];
+    ContactRecord& record = records_[batch];
+    const int zeros = static_cast<int>(start_.size());
+    c.a[lane] = c.b[lane] = zeros;
+    c.writeA[lane] = c.writeB[lane] = zeros + 1;
+    set3(c.n, lane, Vec3::UnitX()), set3(c.t1, lane, Vec3::UnitY()), set3(c.t2, lane, Vec3::UnitZ());
+    set3(c.offset, lane, Vec3::Zero());
+    c.massA[lane] = c.massB[lane] = c.mu[lane] = record.restitution[lane] = 0.0f;
+    set6(c.turnA, lane, Mat3::Zero()), set6(c.turnB, lane, Mat3::Zero());
+    for (int i = 0; i < ContactBatch::kPoints; ++i) {
+        set3(c.point[i].arm, lane, Vec3::Zero());
+        c.point[i].lambda[lane] = c.point[i].friction[0][lane] = c.point[i].friction[1][lane] = 0.0f;
+        record.gapAtStart[i][lane] = record.separation[i][lane] = kNoPoint;
+        record.total[i][lane] = 0.0f;
+        record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
+    }
+}
+
+void WideContacts::begin(std::span<const Velocity<double>> v, const Settings& settings, double h) {
+    step_.h = static_cast<float>(h);
+    step_.slop = static_cast<float>(settings.slop);
+    step_.baumgarte = static_cast<float>(settings.baumgarte);
+    step_.bounceSpeed = static_cast<float>(settings.bounceSpeed);
+    step_.bounceByBias = settings.bounce == Bounce::bias ? 1.0f : 0.0f;
+    step_.keep = settings.warmStart ? 1.0f : 0.0f;
+    atStart_.assign(v.begin(), v.end());
+    for (int i = 0; i < static_cast<int>(v.size()); ++i) now_[i] = narrowed(v[i]);
+    const int count = static_cast<int>(batches_.size());
+    for (int k = 0; k < count; ++k)
+        kernels_->setBiases(batches_[k], records_[k], now_.data(), step_);
+    now_.assign(now_.size(), {});
+    before_ = now_;
+    if (!bouncing_ || settings.bounce == Bounce::bias) return;
+    bool any = true;
+    for (int pass = 0; pass < kMostBounces && any; ++pass) {
+        any = false;
+        for (int k = 0; k < count; ++k)
+            any = kernels_->bounce(batches_[k], records_[k], now_.data(), step_) || any;
+    }
+}
+
+void WideContacts::warmStart(int group) {
+    for (int k = firstBatch_[group]; k < firstBatch_[group + 1]; ++k)
+        kernels_->warmStart(batches_[k], now_.data(), step_);
+}
+
+SweepReport WideContacts::sweep(int group) {
+    SweepReport report;
+    for (int k = firstBatch_[group]; k < firstBatch_[group + 1]; ++k) {
+        const WideCorrection corrected = kernels_->sweep(batches_[k], now_.data());
+        report.residual = larger(report.residual, static_cast<double>(corrected.velocity));
+        report.delta += static_cast<double>(corrected.impulse);
+    }
+    return report;
+}
+
+void WideContacts::take(std::span<const Velocity<double>> v, std::span<const int> bodies) {
+    for (const int i : bodies)
+        now_[i] = before_[i] = narrowed({v[i].linear - atStart_[i].linear,
+                                         v[i].angular - atStart_[i].angular});
+}
+
+void WideContacts::give(Velocity<double>& v, int body) {
+    const WideVelocity &now = now_[body], &before = before_[body];
+    for (int k = 0; k < 3; ++k) {
+        v.linear[k] += static_cast<double>(now.linear[k] - before.linear[k]);
+        v.angular[k] += static_cast<double>(now.angular[k] - before.angular[k]);
+    }
+    before_[body] = now;
+}
+
+void WideContacts::give(std::span<Velocity<double>> v, std::span<const int> bodies) {
+    for (const int i : bodies) give(v[i], i);
+}
+
+void WideContacts::finish(std::span<Velocity<double>> v) {
+    for (int i = 0; i < static_cast<int>(v.size()); ++i) give(v[i], i);
+    for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
+        kernels_->book(batches_[k], records_[k]);
+}
+
+bool WideContacts::separate(const Bodies& bodies, double slop) {
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isMoving(i)) continue;
+        const Pose &now = bodies.poses[i], &start = start_[i];
+        Quat turn = now.rotation * start.rotation.conjugate();
+        if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+        motions_[i] = narrowed({now.position - start.position, 2.0 * turn.vec()});
+    }
+    step_.slop = static_cast<float>(slop);
+    bool deep = false;
+    for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
+        deep = kernels_->separate(batches_[k], records_[k], motions_.data(), step_) || deep;
+    return deep;
+}
+
+std::span<const WideVelocity> WideContacts::nudge(const Settings& settings) {
+    step_.mostNudge = 0.2f;
+    step_.nudgeFactor = static_cast<float>(settings.nudgeFactor);
+    ways_.assign(ways_.size(), {});
+    for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
+        kernels_->nudge(batches_[k], records_[k], ways_.data(), step_);
+    return ways_;
+}
+
+PointImpulses WideContacts::impulses(int contact, int i) const {
+    const int batch = place_[contact] / 8, lane = place_[contact] % 8;
+    const ContactBatch& c = batches_[batch];
+    const ContactRecord& record = records_[batch];
+    const WidePoint& point = c.point[i];
+    const Vec3 t1 = get3(c.t1, lane), t2 = get3(c.t2, lane);
+    PointImpulses got;
+    got.normal = static_cast<double>(point.lambda[lane]);
+    got.total = static_cast<double>(record.total[i][lane]);
+    got.friction = static_cast<double>(point.friction[0][lane]) * t1 +
+                   static_cast<double>(point.friction[1][lane]) * t2;
+    got.totalFriction = static_cast<double>(record.totalFriction[i][0][lane]) * t1 +
+                        static_cast<double>(record.totalFriction[i][1][lane]) * t2;
+    return got;
+}
+
+}  // namespace engine

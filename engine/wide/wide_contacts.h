@@ -1,0 +1,73 @@
+/// The contacts of a world in single precision, eight side by side: the fast form of
+/// solver/impulses.h and solver/nudges.h for contacts. Poses and velocities stay in double; floats hold
+/// what solving changes of them, so that what no impulse touches keeps all its digits.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/constraints/contact.h"
+#include "engine/dynamics/bodies.h"
+#include "engine/settings.h"
+#include "engine/step_report.h"
+#include "engine/wide/contact_kernels.h"
+#include "engine/wide/groups.h"
+#include "engine/wide/schedule.h"
+
+namespace engine {
+
+/// What one point got, N s: in the last sub-step, and over the whole step.
+struct PointImpulses {
+    double normal = 0.0, total = 0.0;
+    Vec3 friction = Vec3::Zero(), totalFriction = Vec3::Zero();
+};
+
+class WideContacts {
+public:
+    /// Rows of all contacts, at the bodies' present poses; once a step. `order` is that of a sweep.
+    void prepare(std::span<const Contact> contacts, std::span<const int> order,
+                 std::span<const Joint> joints, const Bodies& bodies, const Settings& settings);
+
+    const ContactGroups& groups() const { return groups_; }
+
+    /// Biases and bounces of a sub-step of length h (s), from the velocities before solving.
+    void begin(std::span<const Velocity<double>> v, const Settings& settings, double h);
+    void warmStart(int group);
+    SweepReport sweep(int group);
+    /// Takes in the velocities of bodies that others have changed; gives back what sweeps changed.
+    void take(std::span<const Velocity<double>> v, std::span<const int> bodies);
+    void give(std::span<Velocity<double>> v, std::span<const int> bodies);
+    /// All of them, and the sub-step's impulses into the totals.
+    void finish(std::span<Velocity<double>> v);
+
+    /// C of every point at the bodies' present poses; true: some overlap is deeper than the slop.
+    bool separate(const Bodies& bodies, double slop);
+    /// One nudge of all contacts, after separate(): the bodies' ways (m) and turns (rad).
+    std::span<const WideVelocity> nudge(const Settings& settings);
+
+    PointImpulses impulses(int contact, int point) const;
+
+private:
+    void arrange(std::span<const Contact> contacts, std::span<const int> order,
+                 const Bodies& bodies);
+    void fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies);
+    void fillEmptyLane(int batch, int lane);
+    void give(Velocity<double>& v, int body);
+
+    const ContactKernels* kernels_ = nullptr;
+    ContactGroups groups_;
+    Schedule schedule_;
+    std::vector<std::vector<int>> orders_;   // of every group
+    std::vector<int> firstBatch_;            // of every group, and the end
+    std::vector<ContactBatch> batches_;
+    std::vector<ContactRecord> records_;
+    std::vector<int> place_;                 // of every contact: 8 batch + lane
+    std::vector<BodyPair> pairs_;
+    // Of every body; then a slot of zeros for empty lanes to read, and one for waste.
+    std::vector<WideVelocity> now_, before_, motions_, ways_;
+    std::vector<Velocity<double>> atStart_;  // of the sub-step, before solving
+    std::vector<Pose> start_;                // where the rows were made
+    WideStep step_;
+    bool bouncing_ = false;                  // some contact has a restitution
+};
+
+}  // namespace engine

@@ -1,0 +1,109 @@
+// The wide contact solver: what is solved together, the same bits on every instruction set, and the
+// same answers as rows in double precision.
+#include <gtest/gtest.h>
+
+#include "engine/wide/contact_kernels.h"
+#include "engine/wide/schedule.h"
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+using support::body;
+using support::kStep;
+
+/// A heap that is not at rest: boxes and balls, some bouncing.
+World heap(const Settings& settings) {
+    World world(settings);
+    world.add(support::floorPlane());
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 at(0.6 * (i % 4) + 0.05 * (i % 7), 0.5 + 0.55 * (i / 8), 0.7 * (i % 2));
+        BodyDef def = i % 3 == 0 ? body(Shape::sphere(0.3), at) : body(Shape::box({0.6, 0.5, 0.6}), at);
+        def.material.restitution = i % 5 == 0 ? 0.4 : 0.0;
+        world.add(def);
+    }
+    return world;
+}
+
+TEST(Schedule, KeepsTheOrderOfContactsThatShareABody) {
+    // A chain 0-1-2-3-4 and five pairs of their own.
+    std::vector<BodyPair> pairs{{0, 1}, {1, 2}, {2, 3}, {3, 4}};
+    for (int i = 5; i < 15; i += 2) pairs.push_back({i, i + 1});
+    const std::vector<int> order{3, 2, 1, 0, 4, 5, 6, 7, 8};
+    Schedule schedule;
+    schedule.begin(15);
+    schedule.add(pairs, order);
+    std::vector<int> batchOf(pairs.size(), -1);
+    for (int k = 0; k < static_cast<int>(schedule.batches().size()); ++k)
+        for (const int contact : schedule.batches()[k])
+            if (contact >= 0) batchOf[contact] = k;
+    EXPECT_LT(batchOf[3], batchOf[2]);
+    EXPECT_LT(batchOf[2], batchOf[1]);
+    EXPECT_LT(batchOf[1], batchOf[0]);
+    for (int i = 4; i < 9; ++i) EXPECT_EQ(batchOf[i], 0) << i;  // into the lanes left over
+}
+
+TEST(Schedule, FixedBodiesTieNothingTogether) {
+    std::vector<BodyPair> pairs(8);
+    for (int i = 0; i < 8; ++i) pairs[i] = {-1, i};
+    Schedule schedule;
+    schedule.begin(8);
+    schedule.add(pairs, std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7});
+    EXPECT_EQ(schedule.batches().size(), 1u);
+}
+
+TEST(Schedule, AGroupBeginsItsOwnBatches) {
+    const std::vector<BodyPair> pairs{{0, 1}, {2, 3}};
+    Schedule schedule;
+    schedule.begin(4);
+    schedule.add(pairs, std::vector<int>{0});
+    schedule.add(pairs, std::vector<int>{1});
+    ASSERT_EQ(schedule.batches().size(), 2u);
+    EXPECT_EQ(schedule.batches()[0][0], 0);
+    EXPECT_EQ(schedule.batches()[1][0], 1);
+}
+
+TEST(Lanes, GiveTheSameBitsOnEveryInstructionSet) {
+    Settings baseline = Settings::steady();
+    baseline.instructions = Instructions::baseline;
+    if (&contactKernels(Instructions::best) == &contactKernels(Instructions::baseline))
+        GTEST_SKIP() << "this processor has the baseline only";
+    World one = heap(Settings::steady()), other = heap(baseline);
+    for (int i = 0; i < 180; ++i) {
+        one.step(kStep), other.step(kStep);
+        ASSERT_EQ(one.hash(), other.hash()) << "step " << i;
+    }
+}
+
+// One step from the same state, both solved until nothing changes: the same impulses.
+TEST(Lanes, AgreeWithRowsInDoublePrecision) {
+    Settings lanes = Settings::steady(), rows = Settings::steady();
+    for (Settings* s : {&lanes, &rows}) s->sweeps = s->movingSweeps = 400, s->tolerance = 0.0;
+    rows.lanes = false;
+    World a = heap(lanes), b = heap(rows);
+    for (int i = 0; i < 2; ++i) a.step(kStep), b.step(kStep);
+    for (int i = 1; i < a.bodyCount(); ++i) {
+        const BodyId id{i};
+        EXPECT_LT((a.velocity(id) - b.velocity(id)).norm(), 2e-5) << i;
+        EXPECT_LT((a.spin(id) - b.spin(id)).norm(), 2e-4) << i;
+    }
+}
+
+TEST(Lanes, AnIslandAtRestPaysNothingForOneThatMoves) {
+    const auto topOf = [](bool withMoving) {
+        World world;
+        world.add(support::floorPlane());
+        for (int i = 0; i < 20; ++i) world.add(body(Shape::box({1, 1, 1}), {0, 0.5 + i, 0}));
+        for (int i = 0; withMoving && i < 40; ++i) {
+            BodyDef def = body(Shape::box({1, 1, 1}), {30.0 + i % 5, 0.5 + i / 5, 0});
+            def.velocity = Vec3(3.0, 2.0 * (i % 3), 0);
+            world.add(def);
+        }
+        for (int i = 0; i < 60; ++i) world.step(kStep);
+        return world.pose({20}).position;
+    };
+    EXPECT_LT((topOf(true) - topOf(false)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace engine
