@@ -34,7 +34,7 @@ struct Settings {
     Method method = Method::impulses;
     int substeps = 4;         // velocities, impulses, positions and nudges, this often a step
     int maxSubsteps = 32;     // as often where joints or masses ask for it (solver/substeps.h)
-    int sweeps = 30;          // velocity sweeps a sub-step, at most
+    int sweeps = 20;          // velocity sweeps a sub-step, at most
     int minSweeps = 2;        // and at least
     int movingSweeps = 4;     // at most for an island on the move (wide/groups.h); lanes only
     double tolerance = 2e-3;  // m/s: enough when no row's correction was larger; 0 = all sweeps

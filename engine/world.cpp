@@ -179,6 +179,7 @@ void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
 
 std::span<const ContactState> World::contacts() const {
     refresh(*state_);
+    if (state_->statesStale) listContacts(*state_);
     return state_->contactStates;
 }
 

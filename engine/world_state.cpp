@@ -55,21 +55,7 @@ void reportSeparations(WorldState& s) {
                 larger(s.report.worstSeparation, stateOf(s, joint).separation);
 }
 
-void reportImpulses(WorldState& s, double dt) {
-    s.contactStates.clear();
-    for (int k = 0; k < static_cast<int>(s.finder.contacts.size()); ++k) {
-        const Contact& contact = s.finder.contacts[k];
-        for (int i = 0; i < contact.count; ++i) {
-            const PointImpulses got = impulsesOf(s.solver, k, i);
-            const ContactState& was = s.contactStates.emplace_back(ContactState{
-                {contact.a}, {contact.b}, s.solver.posesAtStart[contact.a].toWorld(contact.points[i].anchorA),
-                contact.normal, 0.0, got.total, got.totalFriction, contact.points[i].feature});
-            const Vec3 onB = s.solver.posesAtStart[contact.b].toWorld(contact.points[i].anchorB);
-            ContactState& state = s.contactStates.back();
-            state.penetration = -contact.normal.dot(onB - was.position);
-            state.position = 0.5 * (was.position + onB);
-        }
-    }
+void reportJointForces(WorldState& s, double dt) {
     for (const JointConstraint<double>& c : s.solver.constraints.joints) {
         Joint& joint = s.joints[c.joint];
         const Vec3 armB = s.bodies.poses[c.b].rotation * joint.def.anchorB;
@@ -114,6 +100,8 @@ bool energyJumped(const WorldState& s, const Energy& before, const Energy& after
 void goBack(WorldState& s) {
     s.bodies.poses = s.solver.posesAtStart;
     s.bodies.velocities = s.velocitiesBefore;
+    s.contactStates.clear();  // the impulses of a step that did not happen
+    s.statesStale = false;
     for (int i = 0; i < s.bodies.count(); ++i) updateInverseInertia(s.bodies, i);
 }
 
@@ -158,7 +146,8 @@ bool endStep(WorldState& s, double dt) {
         return false;
     }
     storeImpulses(s.solver, s.finder.contacts, s.joints);
-    reportImpulses(s, dt);
+    reportJointForces(s, dt);
+    s.statesStale = true;
     for (Load& load : s.bodies.loads) load = {};
     findContacts(s, dt);
     s.report.step += 1;
@@ -177,6 +166,7 @@ void refresh(WorldState& s) {
     s.report.energy = energyNow(s);
     reportSeparations(s);
     s.contactStates.clear();
+    s.statesStale = false;
     for (const Contact& contact : s.finder.contacts)
         for (int i = 0; i < contact.count; ++i) {
             const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
@@ -185,6 +175,24 @@ void refresh(WorldState& s) {
                                        -contact.normal.dot(onB - onA), contact.points[i].impulse,
                                        contact.points[i].friction, contact.points[i].feature});
         }
+}
+
+void listContacts(WorldState& s) {
+    s.contactStates.clear();
+    s.statesStale = false;
+    // Step 6 has put the contacts that were solved aside, to remember their impulses by.
+    for (int k = 0; k < static_cast<int>(s.finder.previous.size()); ++k) {
+        const Contact& contact = s.finder.previous[k];
+        for (int i = 0; i < contact.count; ++i) {
+            const PointImpulses got = impulsesOf(s.solver, k, i);
+            const ContactPoint& point = contact.points[i];
+            const Vec3 onA = s.solver.posesAtStart[contact.a].toWorld(point.anchorA);
+            const Vec3 onB = s.solver.posesAtStart[contact.b].toWorld(point.anchorB);
+            s.contactStates.push_back({{contact.a}, {contact.b}, 0.5 * (onA + onB), contact.normal,
+                                       -contact.normal.dot(onB - onA), got.total,
+                                       got.totalFriction, point.feature});
+        }
+    }
 }
 
 Energy energyNow(const WorldState& s) {

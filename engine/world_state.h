@@ -27,6 +27,7 @@ struct WorldState {
     std::vector<Load> fieldLoads;
     std::function<void(Phase, int)> observer;
 
+    bool statesStale = false;   // contactStates are those of an earlier step
     bool contactsStale = true;  // bodies came, went or were moved by the caller
     bool jointsStale = true;
     double startOfPace = 0.0;   // s, when steps began to be of this length, and how many since:
@@ -56,6 +57,9 @@ Energy energyNow(const WorldState& s);
 
 /// Contacts and report as of now, without a step.
 void refresh(WorldState& s);
+
+/// contactStates of the last step; nothing pays for them until they are asked for.
+void listContacts(WorldState& s);
 
 Joint makeJoint(const WorldState& s, const JointDef& def);
 JointState stateOf(const WorldState& s, const Joint& joint);

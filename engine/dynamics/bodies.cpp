@@ -16,6 +16,8 @@ BodyMass massOf(const BodyDef& def) {
     ENGINE_CHECK(factor.info() == Eigen::Success && m.inertia.isApprox(m.inertia.transpose()),
                  "an inertia tensor must be symmetric and positive definite");
     m.inverseInertia = factor.solve(Mat3::Identity());
+    m.isRound = m.inertia == m.inertia(0, 0) * Mat3::Identity();
+    if (m.isRound) m.inverseInertia = Mat3::Identity() / m.inertia(0, 0);
     return m;
 }
 
@@ -45,8 +47,10 @@ int addBody(Bodies& bodies, const BodyDef& def) {
 }
 
 void updateInverseInertia(Bodies& bodies, int i) {
+    const BodyMass& mass = bodies.masses[i];
     bodies.inverseMasses[i].angular =
-        inWorldAxes(bodies.masses[i].inverseInertia, bodies.poses[i].rotation);
+        mass.isRound ? mass.inverseInertia
+                     : inWorldAxes(mass.inverseInertia, bodies.poses[i].rotation);
 }
 
 }  // namespace engine

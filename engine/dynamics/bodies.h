@@ -27,6 +27,7 @@ struct BodyMass {
     double mass = 0.0;                        // kg
     Mat3 inertia = Mat3::Zero();              // kg m^2
     Mat3 inverseInertia = Mat3::Zero();
+    bool isRound = false;                     // the same about every axis: a ball, a cube
 };
 
 /// m/s^2 and rad/s^2

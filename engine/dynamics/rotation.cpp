@@ -32,6 +32,10 @@ Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
 }  // namespace
 
 void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
+    if (mass.isRound) {  // L and w are parallel: w stays
+        rotation = cayley(h * spin, rotation);
+        return;
+    }
     const Vec3 momentum = rotation * Vec3(mass.inertia * Vec3(rotation.conjugate() * spin));
     const Quat half = cayley(0.5 * h * spin, rotation);
     const Vec3 spinHalf = spinOf(momentum, mass, half);

@@ -244,14 +244,17 @@ ENGINE_INLINE void sweepFriction(const ContactBatch& c, WidePoint& point, PairLa
     const Lanes stop1 = f1 - (Lanes::load(point.frictionMass[0]) * s1 + k12 * s2);
     const Lanes stop2 = f2 - (k12 * s1 + Lanes::load(point.frictionMass[2]) * s2);
     const Mask sticks = stop1 * stop1 + stop2 * stop2 <= square;
-    const Lanes slide = Lanes::load(point.slideMass);
-    const Lanes step1 = f1 - slide * s1, step2 = f2 - slide * s2;
-    const Lanes length = step1 * step1 + step2 * step2;
-    const Mask outside = square < length;
-    const Lanes cut = select(outside, limit / squareRoot(select(outside, length, Lanes(1.0f))),
-                             Lanes(1.0f));
-    const Lanes new1 = select(sticks, stop1, cut * step1);
-    const Lanes new2 = select(sticks, stop2, cut * step2);
+    Lanes new1 = stop1, new2 = stop2;
+    if (any(~sticks)) {  // rare in a heap at rest, and slow: a root and a division
+        const Lanes slide = Lanes::load(point.slideMass);
+        const Lanes step1 = f1 - slide * s1, step2 = f2 - slide * s2;
+        const Lanes length = step1 * step1 + step2 * step2;
+        const Mask outside = square < length;
+        const Lanes cut = select(
+            outside, limit / squareRoot(select(outside, length, Lanes(1.0f))), Lanes(1.0f));
+        new1 = select(sticks, stop1, cut * step1);
+        new2 = select(sticks, stop2, cut * step2);
+    }
     new1.store(point.friction[0]), new2.store(point.friction[1]);
     const Lanes d1 = new1 - f1, d2 = new2 - f2;
     const Lanes most = larger(absolute(d1), absolute(d2));
