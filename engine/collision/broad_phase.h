@@ -26,6 +26,11 @@ public:
     const std::vector<PairKey>& pairs() const { return pairs_; }
     /// Today's bounds, margin and motion included.
     const Bounds& bounds(int body) const { return proxies_[body].tight; }
+    /// Of a pair; `more` (m) than the margin apart counts as well.
+    bool boundsMeet(const PairKey& pair, double more = 0.0) const {
+        const Proxy &a = proxies_[pair.a], &b = proxies_[pair.b];
+        return a.leaf < 0 || b.leaf < 0 || a.tight.grownBy(more).overlaps(b.tight);
+    }
     const BoundsTree& tree() const { return tree_; }
 
 private:

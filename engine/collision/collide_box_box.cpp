@@ -3,6 +3,7 @@
 /// (Gottschalk 1996 for the axes; Sutherland and Hodgman 1974 for the clipping.)
 #include "engine/collision/collide.h"
 #include "engine/collision/clip.h"
+#include "engine/collision/oriented_box.h"
 
 namespace engine {
 namespace {
@@ -12,16 +13,6 @@ namespace {
 constexpr double kFaceBonus = 5e-4;  // m
 /// Edges give one point where a face gives four: they must be clearly better.
 constexpr double kEdgeBonus = 2e-3;  // m
-
-struct OrientedBox {
-    Mat3 axes;  // columns
-    Vec3 centre, half;
-
-    OrientedBox(const Shape& shape, const Pose& pose)
-        : axes(pose.rotation.toRotationMatrix()), centre(pose.position), half(shape.halfSize) {}
-    /// Half its extent along the unit vector n.
-    double extent(const Vec3& n) const { return (axes.transpose() * n).cwiseAbs().dot(half); }
-};
 
 struct BestAxis {
     double separation = -1e300;

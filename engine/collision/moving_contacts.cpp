@@ -1,0 +1,148 @@
+#include "engine/collision/moving_contacts.h"
+
+#include <algorithm>
+
+#include "engine/collision/collide.h"
+
+namespace engine {
+namespace {
+
+/// A pair on its way.
+struct Pair {
+    const Shape &shapeA, &shapeB;
+    Motion a, b;
+    double shareOfA;  // 1 where only b can be turned, 0 where only a
+
+    Pair(const Bodies& bodies, const PairKey& pair, double dt)
+        : shapeA(bodies.defs[pair.a].shape), shapeB(bodies.defs[pair.b].shape),
+          a(motionOf(bodies, pair.a, dt)), b(motionOf(bodies, pair.b, dt)) {
+        const double easeA = bodies.inverseMasses[pair.a].angular.trace();
+        const double easeB = bodies.inverseMasses[pair.b].angular.trace();
+        shareOfA = easeA + easeB > 0.0 ? easeB / (easeA + easeB) : 0.5;
+    }
+    /// How fast the bodies close at a point of the present, m/s: -J v.
+    double closingAt(const Vec3& p, const Vec3& n) const {
+        const Vec3 ofA = a.velocity + a.spin.cross(p - a.start.position);
+        const Vec3 ofB = b.velocity + b.spin.cross(p - b.start.position);
+        return n.dot(ofA - ofB);
+    }
+};
+
+/// The manifold of the poses at `time` as if seen from now, C being at least what is closed within
+/// `free` (s). What the bodies move across the normal until then would leave the two points askew:
+/// the body that is harder to turn gives way, because a wrong arm does least to it.
+void seeFromNow(Manifold& m, const Pair& pair, double time, double free) {
+    for (int i = 0; i < m.count; ++i) {
+        const double then = m.separation(i);
+        const Vec3 onA = m.points[i].onA - time * pair.a.velocity;
+        const Vec3 onB = m.points[i].onB - time * pair.b.velocity;
+        const Vec3 between = onB - onA;
+        const Vec3 across = between - m.normal.dot(between) * m.normal;
+        const Vec3 p = onA + pair.shareOfA * across;
+        const double c = pair.closingAt(p, m.normal);
+        const double least = larger(smaller(then, 0.0), free * c);  // no push where none is needed
+        const double now = larger(then + time * c, least);
+        m.points[i].onA = p;
+        m.points[i].onB = p + now * m.normal;
+    }
+}
+
+/// m/s, at the point that touches first.
+double approachOf(const Manifold& m, const Pair& pair, double time) {
+    int first = 0;
+    for (int i = 1; i < m.count; ++i)
+        if (m.separation(i) < m.separation(first)) first = i;
+    const Vec3 armA = m.points[first].onA - pair.a.start.position - time * pair.a.velocity;
+    const Vec3 armB = m.points[first].onB - pair.b.start.position - time * pair.b.velocity;
+    const Vec3 leaving = (pair.b.velocity + pair.b.spin.cross(armB)) -
+                         (pair.a.velocity + pair.a.spin.cross(armA));
+    return larger(-m.normal.dot(leaving), 0.0);
+}
+
+/// True when a point of `m` has a feature that `other` has not.
+bool holdsMore(const Manifold& m, const Manifold& other) {
+    for (int i = 0; i < m.count; ++i) {
+        bool known = false;
+        for (int j = 0; j < other.count; ++j)
+            known = known || m.points[i].feature == other.points[j].feature;
+        if (!known) return true;
+    }
+    return false;
+}
+
+/// What touches at the step's end when the pair has stopped approaching at `time` by `approach` (m/s)
+/// along n and only turns and slides on.
+Manifold afterImpact(const Pair& pair, const Vec3& n, double approach, double time, double margin,
+                     double dt) {
+    const Vec3 stopped = (dt - time) * approach * n;
+    Pose endB = pair.b.at(dt);
+    endB.position += stopped;
+    Manifold m = collide(pair.shapeA, pair.a.at(dt), pair.shapeB, endB, margin);
+    for (int i = 0; i < m.count; ++i) m.points[i].onB -= stopped;
+    return m;
+}
+
+void jolt(const Bodies& bodies, const PairKey& pair, double closing, std::vector<double>& jolts) {
+    const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;
+    const double e = larger(bodies.defs[pair.a].material.restitution,
+                            bodies.defs[pair.b].material.restitution);
+    if (closing <= 0.0 || a + b <= 0.0) return;
+    const double change = (1.0 + e) * closing / (a + b);
+    jolts[pair.a] = larger(jolts[pair.a], change * a);
+    jolts[pair.b] = larger(jolts[pair.b], change * b);
+}
+
+}  // namespace
+
+void findImpacts(const Bodies& bodies, const BroadPhase& broadPhase,
+                 const std::vector<PairKey>& jointed, double margin, double dt,
+                 MovingPairs& moving) {
+    moving.entries.clear();
+    moving.jolts.assign(bodies.count(), 0.0);
+    for (const PairKey& key : broadPhase.pairs()) {
+        if (!broadPhase.boundsMeet(key)) continue;
+        const Pair pair(bodies, key, dt);
+        if (wayOf(pair.a, pair.b, dt) <= margin) continue;
+        if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
+        const Impact impact = timeOfImpact(pair.shapeA, pair.a, pair.shapeB, pair.b, dt);
+        moving.entries.push_back({key, impact});
+        if (impact.meets) jolt(bodies, key, impact.closing, moving.jolts);
+    }
+}
+
+std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
+                               const MovingPairs& moving, bool always, double dt) {
+    const auto known = std::lower_bound(
+        moving.entries.begin(), moving.entries.end(), key,
+        [](const MovingPairs::Entry& entry, const PairKey& k) { return entry.pair < k; });
+    if (known != moving.entries.end() && known->pair == key) return known->impact;
+    if (!always) return {};
+    const Pair pair(bodies, key, dt);
+    return timeOfImpact(pair.shapeA, pair.a, pair.shapeB, pair.b, dt);
+}
+
+MovingManifolds collideMoving(const Bodies& bodies, const PairKey& key, const Impact& impact,
+                              double margin, double near, double dt) {
+    MovingManifolds found;
+    if (!impact.meets && impact.distance > near) return found;
+    const Pair pair(bodies, key, dt);
+    const double left = dt - impact.time;
+    Manifold& first = found.manifolds[0];
+    first = collide(pair.shapeA, pair.a.at(impact.time), pair.shapeB, pair.b.at(impact.time),
+                    larger(impact.distance, 0.0) + larger(margin, wayOf(pair.a, pair.b, left)));
+    if (first.count == 0) return found;
+    found.count = 1;
+    const Vec3 n = first.normal;
+    const double approach = approachOf(first, pair, impact.time);
+    Manifold& second = found.manifolds[1];
+    if (impact.meets && left * (pair.a.sweep() + pair.b.sweep()) > margin) {
+        second = afterImpact(pair, n, approach, impact.time, margin, dt);
+        if (holdsMore(second, first)) found.count = 2;
+        seeFromNow(second, pair, dt, 0.0);
+    }
+    if (impact.time > 0.0 || !impact.meets)
+        seeFromNow(first, pair, impact.time, impact.meets ? 0.0 : dt);
+    return found;
+}
+
+}  // namespace engine
