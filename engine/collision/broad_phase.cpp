@@ -61,10 +61,21 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
         if (isPlane(bodies, i))
             findPairsOfPlane(bodies, i);
         else if (proxies_[i].moved)
-            findPairsOf(bodies, i);
+            findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf));
     }
+    sortPairs();
+}
+
+void BroadPhase::sortPairs() {
     std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+}
+
+void BroadPhase::lookFarther(const Bodies& bodies, int i, double more) {
+    const Proxy& proxy = proxies_[i];
+    if (proxy.leaf < 0) return;
+    const Bounds farther = proxy.tight.grownBy(more);
+    if (!tree_.bounds(proxy.leaf).contains(farther)) findPairsOf(bodies, i, farther);
 }
 
 void BroadPhase::forgetPairsOfMoved() {
@@ -73,8 +84,8 @@ void BroadPhase::forgetPairsOfMoved() {
     });
 }
 
-void BroadPhase::findPairsOf(const Bodies& bodies, int i) {
-    tree_.query(tree_.bounds(proxies_[i].leaf), [&](int j) {
+void BroadPhase::findPairsOf(const Bodies& bodies, int i, const Bounds& within) {
+    tree_.query(within, [&](int j) {
         if (j != i && mayMeet(bodies, i, j))
             pairs_.push_back({std::min(i, j), std::max(i, j)});
     });

@@ -7,6 +7,8 @@
 namespace engine {
 namespace {
 
+constexpr double kSameNormal = 0.999;  // within 2.6 degrees
+
 /// A pair on its way.
 struct Pair {
     const Shape &shapeA, &shapeB;
@@ -59,8 +61,9 @@ double approachOf(const Manifold& m, const Pair& pair, double time) {
     return larger(-m.normal.dot(leaving), 0.0);
 }
 
-/// True when a point of `m` has a feature that `other` has not.
+/// True when `m` has a point or a direction that `other` has not.
 bool holdsMore(const Manifold& m, const Manifold& other) {
+    if (m.count > 0 && m.normal.dot(other.normal) < kSameNormal) return true;
     for (int i = 0; i < m.count; ++i) {
         bool known = false;
         for (int j = 0; j < other.count; ++j)
@@ -94,7 +97,7 @@ void jolt(const Bodies& bodies, const PairKey& pair, double closing, std::vector
 
 }  // namespace
 
-void findImpacts(const Bodies& bodies, const BroadPhase& broadPhase,
+void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  MovingPairs& moving) {
     moving.entries.clear();
@@ -108,6 +111,10 @@ void findImpacts(const Bodies& bodies, const BroadPhase& broadPhase,
         moving.entries.push_back({key, impact});
         if (impact.meets) jolt(bodies, key, impact.closing, moving.jolts);
     }
+    for (int i = 0; i < bodies.count(); ++i)
+        if (dt * moving.jolts[i] > margin)
+            broadPhase.lookFarther(bodies, i, dt * moving.jolts[i]);
+    broadPhase.sortPairs();
 }
 
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,

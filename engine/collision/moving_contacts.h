@@ -36,9 +36,9 @@ struct MovingPairs {
     }
 };
 
-/// Impacts and jolts of all pairs that move more than `margin` (m) within dt (s). `jointed`, sorted, do
-/// not collide.
-void findImpacts(const Bodies& bodies, const BroadPhase& broadPhase,
+/// Impacts and jolts of all pairs that move more than `margin` (m) within dt (s); the broad phase gets
+/// the pairs of bodies that may be thrown farther than it sees. `jointed`, sorted, do not collide.
+void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  MovingPairs& moving);
 
