@@ -113,6 +113,17 @@ void touchEdges(const OrientedBox& a, const OrientedBox& b, const BestAxis& best
     m.add(middle - reach, middle + reach, feature);
 }
 
+void touchFaces(const OrientedBox& a, const OrientedBox& b, const BestAxis& faceA,
+                const BestAxis& faceB, double margin, Manifold& m) {
+    const bool byB = faceB.separation > faceA.separation + kFaceBonus;
+    const BestAxis& face = byB ? faceB : faceA;
+    m.normal = face.normal;
+    if (byB)
+        clipFaces(b, face.i, -face.normal, a, margin, true, m);
+    else
+        clipFaces(a, face.i, face.normal, b, margin, false, m);
+}
+
 }  // namespace
 
 Manifold collideBoxBox(const Shape& shapeA, const Pose& poseA, const Shape& shapeB,
@@ -126,18 +137,20 @@ Manifold collideBoxBox(const Shape& shapeA, const Pose& poseA, const Shape& shap
     const BestAxis edges = bestEdges(a, b);
     if (edges.separation > margin) return m;
 
-    const bool byB = faceB.separation > faceA.separation + kFaceBonus;
-    const BestAxis& face = byB ? faceB : faceA;
     if (edges.separation > larger(faceA.separation, faceB.separation) + kEdgeBonus) {
         m.normal = edges.normal;
         touchEdges(a, b, edges, m);
     } else {
-        m.normal = face.normal;
-        if (byB)
-            clipFaces(b, face.i, -face.normal, a, margin, true, m);
-        else
-            clipFaces(a, face.i, face.normal, b, margin, false, m);
+        touchFaces(a, b, faceA, faceB, margin, m);
     }
+    return m;
+}
+
+Manifold collideBoxFaces(const Shape& shapeA, const Pose& poseA, const Shape& shapeB,
+                         const Pose& poseB, double margin) {
+    Manifold m;
+    const OrientedBox a(shapeA, poseA), b(shapeB, poseB);
+    touchFaces(a, b, bestFace(a, a, b), bestFace(b, a, b), margin, m);
     return m;
 }
 

@@ -73,15 +73,33 @@ bool holdsMore(const Manifold& m, const Manifold& other) {
     return false;
 }
 
-/// What touches at the step's end when the pair has stopped approaching at `time` by `approach` (m/s)
-/// along n and only turns and slides on.
-Manifold afterImpact(const Pair& pair, const Vec3& n, double approach, double time, double margin,
+bool areBoxes(const Pair& pair) {
+    return pair.shapeA.type == ShapeType::box && pair.shapeB.type == ShapeType::box;
+}
+
+/// What comes to touch when the pair has stopped approaching at `time` and turns and slides on: at the
+/// step's end, or if that is nothing new, the faces beside two edges that hit each other.
+Manifold afterImpact(const Pair& pair, const Manifold& first, double time, double margin,
                      double dt) {
-    const Vec3 stopped = (dt - time) * approach * n;
-    Pose endB = pair.b.at(dt);
-    endB.position += stopped;
-    Manifold m = collide(pair.shapeA, pair.a.at(dt), pair.shapeB, endB, margin);
-    for (int i = 0; i < m.count; ++i) m.points[i].onB -= stopped;
+    const double left = dt - time;
+    Manifold m;
+    if (left * (pair.a.sweep() + pair.b.sweep()) > margin) {
+        const Vec3 stopped = left * approachOf(first, pair, time) * first.normal;
+        Pose endB = pair.b.at(dt);
+        endB.position += stopped;
+        m = collide(pair.shapeA, pair.a.at(dt), pair.shapeB, endB, margin);
+        for (int i = 0; i < m.count; ++i) m.points[i].onB -= stopped;
+        if (holdsMore(m, first)) {
+            seeFromNow(m, pair, dt, 0.0);
+            return m;
+        }
+        m.count = 0;
+    }
+    if (first.count > 1 || !areBoxes(pair)) return m;
+    m = collideBoxFaces(pair.shapeA, pair.a.at(time), pair.shapeB, pair.b.at(time),
+                        larger(margin, wayOf(pair.a, pair.b, left)));
+    if (!holdsMore(m, first)) m.count = 0;
+    seeFromNow(m, pair, time, 0.0);
     return m;
 }
 
@@ -139,13 +157,9 @@ MovingManifolds collideMoving(const Bodies& bodies, const PairKey& key, const Im
                     larger(impact.distance, 0.0) + larger(margin, wayOf(pair.a, pair.b, left)));
     if (first.count == 0) return found;
     found.count = 1;
-    const Vec3 n = first.normal;
-    const double approach = approachOf(first, pair, impact.time);
-    Manifold& second = found.manifolds[1];
-    if (impact.meets && left * (pair.a.sweep() + pair.b.sweep()) > margin) {
-        second = afterImpact(pair, n, approach, impact.time, margin, dt);
-        if (holdsMore(second, first)) found.count = 2;
-        seeFromNow(second, pair, dt, 0.0);
+    if (impact.meets) {
+        found.manifolds[1] = afterImpact(pair, first, impact.time, larger(margin, near), dt);
+        if (found.manifolds[1].count > 0) found.count = 2;
     }
     if (impact.time > 0.0 || !impact.meets)
         seeFromNow(first, pair, impact.time, impact.meets ? 0.0 : dt);
