@@ -8,6 +8,7 @@ namespace engine {
 namespace {
 
 constexpr double kSameNormal = 0.999;  // within 2.6 degrees
+constexpr int kHops = 2;
 
 /// A pair on its way.
 struct Pair {
@@ -103,14 +104,30 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
-void jolt(const Bodies& bodies, const PairKey& pair, double closing, std::vector<double>& jolts) {
+/// A blow at `ontoA` and `ontoB` (m/s) changes both bodies' velocities, in inverse ratio of the masses.
+void jolt(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
+          std::vector<double>& jolts) {
     const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;
+    if (a + b <= 0.0) return;
     const double e = larger(bodies.defs[pair.a].material.restitution,
                             bodies.defs[pair.b].material.restitution);
-    if (closing <= 0.0 || a + b <= 0.0) return;
-    const double change = (1.0 + e) * closing / (a + b);
-    jolts[pair.a] = larger(jolts[pair.a], change * a);
-    jolts[pair.b] = larger(jolts[pair.b], change * b);
+    jolts[pair.a] = larger(jolts[pair.a], (1.0 + e) * ontoA * a / (a + b));
+    jolts[pair.b] = larger(jolts[pair.b], (1.0 + e) * ontoB * b / (a + b));
+}
+
+/// Hits, and kHops times: who is hit passes it on to whom it touches.
+void findJolts(const Bodies& bodies, MovingPairs& moving) {
+    moving.jolts.assign(bodies.count(), 0.0);
+    for (const MovingPairs::Entry& entry : moving.entries)
+        if (entry.impact.meets)
+            jolt(bodies, entry.pair, entry.impact.closing, entry.impact.closing, moving.jolts);
+    for (int hop = 0; hop < kHops; ++hop) {
+        moving.joltsBefore = moving.jolts;  // so that the order of pairs does not matter
+        for (const MovingPairs::Entry& entry : moving.entries)
+            if (entry.impact.meets)
+                jolt(bodies, entry.pair, moving.joltsBefore[entry.pair.b],
+                     moving.joltsBefore[entry.pair.a], moving.jolts);
+    }
 }
 
 }  // namespace
@@ -119,7 +136,6 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  MovingPairs& moving) {
     moving.entries.clear();
-    moving.jolts.assign(bodies.count(), 0.0);
     for (const PairKey& key : broadPhase.pairs()) {
         if (!broadPhase.boundsMeet(key)) continue;
         const Pair pair(bodies, key, dt);
@@ -127,8 +143,8 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
         if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
         const Impact impact = timeOfImpact(pair.shapeA, pair.a, pair.shapeB, pair.b, dt);
         moving.entries.push_back({key, impact});
-        if (impact.meets) jolt(bodies, key, impact.closing, moving.jolts);
     }
+    findJolts(bodies, moving);
     for (int i = 0; i < bodies.count(); ++i)
         if (dt * moving.jolts[i] > margin)
             broadPhase.lookFarther(bodies, i, dt * moving.jolts[i]);

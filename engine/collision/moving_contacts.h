@@ -10,7 +10,7 @@
 ///   * a body that is hit may be thrown against its neighbours in the same step. Its jolt is the change
 ///     of velocity that the hits can give it,
 ///       jolt_a = (1 + e) c m_b / (m_a + m_b)                  (m/s)
-///     and whoever stays apart by less than dt (jolt_a + jolt_b) gets a contact, with so large a C
+///     which it passes on to whom it hits in its turn; and whoever stays apart by less than dt (jolt_a + jolt_b) gets a contact, with so large a C
 ///     that free motion alone is not touched by it.
 #pragma once
 #include <optional>
@@ -28,7 +28,8 @@ struct MovingPairs {
         Impact impact;
     };
     std::vector<Entry> entries;  // of the pairs that move more than the margin; sorted
-    std::vector<double> jolts;   // m/s, by body
+    std::vector<double> jolts;   // m/s, by body; all zero while nothing is hit
+    std::vector<double> joltsBefore;
 
     /// How far the hits of this step may bring the two together, m.
     double thrown(const PairKey& pair, double dt) const {
