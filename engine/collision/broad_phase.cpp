@@ -25,7 +25,7 @@ Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
     const Vec3 half = 0.5 * (upright.high - upright.low);
     const double round = shape.type == ShapeType::box ? 0.0 : shape.radius;
     const Vec3 ball = (motion.reach + round) * Vec3::Ones();
-    const Vec3 turn = (dt * motion.sweep() * Vec3::Ones()).cwiseMin(ball - half).cwiseMax(0.0);
+    const Vec3 turn = (dt * motion.sweep * Vec3::Ones()).cwiseMin(ball - half).cwiseMax(0.0);
     const Bounds now{upright.low - turn, upright.high + turn};
     const Bounds then{now.low + way, now.high + way};
     return now.with(then).grownBy(margin);
@@ -71,11 +71,14 @@ void BroadPhase::sortPairs() {
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
 }
 
-void BroadPhase::lookFarther(const Bodies& bodies, int i, double more) {
-    const Proxy& proxy = proxies_[i];
-    if (proxy.leaf < 0) return;
-    const Bounds farther = proxy.tight.grownBy(more);
-    if (!tree_.bounds(proxy.leaf).contains(farther)) findPairsOf(bodies, i, farther);
+void BroadPhase::lookFarther(const Bodies& bodies, const std::vector<double>& more, double least) {
+    const std::size_t before = pairs_.size();
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (more[i] <= least || proxies_[i].leaf < 0) continue;
+        const Bounds farther = proxies_[i].tight.grownBy(more[i]);
+        if (!tree_.bounds(proxies_[i].leaf).contains(farther)) findPairsOf(bodies, i, farther);
+    }
+    if (pairs_.size() > before) sortPairs();
 }
 
 void BroadPhase::forgetPairsOfMoved() {

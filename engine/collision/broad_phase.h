@@ -21,9 +21,9 @@ public:
     /// Moves the bounds with the bodies; they reach `margin` (m) and one step of length dt (s) ahead.
     void update(const Bodies& bodies, double margin, double dt);
     void remove(int body);
-    /// Adds the pairs of a body that may come `more` (m) farther than its bounds say; then sortPairs.
-    void lookFarther(const Bodies& bodies, int body, double more);
-    void sortPairs();
+    /// Adds the pairs of bodies that may come farther than their bounds say: `more` (m), by body, where
+    /// it is above `least`.
+    void lookFarther(const Bodies& bodies, const std::vector<double>& more, double least);
 
     /// Sorted, each pair once. Of two bodies at least one is dynamic.
     const std::vector<PairKey>& pairs() const { return pairs_; }
@@ -43,6 +43,7 @@ private:
         bool moved = false;
     };
 
+    void sortPairs();
     void forgetPairsOfMoved();
     void findPairsOf(const Bodies& bodies, int body, const Bounds& within);
     void findPairsOfPlane(const Bodies& bodies, int plane);

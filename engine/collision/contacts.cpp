@@ -31,7 +31,7 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
                  ContactFinder& finder) {
     if (const std::optional<Impact> impact =
             impactOf(bodies, pair, finder.moving, near > margin, dt)) {
-        const MovingManifolds found = collideMoving(bodies, pair, *impact, margin, near, dt);
+        const MovingManifolds found = collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
         for (int i = 0; i < found.count; ++i)
             finder.contacts.push_back(contactOf(bodies, pair, found.manifolds[i]));
         return;
@@ -72,7 +72,7 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     finder.contacts.clear();
     auto old = finder.previous.begin();
     for (const PairKey& pair : finder.broadPhase.pairs()) {
-        const double thrown = finder.moving.thrown(pair, dt);
+        const double thrown = finder.moving.thrown(pair);
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
         const std::size_t first = finder.contacts.size();

@@ -8,17 +8,17 @@ namespace engine {
 namespace {
 
 constexpr double kSameNormal = 0.999;  // within 2.6 degrees
-constexpr int kHops = 2;
+constexpr int kHops = 2;               // more change nothing in a pile of 2000 bodies
 
 /// A pair on its way.
 struct Pair {
     const Shape &shapeA, &shapeB;
-    Motion a, b;
+    const Motion &a, &b;
     double shareOfA;  // 1 where only b can be turned, 0 where only a
 
-    Pair(const Bodies& bodies, const PairKey& pair, double dt)
+    Pair(const Bodies& bodies, const PairKey& pair, const MovingPairs& moving)
         : shapeA(bodies.defs[pair.a].shape), shapeB(bodies.defs[pair.b].shape),
-          a(motionOf(bodies, pair.a, dt)), b(motionOf(bodies, pair.b, dt)) {
+          a(moving.motions[pair.a]), b(moving.motions[pair.b]) {
         const double easeA = bodies.inverseMasses[pair.a].angular.trace();
         const double easeB = bodies.inverseMasses[pair.b].angular.trace();
         shareOfA = easeA + easeB > 0.0 ? easeB / (easeA + easeB) : 0.5;
@@ -84,7 +84,7 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
                      double dt) {
     const double left = dt - time;
     Manifold m;
-    if (left * (pair.a.sweep() + pair.b.sweep()) > margin) {
+    if (left * (pair.a.sweep + pair.b.sweep) > margin) {
         const Vec3 stopped = left * approachOf(first, pair, time) * first.normal;
         Pose endB = pair.b.at(dt);
         endB.position += stopped;
@@ -104,29 +104,30 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
-/// A blow at `ontoA` and `ontoB` (m/s) changes both bodies' velocities, in inverse ratio of the masses.
-void jolt(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
-          std::vector<double>& jolts) {
+/// Blows that would carry on by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the masses.
+void hit(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
+         std::vector<double>& throws) {
     const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;
     if (a + b <= 0.0) return;
     const double e = larger(bodies.defs[pair.a].material.restitution,
                             bodies.defs[pair.b].material.restitution);
-    jolts[pair.a] = larger(jolts[pair.a], (1.0 + e) * ontoA * a / (a + b));
-    jolts[pair.b] = larger(jolts[pair.b], (1.0 + e) * ontoB * b / (a + b));
+    throws[pair.a] = larger(throws[pair.a], (1.0 + e) * ontoA * a / (a + b));
+    throws[pair.b] = larger(throws[pair.b], (1.0 + e) * ontoB * b / (a + b));
 }
 
 /// Hits, and kHops times: who is hit passes it on to whom it touches.
-void findJolts(const Bodies& bodies, MovingPairs& moving) {
-    moving.jolts.assign(bodies.count(), 0.0);
-    for (const MovingPairs::Entry& entry : moving.entries)
-        if (entry.impact.meets)
-            jolt(bodies, entry.pair, entry.impact.closing, entry.impact.closing, moving.jolts);
+void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
+    moving.throws.assign(bodies.count(), 0.0);
+    for (const MovingPairs::Entry& entry : moving.entries) {
+        const double way = dt * entry.impact.closing;
+        if (entry.impact.meets) hit(bodies, entry.pair, way, way, moving.throws);
+    }
     for (int hop = 0; hop < kHops; ++hop) {
-        moving.joltsBefore = moving.jolts;  // so that the order of pairs does not matter
+        moving.throwsBefore = moving.throws;  // so that the order of pairs does not matter
         for (const MovingPairs::Entry& entry : moving.entries)
             if (entry.impact.meets)
-                jolt(bodies, entry.pair, moving.joltsBefore[entry.pair.b],
-                     moving.joltsBefore[entry.pair.a], moving.jolts);
+                hit(bodies, entry.pair, moving.throwsBefore[entry.pair.b],
+                    moving.throwsBefore[entry.pair.a], moving.throws);
     }
 }
 
@@ -135,20 +136,18 @@ void findJolts(const Bodies& bodies, MovingPairs& moving) {
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  MovingPairs& moving) {
+    moving.motions.clear();
+    for (int i = 0; i < bodies.count(); ++i) moving.motions.push_back(motionOf(bodies, i, dt));
     moving.entries.clear();
     for (const PairKey& key : broadPhase.pairs()) {
-        if (!broadPhase.boundsMeet(key)) continue;
-        const Pair pair(bodies, key, dt);
-        if (wayOf(pair.a, pair.b, dt) <= margin) continue;
+        const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
+        if (wayOf(a, b, dt) <= margin || !broadPhase.boundsMeet(key)) continue;
         if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
-        const Impact impact = timeOfImpact(pair.shapeA, pair.a, pair.shapeB, pair.b, dt);
-        moving.entries.push_back({key, impact});
+        moving.entries.push_back({key, timeOfImpact(bodies.defs[key.a].shape, a,
+                                                    bodies.defs[key.b].shape, b, dt)});
     }
-    findJolts(bodies, moving);
-    for (int i = 0; i < bodies.count(); ++i)
-        if (dt * moving.jolts[i] > margin)
-            broadPhase.lookFarther(bodies, i, dt * moving.jolts[i]);
-    broadPhase.sortPairs();
+    findThrows(bodies, dt, moving);
+    broadPhase.lookFarther(bodies, moving.throws, margin);
 }
 
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
@@ -158,15 +157,16 @@ std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
         [](const MovingPairs::Entry& entry, const PairKey& k) { return entry.pair < k; });
     if (known != moving.entries.end() && known->pair == key) return known->impact;
     if (!always) return {};
-    const Pair pair(bodies, key, dt);
+    const Pair pair(bodies, key, moving);
     return timeOfImpact(pair.shapeA, pair.a, pair.shapeB, pair.b, dt);
 }
 
-MovingManifolds collideMoving(const Bodies& bodies, const PairKey& key, const Impact& impact,
-                              double margin, double near, double dt) {
+MovingManifolds collideMoving(const Bodies& bodies, const PairKey& key,
+                              const MovingPairs& moving, const Impact& impact, double margin,
+                              double near, double dt) {
     MovingManifolds found;
     if (!impact.meets && impact.distance > near) return found;
-    const Pair pair(bodies, key, dt);
+    const Pair pair(bodies, key, moving);
     const double left = dt - impact.time;
     Manifold& first = found.manifolds[0];
     first = collide(pair.shapeA, pair.a.at(impact.time), pair.shapeB, pair.b.at(impact.time),

@@ -7,11 +7,10 @@
 /// Free motion ends with the first impact, so two further sources of contacts are looked after:
 ///   * a pair that touches turns on about its contact: a second manifold, of the poses at the step's end
 ///     with the approach taken out, holds the features that come down then
-///   * a body that is hit may be thrown against its neighbours in the same step. Its jolt is the change
-///     of velocity that the hits can give it,
-///       jolt_a = (1 + e) c m_b / (m_a + m_b)                  (m/s)
-///     which it passes on to whom it hits in its turn; and whoever stays apart by less than dt (jolt_a + jolt_b) gets a contact, with so large a C
-///     that free motion alone is not touched by it.
+///   * a body that is hit may be thrown against its neighbours in the same step, by at most
+///       throw_a = dt (1 + e) c m_b / (m_a + m_b)              (m)
+///     which it passes on to whom it hits in its turn. Whoever stays apart by less than
+///     throw_a + throw_b gets a contact, with so large a C that free motion alone is not touched by it.
 #pragma once
 #include <optional>
 
@@ -27,17 +26,16 @@ struct MovingPairs {
         PairKey pair;
         Impact impact;
     };
-    std::vector<Entry> entries;  // of the pairs that move more than the margin; sorted
-    std::vector<double> jolts;   // m/s, by body; all zero while nothing is hit
-    std::vector<double> joltsBefore;
+    std::vector<Motion> motions;  // by body
+    std::vector<Entry> entries;   // of the pairs that move more than the margin; sorted
+    std::vector<double> throws;   // m, by body: dt jolt; all zero while nothing is hit
+    std::vector<double> throwsBefore;
 
     /// How far the hits of this step may bring the two together, m.
-    double thrown(const PairKey& pair, double dt) const {
-        return dt * (jolts[pair.a] + jolts[pair.b]);
-    }
+    double thrown(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
 };
 
-/// Impacts and jolts of all pairs that move more than `margin` (m) within dt (s); the broad phase gets
+/// Impacts and throws of all pairs that move more than `margin` (m) within dt (s); the broad phase gets
 /// the pairs of bodies that may be thrown farther than it sees. `jointed`, sorted, do not collide.
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
@@ -53,7 +51,8 @@ struct MovingManifolds {
 };
 
 /// `near` (m): a pair that passes this closely gets a contact as well.
-MovingManifolds collideMoving(const Bodies& bodies, const PairKey& pair, const Impact& impact,
-                              double margin, double near, double dt);
+MovingManifolds collideMoving(const Bodies& bodies, const PairKey& pair,
+                              const MovingPairs& moving, const Impact& impact, double margin,
+                              double near, double dt);
 
 }  // namespace engine

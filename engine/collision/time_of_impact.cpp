@@ -74,15 +74,17 @@ Pose Motion::at(double time) const {
 
 Motion motionOf(const Bodies& bodies, int i, double dt) {
     const Shape& shape = bodies.defs[i].shape;
-    Motion m{bodies.poses[i], bodies.velocities[i].linear, bodies.velocities[i].angular, 0.0};
+    Motion m{bodies.poses[i], bodies.velocities[i].linear, bodies.velocities[i].angular, 0.0,
+             0.0};
     if (bodies.isDynamic(i)) m.velocity += 0.5 * dt * bodies.accelerations[i].linear;
     if (shape.type == ShapeType::box) m.reach = shape.halfSize.norm();
     if (shape.type == ShapeType::capsule) m.reach = shape.halfLength;
+    m.sweep = m.spin.norm() * m.reach;
     return m;
 }
 
 double wayOf(const Motion& a, const Motion& b, double dt) {
-    return dt * ((b.velocity - a.velocity).norm() + a.sweep() + b.sweep());
+    return dt * ((b.velocity - a.velocity).norm() + a.sweep + b.sweep);
 }
 
 Impact timeOfImpact(const Shape& shapeA, const Motion& a, const Shape& shapeB, const Motion& b,

@@ -19,10 +19,9 @@ struct Motion {
     Vec3 velocity = Vec3::Zero();  // m/s
     Vec3 spin = Vec3::Zero();      // rad/s, world axes
     double reach = 0.0;            // m, of what turning moves: a ball 0, a capsule half its core
+    double sweep = 0.0;            // m/s: how fast turning moves any of its points, at most
 
     Pose at(double time) const;
-    /// How far turning moves any of its points in a second, at most, m/s.
-    double sweep() const { return spin.norm() * reach; }
 };
 
 /// With the acceleration of the last sub-step over the coming dt (s).
