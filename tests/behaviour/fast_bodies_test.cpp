@@ -199,6 +199,20 @@ TEST(FastBodies, PassingATiltedBoxChangesNothing) {
     }
 }
 
+/// The lowest y of any corner of a box over `steps` steps.
+double lowestCorner(World& world, BodyId id, int steps) {
+    double lowest = 1e9;
+    const Vec3 half = world.def(id).shape.halfSize;
+    for (int i = 0; i < steps; ++i) {
+        world.step(kStep);
+        for (int k = 0; k < 8; ++k) {
+            const Vec3 sign(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+            lowest = std::min(lowest, world.pose(id).toWorld(sign.cwiseProduct(half)).y());
+        }
+    }
+    return lowest;
+}
+
 TEST(FastBox, LandsFlatWithoutSinkingIn) {
     for (int k = 0; k < 12; ++k)
         for (const double tilt : {0.0, 0.5, 5.0}) {
@@ -208,17 +222,23 @@ TEST(FastBox, LandsFlatWithoutSinkingIn) {
             def.velocity = {3, -60, 0};
             def.pose.rotation = turnAboutXyz({0, 0, radians(tilt)});
             const BodyId id = world.add(def);
-            double lowest = 1e9;
-            for (int i = 0; i < 20; ++i) {
-                world.step(kStep);
-                for (int corner = 0; corner < 8; ++corner) {
-                    const Vec3 local(corner & 1 ? .5 : -.5, corner & 2 ? .25 : -.25,
-                                     corner & 4 ? .5 : -.5);
-                    lowest = std::min(lowest, world.pose(id).toWorld(local).y());
-                }
-            }
-            EXPECT_GT(lowest, -0.005) << k << " " << tilt;
+            EXPECT_GT(lowestCorner(world, id, 20), -0.005) << k << " " << tilt;
         }
+}
+
+TEST(FastBox, TumblesOntoTheFloorWithoutSinkingIn) {
+    double worst = 0.0;
+    for (int k = 0; k < 60; ++k) {
+        World world;
+        world.add(fixed(Shape::box({40, 1, 40}), {0, -0.5, 0}));
+        support::Random random(k);
+        BodyDef def = body(Shape::box({1, 0.6, 0.4}), {0, 1.5, 0});
+        def.velocity = {3, -10, 0}, def.spin = random.vector(12);
+        def.pose.rotation = random.rotation();
+        const BodyId id = world.add(def);
+        worst = std::min(worst, lowestCorner(world, id, 40));
+    }
+    EXPECT_GT(worst, -0.03);  // a corner sweeps 20 cm a step
 }
 
 /// A ball through a row of plates: hits, misses and throws.
