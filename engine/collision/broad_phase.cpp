@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/collision/time_of_impact.h"
+
 namespace engine {
 namespace {
 
@@ -13,10 +15,18 @@ bool mayMeet(const Bodies& bodies, int i, int j) {
     return bodies.isDynamic(i) || bodies.isDynamic(j);
 }
 
-/// Where the body may be within the next step.
+/// Where the body may be within the next step. Turning moves no point farther than its sweep, nor out
+/// of the ball around the body.
 Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
-    const Bounds now = boundsOf(bodies.defs[i].shape, bodies.poses[i]);
-    const Vec3 way = dt * bodies.velocities[i].linear;
+    const Shape& shape = bodies.defs[i].shape;
+    const Motion motion = motionOf(bodies, i, dt);
+    const Bounds upright = boundsOf(shape, motion.start);
+    const Vec3 way = dt * motion.velocity;
+    const Vec3 half = 0.5 * (upright.high - upright.low);
+    const double round = shape.type == ShapeType::box ? 0.0 : shape.radius;
+    const Vec3 ball = (motion.reach + round) * Vec3::Ones();
+    const Vec3 turn = (dt * motion.sweep * Vec3::Ones()).cwiseMin(ball - half).cwiseMax(0.0);
+    const Bounds now{upright.low - turn, upright.high + turn};
     const Bounds then{now.low + way, now.high + way};
     return now.with(then).grownBy(margin);
 }
@@ -51,10 +61,24 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
         if (isPlane(bodies, i))
             findPairsOfPlane(bodies, i);
         else if (proxies_[i].moved)
-            findPairsOf(bodies, i);
+            findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf));
     }
+    sortPairs();
+}
+
+void BroadPhase::sortPairs() {
     std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+}
+
+void BroadPhase::lookFarther(const Bodies& bodies, const std::vector<double>& more, double least) {
+    const std::size_t before = pairs_.size();
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (more[i] <= least || proxies_[i].leaf < 0) continue;
+        const Bounds farther = proxies_[i].tight.grownBy(more[i]);
+        if (!tree_.bounds(proxies_[i].leaf).contains(farther)) findPairsOf(bodies, i, farther);
+    }
+    if (pairs_.size() > before) sortPairs();
 }
 
 void BroadPhase::forgetPairsOfMoved() {
@@ -63,8 +87,8 @@ void BroadPhase::forgetPairsOfMoved() {
     });
 }
 
-void BroadPhase::findPairsOf(const Bodies& bodies, int i) {
-    tree_.query(tree_.bounds(proxies_[i].leaf), [&](int j) {
+void BroadPhase::findPairsOf(const Bodies& bodies, int i, const Bounds& within) {
+    tree_.query(within, [&](int j) {
         if (j != i && mayMeet(bodies, i, j))
             pairs_.push_back({std::min(i, j), std::max(i, j)});
     });

@@ -21,11 +21,19 @@ public:
     /// Moves the bounds with the bodies; they reach `margin` (m) and one step of length dt (s) ahead.
     void update(const Bodies& bodies, double margin, double dt);
     void remove(int body);
+    /// Adds the pairs of bodies that may come farther than their bounds say: `more` (m), by body, where
+    /// it is above `least`.
+    void lookFarther(const Bodies& bodies, const std::vector<double>& more, double least);
 
     /// Sorted, each pair once. Of two bodies at least one is dynamic.
     const std::vector<PairKey>& pairs() const { return pairs_; }
     /// Today's bounds, margin and motion included.
     const Bounds& bounds(int body) const { return proxies_[body].tight; }
+    /// Of a pair; `more` (m) than the margin apart counts as well.
+    bool boundsMeet(const PairKey& pair, double more = 0.0) const {
+        const Proxy &a = proxies_[pair.a], &b = proxies_[pair.b];
+        return a.leaf < 0 || b.leaf < 0 || a.tight.grownBy(more).overlaps(b.tight);
+    }
     const BoundsTree& tree() const { return tree_; }
 
 private:
@@ -35,8 +43,9 @@ private:
         bool moved = false;
     };
 
+    void sortPairs();
     void forgetPairsOfMoved();
-    void findPairsOf(const Bodies& bodies, int body);
+    void findPairsOf(const Bodies& bodies, int body, const Bounds& within);
     void findPairsOfPlane(const Bodies& bodies, int plane);
 
     BoundsTree tree_;

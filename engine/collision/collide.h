@@ -20,6 +20,10 @@ Manifold collideSpherePlane(const Shape& a, const Pose& poseA, const Shape& b, c
                             double margin);
 Manifold collideBoxBox(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
                        double margin);
+/// The best pair of faces, also where two edges are nearer: what comes down when the boxes turn about
+/// those. Every point found deep is so, because it lies within the other's sides.
+Manifold collideBoxFaces(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
+                         double margin);
 Manifold collideBoxCapsule(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
                            double margin);
 Manifold collideBoxPlane(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,

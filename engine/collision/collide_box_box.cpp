@@ -3,6 +3,7 @@
 /// (Gottschalk 1996 for the axes; Sutherland and Hodgman 1974 for the clipping.)
 #include "engine/collision/collide.h"
 #include "engine/collision/clip.h"
+#include "engine/collision/oriented_box.h"
 
 namespace engine {
 namespace {
@@ -12,16 +13,6 @@ namespace {
 constexpr double kFaceBonus = 5e-4;  // m
 /// Edges give one point where a face gives four: they must be clearly better.
 constexpr double kEdgeBonus = 2e-3;  // m
-
-struct OrientedBox {
-    Mat3 axes;  // columns
-    Vec3 centre, half;
-
-    OrientedBox(const Shape& shape, const Pose& pose)
-        : axes(pose.rotation.toRotationMatrix()), centre(pose.position), half(shape.halfSize) {}
-    /// Half its extent along the unit vector n.
-    double extent(const Vec3& n) const { return (axes.transpose() * n).cwiseAbs().dot(half); }
-};
 
 struct BestAxis {
     double separation = -1e300;
@@ -122,6 +113,17 @@ void touchEdges(const OrientedBox& a, const OrientedBox& b, const BestAxis& best
     m.add(middle - reach, middle + reach, feature);
 }
 
+void touchFaces(const OrientedBox& a, const OrientedBox& b, const BestAxis& faceA,
+                const BestAxis& faceB, double margin, Manifold& m) {
+    const bool byB = faceB.separation > faceA.separation + kFaceBonus;
+    const BestAxis& face = byB ? faceB : faceA;
+    m.normal = face.normal;
+    if (byB)
+        clipFaces(b, face.i, -face.normal, a, margin, true, m);
+    else
+        clipFaces(a, face.i, face.normal, b, margin, false, m);
+}
+
 }  // namespace
 
 Manifold collideBoxBox(const Shape& shapeA, const Pose& poseA, const Shape& shapeB,
@@ -135,18 +137,20 @@ Manifold collideBoxBox(const Shape& shapeA, const Pose& poseA, const Shape& shap
     const BestAxis edges = bestEdges(a, b);
     if (edges.separation > margin) return m;
 
-    const bool byB = faceB.separation > faceA.separation + kFaceBonus;
-    const BestAxis& face = byB ? faceB : faceA;
     if (edges.separation > larger(faceA.separation, faceB.separation) + kEdgeBonus) {
         m.normal = edges.normal;
         touchEdges(a, b, edges, m);
     } else {
-        m.normal = face.normal;
-        if (byB)
-            clipFaces(b, face.i, -face.normal, a, margin, true, m);
-        else
-            clipFaces(a, face.i, face.normal, b, margin, false, m);
+        touchFaces(a, b, faceA, faceB, margin, m);
     }
+    return m;
+}
+
+Manifold collideBoxFaces(const Shape& shapeA, const Pose& poseA, const Shape& shapeB,
+                         const Pose& poseB, double margin) {
+    Manifold m;
+    const OrientedBox a(shapeA, poseA), b(shapeB, poseB);
+    touchFaces(a, b, bestFace(a, a, b), bestFace(b, a, b), margin, m);
     return m;
 }
 

@@ -109,7 +109,8 @@ Manifold coreOutside(const Segment& s, const Vec3& half, double radius, double m
     for (int i = 1; i < 3; ++i)
         if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
     const double side = normal[axis] < 0.0 ? -1.0 : 1.0;
-    const bool lies = std::abs(s.half[axis]) < 0.05 * s.half.norm();  // within 3 deg of the face
+    // Within 3 deg of the face, or so that a wide margin takes in the other end as well.
+    const bool lies = std::abs(s.half[axis]) < larger(0.05 * s.half.norm(), 0.5 * margin);
     if (std::abs(normal[axis]) > 0.999 && lies &&
         alongFace(s, half, radius, margin, axis, side, m) && m.count > 0)
         return m;

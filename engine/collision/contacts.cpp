@@ -9,13 +9,6 @@ namespace {
 
 constexpr double kSamePlace = 0.02;  // m
 
-/// How far ahead this pair has to be seen: what it may cover in one step.
-double marginOf(const Bodies& bodies, const PairKey& pair, double margin, double dt) {
-    const Vec3 relative =
-        bodies.velocities[pair.b].linear - bodies.velocities[pair.a].linear;
-    return larger(margin, dt * relative.norm());
-}
-
 Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& manifold) {
     const Material &a = bodies.defs[pair.a].material, &b = bodies.defs[pair.b].material;
     Contact contact;
@@ -33,10 +26,20 @@ Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& man
     return contact;
 }
 
-bool boundsMeet(const Bodies& bodies, const BroadPhase& broad, const PairKey& pair) {
-    const bool plane = bodies.defs[pair.a].shape.type == ShapeType::plane ||
-                       bodies.defs[pair.b].shape.type == ShapeType::plane;
-    return plane || broad.bounds(pair.a).overlaps(broad.bounds(pair.b));
+/// Near: within the margin, or as far as this step's hits may throw the two. Up to two contacts.
+void addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
+                 ContactFinder& finder) {
+    if (const std::optional<Impact> impact =
+            impactOf(bodies, pair, finder.moving, near > margin, dt)) {
+        const MovingManifolds found = collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
+        for (int i = 0; i < found.count; ++i)
+            finder.contacts.push_back(contactOf(bodies, pair, found.manifolds[i]));
+        return;
+    }
+    const Manifold manifold =
+        collide(bodies.defs[pair.a].shape, bodies.poses[pair.a], bodies.defs[pair.b].shape,
+                bodies.poses[pair.b], margin);
+    if (manifold.count > 0) finder.contacts.push_back(contactOf(bodies, pair, manifold));
 }
 
 }  // namespace
@@ -65,20 +68,20 @@ void carryImpulses(const Contact& from, Contact& to) {
 
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt) {
     finder.broadPhase.update(bodies, margin, dt);
+    findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.moving);
     finder.contacts.swap(finder.previous);
     finder.contacts.clear();
     auto old = finder.previous.begin();
     for (const PairKey& pair : finder.broadPhase.pairs()) {
-        if (!boundsMeet(bodies, finder.broadPhase, pair)) continue;
+        const double thrown = finder.moving.thrown(pair);
+        if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
-        const Manifold manifold =
-            collide(bodies.defs[pair.a].shape, bodies.poses[pair.a], bodies.defs[pair.b].shape,
-                    bodies.poses[pair.b], marginOf(bodies, pair, margin, dt));
-        if (manifold.count == 0) continue;
-        finder.contacts.push_back(contactOf(bodies, pair, manifold));
+        const std::size_t first = finder.contacts.size();
+        addContacts(bodies, pair, margin, larger(margin, thrown), dt, finder);
+        if (finder.contacts.size() == first) continue;
         while (old != finder.previous.end() && PairKey{old->a, old->b} < pair) ++old;
         if (old != finder.previous.end() && PairKey{old->a, old->b} == pair)
-            carryImpulses(*old, finder.contacts.back());
+            carryImpulses(*old, finder.contacts[first]);
     }
 }
 

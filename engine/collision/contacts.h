@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/collision/broad_phase.h"
+#include "engine/collision/moving_contacts.h"
 #include "engine/constraints/contact.h"
 
 namespace engine {
@@ -11,12 +12,13 @@ namespace engine {
 struct ContactFinder {
     BroadPhase broadPhase;
     std::vector<PairKey> jointed;    // sorted: bodies held by a joint do not collide
-    std::vector<Contact> contacts;   // sorted by pair
+    MovingPairs moving;              // those that the margin is too short for
+    std::vector<Contact> contacts;   // sorted by pair; fast ones may have two
     std::vector<Contact> previous;   // kept for its memory only
 };
 
-/// `margin` (m): contacts are made this far ahead of touching, farther for a pair that would cover
-/// more than that within dt (s).
+/// `margin` (m): contacts are made this far ahead of touching. A pair that would cover more than that
+/// within dt (s) gets them where it will touch (moving_contacts.h).
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt);
 
 /// Impulses from one contact of a pair to the next: by feature, or else by place.

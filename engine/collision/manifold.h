@@ -20,6 +20,7 @@ struct Manifold {
     void add(const Vec3& onA, const Vec3& onB, int feature) {
         points[count++] = ManifoldPoint{onA, onB, feature};
     }
+    double separation(int i) const { return normal.dot(points[i].onB - points[i].onA); }  // m
     /// The same seen from the other body.
     void flip() {
         normal = -normal;

@@ -1,0 +1,58 @@
+/// The contacts of pairs that move fast: those of the poses in which they will touch, told to the solver
+/// as if seen from now. With the normal n and the points of the time t of the impact, and with
+///   C = C_then - t J v
+/// the solver's linear picture of the motion closes the gap at that very time; a body that would only
+/// pass another is not stopped by the endless plane of a contact far ahead.
+///
+/// Free motion ends with the first impact, so two further sources of contacts are looked after:
+///   * a pair that touches turns on about its contact: a second manifold, of the poses at the step's end
+///     with the approach taken out, holds the features that come down then
+///   * a body that is hit may be thrown against its neighbours in the same step, by at most
+///       throw_a = dt (1 + e) c m_b / (m_a + m_b)              (m)
+///     which it passes on to whom it hits in its turn. Whoever stays apart by less than
+///     throw_a + throw_b gets a contact, with so large a C that free motion alone is not touched by it.
+#pragma once
+#include <optional>
+
+#include "engine/collision/broad_phase.h"
+#include "engine/collision/manifold.h"
+#include "engine/collision/time_of_impact.h"
+
+namespace engine {
+
+/// What free motion would do in the coming step: kept from step to step for its memory only.
+struct MovingPairs {
+    struct Entry {
+        PairKey pair;
+        Impact impact;
+    };
+    std::vector<Motion> motions;  // by body
+    std::vector<Entry> entries;   // of the pairs that move more than the margin; sorted
+    std::vector<double> throws;   // m, by body: dt jolt; all zero while nothing is hit
+    std::vector<double> throwsBefore;
+
+    /// How far the hits of this step may bring the two together, m.
+    double thrown(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
+};
+
+/// Impacts and throws of all pairs that move more than `margin` (m) within dt (s); the broad phase gets
+/// the pairs of bodies that may be thrown farther than it sees. `jointed`, sorted, do not collide.
+void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
+                 const std::vector<PairKey>& jointed, double margin, double dt,
+                 MovingPairs& moving);
+
+/// Nothing for a pair that the margin is enough for; `always`: found now if it was not before.
+std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,
+                               const MovingPairs& moving, bool always, double dt);
+
+struct MovingManifolds {
+    int count = 0;
+    std::array<Manifold, 2> manifolds;  // points as of the present poses
+};
+
+/// `near` (m): a pair that passes this closely gets a contact as well.
+MovingManifolds collideMoving(const Bodies& bodies, const PairKey& pair,
+                              const MovingPairs& moving, const Impact& impact, double margin,
+                              double near, double dt);
+
+}  // namespace engine
