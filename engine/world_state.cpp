@@ -31,6 +31,7 @@ void rescaleImpulses(WorldState& s, double dt) {
                 point.impulse *= scale, point.friction *= scale;
         for (JointConstraint<double>& joint : s.solver.constraints.joints)
             for (double& lambda : joint.lambda) lambda *= scale;
+        s.solver.trees.scaleImpulses(scale);
     }
     if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;
     s.lastDt = dt;
@@ -55,7 +56,7 @@ void reportSeparations(WorldState& s) {
                 larger(s.report.worstSeparation, stateOf(s, joint).separation);
 }
 
-void reportImpulses(WorldState& s, double dt) {
+void reportImpulses(WorldState& s) {
     s.contactStates.clear();
     for (int k = 0; k < static_cast<int>(s.finder.contacts.size()); ++k) {
         const Contact& contact = s.finder.contacts[k];
@@ -72,12 +73,6 @@ void reportImpulses(WorldState& s, double dt) {
             state.penetration = -contact.normal.dot(onB - was.position);
             state.position = 0.5 * (was.position + onB);
         }
-    }
-    for (const JointConstraint<double>& c : s.solver.constraints.joints) {
-        Joint& joint = s.joints[c.joint];
-        const Vec3 armB = s.bodies.poses[c.b].rotation * joint.def.anchorB;
-        joint.force = c.totalImpulse / dt;
-        joint.torque = c.totalTwist / dt - armB.cross(joint.force);
     }
 }
 
@@ -127,7 +122,7 @@ bool beginStep(WorldState& s, double dt) {
     if (s.jointsStale) {
         listJointedPairs(s);
         collectJoints(s.joints, s.bodies, s.settings, s.solver);
-        prepareJoints(s.joints, s.bodies, s.solver);
+        prepareJoints(s.joints, s.bodies, s.settings, s.solver);
         s.jointsStale = false;
     }
     if (s.contactsStale) findContacts(s, dt);
@@ -141,6 +136,7 @@ bool beginStep(WorldState& s, double dt) {
     prepareContacts(s.finder.contacts, s.bodies, s.gravity, s.settings, s.solver);
     for (JointConstraint<double>& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
+    s.solver.trees.beginStep();
     return true;
 }
 
@@ -160,8 +156,9 @@ bool endStep(WorldState& s, double dt) {
         goBack(s);
         return false;
     }
-    storeImpulses(s.solver, s.finder.contacts, s.joints);
-    reportImpulses(s, dt);
+    storeImpulses(s.solver, s.finder.contacts);
+    storeImpulses(s.solver, s.bodies, s.joints, dt);
+    reportImpulses(s);
     for (Load& load : s.bodies.loads) load = {};
     findContacts(s, dt);
     s.report.step += 1;

@@ -1,4 +1,4 @@
-/// From this step's contacts and joints to rows, and back to the impulses that persist.
+/// From this step's contacts to rows, and back to the impulses that persist.
 #pragma once
 #include "engine/constraints/contact.h"
 #include "engine/solver/constraints.h"
@@ -11,7 +11,6 @@ struct Solver {
     JointTrees trees;
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
     std::vector<char> nudged;    // bodies that the nudges have moved
-    std::vector<double> errors;  // C of the trees' joints
 };
 
 /// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a
@@ -27,21 +26,11 @@ void updateSeparations(const Bodies& bodies, Solver& solver);
 double separationNow(const ContactConstraint<double>& contact, const ContactRow<double>& row,
                      const Bodies& bodies, const Solver& solver);
 
-/// A constraint for every joint; for when joints come or go.
-void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
-                   Solver& solver);
-
-/// Rows of all joints at the bodies' present poses, and the factors of their trees.
-void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, Solver& solver);
-
-/// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses.
-double elasticEnergy(const Joint& joint, const Bodies& bodies);
-
 /// Gravity order: contacts from the top down, ties in the order of pairs.
 void orderContacts(std::span<const Contact> contacts, const Bodies& bodies, const Vec3& gravity,
                    Order order, std::vector<int>& result);
 
 /// Impulses go back to where the next step finds them.
-void storeImpulses(const Solver& solver, std::span<Contact> contacts, std::span<Joint> joints);
+void storeImpulses(const Solver& solver, std::span<Contact> contacts);
 
 }  // namespace engine

@@ -21,7 +21,7 @@ double swingSquared(const InverseMass<double>& mass, const Vec3& arm, double for
 double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                       double dt) {
     double most = 0.0;
-    for (const int i : solver.trees.order()) {
+    for (const int i : solver.trees.whole()) {
         const JointConstraint<double>& c = solver.constraints.joints[i];
         const Joint& joint = joints[c.joint];
         const double force = joint.force.norm();
