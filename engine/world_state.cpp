@@ -123,6 +123,7 @@ bool beginStep(WorldState& s, double dt) {
         listJointedPairs(s);
         collectJoints(s.joints, s.bodies, s.settings, s.solver);
         prepareJoints(s.joints, s.bodies, s.settings, s.solver);
+        estimateTension(s.joints, s.bodies, s.gravity, s.solver, dt);
         s.jointsStale = false;
     }
     if (s.contactsStale) findContacts(s, dt);
