@@ -49,4 +49,9 @@ void updateInverseInertia(Bodies& bodies, int i) {
         inWorldAxes(bodies.masses[i].inverseInertia, bodies.poses[i].rotation);
 }
 
+void updateInverseInertias(Bodies& bodies) {
+    for (int i = 0; i < bodies.count(); ++i)
+        if (bodies.isDynamic(i)) updateInverseInertia(bodies, i);
+}
+
 }  // namespace engine

@@ -81,13 +81,6 @@ void sweepContact(ContactConstraint<Real>& contact, std::span<Velocity<Real>> v,
     solveFriction(contact, a, b, correction);
 }
 
-/// One sweep is enough: nothing but trees.
-template <class Real>
-bool isExact(const Constraints<Real>& c, const JointTrees& trees) {
-    return c.contacts.empty() && !trees.empty() && trees.exact() &&
-           trees.order().size() == c.joints.size();
-}
-
 }  // namespace
 
 template <class Real>
@@ -159,7 +152,7 @@ void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<R
     warmStart(c, v, settings);
     trees.begin(settings.warmStart ? Real(1) : Real(0), static_cast<Real>(settings.baumgarte) / h, v);
     Settings enough = settings;
-    const bool exactAtOnce = isExact(c, trees);
+    const bool exactAtOnce = solvedAtOnce(c, trees);
     if (exactAtOnce) enough.sweeps = smaller(settings.sweeps, 1);
     sweepUntilSatisfied(enough, report, [&] {
         SweepReport swept = sweep(c, trees, v, settings);

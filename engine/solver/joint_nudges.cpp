@@ -2,20 +2,20 @@
 
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/nudges.h"
+#include "engine/solver/prepare_joints.h"
 
 namespace engine {
 namespace {
 
-void move(int body, const Velocity<double>& way, Bodies& bodies, Solver& solver) {
+void move(int body, const Velocity<double>& way, Bodies& bodies) {
     if (bodies.inverseMasses[body].linear == 0.0) return;
     Pose& pose = bodies.poses[body];
     pose.position += way.linear;
     pose.rotation = cayley(way.angular, pose.rotation);
-    solver.nudged[body] = 1;
 }
 
 /// A joint outside the trees: row after row, the others' errors following to first order.
-void nudgeJoint(const Joint& joint, Bodies& bodies, Solver& solver, const Settings& settings) {
+void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
     if (joint.def.spring.isSoft()) return;
     const int a = joint.def.a.index, b = joint.def.b.index;
     JointRows<double> rows =
@@ -31,8 +31,8 @@ void nudgeJoint(const Joint& joint, Bodies& bodies, Solver& solver, const Settin
         apply(made[i], lambda, wayA, wayB);
         for (int k = i + 1; k < rows.count; ++k) rows.error[k] += coupling(made[i], made[k]) * lambda;
     }
-    move(a, wayA, bodies, solver);
-    move(b, wayB, bodies, solver);
+    move(a, wayA, bodies);
+    move(b, wayB, bodies);
 }
 
 }  // namespace
@@ -40,9 +40,17 @@ void nudgeJoint(const Joint& joint, Bodies& bodies, Solver& solver, const Settin
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h) {
     for (const JointConstraint<double>& c : solver.constraints.joints)
-        if (!c.inTree) nudgeJoint(joints[c.joint], bodies, solver, settings);
+        if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
     const TreeNudge nudge{kMostNudge, h > 0.0 ? 1.0 / h : 0.0};
-    solver.trees.nudge(nudge, joints, bodies, solver.nudged);
+    solver.trees.nudge(nudge, joints, bodies);
+}
+
+void finishJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+                  const Settings& settings, bool seen) {
+    prepareJoints(joints, bodies, settings, solver);
+    const bool linear = settings.gyroscope != Gyroscope::implicitEuler;
+    const bool waits = !seen && linear && solvedAtOnce(solver.constraints, solver.trees);
+    if (settings.nudges > 0 && !waits) solver.trees.projectVelocities(bodies.velocities);
 }
 
 }  // namespace engine

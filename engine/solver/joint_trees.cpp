@@ -56,11 +56,10 @@ void JointTrees::projectVelocities(std::span<Velocity<double>> v) {
     forests_[0].each([&](auto& part) { part.solveVelocities(0.0, true, v, unused); });
 }
 
-void JointTrees::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies,
-                       std::span<char> nudged) {
+void JointTrees::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
     for (Forest& forest : forests_)
         forest.each([&](auto& part) {
-            if (!part.empty()) part.nudge(nudge, joints, bodies, nudged);
+            if (!part.empty()) part.nudge(nudge, joints, bodies);
         });
 }
 

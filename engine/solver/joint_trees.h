@@ -33,8 +33,7 @@ public:
     /// J v = 0 once more, for the trees that no other joint pulls at.
     void projectVelocities(std::span<Velocity<double>> v);
     /// C = 0 in one forest after the other (joint_nudges.h).
-    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies,
-               std::span<char> nudged);
+    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
     /// Trees live in double; a float problem has its joints in the sweep.
     void begin(float, float, std::span<Velocity<float>>) {}
     void solveVelocities(std::span<Velocity<float>>, Correction<float>&) {}

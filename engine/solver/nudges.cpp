@@ -2,20 +2,18 @@
 
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/joint_nudges.h"
-#include "engine/solver/prepare_joints.h"
 
 namespace engine {
 namespace {
 
 /// x += M^-1 J^T lambda, q turned by I^-1 j lambda.
-void nudge(const Row<double>& row, double lambda, int a, int b, Bodies& bodies, Solver& solver) {
+void nudge(const Row<double>& row, double lambda, int a, int b, Bodies& bodies) {
     if (lambda == 0.0) return;
     const auto move = [&](int body, double mass, double sign, const Vec3& turn) {
         if (mass == 0.0) return;
         Pose& pose = bodies.poses[body];
         pose.position += (sign * mass * lambda) * row.j.linear;
         pose.rotation = cayley(lambda * turn, pose.rotation);
-        solver.nudged[body] = 1;
     };
     move(a, row.massA, -1.0, row.turnA);
     move(b, row.massB, 1.0, row.turnB);
@@ -39,13 +37,13 @@ void nudgeContact(const ContactConstraint<double>& contact, Bodies& bodies, Solv
     if (settings.block) {
         const Vec4 lambda = solveNormalBlock(contact.block, q);
         for (int i = 0; i < contact.count; ++i)
-            nudge(rowAlong(contact, i, contact.n), lambda[i], contact.a, contact.b, bodies, solver);
+            nudge(rowAlong(contact, i, contact.n), lambda[i], contact.a, contact.b, bodies);
         return;
     }
     for (int i = 0; i < contact.count; ++i) {
         const Row<double> row = rowAlong(contact, i, contact.n);
         const double lambda = q[i] < 0.0 && row.k > 0.0 ? -q[i] / row.k : 0.0;
-        nudge(row, lambda, contact.a, contact.b, bodies, solver);
+        nudge(row, lambda, contact.a, contact.b, bodies);
         for (int k = i + 1; k < contact.count; ++k)
             q[k] += coupling(row, rowAlong(contact, k, contact.n)) * lambda;
     }
@@ -53,7 +51,6 @@ void nudgeContact(const ContactConstraint<double>& contact, Bodies& bodies, Solv
 
 void nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                const Settings& settings, double h, bool first) {
-
     for (const int i : solver.constraints.order)
         nudgeContact(solver.constraints.contacts[i], bodies, solver, settings);
     nudgeJoints(joints, bodies, solver, settings, first ? h : 0.0);  // feed back only the first
@@ -62,15 +59,11 @@ void nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
 }  // namespace
 
 void solveNudges(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h) {
-    solver.nudged.assign(bodies.count(), 0);
+                 const Settings& settings, double h, bool seen) {
     for (int i = 0; i < settings.nudges; ++i)
         nudgeOnce(joints, bodies, solver, settings, h, i == 0);
-    for (int i = 0; i < bodies.count(); ++i)
-        if (solver.nudged[i]) updateInverseInertia(bodies, i);
-    if (solver.constraints.joints.empty()) return;
-    prepareJoints(joints, bodies, settings, solver);
-    if (settings.nudges > 0) solver.trees.projectVelocities(bodies.velocities);
+    updateInverseInertias(bodies);
+    if (!solver.constraints.joints.empty()) finishJoints(joints, bodies, solver, settings, seen);
 }
 
 }  // namespace engine

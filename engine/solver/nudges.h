@@ -11,8 +11,9 @@ namespace engine {
 constexpr double kMostNudge = 0.2;  // m: what one nudge may move, so that a deep error comes apart
                                     // over several steps and not through its neighbours
 
-/// h: length of the sub-step, s.
+/// h: length of the sub-step, s. seen: whether the velocities are looked at before they are solved
+/// again, which can spare trees a solve (joint_nudges.h).
 void solveNudges(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h);
+                 const Settings& settings, double h, bool seen);
 
 }  // namespace engine

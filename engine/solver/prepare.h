@@ -10,7 +10,6 @@ struct Solver {
     Constraints<double> constraints;
     JointTrees trees;
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
-    std::vector<char> nudged;    // bodies that the nudges have moved
 };
 
 /// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a

@@ -73,7 +73,7 @@ void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const 
 }
 
 template <int N>
-TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, const Pose& a,
+inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, const Pose& a,
                            const Pose& b) {
     TreeGeometry<N> g;
     g.armA = a.rotation * joint.anchorA;
@@ -110,7 +110,7 @@ TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& 
 
 /// J v
 template <int N>
-TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity<double>& a,
+inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity<double>& a,
                           const Velocity<double>& b) {
     TreeRows<N> result;
     result.template head<3>() = (b.linear - a.linear) + b.angular.cross(joint.now.armB) -
@@ -133,7 +133,7 @@ Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
 
 /// v += M^-1 J^T lambda, and the joint's books.
 template <int N>
-void apply(TreeJoint<N>& joint, const TreeRows<N>& lambda, double booked,
+inline void apply(TreeJoint<N>& joint, const TreeRows<N>& lambda, double booked,
            const InverseMass<double>& massA, const InverseMass<double>& massB,
            Velocity<double>& a, Velocity<double>& b) {
     const Vec3 push = lambda.template head<3>();
@@ -169,7 +169,7 @@ Eigen::Matrix<double, N, Matrix::ColsAtCompileTime> leverTimes(const Vec3& r, co
 
 /// R_i I^-1 R_k^T + E E^T / m: what goes through one body from the arm of k to the arm of i.
 template <int N>
-TreeBlock<N> couplingThrough(const InverseMass<double>& mass, const Vec3& armI,
+inline TreeBlock<N> couplingThrough(const InverseMass<double>& mass, const Vec3& armI,
                              const Twist<N>& twistI, const Vec3& armK, const Twist<N>& twistK) {
     const Eigen::Matrix<double, 3, N> turn =
         leverTimes<N>(armK, twistK, mass.angular).transpose();  // I^-1 is symmetric

@@ -164,8 +164,7 @@ void TreePart<N>::evaluateErrors(std::span<const Joint> joints, std::span<const 
 }
 
 template <int N>
-void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies,
-                        std::span<char> nudged) {
+void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
     evaluateErrors(joints, bodies.poses);
     for (Tree& tree : trees_)
         tree.gain = tree.whole ? nudge.feedback * feedbackShare(tree.ratio) : 0.0;
@@ -179,11 +178,11 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
         apply(joint, lambda, trees_[joint.tree].gain, masses_[joint.ownA], masses_[joint.ownB],
               moved_[joint.ownA], moved_[joint.ownB]);
     });
-    move(bodies, nudged);
+    move(bodies);
 }
 
 template <int N>
-void TreePart<N>::move(Bodies& bodies, std::span<char> nudged) const {
+void TreePart<N>::move(Bodies& bodies) const {
     for (std::size_t i = 0; i < members_.size(); ++i) {
         if (masses_[i].linear == 0.0) continue;
         const int body = members_[i].body;
@@ -193,7 +192,6 @@ void TreePart<N>::move(Bodies& bodies, std::span<char> nudged) const {
         pose.rotation = cayley(moved_[i].angular, pose.rotation);
         bodies.velocities[body].linear += gain * moved_[i].linear;
         bodies.velocities[body].angular += gain * moved_[i].angular;
-        nudged[body] = 1;
     }
 }
 

@@ -34,8 +34,7 @@ public:
     void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity<double>> v,
                          Correction<double>& correction);
     /// Afterwards C = 0 to first order, and v as a whole tree's feedback wants it.
-    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies,
-               std::span<char> nudged);
+    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
     bool empty() const { return joints_.empty(); }
     std::vector<TreeJoint<N>>& joints() { return joints_; }
@@ -56,7 +55,7 @@ private:
 
     int own(int body, int tree, std::vector<int>& places);
     void evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses);
-    void move(Bodies& bodies, std::span<char> nudged) const;
+    void move(Bodies& bodies) const;
 
     std::vector<TreeJoint<N>> joints_;  // in order of elimination
     BlockFactors<N> factors_;

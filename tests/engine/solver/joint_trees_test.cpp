@@ -160,12 +160,10 @@ TEST_P(EveryType, ANudgePutsAllErrorsRight) {
     }
     j.build();
     EXPECT_GT(j.worst(true), 1e-5);
-    std::vector<char> nudged(30, 0);
     const std::vector<Velocity<double>> before = j.bodies.velocities;
-    j.trees.nudge({0.2, 0.0}, j.joints, j.bodies, nudged);
+    j.trees.nudge({0.2, 0.0}, j.joints, j.bodies);
     EXPECT_LT(j.worst(true), 1e-6);
     for (int i = 1; i < 30; ++i) {
-        EXPECT_TRUE(nudged[i]);
         EXPECT_EQ(j.bodies.velocities[i].linear, before[i].linear);
     }
 }
