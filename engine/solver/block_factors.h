@@ -17,7 +17,7 @@ constexpr double kVanished = 1e-6;
 
 /// The inverse by sweeping one pivot after the other; rows whose pivot has vanished are left out.
 template <int N>
-void invertKept(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
+void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
     bool kept[N];
     for (int p = 0; p < N; ++p) {
         kept[p] = m(p, p) > kVanished * scale[p];
@@ -43,7 +43,7 @@ inline void invertKept(Mat3& m, const Vec3& scale) {
     const double det = a * c0 + b * c1 + c * c2;
     if (!(a > kVanished * scale[0] && minor > kVanished * scale[1] * a &&
           det > kVanished * scale[2] * minor)) {
-        invertKept<3>(m, scale);
+        sweepPivots<3>(m, scale);
         return;
     }
     const double inverse = 1.0 / det;
@@ -53,6 +53,25 @@ inline void invertKept(Mat3& m, const Vec3& scale) {
     m(0, 1) = m(1, 0) = c1 * inverse;
     m(0, 2) = m(2, 0) = c2 * inverse;
     m(1, 2) = m(2, 1) = (b * c - a * e) * inverse;
+}
+
+/// A larger one in two parts, F = B A^-1 and S = C - F B^T:
+///   [A B^T; B C]^-1 = [A^-1 + F^T S^-1 F, -F^T S^-1; -S^-1 F, S^-1]
+template <int N>
+void invertKept(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
+    constexpr int K = N - 3;
+    Mat3 a = m.template topLeftCorner<3, 3>();
+    const Eigen::Matrix<double, K, 3> b = m.template bottomLeftCorner<K, 3>();
+    invertKept(a, Vec3(scale.template head<3>()));
+    const Eigen::Matrix<double, K, 3> f = b.lazyProduct(a);
+    Eigen::Matrix<double, K, K> s = m.template bottomRightCorner<K, K>();
+    s -= f.lazyProduct(b.transpose());
+    sweepPivots<K>(s, scale.template tail<K>());
+    const Eigen::Matrix<double, K, 3> g = s.lazyProduct(f);
+    m.template topLeftCorner<3, 3>() = a + f.transpose().lazyProduct(g);
+    m.template bottomLeftCorner<K, 3>() = -g;
+    m.template topRightCorner<3, K>() = -g.transpose();
+    m.template bottomRightCorner<K, K>() = s;
 }
 
 template <int N>
@@ -102,13 +121,47 @@ private:
     std::vector<int> targets_;  // of every node, for i after j among its links: the link A_ij
 };
 
-/// c -= a b^T
+/// a b
 template <int N>
-void subtractProduct(Eigen::Matrix<double, N, N>& c, const Eigen::Matrix<double, N, N>& a,
-                     const Eigen::Matrix<double, N, N>& b) {
-    for (int j = 0; j < N; ++j)
+Eigen::Matrix<double, N, N> productWith(const Eigen::Matrix<double, N, N>& a,
+                                        const Eigen::Matrix<double, N, N>& b) {
+    Eigen::Matrix<double, N, N> result;
+    for (int j = 0; j < N; ++j) {
+        double column[N];
+        for (int i = 0; i < N; ++i) column[i] = a(i, 0) * b(0, j);
+        for (int l = 1; l < N; ++l)
+            for (int i = 0; i < N; ++i) column[i] += a(i, l) * b(l, j);
+        for (int i = 0; i < N; ++i) result(i, j) = column[i];
+    }
+    return result;
+}
+
+/// c - a b^T
+template <int N>
+Eigen::Matrix<double, N, N> lessProduct(const Eigen::Matrix<double, N, N>& c,
+                                        const Eigen::Matrix<double, N, N>& a,
+                                        const Eigen::Matrix<double, N, N>& b) {
+    Eigen::Matrix<double, N, N> result;
+    for (int j = 0; j < N; ++j) {
+        double column[N];
+        for (int i = 0; i < N; ++i) column[i] = c(i, j);
         for (int l = 0; l < N; ++l)
-            for (int i = 0; i < N; ++i) c(i, j) -= a(i, l) * b(j, l);
+            for (int i = 0; i < N; ++i) column[i] -= a(i, l) * b(j, l);
+        for (int i = 0; i < N; ++i) result(i, j) = column[i];
+    }
+    return result;
+}
+
+/// x - m y
+template <int N>
+Eigen::Matrix<double, N, 1> lessProduct(const Eigen::Matrix<double, N, 1>& x,
+                                        const Eigen::Matrix<double, N, N>& m,
+                                        const Eigen::Matrix<double, N, 1>& y) {
+    double result[N];
+    for (int i = 0; i < N; ++i) result[i] = x[i];
+    for (int j = 0; j < N; ++j)
+        for (int i = 0; i < N; ++i) result[i] -= m(i, j) * y[j];
+    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(result);
 }
 
 template <int N>
@@ -143,13 +196,13 @@ void BlockFactors<N>::factor() {
         for (int i = 0; i < node.linkCount; ++i) {
             Link& link = links_[node.firstLink + i];
             const Block a = link.block;  // A_ik
-            link.block.setZero();
-            subtractProduct<N>(link.block, a, node.inverse);
-            link.block = -link.block;  // W_ik
-            subtractProduct<N>(nodes_[link.place].inverse, link.block, a);
-            for (int j = 0; j < i; ++j)  // A_ij -= A_ik W_jk^T
-                subtractProduct<N>(links_[targets_[target++]].block, a,
-                                   links_[node.firstLink + j].block);
+            link.block = productWith<N>(a, node.inverse);  // W_ik
+            Block& diagonal = nodes_[link.place].inverse;
+            diagonal = lessProduct<N>(diagonal, link.block, a);
+            for (int j = 0; j < i; ++j) {  // A_ij -= A_ik W_jk^T
+                Block& later = links_[targets_[target++]].block;
+                later = lessProduct<N>(later, a, links_[node.firstLink + j].block);
+            }
         }
     }
 }
@@ -162,19 +215,15 @@ void BlockFactors<N>::solve(std::vector<Rows>& x, Give give) const {
         const Rows xk = x[k];
         for (int i = 0; i < node.linkCount; ++i) {
             const Link& link = links_[node.firstLink + i];
-            Rows& xi = x[link.place];
-            for (int j = 0; j < N; ++j)
-                for (int l = 0; l < N; ++l) xi[l] -= link.block(l, j) * xk[j];
+            x[link.place] = lessProduct<N>(x[link.place], link.block, xk);
         }
     }
     for (int k = count() - 1; k >= 0; --k) {
         const Node& node = nodes_[k];
-        Rows z = Rows::Zero();
-        for (int j = 0; j < N; ++j)
-            for (int l = 0; l < N; ++l) z[l] += node.inverse(l, j) * x[k][j];
+        Rows z = -lessProduct<N>(Rows::Zero(), node.inverse, x[k]);
         for (int i = 0; i < node.linkCount; ++i) {
             const Link& link = links_[node.firstLink + i];
-            const Rows& xi = x[link.place];
+            const Rows xi = x[link.place];
             for (int j = 0; j < N; ++j)
                 for (int l = 0; l < N; ++l) z[j] -= link.block(l, j) * xi[l];
         }

@@ -106,8 +106,10 @@ void TreePart<N>::factor(std::span<const InverseMass<double>> masses) {
         if (joint.closes) addPlay(joint, own);
         factors_.setDiagonal(k, own);
         for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
-            link.block.setZero();
-            if (link.body < 0) continue;
+            if (link.body < 0) {
+                link.block.setZero();
+                continue;
+            }
             const TreeJoint<N>& other = joints_[link.place];
             const bool ofB = other.b == link.body, toB = joint.b == link.body;
             link.block = couplingThrough<N>(
