@@ -42,7 +42,8 @@ bool World::step(double dt) {
         integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
 
         s.phase(Phase::nudges, i);
-        solveNudges(s.joints, s.bodies, s.solver, s.settings, h);  // solver/nudges.cpp
+        const bool seen = s.field || i + 1 == s.report.substeps;
+        solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);
     return endStep(s, dt);  // collision/contacts.cpp, solved in the next step

@@ -31,6 +31,7 @@ void rescaleImpulses(WorldState& s, double dt) {
                 point.impulse *= scale, point.friction *= scale;
         for (JointConstraint<double>& joint : s.solver.constraints.joints)
             for (double& lambda : joint.lambda) lambda *= scale;
+        s.solver.trees.scaleImpulses(scale);
     }
     if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;
     s.lastDt = dt;
@@ -53,15 +54,6 @@ void reportSeparations(WorldState& s) {
         if (joint.present && !joint.def.spring.isSoft())
             s.report.worstSeparation =
                 larger(s.report.worstSeparation, stateOf(s, joint).separation);
-}
-
-void reportJointForces(WorldState& s, double dt) {
-    for (const JointConstraint<double>& c : s.solver.constraints.joints) {
-        Joint& joint = s.joints[c.joint];
-        const Vec3 armB = s.bodies.poses[c.b].rotation * joint.def.anchorB;
-        joint.force = c.totalImpulse / dt;
-        joint.torque = c.totalTwist / dt - armB.cross(joint.force);
-    }
 }
 
 /// The first body whose state must not be passed on.
@@ -112,7 +104,8 @@ bool beginStep(WorldState& s, double dt) {
     if (s.jointsStale) {
         listJointedPairs(s);
         collectJoints(s.joints, s.bodies, s.settings, s.solver);
-        prepareJoints(s.joints, s.bodies, s.solver);
+        prepareJoints(s.joints, s.bodies, s.settings, s.solver);
+        estimateTension(s.joints, s.bodies, s.gravity, s.solver, dt);
         s.jointsStale = false;
     }
     if (s.contactsStale) findContacts(s, dt);
@@ -126,6 +119,7 @@ bool beginStep(WorldState& s, double dt) {
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
     for (JointConstraint<double>& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
+    s.solver.trees.beginStep();
     return true;
 }
 
@@ -145,8 +139,8 @@ bool endStep(WorldState& s, double dt) {
         goBack(s);
         return false;
     }
-    storeImpulses(s.solver, s.finder.contacts, s.joints);
-    reportJointForces(s, dt);
+    storeImpulses(s.solver, s.finder.contacts);
+    storeImpulses(s.solver, s.bodies, s.joints, dt);
     s.statesStale = true;
     for (Load& load : s.bodies.loads) load = {};
     findContacts(s, dt);

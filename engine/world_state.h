@@ -7,7 +7,7 @@
 #include "engine/base/hash.h"
 #include "engine/collision/contacts.h"
 #include "engine/dynamics/energy.h"
-#include "engine/solver/prepare.h"
+#include "engine/solver/prepare_joints.h"
 #include "engine/solver/substeps.h"
 #include "engine/world.h"
 

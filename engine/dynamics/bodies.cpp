@@ -53,4 +53,9 @@ void updateInverseInertia(Bodies& bodies, int i) {
                      : inWorldAxes(mass.inverseInertia, bodies.poses[i].rotation);
 }
 
+void updateInverseInertias(Bodies& bodies) {
+    for (int i = 0; i < bodies.count(); ++i)
+        if (bodies.isDynamic(i)) updateInverseInertia(bodies, i);
+}
+
 }  // namespace engine

@@ -53,7 +53,8 @@ struct Bodies {
 /// Adds a body; what the definition leaves open is filled in. Returns its number.
 int addBody(Bodies& bodies, const BodyDef& def);
 
-/// I^-1 in world axes, after the body was turned.
+/// I^-1 in world axes, after the body was turned; of all of them.
 void updateInverseInertia(Bodies& bodies, int i);
+void updateInverseInertias(Bodies& bodies);
 
 }  // namespace engine

@@ -26,7 +26,6 @@ void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h) {
             turnKeepingMomentum(bodies.masses[i], h, pose.rotation, v.angular);
         else
             pose.rotation = cayley(h * v.angular, pose.rotation);
-        updateInverseInertia(bodies, i);
     }
 }
 

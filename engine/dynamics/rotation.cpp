@@ -4,13 +4,6 @@
 
 namespace engine {
 
-Quat cayley(const Vec3& turn, const Quat& q) {
-    const Vec3 half = 0.5 * turn;
-    Quat turned = Quat(1.0, half.x(), half.y(), half.z()) * q;
-    turned.normalize();
-    return turned;
-}
-
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,
                                double h) {
     // f(w) = I (w - w0) + h w x I w, from w = w0:  J = I + h ([w]x I - [I w]x),  w -= J^-1 f
@@ -25,7 +18,7 @@ Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const
 namespace {
 
 /// w = R I^-1 R^T L
-Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
+inline Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
     return rotation * Vec3(mass.inverseInertia * Vec3(rotation.conjugate() * momentum));
 }
 

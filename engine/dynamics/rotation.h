@@ -18,7 +18,12 @@
 namespace engine {
 
 /// q turned by the rotation vector `turn` (rad, world axes), by the Cayley map.
-Quat cayley(const Vec3& turn, const Quat& q);
+inline Quat cayley(const Vec3& turn, const Quat& q) {
+    const Vec3 half = 0.5 * turn;
+    Quat turned = Quat(1.0, half.x(), half.y(), half.z()) * q;
+    turned.normalize();
+    return turned;
+}
 
 /// The spin after a time h under its own gyroscopic torque: one Newton step of implicit Euler.
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,

@@ -19,4 +19,11 @@ struct Constraints {
     std::vector<int> order;  // of the contacts in a sweep
 };
 
+/// One solve is enough: there is nothing but trees.
+template <class Real>
+bool solvedAtOnce(const Constraints<Real>& c, const JointTrees& trees) {
+    return c.contacts.empty() && !trees.empty() && trees.exact() &&
+           trees.order().size() == c.joints.size();
+}
+
 }  // namespace engine

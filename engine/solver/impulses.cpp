@@ -93,17 +93,20 @@ void setBiases(Constraints<Real>& c, std::span<const Velocity<Real>> v, const Se
             row.bias = biasOf(row, contact.restitution, approach, settings, h);
             row.bounce = Real(0);
         }
-    for (JointConstraint<Real>& joint : c.joints) setBiases(joint, settings, h);
+    for (JointConstraint<Real>& joint : c.joints)
+        if (!joint.inTree || settings.compareExact) setBiases(joint, settings, h);
 }
 
 template <class Real>
 void warmStart(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings) {
     const Real keep = settings.warmStart && settings.accumulate ? Real(1) : Real(0);
-    for (JointConstraint<Real>& joint : c.joints)
+    for (JointConstraint<Real>& joint : c.joints) {
+        if (joint.inTree) continue;
         for (int i = 0; i < joint.count; ++i) {
             joint.lambda[i] *= keep;
             push(joint, i, joint.lambda[i], v[joint.a], v[joint.b]);
         }
+    }
     for (ContactConstraint<Real>& contact : c.contacts)
         for (int i = 0; i < contact.count; ++i) {
             ContactRow<Real>& row = contact.rows[i];
@@ -117,9 +120,9 @@ template <class Real>
 SweepReport sweep(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
                   const Settings& settings) {
     Correction<Real> correction;
+    trees.solveVelocities(v, correction);
     for (JointConstraint<Real>& joint : c.joints)
         if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
-    trees.solveVelocities(c.joints, v, correction);
     for (const int i : c.order) sweepContact(c.contacts[i], v, settings, correction);
     return {static_cast<double>(correction.velocity), static_cast<double>(correction.impulse)};
 }
@@ -147,8 +150,13 @@ void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<R
     beginSolving(c, v, settings, h);
     const ExactVelocities<Real> exact(c, v, settings, h);
     warmStart(c, v, settings);
-    sweepUntilSatisfied(settings, report, [&] {
+    trees.begin(settings.warmStart ? Real(1) : Real(0), static_cast<Real>(settings.baumgarte) / h, v);
+    Settings enough = settings;
+    const bool exactAtOnce = solvedAtOnce(c, trees);
+    if (exactAtOnce) enough.sweeps = smaller(settings.sweeps, 1);
+    sweepUntilSatisfied(enough, report, [&] {
         SweepReport swept = sweep(c, trees, v, settings);
+        if (exactAtOnce) swept.residual = 0.0;
         swept.distance = exact.distance(v);
         return swept;
     });

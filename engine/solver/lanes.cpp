@@ -25,19 +25,28 @@ SweepReport sweepJoints(Solver& s, std::span<Velocity<double>> v, const Settings
 void sweepGroup(Solver& s, int group, std::span<Velocity<double>> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
     const bool joints = group == 0 && s.wide.groups().hasJoints();
-    const int most = s.wide.groups().moving(group) ? smaller(settings.movingSweeps, settings.sweeps)
-                                                   : settings.sweeps;
+    const bool atOnce = joints && solvedAtOnce(s);
+    const int most = atOnce ? smaller(settings.sweeps, 1)
+                     : s.wide.groups().moving(group)
+                         ? smaller(settings.movingSweeps, settings.sweeps)
+                         : settings.sweeps;
     for (int i = 0; i < most; ++i) {
         SweepReport swept = joints ? sweepJoints(s, v, settings) : SweepReport{};
         const SweepReport contacts = s.wide.sweep(group);
         swept.residual = larger(swept.residual, contacts.residual);
         swept.delta += contacts.delta;
+        if (atOnce) swept.residual = 0.0;
         merge(report, first + i, swept);
         if (i + 1 >= settings.minSweeps && swept.residual < settings.tolerance) return;
     }
 }
 
 }  // namespace
+
+bool solvedAtOnce(const Solver& s) {
+    const bool touched = s.lanes && !s.wide.groups().jointedBodies().empty();
+    return !touched && solvedAtOnce(s.constraints, s.trees);
+}
 
 void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report) {
@@ -47,6 +56,7 @@ void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& sett
     const std::span<const int> shared = s.wide.groups().jointedBodies();
     s.wide.give(v, shared);
     warmStart<double>(s.constraints, v, settings);
+    s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / h, v);
     s.wide.take(v, shared);
     for (int group = 0; group < s.wide.groups().count(); ++group) {
         s.wide.warmStart(group);
@@ -67,7 +77,6 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
         if (move.isZero(0.0) && turn.isZero(0.0)) continue;
         pose.position += move;
         pose.rotation = cayley(turn, pose.rotation);
-        s.nudged[i] = 1;
     }
     return true;
 }

@@ -9,6 +9,9 @@ namespace engine {
 void solveInLanes(Solver& solver, std::span<Velocity<double>> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report);
 
+/// One solve is enough for the joints: there is nothing but trees, and no contact on them.
+bool solvedAtOnce(const Solver& solver);
+
 /// One nudge of all contacts, unless none is needed. True: bodies were moved.
 bool nudgeInLanes(Solver& solver, Bodies& bodies, const Settings& settings);
 

@@ -3,18 +3,17 @@
 /// with the same J and K as the impulses, C (and a joint's J) evaluated anew from the poses in every
 /// sweep. What is taken away from an error this way never becomes velocity: a body pushed out of the floor does
 /// not jump.
-///
-/// Trees of joints are put right as a whole (beta = 1), and theirs is the one exception to velocities
-/// being left alone: v += M^-1 J^T lambda_n / h, and then J v = 0 once more at the new poses. That is
-/// the RATTLE integrator (Andersen 1983); it keeps a pendulum's energy, of which 60 s of nudging alone
-/// lose two thirds. It is faded out where an error is no longer small against the lever arm.
 #pragma once
 #include "engine/solver/prepare.h"
 
 namespace engine {
 
-/// h: length of the sub-step, s.
+constexpr double kMostNudge = 0.2;  // m: what one nudge may move, so that a deep error comes apart
+                                    // over several steps and not through its neighbours
+
+/// h: length of the sub-step, s. seen: whether the velocities are looked at before they are solved
+/// again, which can spare trees a solve (joint_nudges.h).
 void solveNudges(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h);
+                 const Settings& settings, double h, bool seen);
 
 }  // namespace engine

@@ -88,63 +88,13 @@ void updateSeparations(const Bodies& bodies, Solver& solver) {
                 separationNow(contact, contact.rows[i], bodies, solver);
 }
 
-void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
-                   Solver& solver) {
-    std::vector<JointConstraint<double>>& list = solver.constraints.joints;
-    list.clear();
-    for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
-        if (!joints[i].present) continue;
-        JointConstraint<double> joint;
-        joint.a = joints[i].def.a.index, joint.b = joints[i].def.b.index;
-        joint.joint = i;
-        joint.count = rowCount(joints[i].def.type);
-        joint.spring = joints[i].def.spring;
-        joint.lambda = joints[i].lambda;
-        list.push_back(joint);
-    }
-    if (settings.method == Method::impulses && settings.joints == JointSolving::direct)
-        solver.trees.build(list, bodies.inverseMasses);
-    else
-        solver.trees = {};
-}
-
-void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, Solver& solver) {
-    for (JointConstraint<double>& c : solver.constraints.joints) {
-        const Joint& joint = joints[c.joint];
-        const JointRows<double> rows =
-            rowsOf(joint.def.type, geometryOf(joint, bodies.poses[c.a], bodies.poses[c.b]));
-        c.count = rows.count;
-        for (int i = 0; i < rows.count; ++i) {
-            c.rows[i] = makeRow(rows.j[i], bodies.inverseMasses[c.a], bodies.inverseMasses[c.b]);
-            c.error[i] = rows.error[i];
-        }
-    }
-    solver.trees.factor(solver.constraints.joints);
-}
-
-double elasticEnergy(const Joint& joint, const Bodies& bodies) {
-    const int a = joint.def.a.index, b = joint.def.b.index;
-    const JointRows<double> rows =
-        rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
-    const double w = 6.283185307179586 * joint.def.spring.hz;
-    double energy = 0.0;
-    for (int i = 0; i < rows.count; ++i) {
-        const double k =
-            makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        if (k > 0.0) energy += 0.5 * (w * w / k) * rows.error[i] * rows.error[i];
-    }
-    return energy;
-}
-
-void storeImpulses(const Solver& solver, std::span<Contact> contacts, std::span<Joint> joints) {
+void storeImpulses(const Solver& solver, std::span<Contact> contacts) {
     for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
         for (int i = 0; i < contacts[k].count; ++i) {
             const PointImpulses got = impulsesOf(solver, k, i);
             contacts[k].points[i].impulse = got.normal;
             contacts[k].points[i].friction = got.friction;
         }
-    for (const JointConstraint<double>& c : solver.constraints.joints)
-        joints[c.joint].lambda = c.lambda;
 }
 
 }  // namespace engine

@@ -1,4 +1,4 @@
-/// From this step's contacts and joints to rows, and back to the impulses that persist.
+/// From this step's contacts to rows, and back to the impulses that persist.
 #pragma once
 #include <cstdint>
 
@@ -15,9 +15,7 @@ struct Solver {
     bool lanes = false;              // they are
     JointTrees trees;
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
-    std::vector<char> nudged;    // bodies that the nudges have moved
     std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
-    std::vector<double> errors;  // C of the trees' joints
 };
 
 /// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a
@@ -37,16 +35,6 @@ void updateSeparations(const Bodies& bodies, Solver& solver);
 double separationNow(const ContactConstraint<double>& contact, const ContactRow<double>& row,
                      const Bodies& bodies, const Solver& solver);
 
-/// A constraint for every joint; for when joints come or go.
-void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
-                   Solver& solver);
-
-/// Rows of all joints at the bodies' present poses, and the factors of their trees.
-void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, Solver& solver);
-
-/// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses.
-double elasticEnergy(const Joint& joint, const Bodies& bodies);
-
 /// Gravity order: contacts from the top down, ties in the order of pairs. The height that counts is the
 /// one at which a contact was last seen to move: if noise in the heights of a layer shuffled its
 /// contacts in every step, each step's error would be another one, and the warm start would carry a
@@ -55,6 +43,6 @@ void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3
                    Order order, std::vector<std::uint64_t>& keys, std::vector<int>& result);
 
 /// Impulses go back to where the next step finds them.
-void storeImpulses(const Solver& solver, std::span<Contact> contacts, std::span<Joint> joints);
+void storeImpulses(const Solver& solver, std::span<Contact> contacts);
 
 }  // namespace engine

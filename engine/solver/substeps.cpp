@@ -3,7 +3,7 @@
 namespace engine {
 namespace {
 
-constexpr double kSwingPerSubstep = 0.8;  // rad of the links' own oscillation
+constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr int kHeavySubsteps = 8;
@@ -21,7 +21,7 @@ double swingSquared(const InverseMass<double>& mass, const Vec3& arm, double for
 double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                       double dt) {
     double most = 0.0;
-    for (const int i : solver.trees.order()) {
+    for (const int i : solver.trees.whole()) {
         const JointConstraint<double>& c = solver.constraints.joints[i];
         const Joint& joint = joints[c.joint];
         const double force = joint.force.norm();
@@ -46,7 +46,31 @@ bool heavyOnLight(std::span<const Contact> contacts, const Bodies& bodies) {
     return false;
 }
 
+/// 4, 6, 8, 12, 16, 24, 32: a power of two times the least, and half as many again.
+int nextNumber(int number, int least) {
+    int power = least;
+    while (2 * power <= number) power *= 2;
+    return number + larger(power / 2, 1);
+}
+
 }  // namespace
+
+void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& gravity,
+                     Solver& solver, double dt) {
+    if (solver.trees.empty()) return;
+    std::vector<Velocity<double>> v = bodies.velocities;
+    for (int i = 0; i < bodies.count(); ++i) {
+        const InverseMass<double>& m = bodies.inverseMasses[i];
+        if (!bodies.isDynamic(i)) continue;
+        v[i].linear += dt * (gravity + m.linear * bodies.loads[i].force);
+        v[i].angular += dt * (m.angular * bodies.loads[i].torque);
+    }
+    Correction<double> unused;
+    solver.trees.beginStep();
+    solver.trees.begin(0.0, 0.0, v);
+    solver.trees.solveVelocities(v, unused);
+    solver.trees.report(joints, dt);
+}
 
 int chooseSubsteps(SubstepChooser& chooser, std::span<const Contact> contacts,
                    std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
@@ -54,14 +78,16 @@ int chooseSubsteps(SubstepChooser& chooser, std::span<const Contact> contacts,
     const int least = settings.substeps, most = larger(settings.maxSubsteps, least);
     double needed = stepsForJoints(joints, bodies, solver, dt);
     if (heavyOnLight(contacts, bodies)) needed = larger(needed, 1.0 * kHeavySubsteps);
-    // Before the first step no tension is known: the safe end, if there is a tree at all.
-    if (chooser.current == 0) chooser.current = solver.trees.empty() ? least : most;
-    while (chooser.current < needed && chooser.current * 2 <= most)
-        chooser.current *= 2, chooser.calm = 0.0;
-    chooser.calm = needed <= 0.5 * chooser.current ? chooser.calm + dt : 0.0;
-    if (chooser.calm > kCalm && chooser.current / 2 >= least)
-        chooser.current /= 2, chooser.calm = 0.0;
-    chooser.current = smaller(larger(chooser.current, least), most);
+    int enough = least;
+    while (enough < needed && enough < most) enough = nextNumber(enough, least);
+    enough = smaller(enough, most);
+    if (enough >= chooser.current) {
+        chooser = {enough, least, 0.0};
+        return chooser.current;
+    }
+    chooser.enough = larger(chooser.enough, enough);
+    chooser.calm += dt;
+    if (chooser.calm > kCalm) chooser = {chooser.enough, least, 0.0};
     return chooser.current;
 }
 

@@ -1,0 +1,235 @@
+/// A = L D L^T with blocks of N x N, for a symmetric A whose pattern is known.
+///   W_ik = A_ik D_k^-1,   A_ij -= W_ik A_jk^T       for all i, j after k
+/// Written for blocks of fixed size: a chain's factors are a hundred multiplications a joint.
+/// A row that follows from the others shows as a pivot that vanishes; it is left out, its x is 0.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/base/math.h"
+
+namespace engine {
+
+/// A pivot that elimination has reduced to this share of itself was nearly a difference of equals:
+/// its row follows from the others but for a little play, and dividing by that would tear at the
+/// bodies.
+constexpr double kVanished = 1e-6;
+
+/// The inverse by sweeping one pivot after the other; rows whose pivot has vanished are left out.
+template <int N>
+void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
+    bool kept[N];
+    for (int p = 0; p < N; ++p) {
+        kept[p] = m(p, p) > kVanished * scale[p];
+        if (!kept[p]) continue;
+        const double inverse = 1.0 / m(p, p);
+        double row[N];
+        for (int j = 0; j < N; ++j) row[j] = m(p, j) * inverse;
+        for (int j = 0; j < N; ++j)
+            for (int i = 0; i < N; ++i)
+                if (i != p && j != p) m(i, j) -= m(i, p) * row[j];
+        for (int j = 0; j < N; ++j) m(j, p) = m(p, j) = row[j];
+        m(p, p) = -inverse;
+    }
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) m(i, j) = kept[i] && kept[j] ? -m(i, j) : 0.0;
+}
+
+/// The inverse by cofactors, one division; the pivots are quotients of its minors.
+inline void invertKept(Mat3& m, const Vec3& scale) {
+    const double a = m(0, 0), b = m(1, 0), c = m(2, 0), d = m(1, 1), e = m(2, 1), f = m(2, 2);
+    const double minor = a * d - b * b;
+    const double c0 = d * f - e * e, c1 = c * e - b * f, c2 = b * e - c * d;
+    const double det = a * c0 + b * c1 + c * c2;
+    if (!(a > kVanished * scale[0] && minor > kVanished * scale[1] * a &&
+          det > kVanished * scale[2] * minor)) {
+        sweepPivots<3>(m, scale);
+        return;
+    }
+    const double inverse = 1.0 / det;
+    m(0, 0) = c0 * inverse;
+    m(1, 1) = (a * f - c * c) * inverse;
+    m(2, 2) = minor * inverse;
+    m(0, 1) = m(1, 0) = c1 * inverse;
+    m(0, 2) = m(2, 0) = c2 * inverse;
+    m(1, 2) = m(2, 1) = (b * c - a * e) * inverse;
+}
+
+/// A larger one in two parts, F = B A^-1 and S = C - F B^T:
+///   [A B^T; B C]^-1 = [A^-1 + F^T S^-1 F, -F^T S^-1; -S^-1 F, S^-1]
+template <int N>
+void invertKept(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
+    constexpr int K = N - 3;
+    Mat3 a = m.template topLeftCorner<3, 3>();
+    const Eigen::Matrix<double, K, 3> b = m.template bottomLeftCorner<K, 3>();
+    invertKept(a, Vec3(scale.template head<3>()));
+    const Eigen::Matrix<double, K, 3> f = b.lazyProduct(a);
+    Eigen::Matrix<double, K, K> s = m.template bottomRightCorner<K, K>();
+    s -= f.lazyProduct(b.transpose());
+    sweepPivots<K>(s, scale.template tail<K>());
+    const Eigen::Matrix<double, K, 3> g = s.lazyProduct(f);
+    m.template topLeftCorner<3, 3>() = a + f.transpose().lazyProduct(g);
+    m.template bottomLeftCorner<K, 3>() = -g;
+    m.template topRightCorner<3, K>() = -g.transpose();
+    m.template bottomRightCorner<K, K>() = s;
+}
+
+template <int N>
+class BlockFactors {
+public:
+    using Block = Eigen::Matrix<double, N, N>;
+    using Rows = Eigen::Matrix<double, N, 1>;
+    /// A place eliminated later that a place is coupled with, directly or by fill-in.
+    struct Link {
+        int place;
+        int body;     // the movable body in common; -1: fill-in
+        Block block;  // A_ik, then W_ik
+    };
+
+    /// The next place, with its later ones in ascending order.
+    void addPlace(std::span<const Link> later);
+    /// When all places are there: which block every product goes to.
+    void connect();
+    int count() const { return static_cast<int>(nodes_.size()); }
+
+    /// Sets A_kk; the links' blocks are set through links(k).
+    void setDiagonal(int k, const Block& a) {
+        nodes_[k].inverse = a;
+        nodes_[k].scale = a.diagonal();
+    }
+    std::span<Link> links(int k) {
+        return std::span<Link>(links_).subspan(nodes_[k].firstLink, nodes_[k].linkCount);
+    }
+
+    /// D_k^-1 and W_ik from A.
+    void factor();
+
+    /// x = A^-1 x; `give(k, x_k)` is called for every place, the last one first.
+    template <class Give>
+    void solve(std::vector<Rows>& x, Give give) const;
+
+private:
+    struct Node {
+        Block inverse = Block::Zero();  // A_kk, D_k, D_k^-1
+        Rows scale = Rows::Zero();      // A_kk's diagonal
+        int firstLink = 0, linkCount = 0;
+        int firstTarget = 0;
+    };
+
+    std::vector<Node> nodes_;
+    std::vector<Link> links_;
+    std::vector<int> targets_;  // of every node, for i after j among its links: the link A_ij
+};
+
+/// a b
+template <int N>
+Eigen::Matrix<double, N, N> productWith(const Eigen::Matrix<double, N, N>& a,
+                                        const Eigen::Matrix<double, N, N>& b) {
+    Eigen::Matrix<double, N, N> result;
+    for (int j = 0; j < N; ++j) {
+        double column[N];
+        for (int i = 0; i < N; ++i) column[i] = a(i, 0) * b(0, j);
+        for (int l = 1; l < N; ++l)
+            for (int i = 0; i < N; ++i) column[i] += a(i, l) * b(l, j);
+        for (int i = 0; i < N; ++i) result(i, j) = column[i];
+    }
+    return result;
+}
+
+/// c - a b^T
+template <int N>
+Eigen::Matrix<double, N, N> lessProduct(const Eigen::Matrix<double, N, N>& c,
+                                        const Eigen::Matrix<double, N, N>& a,
+                                        const Eigen::Matrix<double, N, N>& b) {
+    Eigen::Matrix<double, N, N> result;
+    for (int j = 0; j < N; ++j) {
+        double column[N];
+        for (int i = 0; i < N; ++i) column[i] = c(i, j);
+        for (int l = 0; l < N; ++l)
+            for (int i = 0; i < N; ++i) column[i] -= a(i, l) * b(j, l);
+        for (int i = 0; i < N; ++i) result(i, j) = column[i];
+    }
+    return result;
+}
+
+/// x - m y
+template <int N>
+Eigen::Matrix<double, N, 1> lessProduct(const Eigen::Matrix<double, N, 1>& x,
+                                        const Eigen::Matrix<double, N, N>& m,
+                                        const Eigen::Matrix<double, N, 1>& y) {
+    double result[N];
+    for (int i = 0; i < N; ++i) result[i] = x[i];
+    for (int j = 0; j < N; ++j)
+        for (int i = 0; i < N; ++i) result[i] -= m(i, j) * y[j];
+    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(result);
+}
+
+template <int N>
+void BlockFactors<N>::addPlace(std::span<const Link> later) {
+    Node node;
+    node.firstLink = static_cast<int>(links_.size());
+    node.linkCount = static_cast<int>(later.size());
+    nodes_.push_back(node);
+    links_.insert(links_.end(), later.begin(), later.end());
+}
+
+template <int N>
+void BlockFactors<N>::connect() {
+    targets_.clear();
+    for (Node& node : nodes_) {
+        node.firstTarget = static_cast<int>(targets_.size());
+        for (int i = 0; i < node.linkCount; ++i)
+            for (int j = 0; j < i; ++j) {
+                const Node& earlier = nodes_[links_[node.firstLink + j].place];
+                int target = earlier.firstLink;
+                while (links_[target].place != links_[node.firstLink + i].place) ++target;
+                targets_.push_back(target);
+            }
+    }
+}
+
+template <int N>
+void BlockFactors<N>::factor() {
+    for (Node& node : nodes_) {
+        invertKept(node.inverse, node.scale);
+        int target = node.firstTarget;
+        for (int i = 0; i < node.linkCount; ++i) {
+            Link& link = links_[node.firstLink + i];
+            const Block a = link.block;  // A_ik
+            link.block = productWith<N>(a, node.inverse);  // W_ik
+            Block& diagonal = nodes_[link.place].inverse;
+            diagonal = lessProduct<N>(diagonal, link.block, a);
+            for (int j = 0; j < i; ++j) {  // A_ij -= A_ik W_jk^T
+                Block& later = links_[targets_[target++]].block;
+                later = lessProduct<N>(later, a, links_[node.firstLink + j].block);
+            }
+        }
+    }
+}
+
+template <int N>
+template <class Give>
+void BlockFactors<N>::solve(std::vector<Rows>& x, Give give) const {
+    for (int k = 0; k < count(); ++k) {
+        const Node& node = nodes_[k];
+        const Rows xk = x[k];
+        for (int i = 0; i < node.linkCount; ++i) {
+            const Link& link = links_[node.firstLink + i];
+            x[link.place] = lessProduct<N>(x[link.place], link.block, xk);
+        }
+    }
+    for (int k = count() - 1; k >= 0; --k) {
+        const Node& node = nodes_[k];
+        Rows z = -lessProduct<N>(Rows::Zero(), node.inverse, x[k]);
+        for (int i = 0; i < node.linkCount; ++i) {
+            const Link& link = links_[node.firstLink + i];
+            const Rows xi = x[link.place];
+            for (int j = 0; j < N; ++j)
+                for (int l = 0; l < N; ++l) z[j] -= link.block(l, j) * xi[l];
+        }
+        x[k] = z;
+        give(k, z);
+    }
+}
+
+}  // namespace engine

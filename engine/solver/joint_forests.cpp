@@ -1,0 +1,191 @@
+#include "engine/solver/joint_forests.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace engine {
+namespace {
+
+using Joints = std::span<JointConstraint<double>>;
+using Masses = std::span<const InverseMass<double>>;
+
+constexpr int kMostForests = 4;
+/// A body that many joints meet in couples each of them with all others, which costs their number
+/// squared; what comes after this many is left to the next forest.
+constexpr int kMostJointsOfABody = 16;
+
+bool moves(Masses masses, int body) { return masses[body].linear > 0.0; }
+
+/// Bodies that hang together, by their leader; a fixed body does not pass on what hangs on it.
+class Trees {
+public:
+    explicit Trees(Masses masses) : masses_(masses), leader_(masses.size()), held_(masses.size()) {
+        for (int i = 0; i < static_cast<int>(leader_.size()); ++i) leader_[i] = i;
+    }
+
+    int of(int body) {
+        while (leader_[body] != body) body = leader_[body] = leader_[leader_[body]];
+        return body;
+    }
+    /// The tree of a joint's movable end.
+    int of(const JointConstraint<double>& joint) {
+        return of(moves(masses_, joint.a) ? joint.a : joint.b);
+    }
+    bool isHeld(int body) { return !moves(masses_, body) || held_[of(body)]; }
+
+    void link(const JointConstraint<double>& joint) {
+        const bool held = isHeld(joint.a) || isHeld(joint.b);
+        if (moves(masses_, joint.a) && moves(masses_, joint.b)) {
+            const int a = of(joint.a), b = of(joint.b);
+            leader_[std::max(a, b)] = std::min(a, b);
+        }
+        held_[of(joint)] = held;
+    }
+
+private:
+    Masses masses_;
+    std::vector<int> leader_;
+    std::vector<char> held_;
+};
+
+/// The joints of the next forest; `closes` tells which of them hold a tree a second time.
+std::vector<int> choose(Joints joints, Masses masses, Trees& trees, std::vector<char>& closes) {
+    std::vector<int> chosen, degree(masses.size(), 0);
+    for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
+        JointConstraint<double>& joint = joints[i];
+        if (joint.inTree || joint.spring.isSoft()) continue;
+        bool fits = true;
+        for (const int body : {joint.a, joint.b})
+            fits = fits && (!moves(masses, body) || degree[body] < kMostJointsOfABody);
+        const bool linksTwo = moves(masses, joint.a) && moves(masses, joint.b);
+        if (!fits || (linksTwo && trees.of(joint.a) == trees.of(joint.b))) continue;
+        closes[i] = linksTwo ? trees.isHeld(joint.a) && trees.isHeld(joint.b)
+                             : trees.isHeld(moves(masses, joint.a) ? joint.a : joint.b);
+        joint.inTree = true;
+        trees.link(joint);
+        chosen.push_back(i);
+        ++degree[joint.a], ++degree[joint.b];
+    }
+    return chosen;
+}
+
+/// Which joints are coupled, as elimination goes on.
+class Graph {
+public:
+    Graph(Joints joints, Masses masses, const std::vector<int>& chosen)
+        : neighbours_(joints.size()), level_(joints.size(), 0) {
+        std::vector<std::vector<int>> jointsOf(masses.size());
+        for (const int i : chosen)
+            for (const int body : {joints[i].a, joints[i].b}) {
+                if (!moves(masses, body)) continue;
+                for (const int other : jointsOf[body]) connect(i, other);
+                jointsOf[body].push_back(i);
+            }
+        for (const int i : chosen) ranked_.insert(rank(i));
+    }
+
+    bool empty() const { return ranked_.empty(); }
+    int next() const { return std::get<2>(*ranked_.begin()); }
+
+    /// Couples all neighbours of i with each other; returns them.
+    std::set<int> eliminate(int i) {
+        ranked_.erase(rank(i));
+        const std::set<int> around = neighbours_[i];
+        for (const int k : around) ranked_.erase(rank(k));
+        for (const int k : around) {
+            neighbours_[k].erase(i);
+            level_[k] = std::max(level_[k], level_[i] + 1);
+            for (const int l : around)
+                if (l != k) connect(k, l);
+        }
+        for (const int k : around) ranked_.insert(rank(k));
+        return around;
+    }
+
+private:
+    void connect(int i, int k) {
+        neighbours_[i].insert(k);
+        neighbours_[k].insert(i);
+    }
+    /// Degree, then how many have to go before, then the number.
+    std::tuple<int, int, int> rank(int i) const {
+        return {static_cast<int>(neighbours_[i].size()), level_[i], i};
+    }
+
+    std::vector<std::set<int>> neighbours_;
+    std::vector<int> level_;
+    std::set<std::tuple<int, int, int>> ranked_;
+};
+
+int commonBody(const JointConstraint<double>& x, const JointConstraint<double>& y, Masses masses) {
+    for (const int body : {x.a, x.b})
+        if (moves(masses, body) && (body == y.a || body == y.b)) return body;
+    return -1;
+}
+
+void addPlaces(Joints joints, Masses masses, const std::vector<int>& chosen, ForestPlan& plan) {
+    Graph graph(joints, masses, chosen);
+    std::vector<int> placeOf(joints.size(), -1);
+    std::vector<std::set<int>> around;
+    while (!graph.empty()) {
+        const int i = graph.next();
+        placeOf[i] = static_cast<int>(plan.places.size());
+        plan.places.emplace_back().joint = i;
+        around.push_back(graph.eliminate(i));
+    }
+    for (int k = 0; k < static_cast<int>(plan.places.size()); ++k) {
+        ForestPlan::Place& place = plan.places[k];
+        for (const int i : around[k])
+            place.later.push_back({placeOf[i], commonBody(joints[place.joint], joints[i], masses)});
+        std::sort(place.later.begin(), place.later.end(),
+                  [](const auto& x, const auto& y) { return x.place < y.place; });
+    }
+}
+
+void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
+    std::vector<int> number(bodies, -1);
+    for (ForestPlan::Place& place : plan.places) {
+        const JointConstraint<double>& joint = joints[place.joint];
+        int& tree = number[trees.of(joint)];
+        if (tree < 0) {
+            tree = static_cast<int>(plan.trees.size());
+            plan.trees.emplace_back();
+        }
+        place.tree = tree;
+        plan.trees[tree].rows = std::max(plan.trees[tree].rows, joint.count);
+    }
+}
+
+/// A tree that a rigid joint outside it pulls at is not whole.
+void findWhole(Joints joints, Masses masses, Trees& trees, ForestPlan& plan) {
+    std::vector<char> pulled(masses.size(), 0), inPlan(joints.size(), 0);
+    for (const ForestPlan::Place& place : plan.places) inPlan[place.joint] = 1;
+    for (int i = 0; i < static_cast<int>(joints.size()); ++i)
+        if (!inPlan[i] && !joints[i].spring.isSoft())
+            for (const int body : {joints[i].a, joints[i].b})
+                if (moves(masses, body)) pulled[trees.of(body)] = 1;
+    for (const ForestPlan::Place& place : plan.places)
+        if (pulled[trees.of(joints[place.joint])]) plan.trees[place.tree].whole = false;
+}
+
+}  // namespace
+
+std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
+    std::vector<ForestPlan> plans;
+    std::vector<char> closes(joints.size(), 0);
+    for (JointConstraint<double>& joint : joints) joint.inTree = false;
+    for (int i = 0; i < kMostForests; ++i) {
+        Trees trees(masses);
+        const std::vector<int> chosen = choose(joints, masses, trees, closes);
+        if (chosen.empty()) break;
+        ForestPlan& plan = plans.emplace_back();
+        addPlaces(joints, masses, chosen, plan);
+        for (ForestPlan::Place& place : plan.places) place.closes = closes[place.joint];
+        addTrees(joints, trees, static_cast<int>(masses.size()), plan);
+        findWhole(joints, masses, trees, plan);
+    }
+    return plans;
+}
+
+}  // namespace engine

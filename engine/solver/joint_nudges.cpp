@@ -1,0 +1,57 @@
+#include "engine/solver/joint_nudges.h"
+
+#include "engine/dynamics/rotation.h"
+#include "engine/solver/lanes.h"
+#include "engine/solver/nudges.h"
+#include "engine/solver/prepare_joints.h"
+
+namespace engine {
+namespace {
+
+void move(int body, const Velocity<double>& way, Bodies& bodies) {
+    if (bodies.inverseMasses[body].linear == 0.0) return;
+    Pose& pose = bodies.poses[body];
+    pose.position += way.linear;
+    pose.rotation = cayley(way.angular, pose.rotation);
+}
+
+/// A joint outside the trees: row after row, the others' errors following to first order.
+void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
+    if (joint.def.spring.isSoft()) return;
+    const int a = joint.def.a.index, b = joint.def.b.index;
+    JointRows<double> rows =
+        rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
+    Row<double> made[JointRows<double>::kMaxRows];
+    for (int i = 0; i < rows.count; ++i)
+        made[i] = makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]);
+    Velocity<double> wayA, wayB;  // m, rad
+    for (int i = 0; i < rows.count; ++i) {
+        if (made[i].k <= 0.0) continue;
+        const double c = clamped(settings.nudgeFactor * rows.error[i], -kMostNudge, kMostNudge);
+        const double lambda = -c / made[i].k;
+        apply(made[i], lambda, wayA, wayB);
+        for (int k = i + 1; k < rows.count; ++k) rows.error[k] += coupling(made[i], made[k]) * lambda;
+    }
+    move(a, wayA, bodies);
+    move(b, wayB, bodies);
+}
+
+}  // namespace
+
+void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+                 const Settings& settings, double h) {
+    for (const JointConstraint<double>& c : solver.constraints.joints)
+        if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
+    const TreeNudge nudge{kMostNudge, h > 0.0 ? 1.0 / h : 0.0};
+    solver.trees.nudge(nudge, joints, bodies);
+}
+
+void finishJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+                  const Settings& settings, bool seen) {
+    prepareJoints(joints, bodies, settings, solver);
+    const bool linear = settings.gyroscope != Gyroscope::implicitEuler;
+    const bool waits = !seen && linear && solvedAtOnce(solver);
+    if (settings.nudges > 0 && !waits) solver.trees.projectVelocities(bodies.velocities);
+}
+
+}  // namespace engine

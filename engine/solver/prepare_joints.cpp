@@ -1,0 +1,67 @@
+#include "engine/solver/prepare_joints.h"
+
+namespace engine {
+
+void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+                   Solver& solver) {
+    std::vector<JointConstraint<double>>& list = solver.constraints.joints;
+    list.clear();
+    for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
+        if (!joints[i].present) continue;
+        JointConstraint<double> joint;
+        joint.a = joints[i].def.a.index, joint.b = joints[i].def.b.index;
+        joint.joint = i;
+        joint.count = rowCount(joints[i].def.type);
+        joint.spring = joints[i].def.spring;
+        joint.lambda = joints[i].lambda;
+        list.push_back(joint);
+    }
+    if (settings.method == Method::impulses && settings.joints == JointSolving::direct)
+        solver.trees.build(list, joints, bodies.inverseMasses);
+    else
+        solver.trees = {};
+}
+
+void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+                   Solver& solver) {
+    for (JointConstraint<double>& c : solver.constraints.joints) {
+        if (c.inTree && !settings.compareExact) continue;
+        const Joint& joint = joints[c.joint];
+        const JointRows<double> rows =
+            rowsOf(joint.def.type, geometryOf(joint, bodies.poses[c.a], bodies.poses[c.b]));
+        c.count = rows.count;
+        for (int i = 0; i < rows.count; ++i) {
+            c.rows[i] = makeRow(rows.j[i], bodies.inverseMasses[c.a], bodies.inverseMasses[c.b]);
+            c.error[i] = rows.error[i];
+        }
+    }
+    solver.trees.prepare(joints, bodies);
+}
+
+double elasticEnergy(const Joint& joint, const Bodies& bodies) {
+    const int a = joint.def.a.index, b = joint.def.b.index;
+    const JointRows<double> rows =
+        rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
+    const double w = 6.283185307179586 * joint.def.spring.hz;
+    double energy = 0.0;
+    for (int i = 0; i < rows.count; ++i) {
+        const double k =
+            makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
+        if (k > 0.0) energy += 0.5 * (w * w / k) * rows.error[i] * rows.error[i];
+    }
+    return energy;
+}
+
+void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> joints, double dt) {
+    for (const JointConstraint<double>& c : solver.constraints.joints) {
+        if (c.inTree) continue;
+        Joint& joint = joints[c.joint];
+        const Vec3 armB = bodies.poses[c.b].rotation * joint.def.anchorB;
+        joint.lambda = c.lambda;
+        joint.force = c.totalImpulse / dt;
+        joint.torque = c.totalTwist / dt - armB.cross(joint.force);
+    }
+    solver.trees.report(joints, dt);
+}
+
+}  // namespace engine

@@ -1,0 +1,21 @@
+/// From a world's joints to rows and trees.
+#pragma once
+#include "engine/solver/prepare.h"
+
+namespace engine {
+
+/// A constraint for every joint; for when joints come or go.
+void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+                   Solver& solver);
+
+/// The factors of the trees, and rows of all joints outside them, at the bodies' present poses.
+void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+                   Solver& solver);
+
+/// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses.
+double elasticEnergy(const Joint& joint, const Bodies& bodies);
+
+/// Joints' impulses go back to where the next step finds them; their mean forces over the step.
+void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> joints, double dt);
+
+}  // namespace engine

@@ -1,0 +1,200 @@
+/// A joint of a tree, without rows: the point and the twist that it holds.
+///   point  u = v_b + w_b x r_b - v_a - w_a x r_a        three rows, along x, y and z
+///   twist  t_i.(w_b - w_a)                              two more for a hinge, three for a weld
+/// As matrices, with R_s = [r_s x; t] (its rows are r_s x e and t) and E = [1; 0]:
+///   J = [-E, -R_a, E, R_b]
+///   J M^-1 J^T = (1/m_a + 1/m_b) E E^T + R_a I_a^-1 R_a^T + R_b I_b^-1 R_b^T
+/// It is the J of ball_joint.h, hinge_joint.h, weld_joint.h (for small errors, u = 0 there) and
+/// distance_joint.h in a form that is a quarter the size of rows. A rod is a ball joint that is only
+/// looked at along n: its blocks, its errors and its impulses are projected, P = n n^T.
+/// N is 3, 5 or 6; a joint with fewer rows than its tree leaves the last ones 0.
+#pragma once
+#include <array>
+
+#include "engine/constraints/joint_constraint.h"
+
+namespace engine {
+
+template <int N>
+using TreeRows = Eigen::Matrix<double, N, 1>;
+template <int N>
+using TreeBlock = Eigen::Matrix<double, N, N>;
+
+template <int N>
+using Twist = std::array<Vec3, N - 3>;
+
+/// Where J and C of a joint come from, in world axes.
+template <int N>
+struct TreeGeometry {
+    Vec3 armA, armB;                         // m
+    Twist<N> twist;                          // unit
+    Vec3 along;                              // rod: n; hinge: its axis
+    TreeRows<N> error = TreeRows<N>::Zero(); // C, m or rad
+};
+
+template <int N>
+struct TreeJoint {
+    int a = -1, b = -1;        // bodies
+    int ownA = -1, ownB = -1;  // their places in the tree's own list
+    int joint = -1;            // its number in the world
+    int constraint = -1;       // its place in the constraint list
+    int tree = -1;
+    JointType type = JointType::ball;
+    bool closes = false;       // holds its tree at a second fixed body
+    Vec3 anchorA, anchorB;     // m, in the bodies' axes
+    double reach = 0.0;        // m, the longest of its lever arms
+    Twist<N> across;           // hinge: across its axis, in a's axes
+    TreeGeometry<N> now;
+    TreeRows<N> lambda = TreeRows<N>::Zero();                  // N s, N m s; of this sub-step
+    Vec3 impulse = Vec3::Zero(), torque = Vec3::Zero();        // on b, over the whole step
+};
+
+template <int N>
+void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b,
+              TreeGeometry<N>& g) {
+    if constexpr (N > 3) {
+        for (Vec3& t : g.twist) t.setZero();
+        if (joint.type == JointType::hinge) {
+            g.along = b.rotation * def.axisB;
+            for (int i = 0; i < 2; ++i) {  // C = t.h,  dC/dt = -(t x h).(w_b - w_a)
+                const Vec3 across = a.rotation * joint.across[i];
+                g.twist[i] = g.along.cross(across);
+                g.error[3 + i] = across.dot(g.along);
+            }
+        }
+        if constexpr (N == 6) {
+            if (joint.type != JointType::weld) return;
+            Quat tooFar = b.rotation * (a.rotation * def.turnAtStart).conjugate();
+            if (tooFar.w() < 0.0) tooFar.coeffs() = -tooFar.coeffs();  // the short way round
+            for (int i = 0; i < 3; ++i) g.twist[i] = Vec3::Unit(i);
+            g.error.template tail<3>() = 2.0 * tooFar.vec();
+        }
+    }
+}
+
+template <int N>
+inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, const Pose& a,
+                           const Pose& b) {
+    TreeGeometry<N> g;
+    g.armA = a.rotation * joint.anchorA;
+    g.armB = b.rotation * joint.anchorB;
+    const Vec3 between = (b.position + g.armB) - (a.position + g.armA);
+    if (joint.type == JointType::distance) {
+        const double distance = between.norm();
+        g.along = distance > 0.0 ? Vec3(between / distance) : Vec3(Vec3::UnitY());
+        g.error.template head<3>() = (distance - def.def.length) * g.along;
+    } else {
+        g.error.template head<3>() = between;
+    }
+    addTwist(joint, def, a, b, g);
+    return g;
+}
+
+/// P x of a rod; x of any other joint.
+template <int N>
+void project(const TreeJoint<N>& joint, TreeRows<N>& x) {
+    if (joint.type != JointType::distance) return;
+    const Vec3 along = joint.now.along;
+    x.template head<3>() = along.dot(x.template head<3>()) * along;
+}
+
+/// C at other poses than J's.
+template <int N>
+TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b) {
+    const TreeGeometry<N> g = geometryOf(joint, def, a, b);
+    TreeRows<N> error = g.error;
+    if (joint.type == JointType::distance)
+        error.template head<3>() = g.along.dot(error.template head<3>()) * joint.now.along;
+    return error;
+}
+
+/// J v
+template <int N>
+inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity<double>& a,
+                          const Velocity<double>& b) {
+    TreeRows<N> result;
+    result.template head<3>() = (b.linear - a.linear) + b.angular.cross(joint.now.armB) -
+                                a.angular.cross(joint.now.armA);
+    if constexpr (N > 3) {
+        const Vec3 turning = b.angular - a.angular;
+        for (int i = 0; i < N - 3; ++i) result[3 + i] = joint.now.twist[i].dot(turning);
+    }
+    project(joint, result);
+    return result;
+}
+
+/// Of lambda: the twists' sum, N m s.
+template <int N>
+Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < N - 3; ++i) sum += lambda[3 + i] * joint.now.twist[i];
+    return sum;
+}
+
+/// v += M^-1 J^T lambda, and the joint's books.
+template <int N>
+inline void apply(TreeJoint<N>& joint, const TreeRows<N>& lambda, double booked,
+           const InverseMass<double>& massA, const InverseMass<double>& massB,
+           Velocity<double>& a, Velocity<double>& b) {
+    const Vec3 push = lambda.template head<3>();
+    Vec3 turnA = joint.now.armA.cross(push), turnB = joint.now.armB.cross(push);
+    joint.lambda += booked * lambda;
+    joint.impulse += booked * push;
+    if constexpr (N > 3) {
+        const Vec3 twist = twistOf(joint, lambda);
+        turnA += twist, turnB += twist;
+        joint.torque += booked * twist;
+    }
+    a.linear -= massA.linear * push;
+    a.angular -= massA.angular * turnA;
+    b.linear += massB.linear * push;
+    b.angular += massB.angular * turnB;
+}
+
+/// R m, for the R of one arm; m has three rows.
+template <int N, class Matrix>
+Eigen::Matrix<double, N, Matrix::ColsAtCompileTime> leverTimes(const Vec3& r, const Twist<N>& twist,
+                                                               const Matrix& m) {
+    Eigen::Matrix<double, N, Matrix::ColsAtCompileTime> result;
+    for (int j = 0; j < Matrix::ColsAtCompileTime; ++j) {
+        const double x = m(0, j), y = m(1, j), z = m(2, j);
+        result(0, j) = r.z() * y - r.y() * z;
+        result(1, j) = r.x() * z - r.z() * x;
+        result(2, j) = r.y() * x - r.x() * y;
+        for (int i = 0; i < N - 3; ++i)
+            result(3 + i, j) = twist[i].x() * x + twist[i].y() * y + twist[i].z() * z;
+    }
+    return result;
+}
+
+/// R_i I^-1 R_k^T + E E^T / m: what goes through one body from the arm of k to the arm of i.
+template <int N>
+inline TreeBlock<N> couplingThrough(const InverseMass<double>& mass, const Vec3& armI,
+                             const Twist<N>& twistI, const Vec3& armK, const Twist<N>& twistK) {
+    const Eigen::Matrix<double, 3, N> turn =
+        leverTimes<N>(armK, twistK, mass.angular).transpose();  // I^-1 is symmetric
+    TreeBlock<N> block = leverTimes<N>(armI, twistI, turn);
+    for (int i = 0; i < 3; ++i) block(i, i) += mass.linear;
+    return block;
+}
+
+/// m P: the columns of the first three rows looked at along n.
+template <int N>
+void projectColumns(const Vec3& n, TreeBlock<N>& m) {
+    for (int i = 0; i < N; ++i) {
+        const Vec3 row = m.template block<1, 3>(i, 0).transpose();
+        m.template block<1, 3>(i, 0) = (n.dot(row) * n).transpose();
+    }
+}
+
+/// P_i m P_k
+template <int N>
+void project(const TreeJoint<N>& i, const TreeJoint<N>& k, TreeBlock<N>& m) {
+    if (k.type == JointType::distance) projectColumns<N>(k.now.along, m);
+    if (i.type != JointType::distance) return;
+    m.transposeInPlace();
+    projectColumns<N>(i.now.along, m);
+    m.transposeInPlace();
+}
+
+}  // namespace engine

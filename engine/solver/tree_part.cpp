@@ -1,0 +1,204 @@
+#include "engine/solver/tree_part.h"
+
+#include "engine/dynamics/rotation.h"
+
+namespace engine {
+namespace {
+
+/// Hinges between two held ends hold the directions across twice, but for a play so small that
+/// dividing by it throws bodies about: there the last one gives way by this share of its K.
+constexpr double kPlay = 1e-2;
+
+/// How much of a tree's nudge becomes velocity: all while the errors are small against the arms,
+/// nothing where the linear picture no longer holds.
+double feedbackShare(double ratio) { return clamped((0.04 - ratio) / 0.02, 0.0, 1.0); }
+
+template <int N>
+TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint<double>& constraint,
+                       const Joint& joint) {
+    TreeJoint<N> t;
+    t.a = constraint.a, t.b = constraint.b;
+    t.joint = constraint.joint, t.constraint = place.joint;
+    t.type = joint.def.type;
+    t.closes = place.closes;
+    t.anchorA = joint.def.anchorA, t.anchorB = joint.def.anchorB;
+    t.reach = larger(larger(t.anchorA.norm(), t.anchorB.norm()), larger(joint.def.length, 1e-3));
+    if constexpr (N > 3) {
+        for (Vec3& across : t.across) across.setZero();
+        if (t.type == JointType::hinge) tangents(joint.axisA, t.across[0], t.across[1]);
+    }
+    if (t.type != JointType::distance)
+        for (int i = 0; i < constraint.count; ++i) t.lambda[i] = constraint.lambda[i];
+    return t;
+}
+
+/// What a closing hinge or weld has besides its K.
+template <int N>
+void addPlay(const TreeJoint<N>& joint, TreeBlock<N>& k) {
+    if constexpr (N > 3) {
+        const double across = kPlay / 3.0 * k.template topLeftCorner<3, 3>().trace();
+        if (joint.type == JointType::hinge)
+            k.template topLeftCorner<3, 3>() +=
+                across * joint.now.along * joint.now.along.transpose();
+        for (int i = 3; i < N; ++i) k(i, i) += kPlay * k(i, i);
+    }
+}
+
+}  // namespace
+
+template <int N>
+int TreePart<N>::own(int body, int tree, std::vector<int>& places) {
+    if (places[body] < 0) {
+        places[body] = static_cast<int>(members_.size());
+        members_.push_back({body, tree});
+    }
+    return places[body];
+}
+
+template <int N>
+void TreePart<N>::build(const ForestPlan& plan, int fewest,
+                        std::span<const JointConstraint<double>> list,
+                        std::span<const Joint> joints) {
+    std::vector<int> placeHere(plan.places.size(), -1), ownPlaces;
+    const auto isHere = [&](const ForestPlan::Place& place) {
+        return plan.trees[place.tree].rows > fewest && plan.trees[place.tree].rows <= N;
+    };
+    int count = 0, bodies = 0;
+    for (const JointConstraint<double>& c : list) bodies = larger(bodies, larger(c.a, c.b) + 1);
+    for (std::size_t k = 0; k < plan.places.size(); ++k)
+        if (isHere(plan.places[k])) placeHere[k] = count++;
+    ownPlaces.assign(bodies, -1);
+    for (const ForestPlan::Tree& tree : plan.trees) trees_.push_back({tree.whole});
+    for (const ForestPlan::Place& place : plan.places) {
+        if (!isHere(place)) continue;
+        const JointConstraint<double>& c = list[place.joint];
+        TreeJoint<N>& joint = joints_.emplace_back(treeJoint<N>(place, c, joints[c.joint]));
+        joint.tree = place.tree;
+        joint.ownA = own(c.a, place.tree, ownPlaces);
+        joint.ownB = own(c.b, place.tree, ownPlaces);
+        anyWhole_ = anyWhole_ || trees_[place.tree].whole;
+        std::vector<typename BlockFactors<N>::Link> later;
+        for (const ForestPlan::Link& link : place.later)
+            later.push_back({placeHere[link.place], link.body, TreeBlock<N>::Zero()});
+        factors_.addPlace(later);
+    }
+    factors_.connect();
+    masses_.resize(members_.size());
+    moved_.resize(members_.size());
+    x_.resize(joints_.size());
+}
+
+template <int N>
+void TreePart<N>::place(std::span<const Joint> joints, std::span<const Pose> poses) {
+    for (TreeJoint<N>& joint : joints_)
+        joint.now = geometryOf(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
+}
+
+template <int N>
+void TreePart<N>::factor(std::span<const InverseMass<double>> masses) {
+    for (std::size_t i = 0; i < members_.size(); ++i) masses_[i] = masses[members_[i].body];
+    for (int k = 0; k < factors_.count(); ++k) {
+        const TreeJoint<N>& joint = joints_[k];
+        const TreeGeometry<N>& g = joint.now;
+        TreeBlock<N> own = couplingThrough<N>(masses_[joint.ownA], g.armA, g.twist, g.armA, g.twist);
+        own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
+        project(joint, joint, own);
+        if (joint.closes) addPlay(joint, own);
+        factors_.setDiagonal(k, own);
+        for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
+            if (link.body < 0) {
+                link.block.setZero();
+                continue;
+            }
+            const TreeJoint<N>& other = joints_[link.place];
+            const bool ofB = other.b == link.body, toB = joint.b == link.body;
+            link.block = couplingThrough<N>(
+                masses_[toB ? joint.ownB : joint.ownA], ofB ? other.now.armB : other.now.armA,
+                other.now.twist, toB ? g.armB : g.armA, g.twist);
+            if (ofB != toB) link.block = -link.block;
+            project(other, joint, link.block);
+        }
+    }
+    factors_.factor();
+}
+
+template <int N>
+void TreePart<N>::warmStart(double keep, std::span<Velocity<double>> v) {
+    for (TreeJoint<N>& joint : joints_) {
+        const TreeRows<N> lambda = keep * joint.lambda;
+        joint.lambda.setZero();
+        if (keep != 0.0)
+            apply(joint, lambda, 1.0, masses_[joint.ownA], masses_[joint.ownB], v[joint.a],
+                  v[joint.b]);
+    }
+}
+
+template <int N>
+void TreePart<N>::solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity<double>> v,
+                                  Correction<double>& correction) {
+    if (wholeOnly && !anyWhole_) return;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+        const TreeJoint<N>& joint = joints_[k];
+        x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error;
+        if (wholeOnly && !isWhole(joint)) x_[k].setZero();
+        correction.add(x_[k].cwiseAbs().maxCoeff(), 0.0);
+    }
+    factors_.solve(x_, [&](int k, TreeRows<N> lambda) {
+        TreeJoint<N>& joint = joints_[k];
+        project(joint, lambda);
+        apply(joint, lambda, 1.0, masses_[joint.ownA], masses_[joint.ownB], v[joint.a],
+              v[joint.b]);
+        correction.add(0.0, lambda.cwiseAbs().sum());
+    });
+}
+
+template <int N>
+void TreePart<N>::evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses) {
+    for (Tree& tree : trees_) tree.worst = tree.ratio = 0.0;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+        const TreeJoint<N>& joint = joints_[k];
+        x_[k] = -errorAlong(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
+        const double worst = x_[k].cwiseAbs().maxCoeff();
+        Tree& tree = trees_[joint.tree];
+        tree.worst = larger(tree.worst, worst);
+        tree.ratio = larger(tree.ratio, worst / joint.reach);
+    }
+}
+
+template <int N>
+void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
+    evaluateErrors(joints, bodies.poses);
+    for (Tree& tree : trees_)
+        tree.gain = tree.whole ? nudge.feedback * feedbackShare(tree.ratio) : 0.0;
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+        if (trees_[joints_[k].tree].worst > nudge.most)
+            x_[k] *= nudge.most / trees_[joints_[k].tree].worst;
+    for (Velocity<double>& moved : moved_) moved = {};
+    factors_.solve(x_, [&](int k, TreeRows<N> lambda) {
+        TreeJoint<N>& joint = joints_[k];
+        project(joint, lambda);
+        apply(joint, lambda, trees_[joint.tree].gain, masses_[joint.ownA], masses_[joint.ownB],
+              moved_[joint.ownA], moved_[joint.ownB]);
+    });
+    move(bodies);
+}
+
+template <int N>
+void TreePart<N>::move(Bodies& bodies) const {
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        if (masses_[i].linear == 0.0) continue;
+        const int body = members_[i].body;
+        const double gain = trees_[members_[i].tree].gain;
+        Pose& pose = bodies.poses[body];
+        pose.position += moved_[i].linear;
+        pose.rotation = cayley(moved_[i].angular, pose.rotation);
+        bodies.velocities[body].linear += gain * moved_[i].linear;
+        bodies.velocities[body].angular += gain * moved_[i].angular;
+    }
+}
+
+template class TreePart<3>;
+template class TreePart<5>;
+template class TreePart<6>;
+
+}  // namespace engine

@@ -1,0 +1,74 @@
+/// The trees of a forest whose joints have at most N rows, solved exactly:
+///   A lambda = -(J v + b),   A = J M^-1 J^T
+/// A has a block for every joint and one for every two joints that share a movable body
+/// (tree_joint.h); block_factors.h solves it.
+#pragma once
+#include "engine/constraints/contact_constraint.h"
+#include "engine/solver/block_factors.h"
+#include "engine/solver/joint_forests.h"
+#include "engine/solver/tree_joint.h"
+
+namespace engine {
+
+/// One nudge of joints by impulses on positions (solver/joint_nudges.h).
+struct TreeNudge {
+    double most = 0.0;      // m: what one nudge may move
+    double feedback = 0.0;  // 1/s, from positions to velocities; 0: none
+};
+
+template <int N>
+class TreePart {
+public:
+    /// The trees of the plan that have more than `fewest` rows a joint, and at most N.
+    void build(const ForestPlan& plan, int fewest, std::span<const JointConstraint<double>> list,
+               std::span<const Joint> joints);
+
+    /// J and C at the bodies' poses.
+    void place(std::span<const Joint> joints, std::span<const Pose> poses);
+    /// The factors of A, for J as it is; `masses` are those of the same poses.
+    void factor(std::span<const InverseMass<double>> masses);
+
+    /// Applies `keep` of the impulses of the last step; 0 only forgets them.
+    void warmStart(double keep, std::span<Velocity<double>> v);
+    /// Afterwards J v + biasRate C = 0; of `wholeOnly` trees.
+    void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity<double>> v,
+                         Correction<double>& correction);
+    /// Afterwards C = 0 to first order, and v as a whole tree's feedback wants it.
+    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
+
+    bool empty() const { return joints_.empty(); }
+    std::vector<TreeJoint<N>>& joints() { return joints_; }
+    const std::vector<TreeJoint<N>>& joints() const { return joints_; }
+    bool isWhole(const TreeJoint<N>& joint) const { return trees_[joint.tree].whole; }
+
+private:
+    struct Tree {
+        bool whole = true;   // solved exactly as it stands
+        double worst = 0.0;  // largest |C|, m or rad
+        double ratio = 0.0;  // largest |C| / lever arm
+        double gain = 0.0;   // 1/s
+    };
+    struct Member {
+        int body = -1;
+        int tree = -1;
+    };
+
+    int own(int body, int tree, std::vector<int>& places);
+    void evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses);
+    void move(Bodies& bodies) const;
+
+    std::vector<TreeJoint<N>> joints_;  // in order of elimination
+    BlockFactors<N> factors_;
+    std::vector<Tree> trees_;
+    std::vector<Member> members_;
+    std::vector<InverseMass<double>> masses_;  // of the members
+    std::vector<Velocity<double>> moved_;      // of the members, by the nudge: m, rad
+    std::vector<TreeRows<N>> x_;
+    bool anyWhole_ = false;
+};
+
+extern template class TreePart<3>;
+extern template class TreePart<5>;
+extern template class TreePart<6>;
+
+}  // namespace engine
