@@ -8,8 +8,8 @@ namespace engine {
 namespace {
 
 constexpr double kSameNormal = 0.999;  // within 2.6 degrees
-constexpr int kHops = 2;  // bodies that a blow goes through in a step (a pile's worst penetration
-                          // with 0, 1, 2 of them: 37, 29, 24 mm)
+constexpr int kHops = 2;  // bodies that a blow goes through in a step; without, the worst
+                          // penetration of one pile of 2000 bodies was 37 mm instead of 27
 
 /// A pair on its way.
 struct Pair {
