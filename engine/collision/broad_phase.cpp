@@ -15,8 +15,8 @@ bool mayMeet(const Bodies& bodies, int i, int j) {
     return bodies.isDynamic(i) || bodies.isDynamic(j);
 }
 
-/// Where the body may be within the next step. Turning moves no point farther than its sweep, nor out
-/// of the ball around the body.
+/// Where the body may be within the next step. Turning moves no point farther than its sweep, nor
+/// out of the ball around the body.
 Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
     const Shape& shape = bodies.defs[i].shape;
     const Motion motion = motionOf(bodies, i, dt);

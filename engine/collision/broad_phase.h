@@ -21,8 +21,8 @@ public:
     /// Moves the bounds with the bodies; they reach `margin` (m) and one step of length dt (s) ahead.
     void update(const Bodies& bodies, double margin, double dt);
     void remove(int body);
-    /// Adds the pairs of bodies that may come farther than their bounds say: `more` (m), by body, where
-    /// it is above `least`.
+    /// Adds the pairs of bodies that may come farther than their bounds say: `more` (m), by body,
+    /// where it is above `least`.
     void lookFarther(const Bodies& bodies, const std::vector<double>& more, double least);
 
     /// Sorted, each pair once. Of two bodies at least one is dynamic.

@@ -31,7 +31,8 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
                  ContactFinder& finder) {
     if (const std::optional<Impact> impact =
             impactOf(bodies, pair, finder.moving, near > margin, dt)) {
-        const MovingManifolds found = collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
+        const MovingManifolds found =
+            collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
         for (int i = 0; i < found.count; ++i)
             finder.contacts.push_back(contactOf(bodies, pair, found.manifolds[i]));
         return;

@@ -17,8 +17,8 @@ struct ContactFinder {
     std::vector<Contact> previous;   // kept for its memory only
 };
 
-/// `margin` (m): contacts are made this far ahead of touching. A pair that would cover more than that
-/// within dt (s) gets them where it will touch (moving_contacts.h).
+/// `margin` (m): contacts are made this far ahead of touching. A pair that would cover more than
+/// that within dt (s) gets them where it will touch (moving_contacts.h).
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt);
 
 /// Impulses from one contact of a pair to the next: by feature, or else by place.

@@ -8,8 +8,8 @@ namespace engine {
 namespace {
 
 constexpr double kSameNormal = 0.999;  // within 2.6 degrees
-constexpr int kHops = 2;  // bodies that a blow goes through in a step (a pile's worst penetration
-                          // with 0, 1, 2 of them: 37, 29, 24 mm)
+constexpr int kHops = 2;  // bodies that a blow goes through in a step; without, the worst
+                          // penetration of one pile of 2000 bodies was 37 mm instead of 27
 
 /// A pair on its way.
 struct Pair {
@@ -79,8 +79,8 @@ bool areBoxes(const Pair& pair) {
     return pair.shapeA.type == ShapeType::box && pair.shapeB.type == ShapeType::box;
 }
 
-/// What comes to touch when the pair has stopped approaching at `time` and turns and slides on: at the
-/// step's end, or if that is nothing new, the faces beside two edges that hit each other.
+/// What comes to touch when the pair has stopped approaching at `time` and turns and slides on: at
+/// the step's end, or if that is nothing new, the faces beside two edges that hit each other.
 Manifold afterImpact(const Pair& pair, const Manifold& first, double time, double margin,
                      double dt) {
     const double left = dt - time;
@@ -105,7 +105,8 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
-/// Blows that would carry on by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the masses.
+/// Blows that would carry on by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the
+/// masses.
 void hit(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
          std::vector<double>& throws) {
     const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;

@@ -1,16 +1,18 @@
-/// The contacts of pairs that move fast: those of the poses in which they will touch, told to the solver
-/// as if seen from now. With the normal n and the points of the time t of the impact, and with
+/// The contacts of pairs that move fast: those of the poses in which they will touch, told to the
+/// solver as if seen from now. With the normal n and the points of the time t of the impact, and
+/// with
 ///   C = C_then - t J v
-/// the solver's linear picture of the motion closes the gap at that very time; a body that would only
-/// pass another is not stopped by the endless plane of a contact far ahead.
+/// the solver's linear picture of the motion closes the gap at that very time; a body that would
+/// only pass another is not stopped by the endless plane of a contact far ahead.
 ///
 /// Free motion ends with the first impact, so two further sources of contacts are looked after:
-///   * a pair that touches turns on about its contact: a second manifold, of the poses at the step's end
-///     with the approach taken out, holds the features that come down then
+///   * a pair that touches turns on about its contact: a second manifold, of the poses at the
+///     step's end with the approach taken out, holds the features that come down then
 ///   * a body that is hit may be thrown against its neighbours in the same step, by at most
 ///       throw_a = dt (1 + e) c m_b / (m_a + m_b)              (m)
 ///     which it passes on to whom it hits in its turn. Whoever stays apart by less than
-///     throw_a + throw_b gets a contact, with so large a C that free motion alone is not touched by it.
+///     throw_a + throw_b gets a contact, with so large a C that free motion alone is not touched by
+///     it.
 #pragma once
 #include <optional>
 
@@ -35,8 +37,9 @@ struct MovingPairs {
     double thrown(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
 };
 
-/// Impacts and throws of all pairs that move more than `margin` (m) within dt (s); the broad phase gets
-/// the pairs of bodies that may be thrown farther than it sees. `jointed`, sorted, do not collide.
+/// Impacts and throws of all pairs that move more than `margin` (m) within dt (s); the broad phase
+/// gets the pairs of bodies that may be thrown farther than it sees. `jointed`, sorted, do not
+/// collide.
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  MovingPairs& moving);

@@ -1,13 +1,14 @@
 /// When two bodies will first touch within the coming step: continuous collision detection.
 ///
-/// Conservative advancement (Mirtich 1996; van den Bergen, GDC 2010; Catto, GDC 2013). Let the shapes be
-/// `d` apart along the unit vector n, which points from a to b. Whatever the poses, no point of b comes
-/// closer to a along n than at
+/// Conservative advancement (Mirtich 1996; van den Bergen, GDC 2010; Catto, GDC 2013). Let the
+/// shapes be `d` apart along the unit vector n, which points from a to b. Whatever the poses, no
+/// point of b comes closer to a along n than at
 ///   c = (v_a - v_b) . n + |w_a x n| r_a + |w_b x n| r_b       (m/s)
-/// where r is how far a body reaches from its centre, so that until the time t + d / c they are apart for
-/// certain. Go there, find a new n and d, and so on: the times climb to the time of impact and never
-/// pass it. Where c <= 0, or once the step is over, the two do not meet. For boxes that do not turn, one
-/// advance along the axis that keeps them apart for longest gives the time exactly.
+/// where r is how far a body reaches from its centre, so that until the time t + d / c they are
+/// apart for certain. Go there, find a new n and d, and so on: the times climb to the time of
+/// impact and never pass it. Where c <= 0, or once the step is over, the two do not meet. For boxes
+/// that do not turn, one advance along the axis that keeps them apart for longest gives the time
+/// exactly.
 #pragma once
 #include "engine/dynamics/bodies.h"
 
