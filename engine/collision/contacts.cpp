@@ -9,11 +9,20 @@ namespace {
 
 constexpr double kSamePlace = 0.02;  // m
 
-Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& manifold) {
+Pose seenFrom(const Pose& a, const Pose& b) {
+    return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
+}
+
+enum class Found { here, onTheWay };  // at the present poses, or where the two will meet
+
+Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& manifold, Found where) {
     const Material &a = bodies.defs[pair.a].material, &b = bodies.defs[pair.b].material;
     Contact contact;
     contact.a = pair.a, contact.b = pair.b;
     contact.normal = manifold.normal;
+    contact.normalA = bodies.poses[pair.a].rotation.conjugate() * manifold.normal;
+    if (where == Found::here)
+        contact.seenFromA = seenFrom(bodies.poses[pair.a], bodies.poses[pair.b]);
     contact.friction = std::sqrt(a.friction * b.friction);
     contact.restitution = larger(a.restitution, b.restitution);
     contact.count = manifold.count;
@@ -26,21 +35,53 @@ Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& man
     return contact;
 }
 
-/// Near: within the margin, or as far as this step's hits may throw the two. Up to two contacts.
+/// Whether the two bodies have hardly moved against each other since the contact was found: less than a
+/// quarter of the margin, so that no point is missed that may touch in the next step.
+bool stays(const Contact& contact, const Bodies& bodies) {
+    const auto isFlat = [&](int body) {  // what rolls gets new points as it goes
+        const ShapeType type = bodies.defs[body].shape.type;
+        return type == ShapeType::box || type == ShapeType::plane;
+    };
+    if (!isFlat(contact.a) || !isFlat(contact.b)) return false;
+    constexpr double kWay = 5e-3, kTurn = 5e-3;  // m; sine of half the angle
+    const Pose now = seenFrom(bodies.poses[contact.a], bodies.poses[contact.b]);
+    const Quat turn = contact.seenFromA.rotation.conjugate() * now.rotation;
+    return (now.position - contact.seenFromA.position).squaredNorm() < kWay * kWay &&
+           turn.vec().squaredNorm() < kTurn * kTurn;
+}
+
+/// Kept as it is but for its normal, which turns with a: a third of a step's time is saved in a heap
+/// at rest, and its points do not change their names.
+bool keepContact(ContactFinder& finder, std::size_t old, const PairKey& pair,
+                 const Bodies& bodies) {
+    const std::vector<Contact>& previous = finder.previous;
+    const auto isOfPair = [&](std::size_t i) {
+        return i < previous.size() && PairKey{previous[i].a, previous[i].b} == pair;
+    };
+    if (!isOfPair(old) || isOfPair(old + 1) || !stays(previous[old], bodies)) return false;
+    Contact& kept = finder.contacts.emplace_back(previous[old]);
+    kept.normal = bodies.poses[pair.a].rotation * kept.normalA;
+    return true;
+}
+
+/// Near: within the margin, or as far as this step's hits may throw the two. Up to two contacts. `old`:
+/// the first of the previous contacts that is not of an earlier pair.
 void addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
-                 ContactFinder& finder) {
+                 std::size_t old, ContactFinder& finder) {
     if (const std::optional<Impact> impact =
             impactOf(bodies, pair, finder.moving, near > margin, dt)) {
         const MovingManifolds found =
             collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
         for (int i = 0; i < found.count; ++i)
-            finder.contacts.push_back(contactOf(bodies, pair, found.manifolds[i]));
+            finder.contacts.push_back(contactOf(bodies, pair, found.manifolds[i], Found::onTheWay));
         return;
     }
+    if (keepContact(finder, old, pair, bodies)) return;
     const Manifold manifold =
         collide(bodies.defs[pair.a].shape, bodies.poses[pair.a], bodies.defs[pair.b].shape,
                 bodies.poses[pair.b], margin);
-    if (manifold.count > 0) finder.contacts.push_back(contactOf(bodies, pair, manifold));
+    if (manifold.count > 0)
+        finder.contacts.push_back(contactOf(bodies, pair, manifold, Found::here));
 }
 
 }  // namespace
@@ -72,17 +113,17 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.moving);
     finder.contacts.swap(finder.previous);
     finder.contacts.clear();
-    auto old = finder.previous.begin();
+    std::size_t old = 0;
+    const auto pairOfOld = [&] { return PairKey{finder.previous[old].a, finder.previous[old].b}; };
     for (const PairKey& pair : finder.broadPhase.pairs()) {
         const double thrown = finder.moving.thrown(pair);
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
+        while (old < finder.previous.size() && pairOfOld() < pair) ++old;
         const std::size_t first = finder.contacts.size();
-        addContacts(bodies, pair, margin, larger(margin, thrown), dt, finder);
-        if (finder.contacts.size() == first) continue;
-        while (old != finder.previous.end() && PairKey{old->a, old->b} < pair) ++old;
-        if (old != finder.previous.end() && PairKey{old->a, old->b} == pair)
-            carryImpulses(*old, finder.contacts[first]);
+        addContacts(bodies, pair, margin, larger(margin, thrown), dt, old, finder);
+        if (finder.contacts.size() > first && old < finder.previous.size() && pairOfOld() == pair)
+            carryImpulses(finder.previous[old], finder.contacts[first]);
     }
 }
 

@@ -21,6 +21,8 @@ struct Contact {
     double friction = 0.0;          // mu of the two surfaces together
     double restitution = 0.0;       // e of the two surfaces together
     double depth = 1e9;             // m, how far down it is for the order of a sweep; not yet known
+    Vec3 normalA = Vec3::UnitY();   // the normal in a's axes, and b as seen from a, when it was found
+    Pose seenFromA{Vec3::Constant(1e9), Quat::Identity()};
     int count = 0;
     std::array<ContactPoint, kMaxPoints> points;
 };

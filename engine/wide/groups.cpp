@@ -60,22 +60,20 @@ void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodie
 }
 
 void ContactGroups::number(std::span<const Contact> contacts, const Bodies& bodies) {
-    int open[2] = {-1, -1}, room[2] = {0, 0};  // the group that small islands go to: calm, moving
+    int open = -1, room = 0;  // the group that small islands go to, and how many contacts it takes
     moving_.assign(jointed_ ? 1 : 0, 0);
     ofContact_.clear();
     for (const Contact& contact : contacts) {
         Island& island = islands_[leaderOf(movable(bodies, contact.a, contact.b))];
-        if (island.group < 0 && island.jointed) island.group = 0;
         if (island.group < 0) {
-            const int kind = 50 * island.fast > island.contacts ? 1 : 0;
-            if (room[kind] <= 0 || island.contacts >= kFewContacts) {
-                island.group = count();
-                moving_.push_back(kind != 0);
-                if (island.contacts < kFewContacts) open[kind] = island.group, room[kind] = kFewContacts;
-            } else {
-                island.group = open[kind];
+            const bool small = island.contacts < kFewContacts;
+            island.group = island.jointed ? 0 : small && room > 0 ? open : count();
+            if (island.group == count())
+                moving_.push_back(!small && 50 * island.fast > island.contacts);
+            if (small && !island.jointed) {
+                room = room > 0 ? room - island.contacts : kFewContacts - island.contacts;
+                open = island.group;
             }
-            room[kind] -= island.contacts < kFewContacts ? island.contacts : 0;
         }
         ofContact_.push_back(island.group);
     }

@@ -20,8 +20,8 @@ public:
     int count() const { return static_cast<int>(moving_.size()); }
     bool hasJoints() const { return jointed_; }  // then they are in group 0
     int of(int contact) const { return ofContact_[contact]; }
-    /// More than one in fifty of its contacts joins bodies that pass each other at more than 0.5 m/s:
-    /// what is on its way is not worth the sweeps that a resting heap needs to stay at rest.
+    /// A large island with more than one in fifty contacts between bodies that pass each other at more
+    /// than 0.5 m/s: what is on its way is not worth the sweeps that a heap needs to stay at rest.
     bool moving(int group) const { return moving_[group] != 0; }
     /// Bodies of group 0 that contacts may move.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
