@@ -123,7 +123,7 @@ private:
 
 /// a b
 template <int N>
-Eigen::Matrix<double, N, N> productWith(const Eigen::Matrix<double, N, N>& a,
+inline Eigen::Matrix<double, N, N> product(const Eigen::Matrix<double, N, N>& a,
                                         const Eigen::Matrix<double, N, N>& b) {
     Eigen::Matrix<double, N, N> result;
     for (int j = 0; j < N; ++j) {
@@ -138,7 +138,7 @@ Eigen::Matrix<double, N, N> productWith(const Eigen::Matrix<double, N, N>& a,
 
 /// c - a b^T
 template <int N>
-Eigen::Matrix<double, N, N> lessProduct(const Eigen::Matrix<double, N, N>& c,
+inline Eigen::Matrix<double, N, N> lessProduct(const Eigen::Matrix<double, N, N>& c,
                                         const Eigen::Matrix<double, N, N>& a,
                                         const Eigen::Matrix<double, N, N>& b) {
     Eigen::Matrix<double, N, N> result;
@@ -154,14 +154,16 @@ Eigen::Matrix<double, N, N> lessProduct(const Eigen::Matrix<double, N, N>& c,
 
 /// x - m y
 template <int N>
-Eigen::Matrix<double, N, 1> lessProduct(const Eigen::Matrix<double, N, 1>& x,
+inline Eigen::Matrix<double, N, 1> lessProduct(const Eigen::Matrix<double, N, 1>& x,
                                         const Eigen::Matrix<double, N, N>& m,
                                         const Eigen::Matrix<double, N, 1>& y) {
-    double result[N];
-    for (int i = 0; i < N; ++i) result[i] = x[i];
-    for (int j = 0; j < N; ++j)
-        for (int i = 0; i < N; ++i) result[i] -= m(i, j) * y[j];
-    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(result);
+    Eigen::Matrix<double, N, 1> result;
+    for (int i = 0; i < N; ++i) {
+        double sum = x[i];
+        for (int j = 0; j < N; ++j) sum -= m(i, j) * y[j];
+        result[i] = sum;
+    }
+    return result;
 }
 
 template <int N>
@@ -196,7 +198,7 @@ void BlockFactors<N>::factor() {
         for (int i = 0; i < node.linkCount; ++i) {
             Link& link = links_[node.firstLink + i];
             const Block a = link.block;  // A_ik
-            link.block = productWith<N>(a, node.inverse);  // W_ik
+            link.block = product<N>(a, node.inverse);  // W_ik
             Block& diagonal = nodes_[link.place].inverse;
             diagonal = lessProduct<N>(diagonal, link.block, a);
             for (int j = 0; j < i; ++j) {  // A_ij -= A_ik W_jk^T

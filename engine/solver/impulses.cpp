@@ -152,11 +152,9 @@ void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<R
     warmStart(c, v, settings);
     trees.begin(settings.warmStart ? Real(1) : Real(0), static_cast<Real>(settings.baumgarte) / h, v);
     Settings enough = settings;
-    const bool exactAtOnce = solvedAtOnce(c, trees);
-    if (exactAtOnce) enough.sweeps = smaller(settings.sweeps, 1);
+    if (solvedAtOnce(c, trees)) enough.sweeps = smaller(settings.sweeps, 1);
     sweepUntilSatisfied(enough, report, [&] {
         SweepReport swept = sweep(c, trees, v, settings);
-        if (exactAtOnce) swept.residual = 0.0;
         swept.distance = exact.distance(v);
         return swept;
     });

@@ -46,8 +46,10 @@ void JointTrees::begin(double keep, double biasRate, std::span<Velocity<double>>
 }
 
 void JointTrees::solveVelocities(std::span<Velocity<double>> v, Correction<double>& correction) {
+    Correction<double> own;
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.solveVelocities(biasRate_, false, v, correction); });
+        forest.each([&](auto& part) { part.solveVelocities(biasRate_, false, v, own); });
+    correction.add(exact() ? 0.0 : own.velocity, own.impulse);
 }
 
 void JointTrees::projectVelocities(std::span<Velocity<double>> v) {

@@ -28,7 +28,8 @@ public:
     /// Before the sweeps of a sub-step. What the first forest got last time makes no difference to
     /// an exact solve; the others start from it. biasRate: Baumgarte's beta / h, 1/s.
     void begin(double keep, double biasRate, std::span<Velocity<double>> v);
-    /// J v + b = 0 in one forest after the other: lambda is added up and applied.
+    /// J v + b = 0 in one forest after the other: lambda is added up and applied. What an exact solve
+    /// had to correct is no residual, however much it was: nothing is left of it.
     void solveVelocities(std::span<Velocity<double>> v, Correction<double>& correction);
     /// J v = 0 once more, for the trees that no other joint pulls at.
     void projectVelocities(std::span<Velocity<double>> v);

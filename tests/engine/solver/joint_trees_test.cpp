@@ -245,5 +245,40 @@ TEST(JointTrees, RedundantRowsGetNoImpulseAndContradictionsNoInfinity) {
     EXPECT_LT(j.bodies.velocities[1].linear.norm(), 100.0);
 }
 
+// And with nothing else in the world one sweep is all there is.
+TEST(JointTrees, GiveTheDirectSolutionInOneSweep) {
+    Settings settings = Settings::steady();
+    settings.compareExact = true;
+    World world(settings);
+    BodyId last = world.add(support::hook());
+    for (int i = 0; i < 8; ++i) {
+        const BodyId next = world.add(support::body(Shape::box({1, 0.2, 0.3}), {i + 0.5, 0, 0}));
+        const JointType type = i % 2 ? JointType::hinge : JointType::ball;
+        support::join(world, type, last, next, {1.0 * i, 0, 0});
+        last = next;
+    }
+    support::run(world, 30);
+    EXPECT_EQ(static_cast<int>(world.report().sweeps.size()), world.report().substeps);
+    for (const SweepReport& sweep : world.report().sweeps) {
+        EXPECT_GE(sweep.distance, 0.0);
+        EXPECT_LT(sweep.distance, 1e-9);
+    }
+}
+
+// A field sees velocities that the joints allow, in every sub-step.
+TEST(JointTrees, ProjectVelocitiesBeforeTheyAreSeen) {
+    World world;
+    const BodyId top = world.add(support::hook());
+    const BodyId bob = world.add(support::body(Shape::sphere(0.1), {1, 0, 0}));
+    support::rod(world, top, bob);
+    double worst = 0.0;
+    world.setForceField([&](const World& w, std::span<Load>) {
+        const Vec3 along = w.pose(bob).position.normalized();
+        worst = larger(worst, std::abs(along.dot(w.velocity(bob))));
+    });
+    support::run(world, 120);
+    EXPECT_LT(worst, 1e-12);
+}
+
 }  // namespace
 }  // namespace engine
