@@ -51,9 +51,9 @@ inline World goldenChain() {
 
 inline const std::array<GoldenWorld, 3>& goldenWorlds() {
     static const std::array<GoldenWorld, 3> worlds{{
-        {"stack", goldenStack, 300, 0x86e5022b02229657},
-        {"pendulum", goldenPendulum, 600, 0x5ceeb89e8f6bd6c1},
-        {"chain", goldenChain, 300, 0xdcd82dd539efd4c0},
+        {"stack", goldenStack, 300, 0xc7ddd16e280fe417},
+        {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
+        {"chain", goldenChain, 300, 0x5254cce30714aaa2},
     }};
     return worlds;
 }
