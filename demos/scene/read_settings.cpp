@@ -14,8 +14,10 @@ void set(To& to, const std::optional<From>& from) {
 }
 
 engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
-    set(scene.preset, keys.word("preset", {"steady", "seed"}, {"fast"}));
-    return scene.preset == "seed" ? engine::Settings::seed() : engine::Settings::steady();
+    set(scene.preset, keys.word("preset", {"steady", "fast", "seed"}));
+    return scene.preset == "seed"   ? engine::Settings::seed()
+           : scene.preset == "fast" ? engine::Settings::fast()
+                                    : engine::Settings::steady();
 }
 
 void readMethod(Keys& keys, engine::Settings& s) {
@@ -98,6 +100,7 @@ void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints) {
     if (const auto joints = keys.word("joints", {"direct", "rows"}))
         s.joints = *joints == "rows" ? engine::JointSolving::rows : engine::JointSolving::direct;
     set(s.block, keys.truth("block"));
+    set(s.lanes, keys.truth("lanes"));
     set(s.warmStart, keys.truth("warm_start"));
     set(s.accumulate, keys.truth("accumulate"));
     keys.done();

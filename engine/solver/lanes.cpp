@@ -72,8 +72,8 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
         const WideVelocity& way = ways[i];
         if (!bodies.isDynamic(i)) continue;
         Pose& pose = bodies.poses[i];
-        const Vec3 move(way.linear[0], way.linear[1], way.linear[2]);
-        const Vec3 turn(way.angular[0], way.angular[1], way.angular[2]);
+        const Vec3 move = Vec3T<float>(way.linear).cast<double>();
+        const Vec3 turn = Vec3T<float>(way.angular).cast<double>();
         if (move.isZero(0.0) && turn.isZero(0.0)) continue;
         pose.position += move;
         pose.rotation = cayley(turn, pose.rotation);

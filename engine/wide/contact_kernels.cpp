@@ -11,10 +11,6 @@ namespace {
 constexpr int kPoints = ContactBatch::kPoints;
 constexpr float kNoPoint = 1e6f;  // m, m/s: the gap of a point that does not exist
 
-ENGINE_INLINE void store(const Lanes3& v, float (&x)[3][8]) {
-    v.x.store(x[0]), v.y.store(x[1]), v.z.store(x[2]);
-}
-
 /// n . (u + dw x r) of every point, as n . u + r . (n x dw).
 ENGINE_INLINE Lanes4 alongNormal(const ContactBatch& c, const PairLanes& pair) {
     const Lanes3 n = load3(c.n);
@@ -154,9 +150,7 @@ bool bounce(ContactBatch& c, const ContactRecord& record, WideVelocity* v, const
         hitsAnywhere = hitsAnywhere | hits;
     }
     if (!any(hitsAnywhere)) return false;
-    Lanes4 none;
-    for (int i = 0; i < kPoints; ++i) none[i] = zero;
-    Lanes4 lambda = searchActive(Symmetric4{c.k}, q, none);
+    Lanes4 lambda = searchActive(Symmetric4{c.k}, q, -q);
     for (int i = 0; i < kPoints; ++i) {
         lambda[i] = where(hitsAnywhere, lambda[i]);
         (Lanes::load(c.point[i].bounce) + lambda[i]).store(c.point[i].bounce);
@@ -292,9 +286,7 @@ bool nudge(const ContactBatch& c, const ContactRecord& record, WideVelocity* way
                       beyond);
     }
     if (!any(least(q) < zero)) return false;
-    Lanes4 none;
-    for (int i = 0; i < kPoints; ++i) none[i] = zero;
-    applyNormals(c, searchActive(Symmetric4{c.k}, q, none), pair);
+    applyNormals(c, searchActive(Symmetric4{c.k}, q, -q), pair);
     pair.store(ways);
     return true;
 }

@@ -26,6 +26,7 @@ ENGINE_INLINE Lanes4 operator*(const Symmetric4& m, const Lanes4& a) {
         r[i] = m(i, 0) * a[0] + m(i, 1) * a[1] + (m(i, 2) * a[2] + m(i, 3) * a[3]);
     return r;
 }
+ENGINE_INLINE Lanes4 operator-(const Lanes4& a) { return {{-a[0], -a[1], -a[2], -a[3]}}; }
 ENGINE_INLINE Lanes least(const Lanes4& a) {
     return smaller(smaller(a[0], a[1]), smaller(a[2], a[3]));
 }
@@ -55,13 +56,14 @@ ENGINE_INLINE Lanes4 solveActive(const Symmetric4& k, const Lanes4& q, const Mas
     return x;
 }
 
-/// For the lanes in which not all points push: from the points that pushed before, the worst is let go
-/// or taken back until none is wrong. The solution is unique, so the start is only a matter of time.
-inline Lanes4 searchActive(const Symmetric4& k, const Lanes4& q, const Lanes4& before) {
+/// For the lanes in which not all points push: from a guess (the points with a positive entry: those
+/// that pushed before, or that are hit), the worst is let go or taken back until none is wrong. The
+/// solution is unique, so the guess is only a matter of time.
+inline Lanes4 searchActive(const Symmetric4& k, const Lanes4& q, const Lanes4& guess) {
     constexpr float kSinking = -1e-6f;  // m/s: rounding of K lambda + q
     Mask active[4];
     Lanes4 lambda;
-    for (int i = 0; i < 4; ++i) active[i] = Lanes(0.0f) < before[i], lambda[i] = Lanes(0.0f);
+    for (int i = 0; i < 4; ++i) active[i] = Lanes(0.0f) < guess[i], lambda[i] = Lanes(0.0f);
     Mask open = least(q) < Lanes(0.0f);
     for (int change = 0; change < 8 && any(open); ++change) {
         const Lanes4 x = solveActive(k, q, active);

@@ -18,7 +18,9 @@ void set6(float (&x)[6][8], int lane, const Mat3& m) {
 void set3(float (&x)[4], const Vec3& v) {
     for (int i = 0; i < 3; ++i) x[i] = static_cast<float>(v[i]);
 }
-Vec3 get3(const float (&x)[3][8], int lane) { return {x[0][lane], x[1][lane], x[2][lane]}; }
+Vec3 get3(const float (&x)[3][8], int lane) {
+    return Vec3T<float>(x[0][lane], x[1][lane], x[2][lane]).cast<double>();
+}
 
 WideVelocity narrowed(const Velocity<double>& v) {
     WideVelocity w;
@@ -35,6 +37,8 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     groups_.find(contacts, joints, bodies);
     arrange(contacts, order, bodies);
     start_ = bodies.poses;
+    axes_.clear();
+    for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
     bouncing_ = false;
     for (const Contact& contact : contacts) bouncing_ = bouncing_ || contact.restitution > 0.0;
     const auto batches = schedule_.batches();
@@ -94,13 +98,14 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
         WidePoint& point = c.point[i];
         const bool real = i < contact.count;
         const ContactPoint& from = contact.points[real ? i : 0];
-        const Vec3 onA = a.toWorld(from.anchorA), onB = b.toWorld(from.anchorB);
-        set3(point.arm, lane, 0.5 * (onA + onB) - a.position);
+        const Vec3 armA = axes_[contact.a] * from.anchorA;
+        const Vec3 between = (b.position - a.position) + axes_[contact.b] * from.anchorB - armA;
+        set3(point.arm, lane, armA + 0.5 * between);  // to the middle between the two surfaces
         point.lambda[lane] = real ? static_cast<float>(from.impulse) : 0.0f;
         point.friction[0][lane] = real ? static_cast<float>(from.friction.dot(t1)) : 0.0f;
         point.friction[1][lane] = real ? static_cast<float>(from.friction.dot(t2)) : 0.0f;
         record.gapAtStart[i][lane] = record.separation[i][lane] =
-            real ? static_cast<float>(contact.normal.dot(onB - onA)) : kNoPoint;
+            real ? static_cast<float>(contact.normal.dot(between)) : kNoPoint;
         record.total[i][lane] = 0.0f;
         record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
     }

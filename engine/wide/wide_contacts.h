@@ -66,6 +66,7 @@ private:
     std::vector<WideVelocity> now_, before_, motions_, ways_;
     std::vector<Velocity<double>> atStart_;  // of the sub-step, before solving
     std::vector<Pose> start_;                // where the rows were made
+    std::vector<Mat3> axes_;                 // their rotations
     WideStep step_;
     bool bouncing_ = false;                  // some contact has a restitution
 };

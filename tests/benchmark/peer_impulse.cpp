@@ -18,7 +18,9 @@ struct Preset {
     Settings (*settings)();
 };
 
-constexpr Preset kPresets[] = {{"steady", Settings::steady}, {"seed", Settings::seed}};
+constexpr Preset kPresets[] = {{"steady", Settings::steady},
+                               {"fast", Settings::fast},
+                               {"seed", Settings::seed}};
 
 BodyDef bodyDef(const Body& body, double friction) {
     BodyDef def;

@@ -55,6 +55,14 @@ TEST(Reader, ReadsASeedSolver) {
     EXPECT_EQ(read("[solver]\npreset = 'seed'\nsubsteps = 8\n" + kBall).settings.maxSubsteps, 8);
 }
 
+TEST(Reader, ReadsAFastSolver) {
+    const SceneDescription scene = read("[solver]\npreset = 'fast'\nlanes = false\n" + kBall);
+    EXPECT_EQ(scene.preset, "fast");
+    EXPECT_EQ(scene.settings.sweeps, engine::Settings::fast().sweeps);
+    EXPECT_LT(scene.settings.sweeps, engine::Settings::steady().sweeps);
+    EXPECT_FALSE(scene.settings.lanes);
+}
+
 TEST(Reader, PutsAnchorsInBodyAxes) {
     const SceneDescription scene =
         read(kBall +
