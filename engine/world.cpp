@@ -36,7 +36,8 @@ bool World::step(double dt) {
 
         s.phase(Phase::impulses, i);
         updateSeparations(s.bodies, s.solver);
-        solveConstraints(s.solver, s.bodies.velocities, s.settings, h, s.report);  // solver/impulses.cpp, or another method
+        solveConstraints(s.solver, s.bodies.velocities, s.settings, h,
+                         s.report);  // solver/impulses.cpp, eight at a time solver/lanes.cpp
 
         s.phase(Phase::positions, i);
         integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp

@@ -2,6 +2,7 @@
 // same answers as rows in double precision.
 #include <gtest/gtest.h>
 
+#include "engine/solver/prepare.h"
 #include "engine/wide/contact_kernels.h"
 #include "engine/wide/schedule.h"
 #include "tests/support/worlds.h"
@@ -61,6 +62,25 @@ TEST(Schedule, AGroupBeginsItsOwnBatches) {
     ASSERT_EQ(schedule.batches().size(), 2u);
     EXPECT_EQ(schedule.batches()[0][0], 0);
     EXPECT_EQ(schedule.batches()[1][0], 1);
+}
+
+/// Contacts of body pairs (i, i + 1) at these heights, in the order in which a sweep meets them.
+std::vector<int> orderOf(std::vector<Contact>& contacts, const std::vector<double>& heights) {
+    Bodies bodies;
+    for (const double height : heights) addBody(bodies, body(Shape::sphere(0.1), {0, height, 0}));
+    std::vector<std::uint64_t> keys;
+    std::vector<int> order;
+    orderContacts(contacts, bodies, Vec3(0, -9.81, 0), Order::gravity, keys, order);
+    return order;
+}
+
+TEST(Order, IsFromTheTopDownAndDoesNotHeedNoise) {
+    std::vector<Contact> contacts(3);
+    for (int i = 0; i < 3; ++i) contacts[i].a = i, contacts[i].b = (i + 1) % 3, contacts[i].count = 1;
+    EXPECT_EQ(orderOf(contacts, {1.0, 1.0 + 1e-9, 5.0}), (std::vector<int>{2, 0, 1}));
+    EXPECT_EQ(orderOf(contacts, {1.0, 1.01, 5.0}), (std::vector<int>{2, 0, 1}));   // noise
+    EXPECT_EQ(orderOf(contacts, {1.0, 1.05, 5.0}), (std::vector<int>{2, 1, 0}));   // it has moved
+    EXPECT_EQ(orderOf(contacts, {1.0, 1.04, 0.5}), (std::vector<int>{1, 0, 2}));
 }
 
 TEST(Lanes, GiveTheSameBitsOnEveryInstructionSet) {

@@ -59,6 +59,45 @@ TEST(Contacts, MixMaterials) {
     EXPECT_EQ(finder.contacts[0].restitution, 0.7);
 }
 
+/// A cube on another, seen once; then the upper one is moved and both are looked at again.
+Contact afterMoving(double way) {
+    Bodies bodies;
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0.5, 0}));
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 1.5, 0}));
+    ContactFinder finder;
+    findContacts(bodies, finder, 0.02, support::kStep);
+    bodies.poses[1].position.x() += way;
+    findContacts(bodies, finder, 0.02, support::kStep);
+    return finder.contacts.at(0);
+}
+
+TEST(Contacts, StayWhileThePairHardlyMoves) {
+    const Contact before = afterMoving(0.0);
+    ASSERT_EQ(before.count, 4);
+    const auto isSame = [&](const Contact& after) {
+        bool same = after.count == before.count;
+        for (int i = 0; same && i < before.count; ++i)
+            same = after.points[i].anchorA == before.points[i].anchorA &&
+                   after.points[i].anchorB == before.points[i].anchorB;
+        return same;
+    };
+    EXPECT_TRUE(isSame(afterMoving(0.004)));
+    EXPECT_FALSE(isSame(afterMoving(0.006)));
+}
+
+TEST(Contacts, TurnTheirNormalWithTheBody) {
+    Bodies bodies;
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0, 0}));
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 1, 0}));
+    ContactFinder finder;
+    findContacts(bodies, finder, 0.02, support::kStep);
+    const Quat turn = Quat(1.0, 0.0, 0.0, 0.3).normalized();
+    for (Pose& pose : bodies.poses) pose = {turn * pose.position, turn * pose.rotation};
+    findContacts(bodies, finder, 0.02, support::kStep);
+    ASSERT_EQ(finder.contacts.size(), 1u);
+    EXPECT_NEAR((finder.contacts[0].normal - turn * Vec3::UnitY()).norm(), 0.0, 1e-14);
+}
+
 TEST(Contacts, AFastPairIsSeenFromFartherAway) {
     Bodies bodies;
     addBody(bodies, support::floorPlane());

@@ -1,0 +1,122 @@
+// What people build to see whether an engine holds it: tall stacks, card houses, towers, dominoes.
+#include <gtest/gtest.h>
+
+#include "engine/base/trigonometry.h"
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+using support::body;
+using support::run;
+
+BodyDef rough(BodyDef def, double friction) {
+    def.material.friction = friction;
+    return def;
+}
+
+/// m: the longest way of a body from where it is told to have begun.
+double drift(const World& world, const std::vector<Vec3>& start) {
+    double most = 0.0;
+    for (int i = 0; i < static_cast<int>(start.size()); ++i)
+        most = std::max(most, (world.pose({i + 1}).position - start[i]).norm());
+    return most;
+}
+
+std::vector<Vec3> places(const World& world) {
+    std::vector<Vec3> all;
+    for (int i = 1; i < world.bodyCount(); ++i) all.push_back(world.pose({i}).position);
+    return all;
+}
+
+TEST(Structures, FortyBoxesStand) {
+    World world = support::stack(40);
+    const std::vector<Vec3> start = places(world);
+    run(world, 600);
+    EXPECT_LT(drift(world, start), 12e-3);  // a quarter of a millimetre in each joint
+}
+
+/// Thirty layers of three blocks, laid across each other.
+TEST(Structures, ATowerOfThirtyLayersStands) {
+    World world;
+    world.add(rough(support::floorPlane(), 0.5));
+    for (int layer = 0; layer < 30; ++layer)
+        for (int i = -1; i <= 1; ++i) {
+            const bool along = layer % 2 == 0;
+            const Vec3 at(along ? 0.0 : 1.0 * i, 0.3 + 0.6 * layer, along ? 1.0 * i : 0.0);
+            const Vec3 size = along ? Vec3(3, 0.6, 0.98) : Vec3(0.98, 0.6, 3);
+            world.add(rough(body(Shape::box(size), at, 500.0), 0.5));
+        }
+    const std::vector<Vec3> start = places(world);
+    run(world, 600);
+    EXPECT_LT(drift(world, start), 10e-3);
+}
+
+/// Pairs of leaning cards, a card laid over every gap, and a storey less above.
+World cardHouse(int storeys, double friction) {
+    constexpr double kLength = 1.5, kThickness = 0.02;  // m
+    const double lean = radians(15.0), s = sine(lean), c = cosine(lean);
+    const double aside = 0.5 * (kLength * s + kThickness * c), height = kLength * c + kThickness * s;
+    const double pitch = 2.0 * kLength * s + 0.1;  // between neighbouring pairs
+    World world;
+    world.add(rough(support::floorPlane(), friction));
+    const auto card = [&](double x, double y, double degrees, double length) {
+        BodyDef def = body(Shape::box({kThickness, length, 1.0}), {x, y, 0}, 10.0);
+        def.pose.rotation = turnAboutXyz({0, 0, radians(degrees)});
+        world.add(rough(def, friction));
+    };
+    for (int storey = 0; storey < storeys; ++storey) {
+        const double floor = storey * (height + kThickness);
+        const int pairs = storeys - storey;
+        for (int i = 0; i < pairs; ++i) {
+            const double x = pitch * (i + 0.5 * storey);
+            card(x - aside, floor + 0.5 * height, -15.0, kLength);
+            card(x + aside, floor + 0.5 * height, 15.0, kLength);
+            if (i > 0) card(x - 0.5 * pitch, floor + height + 0.5 * kThickness, 90.0, pitch - 0.01);
+        }
+    }
+    return world;
+}
+
+TEST(Structures, AHouseOfCardsStands) {
+    World world = cardHouse(4, 0.6);
+    const std::vector<Vec3> start = places(world);
+    run(world, 600);
+    EXPECT_LT(drift(world, start), 20e-3);
+}
+
+TEST(Structures, AHouseOfSlipperyCardsFalls) {
+    World world = cardHouse(4, 0.05);
+    const std::vector<Vec3> start = places(world);
+    run(world, 300);
+    EXPECT_GT(drift(world, start), 0.5);
+}
+
+/// A row of thirty; the first begins to turn at `push` (rad/s).
+World dominoes(double push) {
+    World world;
+    world.add(rough(support::floorPlane(), 0.6));
+    for (int i = 0; i < 30; ++i) {
+        BodyDef def = body(Shape::box({0.25, 1.0, 0.5}), {0.5 * i, 0.5, 0}, 5.0);
+        if (i == 0) def.spin = Vec3(0, 0, -push), def.velocity = Vec3(0.5 * push, 0, 0);
+        world.add(rough(def, 0.6));
+    }
+    return world;
+}
+
+TEST(Structures, DominoesStandUntilTheFirstIsPushed) {
+    World still = dominoes(0.0);
+    const std::vector<Vec3> start = places(still);
+    run(still, 600);
+    EXPECT_LT(drift(still, start), 1e-3);
+
+    World pushed = dominoes(2.5);
+    run(pushed, 600);
+    for (int i = 1; i < pushed.bodyCount(); ++i) {
+        const Vec3 up = pushed.pose({i}).rotation * Vec3::UnitY();
+        EXPECT_LT(up.y(), 0.8) << "domino " << i << " still stands";
+    }
+}
+
+}  // namespace
+}  // namespace engine
