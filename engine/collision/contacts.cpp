@@ -50,8 +50,8 @@ bool stays(const Contact& contact, const Bodies& bodies) {
            turn.vec().squaredNorm() < kTurn * kTurn;
 }
 
-/// Kept as it is but for its normal, which turns with a: a third of a step's time is saved in a heap
-/// at rest, and its points do not change their names.
+/// Kept as it is but for its normal, which turns with a: saves the search, and its points do not change
+/// their names.
 bool keepContact(ContactFinder& finder, std::size_t old, const PairKey& pair,
                  const Bodies& bodies) {
     const std::vector<Contact>& previous = finder.previous;

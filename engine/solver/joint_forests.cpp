@@ -4,6 +4,8 @@
 #include <set>
 #include <tuple>
 
+#include "engine/base/disjoint_sets.h"
+
 namespace engine {
 namespace {
 
@@ -20,14 +22,11 @@ bool moves(Masses masses, int body) { return masses[body].linear > 0.0; }
 /// Bodies that hang together, by their leader; a fixed body does not pass on what hangs on it.
 class Trees {
 public:
-    explicit Trees(Masses masses) : masses_(masses), leader_(masses.size()), held_(masses.size()) {
-        for (int i = 0; i < static_cast<int>(leader_.size()); ++i) leader_[i] = i;
+    explicit Trees(Masses masses) : masses_(masses), held_(masses.size()) {
+        sets_.reset(static_cast<int>(masses.size()));
     }
 
-    int of(int body) {
-        while (leader_[body] != body) body = leader_[body] = leader_[leader_[body]];
-        return body;
-    }
+    int of(int body) { return sets_.leaderOf(body); }
     /// The tree of a joint's movable end.
     int of(const JointConstraint<double>& joint) {
         return of(moves(masses_, joint.a) ? joint.a : joint.b);
@@ -36,16 +35,13 @@ public:
 
     void link(const JointConstraint<double>& joint) {
         const bool held = isHeld(joint.a) || isHeld(joint.b);
-        if (moves(masses_, joint.a) && moves(masses_, joint.b)) {
-            const int a = of(joint.a), b = of(joint.b);
-            leader_[std::max(a, b)] = std::min(a, b);
-        }
+        if (moves(masses_, joint.a) && moves(masses_, joint.b)) sets_.join(joint.a, joint.b);
         held_[of(joint)] = held;
     }
 
 private:
     Masses masses_;
-    std::vector<int> leader_;
+    DisjointSets sets_;
     std::vector<char> held_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/impulses.h"
+#include "engine/solver/nudges.h"
 
 namespace engine {
 namespace {
@@ -67,7 +68,7 @@ void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& sett
 
 bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     if (!s.wide.separate(bodies, settings.slop)) return false;
-    const std::span<const WideVelocity> ways = s.wide.nudge(settings);
+    const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
     for (int i = 0; i < bodies.count(); ++i) {
         const WideVelocity& way = ways[i];
         if (!bodies.isDynamic(i)) continue;

@@ -38,7 +38,7 @@ double separationNow(const ContactConstraint<double>& contact, const ContactRow<
 /// Gravity order: contacts from the top down, ties in the order of pairs. The height that counts is the
 /// one at which a contact was last seen to move: if noise in the heights of a layer shuffled its
 /// contacts in every step, each step's error would be another one, and the warm start would carry a
-/// quarrel instead of an answer (a pyramid of 210 boxes: 38 sweeps a step instead of 9, and it sways).
+/// quarrel instead of an answer: a pyramid then sways without end.
 void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3& gravity,
                    Order order, std::vector<std::uint64_t>& keys, std::vector<int>& result);
 

@@ -7,6 +7,9 @@
 
 namespace engine {
 
+/// The gap of a point that does not exist, m: no such point is ever met.
+inline constexpr float kNoPoint = 1e6f;
+
 /// What solving has changed of [v; w] of one body, in single precision; the fourth floats are 0. Changes
 /// and not velocities: a body that slides at 10 m/s is braked by 0.01 m/s a sub-step, and of the sum a
 /// float would keep four digits of that. Also used for ways and turns.

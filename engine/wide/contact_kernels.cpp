@@ -9,7 +9,6 @@ namespace engine::ENGINE_LANES {
 namespace {
 
 constexpr int kPoints = ContactBatch::kPoints;
-constexpr float kNoPoint = 1e6f;  // m, m/s: the gap of a point that does not exist
 
 /// n . (u + dw x r) of every point, as n . u + r . (n x dw).
 ENGINE_INLINE Lanes4 alongNormal(const ContactBatch& c, const PairLanes& pair) {

@@ -1,7 +1,5 @@
 #include "engine/wide/groups.h"
 
-#include <algorithm>
-
 namespace engine {
 namespace {
 
@@ -19,32 +17,21 @@ bool isFast(const Contact& contact, const Bodies& bodies) {
 
 }  // namespace
 
-int ContactGroups::leaderOf(int body) {
-    while (leader_[body] != body) body = leader_[body] = leader_[leader_[body]];
-    return body;
-}
-
-void ContactGroups::connect(int a, int b) {
-    const int x = leaderOf(a), y = leaderOf(b);
-    leader_[std::max(x, y)] = std::min(x, y);
-}
-
 void ContactGroups::find(std::span<const Contact> contacts, std::span<const Joint> joints,
                          const Bodies& bodies) {
-    leader_.resize(bodies.count());
-    for (int i = 0; i < bodies.count(); ++i) leader_[i] = i;
+    sets_.reset(bodies.count());
     for (const Contact& contact : contacts)
         if (bodies.isDynamic(contact.a) && bodies.isDynamic(contact.b))
-            connect(contact.a, contact.b);
+            sets_.join(contact.a, contact.b);
     for (const Joint& joint : joints)
         if (joint.present && bodies.isDynamic(joint.def.a.index) &&
             bodies.isDynamic(joint.def.b.index))
-            connect(joint.def.a.index, joint.def.b.index);
+            sets_.join(joint.def.a.index, joint.def.b.index);
     islands_.assign(bodies.count(), {});
     jointed_ = false;
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
-        islands_[leaderOf(movable(bodies, joint.def.a.index, joint.def.b.index))].jointed = true;
+        islands_[sets_.leaderOf(movable(bodies, joint.def.a.index, joint.def.b.index))].jointed = true;
         jointed_ = true;
     }
     count(contacts, bodies);
@@ -53,7 +40,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
 
 void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodies) {
     for (const Contact& contact : contacts) {
-        Island& island = islands_[leaderOf(movable(bodies, contact.a, contact.b))];
+        Island& island = islands_[sets_.leaderOf(movable(bodies, contact.a, contact.b))];
         ++island.contacts;
         island.fast += isFast(contact, bodies) ? 1 : 0;
     }
@@ -64,7 +51,7 @@ void ContactGroups::number(std::span<const Contact> contacts, const Bodies& bodi
     moving_.assign(jointed_ ? 1 : 0, 0);
     ofContact_.clear();
     for (const Contact& contact : contacts) {
-        Island& island = islands_[leaderOf(movable(bodies, contact.a, contact.b))];
+        Island& island = islands_[sets_.leaderOf(movable(bodies, contact.a, contact.b))];
         if (island.group < 0) {
             const bool small = island.contacts < kFewContacts;
             island.group = island.jointed ? 0 : small && room > 0 ? open : count();
@@ -81,7 +68,7 @@ void ContactGroups::number(std::span<const Contact> contacts, const Bodies& bodi
     if (!jointed_) return;
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isDynamic(i)) continue;
-        const Island& island = islands_[leaderOf(i)];
+        const Island& island = islands_[sets_.leaderOf(i)];
         if (island.jointed && island.contacts > 0) jointedBodies_.push_back(i);
     }
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/disjoint_sets.h"
 #include "engine/constraints/contact.h"
 #include "engine/constraints/joint_constraint.h"
 #include "engine/dynamics/bodies.h"
@@ -32,12 +33,11 @@ private:
         bool jointed = false;
     };
 
-    int leaderOf(int body);
-    void connect(int a, int b);
     void count(std::span<const Contact> contacts, const Bodies& bodies);
     void number(std::span<const Contact> contacts, const Bodies& bodies);
 
-    std::vector<int> leader_, ofContact_, jointedBodies_;
+    DisjointSets sets_;
+    std::vector<int> ofContact_, jointedBodies_;
     std::vector<Island> islands_;  // at their leaders
     std::vector<char> moving_;
     bool jointed_ = false;

@@ -5,7 +5,6 @@
 namespace engine {
 namespace {
 
-constexpr float kNoPoint = 1e6f;  // m: the gap of a point that does not exist
 constexpr int kMostBounces = 64;  // passes, as in solver/impacts.cpp
 
 void set3(float (&x)[3][8], int lane, const Vec3& v) {
@@ -208,8 +207,8 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
     return deep;
 }
 
-std::span<const WideVelocity> WideContacts::nudge(const Settings& settings) {
-    step_.mostNudge = 0.2f;
+std::span<const WideVelocity> WideContacts::nudge(const Settings& settings, double most) {
+    step_.mostNudge = static_cast<float>(most);
     step_.nudgeFactor = static_cast<float>(settings.nudgeFactor);
     ways_.assign(ways_.size(), {});
     for (int k = 0; k < static_cast<int>(batches_.size()); ++k)

@@ -41,8 +41,9 @@ public:
 
     /// C of every point at the bodies' present poses; true: some overlap is deeper than the slop.
     bool separate(const Bodies& bodies, double slop);
-    /// One nudge of all contacts, after separate(): the bodies' ways (m) and turns (rad).
-    std::span<const WideVelocity> nudge(const Settings& settings);
+    /// One nudge of all contacts by at most `most` (m), after separate(): the bodies' ways (m) and
+    /// turns (rad).
+    std::span<const WideVelocity> nudge(const Settings& settings, double most);
 
     PointImpulses impulses(int contact, int point) const;
 
