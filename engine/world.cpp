@@ -187,6 +187,7 @@ std::span<const ContactState> World::contacts() const {
 
 const StepReport& World::report() const {
     refresh(*state_);
+    if (state_->separationsStale) reportSeparations(*state_);
     return state_->report;
 }
 

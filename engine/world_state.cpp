@@ -38,24 +38,6 @@ void rescaleImpulses(WorldState& s, double dt) {
     s.lastSubsteps = s.report.substeps;
 }
 
-void reportSeparations(WorldState& s) {
-    s.report.worstPenetration = 0.0;
-    s.report.contacts = 0;
-    for (const Contact& contact : s.finder.contacts)
-        for (int i = 0; i < contact.count; ++i) {
-            const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
-            const Vec3 onB = s.bodies.poses[contact.b].toWorld(contact.points[i].anchorB);
-            const double c = contact.normal.dot(onB - onA);
-            s.report.worstPenetration = larger(s.report.worstPenetration, -c);
-            ++s.report.contacts;
-        }
-    s.report.worstSeparation = 0.0;
-    for (const Joint& joint : s.joints)
-        if (joint.present && !joint.def.spring.isSoft())
-            s.report.worstSeparation =
-                larger(s.report.worstSeparation, stateOf(s, joint).separation);
-}
-
 /// The first body whose state must not be passed on.
 Trouble findTrouble(const WorldState& s, BodyId& who) {
     for (int i = 0; i < s.bodies.count(); ++i) {
@@ -148,7 +130,7 @@ bool endStep(WorldState& s, double dt) {
     s.report.time = s.startOfPace + static_cast<double>(++s.stepsAtPace) * dt;
     s.report.energy = after;
     s.report.residual = s.report.sweeps.empty() ? 0.0 : s.report.sweeps.back().residual;
-    reportSeparations(s);
+    s.separationsStale = true;
     return true;
 }
 
@@ -169,6 +151,25 @@ void refresh(WorldState& s) {
                                        -contact.normal.dot(onB - onA), contact.points[i].impulse,
                                        contact.points[i].friction, contact.points[i].feature});
         }
+}
+
+void reportSeparations(WorldState& s) {
+    s.separationsStale = false;
+    s.report.worstPenetration = 0.0;
+    s.report.contacts = 0;
+    for (const Contact& contact : s.finder.contacts)
+        for (int i = 0; i < contact.count; ++i) {
+            const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
+            const Vec3 onB = s.bodies.poses[contact.b].toWorld(contact.points[i].anchorB);
+            const double c = contact.normal.dot(onB - onA);
+            s.report.worstPenetration = larger(s.report.worstPenetration, -c);
+            ++s.report.contacts;
+        }
+    s.report.worstSeparation = 0.0;
+    for (const Joint& joint : s.joints)
+        if (joint.present && !joint.def.spring.isSoft())
+            s.report.worstSeparation =
+                larger(s.report.worstSeparation, stateOf(s, joint).separation);
 }
 
 void listContacts(WorldState& s) {

@@ -28,6 +28,7 @@ struct WorldState {
     std::function<void(Phase, int)> observer;
 
     bool statesStale = false;   // contactStates are those of an earlier step
+    bool separationsStale = false;  // so are the report's worst penetration and separation
     bool contactsStale = true;  // bodies came, went or were moved by the caller
     bool jointsStale = true;
     double startOfPace = 0.0;   // s, when steps began to be of this length, and how many since:
@@ -58,7 +59,9 @@ Energy energyNow(const WorldState& s);
 /// Contacts and report as of now, without a step.
 void refresh(WorldState& s);
 
-/// contactStates of the last step; nothing pays for them until they are asked for.
+/// What the report says of contacts and separations, and contactStates of the last step: nothing pays
+/// for them until they are asked for.
+void reportSeparations(WorldState& s);
 void listContacts(WorldState& s);
 
 Joint makeJoint(const WorldState& s, const JointDef& def);

@@ -2,14 +2,23 @@
 
 #include <algorithm>
 
+#include "engine/constraints/manifold_frame.h"
+
 namespace engine {
 namespace {
 
-ContactGeometry<double> geometryOf(const Contact& contact, const ContactPoint& point,
-                                   const Pose& a, const Pose& b) {
-    const Vec3 onA = a.toWorld(point.anchorA), onB = b.toWorld(point.anchorB);
-    const Vec3 middle = 0.5 * (onA + onB);
-    return {middle - a.position, middle - b.position, contact.normal.dot(onB - onA)};
+/// Where the points of a contact are: in one plane (constraints/manifold_frame.h).
+void placePoints(const Contact& contact, const Pose& a, const Pose& b,
+                 ContactGeometry<double> (&points)[Contact::kMaxPoints]) {
+    ManifoldFrame frame;
+    for (int i = 0; i < contact.count; ++i) {
+        const Vec3 onA = a.toWorld(contact.points[i].anchorA);
+        const Vec3 onB = b.toWorld(contact.points[i].anchorB);
+        frame.add(0.5 * (onA + onB) - a.position, contact.normal.dot(onB - onA));
+    }
+    frame.finish(contact.normal);
+    for (int i = 0; i < contact.count; ++i)
+        points[i] = {frame.arm(i), frame.arm(i) + (a.position - b.position), frame.gap[i]};
 }
 
 constexpr double kLayer = 1e-3;  // m: contacts less far apart are one layer, in the order of pairs
@@ -51,9 +60,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     }
     for (const Contact& contact : contacts) {
         ContactGeometry<double> points[Contact::kMaxPoints];
-        for (int i = 0; i < contact.count; ++i)
-            points[i] = geometryOf(contact, contact.points[i], bodies.poses[contact.a],
-                                   bodies.poses[contact.b]);
+        placePoints(contact, bodies.poses[contact.a], bodies.poses[contact.b], points);
         c.contacts.push_back(makeContactConstraint(contact, points,
                                                    bodies.inverseMasses[contact.a],
                                                    bodies.inverseMasses[contact.b]));
@@ -89,6 +96,10 @@ void updateSeparations(const Bodies& bodies, Solver& solver) {
 }
 
 void storeImpulses(const Solver& solver, std::span<Contact> contacts) {
+    if (solver.lanes) {
+        solver.wide.store(contacts);
+        return;
+    }
     for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
         for (int i = 0; i < contacts[k].count; ++i) {
             const PointImpulses got = impulsesOf(solver, k, i);

@@ -37,8 +37,8 @@ struct ContactKernels {
     bool (*bounce)(ContactBatch&, const ContactRecord&, WideVelocity*, const WideStep&);
     /// v += M^-1 J^T lambda
     void (*warmStart)(ContactBatch&, WideVelocity*, const WideStep&);
-    /// The normals of a manifold together, then friction point by point.
-    WideCorrection (*sweep)(ContactBatch&, WideVelocity*);
+    /// One batch after the other: the normals of a manifold together, then its friction.
+    WideCorrection (*sweep)(ContactBatch*, int count, WideVelocity*);
     /// Ways and turns that take the share beta of every overlap away; true: there was one.
     bool (*nudge)(const ContactBatch&, const ContactRecord&, WideVelocity* ways, const WideStep&);
     /// Adds the sub-step's impulses to the totals.

@@ -1,7 +1,7 @@
-/// Eight pairs of bodies while impulses act between them.
-///   u  = v_b - v_a + w_b x d      dw = w_b - w_a      the point at r_a moves with u + dw x r_a
-///   an impulse P with the moment L about x_a:
-///     v_a -= P / m_a, w_a -= I_a^-1 L;   v_b += P / m_b, w_b += I_b^-1 (L + d x P)
+/// Eight pairs of bodies, seen from their contacts' frames, while impulses act between them. An impulse
+/// (F_1, F_2, N) at c with the moment (M_1, M_2, T) about c is in world axes
+///   P = F_1 t1 + F_2 t2 + N n,   L = M_1 t1 + M_2 t2 + T n + r_a x P
+///   v_a -= P / m_a, w_a -= I_a^-1 L;   v_b += P / m_b, w_b += I_b^-1 (L + d x P)
 #pragma once
 #include "engine/base/gather.h"
 #include "engine/wide/contact_batch.h"
@@ -16,45 +16,49 @@ ENGINE_INLINE Symmetric3 load6(const float (&x)[6][8]) {
             Lanes::load(x[3]), Lanes::load(x[4]), Lanes::load(x[5])};
 }
 
+/// Either the motion (velocity, spin) or the impulse (N s, N m s) of contacts:
+///   along   s_n, w_1, w_2   or   N, M_1, M_2: what the normals see
+///   across  s_1, s_2, w_n   or   F_1, F_2, T: what friction sees
+struct Motion6 {
+    Lanes3 along, across;
+};
+
 inline constexpr int kStride = sizeof(WideVelocity) / sizeof(float);
 
 class PairLanes {
 public:
     ENGINE_INLINE PairLanes(const ContactBatch& c, const WideVelocity* v)
         : c_(c),
-          offset_(load3(c.offset)),
           linearA_(gather(v->linear, kStride, c.a)),
           angularA_(gather(v->angular, kStride, c.a)),
           linearB_(gather(v->linear, kStride, c.b)),
-          angularB_(gather(v->angular, kStride, c.b)) {
-        base = linearB_ - linearA_ + cross(angularB_, offset_);
-        turn = angularB_ - angularA_;
+          angularB_(gather(v->angular, kStride, c.b)) {}
+
+    /// How b moves as seen from a, at c.
+    ENGINE_INLINE Motion6 motion() const {
+        const Lanes3 n = load3(c_.n), t1 = load3(c_.t1), t2 = load3(c_.t2);
+        const Lanes3 turn = angularB_ - angularA_;
+        const Lanes3 at = (linearB_ - linearA_) + cross(angularB_, load3(c_.offset)) +
+                          cross(turn, load3(c_.centre));
+        return {{dot(n, at), dot(t1, turn), dot(t2, turn)},
+                {dot(t1, at), dot(t2, at), dot(n, turn)}};
     }
 
-    Lanes3 base, turn;  // u and dw
-
-    ENGINE_INLINE void apply(const Lanes3& impulse, const Lanes3& moment) {
-        const Lanes3 atA = load6(c_.turnA) * moment;
-        const Lanes3 atB = load6(c_.turnB) * (moment + cross(offset_, impulse));
-        const Lanes3 wayA = Lanes::load(c_.massA) * impulse, wayB = Lanes::load(c_.massB) * impulse;
-        linearA_ = linearA_ - wayA;
-        angularA_ = angularA_ - atA;
-        linearB_ = linearB_ + wayB;
-        angularB_ = angularB_ + atB;
-        base = base + (wayA + wayB) + cross(atB, offset_);
-        turn = turn + (atA + atB);
-    }
-
-    ENGINE_INLINE void store(WideVelocity* v) const {
-        scatter(linearA_, v->linear, kStride, c_.writeA);
-        scatter(angularA_, v->angular, kStride, c_.writeA);
-        scatter(linearB_, v->linear, kStride, c_.writeB);
-        scatter(angularB_, v->angular, kStride, c_.writeB);
+    ENGINE_INLINE void apply(const Motion6& impulse, WideVelocity* v) const {
+        const Lanes3 n = load3(c_.n), t1 = load3(c_.t1), t2 = load3(c_.t2);
+        const Lanes3 p = impulse.across.x * t1 + impulse.across.y * t2 + impulse.along.x * n;
+        const Lanes3 moment = impulse.along.y * t1 + impulse.along.z * t2 + impulse.across.z * n +
+                              cross(load3(c_.centre), p);
+        scatter(linearA_ - Lanes::load(c_.massA) * p, v->linear, kStride, c_.writeA);
+        scatter(angularA_ - load6(c_.turnA) * moment, v->angular, kStride, c_.writeA);
+        const Lanes3 momentB = moment + cross(load3(c_.offset), p);
+        scatter(linearB_ + Lanes::load(c_.massB) * p, v->linear, kStride, c_.writeB);
+        scatter(angularB_ + load6(c_.turnB) * momentB, v->angular, kStride, c_.writeB);
     }
 
 private:
     const ContactBatch& c_;
-    Lanes3 offset_, linearA_, angularA_, linearB_, angularB_;
+    Lanes3 linearA_, angularA_, linearB_, angularB_;
 };
 
 }  // namespace engine::ENGINE_LANES

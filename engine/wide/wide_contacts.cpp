@@ -78,55 +78,67 @@ void WideContacts::arrange(std::span<const Contact> contacts, std::span<const in
 void WideContacts::fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies) {
     ContactBatch& c = batches_[batch];
     ContactRecord& record = records_[batch];
-    const Pose &a = bodies.poses[contact.a], &b = bodies.poses[contact.b];
+    const Vec3 offset = bodies.poses[contact.a].position - bodies.poses[contact.b].position;
     const int waste = bodies.count() + 1;
     c.a[lane] = contact.a, c.b[lane] = contact.b;
     c.writeA[lane] = pairs_[record.contact[lane]].a >= 0 ? contact.a : waste;
     c.writeB[lane] = pairs_[record.contact[lane]].b >= 0 ? contact.b : waste;
-    Vec3 t1, t2;
-    tangents(contact.normal, t1, t2);
-    set3(c.n, lane, contact.normal), set3(c.t1, lane, t1), set3(c.t2, lane, t2);
-    set3(c.offset, lane, a.position - b.position);
+    set3(c.offset, lane, offset);
     c.massA[lane] = static_cast<float>(bodies.inverseMasses[contact.a].linear);
     c.massB[lane] = static_cast<float>(bodies.inverseMasses[contact.b].linear);
     set6(c.turnA, lane, bodies.inverseMasses[contact.a].angular);
     set6(c.turnB, lane, bodies.inverseMasses[contact.b].angular);
     c.mu[lane] = static_cast<float>(contact.friction);
     record.restitution[lane] = static_cast<float>(contact.restitution);
-    for (int i = 0; i < ContactBatch::kPoints; ++i) {
-        WidePoint& point = c.point[i];
-        const bool real = i < contact.count;
-        const ContactPoint& from = contact.points[real ? i : 0];
-        const Vec3 armA = axes_[contact.a] * from.anchorA;
-        const Vec3 between = (b.position - a.position) + axes_[contact.b] * from.anchorB - armA;
-        set3(point.arm, lane, armA + 0.5 * between);  // to the middle between the two surfaces
-        point.lambda[lane] = real ? static_cast<float>(from.impulse) : 0.0f;
-        point.friction[0][lane] = real ? static_cast<float>(from.friction.dot(t1)) : 0.0f;
-        point.friction[1][lane] = real ? static_cast<float>(from.friction.dot(t2)) : 0.0f;
-        record.gapAtStart[i][lane] = record.separation[i][lane] =
-            real ? static_cast<float>(contact.normal.dot(between)) : kNoPoint;
-        record.total[i][lane] = 0.0f;
-        record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
+    ManifoldFrame frame;
+    for (int i = 0; i < contact.count; ++i) {
+        const Vec3 armA = axes_[contact.a] * contact.points[i].anchorA;
+        const Vec3 between = axes_[contact.b] * contact.points[i].anchorB - armA - offset;
+        frame.add(armA + 0.5 * between, contact.normal.dot(between));
     }
+    frame.finish(contact.normal);
+    set3(c.n, lane, contact.normal), set3(c.t1, lane, frame.t1), set3(c.t2, lane, frame.t2);
+    set3(c.centre, lane, frame.centre);
+    c.reach[lane] = static_cast<float>(frame.reach);
+    for (int i = 0; i < ContactBatch::kPoints; ++i)
+        i < contact.count ? fillPoint(batch, lane, i, contact.points[i], frame)
+                          : fillNoPoint(batch, lane, i);
+}
+
+void WideContacts::fillPoint(int batch, int lane, int i, const ContactPoint& from,
+                             const ManifoldFrame& frame) {
+    WidePoint& point = batches_[batch].point[i];
+    ContactRecord& record = records_[batch];
+    point.x[lane] = static_cast<float>(frame.x[i]), point.y[lane] = static_cast<float>(frame.y[i]);
+    point.lambda[lane] = static_cast<float>(from.impulse);
+    point.friction[0][lane] = static_cast<float>(from.friction.dot(frame.t1));
+    point.friction[1][lane] = static_cast<float>(from.friction.dot(frame.t2));
+    record.gapAtStart[i][lane] = record.separation[i][lane] = static_cast<float>(frame.gap[i]);
+    record.total[i][lane] = 0.0f;
+    record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
+}
+
+void WideContacts::fillNoPoint(int batch, int lane, int i) {
+    WidePoint& point = batches_[batch].point[i];
+    ContactRecord& record = records_[batch];
+    point.x[lane] = point.y[lane] = 0.0f;
+    point.lambda[lane] = point.friction[0][lane] = point.friction[1][lane] = 0.0f;
+    record.gapAtStart[i][lane] = record.separation[i][lane] = kNoPoint;
+    record.total[i][lane] = 0.0f;
+    record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
 }
 
 void WideContacts::fillEmptyLane(int batch, int lane) {
     ContactBatch& c = batches_[batch];
-    ContactRecord& record = records_[batch];
     const int zeros = static_cast<int>(start_.size());
     c.a[lane] = c.b[lane] = zeros;
     c.writeA[lane] = c.writeB[lane] = zeros + 1;
     set3(c.n, lane, Vec3::UnitX()), set3(c.t1, lane, Vec3::UnitY()), set3(c.t2, lane, Vec3::UnitZ());
-    set3(c.offset, lane, Vec3::Zero());
-    c.massA[lane] = c.massB[lane] = c.mu[lane] = record.restitution[lane] = 0.0f;
+    set3(c.centre, lane, Vec3::Zero()), set3(c.offset, lane, Vec3::Zero());
+    c.massA[lane] = c.massB[lane] = c.mu[lane] = c.reach[lane] = 0.0f;
+    records_[batch].restitution[lane] = 0.0f;
     set6(c.turnA, lane, Mat3::Zero()), set6(c.turnB, lane, Mat3::Zero());
-    for (int i = 0; i < ContactBatch::kPoints; ++i) {
-        set3(c.point[i].arm, lane, Vec3::Zero());
-        c.point[i].lambda[lane] = c.point[i].friction[0][lane] = c.point[i].friction[1][lane] = 0.0f;
-        record.gapAtStart[i][lane] = record.separation[i][lane] = kNoPoint;
-        record.total[i][lane] = 0.0f;
-        record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
-    }
+    for (int i = 0; i < ContactBatch::kPoints; ++i) fillNoPoint(batch, lane, i);
 }
 
 void WideContacts::begin(std::span<const Velocity<double>> v, const Settings& settings, double h) {
@@ -158,13 +170,9 @@ void WideContacts::warmStart(int group) {
 }
 
 SweepReport WideContacts::sweep(int group) {
-    SweepReport report;
-    for (int k = firstBatch_[group]; k < firstBatch_[group + 1]; ++k) {
-        const WideCorrection corrected = kernels_->sweep(batches_[k], now_.data());
-        report.residual = larger(report.residual, static_cast<double>(corrected.velocity));
-        report.delta += static_cast<double>(corrected.impulse);
-    }
-    return report;
+    const int first = firstBatch_[group], count = firstBatch_[group + 1] - first;
+    const WideCorrection swept = kernels_->sweep(batches_.data() + first, count, now_.data());
+    return {static_cast<double>(swept.velocity), static_cast<double>(swept.impulse)};
 }
 
 void WideContacts::take(std::span<const Velocity<double>> v, std::span<const int> bodies) {
@@ -230,6 +238,20 @@ PointImpulses WideContacts::impulses(int contact, int i) const {
     got.totalFriction = static_cast<double>(record.totalFriction[i][0][lane]) * t1 +
                         static_cast<double>(record.totalFriction[i][1][lane]) * t2;
     return got;
+}
+
+void WideContacts::store(std::span<Contact> contacts) const {
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
+        const int lane = place_[k] % 8;
+        const ContactBatch& c = batches_[place_[k] / 8];
+        const Vec3 t1 = get3(c.t1, lane), t2 = get3(c.t2, lane);
+        for (int i = 0; i < contacts[k].count; ++i) {
+            const WidePoint& point = c.point[i];
+            contacts[k].points[i].impulse = static_cast<double>(point.lambda[lane]);
+            contacts[k].points[i].friction = static_cast<double>(point.friction[0][lane]) * t1 +
+                                             static_cast<double>(point.friction[1][lane]) * t2;
+        }
+    }
 }
 
 }  // namespace engine

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/constraints/contact.h"
+#include "engine/constraints/manifold_frame.h"
 #include "engine/dynamics/bodies.h"
 #include "engine/settings.h"
 #include "engine/step_report.h"
@@ -46,12 +47,17 @@ public:
     std::span<const WideVelocity> nudge(const Settings& settings, double most);
 
     PointImpulses impulses(int contact, int point) const;
+    /// Those of the last sub-step to where the next step finds them.
+    void store(std::span<Contact> contacts) const;
 
 private:
     void arrange(std::span<const Contact> contacts, std::span<const int> order,
                  const Bodies& bodies);
     void fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies);
     void fillEmptyLane(int batch, int lane);
+    void fillPoint(int batch, int lane, int i, const ContactPoint& from,
+                   const ManifoldFrame& frame);
+    void fillNoPoint(int batch, int lane, int i);
     void give(Velocity<double>& v, int body);
 
     const ContactKernels* kernels_ = nullptr;

@@ -51,9 +51,9 @@ inline World goldenChain() {
 
 inline const std::array<GoldenWorld, 3>& goldenWorlds() {
     static const std::array<GoldenWorld, 3> worlds{{
-        {"stack", goldenStack, 300, 0xad0d0960947eef4e},
+        {"stack", goldenStack, 300, 0x47c791b2da072290},
         {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
-        {"chain", goldenChain, 300, 0x63ec7ab215cddc84},
+        {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
     }};
     return worlds;
 }
