@@ -54,6 +54,9 @@ struct Settings {
     bool lanes = true;        // contacts eight side by side, in single precision; needs block and
                               // accumulate, and method impulses
     Instructions instructions = Instructions::best;
+    bool sleeping = false;    // islands at rest fall asleep until something touches or changes
+                              // them (dynamics/sleep.h): they cost next to nothing
+    double sleepAfter = 0.5;  // s, at rest; if short, a pendulum stops where it turns
     bool compareExact = false; // every sweep's distance to the direct solution in the report; slow
 
     /// Whether contacts are solved in lanes.

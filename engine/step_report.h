@@ -49,6 +49,7 @@ struct StepReport {
     double time = 0.0;                // s
     int substeps = 0;                 // that the step was cut into
     int contacts = 0;                 // points that touch or may touch within the next step
+    int asleep = 0;                   // bodies that the step left alone (dynamics/sleep.h)
     double worstPenetration = 0.0;    // m
     double worstSeparation = 0.0;     // m, of joints
     Energy energy;

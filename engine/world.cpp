@@ -8,7 +8,7 @@
 #include "engine/dynamics/integration.h"
 #include "engine/solver/nudges.h"
 #include "engine/solver/solve.h"
-#include "engine/world_state.h"
+#include "engine/world_sleep.h"
 
 namespace engine {
 
@@ -68,6 +68,7 @@ JointId World::add(const JointDef& def) {
     ENGINE_CHECK(def.spring.hz >= 0.0 && def.spring.damping >= 0.0,
                  "a spring has no negative frequency or damping");
     s.joints.push_back(makeJoint(s, def));
+    for (const BodyId id : {def.a, def.b}) s.sleep.call(s.bodies, id.index);
     s.jointsStale = s.contactsStale = true;
     return {static_cast<int>(s.joints.size()) - 1};
 }
@@ -75,6 +76,7 @@ JointId World::add(const JointDef& def) {
 void World::remove(BodyId id) {
     ENGINE_CHECK(has(id), "there is no such body");
     WorldState& s = *state_;
+    callAround(s, id.index);
     for (Joint& joint : s.joints)
         if (joint.def.a == id || joint.def.b == id) joint.present = false;
     s.bodies.present[id.index] = 0;
@@ -90,6 +92,8 @@ void World::remove(BodyId id) {
 void World::remove(JointId id) {
     ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
                  "there is no such joint");
+    const JointDef& def = state_->joints[id.index].def;
+    for (const BodyId body : {def.a, def.b}) state_->sleep.call(state_->bodies, body.index);
     state_->joints[id.index].present = false;
     state_->jointsStale = state_->contactsStale = true;
 }
@@ -99,13 +103,18 @@ void World::setSettings(const Settings& settings) {
                  "a step has at least one sub-step, and no negative number of sweeps");
     ENGINE_CHECK(settings.baumgarte == 0.0 || settings.nudges == 0,
                  "use Baumgarte or nudges for one error, never both");
+    ENGINE_CHECK(settings.sleepAfter > 0.0, "to fall asleep, a body has to rest for some time");
     state_->settings = settings;
+    state_->sleep.callAll(state_->bodies);
     state_->substeps = {};
     state_->jointsStale = true;
 }
 
 const Settings& World::settings() const { return state_->settings; }
-void World::setGravity(const Vec3& gravity) { state_->gravity = gravity; }
+void World::setGravity(const Vec3& gravity) {
+    if (gravity != state_->gravity) state_->sleep.callAll(state_->bodies);
+    state_->gravity = gravity;
+}
 const Vec3& World::gravity() const { return state_->gravity; }
 int World::bodyCount() const { return state_->bodies.count(); }
 int World::jointCount() const { return static_cast<int>(state_->joints.size()); }
@@ -134,6 +143,10 @@ const Vec3& World::spin(BodyId id) const {
     ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
     return state_->bodies.velocities[id.index].angular;
 }
+bool World::isAsleep(BodyId id) const {
+    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    return state_->sleep.staysAsleep(state_->bodies, id.index);
+}
 double World::mass(BodyId id) const {
     ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
     return state_->bodies.masses[id.index].mass;
@@ -151,6 +164,8 @@ JointState World::joint(JointId id) const {
 void World::setPose(BodyId id, const Pose& pose) {
     ENGINE_CHECK(has(id), kNoSuchBody);
     WorldState& s = *state_;
+    callAround(s, id.index);
+    s.bodies.placed[id.index] = 1;
     s.bodies.poses[id.index] = pose;
     s.bodies.poses[id.index].rotation.normalize();
     updateInverseInertia(s.bodies, id.index);
@@ -160,11 +175,16 @@ void World::setPose(BodyId id, const Pose& pose) {
 void World::setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
     ENGINE_CHECK(has(id) && def(id).kind != BodyKind::fixed,
                  "only a dynamic or kinematic body has a velocity");
-    state_->bodies.velocities[id.index] = {velocity, spin};
+    Bodies& bodies = state_->bodies;
+    const bool wasDriven = bodies.isDriven(id.index);
+    bodies.velocities[id.index] = {velocity, spin};
+    if (bodies.isDynamic(id.index) || bodies.isDriven(id.index) != wasDriven)
+        callAround(*state_, id.index);
 }
 
 void World::applyForce(BodyId id, const Vec3& force, const Vec3& torque) {
     ENGINE_CHECK(has(id), kNoSuchBody);
+    state_->sleep.call(state_->bodies, id.index);
     state_->bodies.loads[id.index].force += force;
     state_->bodies.loads[id.index].torque += torque;
 }
@@ -172,6 +192,7 @@ void World::applyForce(BodyId id, const Vec3& force, const Vec3& torque) {
 void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
     ENGINE_CHECK(has(id), kNoSuchBody);
     Bodies& bodies = state_->bodies;
+    state_->sleep.call(bodies, id.index);
     // dv = P / m, dw = I^-1 (r x P)
     const InverseMass<double>& m = bodies.inverseMasses[id.index];
     const Vec3 arm = at - bodies.poses[id.index].position;
@@ -205,6 +226,7 @@ std::uint64_t World::hash() const {
 }
 
 void World::setForceField(std::function<void(const World&, std::span<Load>)> field) {
+    state_->sleep.callAll(state_->bodies);
     state_->field = std::move(field);
     state_->fieldLoads.clear();
 }

@@ -28,7 +28,7 @@ public:
     void remove(BodyId id);
     void remove(JointId id);
 
-    /// Settings may change between two steps.
+    /// Settings may change between two steps; whoever sleeps wakes, as with another gravity.
     void setSettings(const Settings& settings);
     const Settings& settings() const;
     /// m/s^2
@@ -46,6 +46,7 @@ public:
     const Pose& pose(BodyId id) const;
     const Vec3& velocity(BodyId id) const;  // m/s
     const Vec3& spin(BodyId id) const;      // rad/s, world axes
+    bool isAsleep(BodyId id) const;         // never unless Settings::sleeping
     double mass(BodyId id) const;           // kg; 0 unless dynamic
     const Mat3& inertia(BodyId id) const;   // kg m^2, body axes
     JointState joint(JointId id) const;
@@ -67,7 +68,7 @@ public:
     std::uint64_t hash() const;
 
     /// Forces that depend on where the bodies are, asked for in every sub-step: adds to one Load per
-    /// body. An empty function takes them away.
+    /// body. An empty function takes them away. While there are any, nothing sleeps.
     void setForceField(std::function<void(const World&, std::span<Load>)> field);
 
     /// Called at the beginning of every phase with the number of the sub-step.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/world_sleep.h"
+
 namespace engine {
 namespace {
 
@@ -26,9 +28,13 @@ void rescaleImpulses(WorldState& s, double dt) {
     const double before = s.lastSubsteps > 0 ? s.lastDt / s.lastSubsteps : h;
     if (h != before) {
         const double scale = h / before;
-        for (Contact& contact : s.finder.contacts)
-            for (ContactPoint& point : contact.points)
-                point.impulse *= scale, point.friction *= scale;
+        for (std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.asleep})
+            for (Contact& contact : *contacts)
+                for (ContactPoint& point : contact.points)
+                    point.impulse *= scale, point.friction *= scale;
+        for (Joint& joint : s.joints)
+            if (isAsleep(joint, s.bodies))
+                for (double& lambda : joint.lambda) lambda *= scale;
         for (JointConstraint<double>& joint : s.solver.constraints.joints)
             for (double& lambda : joint.lambda) lambda *= scale;
         s.solver.trees.scaleImpulses(scale);
@@ -71,6 +77,42 @@ bool energyJumped(const WorldState& s, const Energy& before, const Energy& after
     return !s.field && gain > 10.0 * (before.kinetic + 10.0 * mass);
 }
 
+ContactState stateOf(const Contact& contact, int i, const PointImpulses& got,
+                     std::span<const Pose> poses) {
+    const ContactPoint& point = contact.points[i];
+    const Vec3 onA = poses[contact.a].toWorld(point.anchorA);
+    const Vec3 onB = poses[contact.b].toWorld(point.anchorB);
+    return {{contact.a}, {contact.b}, 0.5 * (onA + onB), contact.normal,
+            -contact.normal.dot(onB - onA), got.total, got.totalFriction, point.feature};
+}
+
+/// What a point will start from, as if it got that in every sub-step.
+PointImpulses carried(const ContactPoint& point, int substeps) {
+    return {point.impulse, substeps * point.impulse, point.friction, substeps * point.friction};
+}
+
+/// contactStates of those awake, got(k, i) being what point i of contact k got, and of those asleep;
+/// in the order of pairs.
+template <class Got>
+void listStates(WorldState& s, std::span<const Contact> awake, std::span<const Pose> poses,
+                Got got) {
+    s.contactStates.clear();
+    s.statesStale = false;
+    auto next = s.finder.asleep.begin();
+    const auto listAsleep = [&] {
+        for (int i = 0; i < next->count; ++i)
+            s.contactStates.push_back(
+                stateOf(*next, i, carried(next->points[i], s.report.substeps), poses));
+        ++next;
+    };
+    for (int k = 0; k < static_cast<int>(awake.size()); ++k) {
+        while (next != s.finder.asleep.end() && pairOf(*next) < pairOf(awake[k])) listAsleep();
+        for (int i = 0; i < awake[k].count; ++i)
+            s.contactStates.push_back(stateOf(awake[k], i, got(k, i), poses));
+    }
+    while (next != s.finder.asleep.end()) listAsleep();
+}
+
 void goBack(WorldState& s) {
     s.bodies.poses = s.solver.posesAtStart;
     s.bodies.velocities = s.velocitiesBefore;
@@ -79,18 +121,23 @@ void goBack(WorldState& s) {
     for (int i = 0; i < s.bodies.count(); ++i) updateInverseInertia(s.bodies, i);
 }
 
+void updateJoints(WorldState& s, double dt) {
+    if (!s.jointsStale && !s.treesStale) return;
+    collectJoints(s.joints, s.bodies, s.settings, s.solver);
+    prepareJoints(s.joints, s.bodies, s.settings, s.solver);
+    if (s.jointsStale) estimateTension(s.joints, s.bodies, s.gravity, s.solver, dt);
+    s.jointsStale = s.treesStale = false;
+}
+
 }  // namespace
 
 bool beginStep(WorldState& s, double dt) {
     if (s.report.trouble != Trouble::none) return false;
-    if (s.jointsStale) {
-        listJointedPairs(s);
-        collectJoints(s.joints, s.bodies, s.settings, s.solver);
-        prepareJoints(s.joints, s.bodies, s.settings, s.solver);
-        estimateTension(s.joints, s.bodies, s.gravity, s.solver, dt);
-        s.jointsStale = false;
-    }
+    wakeCalled(s);
+    if (s.jointsStale) listJointedPairs(s);
     if (s.contactsStale) findContacts(s, dt);
+    updateSleep(s, dt);
+    updateJoints(s, dt);
     s.report.substeps = chooseSubsteps(s.substeps, s.finder.contacts, s.joints, s.bodies, s.solver,
                                        s.settings, dt);
     rescaleImpulses(s, dt);
@@ -128,6 +175,7 @@ bool endStep(WorldState& s, double dt) {
     findContacts(s, dt);
     s.report.step += 1;
     s.report.time = s.startOfPace + static_cast<double>(++s.stepsAtPace) * dt;
+    s.report.asleep = s.sleep.count();
     s.report.energy = after;
     s.report.residual = s.report.sweeps.empty() ? 0.0 : s.report.sweeps.back().residual;
     s.separationsStale = true;
@@ -137,34 +185,29 @@ bool endStep(WorldState& s, double dt) {
 void refresh(WorldState& s) {
     if (!s.contactsStale) return;
     listJointedPairs(s);
+    wakeCalled(s);
     findContacts(s, s.lastDt);
     s.contactsStale = s.report.step > 0;  // the caller's changes still count for the next step
     s.report.energy = energyNow(s);
     reportSeparations(s);
-    s.contactStates.clear();
-    s.statesStale = false;
-    for (const Contact& contact : s.finder.contacts)
-        for (int i = 0; i < contact.count; ++i) {
-            const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
-            const Vec3 onB = s.bodies.poses[contact.b].toWorld(contact.points[i].anchorB);
-            s.contactStates.push_back({{contact.a}, {contact.b}, 0.5 * (onA + onB), contact.normal,
-                                       -contact.normal.dot(onB - onA), contact.points[i].impulse,
-                                       contact.points[i].friction, contact.points[i].feature});
-        }
+    const std::vector<Contact>& contacts = s.finder.contacts;
+    listStates(s, contacts, s.bodies.poses,
+               [&](int k, int i) { return carried(contacts[k].points[i], s.report.substeps); });
 }
 
 void reportSeparations(WorldState& s) {
     s.separationsStale = false;
     s.report.worstPenetration = 0.0;
     s.report.contacts = 0;
-    for (const Contact& contact : s.finder.contacts)
-        for (int i = 0; i < contact.count; ++i) {
-            const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
-            const Vec3 onB = s.bodies.poses[contact.b].toWorld(contact.points[i].anchorB);
-            const double c = contact.normal.dot(onB - onA);
-            s.report.worstPenetration = larger(s.report.worstPenetration, -c);
-            ++s.report.contacts;
-        }
+    for (const std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.asleep})
+        for (const Contact& contact : *contacts)
+            for (int i = 0; i < contact.count; ++i) {
+                const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
+                const Vec3 onB = s.bodies.poses[contact.b].toWorld(contact.points[i].anchorB);
+                const double c = contact.normal.dot(onB - onA);
+                s.report.worstPenetration = larger(s.report.worstPenetration, -c);
+                ++s.report.contacts;
+            }
     s.report.worstSeparation = 0.0;
     for (const Joint& joint : s.joints)
         if (joint.present && !joint.def.spring.isSoft())
@@ -173,21 +216,9 @@ void reportSeparations(WorldState& s) {
 }
 
 void listContacts(WorldState& s) {
-    s.contactStates.clear();
-    s.statesStale = false;
     // Step 6 has put the contacts that were solved aside, to remember their impulses by.
-    for (int k = 0; k < static_cast<int>(s.finder.previous.size()); ++k) {
-        const Contact& contact = s.finder.previous[k];
-        for (int i = 0; i < contact.count; ++i) {
-            const PointImpulses got = impulsesOf(s.solver, k, i);
-            const ContactPoint& point = contact.points[i];
-            const Vec3 onA = s.solver.posesAtStart[contact.a].toWorld(point.anchorA);
-            const Vec3 onB = s.solver.posesAtStart[contact.b].toWorld(point.anchorB);
-            s.contactStates.push_back({{contact.a}, {contact.b}, 0.5 * (onA + onB), contact.normal,
-                                       -contact.normal.dot(onB - onA), got.total,
-                                       got.totalFriction, point.feature});
-        }
-    }
+    listStates(s, s.finder.previous, s.solver.posesAtStart,
+               [&](int k, int i) { return impulsesOf(s.solver, k, i); });
 }
 
 Energy energyNow(const WorldState& s) {

@@ -7,6 +7,7 @@
 #include "engine/base/hash.h"
 #include "engine/collision/contacts.h"
 #include "engine/dynamics/energy.h"
+#include "engine/dynamics/sleep.h"
 #include "engine/solver/prepare_joints.h"
 #include "engine/solver/substeps.h"
 #include "engine/world.h"
@@ -21,6 +22,7 @@ struct WorldState {
     ContactFinder finder;
     Solver solver;
     SubstepChooser substeps;
+    Sleep sleep;
     StepReport report;
     std::vector<ContactState> contactStates;
     std::function<void(const World&, std::span<Load>)> field;
@@ -31,6 +33,7 @@ struct WorldState {
     bool separationsStale = false;  // so are the report's worst penetration and separation
     bool contactsStale = true;  // bodies came, went or were moved by the caller
     bool jointsStale = true;
+    bool treesStale = false;    // joints fell asleep or woke
     double startOfPace = 0.0;   // s, when steps began to be of this length, and how many since:
     long long stepsAtPace = 0;  // time is counted, not added up
     double lastDt = 0.0;        // s; impulses are kept per sub-step of this length

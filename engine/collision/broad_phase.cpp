@@ -39,7 +39,7 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
     for (int i = 0; i < bodies.count(); ++i) {
         Proxy& proxy = proxies_[i];
         proxy.moved = false;
-        if (!bodies.present[i] || !bodies.defs[i].collide) continue;
+        if (!bodies.present[i] || !bodies.defs[i].collide || bodies.isAsleep(i)) continue;
         if (isPlane(bodies, i)) {  // no leaf: `moved` once, when it is new
             proxy.moved = proxy.leaf == -1;
             proxy.leaf = -2;

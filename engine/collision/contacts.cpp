@@ -1,6 +1,7 @@
 #include "engine/collision/contacts.h"
 
 #include <algorithm>
+#include <span>
 
 #include "engine/collision/collide.h"
 
@@ -56,12 +57,27 @@ bool keepContact(ContactFinder& finder, std::size_t old, const PairKey& pair,
                  const Bodies& bodies) {
     const std::vector<Contact>& previous = finder.previous;
     const auto isOfPair = [&](std::size_t i) {
-        return i < previous.size() && PairKey{previous[i].a, previous[i].b} == pair;
+        return i < previous.size() && pairOf(previous[i]) == pair;
     };
     if (!isOfPair(old) || isOfPair(old + 1) || !stays(previous[old], bodies)) return false;
     Contact& kept = finder.contacts.emplace_back(previous[old]);
     kept.normal = bodies.poses[pair.a].rotation * kept.normalA;
     return true;
+}
+
+bool anyStirs(const Bodies& bodies) {
+    for (int i = 0; i < bodies.count(); ++i)
+        if (bodies.stirs(i)) return true;
+    return false;
+}
+
+/// Neither stirs, and what contact they have is asleep. One that is about to be hit may be thrown
+/// against another that it did not touch.
+bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey& pair,
+           double thrown) {
+    if (!bodies.isAsleep(pair.a) && !bodies.isAsleep(pair.b)) return false;
+    if (bodies.stirs(pair.a) || bodies.stirs(pair.b)) return false;
+    return thrown == 0.0 || std::ranges::binary_search(asleep, pair, {}, pairOf);
 }
 
 /// Near: within the margin, or as far as this step's hits may throw the two. Up to two contacts. `old`:
@@ -109,14 +125,16 @@ void carryImpulses(const Contact& from, Contact& to) {
 }
 
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt) {
-    finder.broadPhase.update(bodies, margin, dt);
-    findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.moving);
     finder.contacts.swap(finder.previous);
     finder.contacts.clear();
+    if (!anyStirs(bodies)) return;
+    finder.broadPhase.update(bodies, margin, dt);
+    findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.moving);
     std::size_t old = 0;
-    const auto pairOfOld = [&] { return PairKey{finder.previous[old].a, finder.previous[old].b}; };
+    const auto pairOfOld = [&] { return pairOf(finder.previous[old]); };
     for (const PairKey& pair : finder.broadPhase.pairs()) {
         const double thrown = finder.moving.thrown(pair);
+        if (rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
         while (old < finder.previous.size() && pairOfOld() < pair) ++old;

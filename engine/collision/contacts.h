@@ -15,10 +15,14 @@ struct ContactFinder {
     MovingPairs moving;              // those that the margin is too short for
     std::vector<Contact> contacts;   // sorted by pair; fast ones may have two
     std::vector<Contact> previous;   // kept for its memory only
+    std::vector<Contact> asleep;     // sorted: of sleeping islands (sleeping_contacts.h)
 };
 
+inline PairKey pairOf(const Contact& contact) { return {contact.a, contact.b}; }
+
 /// `margin` (m): contacts are made this far ahead of touching. A pair that would cover more than
-/// that within dt (s) gets them where it will touch (moving_contacts.h).
+/// that within dt (s) gets them where it will touch (moving_contacts.h). Pairs that sleep are not
+/// looked at.
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt);
 
 /// Impulses from one contact of a pair to the next: by feature, or else by place.

@@ -142,6 +142,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     for (int i = 0; i < bodies.count(); ++i) moving.motions.push_back(motionOf(bodies, i, dt));
     moving.entries.clear();
     for (const PairKey& key : broadPhase.pairs()) {
+        if (bodies.isAsleep(key.a) && bodies.isAsleep(key.b)) continue;
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
         if (wayOf(a, b, dt) <= margin || !broadPhase.boundsMeet(key)) continue;
         if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;

@@ -42,6 +42,8 @@ int addBody(Bodies& bodies, const BodyDef& def) {
     bodies.loads.push_back({});
     bodies.accelerations.push_back({});
     bodies.present.push_back(1);
+    bodies.asleep.push_back(-1);
+    bodies.placed.push_back(1);
     updateInverseInertia(bodies, i);
     return i;
 }
@@ -55,7 +57,7 @@ void updateInverseInertia(Bodies& bodies, int i) {
 
 void updateInverseInertias(Bodies& bodies) {
     for (int i = 0; i < bodies.count(); ++i)
-        if (bodies.isDynamic(i)) updateInverseInertia(bodies, i);
+        if (bodies.isAwake(i)) updateInverseInertia(bodies, i);
 }
 
 }  // namespace engine

@@ -44,10 +44,28 @@ struct Bodies {
     std::vector<Load> loads;                         // of the coming step
     std::vector<Acceleration> accelerations;         // of this sub-step
     std::vector<char> present;                       // 0: removed
+    std::vector<int> asleep;   // the least body of its sleeping island (sleep.h); -1: awake
+    std::vector<char> placed;  // 1: by the caller, after the last step
 
     int count() const { return static_cast<int>(defs.size()); }
     bool isDynamic(int i) const { return present[i] && defs[i].kind == BodyKind::dynamic; }
-    bool isMoving(int i) const { return present[i] && defs[i].kind != BodyKind::fixed; }
+    bool isAsleep(int i) const { return asleep[i] >= 0; }
+    bool isAwake(int i) const { return isDynamic(i) && !isAsleep(i); }
+    /// Steps carry it on.
+    bool isMoving(int i) const {
+        return present[i] && defs[i].kind != BodyKind::fixed && !isAsleep(i);
+    }
+    /// It may come to touch what it did not touch before.
+    bool stirs(int i) const {
+        return placed[i] || (!isAsleep(i) && (isDynamic(i) || isDriven(i)));
+    }
+    /// A kinematic body under way.
+    bool isDriven(int i) const {
+        return present[i] && defs[i].kind == BodyKind::kinematic && !isStill(i);
+    }
+    bool isStill(int i) const {
+        return velocities[i].linear.isZero(0.0) && velocities[i].angular.isZero(0.0);
+    }
 };
 
 /// Adds a body; what the definition leaves open is filled in. Returns its number.

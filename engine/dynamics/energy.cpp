@@ -17,8 +17,9 @@ Energy energyOf(const Bodies& bodies, const Vec3& gravity) {
         if (!bodies.isDynamic(i)) continue;
         const double m = bodies.masses[i].mass;
         const Velocity<double>& v = bodies.velocities[i];
-        e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));
         e.potential -= m * gravity.dot(bodies.poses[i].position);
+        if (bodies.isStill(i)) continue;
+        e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));
     }
     return e;
 }

@@ -6,7 +6,7 @@ namespace engine {
 
 void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h) {
     for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.isDynamic(i)) continue;
+        if (!bodies.isAwake(i)) continue;
         Velocity<double>& v = bodies.velocities[i];
         v.linear += h * bodies.accelerations[i].linear;
         v.angular += h * bodies.accelerations[i].angular;

@@ -7,7 +7,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
     std::vector<JointConstraint<double>>& list = solver.constraints.joints;
     list.clear();
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
-        if (!joints[i].present) continue;
+        if (!joints[i].present || isAsleep(joints[i], bodies)) continue;
         JointConstraint<double> joint;
         joint.a = joints[i].def.a.index, joint.b = joints[i].def.b.index;
         joint.joint = i;

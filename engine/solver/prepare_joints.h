@@ -4,7 +4,12 @@
 
 namespace engine {
 
-/// A constraint for every joint; for when joints come or go.
+/// One of its bodies is, and then both that move are.
+inline bool isAsleep(const Joint& joint, const Bodies& bodies) {
+    return bodies.isAsleep(joint.def.a.index) || bodies.isAsleep(joint.def.b.index);
+}
+
+/// A constraint for every joint that is awake; for when joints come or go.
 void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver);
 

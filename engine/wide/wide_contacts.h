@@ -28,6 +28,7 @@ public:
     void prepare(std::span<const Contact> contacts, std::span<const int> order,
                  std::span<const Joint> joints, const Bodies& bodies, const Settings& settings);
 
+    bool empty() const { return batches_.empty(); }
     const ContactGroups& groups() const { return groups_; }
 
     /// Biases and bounces of a sub-step of length h (s), from the velocities before solving.

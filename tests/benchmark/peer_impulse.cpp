@@ -18,9 +18,16 @@ struct Preset {
     Settings (*settings)();
 };
 
+Settings sleeping() {
+    Settings s = Settings::steady();
+    s.sleeping = true;
+    return s;
+}
+
 constexpr Preset kPresets[] = {{"steady", Settings::steady},
                                {"fast", Settings::fast},
-                               {"seed", Settings::seed}};
+                               {"seed", Settings::seed},
+                               {"sleeping", sleeping}};
 
 BodyDef bodyDef(const Body& body, double friction) {
     BodyDef def;

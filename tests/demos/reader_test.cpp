@@ -63,6 +63,13 @@ TEST(Reader, ReadsAFastSolver) {
     EXPECT_FALSE(scene.settings.lanes);
 }
 
+TEST(Reader, ReadsWhetherIslandsSleep) {
+    EXPECT_FALSE(read(kBall).settings.sleeping);
+    const SceneDescription scene = read("[solver]\nsleeping = true\nsleep_after = 2\n" + kBall);
+    EXPECT_TRUE(scene.settings.sleeping);
+    EXPECT_EQ(scene.settings.sleepAfter, 2.0);
+}
+
 TEST(Reader, PutsAnchorsInBodyAxes) {
     const SceneDescription scene =
         read(kBall +
