@@ -57,6 +57,7 @@ struct Settings {
     bool sleeping = false;    // islands at rest fall asleep until something touches or changes
                               // them (dynamics/sleep.h): they cost next to nothing
     double sleepAfter = 0.5;  // s, at rest; if short, a pendulum stops where it turns
+    int threads = 1;          // that share the contacts of large groups; the bits are the same
     bool compareExact = false; // every sweep's distance to the direct solution in the report; slow
 
     /// Whether contacts are solved in lanes.

@@ -104,8 +104,10 @@ void World::setSettings(const Settings& settings) {
     ENGINE_CHECK(settings.baumgarte == 0.0 || settings.nudges == 0,
                  "use Baumgarte or nudges for one error, never both");
     ENGINE_CHECK(settings.sleepAfter > 0.0, "to fall asleep, a body has to rest for some time");
+    ENGINE_CHECK(settings.threads >= 1, "a step needs a thread");
     state_->settings = settings;
     state_->sleep.callAll(state_->bodies);
+    state_->solver.workers.setCount(settings.threads);
     state_->substeps = {};
     state_->jointsStale = true;
 }

@@ -23,7 +23,7 @@ SweepReport sweepJoints(Solver& s, std::span<Velocity<double>> v, const Settings
     return swept;
 }
 
-void sweepGroup(Solver& s, int group, std::span<Velocity<double>> v, const Settings& settings,
+void solveGroup(Solver& s, int group, std::span<Velocity<double>> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
     const bool joints = group == 0 && s.wide.groups().hasJoints();
     const bool atOnce = joints && solvedAtOnce(s);
@@ -31,6 +31,14 @@ void sweepGroup(Solver& s, int group, std::span<Velocity<double>> v, const Setti
                      : s.wide.groups().moving(group)
                          ? smaller(settings.movingSweeps, settings.sweeps)
                          : settings.sweeps;
+    if (s.wide.isLarge(group)) {
+        std::size_t i = first;
+        for (const SweepReport& swept :
+             s.wide.solveLarge(group, {settings.minSweeps, most, settings.tolerance}))
+            merge(report, i++, swept);
+        return;
+    }
+    s.wide.warmStart(group);
     for (int i = 0; i < most; ++i) {
         SweepReport swept = joints ? sweepJoints(s, v, settings) : SweepReport{};
         const SweepReport contacts = s.wide.sweep(group);
@@ -60,10 +68,8 @@ void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& sett
     warmStart<double>(s.constraints, v, settings);
     s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / h, v);
     s.wide.take(v, shared);
-    for (int group = 0; group < s.wide.groups().count(); ++group) {
-        s.wide.warmStart(group);
-        sweepGroup(s, group, v, settings, first, report);
-    }
+    for (int group = 0; group < s.wide.groups().count(); ++group)
+        solveGroup(s, group, v, settings, first, report);
     s.wide.finish(v);
 }
 

@@ -54,7 +54,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     orderContacts(contacts, bodies, gravity, settings.order, solver.keys, c.order);
     solver.lanes = settings.usesLanes();
     if (solver.lanes) {
-        solver.wide.prepare(contacts, c.order, joints, bodies, settings);
+        solver.wide.prepare(contacts, c.order, joints, bodies, settings, solver.workers);
         c.order.clear();
         return;
     }

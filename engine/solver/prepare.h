@@ -11,6 +11,7 @@ namespace engine {
 /// Everything the solver of a world keeps from one sub-step to the next.
 struct Solver {
     Constraints<double> constraints;
+    Workers workers;
     WideContacts wide;               // the contacts instead, when they are solved in lanes
     bool lanes = false;              // they are
     JointTrees trees;

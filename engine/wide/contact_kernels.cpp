@@ -156,8 +156,11 @@ ENGINE_INLINE Lanes3 sweepNormals(ContactBatch& c, const Lanes3& along, Correcti
         Mask active[4];
         const Lanes4 found = searchActive(k, q - k * before, before, active);
         storeInverse(k, active, wrong, c.inverse);
-        for (int i = 0; i < kPoints; ++i) after[i] = select(wrong, found[i], after[i]);
-        change = after - before;
+        // The other lanes keep their last bit: who they share a batch with must not matter.
+        for (int i = 0; i < kPoints; ++i) {
+            after[i] = select(wrong, found[i], after[i]);
+            change[i] = select(wrong, found[i] - before[i], change[i]);
+        }
         dv = k * change;
     }
     for (int i = 0; i < kPoints; ++i) {
@@ -179,17 +182,10 @@ ENGINE_INLINE void sweepOne(ContactBatch& c, WideVelocity* v, Corrections& worst
     pair.apply(impulse, v);
 }
 
-WideCorrection sweep(ContactBatch* batches, int count, WideVelocity* v) {
-    Corrections worst;
+void sweep(ContactBatch* batches, int count, WideVelocity* v, WideSums& sums) {
+    Corrections worst{Lanes::load(sums.velocity), Lanes::load(sums.impulse)};
     for (int k = 0; k < count; ++k) sweepOne(batches[k], v, worst);
-    float velocity[8], impulse[8];
-    worst.velocity.store(velocity), worst.impulse.store(impulse);
-    WideCorrection sum;
-    for (int i = 0; i < 8; ++i) {
-        sum.velocity = velocity[i] > sum.velocity ? velocity[i] : sum.velocity;
-        sum.impulse += impulse[i];
-    }
-    return sum;
+    worst.velocity.store(sums.velocity), worst.impulse.store(sums.impulse);
 }
 
 /// Fresh impulses on positions: solver/nudges.cpp in lanes.

@@ -18,10 +18,9 @@ struct WideStep {
     float keep = 1.0f;          // 0: sweeps start from nothing
 };
 
-/// Largest |velocity correction along a row| (m/s) and sum of |change of lambda| (N s).
-struct WideCorrection {
-    float velocity = 0.0f;
-    float impulse = 0.0f;
+/// Of every lane: largest |velocity correction along a row| (m/s), sum of |change of lambda| (N s).
+struct alignas(64) WideSums {
+    float velocity[8] = {}, impulse[8] = {};
 };
 
 struct ContactKernels {
@@ -38,7 +37,7 @@ struct ContactKernels {
     /// v += M^-1 J^T lambda
     void (*warmStart)(ContactBatch&, WideVelocity*, const WideStep&);
     /// One batch after the other: the normals of a manifold together, then its friction.
-    WideCorrection (*sweep)(ContactBatch*, int count, WideVelocity*);
+    void (*sweep)(ContactBatch*, int count, WideVelocity*, WideSums&);
     /// Ways and turns that take the share beta of every overlap away; true: there was one.
     bool (*nudge)(const ContactBatch&, const ContactRecord&, WideVelocity* ways, const WideStep&);
     /// Adds the sub-step's impulses to the totals.

@@ -16,7 +16,7 @@ struct BodyPair {
 
 class Schedule {
 public:
-    /// The contacts of one lane group after another, in the order of `order`; groups share no body.
+    /// The contacts of one list after another, in the order of `order`; a list begins new batches.
     void begin(int bodies);
     void add(std::span<const BodyPair> pairs, std::span<const int> order);
 

@@ -1,5 +1,6 @@
 #include "engine/wide/wide_contacts.h"
 
+#include <atomic>
 #include <utility>
 
 namespace engine {
@@ -21,6 +22,9 @@ Vec3 get3(const float (&x)[3][8], int lane) {
     return Vec3T<float>(x[0][lane], x[1][lane], x[2][lane]).cast<double>();
 }
 
+/// Apart from each other, so that no two threads write to one cache line.
+int wasteOf(int bodies, int half) { return bodies + 4 * (half + 1); }
+
 WideVelocity narrowed(const Velocity<double>& v) {
     WideVelocity w;
     set3(w.linear, v.linear), set3(w.angular, v.angular);
@@ -29,10 +33,19 @@ WideVelocity narrowed(const Velocity<double>& v) {
 
 }  // namespace
 
+template <class Work>
+void WideContacts::eachBatch(const Work& work) {
+    constexpr int kLeast = 32;  // batches a thread
+    workers_->share(static_cast<int>(batches_.size()), kLeast, [&](int first, int end) {
+        for (int k = first; k < end; ++k) work(k);
+    });
+}
+
 void WideContacts::prepare(std::span<const Contact> contacts, std::span<const int> order,
                            std::span<const Joint> joints, const Bodies& bodies,
-                           const Settings& settings) {
+                           const Settings& settings, Workers& workers) {
     kernels_ = &contactKernels(settings.instructions);
+    workers_ = &workers;
     groups_.find(contacts, joints, bodies);
     arrange(contacts, order, bodies);
     start_ = bodies.poses;
@@ -40,23 +53,12 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
     bouncing_ = false;
     for (const Contact& contact : contacts) bouncing_ = bouncing_ || contact.restitution > 0.0;
-    const auto batches = schedule_.batches();
-    batches_.resize(batches.size()), records_.resize(batches.size());
+    const int count = static_cast<int>(schedule_.batches().size());
+    batches_.resize(count), records_.resize(count);
     place_.resize(contacts.size());
-    for (int k = 0; k < static_cast<int>(batches.size()); ++k) {
-        for (int lane = 0; lane < 8; ++lane) {
-            const int contact = records_[k].contact[lane] = batches[k][lane];
-            if (contact < 0) {
-                fillEmptyLane(k, lane);
-            } else {
-                place_[contact] = 8 * k + lane;
-                fillLane(k, lane, contacts[contact], bodies);
-            }
-        }
-        kernels_->prepare(batches_[k], records_[k]);
-    }
+    eachBatch([&](int k) { fillBatch(k, contacts, bodies); });
     for (std::vector<WideVelocity>* v : {&now_, &before_, &motions_, &ways_})
-        v->resize(bodies.count() + 2);
+        v->resize(wasteOf(bodies.count(), 2));
 }
 
 void WideContacts::arrange(std::span<const Contact> contacts, std::span<const int> order,
@@ -69,17 +71,39 @@ void WideContacts::arrange(std::span<const Contact> contacts, std::span<const in
     for (const int contact : order) orders_[groups_.of(contact)].push_back(contact);
     schedule_.begin(bodies.count());
     firstBatch_.assign(1, 0);
+    middle_.clear();
+    const auto batches = [&] { return static_cast<int>(schedule_.batches().size()); };
     for (int g = 0; g < groups_.count(); ++g) {
-        schedule_.add(pairs_, orders_[g]);
-        firstBatch_.push_back(static_cast<int>(schedule_.batches().size()));
+        const std::span<const int> all = orders_[g];
+        const bool jointed = g == 0 && groups_.hasJoints();
+        const std::size_t upper = jointed ? all.size() : Overlap::sizeOfUpperHalf(all.size());
+        schedule_.add(pairs_, all.first(upper));
+        middle_.push_back(batches());
+        schedule_.add(pairs_, all.subspan(upper));
+        firstBatch_.push_back(batches());
     }
+    overlap_.find(schedule_.batches(), pairs_, firstBatch_, middle_, bodies.count());
+}
+
+void WideContacts::fillBatch(int batch, std::span<const Contact> contacts, const Bodies& bodies) {
+    const std::array<int, 8>& lanes = schedule_.batches()[batch];
+    for (int lane = 0; lane < 8; ++lane) {
+        const int contact = records_[batch].contact[lane] = lanes[lane];
+        if (contact < 0) {
+            fillEmptyLane(batch, lane);
+        } else {
+            place_[contact] = 8 * batch + lane;
+            fillLane(batch, lane, contacts[contact], bodies);
+        }
+    }
+    kernels_->prepare(batches_[batch], records_[batch]);
 }
 
 void WideContacts::fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies) {
     ContactBatch& c = batches_[batch];
     ContactRecord& record = records_[batch];
     const Vec3 offset = bodies.poses[contact.a].position - bodies.poses[contact.b].position;
-    const int waste = bodies.count() + 1;
+    const int waste = wasteOf(bodies.count(), overlap_.halfOf(batch));
     c.a[lane] = contact.a, c.b[lane] = contact.b;
     c.writeA[lane] = pairs_[record.contact[lane]].a >= 0 ? contact.a : waste;
     c.writeB[lane] = pairs_[record.contact[lane]].b >= 0 ? contact.b : waste;
@@ -132,7 +156,7 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
     ContactBatch& c = batches_[batch];
     const int zeros = static_cast<int>(start_.size());
     c.a[lane] = c.b[lane] = zeros;
-    c.writeA[lane] = c.writeB[lane] = zeros + 1;
+    c.writeA[lane] = c.writeB[lane] = wasteOf(zeros, overlap_.halfOf(batch));
     set3(c.n, lane, Vec3::UnitX()), set3(c.t1, lane, Vec3::UnitY()), set3(c.t2, lane, Vec3::UnitZ());
     set3(c.centre, lane, Vec3::Zero()), set3(c.offset, lane, Vec3::Zero());
     c.massA[lane] = c.massB[lane] = c.mu[lane] = c.reach[lane] = 0.0f;
@@ -150,16 +174,14 @@ void WideContacts::begin(std::span<const Velocity<double>> v, const Settings& se
     step_.keep = settings.warmStart ? 1.0f : 0.0f;
     atStart_.assign(v.begin(), v.end());
     for (int i = 0; i < static_cast<int>(v.size()); ++i) now_[i] = narrowed(v[i]);
-    const int count = static_cast<int>(batches_.size());
-    for (int k = 0; k < count; ++k)
-        kernels_->setBiases(batches_[k], records_[k], now_.data(), step_);
+    eachBatch([&](int k) { kernels_->setBiases(batches_[k], records_[k], now_.data(), step_); });
     now_.assign(now_.size(), {});
     before_ = now_;
     if (!bouncing_ || settings.bounce == Bounce::bias) return;
     bool any = true;
     for (int pass = 0; pass < kMostBounces && any; ++pass) {
         any = false;
-        for (int k = 0; k < count; ++k)
+        for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
             any = kernels_->bounce(batches_[k], records_[k], now_.data(), step_) || any;
     }
 }
@@ -169,10 +191,14 @@ void WideContacts::warmStart(int group) {
         kernels_->warmStart(batches_[k], now_.data(), step_);
 }
 
+SweepReport WideContacts::sweepBatches(int first, int end) {
+    WideSums sums;
+    kernels_->sweep(batches_.data() + first, end - first, now_.data(), sums);
+    return reportOf(sums);
+}
+
 SweepReport WideContacts::sweep(int group) {
-    const int first = firstBatch_[group], count = firstBatch_[group + 1] - first;
-    const WideCorrection swept = kernels_->sweep(batches_.data() + first, count, now_.data());
-    return {static_cast<double>(swept.velocity), static_cast<double>(swept.impulse)};
+    return sweepBatches(firstBatch_[group], firstBatch_[group + 1]);
 }
 
 void WideContacts::take(std::span<const Velocity<double>> v, std::span<const int> bodies) {
@@ -196,8 +222,7 @@ void WideContacts::give(std::span<Velocity<double>> v, std::span<const int> bodi
 
 void WideContacts::finish(std::span<Velocity<double>> v) {
     for (int i = 0; i < static_cast<int>(v.size()); ++i) give(v[i], i);
-    for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
-        kernels_->book(batches_[k], records_[k]);
+    eachBatch([&](int k) { kernels_->book(batches_[k], records_[k]); });
 }
 
 bool WideContacts::separate(const Bodies& bodies, double slop) {
@@ -209,9 +234,11 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
         motions_[i] = narrowed({now.position - start.position, 2.0 * turn.vec()});
     }
     step_.slop = static_cast<float>(slop);
-    bool deep = false;
-    for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
-        deep = kernels_->separate(batches_[k], records_[k], motions_.data(), step_) || deep;
+    std::atomic<bool> deep{false};
+    eachBatch([&](int k) {
+        if (kernels_->separate(batches_[k], records_[k], motions_.data(), step_))
+            deep.store(true, std::memory_order_relaxed);
+    });
     return deep;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/workers.h"
 #include "engine/constraints/contact.h"
 #include "engine/constraints/manifold_frame.h"
 #include "engine/dynamics/bodies.h"
@@ -12,6 +13,7 @@
 #include "engine/step_report.h"
 #include "engine/wide/contact_kernels.h"
 #include "engine/wide/groups.h"
+#include "engine/wide/overlap.h"
 #include "engine/wide/schedule.h"
 
 namespace engine {
@@ -24,9 +26,11 @@ struct PointImpulses {
 
 class WideContacts {
 public:
-    /// Rows of all contacts, at the bodies' present poses; once a step. `order` is that of a sweep.
+    /// Rows of all contacts, at the bodies' present poses; once a step. `order` is that of a sweep. The
+    /// workers are for this step.
     void prepare(std::span<const Contact> contacts, std::span<const int> order,
-                 std::span<const Joint> joints, const Bodies& bodies, const Settings& settings);
+                 std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+                 Workers& workers);
 
     bool empty() const { return batches_.empty(); }
     const ContactGroups& groups() const { return groups_; }
@@ -35,6 +39,9 @@ public:
     void begin(std::span<const Velocity<double>> v, const Settings& settings, double h);
     void warmStart(int group);
     SweepReport sweep(int group);
+    /// Warm start and sweeps of a large group (overlap.h), which may be shared by two threads.
+    bool isLarge(int group) const { return middle_[group] < firstBatch_[group + 1]; }
+    std::span<const SweepReport> solveLarge(int group, const SweepLimits& limits);
     /// Takes in the velocities of bodies that others have changed; gives back what sweeps changed.
     void take(std::span<const Velocity<double>> v, std::span<const int> bodies);
     void give(std::span<Velocity<double>> v, std::span<const int> bodies);
@@ -54,23 +61,33 @@ public:
 private:
     void arrange(std::span<const Contact> contacts, std::span<const int> order,
                  const Bodies& bodies);
+    void fillBatch(int batch, std::span<const Contact> contacts, const Bodies& bodies);
     void fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies);
     void fillEmptyLane(int batch, int lane);
     void fillPoint(int batch, int lane, int i, const ContactPoint& from,
                    const ManifoldFrame& frame);
     void fillNoPoint(int batch, int lane, int i);
     void give(Velocity<double>& v, int body);
+    SweepReport sweepBatches(int first, int end);
+    int solveHalf(int group, int half, const SweepLimits& limits);
+    void pass(int group, int half, int number);
 
+    /// work(batch) for all batches, in any order.
+    template <class Work>
+    void eachBatch(const Work& work);
     const ContactKernels* kernels_ = nullptr;
+    Workers* workers_ = nullptr;
     ContactGroups groups_;
     Schedule schedule_;
     std::vector<std::vector<int>> orders_;   // of every group
     std::vector<int> firstBatch_;            // of every group, and the end
+    std::vector<int> middle_;                // of every group: the first batch of the lower half
+    Overlap overlap_;
     std::vector<ContactBatch> batches_;
     std::vector<ContactRecord> records_;
     std::vector<int> place_;                 // of every contact: 8 batch + lane
     std::vector<BodyPair> pairs_;
-    // Of every body; then a slot of zeros for empty lanes to read, and one for waste.
+    // Of every body; then a slot of zeros for empty lanes to read, and for either half one for waste.
     std::vector<WideVelocity> now_, before_, motions_, ways_;
     std::vector<Velocity<double>> atStart_;  // of the sub-step, before solving
     std::vector<Pose> start_;                // where the rows were made
