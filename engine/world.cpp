@@ -13,6 +13,7 @@
 namespace engine {
 
 World::World(const Settings& settings) : state_(std::make_unique<WorldState>()) {
+    state_->finder.workers = &state_->solver.workers;
     setSettings(settings);
 }
 World::~World() = default;

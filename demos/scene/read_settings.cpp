@@ -103,6 +103,7 @@ void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints) {
     set(s.lanes, keys.truth("lanes"));
     set(s.warmStart, keys.truth("warm_start"));
     set(s.accumulate, keys.truth("accumulate"));
+    set(s.threads, keys.whole("threads", {1, 64}));
     set(s.sleeping, keys.truth("sleeping"));
     set(s.sleepAfter, keys.number("sleep_after", {0.1, 3600.0, "s"}));
     keys.done();

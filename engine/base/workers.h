@@ -24,17 +24,17 @@ public:
             runAll([](const void* w, int i) { (*static_cast<const Work*>(w))(i); }, &work);
     }
 
-    /// work(first, end) for parts of [0, n); in one piece if that is less than `least` a thread.
+    /// work(first, end, part) for parts of [0, n); in one piece if that is less than `least` a thread.
     template <class Work>
     void share(int n, int least, const Work& work) {
         const int parts = n / least < count_ ? (n < least ? 1 : n / least) : count_;
         if (parts == 1) {
-            work(0, n);
+            work(0, n, 0);
             return;
         }
         run([&](int i) {
             const auto at = [&](long long k) { return static_cast<int>(k * n / parts); };
-            if (i < parts) work(at(i), at(i + 1));
+            if (i < parts) work(at(i), at(i + 1), i);
         });
     }
 

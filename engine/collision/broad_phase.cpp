@@ -1,6 +1,7 @@
 #include "engine/collision/broad_phase.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/collision/time_of_impact.h"
 
@@ -56,6 +57,7 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
     }
     if (!anyMoved) return;
     forgetPairsOfMoved();
+    const std::size_t before = pairs_.size();
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.present[i] || !bodies.defs[i].collide) continue;
         if (isPlane(bodies, i))
@@ -63,12 +65,16 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
         else if (proxies_[i].moved)
             findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf));
     }
-    sortPairs();
+    sortPairs(before);
 }
 
-void BroadPhase::sortPairs() {
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+void BroadPhase::sortPairs(std::size_t first) {
+    const auto middle = pairs_.begin() + first;
+    std::sort(middle, pairs_.end());
+    merged_.clear();
+    std::merge(pairs_.begin(), middle, middle, pairs_.end(), std::back_inserter(merged_));
+    merged_.erase(std::unique(merged_.begin(), merged_.end()), merged_.end());
+    pairs_.swap(merged_);
 }
 
 void BroadPhase::lookFarther(const Bodies& bodies, const std::vector<double>& more, double least) {
@@ -78,7 +84,7 @@ void BroadPhase::lookFarther(const Bodies& bodies, const std::vector<double>& mo
         const Bounds farther = proxies_[i].tight.grownBy(more[i]);
         if (!tree_.bounds(proxies_[i].leaf).contains(farther)) findPairsOf(bodies, i, farther);
     }
-    if (pairs_.size() > before) sortPairs();
+    if (pairs_.size() > before) sortPairs(before);
 }
 
 void BroadPhase::forgetPairsOfMoved() {

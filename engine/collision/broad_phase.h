@@ -43,14 +43,15 @@ private:
         bool moved = false;
     };
 
-    void sortPairs();
+    /// Those from `first` on are new; the others are sorted.
+    void sortPairs(std::size_t first);
     void forgetPairsOfMoved();
     void findPairsOf(const Bodies& bodies, int body, const Bounds& within);
     void findPairsOfPlane(const Bodies& bodies, int plane);
 
     BoundsTree tree_;
     std::vector<Proxy> proxies_;
-    std::vector<PairKey> pairs_;
+    std::vector<PairKey> pairs_, merged_;
 };
 
 }  // namespace engine

@@ -9,6 +9,7 @@ namespace engine {
 namespace {
 
 constexpr double kSamePlace = 0.02;  // m
+constexpr int kPairsAThread = 256;   // at least: fewer are looked at before they are shared out
 
 Pose seenFrom(const Pose& a, const Pose& b) {
     return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
@@ -53,14 +54,14 @@ bool stays(const Contact& contact, const Bodies& bodies) {
 
 /// Kept as it is but for its normal, which turns with a: saves the search, and its points do not change
 /// their names.
-bool keepContact(ContactFinder& finder, std::size_t old, const PairKey& pair,
-                 const Bodies& bodies) {
+bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pair,
+                 const Bodies& bodies, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
     const auto isOfPair = [&](std::size_t i) {
         return i < previous.size() && pairOf(previous[i]) == pair;
     };
     if (!isOfPair(old) || isOfPair(old + 1) || !stays(previous[old], bodies)) return false;
-    Contact& kept = finder.contacts.emplace_back(previous[old]);
+    Contact& kept = found.emplace_back(previous[old]);
     kept.normal = bodies.poses[pair.a].rotation * kept.normalA;
     return true;
 }
@@ -83,21 +84,42 @@ bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey&
 /// Near: within the margin, or as far as this step's hits may throw the two. Up to two contacts. `old`:
 /// the first of the previous contacts that is not of an earlier pair.
 void addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
-                 std::size_t old, ContactFinder& finder) {
+                 std::size_t old, const ContactFinder& finder, std::vector<Contact>& found) {
     if (const std::optional<Impact> impact =
             impactOf(bodies, pair, finder.moving, near > margin, dt)) {
-        const MovingManifolds found =
+        const MovingManifolds met =
             collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
-        for (int i = 0; i < found.count; ++i)
-            finder.contacts.push_back(contactOf(bodies, pair, found.manifolds[i], Found::onTheWay));
+        for (int i = 0; i < met.count; ++i)
+            found.push_back(contactOf(bodies, pair, met.manifolds[i], Found::onTheWay));
         return;
     }
-    if (keepContact(finder, old, pair, bodies)) return;
+    if (keepContact(finder, old, pair, bodies, found)) return;
     const Manifold manifold =
         collide(bodies.defs[pair.a].shape, bodies.poses[pair.a], bodies.defs[pair.b].shape,
                 bodies.poses[pair.b], margin);
-    if (manifold.count > 0)
-        finder.contacts.push_back(contactOf(bodies, pair, manifold, Found::here));
+    if (manifold.count > 0) found.push_back(contactOf(bodies, pair, manifold, Found::here));
+}
+
+/// Of some of the pairs, in their order.
+void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double margin, double dt,
+                 const ContactFinder& finder, std::vector<Contact>& found) {
+    const std::vector<Contact>& previous = finder.previous;
+    const auto isBefore = [](const Contact& c, const PairKey& pair) { return pairOf(c) < pair; };
+    std::size_t old = 0;
+    if (!pairs.empty())
+        old = std::lower_bound(previous.begin(), previous.end(), pairs.front(), isBefore) -
+              previous.begin();
+    for (const PairKey& pair : pairs) {
+        const double thrown = finder.moving.thrown(pair);
+        if (rests(bodies, finder.asleep, pair, thrown)) continue;
+        if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
+        if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
+        while (old < previous.size() && isBefore(previous[old], pair)) ++old;
+        const std::size_t first = found.size();
+        addContacts(bodies, pair, margin, larger(margin, thrown), dt, old, finder, found);
+        if (found.size() > first && old < previous.size() && pairOf(previous[old]) == pair)
+            carryImpulses(previous[old], found[first]);
+    }
 }
 
 }  // namespace
@@ -129,20 +151,21 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     finder.contacts.clear();
     if (!anyStirs(bodies)) return;
     finder.broadPhase.update(bodies, margin, dt);
-    findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.moving);
-    std::size_t old = 0;
-    const auto pairOfOld = [&] { return pairOf(finder.previous[old]); };
-    for (const PairKey& pair : finder.broadPhase.pairs()) {
-        const double thrown = finder.moving.thrown(pair);
-        if (rests(bodies, finder.asleep, pair, thrown)) continue;
-        if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
-        if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
-        while (old < finder.previous.size() && pairOfOld() < pair) ++old;
-        const std::size_t first = finder.contacts.size();
-        addContacts(bodies, pair, margin, larger(margin, thrown), dt, old, finder);
-        if (finder.contacts.size() > first && old < finder.previous.size() && pairOfOld() == pair)
-            carryImpulses(finder.previous[old], finder.contacts[first]);
-    }
+    const int threads = finder.workers ? finder.workers->count() : 1;
+    findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.workers,
+                finder.moving);
+    const std::vector<PairKey>& pairs = finder.broadPhase.pairs();
+    finder.found.resize(threads);
+    for (std::vector<Contact>& found : finder.found) found.clear();
+    const auto look = [&](int first, int end, int part) {
+        findOfPairs(bodies, std::span(pairs).subspan(first, end - first), margin, dt, finder,
+                    finder.found[part]);
+    };
+    const int count = static_cast<int>(pairs.size());
+    finder.workers ? finder.workers->share(count, kPairsAThread, look) : look(0, count, 0);
+    finder.contacts.swap(finder.found[0]);
+    for (int i = 1; i < threads; ++i)
+        finder.contacts.insert(finder.contacts.end(), finder.found[i].begin(), finder.found[i].end());
 }
 
 }  // namespace engine

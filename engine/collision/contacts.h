@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/base/workers.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/moving_contacts.h"
 #include "engine/constraints/contact.h"
@@ -15,6 +16,8 @@ struct ContactFinder {
     MovingPairs moving;              // those that the margin is too short for
     std::vector<Contact> contacts;   // sorted by pair; fast ones may have two
     std::vector<Contact> previous;   // kept for its memory only
+    std::vector<std::vector<Contact>> found;  // of every thread
+    Workers* workers = nullptr;      // share the pairs; nobody: the caller looks at all of them
     std::vector<Contact> asleep;     // sorted: of sleeping islands (sleeping_contacts.h)
 };
 

@@ -16,6 +16,7 @@
 #pragma once
 #include <optional>
 
+#include "engine/base/workers.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
 #include "engine/collision/time_of_impact.h"
@@ -39,10 +40,10 @@ struct MovingPairs {
 
 /// Impacts and throws of all pairs that move more than `margin` (m) within dt (s); the broad phase
 /// gets the pairs of bodies that may be thrown farther than it sees. `jointed`, sorted, do not
-/// collide.
+/// collide. `workers` share the pairs, if there are any.
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
-                 MovingPairs& moving);
+                 Workers* workers, MovingPairs& moving);
 
 /// Nothing for a pair that the margin is enough for; `always`: found now if it was not before.
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,

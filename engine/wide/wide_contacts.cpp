@@ -36,7 +36,7 @@ WideVelocity narrowed(const Velocity<double>& v) {
 template <class Work>
 void WideContacts::eachBatch(const Work& work) {
     constexpr int kLeast = 32;  // batches a thread
-    workers_->share(static_cast<int>(batches_.size()), kLeast, [&](int first, int end) {
+    workers_->share(static_cast<int>(batches_.size()), kLeast, [&](int first, int end, int) {
         for (int k = first; k < end; ++k) work(k);
     });
 }
@@ -268,16 +268,21 @@ PointImpulses WideContacts::impulses(int contact, int i) const {
 }
 
 void WideContacts::store(std::span<Contact> contacts) const {
-    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
-        const int lane = place_[k] % 8;
-        const ContactBatch& c = batches_[place_[k] / 8];
-        const Vec3 t1 = get3(c.t1, lane), t2 = get3(c.t2, lane);
-        for (int i = 0; i < contacts[k].count; ++i) {
-            const WidePoint& point = c.point[i];
-            contacts[k].points[i].impulse = static_cast<double>(point.lambda[lane]);
-            contacts[k].points[i].friction = static_cast<double>(point.friction[0][lane]) * t1 +
-                                             static_cast<double>(point.friction[1][lane]) * t2;
-        }
+    constexpr int kLeast = 256;  // contacts a thread
+    workers_->share(static_cast<int>(contacts.size()), kLeast, [&](int first, int end, int) {
+        for (int k = first; k < end; ++k) store(k, contacts[k]);
+    });
+}
+
+void WideContacts::store(int k, Contact& contact) const {
+    const int lane = place_[k] % 8;
+    const ContactBatch& c = batches_[place_[k] / 8];
+    const Vec3 t1 = get3(c.t1, lane), t2 = get3(c.t2, lane);
+    for (int i = 0; i < contact.count; ++i) {
+        const WidePoint& point = c.point[i];
+        contact.points[i].impulse = static_cast<double>(point.lambda[lane]);
+        contact.points[i].friction = static_cast<double>(point.friction[0][lane]) * t1 +
+                                     static_cast<double>(point.friction[1][lane]) * t2;
     }
 }
 

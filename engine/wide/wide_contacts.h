@@ -68,6 +68,7 @@ private:
                    const ManifoldFrame& frame);
     void fillNoPoint(int batch, int lane, int i);
     void give(Velocity<double>& v, int body);
+    void store(int k, Contact& contact) const;
     SweepReport sweepBatches(int first, int end);
     int solveHalf(int group, int half, const SweepLimits& limits);
     void pass(int group, int half, int number);

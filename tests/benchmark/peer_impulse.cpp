@@ -84,8 +84,12 @@ std::vector<std::string> presetNames() {
 }
 
 std::unique_ptr<Engine> makeEngine(const std::string& preset, int threads) {
-    for (const Preset& p : kPresets)
-        if (preset == p.name && threads == 1) return std::make_unique<Impulse>(p.settings());
+    for (const Preset& p : kPresets) {
+        if (preset != p.name || threads < 1) continue;
+        Settings settings = p.settings();
+        settings.threads = threads;
+        return std::make_unique<Impulse>(settings);
+    }
     return {};
 }
 

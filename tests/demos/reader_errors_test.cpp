@@ -61,6 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"substeps", "[solver]\nsubsteps = 0\n" + kBall, "3:12", "from 1 to 1000"},
         BadScene{"max_substeps", "[solver]\nmax_substeps = 2\n" + kBall, "3:1",
                  "at least substeps"},
+        BadScene{"threads", "[solver]\nthreads = 0\n" + kBall, "3:11", "from 1 to 64"},
         BadScene{"sleeping", "[solver]\nsleeping = 0.5\n" + kBall, "3:12", "true or false"},
         BadScene{"sleep_after", "[solver]\nsleep_after = 0\n" + kBall, "3:15",
                  "sleep_after is 0; it should be a number from 0.1 to 3600 s"},

@@ -56,11 +56,13 @@ TEST(Reader, ReadsASeedSolver) {
 }
 
 TEST(Reader, ReadsAFastSolver) {
-    const SceneDescription scene = read("[solver]\npreset = 'fast'\nlanes = false\n" + kBall);
+    const SceneDescription scene =
+        read("[solver]\npreset = 'fast'\nlanes = false\nthreads = 3\n" + kBall);
     EXPECT_EQ(scene.preset, "fast");
     EXPECT_EQ(scene.settings.sweeps, engine::Settings::fast().sweeps);
     EXPECT_LT(scene.settings.sweeps, engine::Settings::steady().sweeps);
     EXPECT_FALSE(scene.settings.lanes);
+    EXPECT_EQ(scene.settings.threads, 3);
 }
 
 TEST(Reader, ReadsWhetherIslandsSleep) {

@@ -9,16 +9,36 @@ namespace {
 
 class Golden : public testing::TestWithParam<int> {};
 
-TEST_P(Golden, TheTrajectoryIsTheSameBitForBit) {
-    const support::GoldenWorld& golden = support::goldenWorlds()[GetParam()];
+void expectGolden(const support::GoldenWorld& golden, const Settings& settings) {
     World world = golden.make();
+    world.setSettings(settings);
     for (int i = 0; i < golden.steps; ++i) ASSERT_TRUE(world.step(support::kStep));
     EXPECT_EQ(world.hash(), golden.hash)
         << golden.name << ": a changed hash is explained in its commit; now 0x" << std::hex
         << world.hash();
 }
 
-INSTANTIATE_TEST_SUITE_P(Worlds, Golden, testing::Range(0, 3), [](const auto& one) {
+TEST_P(Golden, TheTrajectoryIsTheSameBitForBit) {
+    expectGolden(support::goldenWorlds()[GetParam()], Settings::steady());
+}
+
+// 1 thread is the test above; 4 are more than there is work for, and perhaps than there are processors.
+TEST_P(Golden, TheTrajectoryIsTheSameWithTwoAndFourThreads) {
+    for (const int threads : {2, 4}) {
+        Settings settings = Settings::steady();
+        settings.threads = threads;
+        expectGolden(support::goldenWorlds()[GetParam()], settings);
+    }
+}
+
+TEST_P(Golden, TheTrajectoryIsTheSameWithTheInstructionsThatEveryProcessorHas) {
+    Settings settings = Settings::steady();
+    settings.instructions = Instructions::baseline;
+    settings.threads = 2;
+    expectGolden(support::goldenWorlds()[GetParam()], settings);
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, Golden, testing::Range(0, 4), [](const auto& one) {
     return std::string(support::goldenWorlds()[one.param].name);
 });
 

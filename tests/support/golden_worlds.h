@@ -1,4 +1,4 @@
-/// Three worlds whose state after some seconds is known to the last bit.
+/// Worlds whose state after some seconds is known to the last bit.
 #pragma once
 #include <array>
 
@@ -49,11 +49,26 @@ inline World goldenChain() {
     return world;
 }
 
-inline const std::array<GoldenWorld, 3>& goldenWorlds() {
-    static const std::array<GoldenWorld, 3> worlds{{
+/// A pyramid large enough to be shared by threads (wide/overlap.h), and a ball that breaks into it.
+inline World goldenPyramid() {
+    World world;
+    world.add(floorPlane());
+    constexpr int kBase = 30;
+    for (int row = 0; row < kBase; ++row)
+        for (int i = row; i < kBase; ++i)
+            world.add(body(Shape::box({1, 1, 1}), {1.02 * i - 0.51 * row, 0.5 + row, 0}));
+    BodyDef ball = body(Shape::sphere(1.0), {-3.0, 4.0, 0.1}, 20.0);
+    ball.velocity = Vec3(25.0, 3.0, 0);
+    world.add(ball);
+    return world;
+}
+
+inline const std::array<GoldenWorld, 4>& goldenWorlds() {
+    static const std::array<GoldenWorld, 4> worlds{{
         {"stack", goldenStack, 300, 0x47c791b2da072290},
         {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
         {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
+        {"pyramid", goldenPyramid, 60, 0x52d5cd5112539786},
     }};
     return worlds;
 }
