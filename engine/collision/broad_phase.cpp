@@ -8,6 +8,8 @@
 namespace engine {
 namespace {
 
+constexpr int kBodiesAThread = 128;  // at least
+
 bool isPlane(const Bodies& bodies, int i) {
     return bodies.defs[i].shape.type == ShapeType::plane;
 }
@@ -34,7 +36,7 @@ Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
 
 }  // namespace
 
-void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
+void BroadPhase::update(const Bodies& bodies, double margin, double dt, Workers* workers) {
     proxies_.resize(bodies.count());
     bool anyMoved = false;
     for (int i = 0; i < bodies.count(); ++i) {
@@ -58,14 +60,26 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt) {
     if (!anyMoved) return;
     forgetPairsOfMoved();
     const std::size_t before = pairs_.size();
-    for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.present[i] || !bodies.defs[i].collide) continue;
-        if (isPlane(bodies, i))
-            findPairsOfPlane(bodies, i);
-        else if (proxies_[i].moved)
-            findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf));
-    }
+    found_.resize(workers ? workers->count() : 1);
+    const auto look = [&](int first, int end, int part) {
+        for (int i = first; i < end; ++i) {
+            if (!bodies.present[i] || !bodies.defs[i].collide) continue;
+            if (isPlane(bodies, i))
+                findPairsOfPlane(bodies, i, found_[part]);
+            else if (proxies_[i].moved)
+                findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf), found_[part]);
+        }
+    };
+    workers ? workers->share(bodies.count(), kBodiesAThread, look) : look(0, bodies.count(), 0);
+    takeFound();
     sortPairs(before);
+}
+
+void BroadPhase::takeFound() {
+    for (Found& found : found_) {
+        pairs_.insert(pairs_.end(), found.pairs.begin(), found.pairs.end());
+        found.pairs.clear();
+    }
 }
 
 void BroadPhase::sortPairs(std::size_t first) {
@@ -82,8 +96,10 @@ void BroadPhase::lookFarther(const Bodies& bodies, const std::vector<double>& mo
     for (int i = 0; i < bodies.count(); ++i) {
         if (more[i] <= least || proxies_[i].leaf < 0) continue;
         const Bounds farther = proxies_[i].tight.grownBy(more[i]);
-        if (!tree_.bounds(proxies_[i].leaf).contains(farther)) findPairsOf(bodies, i, farther);
+        if (!tree_.bounds(proxies_[i].leaf).contains(farther))
+            findPairsOf(bodies, i, farther, found_[0]);
     }
+    takeFound();
     if (pairs_.size() > before) sortPairs(before);
 }
 
@@ -93,18 +109,19 @@ void BroadPhase::forgetPairsOfMoved() {
     });
 }
 
-void BroadPhase::findPairsOf(const Bodies& bodies, int i, const Bounds& within) {
-    tree_.query(within, [&](int j) {
+void BroadPhase::findPairsOf(const Bodies& bodies, int i, const Bounds& within,
+                             Found& found) const {
+    tree_.query(within, found.open, [&](int j) {
         if (j != i && mayMeet(bodies, i, j))
-            pairs_.push_back({std::min(i, j), std::max(i, j)});
+            found.pairs.push_back({std::min(i, j), std::max(i, j)});
     });
 }
 
-void BroadPhase::findPairsOfPlane(const Bodies& bodies, int plane) {
+void BroadPhase::findPairsOfPlane(const Bodies& bodies, int plane, Found& found) const {
     for (int j = 0; j < bodies.count(); ++j)
         if (bodies.isDynamic(j) && bodies.defs[j].collide &&
             (proxies_[plane].moved || proxies_[j].moved))
-            pairs_.push_back({std::min(plane, j), std::max(plane, j)});
+            found.pairs.push_back({std::min(plane, j), std::max(plane, j)});
 }
 
 void BroadPhase::remove(int body) {

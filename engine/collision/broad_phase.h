@@ -5,6 +5,7 @@
 #include <compare>
 #include <vector>
 
+#include "engine/base/workers.h"
 #include "engine/collision/tree.h"
 #include "engine/dynamics/bodies.h"
 
@@ -19,7 +20,8 @@ struct PairKey {
 class BroadPhase {
 public:
     /// Moves the bounds with the bodies; they reach `margin` (m) and one step of length dt (s) ahead.
-    void update(const Bodies& bodies, double margin, double dt);
+    /// `workers` share the search for neighbours, if there are any.
+    void update(const Bodies& bodies, double margin, double dt, Workers* workers = nullptr);
     void remove(int body);
     /// Adds the pairs of bodies that may come farther than their bounds say: `more` (m), by body,
     /// where it is above `least`.
@@ -46,12 +48,20 @@ private:
     /// Those from `first` on are new; the others are sorted.
     void sortPairs(std::size_t first);
     void forgetPairsOfMoved();
-    void findPairsOf(const Bodies& bodies, int body, const Bounds& within);
-    void findPairsOfPlane(const Bodies& bodies, int plane);
+    /// What one thread finds.
+    struct Found {
+        std::vector<PairKey> pairs;
+        std::vector<int> open;  // for tree_.query
+    };
+
+    void findPairsOf(const Bodies& bodies, int body, const Bounds& within, Found& found) const;
+    void findPairsOfPlane(const Bodies& bodies, int plane, Found& found) const;
+    void takeFound();
 
     BoundsTree tree_;
     std::vector<Proxy> proxies_;
     std::vector<PairKey> pairs_, merged_;
+    std::vector<Found> found_;
 };
 
 }  // namespace engine

@@ -150,7 +150,7 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     finder.contacts.swap(finder.previous);
     finder.contacts.clear();
     if (!anyStirs(bodies)) return;
-    finder.broadPhase.update(bodies, margin, dt);
+    finder.broadPhase.update(bodies, margin, dt, finder.workers);
     const int threads = finder.workers ? finder.workers->count() : 1;
     findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.workers,
                 finder.moving);

@@ -16,21 +16,22 @@ public:
     void remove(int leaf);
     const Bounds& bounds(int leaf) const { return nodes_[leaf].bounds; }
 
-    /// Calls visit(body) for every leaf that overlaps, in an order that depends on the tree alone.
+    /// Calls visit(body) for every leaf that overlaps, in an order that depends on the tree alone. `open`
+    /// is the caller's memory for nodes still to be looked at: one a thread.
     template <class Visit>
-    void query(const Bounds& bounds, Visit visit) const {
+    void query(const Bounds& bounds, std::vector<int>& open, Visit visit) const {
         if (root_ < 0) return;
-        stack_.clear();
-        stack_.push_back(root_);
-        while (!stack_.empty()) {
-            const Node& node = nodes_[stack_.back()];
-            stack_.pop_back();
+        open.clear();
+        open.push_back(root_);
+        while (!open.empty()) {
+            const Node& node = nodes_[open.back()];
+            open.pop_back();
             if (!node.bounds.overlaps(bounds)) continue;
             if (node.isLeaf()) {
                 visit(node.body);
             } else {
-                stack_.push_back(node.children[0]);
-                stack_.push_back(node.children[1]);
+                open.push_back(node.children[0]);
+                open.push_back(node.children[1]);
             }
         }
     }
@@ -58,7 +59,6 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<int> free_;
-    mutable std::vector<int> stack_;
     int root_ = -1;
 };
 

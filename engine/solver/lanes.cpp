@@ -50,6 +50,14 @@ void solveGroup(Solver& s, int group, std::span<Velocity<double>> v, const Setti
     }
 }
 
+void move(Pose& pose, const WideVelocity& way) {
+    const Vec3 ahead = Vec3T<float>(way.linear).cast<double>();
+    const Vec3 turn = Vec3T<float>(way.angular).cast<double>();
+    if (ahead.isZero(0.0) && turn.isZero(0.0)) return;
+    pose.position += ahead;
+    pose.rotation = cayley(turn, pose.rotation);
+}
+
 }  // namespace
 
 bool solvedAtOnce(const Solver& s) {
@@ -76,16 +84,11 @@ void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& sett
 bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     if (!s.wide.separate(bodies, settings.slop)) return false;
     const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
-    for (int i = 0; i < bodies.count(); ++i) {
-        const WideVelocity& way = ways[i];
-        if (!bodies.isDynamic(i)) continue;
-        Pose& pose = bodies.poses[i];
-        const Vec3 move = Vec3T<float>(way.linear).cast<double>();
-        const Vec3 turn = Vec3T<float>(way.angular).cast<double>();
-        if (move.isZero(0.0) && turn.isZero(0.0)) continue;
-        pose.position += move;
-        pose.rotation = cayley(turn, pose.rotation);
-    }
+    constexpr int kLeast = 512;  // bodies a thread
+    s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            if (bodies.isDynamic(i)) move(bodies.poses[i], ways[i]);
+    });
     return true;
 }
 

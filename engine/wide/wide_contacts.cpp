@@ -41,6 +41,14 @@ void WideContacts::eachBatch(const Work& work) {
     });
 }
 
+template <class Work>
+void WideContacts::eachBody(const Work& work) {
+    constexpr int kLeast = 512;  // bodies a thread
+    workers_->share(static_cast<int>(start_.size()), kLeast, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) work(i);
+    });
+}
+
 void WideContacts::prepare(std::span<const Contact> contacts, std::span<const int> order,
                            std::span<const Joint> joints, const Bodies& bodies,
                            const Settings& settings, Workers& workers) {
@@ -173,7 +181,7 @@ void WideContacts::begin(std::span<const Velocity<double>> v, const Settings& se
     step_.bounceByBias = settings.bounce == Bounce::bias ? 1.0f : 0.0f;
     step_.keep = settings.warmStart ? 1.0f : 0.0f;
     atStart_.assign(v.begin(), v.end());
-    for (int i = 0; i < static_cast<int>(v.size()); ++i) now_[i] = narrowed(v[i]);
+    eachBody([&](int i) { now_[i] = narrowed(v[i]); });
     eachBatch([&](int k) { kernels_->setBiases(batches_[k], records_[k], now_.data(), step_); });
     now_.assign(now_.size(), {});
     before_ = now_;
@@ -221,18 +229,18 @@ void WideContacts::give(std::span<Velocity<double>> v, std::span<const int> bodi
 }
 
 void WideContacts::finish(std::span<Velocity<double>> v) {
-    for (int i = 0; i < static_cast<int>(v.size()); ++i) give(v[i], i);
+    eachBody([&](int i) { give(v[i], i); });
     eachBatch([&](int k) { kernels_->book(batches_[k], records_[k]); });
 }
 
 bool WideContacts::separate(const Bodies& bodies, double slop) {
-    for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.isMoving(i)) continue;
+    eachBody([&](int i) {
+        if (!bodies.isMoving(i)) return;
         const Pose &now = bodies.poses[i], &start = start_[i];
         Quat turn = now.rotation * start.rotation.conjugate();
         if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
         motions_[i] = narrowed({now.position - start.position, 2.0 * turn.vec()});
-    }
+    });
     step_.slop = static_cast<float>(slop);
     std::atomic<bool> deep{false};
     eachBatch([&](int k) {

@@ -73,9 +73,11 @@ private:
     int solveHalf(int group, int half, const SweepLimits& limits);
     void pass(int group, int half, int number);
 
-    /// work(batch) for all batches, in any order.
+    /// work(batch) for all batches, work(body) for all bodies, in any order.
     template <class Work>
     void eachBatch(const Work& work);
+    template <class Work>
+    void eachBody(const Work& work);
     const ContactKernels* kernels_ = nullptr;
     Workers* workers_ = nullptr;
     ContactGroups groups_;

@@ -98,7 +98,8 @@ TEST(Tree, StaysConsistentThroughRandomInsertsAndRemovals) {
         ASSERT_TRUE(tree.isConsistent()) << i;
     }
     int found = 0;
-    tree.query({Vec3::Constant(-20), Vec3::Constant(20)}, [&](int) { ++found; });
+    std::vector<int> open;
+    tree.query({Vec3::Constant(-20), Vec3::Constant(20)}, open, [&](int) { ++found; });
     EXPECT_EQ(found, static_cast<int>(leaves.size()));
 }
 
