@@ -174,6 +174,7 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
 }
 
 void WideContacts::begin(std::span<const Velocity<double>> v, const Settings& settings, double h) {
+    if (empty()) return;
     step_.h = static_cast<float>(h);
     step_.slop = static_cast<float>(settings.slop);
     step_.baumgarte = static_cast<float>(settings.baumgarte);
@@ -229,11 +230,13 @@ void WideContacts::give(std::span<Velocity<double>> v, std::span<const int> bodi
 }
 
 void WideContacts::finish(std::span<Velocity<double>> v) {
+    if (empty()) return;
     eachBody([&](int i) { give(v[i], i); });
     eachBatch([&](int k) { kernels_->book(batches_[k], records_[k]); });
 }
 
 bool WideContacts::separate(const Bodies& bodies, double slop) {
+    if (empty()) return false;
     eachBody([&](int i) {
         if (!bodies.isMoving(i)) return;
         const Pose &now = bodies.poses[i], &start = start_[i];
