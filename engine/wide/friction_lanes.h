@@ -4,8 +4,7 @@
 /// The points share it as they share the load, with p_i = lambda_i / sum and the middle m of the load,
 ///   f_i = p_i (F + (T - m x F) / S  (r_i - m) turned),   S = sum p_i |r_i - m|^2
 /// If every f_i is inside its cone, that is the solution. Else the manifold slips, and point after point
-/// is solved alone (constraints/contact_constraint.h). A sweep of a pyramid takes half the time of one
-/// that does so for all.
+/// is solved alone (constraints/contact_constraint.h).
 #pragma once
 #include "engine/wide/pair_lanes.h"
 

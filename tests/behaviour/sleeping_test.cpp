@@ -7,17 +7,7 @@
 namespace engine {
 namespace {
 
-using support::body;
-using support::height;
-using support::kCube;
-using support::kGravity;
-using support::kMass;
-using support::kStep;
-using support::loadOf;
-using support::run;
-using support::sleepers;
-using support::sleepingStack;
-using support::sleepy;
+using namespace support;
 
 TEST(Sleeping, IsOffByDefault) {
     World world = support::stack(5);

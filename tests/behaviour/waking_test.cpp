@@ -6,16 +6,7 @@
 namespace engine {
 namespace {
 
-using support::body;
-using support::height;
-using support::kCube;
-using support::kMass;
-using support::kStep;
-using support::loadOf;
-using support::run;
-using support::sleepers;
-using support::sleepingStack;
-using support::sleepy;
+using namespace support;
 
 // What the hit does is what it does to a stack that never slept.
 TEST(Waking, ABallThatHitsAStackWakesItInTime) {

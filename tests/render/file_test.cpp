@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "render/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -22,22 +23,15 @@ namespace fs = std::filesystem;
 /// An empty folder of its own for every test.
 class AtomicFile : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "impulse-file-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::ptrdiff_t filesInFolder() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+        return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
     }
     static std::string contentOf(const fs::path& path) {
         std::ifstream in(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
-    fs::path folder_;
+    support::TemporaryFolder folder_;
 };
 
 TEST_F(AtomicFile, HoldsTheBytesAndLeavesNothingBeside) {

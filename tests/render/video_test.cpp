@@ -16,6 +16,7 @@
 #include <string>
 
 #include "render/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -54,16 +55,10 @@ bool has(const std::string& text, const std::string& part) {
 class Video : public testing::Test {
 protected:
     void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "impulse-video-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
         fs::create_directory(folder_ / "out");
         if (const char* path = std::getenv("PATH")) path_ = path;
     }
-    void TearDown() override {
-        ::setenv("PATH", path_.c_str(), 1);
-        fs::remove_all(folder_);
-    }
+    void TearDown() override { ::setenv("PATH", path_.c_str(), 1); }
     fs::path out(const char* name) const { return folder_ / "out" / name; }
     std::ptrdiff_t filesLeft() const {
         return std::distance(fs::directory_iterator(folder_ / "out"), fs::directory_iterator());
@@ -72,10 +67,10 @@ protected:
     void replaceFfmpeg(const char* script) {
         std::ofstream(folder_ / "ffmpeg") << "#!/bin/sh\n" << script << "\n";
         ::chmod((folder_ / "ffmpeg").c_str(), 0755);
-        ::setenv("PATH", (folder_.string() + ":" + path_).c_str(), 1);
+        ::setenv("PATH", (folder_.path().string() + ":" + path_).c_str(), 1);
     }
 
-    fs::path folder_;
+    support::TemporaryFolder folder_;
     std::string path_;
 };
 
