@@ -23,6 +23,8 @@ struct Options {
     std::optional<PictureSize> size;
     std::optional<int> fps;
     std::optional<int> samples;
+    std::optional<int> blur;        // moments a frame is the mean of
+    std::optional<double> shutter;  // open for so much of a frame, 0..1
     std::optional<double> seconds;  // length; also of sim, plot and bench
     std::vector<std::string> show;  // overlays, added to the scene's
     std::string theme;              // empty = the scene's

@@ -65,6 +65,9 @@ void checkPicture(Options& options, const RawOptions& raw) {
     }
     if (options.fps) checkRange("--fps", *options.fps, 1, 1000);
     if (options.samples) checkSamples(*options.samples);
+    if (options.blur) checkRange("--blur", *options.blur, 1, 256);
+    if (options.shutter && !(*options.shutter >= 0.0 && *options.shutter <= 1.0))
+        refuse(fmt::format("--shutter {}: must be 0 to 1", *options.shutter));
     checkRange("--jobs", options.jobs, 0, 256);
 }
 

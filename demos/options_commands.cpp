@@ -28,7 +28,7 @@ void addFeedback(CLI::App& app, Options& options) {
 void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("-q,--quality", options.quality,
                    "draft 480x270 @15, low 854x480 @30, medium 1280x720 @30, high 1920x1080 @60, "
-                   "4k 3840x2160 @60; default: medium")
+                   "4k 3840x2160 @60, film 1280x720 @30 of 16 moments a frame; default: medium")
         ->type_name("NAME");
     app.add_option("--size", raw.size, "pixels, 1..16384 a side; default: the quality's")
         ->type_name("WxH");
@@ -39,13 +39,20 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("--samples", options.samples,
                    "samples a pixel: 1, 2, 4, 8 or 16; default: the quality's")
         ->type_name("N");
+    app.add_option("--blur", options.blur,
+                   "moments a frame is the mean of, 1..256: motion blur, soft shadows, "
+                   "anti-aliasing; default: the quality's, 1 or 16")
+        ->type_name("N");
+    app.add_option("--shutter", options.shutter,
+                   "with --blur: how much of a frame's time the shutter is open, 0..1; default: 0.5")
+        ->type_name("S");
     app.add_option("--show", raw.show,
                    "overlays, with commas: contacts normals impulses friction nudges joints axes "
                    "trails caption stats; default: the scene's")
         ->type_name("NAMES")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
+    app.add_option("--theme", options.theme, "studio, dark, print or transparent; default: the scene's")
         ->type_name("NAME");
     app.add_flag("--clean", options.clean, "no text in the picture; default: off");
     app.add_flag("--reproducible", options.reproducible,

@@ -15,17 +15,17 @@ void dark(render::Look& look) {
     look.ground = render::fromHex(0x30343b);
 }
 
-/// White paper: what is not a body should cost no ink.
+/// White paper: what is not a body should cost no ink, and edges should survive a copier.
 void print(render::Look& look) {
     look.skyTop = look.skyHorizon = look.fog = render::fromHex(0xffffff);
-    look.ground = render::fromHex(0xf4f4f4);
-    look.ambientOcclusion = false;
+    look.ground = render::fromHex(0xffffff);
+    look.lineStrength = 2.2f;
 }
 
 }  // namespace
 
 const std::vector<std::string>& themeNames() {
-    static const std::vector<std::string> names = {"studio", "dark", "print"};
+    static const std::vector<std::string> names = {"studio", "dark", "print", "transparent"};
     return names;
 }
 
@@ -37,6 +37,8 @@ void applyTheme(const std::string& theme, render::Frame& frame) {
     } else if (theme == "print") {
         print(frame.look);
         ink = render::fromHex(0x000000);
+    } else if (theme == "transparent") {
+        frame.look.transparent = true;
     }
     for (render::Text& text : frame.texts)
         if (isPlainInk(text.color)) text.color = ink;

@@ -8,7 +8,7 @@
 
 namespace demos {
 
-/// studio, dark, print
+/// studio, dark, print, transparent
 const std::vector<std::string>& themeNames();
 
 /// Sets the frame's look, and the ink of texts that have no colour of their own.

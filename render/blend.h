@@ -7,16 +7,19 @@
 namespace render {
 
 /// In sRGB, as text and flat marks are expected to look; `cover` 0..1 times the colour's own alpha.
+/// The pixel's alpha is not multiplied into its colour.
 inline void blend(std::uint8_t* pixel, const Color& color, float cover) {
     const float a = cover * color.a;
     if (a <= 0.0f) return;
+    const float alpha = static_cast<float>(pixel[3]);
+    const float after = alpha + (255.0f - alpha) * a;
+    const float share = pixel[3] == 255 ? a : 255.0f * a / after;  // of what is seen there
     const float over[3] = {color.r, color.g, color.b};
     for (int i = 0; i < 3; ++i) {
         const float under = static_cast<float>(pixel[i]);
-        pixel[i] = static_cast<std::uint8_t>(under + (255.0f * over[i] - under) * a + 0.5f);
+        pixel[i] = static_cast<std::uint8_t>(under + (255.0f * over[i] - under) * share + 0.5f);
     }
-    const float alpha = static_cast<float>(pixel[3]);
-    pixel[3] = static_cast<std::uint8_t>(alpha + (255.0f - alpha) * a + 0.5f);
+    pixel[3] = static_cast<std::uint8_t>(after + 0.5f);
 }
 
 }  // namespace render

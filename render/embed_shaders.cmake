@@ -6,7 +6,7 @@ set(cases "")
 foreach(file ${files})
   get_filename_component(name ${file} NAME)
   file(READ ${file} text)
-  foreach(depth RANGE 1)  # a part may hold another one
+  foreach(depth RANGE 2)  # a part may hold others
     string(REGEX MATCHALL "#include \"[a-z_]+\\.glsl\"" includes "${text}")
     foreach(include ${includes})
       string(REGEX REPLACE "#include \"(.*)\"" "\\1" part "${include}")

@@ -79,18 +79,22 @@ struct Camera {
     Vec3 lookAt{0, 2, 0};
     Vec3 up{0, 1, 0};
     float fovDegrees = 35.0f;  // vertical
+    float aperture = 0.0f;     // m, the lens's radius: what is not in focus is soft, in sub-frames
+    float focus = 0.0f;        // m along the view axis; 0: at lookAt
 };
 
 /// Light and ground tones.
 struct Look {
-    Vec3 sunDirection{0.45f, 0.8f, 0.4f};  // towards the sun, any length
-    Color skyTop{0.74f, 0.78f, 0.81f, 1.0f};
-    Color skyHorizon{0.81f, 0.83f, 0.84f, 1.0f};
-    Color fog{0.66f, 0.69f, 0.73f, 1.0f};
-    Color ground{0.74f, 0.74f, 0.74f, 1.0f};
+    Vec3 sunDirection{0.45f, 0.75f, 0.5f};  // towards the sun, any length
+    Color skyTop{0.66f, 0.72f, 0.78f, 1.0f};
+    Color skyHorizon{0.87f, 0.89f, 0.91f, 1.0f};
+    Color fog{0.84f, 0.86f, 0.885f, 1.0f};
+    Color ground{0.71f, 0.715f, 0.72f, 1.0f};
     bool shadows = true;
     bool ambientOcclusion = true;
     bool edges = true;
+    bool transparent = false;  // no sky and no ground: alpha is 0 where nothing stands
+    float lineStrength = 1.0f;  // of edges and of the grid
 };
 
 struct Frame {

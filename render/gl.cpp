@@ -1,6 +1,7 @@
 #include "render/gl.h"
 
 #include <cmath>
+#include <sstream>
 
 #include "render/error.h"
 #include "render/shaders.h"
@@ -20,9 +21,9 @@ GlArray newArray() {
 }
 
 GlTexture newTexture(GLenum format, int width, int height) {
-    const bool depth = format == GL_DEPTH_COMPONENT24;
-    const GLenum layout = depth ? GL_DEPTH_COMPONENT : format == GL_RGBA8 ? GL_RGBA : GL_RED;
-    const GLenum type = depth ? GL_UNSIGNED_INT : format == GL_R32F ? GL_FLOAT : GL_UNSIGNED_BYTE;
+    const bool color = format == GL_RGBA8 || format == GL_R8;
+    const GLenum layout = !color ? GL_DEPTH_COMPONENT : format == GL_RGBA8 ? GL_RGBA : GL_RED;
+    const GLenum type = color ? GL_UNSIGNED_BYTE : GL_FLOAT;
     GLuint name = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
@@ -73,9 +74,13 @@ GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint co
 
 namespace {
 
-GLuint compile(GLenum stage, const std::string& name, const char* text) {
+/// The text with its definitions, which have to stand behind the first line, `#version`.
+GLuint compile(GLenum stage, const std::string& name, const std::string& defines) {
+    std::string text = shaderText(name);
+    text.insert(text.find('\n') + 1, defines);
     const GLuint shader = glCreateShader(stage);
-    glShaderSource(shader, 1, &text, nullptr);
+    const char* const source = text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
     glCompileShader(shader);
     GLint good = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
@@ -88,12 +93,16 @@ GLuint compile(GLenum stage, const std::string& name, const char* text) {
 
 }  // namespace
 
-GlProgram newProgram(const std::string& vertex, const std::string& fragment) {
+GlProgram newProgram(const std::string& vertex, const std::string& fragment,
+                     const std::string& defines) {
+    std::istringstream words(defines);
+    std::string lines;
+    for (std::string word; words >> word;) lines += "#define " + word + "\n";
     GlProgram program(glCreateProgram());
     const std::pair<GLenum, std::string> stages[] = {{GL_VERTEX_SHADER, vertex + ".vert"},
                                                      {GL_FRAGMENT_SHADER, fragment + ".frag"}};
     for (const auto& [stage, file] : stages) {
-        const GLuint shader = compile(stage, file, shaderText(file));
+        const GLuint shader = compile(stage, file, lines);
         glAttachShader(program, shader);
         glDeleteShader(shader);
     }

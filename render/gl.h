@@ -46,7 +46,7 @@ using GlProgram = GlName<deleteProgram>;
 
 GlBuffer newBuffer();
 GlArray newArray();
-/// NEAREST, clamped; `format` is sized (GL_RGBA8, GL_R8, GL_R32F, GL_DEPTH_COMPONENT24).
+/// NEAREST, clamped; `format` is sized (GL_RGBA8, GL_R8, GL_DEPTH_COMPONENT16 ...).
 GlTexture newTexture(GLenum format, int width, int height);
 GlRenderbuffer newRenderbuffer(GLenum format, int width, int height, int samples);
 /// With the attachments given (0 = none); throws Error when incomplete.
@@ -54,8 +54,10 @@ GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint co
                              GLuint depthBuffer = 0);
 
 /// Compiles and links two files of render/shaders, named without their endings .vert and .frag.
+/// `defines`: words that are defined in both, with blanks between them.
 /// Throws Error with the compiler's first line.
-GlProgram newProgram(const std::string& vertex, const std::string& fragment);
+GlProgram newProgram(const std::string& vertex, const std::string& fragment,
+                     const std::string& defines = "");
 
 void setUniform(GLuint program, const char* name, int value);
 void setUniform(GLuint program, const char* name, float value);

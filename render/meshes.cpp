@@ -1,5 +1,6 @@
 #include "render/meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -7,6 +8,15 @@ namespace render {
 namespace {
 
 constexpr float kPi = 3.14159265f;
+
+void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(index, divisor);
+}
+
+}  // namespace
 
 std::vector<Vertex> boxMesh() {
     std::vector<Vertex> mesh;
@@ -20,26 +30,26 @@ std::vector<Vertex> boxMesh() {
     return mesh;
 }
 
-/// A sphere in rings; the equator is there twice, once for either end of a capsule.
-std::vector<Vertex> ballMesh() {
-    constexpr int kSlices = 48, kRings = 12;  // of half a sphere
+/// In rings; the equator is there twice, once for either end of a capsule.
+std::vector<Vertex> ballMesh(int corners) {
+    const int slices = corners, half = corners / 4;
     struct Ring {
         float angle, end;
     };
     std::vector<Ring> rings;
-    for (int i = 0; i <= kRings; ++i)
-        rings.push_back({kPi / 2 * static_cast<float>(i) / kRings - kPi / 2, -1.0f});
-    for (int i = 0; i <= kRings; ++i)
-        rings.push_back({kPi / 2 * static_cast<float>(i) / kRings, 1.0f});
-    const auto vertex = [](const Ring& ring, int slice) {
-        const float turn = 2 * kPi * static_cast<float>(slice % kSlices) / kSlices;
+    for (int i = 0; i <= half; ++i)
+        rings.push_back({kPi / 2 * static_cast<float>(i) / static_cast<float>(half) - kPi / 2, -1.0f});
+    for (int i = 0; i <= half; ++i)
+        rings.push_back({kPi / 2 * static_cast<float>(i) / static_cast<float>(half), 1.0f});
+    const auto vertex = [slices](const Ring& ring, int slice) {
+        const float turn = 2 * kPi * static_cast<float>(slice % slices) / static_cast<float>(slices);
         const Vec3 p(std::cos(ring.angle) * std::cos(turn), std::sin(ring.angle),
                      -std::cos(ring.angle) * std::sin(turn));
         return Vertex{p, p, ring.end};
     };
     std::vector<Vertex> mesh;
     for (std::size_t r = 0; r + 1 < rings.size(); ++r)
-        for (int s = 0; s < kSlices; ++s) {
+        for (int s = 0; s < slices; ++s) {
             const Vertex a = vertex(rings[r], s), b = vertex(rings[r], s + 1);
             const Vertex c = vertex(rings[r + 1], s + 1), d = vertex(rings[r + 1], s);
             mesh.insert(mesh.end(), {a, b, c, a, c, d});
@@ -63,27 +73,8 @@ std::vector<Vertex> barMesh() {
     return mesh;
 }
 
-void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
-    glVertexAttribDivisor(index, divisor);
-}
-
-}  // namespace
-
-std::vector<Vertex> meshOf(MeshKind kind) {
-    switch (kind) {
-        case MeshKind::box: return boxMesh();
-        case MeshKind::ball: return ballMesh();
-        case MeshKind::bar: return barMesh();
-    }
-    return {};
-}
-
-InstancedMesh::InstancedMesh(MeshKind kind)
+InstancedMesh::InstancedMesh(const std::vector<Vertex>& mesh)
     : array_(newArray()), vertices_(newBuffer()), instances_(newBuffer()) {
-    const std::vector<Vertex> mesh = meshOf(kind);
     vertexCount_ = static_cast<int>(mesh.size());
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
@@ -113,27 +104,78 @@ void InstancedMesh::draw() const {
     glDrawArraysInstanced(GL_TRIANGLES, 0, vertexCount_, instanceCount_);
 }
 
-Instances instancesOf(const Frame& frame) {
+namespace {
+
+/// Place in kBallCorners: with n corners a circle is off by r (1 - cos(pi / n)).
+std::size_t levelOf(float pixels) {
+    constexpr float kOff = 0.33f;  // pixels
+    std::size_t level = 0;
+    while (level + 1 < kBallCorners.size()) {
+        const float angle = kPi / static_cast<float>(kBallCorners[level]);
+        if (pixels * 0.5f * angle * angle < kOff) break;
+        ++level;
+    }
+    return level;
+}
+
+/// Nearest first, by the square of the distance from the eye.
+void sortByDistance(std::vector<Instance>& instances, const Vec3& eye) {
+    std::stable_sort(instances.begin(), instances.end(), [&](const Instance& a, const Instance& b) {
+        return (a.position - eye).squaredNorm() < (b.position - eye).squaredNorm();
+    });
+}
+
+void addRod(const Rod& rod, std::vector<Instance>& bars) {
+    const Vec3 along = rod.to - rod.from;
+    const float length = along.norm();
+    if (length < 1e-6f) return;
+    const Quat q = Quat::FromTwoVectors(Vec3::UnitY(), along);
+    bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
+                    {rod.radius, 0.5f * length, rod.radius}, 0.0f, linear(rod.color)});
+}
+
+}  // namespace
+
+Instances instancesOf(const Frame& frame, float pixelsAMeter) {
     Instances result;
+    const Vec3& eye = frame.camera.from;
     for (const Solid& s : frame.solids) {
         const Eigen::Vector4f q = s.rotation.normalized().coeffs();
         const Vec3 color = linear(s.color);
-        const float r = s.halfSize.x();
-        if (s.shape == SolidShape::box)
+        if (s.shape == SolidShape::box) {
             result.boxes.push_back({s.position, q, s.halfSize, 0.0f, color});
-        else
-            result.balls.push_back({s.position, q, Vec3(r, r, r),
-                                    s.shape == SolidShape::capsule ? s.halfSize.y() : 0.0f, color});
+            continue;
+        }
+        const float r = s.halfSize.x();
+        const float pixels = r * pixelsAMeter / std::max((s.position - eye).norm(), 1e-3f);
+        const float stretch = s.shape == SolidShape::capsule ? s.halfSize.y() : 0.0f;
+        result.balls[levelOf(pixels)].push_back({s.position, q, Vec3(r, r, r), stretch, color});
     }
-    for (const Rod& rod : frame.rods) {
-        const Vec3 along = rod.to - rod.from;
-        const float length = along.norm();
-        if (length < 1e-6f) continue;
-        const Quat q = Quat::FromTwoVectors(Vec3::UnitY(), along);
-        result.bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
-                               {rod.radius, 0.5f * length, rod.radius}, 0.0f, linear(rod.color)});
-    }
+    for (const Rod& rod : frame.rods) addRod(rod, result.bars);
+    sortByDistance(result.boxes, eye);
+    sortByDistance(result.bars, eye);
+    for (std::vector<Instance>& balls : result.balls) sortByDistance(balls, eye);
     return result;
+}
+
+Meshes::Meshes() : boxes_(boxMesh()), bars_(barMesh()) {
+    for (const int corners : kBallCorners) balls_.emplace_back(ballMesh(corners));
+}
+
+void Meshes::set(const Instances& instances) {
+    boxes_.setInstances(instances.boxes);
+    bars_.setInstances(instances.bars);
+    for (std::size_t i = 0; i < balls_.size(); ++i) balls_[i].setInstances(instances.balls[i]);
+}
+
+void Meshes::drawRound() const {
+    for (const InstancedMesh& ball : balls_) ball.draw();
+    bars_.draw();
+}
+
+void Meshes::draw() const {
+    drawBoxes();
+    drawRound();
 }
 
 }  // namespace render

@@ -1,5 +1,6 @@
 /// Box, ball and bar as triangles, and the instances of a frame that are drawn with them.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "render/gl.h"
@@ -21,12 +22,15 @@ struct Instance {
     Vec3 color;                // linear
 };
 
-enum class MeshKind { box, ball, bar };
+std::vector<Vertex> boxMesh();
+/// Of so many corners around; a multiple of 4.
+std::vector<Vertex> ballMesh(int corners);
+std::vector<Vertex> barMesh();
 
-/// One kind of mesh, drawn many times in one call.
+/// One mesh, drawn many times in one call.
 class InstancedMesh {
 public:
-    explicit InstancedMesh(MeshKind kind);
+    explicit InstancedMesh(const std::vector<Vertex>& mesh);
     void setInstances(const std::vector<Instance>& instances);
     void draw() const;
 
@@ -36,12 +40,29 @@ private:
     int vertexCount_ = 0, instanceCount_ = 0;
 };
 
-std::vector<Vertex> meshOf(MeshKind kind);
+/// A ball's corners around, from small pictures of it to large ones: a third of a pixel off at most.
+inline constexpr std::array<int, 4> kBallCorners = {16, 28, 44, 64};
 
-/// Solids and rods of a frame, by mesh.
+/// Solids and rods of a frame, by mesh, nearest first: what is hidden is not shaded.
 struct Instances {
-    std::vector<Instance> boxes, balls, bars;
+    std::vector<Instance> boxes, bars;
+    std::array<std::vector<Instance>, kBallCorners.size()> balls;
 };
-Instances instancesOf(const Frame& frame);
+/// `pixelsAMeter`: at 1 m from the eye; a ball of few pixels gets few triangles.
+Instances instancesOf(const Frame& frame, float pixelsAMeter);
+
+/// All meshes, with the instances of one frame.
+class Meshes {
+public:
+    Meshes();
+    void set(const Instances& instances);
+    void drawBoxes() const { boxes_.draw(); }
+    void drawRound() const;
+    void draw() const;
+
+private:
+    InstancedMesh boxes_, bars_;
+    std::vector<InstancedMesh> balls_;  // as kBallCorners
+};
 
 }  // namespace render

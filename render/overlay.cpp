@@ -53,24 +53,21 @@ float scaleOf(const Image& image) { return static_cast<float>(image.height) / 72
 
 /// True when the picture shows something clearly nearer at that place. A contact lies between two
 /// surfaces, so a little in front of it is its own body.
-bool isHidden(const Projected& p, const Image& image, const View& view, const DepthImage& depth) {
-    const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
-    if (depth.stored.empty() || p.x < 0 || p.y < 0 || x >= image.width || y >= image.height)
-        return false;
-    const float z = depth.stored[static_cast<std::size_t>(y) * depth.width + x] * 2.0f - 1.0f;
-    const float there = 2.0f * view.nearest * view.farthest /
-                        (view.farthest + view.nearest - z * (view.farthest - view.nearest));
-    return there < 0.985f * p.depth - 0.02f;
+bool isHidden(const Projected& p, const Image& image, const DepthMap& depth) {
+    if (depth.meters.empty() || p.x < 0 || p.y < 0) return false;
+    const int x = static_cast<int>(p.x) * depth.width / image.width;
+    const int y = static_cast<int>(p.y) * depth.height / image.height;
+    return x < depth.width && y < depth.height && depth.at(x, y) < 0.985f * p.depth - 0.02f;
 }
 
 constexpr Color kRim{1.0f, 1.0f, 1.0f, 0.75f};
 
 }  // namespace
 
-void drawMarkers(Image& image, const Frame& frame, const View& view, const DepthImage& depth) {
+void drawMarkers(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
     for (const Marker& marker : frame.markers) {
         const Projected p = project(view, marker.position, image.width, image.height);
-        if (p.depth <= 0 || isHidden(p, image, view, depth)) continue;
+        if (p.depth <= 0 || isHidden(p, image, depth)) continue;
         const float r = std::max(marker.pixels * scaleOf(image), 1.2f);
         const Vec2 c(p.x, p.y), reach(r, r);
         fill(image, c - reach, c + reach, marker.color, kRim, 0.25f * r,

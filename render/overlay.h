@@ -5,17 +5,12 @@
 
 #include "render/camera.h"
 #include "render/image.h"
+#include "render/occlusion.h"
 
 namespace render {
 
-/// The picture's depths, row 0 on top; empty: nothing hides anything.
-struct DepthImage {
-    std::vector<float> stored;  // as in the depth buffer, 0..1
-    int width = 0;
-};
-
-/// Markers behind something are left out.
-void drawMarkers(Image& image, const Frame& frame, const View& view, const DepthImage& depth);
+/// Markers behind something are left out; `depth` of any size, empty: nothing hides anything.
+void drawMarkers(Image& image, const Frame& frame, const View& view, const DepthMap& depth);
 void drawArrows(Image& image, const Frame& frame, const View& view);
 /// Lines of text in the corners; sharp at every size, with a halo of the ground's tone.
 void drawTexts(Image& image, const Frame& frame);

@@ -1,6 +1,8 @@
-/// Draws frames off-screen: shadow pass, scene pass, ambient occlusion, overlays, text, read back.
+/// Draws frames off-screen: depths, ambient occlusion, shadows, the scene, overlays, text.
 #pragma once
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "render/error.h"
@@ -9,13 +11,24 @@
 
 namespace render {
 
+enum class Finish {
+    draft,    // one sample a pixel, no shadows: to see whether the scene is right
+    standard  // shadows, ambient occlusion, `samples` a pixel
+};
+
 struct RendererSettings {
     int width = 1280, height = 720;  // pixels, 1..16384
     int samples = 4;                 // per pixel; 1 = no anti-aliasing
-    int shadowSize = 2048;           // pixels a side
-    int threads = -1;                // of the rasteriser; -1: as many as it likes, 0: the caller's
-    bool reproducible = false;       // the same pixels on every x86-64 CPU, for a third more time
+    int shadowSize = 1024;           // texels a side of a shadow map
+    Finish finish = Finish::standard;
+    int threads = -1;           // of the rasteriser; -1: as many as it likes, 0: the caller's
+    bool reproducible = false;  // the same pixels on every x86-64 CPU, for a third more time
 };
+
+/// What a picture's time goes to, in this order.
+enum class Stage { depth, occlusion, shadow, scene, resolve, readBack, overlay, done };
+
+class Passes;
 
 /// One per process and thread. The first one in a process decides `threads` and `reproducible`.
 class Renderer {
@@ -28,11 +41,19 @@ public:
 
     /// Throws Error when OpenGL reports an error or the picture is all one colour.
     Image draw(const Frame& frame);
+
+    /// The mean of 1 to 256 moments, earliest first, each seen from another place in the pixel and
+    /// on the lens, with the sun and the sky's light from another direction: motion blur,
+    /// anti-aliasing, soft shadows, ambient occlusion and depth of field for the price of samples.
+    /// What is drawn over the picture is that of the last moment.
+    Image draw(std::span<const Frame> moments);
+
+    /// Calls `observer` when a stage begins, with everything before it finished: for benchmarks.
+    void observe(std::function<void(Stage)> observer);
     /// Renderer and version, as OpenGL names them.
     std::string describe() const;
 
 private:
-    struct Passes;
     std::unique_ptr<Passes> passes_;
 };
 

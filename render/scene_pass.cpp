@@ -1,25 +1,78 @@
 #include "render/scene_pass.h"
 
-#include <algorithm>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "render/trails.h"
 
 namespace render {
+namespace {
+
+// Light as it comes, linear.
+const Vec3 kSkyLight(0.40f, 0.44f, 0.50f), kGroundLight(0.27f, 0.25f, 0.23f);
+const Vec3 kSunLight(1.06f, 1.00f, 0.90f);
+
+float distanceOf(const Frame& frame) { return (frame.camera.from - frame.camera.lookAt).norm(); }
+
+/// Darker than the ground; on a dark ground, lighter.
+Color lineColor(const Color& ground) {
+    if (ground.r < 0.4f) return {0.42f, 0.44f, 0.47f, 1.0f};
+    return {0.50f * ground.r, 0.51f * ground.g, 0.54f * ground.b, 1.0f};
+}
+
+std::string featuresOf(const Lights& lights) {
+    std::string features;
+    if (lights.sun) features += lights.soft ? " SOFT_SHADOWS" : " HARD_SHADOWS";
+    if (lights.openMap) features += " OCCLUSION";
+    return features;
+}
+
+void bindTexture(int unit, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void setShadow(GLuint program, const ShadowPass& pass) {
+    bindTexture(0, pass.map());
+    setUniform(program, "shadowMap", 0);
+    setUniform(program, "worldToShadow", pass.worldToTexels());
+    setUniform(program, "shadowTexel", pass.texel());
+    setUniform(program, "shadowSize", static_cast<float>(pass.size()));
+}
+
+void scissor(const PixelRect& rect) {
+    glScissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);
+}
+
+/// Colours need it only where nothing else covers the picture.
+void clear(const Look& look) {
+    glClear(GL_DEPTH_BUFFER_BIT | (look.transparent ? GL_COLOR_BUFFER_BIT : 0u));
+}
+
+/// What of `all` is left around a hole: above, below, left, right.
+std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
+    std::vector<PixelRect> parts;
+    for (const PixelRect& part : {PixelRect{all.x0, all.y0, all.x1, hole.y0},
+                                  PixelRect{all.x0, hole.y1, all.x1, all.y1},
+                                  PixelRect{all.x0, hole.y0, hole.x0, hole.y1},
+                                  PixelRect{hole.x1, hole.y0, all.x1, hole.y1}})
+        if (!part.empty()) parts.push_back(part);
+    return parts;
+}
+
+}  // namespace
 
 ScenePass::ScenePass(int width, int height, int samples)
     : width_(width),
       height_(height),
+      samples_(samples),
       samplesColor_(newRenderbuffer(GL_RGBA8, width, height, samples)),
-      samplesDepth_(newRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples)),
-      samples_(newFramebuffer(0, 0, samplesColor_, samplesDepth_)),
+      samplesDepth_(newRenderbuffer(GL_DEPTH_COMPONENT32F, width, height, samples)),
+      samplesBuffer_(newFramebuffer(0, 0, samplesColor_, samplesDepth_)),
       color_(newTexture(GL_RGBA8, width, height)),
-      depth_(newTexture(GL_DEPTH_COMPONENT24, width, height)),
+      depth_(newTexture(GL_DEPTH_COMPONENT32F, width, height)),
       resolved_(newFramebuffer(color_, depth_)),
-      box_(newProgram("solid", "box")),
-      round_(newProgram("solid", "round")),
-      ground_(newProgram("ground", "ground")),
       sky_(newProgram("sky", "sky")),
       trail_(newProgram("trail", "trail")),
       empty_(newArray()),
@@ -34,87 +87,130 @@ ScenePass::ScenePass(int width, int height, int samples)
     }
 }
 
-void ScenePass::useLit(const GlProgram& program, const Frame& frame, const View& view,
-                       const ShadowPass& shadow) const {
-    const Look& look = frame.look;
+/// A program with everything set that lights need.
+GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
+                      const std::string& features, const Scene& scene) {
+    GlProgram& program = programs_[fragment + features];
+    if (!program) program = newProgram(vertex, fragment, features);
+    const Look& look = scene.frame.look;
+    const Lights& lights = scene.lights;
     glUseProgram(program);
-    setUniform(program, "worldToClip", view.worldToClip());
-    setUniform(program, "worldToShadow", shadow.worldToShadow());
-    setUniform(program, "shadowTexel", shadow.texel());
-    setUniform(program, "shadows", look.shadows ? 1 : 0);
-    setUniform(program, "shadowMap", 0);
-    setUniform(program, "toSun", shadow.toSun());
-    setUniform(program, "eye", view.eye);
-    setUniform(program, "skyLight", Vec3(0.46f, 0.49f, 0.53f));
-    setUniform(program, "groundLight", Vec3(0.24f, 0.23f, 0.22f));
-    setUniform(program, "sunLight", Vec3(0.86f, 0.83f, 0.78f));
+    setUniform(program, "worldToClip", scene.view.worldToClip());
+    setUniform(program, "toSun", lights.sun ? lights.sun->toLight() : look.sunDirection.normalized());
+    setUniform(program, "eye", scene.view.eye);
+    setUniform(program, "skyLight", kSkyLight);
+    setUniform(program, "groundLight", kGroundLight);
+    setUniform(program, "sunLight", kSunLight);
     setColorUniform(program, "fogColor", look.fog);
-    const float distance = (frame.camera.from - frame.camera.lookAt).norm();
-    setUniform(program, "fogDistance", std::max(4.0f * distance, 30.0f));
-    setUniform(program, "edges", look.edges ? 1 : 0);
-    setUniform(program, "lineWidth", std::max(1.0f, 1.3f * static_cast<float>(height_) / 720.0f));
+    const float distance = distanceOf(scene.frame);
+    setUniform(program, "fogStart", look.transparent ? 1e9f : distance);  // behind the subject
+    setUniform(program, "fogDistance", std::max(3.0f * distance, 20.0f));
+    if (lights.sun) setShadow(program, *lights.sun);
+    if (lights.openMap) {
+        bindTexture(1, lights.openMap);
+        setUniform(program, "openMap", 1);
+    }
+    return program;
 }
 
-void ScenePass::draw(const Frame& frame, const View& view, const ShadowPass& shadow,
-                     const InstancedMesh& boxes, const InstancedMesh& balls,
-                     const InstancedMesh& bars) {
-    glBindFramebuffer(GL_FRAMEBUFFER, samples_);
+void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
+                     const PixelRect& bodies, const Meshes& meshes, const GroundMesh& ground) {
+    const Scene scene{frame, view, lights};
+    const PixelRect all{0, 0, width_, height_};
     glViewport(0, 0, width_, height_);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, shadow.map());
-    glEnable(GL_CULL_FACE);
-    useLit(box_, frame, view, shadow);
-    boxes.draw();
-    useLit(round_, frame, view, shadow);
-    balls.draw();
-    bars.draw();
-    glDisable(GL_CULL_FACE);
-    drawGrounds(frame, view, shadow);
-    drawSky(frame, view);
-    drawTrails(frame, view);
-    resolve();
+    glEnable(GL_SCISSOR_TEST);
+    const bool smooth = samples_ > 1 && !bodies.empty();
+    if (smooth) {
+        glBindFramebuffer(GL_FRAMEBUFFER, samplesBuffer_);
+        scissor(bodies);
+        clear(frame.look);
+        drawBodies(scene, meshes);
+        drawBackground(scene, ground);
+        drawTrails(scene);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
+    scissor(all);
+    clear(frame.look);
+    for (const PixelRect& part : smooth ? around(bodies, all) : std::vector<PixelRect>{all}) {
+        scissor(part);
+        if (!smooth) drawBodies(scene, meshes);
+        drawBackground(scene, ground);
+        if (!smooth) drawTrails(scene);
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
-void ScenePass::drawGrounds(const Frame& frame, const View& view, const ShadowPass& shadow) {
-    useLit(ground_, frame, view, shadow);
-    setColorUniform(ground_, "groundColor", frame.look.ground);
-    Color line = frame.look.ground;
-    line.r *= 0.50f, line.g *= 0.51f, line.b *= 0.54f;
-    if (line.r < 0.2f) line = {0.42f, 0.44f, 0.47f, 1.0f};  // on a dark ground, lighter lines
-    setColorUniform(ground_, "lineColor", line);
-    const float distance = (frame.camera.from - frame.camera.lookAt).norm();
-    const float cell = std::max(std::pow(10.0f, std::floor(std::log10(distance / 6.0f))), 0.1f);
-    setUniform(ground_, "cell", cell);
-    for (const Ground& ground : frame.grounds) {
+void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
+    const std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
+    glEnable(GL_CULL_FACE);
+    const GLuint box = lit("solid", "box", features + " GLOSS", scene);
+    const Look& look = scene.frame.look;
+    const float width = 1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
+    setUniform(box, "lineWidth", std::max(1.0f, width));
+    setUniform(box, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));
+    meshes.drawBoxes();
+    lit("solid", "round", features + " GLOSS", scene);
+    meshes.drawRound();
+    glDisable(GL_CULL_FACE);
+}
+
+/// Without a sky, what is empty stays transparent, and the ground only catches shadows.
+void ScenePass::drawBackground(const Scene& scene, const GroundMesh& mesh) {
+    drawGrounds(scene, mesh);
+    if (!scene.frame.look.transparent) drawSky(scene);
+}
+
+void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh) {
+    const std::string all = featuresOf(scene.lights);
+    const std::string unshaded = scene.lights.openMap ? " OCCLUSION" : "";
+    for (const Ground& ground : scene.frame.grounds) {
         if (!ground.visible) continue;
-        const Vec3 n = ground.normal.normalized();
-        const Vec3 helper = std::abs(n.x()) < 0.9f ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitZ());
-        const Vec3 along = helper.cross(n).normalized(), across = n.cross(along);
-        const Vec3 below = view.eye - (n.dot(view.eye) - ground.offset) * n;
-        setUniform(ground_, "normal", n);
-        setUniform(ground_, "origin", below);
-        setUniform(ground_, "across", Vec3(across * view.farthest));
-        setUniform(ground_, "along", Vec3(along * view.farthest));
-        glBindVertexArray(empty_);
-        glDrawArrays(GL_TRIANGLES, 0, 6);
+        const ShadowPass* sun = scene.lights.sun;
+        const GroundCorners corners = groundCorners(
+            ground, scene.view, sun ? sun->footprint(ground) : std::vector<Vec3>{});
+        drawGround(scene, ground, corners, corners.inside, all, mesh);
+        drawGround(scene, ground, corners, corners.around, unshaded, mesh);
     }
 }
 
-void ScenePass::drawSky(const Frame& frame, const View& view) {
+void ScenePass::drawGround(const Scene& scene, const Ground& ground, const GroundCorners& corners,
+                           const std::vector<Vec3>& part, const std::string& features,
+                           const GroundMesh& mesh) {
+    if (part.empty()) return;
+    const bool catcher = scene.frame.look.transparent;
+    const GLuint program =
+        lit("ground", "ground", features + (catcher ? " SHADOW_CATCHER" : ""), scene);
+    setUniform(program, "lineStrength", scene.frame.look.lineStrength);
+    const Vec3 normal = ground.normal.normalized();
+    setUniform(program, "normal", normal);
+    setUniform(program, "across", corners.across);
+    setUniform(program, "along", corners.along);
+    setColorUniform(program, "groundColor", scene.frame.look.ground);
+    setColorUniform(program, "lineColor", lineColor(scene.frame.look.ground));
+    const float decade = std::floor(std::log10(distanceOf(scene.frame) / 6.0f));
+    setUniform(program, "cell", std::max(std::pow(10.0f, decade), 0.1f));
+    mesh.draw(part);
+}
+
+void ScenePass::drawSky(const Scene& scene) {
+    const Look& look = scene.frame.look;
+    const auto color = [this](const char* name, const Color& c) {
+        setUniform(sky_, name, Vec3(c.r, c.g, c.b));
+    };
     glDepthFunc(GL_LEQUAL);
     glUseProgram(sky_);
-    setUniform(sky_, "clipToWorld", Eigen::Matrix4f(view.worldToClip().inverse()));
-    setUniform(sky_, "eye", view.eye);
-    setColorUniform(sky_, "fogColor", frame.look.fog);
-    setColorUniform(sky_, "horizonColor", frame.look.skyHorizon);
-    setColorUniform(sky_, "topColor", frame.look.skyTop);
+    setUniform(sky_, "clipToWorld", Eigen::Matrix4f(scene.view.worldToClip().inverse()));
+    setUniform(sky_, "eye", scene.view.eye);
+    setUniform(sky_, "forward", Vec3(-scene.view.view.block<1, 3>(2, 0).transpose()));
+    color("fogColor", look.fog);
+    color("horizonColor", look.skyHorizon);
+    color("topColor", look.skyTop);
     drawFullScreen(empty_);
     glDepthFunc(GL_LESS);
 }
 
-void ScenePass::drawTrails(const Frame& frame, const View& view) {
-    const std::vector<TrailVertex> band = trailBands(frame, view, width_, height_);
+void ScenePass::drawTrails(const Scene& scene) {
+    const std::vector<TrailVertex> band = trailBands(scene.frame, scene.view, width_, height_);
     if (band.empty()) return;
     glBindBuffer(GL_ARRAY_BUFFER, trailBuffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(band.size() * sizeof(TrailVertex)),
@@ -129,11 +225,12 @@ void ScenePass::drawTrails(const Frame& frame, const View& view) {
     glDisable(GL_BLEND);
 }
 
-void ScenePass::resolve() {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_);
+void ScenePass::resolve(const PixelRect& bodies) const {
+    if (samples_ <= 1 || bodies.empty()) return;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, samplesBuffer_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_,
-                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(bodies.x0, bodies.y0, bodies.x1, bodies.y1, bodies.x0, bodies.y0, bodies.x1,
+                      bodies.y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace render

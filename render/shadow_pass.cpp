@@ -1,5 +1,6 @@
 #include "render/shadow_pass.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -8,67 +9,115 @@
 namespace render {
 namespace {
 
+using Box = Eigen::AlignedBox3f;
+
 constexpr float kTooLarge = 40.0f;  // m: a table or floor that would leave a texel for a brick
+constexpr float kApron = 4.0f;      // texels that are kept free around the casters
 
-struct Sphere {
-    Vec3 centre{0, 0, 0};
-    float radius = 1.0f;
-};
-
-/// Around what casts shadows worth seeing.
-Sphere boundsOf(const Frame& frame) {
-    Vec3 low = Vec3::Constant(1e9f), high = Vec3::Constant(-1e9f);
+/// Around what casts shadows worth seeing, in the light's own axes.
+Box boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight) {
+    Box box;
     for (const Solid& s : frame.solids) {
-        const float reach = s.halfSize.norm() + (s.shape == SolidShape::capsule ? s.halfSize.x() : 0);
-        if (reach > kTooLarge || (s.position - frame.camera.lookAt).norm() > 4 * kTooLarge) continue;
-        low = low.cwiseMin(s.position - Vec3::Constant(reach));
-        high = high.cwiseMax(s.position + Vec3::Constant(reach));
+        const float core = s.shape == SolidShape::capsule ? s.halfSize.x() : 0.0f;
+        if (s.halfSize.norm() + core > kTooLarge ||
+            (s.position - frame.camera.lookAt).norm() > 4 * kTooLarge)
+            continue;
+        const Eigen::Matrix3f axes = toLight * s.rotation.toRotationMatrix();
+        const Vec3 reach = s.shape == SolidShape::sphere ? s.halfSize
+                                                         : Vec3(axes.cwiseAbs() * s.halfSize);
+        const Vec3 middle = toLight * s.position;
+        box.extend(Vec3(middle - reach - Vec3::Constant(core)));
+        box.extend(Vec3(middle + reach + Vec3::Constant(core)));
     }
-    if (low.x() > high.x()) return {frame.camera.lookAt, 5.0f};
-    return {0.5f * (low + high), 0.5f * (high - low).norm()};
+    for (const Rod& rod : frame.rods)
+        for (const Vec3& end : {rod.from, rod.to}) {
+            box.extend(Vec3(toLight * end - Vec3::Constant(rod.radius)));
+            box.extend(Vec3(toLight * end + Vec3::Constant(rod.radius)));
+        }
+    if (box.isEmpty()) box.extend(Vec3(toLight * frame.camera.lookAt));
+    return box;
+}
+
+/// Up to the next quarter of an octave: what is fitted in steps stands still between them.
+float inSteps(float length) {
+    return std::exp2(std::ceil(std::log2(std::max(length, 0.5f)) * 4.0f) / 4.0f);
 }
 
 }  // namespace
 
 ShadowPass::ShadowPass(int size)
     : size_(size),
-      map_(newTexture(GL_DEPTH_COMPONENT24, size, size)),
+      map_(newTexture(GL_DEPTH_COMPONENT16, size, size)),
       framebuffer_(newFramebuffer(0, map_)),
-      program_(newProgram("shadow", "shadow")) {
+      program_(newProgram("depth", "depth")) {
     glBindTexture(GL_TEXTURE_2D, map_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 }
 
+/// The middle in whole texels: the map stands still while the scene moves a little, and so do the
+/// stairs at the shadows' edges.
 void ShadowPass::fit(const Frame& frame) {
-    const Sphere sphere = boundsOf(frame);
-    // The radius in steps and the middle in texels: the map stands still while the scene moves a
-    // little, and so do the stairs at the shadows' edges.
-    const float radius = std::exp2(std::ceil(std::log2(std::max(sphere.radius, 0.5f)) * 4.0f) / 4.0f);
-    texel_ = 2.0f * radius / static_cast<float>(size_);
-    toSun_ = frame.look.sunDirection.normalized();
-    Eigen::Matrix4f view = lookAt(toSun_, Vec3::Zero(), Vec3::UnitY());
-    view.block<3, 1>(0, 3).setZero();
-    Vec3 middle = view.block<3, 3>(0, 0) * sphere.centre;
+    worldToLight_ = lookAt(toLight_, Vec3::Zero(), Vec3::UnitY());
+    worldToLight_.block<3, 1>(0, 3).setZero();
+    const Box box = boundsOf(frame, worldToLight_.block<3, 3>(0, 0));
+    const Vec3 reach = 0.5f * box.sizes();
+    const Vec3 covered(inSteps(reach.x()), inSteps(reach.y()), inSteps(reach.z()));
+    const float widest = std::max(covered.x(), covered.y());
+    texel_ = 2.0f * widest / (static_cast<float>(size_) - 2.0f * kApron);
+    for (int i = 0; i < 2; ++i) {
+        used_[i] = static_cast<int>(std::ceil(2.0f * covered[i] / texel_ + 2.0f * kApron));
+        used_[i] = std::min(used_[i], size_);
+        half_[i] = 0.5f * texel_ * static_cast<float>(used_[i]);
+    }
+    depth_ = covered.z() + widest;  // room for receivers a little beyond
+    Vec3 middle = box.center();
     for (int i = 0; i < 2; ++i) middle[i] = std::floor(middle[i] / texel_) * texel_;
-    view.block<3, 1>(0, 3) = -middle;
-    Eigen::Matrix4f projection = Eigen::Matrix4f::Identity();
-    const float depth = 3.0f * radius;
-    projection(0, 0) = projection(1, 1) = 1.0f / radius;
-    projection(2, 2) = -1.0f / depth;
-    worldToShadow_ = projection * view;
+    worldToLight_.block<3, 1>(0, 3) = -middle;
 }
 
-void ShadowPass::draw(const Frame& frame, const InstancedMesh& boxes, const InstancedMesh& balls,
-                      const InstancedMesh& bars) {
+Eigen::Matrix4f ShadowPass::worldToTexels() const {
+    Eigen::Matrix4f toTexels = Eigen::Matrix4f::Identity();
+    toTexels(0, 0) = toTexels(1, 1) = 1.0f / texel_;
+    for (int i = 0; i < 2; ++i) toTexels(i, 3) = 0.5f * static_cast<float>(used_[i]);
+    toTexels(2, 2) = -0.5f / depth_;
+    toTexels(2, 3) = 0.5f;
+    return toTexels * worldToLight_;
+}
+
+std::vector<Vec3> ShadowPass::footprint(const Ground& ground) const {
+    const Vec3 normal = ground.normal.normalized();
+    const float facing = normal.dot(toLight_);
+    if (facing < 0.02f) return {};
+    const Eigen::Matrix3f toWorld = worldToLight_.block<3, 3>(0, 0).transpose();
+    const Vec3 shift = worldToLight_.block<3, 1>(0, 3);
+    const Eigen::Vector2f inside = half_.array() - 2.0f * texel_;
+    std::vector<Vec3> corners;
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+        const Vec3 local(static_cast<float>(x) * inside.x(), static_cast<float>(y) * inside.y(), 0);
+        const Vec3 point = toWorld * (local - shift);
+        corners.push_back(point + (ground.offset - normal.dot(point)) / facing * toLight_);
+    }
+    return corners;
+}
+
+void ShadowPass::draw(const Frame& frame, const Vec3& toLight, const Meshes& meshes) {
+    toLight_ = toLight.normalized();
     fit(frame);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, size_, size_);
+    glViewport(0, 0, used_[0], used_[1]);
     glClear(GL_DEPTH_BUFFER_BIT);
-    if (!frame.look.shadows) return;
     glUseProgram(program_);
-    setUniform(program_, "worldToShadow", worldToShadow_);
-    for (const InstancedMesh* mesh : {&boxes, &balls, &bars}) mesh->draw();
+    Eigen::Matrix4f toClip = Eigen::Matrix4f::Identity();
+    toClip(0, 0) = 1.0f / half_.x();
+    toClip(1, 1) = 1.0f / half_.y();
+    toClip(2, 2) = -1.0f / depth_;
+    setUniform(program_, "worldToClip", Eigen::Matrix4f(toClip * worldToLight_));
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);  // the picture's rows go down, the map's go up
+    meshes.draw();
+    glCullFace(GL_BACK);
+    glDisable(GL_CULL_FACE);
 }
 
 }  // namespace render

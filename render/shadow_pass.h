@@ -1,4 +1,4 @@
-/// What the sun sees, as depths: one map fitted to the frame's solids.
+/// What a light far away sees, as depths: one map fitted to the frame's solids.
 #pragma once
 #include "render/meshes.h"
 
@@ -6,14 +6,20 @@ namespace render {
 
 class ShadowPass {
 public:
+    /// `size`: texels a side.
     explicit ShadowPass(int size);
-    void draw(const Frame& frame, const InstancedMesh& boxes, const InstancedMesh& balls,
-              const InstancedMesh& bars);
+    /// `toLight`: of any length.
+    void draw(const Frame& frame, const Vec3& toLight, const Meshes& meshes);
 
     GLuint map() const { return map_; }
-    const Eigen::Matrix4f& worldToShadow() const { return worldToShadow_; }
+    int size() const { return size_; }
+    /// From the world (m) to texels, and to depths 0..1.
+    Eigen::Matrix4f worldToTexels() const;
     float texel() const { return texel_; }  // m
-    const Vec3& toSun() const { return toSun_; }
+    const Vec3& toLight() const { return toLight_; }
+    /// The map's four sides, put down on a plane along the light, in order around the middle; m.
+    /// No point where no ray of the light comes down on the plane.
+    std::vector<Vec3> footprint(const Ground& ground) const;
 
 private:
     void fit(const Frame& frame);
@@ -22,9 +28,12 @@ private:
     GlTexture map_;
     GlFramebuffer framebuffer_;
     GlProgram program_;
-    Eigen::Matrix4f worldToShadow_ = Eigen::Matrix4f::Identity();
+    Eigen::Matrix4f worldToLight_ = Eigen::Matrix4f::Identity();  // m: x, y across, z to the light
+    int used_[2] = {1, 1};                                        // texels, of the map
+    Eigen::Vector2f half_{1, 1};                                  // m, of what they cover
+    float depth_ = 1.0f;                                          // m, half of what it covers
     float texel_ = 0.01f;
-    Vec3 toSun_{0, 1, 0};
+    Vec3 toLight_{0, 1, 0};
 };
 
 }  // namespace render

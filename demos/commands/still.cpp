@@ -44,6 +44,18 @@ Moment momentOf(const FilmPlan& plan, const Options& options) {
     return moment;
 }
 
+/// Up to the moment; what is seen of it while the shutter is open, a frame a step.
+std::vector<render::Frame> play(Player& player, const FilmPlan& plan, const Moment& moment) {
+    const Shutter shutter(plan.shutter, plan.stepsPerFrame);
+    std::vector<render::Frame> seen;
+    for (int left = moment.steps; left >= 0; --left) {
+        if (shutter.sees(left))
+            seen.push_back(player.frame(moment.time - static_cast<double>(left) / plan.scene().hz));
+        if (left > 0) player.step();
+    }
+    return seen;
+}
+
 std::string targetOf(const FilmPlan& plan, const Options& options, const Moment& moment) {
     const std::string pattern =
         options.outputs.empty() ? "output/{scene}/still_{time}.png" : options.outputs.front();
@@ -64,10 +76,12 @@ Exit stillCommand(const Options& options) {
     const std::string target = targetOf(plan, options, moment);
     checkFree(target, options.overwrite);
     Player player(plan.scene(), plan.panels.front().overlays);
-    player.step(moment.steps);
+    const std::vector<render::Frame> seen = play(player, plan, moment);
     render::Renderer renderer(plan.picture);
-    const std::vector<std::uint8_t> png =
-        render::encodePng(renderer.draw(player.frame(moment.time)));
+    const bool blurred = plan.shutter.moments > 1;
+    const std::vector<std::uint8_t> png = render::encodePng(
+        blurred ? renderer.draw(Shutter(plan.shutter, plan.stepsPerFrame).moments(seen))
+                : renderer.draw(seen.back()));
     writeResult(target, png);
     const Talk talk(options, target == "-");
     const std::string hash = hexText(player.stage().world.hash());

@@ -119,7 +119,10 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.picture.width = plan.layout.panels.front().width;
     plan.picture.height = plan.layout.panels.front().height;
     plan.picture.samples = options.samples.value_or(quality.samples);
+    plan.picture.finish = quality.finish;
     plan.picture.reproducible = options.reproducible;
+    plan.shutter.moments = options.blur.value_or(quality.moments);
+    plan.shutter.open = options.shutter.value_or(plan.shutter.open);
     checkMemory(plan.picture);
     return plan;
 }
@@ -146,6 +149,8 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
         hash.add(panel.overlays.theme);
         hash.add(panel.overlays.text ? "text" : "clean");
     }
+    hash.add(fmt::format("{} {} {}", static_cast<int>(plan.picture.finish), plan.shutter.moments,
+                         plan.shutter.open));
     hash.add(plan.strip.pixels);
     return hash.value();
 }

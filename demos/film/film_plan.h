@@ -4,6 +4,7 @@
 #include <string>
 
 #include "demos/film/panel_layout.h"
+#include "demos/film/shutter.h"
 #include "demos/options.h"
 #include "demos/overlays.h"
 #include "demos/scene/description.h"
@@ -27,6 +28,7 @@ struct FilmPlan {
         float top = 0, bottom = 0;
     } cursor;                          // a line in the strip that goes with the time
     render::RendererSettings picture;  // of one panel
+    ShutterSettings shutter;
     std::string name;                  // {scene} in output patterns
     std::string quality;
     int frames = 0;

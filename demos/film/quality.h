@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "render/renderer.h"
+
 namespace demos {
 
 struct Quality {
@@ -10,6 +12,8 @@ struct Quality {
     int width, height;  // pixels
     int fps;
     int samples;  // a pixel
+    int moments;  // pictures that a frame is the mean of
+    render::Finish finish;
 };
 
 const std::vector<std::string>& qualityNames();

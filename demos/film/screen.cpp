@@ -53,21 +53,33 @@ void keepWidth(float aspect, render::Camera& camera) {
 Screen::Screen(const FilmPlan& plan) : plan_(plan) {
     for (const Panel& panel : plan.panels)
         shows_.push_back(std::unique_ptr<Show>(
-            new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}}));
+            new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}, {}}));
 }
 
-void Screen::advance() {
+void Screen::advance(bool drawn) {
+    ++frame_;
     for (const auto& show : shows_)
-        if (show->trouble.empty()) advance(*show);
+        if (show->trouble.empty()) advance(*show, drawn, plan_.timeOf(frame_));
 }
 
-void Screen::advance(Show& show) {
-    try {
-        show.player.step(show.steps);
-    } catch (const Stop& stop) {
-        if (shows_.size() == 1 || stop.code() != Exit::diverged) throw;
-        show.trouble = stop.what();
+void Screen::advance(Show& show, bool drawn, double time) try {
+    const Shutter shutter(plan_.shutter, show.steps);
+    const double step = 1.0 / (static_cast<double>(plan_.fps) * show.steps);
+    show.seen.clear();
+    for (int left = show.steps; left > 0; --left) {
+        if (drawn && shutter.sees(left)) show.seen.push_back(frameOf(show, time - left * step));
+        show.player.step();
     }
+} catch (const Stop& stop) {
+    if (shows_.size() == 1 || stop.code() != Exit::diverged) throw;
+    show.trouble = stop.what();
+    show.seen.clear();
+}
+
+render::Image Screen::drawPanel(Show& show, double time, render::Renderer& renderer) const {
+    if (plan_.shutter.moments <= 1) return renderer.draw(frameOf(show, time));
+    show.seen.push_back(frameOf(show, time));
+    return renderer.draw(Shutter(plan_.shutter, show.steps).moments(show.seen));
 }
 
 render::Frame Screen::frameOf(const Show& show, double time) const {
@@ -84,12 +96,12 @@ render::Frame Screen::frameOf(const Show& show, double time) const {
 render::Image Screen::draw(int frame, render::Renderer& renderer) {
     const double time = plan_.timeOf(frame);
     if (shows_.size() == 1 && plan_.strip.pixels.empty())
-        return renderer.draw(frameOf(*shows_.front(), time));
+        return drawPanel(*shows_.front(), time, renderer);
     render::Image whole{plan_.layout.width, plan_.layout.height, {}};
     whole.pixels.assign(4 * static_cast<std::size_t>(whole.width) * whole.height, 255);
     for (std::size_t i = 0; i < shows_.size(); ++i) {
         const Area& at = plan_.layout.panels[i];
-        place(renderer.draw(frameOf(*shows_[i], time)), at.x, at.y, whole);
+        place(drawPanel(*shows_[i], time, renderer), at.x, at.y, whole);
         drawBorder(at, whole);
     }
     if (plan_.strip.pixels.empty()) return whole;

@@ -14,8 +14,8 @@ public:
     explicit Screen(const FilmPlan& plan);
 
     /// One frame further. A single panel that diverges throws Stop; among others it stays as it was
-    /// last, and says so.
-    void advance();
+    /// last, and says so. `drawn`: draw() will follow.
+    void advance(bool drawn);
     render::Image draw(int frame, render::Renderer& renderer);
     /// Of all panels' states.
     std::uint64_t hash() const;
@@ -25,11 +25,14 @@ private:
         Player player;
         int steps;            // a frame
         std::string trouble;  // empty: it plays
+        std::vector<render::Frame> seen;  // since the shutter opened, a step each
     };
-    void advance(Show& show);
+    void advance(Show& show, bool drawn, double time);
     render::Frame frameOf(const Show& show, double time) const;
+    render::Image drawPanel(Show& show, double time, render::Renderer& renderer) const;
 
     const FilmPlan& plan_;
+    int frame_ = 0;
     std::vector<std::unique_ptr<Show>> shows_;
 };
 

@@ -33,8 +33,9 @@ void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
         return;
     int ordinal = 0;
     for (int frame = 0; frame < static_cast<int>(orders.first.size()); ++frame) {
-        if (frame > 0) screen.advance();
-        if (!orders.first[frame] || ordinal++ % task.count != task.index) continue;
+        const bool mine = orders.first[frame] && ordinal++ % task.count == task.index;
+        if (frame > 0) screen.advance(mine);
+        if (!mine) continue;
         if (!channel.send(drawnMessage(screen, frame, task, renderer))) return;
     }
 }

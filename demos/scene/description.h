@@ -46,7 +46,7 @@ struct CameraDescription {
 };
 
 struct LookDescription {
-    std::string theme = "studio";     // studio | dark | print
+    std::string theme = "studio";     // studio | dark | print | transparent
     std::vector<std::string> show;    // overlays
     std::vector<std::string> trails;  // bodies
 };

@@ -6,6 +6,7 @@
 #include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
 #include "demos/scene/read_parts.h"
+#include "demos/theme.h"
 
 namespace demos {
 namespace {
@@ -86,7 +87,7 @@ void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
     const Value* table = top.any("look");
     if (!table) return;
     Keys keys(*table, "[look]", complaints);
-    set(scene.look.theme, keys.word("theme", {"studio", "dark", "print"}, {"transparent"}));
+    set(scene.look.theme, keys.word("theme", themeNames()));
     for (const std::string& name : keys.texts("show").value_or(std::vector<std::string>{})) {
         scene.look.show.push_back(name);
         checkOverlay(keys, name);

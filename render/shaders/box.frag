@@ -3,8 +3,8 @@
 in vec3 world, worldNormal, tint, local;
 flat in vec3 halfSize;
 flat in vec4 q;
-uniform int edges;
 uniform float lineWidth;        // pixels
+uniform float lineStrength;     // 0..1
 out vec4 result;
 
 vec3 turn(vec4 r, vec3 v) { return v + 2.0 * cross(r.xyz, cross(r.xyz, v) + r.w * v); }
@@ -21,13 +21,12 @@ void main() {
     vec3 size = halfSize / across + face * 1e4;
     line *= smoothstep(2.0, 7.0, min(min(size.x, size.y), size.z));
     vec3 color = tint;
-    float shine = 0.6;
-    if (edges != 0) {
-        // A rounded edge: the normal leans out over the last stretch before it.
-        float bevel = 0.045 * min(min(halfSize.x, halfSize.y), halfSize.z) + 0.004;
-        vec3 lean = (1.0 - face) * sign(local) * (1.0 - smoothstep(vec3(0.0), vec3(bevel), inner));
-        normal = normalize(normal + turn(q, lean) * 0.55);
-        color *= 1.0 - 0.42 * line;
-    }
-    result = vec4(encode(fogged(lit(color, world, normal, shine), world)), 1.0);
+#ifdef EDGES
+    // A rounded edge: the normal leans out over the last stretch before it.
+    float bevel = 0.045 * min(min(halfSize.x, halfSize.y), halfSize.z) + 0.004;
+    vec3 lean = (1.0 - face) * sign(local) * (1.0 - smoothstep(vec3(0.0), vec3(bevel), inner));
+    normal = normalize(normal + turn(q, lean) * 0.55);
+    color *= 1.0 - lineStrength * line;
+#endif
+    result = vec4(encode(fogged(lit(color, world, normal, 0.6))), 1.0);
 }

@@ -1,12 +1,11 @@
 #version 330 core
+layout(location = 0) in vec3 position;   // m
 uniform mat4 worldToClip;
-uniform vec3 origin, across, along;   // m, a corner's way from the middle
+uniform vec3 across, along;              // unit, on the plane
 out vec3 world;
-out vec2 grid;                        // m, on the plane
+out vec2 grid;                           // m, on the plane
 void main() {
-    vec2 corner = vec2(gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4 ? 1.0 : -1.0,
-                       gl_VertexID == 2 || gl_VertexID == 4 || gl_VertexID == 5 ? 1.0 : -1.0);
-    world = origin + corner.x * across + corner.y * along;
-    grid = vec2(dot(world, normalize(across)), dot(world, normalize(along)));
+    world = position;
+    grid = vec2(dot(world, across), dot(world, along));
     gl_Position = worldToClip * vec4(world, 1.0);
 }

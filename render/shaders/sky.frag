@@ -1,11 +1,10 @@
 #version 330 core
 in vec3 ray;
-uniform vec3 fogColor, horizonColor, topColor;
+uniform vec3 forward;                           // unit, the view axis
+uniform vec3 fogColor, horizonColor, topColor;  // sRGB: mixed as they are seen
 out vec4 result;
-#include "encode.glsl"
 void main() {
-    float up = normalize(ray).y;
+    float up = ray.y / dot(ray, forward);
     vec3 color = mix(fogColor, horizonColor, smoothstep(0.0, 0.07, up));
-    color = mix(color, topColor, smoothstep(0.05, 0.5, up));
-    result = vec4(encode(color), 1.0);
+    result = vec4(mix(color, topColor, smoothstep(0.05, 0.5, up)), 1.0);
 }

@@ -1,0 +1,229 @@
+#include "render/occlusion.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace render {
+namespace {
+
+constexpr int kCell = 4;  // the pattern repeats every 4 x 4 pixels
+constexpr float kTurns = 3.0f;
+constexpr float kWidest = 0.12f;  // of the height: a sample is never farther away
+using Vec3 = Eigen::Vector3f;
+
+// Spelled out: GCC takes a size that depends on N for no vector at all.
+template <int N>
+struct Lanes;
+template <>
+struct Lanes<4> {
+    using Type = float __attribute__((vector_size(16)));
+};
+template <>
+struct Lanes<8> {
+    using Type = float __attribute__((vector_size(32)));
+};
+template <int N>
+using Samples = typename Lanes<N>::Type;
+
+/// Where the samples of a pixel lie: a spiral of a radius of 1, started by the pixel's place in its
+/// cell.
+template <int N>
+struct Pattern {
+    std::array<Samples<N>, kCell * kCell> x, y;
+    explicit Pattern(float turn) {
+        for (int cell = 0; cell < kCell * kCell; ++cell) {
+            const int cx = cell % kCell, cy = cell / kCell;
+            const int order = (cx * 4 + cy * 7 + (cx ^ cy) * 3) & 15;
+            const float start = static_cast<float>(order) / 16.0f + turn;
+            for (int i = 0; i < N; ++i) {
+                const float t = (static_cast<float>(i) + 0.5f) / N;
+                const float angle = (t * kTurns + start) * 6.2831853f;
+                x[cell][i] = std::cos(angle) * t;
+                y[cell][i] = std::sin(angle) * t;
+            }
+        }
+    }
+};
+
+/// In place: a wide vector that is returned has another form with every instruction set.
+template <class Lane>
+void keepPositive(Lane& v) {
+    v = v > 0.0f ? v : Lane{};
+}
+
+/// The whole computation of one map, with N samples a pixel.
+template <int N>
+class Occlusion {
+public:
+    Occlusion(const DepthMap& depth, const OcclusionSettings& settings, float turn)
+        : depth_(depth),
+          set_(settings),
+          pattern_(turn),
+          scaleX_(2.0f * settings.lensX / static_cast<float>(depth.width)),
+          scaleY_(2.0f * settings.lensY / static_cast<float>(depth.height)) {}
+
+    float open(int x, int y) const;
+
+private:
+    Vec3 point(int x, int y) const {
+        const float d = depth_.at(x, y);
+        return {((static_cast<float>(x) + 0.5f) * scaleX_ - set_.lensX) * d,
+                (set_.lensY - (static_cast<float>(y) + 0.5f) * scaleY_) * d, -d};
+    }
+    Vec3 normal(int x, int y, const Vec3& here) const;
+    float hidden(const Vec3& here, const Vec3& normal, const Samples<N>& x, const Samples<N>& y,
+                 const Samples<N>& depth) const;
+
+    const DepthMap& depth_;
+    const OcclusionSettings& set_;
+    const Pattern<N> pattern_;
+    float scaleX_, scaleY_;  // m a pixel at 1 m
+};
+
+/// The shorter of the two steps: the other one may lead off the surface.
+Vec3 slope(const Vec3& before, const Vec3& here, const Vec3& after) {
+    const Vec3 a = here - before, b = after - here;
+    return std::abs(a.z()) < std::abs(b.z()) ? a : b;
+}
+
+template <int N>
+Vec3 Occlusion<N>::normal(int x, int y, const Vec3& here) const {
+    const int right = std::min(x + 1, depth_.width - 1), low = std::min(y + 1, depth_.height - 1);
+    const Vec3 dx = slope(point(std::max(x - 1, 0), y), here, point(right, y));
+    const Vec3 dy = slope(point(x, low), here, point(x, std::max(y - 1, 0)));
+    return dx.cross(dy).normalized();
+}
+
+/// sum of  (1 - v^2 / r^2)^2  max(v . n - bias, 0) / (v^2 + epsilon),  v: from here to a sample
+template <int N>
+float Occlusion<N>::hidden(const Vec3& here, const Vec3& normal, const Samples<N>& x,
+                           const Samples<N>& y, const Samples<N>& depth) const {
+    const Samples<N> vx = ((x + 0.5f) * scaleX_ - set_.lensX) * depth - here.x();
+    const Samples<N> vy = (set_.lensY - (y + 0.5f) * scaleY_) * depth - here.y();
+    const Samples<N> vz = -depth - here.z();
+    const Samples<N> square = vx * vx + vy * vy + vz * vz;
+    Samples<N> fall = 1.0f - square * (1.0f / (set_.reach * set_.reach));
+    Samples<N> rise = vx * normal.x() + vy * normal.y() + vz * normal.z() + 0.004f * here.z();
+    keepPositive(fall);
+    keepPositive(rise);
+    const Samples<N> part = fall * fall * rise / (square + 0.004f);
+    float sum = 0.0f;
+    for (int i = 0; i < N; ++i) sum += part[i];
+    return sum;
+}
+
+template <int N>
+float Occlusion<N>::open(int x, int y) const {
+    const Vec3 here = point(x, y);
+    const float away = -here.z();
+    const float share = std::min(0.5f * set_.reach / (away * set_.lensY), kWidest);
+    const float pixels = share * static_cast<float>(depth_.height);
+    if (away > 0.6f * set_.farthest || pixels < 1.0f) return 1.0f;
+    const int cell = y % kCell * kCell + x % kCell;
+    const Samples<N> fx = pattern_.x[cell] * pixels + (static_cast<float>(x) + 0.5f);
+    const Samples<N> fy = pattern_.y[cell] * pixels + (static_cast<float>(y) + 0.5f);
+    Samples<N> px, py, depth;
+    for (int i = 0; i < N; ++i) {
+        const int sx = std::clamp(static_cast<int>(fx[i]), 0, depth_.width - 1);
+        const int sy = std::clamp(static_cast<int>(fy[i]), 0, depth_.height - 1);
+        px[i] = static_cast<float>(sx);
+        py[i] = static_cast<float>(sy);
+        depth[i] = depth_.at(sx, sy);
+    }
+    const float sum = hidden(here, normal(x, y, here), px, py, depth);
+    return std::max(0.0f, 1.0f - sum * 1.9f * set_.reach / N);
+}
+
+/// 0..1 to a byte, in 51 steps: finer ones are not seen, and make files larger.
+std::uint8_t inSteps(float open) {
+    return static_cast<std::uint8_t>(5 * static_cast<int>(51.0f * open + 0.5f));
+}
+
+/// The mean over the pattern's 4 x 4 cells, leaving out what lies at another depth: a row of it.
+class BlurredRow {
+public:
+    BlurredRow(const DepthMap& depth, const std::vector<float>& open, const PixelRect& where)
+        : depth_(depth), open_(open), where_(where), sum_(depth.width), weight_(depth.width) {}
+
+    void find(int y, std::uint8_t* out) {
+        std::fill(sum_.begin(), sum_.end(), 0.0f);
+        std::fill(weight_.begin(), weight_.end(), 0.0f);
+        for (int j = std::max(y - kCell / 2, where_.y0); j < std::min(y + kCell / 2, where_.y1); ++j)
+            for (int shift = -kCell / 2; shift < kCell / 2; ++shift) add(y, j, shift);
+        for (int x = where_.x0; x < where_.x1; ++x)  // the pixel itself is always one of them
+            out[x] = inSteps(sum_[x] / weight_[x]);
+    }
+
+private:
+    void add(int y, int other, int shift) {
+        const float* here = &depth_.meters[static_cast<std::size_t>(y) * depth_.width];
+        const std::size_t at = static_cast<std::size_t>(other) * depth_.width;
+        const float *there = &depth_.meters[at], *open = &open_[at];
+        const int first = std::max(where_.x0, where_.x0 - shift);
+        const int last = std::min(where_.x1, where_.x1 - shift);
+        for (int x = first; x < last; ++x) {
+            const float apart = std::abs(there[x + shift] - here[x]);
+            const float w = apart < 0.012f * here[x] ? 1.0f : 0.0f;
+            sum_[x] += w * open[x + shift];
+            weight_[x] += w;
+        }
+    }
+
+    const DepthMap& depth_;
+    const std::vector<float>& open_;
+    const PixelRect& where_;
+    std::vector<float> sum_, weight_;
+};
+
+}  // namespace
+
+int occlusionRadius(int height) {
+    return static_cast<int>(std::ceil(kWidest * static_cast<float>(height))) + kCell;
+}
+
+ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
+    const PixelRect& where = settings.where;
+    const Occlusion<8> occlusion(depth, settings, 0.0f);
+    ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
+    std::vector<float> open(depth.meters.size());
+    for (int y = where.y0; y < where.y1; ++y)
+        for (int x = where.x0; x < where.x1; ++x)
+            open[static_cast<std::size_t>(y) * depth.width + x] = occlusion.open(x, y);
+    BlurredRow row(depth, open, where);
+    for (int y = where.y0; y < where.y1; ++y) row.find(y, map.row(y));
+    return map;
+}
+
+ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, float turn) {
+    const PixelRect& where = settings.where;
+    const Occlusion<4> occlusion(depth, settings, turn);
+    ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
+    for (int y = where.y0; y < where.y1; ++y)
+        for (int x = where.x0; x < where.x1; ++x)
+            map.row(y)[x] = static_cast<std::uint8_t>(255.0f * occlusion.open(x, y) + 0.5f);
+    return map;
+}
+
+ByteMap doubled(const ByteMap& map, int width, int height) {
+    ByteMap large{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height)};
+    std::vector<int> column(static_cast<std::size_t>(map.width) + 2);  // ends twice
+    for (int y = 0; y < height; ++y) {
+        const int nearest = std::min(y / 2, map.height - 1);
+        const int next = std::clamp(nearest + (y % 2 ? 1 : -1), 0, map.height - 1);
+        const std::uint8_t *a = map.row(nearest), *b = map.row(next);
+        for (int x = 0; x < map.width; ++x) column[x + 1] = 3 * a[x] + b[x];
+        column.front() = column[1];
+        column.back() = column[map.width];
+        std::uint8_t* out = large.row(y);
+        for (int x = 0; x < width; ++x) {
+            const int i = std::min(x / 2, map.width - 1) + 1;
+            out[x] = static_cast<std::uint8_t>((3 * column[i] + column[i + (x % 2 ? 1 : -1)] + 8) / 16);
+        }
+    }
+    return large;
+}
+
+}  // namespace render

@@ -1,0 +1,194 @@
+#include "render/passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace render {
+namespace {
+
+/// Of a map of half the size.
+PixelRect halved(const PixelRect& rect) {
+    return {rect.x0 / 2, rect.y0 / 2, (rect.x1 + 1) / 2, (rect.y1 + 1) / 2};
+}
+
+/// Pictures are drawn upside down, so that the first row read back is the top one.
+View upsideDown(View view) {
+    view.projection.row(1) *= -1.0f;
+    return view;
+}
+
+void checkGl() {
+    glFinish();
+    const GLenum error = glGetError();
+    if (error != GL_NO_ERROR) throw Error("OpenGL reports error " + std::to_string(error));
+}
+
+/// A picture all of one colour is a driver that draws nothing: say so before a film of it is made.
+void checkNotEmpty(const Image& image) {
+    const std::uint8_t* first = image.pixels.data();
+    for (std::size_t i = 4; i < image.pixels.size(); i += 4)
+        if (std::memcmp(first, first + i, 4) != 0) return;
+    if (image.width * image.height > 16)
+        throw Error("the picture is all one colour; the OpenGL driver draws nothing");
+}
+
+/// Colours as they are, no longer multiplied by their alpha.
+void divideByAlpha(Image& image) {
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        const int alpha = image.pixels[i + 3];
+        if (alpha == 0 || alpha == 255) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int color = (255 * image.pixels[i + c] + alpha / 2) / alpha;
+            image.pixels[i + c] = static_cast<std::uint8_t>(std::min(color, 255));
+        }
+    }
+}
+
+/// The camera on another place of its lens; what is in focus stays where it is in the picture.
+Camera moved(Camera camera, const Eigen::Vector2f& lens) {
+    if (camera.aperture <= 0.0f) return camera;
+    const Vec3 sight = (camera.lookAt - camera.from).normalized();
+    const float focus =
+        camera.focus > 0.0f ? camera.focus : (camera.lookAt - camera.from).norm();
+    const Vec3 right = sight.cross(camera.up).normalized(), up = right.cross(sight);
+    camera.lookAt = camera.from + focus * sight;
+    camera.from += camera.aperture * (lens.x() * right + lens.y() * up);
+    return camera;
+}
+
+}  // namespace
+
+Passes::Passes(const RendererSettings& settings)
+    : settings_(settings),
+      context_(makeContext(
+          {settings.width, settings.height, settings.threads, settings.reproducible})),
+      sun_(settings.shadowSize),
+      depth_(settings.width, settings.height),
+      openMap_(newTexture(GL_R8, settings.width, settings.height)),
+      scene_(settings.width, settings.height,
+             settings.finish == Finish::draft ? 1 : settings.samples) {
+    glEnable(GL_DEPTH_TEST);
+    glFrontFace(GL_CW);  // upside down
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    checkGl();
+}
+
+View Passes::viewOf(const Frame& frame) const {
+    return makeView(frame.camera,
+                    static_cast<float>(settings_.width) / static_cast<float>(settings_.height));
+}
+
+void Passes::enter(Stage stage) const {
+    if (!observer) return;
+    glFinish();
+    observer(stage);
+}
+
+void Passes::setMeshes(const Frame& frame, const View& view) {
+    const float pixelsAMeter = 0.5f * static_cast<float>(settings_.height) * view.projection(1, 1);
+    meshes_.set(instancesOf(frame, pixelsAMeter));
+}
+
+DepthMap Passes::drawDepth(const Frame& frame) {
+    const View view = viewOf(frame);
+    setMeshes(frame, view);
+    return depth_.draw(frame, upsideDown(view), meshes_, ground_);
+}
+
+OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
+                                      const PixelRect& bodies, const DepthMap& map) const {
+    OcclusionSettings set;
+    set.lensX = 1.0f / view.projection(0, 0);
+    set.lensY = 1.0f / view.projection(1, 1);
+    set.farthest = view.farthest;
+    set.reach = 0.035f * (frame.camera.from - frame.camera.lookAt).norm() + 0.15f;
+    set.where = halved(bodies).grown(occlusionRadius(map.height), map.width, map.height);
+    return set;
+}
+
+void Passes::setOpenMap(const ByteMap& halfSize) {
+    const ByteMap open = doubled(halfSize, settings_.width, settings_.height);
+    glBindTexture(GL_TEXTURE_2D, openMap_);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, settings_.width, settings_.height, GL_RED,
+                    GL_UNSIGNED_BYTE, open.bytes.data());
+}
+
+Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
+    enter(Stage::depth);
+    const View view = viewOf(frame);
+    const PixelRect bodies = bodiesRect(frame, view, settings_.width, settings_.height);
+    const bool full = settings_.finish == Finish::standard;
+    const bool darkened = full && frame.look.ambientOcclusion;
+    Lights lights;
+    setMeshes(frame, view);
+    if (darkened || !frame.markers.empty())
+        depth = depth_.draw(frame, upsideDown(view), meshes_, ground_);
+    enter(Stage::occlusion);
+    if (darkened) {
+        setOpenMap(openness(depth, occlusionOf(frame, view, bodies, depth)));
+        lights.openMap = openMap_;
+    }
+    enter(Stage::shadow);
+    if (full && frame.look.shadows) {
+        sun_.draw(frame, frame.look.sunDirection, meshes_);
+        lights.sun = &sun_;
+    }
+    enter(Stage::scene);
+    scene_.draw(frame, upsideDown(view), lights, bodies, meshes_, ground_);
+    enter(Stage::resolve);
+    scene_.resolve(bodies);
+    return readBack(frame.look.transparent);
+}
+
+View Passes::sampleView(const Frame& frame, const SubSample& sample) const {
+    View view = viewOf(frame);
+    Eigen::Matrix4f shift = Eigen::Matrix4f::Identity();
+    shift(0, 3) = 2.0f * sample.pixel.x() / static_cast<float>(settings_.width);
+    shift(1, 3) = 2.0f * sample.pixel.y() / static_cast<float>(settings_.height);
+    view.projection = shift * view.projection;
+    return view;
+}
+
+Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
+    enter(Stage::depth);
+    Frame moment = frame;
+    moment.camera = moved(frame.camera, sample.lens);
+    const View view = sampleView(moment, sample);
+    const PixelRect bodies = bodiesRect(moment, view, settings_.width, settings_.height);
+    Lights lights;
+    lights.soft = false;
+    setMeshes(moment, view);
+    if (frame.look.ambientOcclusion) {
+        const DepthMap depth = depth_.draw(moment, upsideDown(view), meshes_, ground_);
+        enter(Stage::occlusion);
+        setOpenMap(roughOpenness(depth, occlusionOf(moment, view, bodies, depth), sample.turn));
+        lights.openMap = openMap_;
+    }
+    enter(Stage::shadow);
+    if (frame.look.shadows) {
+        sun_.draw(moment, sample.toSun, meshes_);
+        lights.sun = &sun_;
+    }
+    enter(Stage::scene);
+    scene_.draw(moment, upsideDown(view), lights, {}, meshes_, ground_);
+    return readBack(frame.look.transparent);
+}
+
+Image Passes::readBack(bool transparent) const {
+    enter(Stage::readBack);
+    Image image;
+    image.width = settings_.width, image.height = settings_.height;
+    image.pixels.resize(4u * static_cast<std::size_t>(image.width) * image.height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_.framebuffer());
+    glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    checkGl();
+    if (transparent)
+        divideByAlpha(image);
+    else
+        checkNotEmpty(image);
+    return image;
+}
+
+}  // namespace render

@@ -1,0 +1,50 @@
+#include "render/sampling.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numeric>
+
+namespace render {
+namespace {
+
+constexpr float kTwoPi = 6.28318531f;
+constexpr float kSunRadius = 0.035f;  // rad: seven times the real sun's, a large studio lamp
+
+/// The digits of `index` in `base`, mirrored at the point (van der Corput): 0 <= result < 1.
+float mirrored(int index, int base) {
+    float result = 0.0f, digit = 1.0f;
+    for (; index > 0; index /= base) {
+        digit /= static_cast<float>(base);
+        result += digit * static_cast<float>(index % base);
+    }
+    return result;
+}
+
+/// Even over a disc of radius 1; u, v: 0..1.
+Eigen::Vector2f onDisc(float u, float v) {
+    const float radius = std::sqrt(u), angle = kTwoPi * v;
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Each of the middles of `count` strips of 0..1 once, in an order that `stride` gives.
+float strip(int index, int count, int stride) {
+    while (std::gcd(stride, count) != 1) ++stride;
+    return (static_cast<float>(index * stride % count) + 0.5f) / static_cast<float>(count);
+}
+
+}  // namespace
+
+SubSample subSample(int index, int count, const Vec3& sun) {
+    SubSample sample;
+    sample.pixel = {mirrored(index + 1, 2) - 0.5f, mirrored(index + 1, 3) - 0.5f};
+    const Vec3 middle = sun.normalized();
+    const Vec3 helper = std::abs(middle.y()) < 0.9f ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitX());
+    const Vec3 u = helper.cross(middle).normalized(), v = middle.cross(u);
+    const Eigen::Vector2f disc = onDisc(strip(index, count, 7), mirrored(index, 2));
+    sample.toSun = (middle + kSunRadius * (disc.x() * u + disc.y() * v)).normalized();
+    sample.lens = onDisc(strip(index, count, 3), mirrored(index, 3));
+    sample.turn = strip(index, count, 5);
+    return sample;
+}
+
+}  // namespace render

@@ -1,0 +1,50 @@
+// What reaches a point from the sun, and from the sky.
+
+#if defined(SOFT_SHADOWS) || defined(HARD_SHADOWS)
+uniform sampler2DShadow shadowMap;
+uniform mat4 worldToShadow;        // to texels; z to 0..1
+uniform float shadowTexel;         // m
+uniform float shadowSize;          // texels a side
+
+// Moved out along the normal by what a kernel's width hides at this slant: no acne, no gap.
+vec3 lifted(vec3 world, vec3 normal, vec3 toLight, float texel) {
+    float slant = 1.0 - max(dot(normal, toLight), 0.0);
+    return world + normal * texel * (0.7 + 1.8 * slant);
+}
+#endif
+
+#ifdef SOFT_SHADOWS
+// Sixteen texels by four gathers, weighted so that the kernel moves smoothly with the point.
+float sunlit(vec3 world, vec3 normal) {
+    vec3 p = (worldToShadow * vec4(lifted(world, normal, toSun, shadowTexel), 1.0)).xyz;
+    vec2 t = p.xy - 0.5;
+    vec2 f = fract(t), g = 1.0 - f;
+    float texel = 1.0 / shadowSize;
+    vec2 low = floor(t) * texel, high = low + 2.0 * texel;
+    vec4 a = textureGather(shadowMap, low, p.z);
+    vec4 b = textureGather(shadowMap, vec2(high.x, low.y), p.z);
+    vec4 c = textureGather(shadowMap, vec2(low.x, high.y), p.z);
+    vec4 d = textureGather(shadowMap, high, p.z);
+    // Columns -1, 0, 1, 2 weigh (1 - f), 1, 1, f; a gather gives (0,1), (1,1), (1,0), (0,0).
+    float lower = (a.w * g.x + a.z + b.w + b.z * f.x) * g.y + (a.x * g.x + a.y + b.x + b.y * f.x);
+    float upper = (c.w * g.x + c.z + d.w + d.z * f.x) + (c.x * g.x + c.y + d.x + d.y * f.x) * f.y;
+    return (lower + upper) / 9.0;
+}
+#elif defined(HARD_SHADOWS)
+// One of many sub-frames, each with the sun in another place: their mean is soft.
+float sunlit(vec3 world, vec3 normal) {
+    vec3 p = (worldToShadow * vec4(lifted(world, normal, toSun, shadowTexel), 1.0)).xyz;
+    return texture(shadowMap, vec3(p.xy / shadowSize, p.z));
+}
+#else
+float sunlit(vec3 world, vec3 normal) { return 1.0; }
+#endif
+
+#ifdef OCCLUSION
+uniform sampler2D openMap;      // how much of the sky a point sees
+float open() { return texelFetch(openMap, ivec2(gl_FragCoord.xy), 0).r; }
+#else
+float open() { return 1.0; }
+#endif
+
+vec3 ambient(vec3 normal) { return mix(groundLight, skyLight, 0.5 + 0.5 * normal.y); }
