@@ -1,12 +1,25 @@
 /// The command line as plain values. options.cpp alone knows how it is parsed.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace demos {
 
-enum class Command { render, still, sim, plot, compare, sweep, list, doctor, bench, completion };
+enum class Command {
+    render,
+    still,
+    strip,
+    sim,
+    plot,
+    compare,
+    sweep,
+    list,
+    doctor,
+    bench,
+    completion
+};
 
 struct PictureSize {
     int width = 0, height = 0;  // pixels
@@ -32,8 +45,14 @@ struct Options {
     bool clean = false;             // no text
     bool overwrite = false;
     bool reproducible = false;
-    std::optional<double> time;  // s, still
-    std::optional<int> frame;    // still; negative counts from the end
+    std::optional<std::uint64_t> maxSize;  // bytes a film may have, render
+    std::string poster;                    // render: a .png; empty = not asked for
+    std::optional<double> posterTime;      // s
+    int moments = 6;                       // strip
+    std::vector<double> times;             // s, strip; empty = evenly over the film
+    int columns = 0;                       // strip; 0 = up to six, all rows alike
+    std::optional<double> time;            // s, still
+    std::optional<int> frame;              // still; negative counts from the end
 
     // sim
     std::string csv, bodies, joints, contacts, sweeps;  // a file or "-"; empty = not asked for

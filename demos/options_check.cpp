@@ -48,6 +48,60 @@ void checkName(const char* option, const std::string& word, const std::vector<st
                            suggestion(word, names)));
 }
 
+/// "8M", "1.5G", "500k", "8MB" or a plain number of bytes; K, M, G count in thousands.
+std::optional<std::uint64_t> bytesFrom(std::string text) {
+    if (text.ends_with('B') || text.ends_with('b')) text.pop_back();
+    double unit = 1.0;
+    const std::string units = "kKmMgG";
+    if (const std::size_t at = text.empty() ? units.npos : units.find(text.back());
+        at != units.npos) {
+        for (std::size_t i = 0; i <= at / 2; ++i) unit *= 1000.0;
+        text.pop_back();
+    }
+    double number = 0.0;
+    const char* end = text.data() + text.size();
+    const auto got = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    const bool whole = got.ec == std::errc{} && got.ptr == end;
+    if (!whole || !(number * unit >= 1000.0 && number * unit <= 1e12)) return std::nullopt;
+    return static_cast<std::uint64_t>(number * unit);
+}
+
+void checkTimes(Options& options, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+        double time = -1.0;
+        const char* end = text.data() + text.size();
+        const auto got = std::from_chars(text.data(), end, time);
+        if (got.ec != std::errc{} || got.ptr != end || !(time >= 0.0 && time <= kLongest))
+            refuse(fmt::format("--times '{}': must be times of 0 to 100000 s, with commas",
+                               printable(text)));
+        if (!options.times.empty() && time <= options.times.back())
+            refuse(fmt::format("--times: {} does not come after {}; the times must rise", time,
+                               options.times.back()));
+        options.times.push_back(time);
+    }
+    if (options.times.size() > 100)
+        refuse(fmt::format("--times: {} of them; at most 100", options.times.size()));
+}
+
+/// What is written besides frames, and how large a film may be.
+void checkDelivery(Options& options, const RawOptions& raw) {
+    if (!raw.maxSize.empty()) {
+        options.maxSize = bytesFrom(raw.maxSize);
+        if (!options.maxSize)
+            refuse(
+                fmt::format("--max-size '{}': must be 1K to 1000G bytes, for example 8M "
+                            "(8 000 000)",
+                            printable(raw.maxSize)));
+    }
+    if (options.posterTime && options.poster.empty())
+        refuse("--poster-time belongs to --poster; name a file for it");
+    if (options.posterTime && !(*options.posterTime >= 0.0 && *options.posterTime <= kLongest))
+        refuse(fmt::format("--poster-time {}: must be 0 to 100000 s", *options.posterTime));
+    checkRange("--moments", options.moments, 1, 100);
+    checkRange("--columns", options.columns, 0, 100);
+    checkTimes(options, raw.times);
+}
+
 void checkPicture(Options& options, const RawOptions& raw) {
     checkName("--quality", options.quality, qualityNames());
     if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
@@ -75,6 +129,7 @@ void checkPicture(Options& options, const RawOptions& raw) {
 
 void checkOptions(Options& options, const RawOptions& raw) {
     checkPicture(options, raw);
+    checkDelivery(options, raw);
     if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= kLongest))
         refuse(fmt::format("--seconds {}: must be above 0 and at most 100000", *options.seconds));
     if (options.time && !(*options.time >= 0.0 && *options.time <= kLongest))

@@ -7,6 +7,8 @@ namespace demos {
 /// What is parsed as text first and understood here.
 struct RawOptions {
     std::string size;
+    std::string maxSize;
+    std::vector<std::string> times;
     std::vector<std::string> show;
     std::vector<std::string> what;
     std::string solver;

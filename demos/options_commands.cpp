@@ -66,6 +66,20 @@ void addSeconds(CLI::App& app, Options& options) {
         ->type_name("S");
 }
 
+/// What a film is made for: a limit of a page or a chat, a picture to show before it plays.
+void addDelivery(CLI::App& app, Options& options, RawOptions& raw) {
+    app.add_option("--max-size", raw.maxSize,
+                   "bytes a film may have, e.g. 8M (K, M, G count in thousands); exactness, then "
+                   "frames, then size are given up for it; default: no limit")
+        ->type_name("BYTES");
+    app.add_option("--poster", options.poster,
+                   "one frame as a .png of its own, patterns as above; default: not written")
+        ->type_name("FILE");
+    app.add_option("--poster-time", options.posterTime,
+                   "which, in s; default: the scene's section.poster, else the middle of the film")
+        ->type_name("S");
+}
+
 void addRender(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     app.add_option("-o,--output", options.outputs,
@@ -75,10 +89,37 @@ void addRender(CLI::App& app, Options& options, RawOptions& raw) {
         ->type_name("OUT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addDelivery(app, options, raw);
     addSeconds(app, options);
     addPicture(app, options, raw);
     app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
         ->type_name("N");
+    addFeedback(app, options);
+}
+
+void addStrip(CLI::App& app, Options& options, RawOptions& raw) {
+    addSceneChoice(app, options, raw);
+    CLI::Option* moments = app.add_option(
+        "-n,--moments", options.moments,
+        "how many, 1..100, evenly from the film's first frame to its last; default: 6");
+    moments->type_name("N");
+    app.add_option("--times", raw.times, "which, in s, with commas, rising; default: evenly")
+        ->type_name("S,S")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes(moments);
+    app.add_option("--columns", options.columns,
+                   "moments in a row; default: 0, up to six, and all rows alike")
+        ->type_name("N");
+    app.add_option("-o,--output", options.outputs,
+                   "a .png, patterns as for render, or - ; default: output/<scene>/strip.png")
+        ->type_name("OUT")
+        ->expected(1);
+    addSeconds(app, options);
+    addPicture(app, options, raw);
+    app.get_option("--size")->description(
+        "pixels of one picture, 1..16384 a side; default: half of the quality's");
+    app.get_option("--clean")->description("no times below the pictures; default: off");
     addFeedback(app, options);
 }
 
@@ -228,6 +269,11 @@ constexpr CommandText kCommands[] = {
      "draw one frame",
      {"impulse still stack -t 2.0", "impulse still stack -f -1 -o last.png -q 4k",
       "impulse still my.toml -t 0.5 --show impulses --theme print"}},
+    {Command::strip,
+     "strip",
+     "a row of moments as one picture, for paper or a slide",
+     {"impulse strip stack", "impulse strip wall -n 8 --columns 4 --theme print -o wall.png",
+      "impulse strip chain --times 0,0.5,1,2 --size 480x360"}},
     {Command::sim,
      "sim",
      "physics only: tables, state hash, the scene's expectations",
@@ -278,6 +324,8 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
             return addRender(app, options, raw);
         case Command::still:
             return addStill(app, options, raw);
+        case Command::strip:
+            return addStrip(app, options, raw);
         case Command::sim:
             return addSim(app, options, raw);
         case Command::plot:

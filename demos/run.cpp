@@ -19,6 +19,8 @@ Exit perform(const Options& options) {
             return renderCommand(options);
         case Command::still:
             return stillCommand(options);
+        case Command::strip:
+            return stripCommand(options);
         case Command::sim:
             return simCommand(options);
         case Command::plot:

@@ -7,6 +7,7 @@ namespace demos {
 
 Exit renderCommand(const Options& options);
 Exit stillCommand(const Options& options);
+Exit stripCommand(const Options& options);
 Exit simCommand(const Options& options);
 Exit plotCommand(const Options& options);
 Exit compareCommand(const Options& options);

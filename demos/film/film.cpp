@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <memory>
+#include <utility>
 
 #include "demos/film/frame_files.h"
 #include "demos/film/outputs.h"
+#include "demos/film/poster.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
 #include "demos/film/text_hash.h"
@@ -38,30 +40,41 @@ struct Film {
     std::unique_ptr<render::VideoWriter> writer;
 };
 
+render::VideoSource sourceOf(const FilmPlan& plan) {
+    return {plan.layout.width, plan.layout.height, plan.fps, plan.alpha()};
+}
+
+render::Fit fitOf(const Options& options, const Talk& talk) {
+    return {options.maxSize.value_or(0), interrupted,
+            [&talk](const std::string& line) { talk.mention(line); }};
+}
+
 /// All that one run writes.
 class Writers {
 public:
     Writers(const FilmPlan& plan, const std::vector<Output>& outputs, const RunRecord& record,
-            bool overwrite) {
+            Poster poster, const Options& options, const Talk& talk)
+        : poster_(std::move(poster)) {
         for (const Output& output : outputs) {
             if (output.kind == OutputKind::raw) raw_ = true;
             if (output.kind == OutputKind::frames) {
                 RunRecord own = record;
                 own.pattern = output.pattern;
-                files_.push_back(std::make_unique<FrameFiles>(plan, output.path, own, overwrite));
+                files_.push_back(
+                    std::make_unique<FrameFiles>(plan, output.path, own, options.overwrite));
             }
             if (output.kind == OutputKind::film) {
                 makeFolder(output.path.parent_path());
-                films_.push_back({output.path, std::make_unique<render::VideoWriter>(
-                                                   output.path, plan.layout.width,
-                                                   plan.layout.height, plan.fps)});
+                films_.push_back(
+                    {output.path, std::make_unique<render::VideoWriter>(output.path, sourceOf(plan),
+                                                                        fitOf(options, talk))});
             }
         }
     }
 
     /// A film or a stream needs every frame; a folder those that it has not.
     bool wants(int frame) const {
-        bool wanted = raw_ || !films_.empty();
+        bool wanted = raw_ || !films_.empty() || poster_.wants(frame);
         for (const auto& files : files_) wanted = wanted || !files->has(frame);
         return wanted;
     }
@@ -70,12 +83,14 @@ public:
         for (const auto& files : files_) files->add(frame);
         for (const Film& film : films_) film.writer->add(frame.image);
         if (raw_) writeRaw(frame.image);
+        poster_.add(frame);
     }
 
     void close(bool finished) {
         for (const auto& files : files_) files->close(finished);
         for (const Film& film : films_)
             if (film.writer->frames() > 0) film.writer->close();
+        if (finished) poster_.write();
     }
 
     /// After an error: the folders' records, as far as they can be written.
@@ -86,15 +101,18 @@ public:
             }
     }
 
-    void tell(const FilmPlan& plan, const Talk& talk) const {
+    void tell(const FilmPlan& plan, const Options& options, const Talk& talk) const {
         for (const auto& files : files_)
             talk.say(fmt::format(
                 "wrote {} ... {} ({} frames{})", printable(files->nameOf(0).string()),
                 printable(files->nameOf(plan.frames - 1).filename().string()), plan.frames,
                 files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
         for (const Film& film : films_)
-            talk.say(fmt::format("wrote {} ({} frames, {:.3g} s)", printable(film.path.string()),
-                                 plan.frames, plan.timeOf(plan.frames)));
+            talk.say(fmt::format("wrote {} ({})", printable(film.path.string()),
+                                 options.maxSize ? film.writer->summary()
+                                                 : fmt::format("{} frames, {:.3g} s", plan.frames,
+                                                               plan.timeOf(plan.frames))));
+        poster_.tell(plan, talk);
     }
 
     bool hasFilms() const { return !films_.empty(); }
@@ -102,6 +120,7 @@ public:
 private:
     std::vector<std::unique_ptr<FrameFiles>> files_;
     std::vector<Film> films_;
+    Poster poster_;
     bool raw_ = false;
 };
 
@@ -124,10 +143,11 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
     return record;
 }
 
-[[noreturn]] void stopInterrupted(const Writers& writers, const Options& options, int frame) {
+[[noreturn]] void stopInterrupted(const Writers& writers, const Options& options,
+                                  const std::string& what) {
     const bool again = writers.hasFilms() && !options.overwrite;
-    throw Stop(Exit::interrupted, fmt::format("interrupted after frame {}; to go on: {}{}", frame,
-                                              options.commandLine, again ? " --overwrite" : ""));
+    throw Stop(Exit::interrupted, fmt::format("{}; to go on: {}{}", what, options.commandLine,
+                                              again ? " --overwrite" : ""));
 }
 
 bool has(const std::vector<Output>& outputs, OutputKind kind) {
@@ -147,8 +167,9 @@ void drawAll(FrameSource& source, Writers& writers, const Options& options, cons
         progress.advance();
         if (!interrupted()) continue;
         progress.finish();
+        watchSignals();  // the next one ends the encoding
         writers.close(false);
-        stopInterrupted(writers, options, frame.frame);
+        stopInterrupted(writers, options, fmt::format("interrupted after frame {}", frame.frame));
     }
 }
 
@@ -171,18 +192,19 @@ void tellNext(const Writers& writers, const Options& options, const Talk& talk) 
 void makeFilm(const FilmPlan& plan, const Options& options) {
     const std::vector<Output> outputs = outputsOf(plan, options);
     checkOutputs(outputs, plan, options.overwrite);
+    Poster poster(plan, options);
     const bool raw = has(outputs, OutputKind::raw);
     const bool moving = raw || has(outputs, OutputKind::film);
     const Talk talk(options, raw);
     watchSignals();
     FrameSource source(plan, workerCount(options.jobs, plan.frames),
                        has(outputs, OutputKind::frames), moving);
-    Writers writers(plan, outputs, recordOf(plan, options, source.renderer()), options.overwrite);
+    Writers writers(plan, outputs, recordOf(plan, options, source.renderer()), std::move(poster),
+                    options, talk);
     const std::vector<bool> wanted = wantedFrames(writers, plan.frames);
     const int missing = static_cast<int>(std::count(wanted.begin(), wanted.end(), true));
     talk.json(fmt::format(R"({{"event":"start","scene":{},"frames":{},"kept":{},"fps":{}}})",
-                          jsonString(plan.name), plan.frames, plan.frames - missing,
-                          plan.fps));
+                          jsonString(plan.name), plan.frames, plan.frames - missing, plan.fps));
     source.order(wanted);
     Progress progress(options, plan.frames, plan.frames - missing);
     try {
@@ -193,12 +215,14 @@ void makeFilm(const FilmPlan& plan, const Options& options) {
         progress.finish();
         if (stop.code() == Exit::diverged) writers.close(false);  // the last good frame is kept
         throw;
+    } catch (const render::Cancelled& cancelled) {
+        stopInterrupted(writers, options, cancelled.what());
     } catch (...) {
         progress.finish();
         writers.saveRecords();
         throw;
     }
-    writers.tell(plan, talk);
+    writers.tell(plan, options, talk);
     talk.json(fmt::format(R"({{"event":"done","frames":{}}})", plan.frames));
     tellNext(writers, options, talk);
 }

@@ -107,8 +107,9 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     for (Panel& panel : plan.panels) panel.overlays = overlaysOf(panel.scene, options);
     plan.quality = quality.name;
     plan.fps = options.fps.value_or(quality.fps);
-    // A still of a given time falls on a step, whether or not a film would have a frame there.
-    const bool anyStep = options.command == Command::still && options.time;
+    // A picture of a given time falls on a step, whether or not a film would have a frame there.
+    const bool anyStep = (options.command == Command::still && options.time) ||
+                         (options.command == Command::strip && !options.times.empty());
     plan.stepsPerFrame =
         anyStep ? std::max(scene.hz / plan.fps, 1) : stepsPerFrame(scene.hz, plan.fps);
     for (const Panel& panel : plan.panels)
@@ -131,6 +132,12 @@ FilmPlan planFilm(const Options& options) {
     Panel panel;
     panel.scene = sceneOf(options);
     return planFilm({std::move(panel)}, false, options);
+}
+
+bool FilmPlan::alpha() const {
+    return std::any_of(panels.begin(), panels.end(), [](const Panel& panel) {
+        return panel.overlays.theme == "transparent";
+    });
 }
 
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {

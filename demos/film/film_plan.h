@@ -36,6 +36,8 @@ struct FilmPlan {
     int stepsPerFrame = 2;
 
     const SceneDescription& scene() const { return panels.front().scene; }
+    /// Whether the pictures show what is behind them.
+    bool alpha() const;
     double timeOf(int frame) const { return static_cast<double>(frame) / fps; }  // s
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 #include "render/encode/file.h"
@@ -80,6 +82,10 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
     if (!even && (ending == ".mp4" || ending == ".webm"))
         throw Stop(Exit::usage, fmt::format("--size {}x{}: a {} film needs even sides",
                                             plan.layout.width, plan.layout.height, ending));
+    if (plan.alpha() && !render::videoFormatOf(output.path)->holdsAlpha)
+        throw Stop(Exit::usage, fmt::format("--output '{}': a {} holds no alpha, which the theme "
+                                            "'transparent' is for; use .webm, .webp, .apng or .gif",
+                                            printable(output.path.string()), ending));
     render::checkReplaceable(output.path);
     if (isThere(output.path) && !overwrite)
         throw Stop(Exit::wouldOverwrite,
@@ -106,6 +112,9 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {
             refuse(pattern, "--json has standard output already");
         outputs.push_back(output);
     }
+    const auto isFilm = [](const Output& output) { return output.kind == OutputKind::film; };
+    if (options.maxSize && std::none_of(outputs.begin(), outputs.end(), isFilm))
+        throw Stop(Exit::usage, "--max-size belongs to a film; name one, as in -o film.gif");
     return outputs;
 }
 

@@ -54,6 +54,10 @@ void Talk::say(const std::string& line) const {
     if (!quiet_ && !json_) fmt::print(dataOnStdout_ ? stderr : stdout, "{}\n", line);
 }
 
+void Talk::mention(const std::string& line) const {
+    if (!quiet_ && !json_) fmt::print(stderr, "{}\n", line);
+}
+
 void Talk::json(const std::string& object) const {
     if (!json_) return;
     fmt::print(stdout, "{}\n", object);

@@ -21,6 +21,8 @@ class Talk {
 public:
     Talk(const Options& options, bool dataOnStdout);
     void say(const std::string& line) const;
+    /// A line about the work, on standard error.
+    void mention(const std::string& line) const;
     /// A line of JSON, with --json only; flushed, so that a reader may act on it.
     void json(const std::string& object) const;
 

@@ -4,6 +4,7 @@
 namespace demos {
 
 /// From now on the first of them sets a flag; a second one ends the program at once.
+/// Called again, the count begins anew.
 void watchSignals();
 bool interrupted();
 

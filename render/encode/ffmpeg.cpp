@@ -132,21 +132,22 @@ Ffmpeg::Sockets Ffmpeg::makeSockets() {
     return {pair[0], pair[1]};
 }
 
-Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience)
-    : Ffmpeg(arguments, patience, makeSockets()) {}
+Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
+               const Descriptor* shared)
+    : Ffmpeg(arguments, patience, shared, makeSockets()) {}
 
 Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
-               Sockets sockets)
+               const Descriptor* shared, Sockets sockets)
     : frames_(sockets.ours),
       theirs_(std::make_unique<Descriptor>(sockets.theirs)),
       progress_(::memfd_create("progress", MFD_CLOEXEC)),
       errors_(::memfd_create("errors", MFD_CLOEXEC)),
       patience_(patience) {
-    spawn(arguments);
+    spawn(arguments, shared);
     theirs_.reset();
 }
 
-void Ffmpeg::spawn(const std::vector<std::string>& arguments) {
+void Ffmpeg::spawn(const std::vector<std::string>& arguments, const Descriptor* shared) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments) {
         argv.push_back(const_cast<char*>(argument.c_str()));  // the C interface; not written to
@@ -157,6 +158,8 @@ void Ffmpeg::spawn(const std::vector<std::string>& arguments) {
     ::posix_spawn_file_actions_adddup2(&plan.files, theirs_->number(), 0);
     ::posix_spawn_file_actions_adddup2(&plan.files, progress_.number(), 1);
     ::posix_spawn_file_actions_adddup2(&plan.files, errors_.number(), 2);
+    if (shared)  // the last: the others may have this number here
+        ::posix_spawn_file_actions_adddup2(&plan.files, shared->number(), kSharedFile);
     const int error =
         ::posix_spawnp(&child_, argv[0], &plan.files, &plan.attributes, argv.data(), environ);
     if (error == ENOENT) {
@@ -189,7 +192,7 @@ bool Ffmpeg::send(std::span<const std::uint8_t> bytes) {
     return true;
 }
 
-bool Ffmpeg::finish() {
+bool Ffmpeg::finish(const std::function<bool()>& giveUp) {
     ::shutdown(frames_.number(), SHUT_WR);
     Patience patience(child_, patience_);
     while (running_) {
@@ -197,6 +200,10 @@ bool Ffmpeg::finish() {
         if (ended != 0) running_ = false;
         if (ended < 0) status_ = kUnknownStatus;  // our caller ignores SIGCHLD
         if (ended != 0) break;
+        if (!hung_ && giveUp && giveUp()) {
+            end();
+            break;
+        }
         if (hung_ || !patience.left()) {
             hung_ = true;
             end();

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -32,8 +33,11 @@ private:
 class Ffmpeg {
 public:
     /// Starts `arguments` (the program's name first, looked up in PATH). `patience`: a child that
-    /// neither reads nor uses processor time for so long is taken for hanging.
-    Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience);
+    /// neither reads nor uses processor time for so long is taken for hanging. `shared` is the
+    /// child's file number kSharedFile, where its arguments name that.
+    Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
+           const Descriptor* shared = nullptr);
+    static constexpr int kSharedFile = 3;
     ~Ffmpeg() { end(); }
     Ffmpeg(const Ffmpeg&) = delete;
     Ffmpeg& operator=(const Ffmpeg&) = delete;
@@ -41,8 +45,9 @@ public:
     /// False when the child does not take the bytes; finish() and complaint() tell why.
     bool send(std::span<const std::uint8_t> bytes);
 
-    /// No more frames: waits for the end. True when the child ended well.
-    bool finish();
+    /// No more frames: waits for the end. True when the child ended well. `giveUp` is asked ten
+    /// times a second whether it is worth waiting on; if not, the child is ended.
+    bool finish(const std::function<bool()>& giveUp = {});
 
     /// Why finish() was false.
     std::string complaint() const;
@@ -58,8 +63,8 @@ private:
     };
     static Sockets makeSockets();
     Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
-           Sockets sockets);
-    void spawn(const std::vector<std::string>& arguments);
+           const Descriptor* shared, Sockets sockets);
+    void spawn(const std::vector<std::string>& arguments, const Descriptor* shared);
 
     Descriptor frames_;
     std::unique_ptr<Descriptor> theirs_;  // the child's end; open here until it has started

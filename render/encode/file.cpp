@@ -80,6 +80,18 @@ int createTemporary(const fs::path& temporary, const fs::path& target) {
     return file;
 }
 
+int createUnnamed(const fs::path& target) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (file >= 0) return file;
+    // not every file system has them
+    std::string name = temporaryNameFor(target).string() + ".XXXXXX";
+    const int named = ::mkostemp(name.data(), O_CLOEXEC);
+    if (named < 0) fail(target, errno);
+    ::unlink(name.c_str());
+    return named;
+}
+
 void writeFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes) {
     checkReplaceable(path);
     const fs::path temporary = temporaryNameFor(path);

@@ -30,6 +30,10 @@ std::filesystem::path temporaryNameFor(const std::filesystem::path& path);
 /// by a killed run of the same process number is removed first. `target` is for the message.
 int createTemporary(const std::filesystem::path& temporary, const std::filesystem::path& target);
 
+/// A file without a name on the disk of `target`: it is gone with its last descriptor, however a
+/// run ends. Open for reading and writing.
+int createUnnamed(const std::filesystem::path& target);
+
 /// One line for an errno: "disk full", "file too large: ...", otherwise the system's text.
 std::string describeError(int error);
 

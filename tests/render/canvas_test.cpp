@@ -41,6 +41,19 @@ TEST(Canvas, ARectangleHasItsAreaWhereverItLies) {
     }
 }
 
+/// Half an ink over nothing is the ink itself at half the alpha: straight, not darkened.
+TEST(Canvas, ATransparentPictureTakesTheInksColor) {
+    Image image{4, 4, std::vector<std::uint8_t>(64, 0)};
+    const Color ink{200 / 255.0f, 100 / 255.0f, 50 / 255.0f, 1.0f};
+    fillRectangle(image, {1.5f, 1.0f}, 1.5f, 1.0f, ink);
+    const std::vector<std::uint8_t> half(image.at(1, 1), image.at(1, 1) + 4);
+    EXPECT_EQ(half, (std::vector<std::uint8_t>{200, 100, 50, 128}));
+    EXPECT_EQ(image.at(2, 1)[3], 255);
+    fillRectangle(image, {1.0f, 1.0f}, 1.0f, 1.0f, {0, 0, 0, 0.5f});  // a = 1/2 over b = 1/2
+    EXPECT_NEAR(image.at(1, 1)[0], 200.0 / 3, 1.0);
+    EXPECT_NEAR(image.at(1, 1)[3], 0.75 * 255, 1.0);
+}
+
 TEST(Canvas, AStraightLineHasItsAreaAtEveryWidth) {
     for (const double width : {0.4, 1.0, 2.0, 5.5})
         for (const float shift : {0.0f, 0.3f, 0.5f}) {

@@ -1,5 +1,5 @@
-#include "render/encode/ffmpeg.h"
 #include "render/encode/video.h"
+#include "render/encode/ffmpeg.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -16,6 +16,7 @@
 #include <string>
 
 #include "render/error.h"
+#include "tests/render/film_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -74,9 +75,6 @@ protected:
     std::string path_;
 };
 
-#define NEED_FFMPEG() \
-    if (!render::haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed (apt install ffmpeg)"
-
 int countFrames(const fs::path& path) {
     const std::string command =
         "ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=nb_read_frames "
@@ -101,7 +99,7 @@ TEST_F(Video, KnowsItsEndings) {
 TEST_F(Video, HoldsEveryFrameInEveryFormat) {
     NEED_FFMPEG();
     for (const char* name : {"a.mp4", "a.webm", "a.gif", "a.apng", "a.webp"}) {
-        VideoWriter film(out(name), 64, 48, 25);
+        VideoWriter film(out(name), {64, 48, 25});
         addFrames(film, 10);
         EXPECT_EQ(film.frames(), 10);
         EXPECT_FALSE(fs::exists(out(name))) << "not before it is whole";
@@ -118,7 +116,7 @@ TEST_F(Video, IsTheSameFileEveryTime) {
     NEED_FFMPEG();
     std::string content[2];
     for (std::string& bytes : content) {
-        VideoWriter film(out("same.mp4"), 64, 48, 25);
+        VideoWriter film(out("same.mp4"), {64, 48, 25});
         addFrames(film, 10);
         film.close();
         std::ifstream in(out("same.mp4"), std::ios::binary);
@@ -131,7 +129,7 @@ TEST_F(Video, IsTheSameFileEveryTime) {
 TEST_F(Video, NamesAreOnlyNames) {
     NEED_FFMPEG();
     for (const char* name : {"-x.mp4", "a:b.mp4", "a;touch pwned.mp4", "%d%n.mp4", "http:x.mp4"}) {
-        VideoWriter film(out(name), 64, 48, 25);
+        VideoWriter film(out(name), {64, 48, 25});
         addFrames(film, 2);
         film.close();
         EXPECT_TRUE(fs::exists(out(name))) << name;
@@ -140,32 +138,34 @@ TEST_F(Video, NamesAreOnlyNames) {
 }
 
 TEST_F(Video, OddSidesAreRefusedBeforeTheFirstFrame) {
-    EXPECT_EQ(errorOf([&] { VideoWriter(out("a.mp4"), 641, 361, 25); }),
+    EXPECT_EQ(errorOf([&] {
+                  VideoWriter(out("a.mp4"), {641, 361, 25});
+              }),
               "641x361 has an odd side; H.264 with 4:2:0 needs even sizes, use 642x362");
-    EXPECT_TRUE(has(errorOf([&] { VideoWriter(out("a.webm"), 640, 361, 25); }), "use 640x362"));
+    EXPECT_TRUE(has(errorOf([&] { VideoWriter(out("a.webm"), {640, 361, 25}); }), "use 640x362"));
     EXPECT_EQ(filesLeft(), 0);
 }
 
 TEST_F(Video, OddSidesAreFineWhereTheFormatHasThem) {
     NEED_FFMPEG();
-    VideoWriter film(out("odd.gif"), 65, 49, 25);
+    VideoWriter film(out("odd.gif"), {65, 49, 25});
     addFrames(film, 3, 65, 49);
     film.close();
     EXPECT_EQ(countFrames(out("odd.gif")), 3);
 }
 
 TEST_F(Video, RefusesWhatNoFilmCanBe) {
-    EXPECT_THROW(VideoWriter(out("a.avi"), 64, 48, 25), render::Error);
-    EXPECT_THROW(VideoWriter(out("a.gif"), 0, 48, 25), render::Error);
-    EXPECT_THROW(VideoWriter(out("a.gif"), 64, 16385, 25), render::Error);
-    EXPECT_THROW(VideoWriter(out("a.mp4"), 64, 48, 0), render::Error);
-    EXPECT_TRUE(has(errorOf([&] { VideoWriter(out("a.gif"), 64, 48, 60); }), "1..50"));
+    EXPECT_THROW(VideoWriter(out("a.avi"), {64, 48, 25}), render::Error);
+    EXPECT_THROW(VideoWriter(out("a.gif"), {0, 48, 25}), render::Error);
+    EXPECT_THROW(VideoWriter(out("a.gif"), {64, 16385, 25}), render::Error);
+    EXPECT_THROW(VideoWriter(out("a.mp4"), {64, 48, 0}), render::Error);
+    EXPECT_TRUE(has(errorOf([&] { VideoWriter(out("a.gif"), {64, 48, 60}); }), "1..50"));
     EXPECT_EQ(filesLeft(), 0);
 }
 
 TEST_F(Video, RefusesFramesOfAnotherSizeAndFilmsWithoutAny) {
     NEED_FFMPEG();
-    VideoWriter film(out("a.mp4"), 64, 48, 25);
+    VideoWriter film(out("a.mp4"), {64, 48, 25});
     EXPECT_THROW(film.add(frame(48, 64, 0)), render::Error);
     EXPECT_TRUE(has(errorOf([&] { film.close(); }), "no frames"));
     EXPECT_EQ(filesLeft(), 0);
@@ -176,7 +176,7 @@ TEST_F(Video, AnUnfinishedFilmLeavesNothing) {
     NEED_FFMPEG();
     std::ofstream(out("kept.mp4")) << "precious";
     {
-        VideoWriter film(out("kept.mp4"), 64, 48, 25);
+        VideoWriter film(out("kept.mp4"), {64, 48, 25});
         addFrames(film, 5);
         EXPECT_EQ(filesLeft(), 2);
     }
@@ -185,14 +185,16 @@ TEST_F(Video, AnUnfinishedFilmLeavesNothing) {
 }
 
 TEST_F(Video, ABadFolderIsAnError) {
-    EXPECT_TRUE(has(errorOf([&] { VideoWriter(folder_ / "no/a.mp4", 64, 48, 25); }),
+    EXPECT_TRUE(has(errorOf([&] {
+                        VideoWriter(folder_ / "no/a.mp4", {64, 48, 25});
+                    }),
                     "No such file or directory"));
 }
 
 TEST_F(Video, NeverWritesThroughASymlink) {
     std::ofstream(folder_ / "victim") << "precious";
     fs::create_symlink(folder_ / "victim", out("link.mp4"));
-    EXPECT_TRUE(has(errorOf([&] { VideoWriter(out("link.mp4"), 64, 48, 25); }), "symbolic link"));
+    EXPECT_TRUE(has(errorOf([&] { VideoWriter(out("link.mp4"), {64, 48, 25}); }), "symbolic link"));
     EXPECT_EQ(fs::file_size(folder_ / "victim"), 8U);
     EXPECT_EQ(filesLeft(), 1);
 }
@@ -200,7 +202,9 @@ TEST_F(Video, NeverWritesThroughASymlink) {
 TEST_F(Video, AMissingFfmpegIsToldWithTheRemedy) {
     ::setenv("PATH", "/nonexistent", 1);
     EXPECT_FALSE(render::haveFfmpeg());
-    EXPECT_EQ(errorOf([&] { VideoWriter(out("a.mp4"), 64, 48, 25); }),
+    EXPECT_EQ(errorOf([&] {
+                  VideoWriter(out("a.mp4"), {64, 48, 25});
+              }),
               "ffmpeg was not found; install it (apt install ffmpeg); PNG frames need nothing "
               "else");
     EXPECT_EQ(filesLeft(), 0);
@@ -209,7 +213,7 @@ TEST_F(Video, AMissingFfmpegIsToldWithTheRemedy) {
 TEST_F(Video, AKilledFfmpegIsAnErrorAndNotASignal) {
     replaceFfmpeg("head -c 100 >/dev/null; kill -9 $$");
     EXPECT_TRUE(render::haveFfmpeg());
-    VideoWriter film(out("a.mp4"), 640, 480, 25);
+    VideoWriter film(out("a.mp4"), {640, 480, 25});
     const std::string error = errorOf([&] { addFrames(film, 100, 640, 480); });
     EXPECT_TRUE(has(error, "killed by signal 9")) << error;
     EXPECT_EQ(filesLeft(), 0);
@@ -217,7 +221,7 @@ TEST_F(Video, AKilledFfmpegIsAnErrorAndNotASignal) {
 
 TEST_F(Video, FfmpegsLastWordsAreQuotedWithoutEscapes) {
     replaceFfmpeg("cat >/dev/null; printf 'first\\n\\033[31mEncoder broke\\n' >&2; exit 3");
-    VideoWriter film(out("a.mp4"), 64, 48, 25);
+    VideoWriter film(out("a.mp4"), {64, 48, 25});
     addFrames(film, 3);
     const std::string error = errorOf([&] { film.close(); });
     EXPECT_TRUE(has(error, "stopped with status 3: ?[31mEncoder broke")) << error;
@@ -227,7 +231,7 @@ TEST_F(Video, FfmpegsLastWordsAreQuotedWithoutEscapes) {
 
 TEST_F(Video, LostFramesAreAnErrorThoughFfmpegEndsWell) {
     replaceFfmpeg("cat >/dev/null; echo frame=2; echo progress=end");
-    VideoWriter film(out("a.mp4"), 64, 48, 25);
+    VideoWriter film(out("a.mp4"), {64, 48, 25});
     addFrames(film, 3);
     EXPECT_TRUE(has(errorOf([&] { film.close(); }), "wrote 2 of 3 frames"));
     EXPECT_EQ(filesLeft(), 0);
@@ -236,11 +240,11 @@ TEST_F(Video, LostFramesAreAnErrorThoughFfmpegEndsWell) {
 TEST_F(Video, AHangingFfmpegIsEnded) {
     replaceFfmpeg("exec sleep 30");
     {
-        VideoWriter film(out("a.mp4"), 640, 480, 25, 200ms);
+        VideoWriter film(out("a.mp4"), {640, 480, 25}, 200ms);
         const std::string error = errorOf([&] { addFrames(film, 100, 640, 480); });
         EXPECT_TRUE(has(error, "did nothing")) << error;
     }
-    VideoWriter film(out("a.mp4"), 16, 16, 25, 200ms);
+    VideoWriter film(out("a.mp4"), {16, 16, 25}, 200ms);
     film.add({16, 16, std::vector<std::uint8_t>(1024)});  // fits the pipe: close() has to notice
     EXPECT_TRUE(has(errorOf([&] { film.close(); }), "did nothing"));
     EXPECT_EQ(filesLeft(), 0);
@@ -252,7 +256,7 @@ int filmTooMuch(const fs::path& path) {
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 3;
     ::signal(SIGXFSZ, SIG_IGN);
     const std::string error = errorOf([&] {
-        VideoWriter film(path, 320, 240, 25);
+        VideoWriter film(path, {320, 240, 25});
         std::uint32_t noise = 1;
         for (int i = 0; i < 8; ++i) {
             render::Image image = frame(320, 240, i);

@@ -1,0 +1,33 @@
+/// One frame of a film as a picture of its own, for pages that show it before it plays.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/film/frame_source.h"
+#include "demos/film/progress.h"
+
+namespace demos {
+
+/// Written when the film is whole; nothing is left of an interrupted run's.
+class Poster {
+public:
+    /// Throws Stop (usage, wouldOverwrite). Without --poster nothing is wanted.
+    Poster(const FilmPlan& plan, const Options& options);
+    bool wants(int frame) const { return frame == frame_; }
+    void add(const DrawnFrame& frame);
+    /// Throws render::Error.
+    void write() const;
+    void tell(const FilmPlan& plan, const Talk& talk) const;
+
+private:
+    std::string target_;
+    int frame_ = -1;
+    std::vector<std::uint8_t> png_;
+};
+
+/// --poster-time, else what the first section with a poster says, else the middle.
+int posterFrame(const FilmPlan& plan, const Options& options);
+
+}  // namespace demos

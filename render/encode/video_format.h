@@ -1,0 +1,62 @@
+/// What a film file can hold, by its ending, and how ffmpeg is told to write it.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace render {
+
+enum class Codec { h264, vp9, gif, webp, apng };
+
+struct VideoFormat {
+    const char* ending;
+    Codec codec;
+    const char* evenSides;  // the codec that needs them, or null
+    int largestFps;
+    bool holdsAlpha;
+};
+
+/// By the ending, in any case; null: no film this program writes.
+const VideoFormat* videoFormatOf(const std::filesystem::path& path);
+
+/// The pictures that come in.
+struct VideoSource {
+    int width = 0, height = 0;  // pixels
+    int fps = 30;               // frames a second
+    bool alpha = false;
+};
+
+/// How they are encoded: as they are, or as less, so that the file gets smaller.
+struct Encoding {
+    int width = 0, height = 0;  // pixels
+    int everyNth = 1;           // frame is kept
+    double fps = 30.0;
+    int quality = 0;  // gif: colours; mp4, webm: crf, less is better; webp: 0..100; apng: none
+
+    bool operator==(const Encoding&) const = default;
+    int framesOf(int frames) const { return (frames + everyNth - 1) / everyNth; }
+};
+
+/// From the best to the smallest: each gives up what is missed least, first exactness, then every
+/// other frame, then size.
+std::vector<Encoding> ladderOf(const VideoFormat& format, const VideoSource& source);
+
+/// "640x360, 15 frames/s, 128 colours"
+std::string describe(const VideoFormat& format, const Encoding& encoding);
+
+using Arguments = std::vector<std::string>;
+
+/// Frames from standard input into a film.
+Arguments encodeArguments(const VideoFormat& format, const VideoSource& source,
+                          const Encoding& encoding, const std::filesystem::path& output);
+
+/// Frames from standard input into the file number `file`, without loss: a tenth to a hundredth of
+/// the pictures in memory.
+Arguments storeArguments(const VideoSource& source, int file);
+
+/// And from there into a film.
+Arguments restoreArguments(const VideoFormat& format, const VideoSource& source,
+                           const Encoding& encoding, int file, const std::filesystem::path& output);
+
+}  // namespace render
