@@ -80,8 +80,32 @@ std::string unknownOption(const CLI::App& app, int argc, const char* const* argv
     return {};
 }
 
+/// An option without a value would be the same as none at all, which nobody can mean.
+void checkValues(int argc, const char* const* argv) {
+    for (int i = 2; i < argc; ++i) {
+        const std::string word = argv[i], before = argv[i - 1];
+        if (word.empty())
+            refuse(fmt::format("'{}' is followed by an empty word; give it a value or leave it out",
+                               printable(before)));
+        if (word.starts_with("--") && word.ends_with('='))
+            refuse(fmt::format("'{}' has no value; give it one or leave it out", printable(word)));
+    }
+}
+
+/// "Could not convert: --fps = 29.97", as CLI11 says it.
+std::string conversionLine(const CLI::App& app, const std::string& text) {
+    const std::size_t name = text.find("--"), equals = text.find(" = ");
+    if (name == std::string::npos || equals == std::string::npos || equals < name) return text;
+    const std::string option = text.substr(name, equals - name);
+    const CLI::Option* known = app.get_option_no_throw(option);
+    const bool seconds = known && known->get_type_name() == "S";
+    return fmt::format("{} {}: must be a {}", option, text.substr(equals + 3),
+                       seconds ? "number of seconds" : "whole number of at most nine digits");
+}
+
 /// What CLI11 says in passing, with what would be right.
-std::string lineOf(const CLI::ParseError& error, const std::string& command) {
+std::string lineOf(const CLI::ParseError& error, const CLI::App& app) {
+    const std::string command = app.get_name();
     std::string text = error.what();
     if (text == "scene is required")
         return fmt::format(
@@ -91,7 +115,10 @@ std::string lineOf(const CLI::ParseError& error, const std::string& command) {
     if (text.starts_with("scene: At Most 1")) return command + " takes one scene";
     if (const std::size_t twice = text.find(": At Most 1"); twice != std::string::npos)
         return text.substr(0, twice) + " was given more than once; which is meant?";
-    if (dynamic_cast<const CLI::ConversionError*>(&error)) text += "; it must be a number";
+    if (const std::size_t none = text.find(": 1 required "); none != std::string::npos)
+        return fmt::format("{} needs a value; see impulse {} --help", text.substr(0, none),
+                           command);
+    if (dynamic_cast<const CLI::ConversionError*>(&error)) text = conversionLine(app, text);
     for (char& c : text)
         if (c == '\n') c = ' ';
     return printable(text);
@@ -116,6 +143,7 @@ std::string commandLineOf(int argc, const char* const* argv) {
 
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
     checkCommand(argc, argv);
+    checkValues(argc, argv);
     Parser parser;
     try {
         parser.app.parse(argc, argv);
@@ -130,7 +158,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
         const auto subs = parser.app.get_subcommands();
         const CLI::App& app = subs.empty() ? parser.app : *subs.front();
         const std::string unknown = unknownOption(app, argc, argv);
-        refuse(unknown.empty() ? lineOf(error, app.get_name()) : unknown);
+        refuse(unknown.empty() ? lineOf(error, app) : unknown);
     }
     checkOptions(parser.options, parser.raw);
     parser.options.commandLine = commandLineOf(argc, argv);

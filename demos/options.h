@@ -45,6 +45,8 @@ struct Options {
     bool clean = false;             // no text
     bool overwrite = false;
     bool reproducible = false;
+    std::string context = "auto";          // of OpenGL: auto, osmesa, egl
+    bool dryRun = false;                   // render: say what it would be, draw nothing
     std::optional<std::uint64_t> maxSize;  // bytes a film may have, render
     std::string poster;                    // render: a .png; empty = not asked for
     std::optional<double> posterTime;      // s

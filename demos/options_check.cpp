@@ -13,6 +13,7 @@
 #include "demos/scene/nearest.h"
 #include "demos/stop.h"
 #include "demos/theme.h"
+#include "render/context.h"
 
 namespace demos {
 namespace {
@@ -37,9 +38,9 @@ void checkRange(const char* name, int value, int low, int high) {
 }
 
 void checkSamples(int samples) {
-    for (const int good : {1, 2, 4, 8, 16})
+    for (const int good : {1, 2, 4})  // llvmpipe has no more
         if (samples == good) return;
-    refuse(fmt::format("--samples {}: must be 1, 2, 4, 8 or 16", samples));
+    refuse(fmt::format("--samples {}: must be 1, 2 or 4", samples));
 }
 
 void checkName(const char* option, const std::string& word, const std::vector<std::string>& names) {
@@ -102,8 +103,15 @@ void checkDelivery(Options& options, const RawOptions& raw) {
     checkTimes(options, raw.times);
 }
 
+std::vector<std::string> contextNames() {
+    std::vector<std::string> names{nameOf(render::ContextKind::automatic)};
+    for (const render::ContextKind kind : render::contextKinds()) names.emplace_back(nameOf(kind));
+    return names;
+}
+
 void checkPicture(Options& options, const RawOptions& raw) {
     checkName("--quality", options.quality, qualityNames());
+    checkName("--context", options.context, contextNames());
     if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
     for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
     options.show = raw.show;

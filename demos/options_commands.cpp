@@ -37,7 +37,7 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                    "default: the quality's")
         ->type_name("N");
     app.add_option("--samples", options.samples,
-                   "samples a pixel: 1, 2, 4, 8 or 16; default: the quality's")
+                   "samples a pixel: 1, 2 or 4 (2 are drawn as 4); default: the quality's")
         ->type_name("N");
     app.add_option("--blur", options.blur,
                    "moments a frame is the mean of, 1..256: motion blur, soft shadows, "
@@ -57,6 +57,9 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_flag("--clean", options.clean, "no text in the picture; default: off");
     app.add_flag("--reproducible", options.reproducible,
                  "the same pixels on every x86-64 processor, a third slower; default: off");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
     app.add_flag("--overwrite", options.overwrite,
                  "replace what another run has written; default: off");
 }
@@ -94,6 +97,8 @@ void addRender(CLI::App& app, Options& options, RawOptions& raw) {
     addPicture(app, options, raw);
     app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
         ->type_name("N");
+    app.add_flag("-n,--dry-run", options.dryRun,
+                 "say how many frames, memory and disk it takes; draw nothing; default: off");
     addFeedback(app, options);
 }
 

@@ -3,10 +3,19 @@
 #include <cmath>
 #include <sstream>
 
+#include "render/context_kinds.h"
 #include "render/error.h"
 #include "render/shaders.h"
 
 namespace render {
+
+std::string describeOpenGl() {
+    const auto text = [](GLenum name) {
+        const GLubyte* words = glGetString(name);
+        return std::string(words ? reinterpret_cast<const char*>(words) : "unknown");
+    };
+    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
 
 GlBuffer newBuffer() {
     GLuint name = 0;

@@ -61,8 +61,8 @@ Camera moved(Camera camera, const Eigen::Vector2f& lens) {
 
 Passes::Passes(const RendererSettings& settings)
     : settings_(settings),
-      context_(makeContext(
-          {settings.width, settings.height, settings.threads, settings.reproducible})),
+      context_(makeContext({settings.width, settings.height, settings.threads,
+                            settings.reproducible, settings.context})),
       sun_(settings.shadowSize),
       depth_(settings.width, settings.height),
       openMap_(newTexture(GL_R8, settings.width, settings.height)),

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "render/context.h"
 #include "render/error.h"
 #include "render/frame.h"
 #include "render/image.h"
@@ -23,6 +24,7 @@ struct RendererSettings {
     Finish finish = Finish::standard;
     int threads = -1;           // of the rasteriser; -1: as many as it likes, 0: the caller's
     bool reproducible = false;  // the same pixels on every x86-64 CPU, for a third more time
+    ContextKind context = ContextKind::automatic;
 };
 
 /// What a picture's time goes to, in this order.

@@ -7,8 +7,9 @@
 #include "demos/commands/commands.h"
 #include "demos/film/progress.h"
 #include "demos/version.h"
-#include "render/encode/png.h"
+#include "render/driver_environment.h"
 #include "render/encode/ffmpeg.h"
+#include "render/encode/png.h"
 #include "render/renderer.h"
 
 namespace demos {
@@ -18,6 +19,7 @@ struct Finding {
     std::string name, value;
     bool good = true;
     std::string advice;  // what to do when it is not
+    bool needed = true;  // false: the rest does without
 };
 
 /// 200 boxes on the ground: about what a demo shows.
@@ -44,20 +46,36 @@ double pictureTime(render::Renderer& renderer) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-void findRenderer(std::vector<Finding>& findings) try {
+/// True when it works. One of the kinds is enough, and one time tells of all: their driver is one.
+bool findContext(render::ContextKind kind, bool timed, std::vector<Finding>& findings) try {
     render::RendererSettings settings;
     settings.threads = 0;
+    settings.context = kind;
     render::Renderer renderer(settings);
-    findings.push_back({"OpenGL", renderer.describe(), true, ""});
-    const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
     const double one = pictureTime(renderer);
+    findings.push_back({nameOf(kind), renderer.describe(), true, ""});
+    if (!timed) return true;
+    const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
     findings.push_back({"picture",
                         fmt::format("{:.0f} ms for 1280x720 on one core; 10 s of film "
                                     "in about {:.0f} s on {}",
                                     one, 300 * one / 1000 / cores, cores),
                         true, ""});
+    return true;
 } catch (const std::exception& error) {
-    findings.push_back({"OpenGL", error.what(), false, "install libosmesa6; 'sim' works without"});
+    findings.push_back(
+        {nameOf(kind), error.what(), false, "one of osmesa and egl is enough", false});
+    return false;
+}
+
+void findContexts(std::vector<Finding>& findings) {
+    int working = 0;
+    for (const render::ContextKind kind : render::contextKinds())
+        working += findContext(kind, working == 0, findings);
+    findings.push_back(
+        {"OpenGL",
+         fmt::format("by {} of {} contexts (--context)", working, render::contextKinds().size()),
+         working > 0, "install libosmesa6 or libegl-mesa0; 'sim' works without"});
 }
 
 std::vector<Finding> examine() {
@@ -65,7 +83,10 @@ std::vector<Finding> examine() {
     findings.push_back(
         {"impulse", fmt::format("{}, compiled by {}", kVersion, __VERSION__), true, ""});
     findings.push_back({"cores", fmt::format("{}", std::thread::hardware_concurrency()), true, ""});
-    findRenderer(findings);
+    findings.push_back({"pixels",
+                        fmt::format("class '{}' (see --reproducible)", render::pixelClass(false)),
+                        true, ""});
+    findContexts(findings);
     const bool ffmpeg = render::haveFfmpeg();
     findings.push_back({"ffmpeg", ffmpeg ? "found" : "not found", ffmpeg,
                         "install ffmpeg for .mp4 .webm .gif; PNG frames work without"});
@@ -83,7 +104,7 @@ Exit doctorCommand(const Options& options) {
     const Talk talk(options, false);
     bool allGood = true;
     for (const Finding& finding : examine()) {
-        allGood = allGood && finding.good;
+        allGood = allGood && (finding.good || !finding.needed);
         talk.json(fmt::format(R"({{"name":{},"value":{},"ok":{}}})", jsonString(finding.name),
                               jsonString(finding.value), finding.good));
         talk.say(fmt::format("{:7}  {:8} {}", finding.good ? "ok" : "missing", finding.name,

@@ -4,6 +4,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
+#include "demos/film/film_needs.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
@@ -75,6 +76,7 @@ Exit stillCommand(const Options& options) {
     const Moment moment = momentOf(plan, options);
     const std::string target = targetOf(plan, options, moment);
     checkFree(target, options.overwrite);
+    checkNeeds(needsOf(plan, 1, {}), plan);
     Player player(plan.scene(), plan.panels.front().overlays);
     const std::vector<render::Frame> seen = play(player, plan, moment);
     render::Renderer renderer(plan.picture);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
 #include "demos/film/outputs.h"
 #include "demos/film/poster.h"
@@ -17,6 +18,8 @@
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 #include "demos/version.h"
+#include "render/driver_environment.h"
+#include "render/encode/ffmpeg.h"
 #include "render/encode/file.h"
 #include "render/encode/video.h"
 #include "render/error.h"
@@ -134,7 +137,12 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
     record.renderer = renderer;
     record.scene = plan.name;
     record.quality = plan.quality;
+    record.theme = plan.panels.front().overlays.theme;
+    record.show = plan.scene().look.show;
+    record.show.insert(record.show.end(), options.show.begin(), options.show.end());
+    record.settings = options.overrides;
     record.command = options.commandLine;
+    record.pixels = render::pixelClass(plan.picture.reproducible);
     record.width = plan.layout.width;
     record.height = plan.layout.height;
     record.samples = plan.picture.samples;
@@ -187,6 +195,12 @@ void tellNext(const Writers& writers, const Options& options, const Talk& talk) 
             fmt::format("next: impulse render {} -o {}.mp4", printable(options.scene()), "film"));
 }
 
+void tellPlan(const FilmNeeds& needs, const FilmPlan& plan, const std::vector<Output>& outputs,
+              const Talk& talk) {
+    talk.json(needsJson(needs, plan));
+    talk.say(needsText(needs, plan, outputs));
+}
+
 }  // namespace
 
 void makeFilm(const FilmPlan& plan, const Options& options) {
@@ -196,11 +210,15 @@ void makeFilm(const FilmPlan& plan, const Options& options) {
     const bool raw = has(outputs, OutputKind::raw);
     const bool moving = raw || has(outputs, OutputKind::film);
     const Talk talk(options, raw);
+    const int workers = workerCount(options.jobs, plan.frames);
+    const FilmNeeds needs = needsOf(plan, workers, outputs);
+    checkNeeds(needs, plan);
+    if (options.dryRun) return tellPlan(needs, plan, outputs, talk);
     watchSignals();
-    FrameSource source(plan, workerCount(options.jobs, plan.frames),
-                       has(outputs, OutputKind::frames), moving);
-    Writers writers(plan, outputs, recordOf(plan, options, source.renderer()), std::move(poster),
-                    options, talk);
+    FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
+    RunRecord record = recordOf(plan, options, source.renderer());
+    if (has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();
+    Writers writers(plan, outputs, record, std::move(poster), options, talk);
     const std::vector<bool> wanted = wantedFrames(writers, plan.frames);
     const int missing = static_cast<int>(std::count(wanted.begin(), wanted.end(), true));
     talk.json(fmt::format(R"({{"event":"start","scene":{},"frames":{},"kept":{},"fps":{}}})",

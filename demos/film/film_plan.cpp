@@ -1,7 +1,6 @@
 #include "demos/film/film_plan.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,20 +46,6 @@ int frameCount(double seconds, int fps) {
                                             "frames; at most {} can be written",
                                             seconds, fps, frames, kMostFrames));
     return static_cast<int>(frames);
-}
-
-/// About 57 MiB for the driver, 12 bytes a pixel and 8 more a sample; each worker has its own.
-void checkMemory(const render::RendererSettings& picture) {
-    const double pixels = static_cast<double>(picture.width) * picture.height;
-    const double need = 57.0 * 1024 * 1024 + pixels * (24.0 + 8.0 * picture.samples);
-    const double have =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (have > 0.0 && need > 0.8 * have)
-        throw Stop(
-            Exit::environment,
-            fmt::format("a picture of {}x{} with {} samples needs {:.1f} GB; this machine "
-                        "has {:.1f} GB",
-                        picture.width, picture.height, picture.samples, need / 1e9, have / 1e9));
 }
 
 Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
@@ -124,7 +109,7 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.picture.reproducible = options.reproducible;
     plan.shutter.moments = options.blur.value_or(quality.moments);
     plan.shutter.open = options.shutter.value_or(plan.shutter.open);
-    checkMemory(plan.picture);
+    plan.picture.context = render::contextCalled(options.context);
     return plan;
 }
 

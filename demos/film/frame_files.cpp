@@ -95,7 +95,7 @@ void FrameFiles::lock() {
 bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
     if (!entry.written) return false;
     const std::vector<std::uint8_t> bytes = contentOf(nameOf(frame));
-    return render::pngIsWhole(bytes, plan_.picture.width, plan_.picture.height) &&
+    return render::pngIsWhole(bytes, plan_.layout.width, plan_.layout.height) &&
            hashOf(bytes) == entry.png;
 }
 

@@ -6,8 +6,8 @@
 
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
-#include "render/encode/file.h"
 #include "render/encode/ffmpeg.h"
+#include "render/encode/file.h"
 #include "render/encode/video.h"
 #include "render/error.h"
 
@@ -86,6 +86,14 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
         throw Stop(Exit::usage, fmt::format("--output '{}': a {} holds no alpha, which the theme "
                                             "'transparent' is for; use .webm, .webp, .apng or .gif",
                                             printable(output.path.string()), ending));
+    if (plan.fps > render::videoFormatOf(output.path)->largestFps)
+        throw Stop(Exit::usage, fmt::format("--fps {}: a {} film takes at most {} frames a second",
+                                            plan.fps, ending, render::videoFormatOf(output.path)->largestFps));
+    if (render::sweepTemporaries(output.path))
+        throw Stop(Exit::wouldOverwrite,
+                   fmt::format("'{}' is being written by another run; wait for it, or give "
+                               "another name",
+                               printable(output.path.string())));
     render::checkReplaceable(output.path);
     if (isThere(output.path) && !overwrite)
         throw Stop(Exit::wouldOverwrite,

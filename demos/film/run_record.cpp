@@ -28,8 +28,13 @@ std::string jsonOf(const RunRecord& record) {
     json["scene"] = record.scene;
     json["command"] = record.command;
     json["renderer"] = record.renderer;
+    json["pixels"] = record.pixels;
+    if (!record.ffmpeg.empty()) json["ffmpeg"] = record.ffmpeg;
     json["pattern"] = record.pattern;
     json["quality"] = record.quality;
+    json["theme"] = record.theme;
+    json["show"] = record.show;
+    json["set"] = record.settings;
     json["size"] = {record.width, record.height};
     json["samples"] = record.samples;
     json["fps"] = record.fps;

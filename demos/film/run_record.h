@@ -17,6 +17,10 @@ struct FrameRecord {
 struct RunRecord {
     std::uint64_t fingerprint = 0;  // of all that decides about the pictures
     std::string version, renderer, scene, pattern, quality, command;
+    std::string pixels;  // the class of processors that give these bits
+    std::string ffmpeg;  // its version; empty where no video was written beside
+    std::string theme;
+    std::vector<std::string> show, settings;  // overlays; KEY=VALUE of the command line
     int width = 0, height = 0, samples = 0, fps = 0, hz = 0;
     bool finished = false;
     std::vector<FrameRecord> frames;

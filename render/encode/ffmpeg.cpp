@@ -246,6 +246,26 @@ int Ffmpeg::framesWritten() const {
     return count;
 }
 
+std::string Ffmpeg::output() const { return contentOf(progress_); }
+
+std::string ffmpegVersion() try {
+    Ffmpeg asked({"ffmpeg", "-version"}, ffmpegPatience());
+    if (!asked.finish()) return {};
+    const std::string text = asked.output();
+    const std::string before = "ffmpeg version ";
+    if (!text.starts_with(before)) return {};
+    return text.substr(before.size(), text.find(' ', before.size()) - before.size());
+} catch (const Error&) {
+    return {};
+}
+
+std::chrono::milliseconds ffmpegPatience() {
+    constexpr int kDefault = 60'000, kMost = 86'400'000;
+    const char* text = std::getenv("IMPULSE_FFMPEG_PATIENCE_MS");
+    const int asked = text ? std::atoi(text) : kDefault;
+    return std::chrono::milliseconds(asked >= 1 && asked <= kMost ? asked : kDefault);
+}
+
 bool haveFfmpeg() {
     const char* variable = std::getenv("PATH");
     std::string_view folders = variable ? variable : "/bin:/usr/bin";

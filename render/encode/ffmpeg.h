@@ -54,6 +54,9 @@ public:
 
     int framesWritten() const;
 
+    /// All that it has written to its standard output.
+    std::string output() const;
+
     /// Ends the child now, if it still runs.
     void end() noexcept;
 
@@ -77,5 +80,11 @@ private:
 
 /// Whether an ffmpeg can be run from PATH.
 bool haveFfmpeg();
+
+/// "5.1.6-0+deb12u1", as ffmpeg names itself; empty where it does not run.
+std::string ffmpegVersion();
+
+/// 60 s, or the milliseconds of IMPULSE_FFMPEG_PATIENCE_MS, which tests of hanging ones set.
+std::chrono::milliseconds ffmpegPatience();
 
 }  // namespace render

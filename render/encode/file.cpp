@@ -1,6 +1,7 @@
 #include "render/encode/file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,6 +91,30 @@ int createUnnamed(const fs::path& target) {
     if (named < 0) fail(target, errno);
     ::unlink(name.c_str());
     return named;
+}
+
+void holdTemporary(int file) { ::flock(file, LOCK_EX | LOCK_NB); }
+
+bool sweepTemporaries(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const std::string start = path.filename().string() + ".tmp";
+    bool held = false;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(start) || name.size() == start.size() ||
+            name.find_first_not_of("0123456789", start.size()) != std::string::npos)
+            continue;
+        const int file =
+            ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (file < 0) continue;
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0)
+            ::unlink(entry.path().c_str());
+        else
+            held = true;
+        ::close(file);
+    }
+    return held;
 }
 
 void writeFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes) {

@@ -34,6 +34,12 @@ int createTemporary(const std::filesystem::path& temporary, const std::filesyste
 /// run ends. Open for reading and writing.
 int createUnnamed(const std::filesystem::path& target);
 
+/// Marks a temporary file as being written for as long as `file` is open; see sweepTemporaries().
+void holdTemporary(int file);
+
+/// Removes the temporaries of `path` that killed runs have left. True when another run holds one.
+bool sweepTemporaries(const std::filesystem::path& path);
+
 /// One line for an errno: "disk full", "file too large: ...", otherwise the system's text.
 std::string describeError(int error);
 

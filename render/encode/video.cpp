@@ -62,7 +62,8 @@ VideoWriter::VideoWriter(const fs::path& path, const VideoSource& source, const 
     checkFilm(path, format_, source);
     checkReplaceable(path);
     // Made here and not by ffmpeg, which would write through a symlink.
-    ::close(createTemporary(temporary_, path));
+    held_ = std::make_unique<Descriptor>(createTemporary(temporary_, path));
+    holdTemporary(held_->number());
     try {
         start();
     } catch (...) {

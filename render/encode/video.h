@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "render/encode/ffmpeg.h"
 #include "render/encode/fit.h"
 #include "render/encode/video_format.h"
 #include "render/image.h"
@@ -28,10 +29,10 @@ public:
     /// that neither takes frames nor uses processor time for so long is taken for hanging, and
     /// ended.
     VideoWriter(const std::filesystem::path& path, const VideoSource& source,
-                std::chrono::milliseconds patience = std::chrono::seconds(60));
+                std::chrono::milliseconds patience = ffmpegPatience());
     /// The same, with a limit.
     VideoWriter(const std::filesystem::path& path, const VideoSource& source, const Fit& fit,
-                std::chrono::milliseconds patience = std::chrono::seconds(60));
+                std::chrono::milliseconds patience = ffmpegPatience());
     ~VideoWriter();
     VideoWriter(const VideoWriter&) = delete;
     VideoWriter& operator=(const VideoWriter&) = delete;
@@ -61,6 +62,7 @@ private:
     Fit fit_;
     std::chrono::milliseconds patience_;
     const VideoFormat* format_;
+    std::unique_ptr<Descriptor> held_;  // the temporary file, so that others leave it alone
     int frames_ = 0;
     std::unique_ptr<Descriptor> store_;  // empty: encoded as the frames come
     std::unique_ptr<Ffmpeg> ffmpeg_;     // empty after close() and abandon()

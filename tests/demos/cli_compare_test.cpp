@@ -51,6 +51,15 @@ TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
     EXPECT_GT(different, 50);
 }
 
+TEST_F(Compare, ASecondRunKeepsEveryFrame) {
+    const std::vector<std::string> arguments =
+        with({"ball.toml", "--vary", "solver.nudges=0,4", "-o", "film"}, kSmall);
+    ASSERT_EQ(compare(arguments).code, 0);
+    const Ended again = compare(arguments);
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("3 kept"), std::string::npos) << again.out;
+}
+
 TEST_F(Compare, GivesJson) {
     const Ended ended =
         compare({"ball.toml", "--no-film", "--json", "--vary", "solver.nudges=0,4"});

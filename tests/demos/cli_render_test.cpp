@@ -1,64 +1,12 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 
-#include <map>
-
-#include "render/encode/png.h"
-#include "tests/demos/program.h"
+#include "tests/demos/small_film.h"
 
 namespace demos::test {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 54, kFrames = 10;
-
-using Files = std::map<std::string, std::string>;
-
-Files framesIn(const fs::path& folder) {
-    Files files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".png")
-            files[entry.path().filename().string()] = contentOf(entry.path());
-    return files;
-}
-
-bool isWhole(const std::string& png) {
-    return render::pngIsWhole({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()},
-                              kWidth, kHeight);
-}
-
-bool haveTools() {
-    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") ==
-           0;
-}
-
-/// Frames that can be decoded; -1 when the film does not play.
-int playableFrames(const fs::path& film) {
-    const std::string command =
-        "ffprobe -v error -count_frames -select_streams v -show_entries stream=nb_read_frames "
-        "-of csv=p=0 '" +
-        film.string() + "'";
-    FILE* pipe = popen(command.c_str(), "r");
-    char text[64] = {};
-    const bool got = std::fgets(text, sizeof text, pipe) != nullptr;
-    return pclose(pipe) == 0 && got ? std::atoi(text) : -1;
-}
-
-class RenderCommand : public testing::Test {
-protected:
-    RenderCommand() { write(folder / "ball.toml", kBall); }
-
-    static Launch small(const fs::path& where, std::vector<std::string> more) {
-        Launch launch;
-        launch.folder = where;
-        launch.arguments = {"render", "ball.toml", "--size",    "96x54",
-                            "--fps",  "10",        "--samples", "1"};
-        launch.arguments.insert(launch.arguments.end(), more.begin(), more.end());
-        return launch;
-    }
-    Ended film(std::vector<std::string> more) { return run(small(folder.path(), std::move(more))); }
-
-    TemporaryFolder folder;
-};
+class RenderCommand : public SmallFilm {};
 
 TEST_F(RenderCommand, WritesFramesAndARecordAndSaysSo) {
     const Ended ended = film({});
@@ -72,6 +20,23 @@ TEST_F(RenderCommand, WritesFramesAndARecordAndSaysSo) {
     EXPECT_NE(ended.out.find("wrote output/ball/frame_000000.png"), std::string::npos);
     EXPECT_NE(ended.out.find("next: "), std::string::npos);
     EXPECT_NE(ended.err.find("100 %"), std::string::npos);
+}
+
+TEST_F(RenderCommand, TheRecordSaysWhatTheFilmIsMadeOf) {
+    const bool ffmpeg = haveTools();
+    std::vector<std::string> arguments = {"--seconds", "0.2",      "-o",
+                                          "out",       "--set",    "world.hz=120",
+                                          "--show",    "contacts", "--reproducible"};
+    if (ffmpeg) arguments.insert(arguments.end(), {"-o", "film.mp4"});
+    ASSERT_EQ(film(arguments).code, 0);
+    const std::string record = contentOf(folder / "out/run.json");
+    for (const char* part :
+         {"\"impulse\": \"", "\"command\": \"impulse render ball.toml", "\"renderer\": \"llvmpipe",
+          "Mesa ", "(LLVM ", "\"pixels\": \"reproducible\"", "\"theme\": \"studio\"",
+          "\"contacts\"", "\"world.hz=120\"", "\"samples\": 1", "\"fps\": 10", "\"hz\": 120",
+          "\"state\": \"", "\"png\": \""})
+        EXPECT_NE(record.find(part), std::string::npos) << part << " in\n" << record;
+    EXPECT_EQ(record.find("\"ffmpeg\": \"") != std::string::npos, ffmpeg) << record;
 }
 
 TEST_F(RenderCommand, TheNumberOfJobsDoesNotChangeAFrame) {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,6 +30,7 @@ struct Ended {
     int code = -1;  // -1: ended by a signal
     int signal = 0;
     std::string out, err;
+    long peakKiB = 0;  // the largest of the program and the children that it has waited for
 
     long errorLines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
@@ -91,7 +93,9 @@ inline Ended run(const Launch& launch) {
     close(out[0]);
     close(err[0]);
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    ended.peakKiB = used.ru_maxrss;
     if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
     return ended;

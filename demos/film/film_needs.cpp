@@ -1,0 +1,179 @@
+#include "demos/film/film_needs.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "demos/film/progress.h"
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+constexpr double kMiB = 1024.0 * 1024.0;
+constexpr double kShare = 0.8;  // of the machine's memory; the rest is for others and for caches
+
+// Peak sizes (VmHWM) of the processes of `impulse render stack --jobs 2` at 320x180, 1280x720 and
+// 3840x2160, with 1 and 4 samples, as PNG files and as .mp4. bytes = fixed + pixels * each; the
+// fixed parts are mostly libraries, which the processes share.
+constexpr double kWorker = 66.0 * kMiB;  // and the shadow map
+constexpr double kProgram = 57.0 * kMiB;
+constexpr double kEncoder = 58.0 * kMiB;
+constexpr double kPixel = 26.0;        // textures, the picture, a message on its way
+constexpr double kSample = 8.2;        // colour and depth, where there are more than one
+constexpr double kPngPixel = 6.5;      // RGB and what is compressed
+constexpr double kMessagePixel = 8.0;  // raw frames in the program: one taken, one coming
+
+constexpr double kMostTexture = 1024.0 * kMiB;  // bytes, of llvmpipe
+
+double pixelsOf(int width, int height) { return static_cast<double>(width) * height; }
+
+/// Drawn with `panels` pictures of which one is drawn at a time and all are put into the whole.
+double workerBytes(const FilmPlan& plan, bool png) {
+    const render::RendererSettings& picture = plan.picture;
+    const double drawn = pixelsOf(picture.width, picture.height);
+    const double whole = pixelsOf(plan.layout.width, plan.layout.height);
+    const double samples = picture.samples > 1 ? kSample * (picture.samples - 1) : 0.0;
+    const double shadow = 4.0 * picture.shadowSize * picture.shadowSize;
+    const double panels = plan.panels.size() > 1 ? 4.0 * whole : 0.0;
+    return kWorker + shadow + drawn * (kPixel + samples) + panels + (png ? kPngPixel * whole : 0.0);
+}
+
+/// x264 holds about 45 frames to look ahead, a GIF the whole film until its palette is known.
+double encoderBytes(const FilmPlan& plan, const std::string& ending) {
+    const double pixels = pixelsOf(plan.layout.width, plan.layout.height);
+    const double frames = ending == ".gif" ? plan.frames : std::min(plan.frames, 45);
+    return kEncoder + pixels * (25.0 + (ending == ".gif" ? 5.5 : 4.5) * frames);
+}
+
+/// Bytes a pixel and frame of the built-in scenes, rounded up.
+double diskBytes(const FilmPlan& plan, const Output& output) {
+    const double pixels = pixelsOf(plan.layout.width, plan.layout.height) * plan.frames;
+    if (output.kind == OutputKind::raw) return 0.0;
+    if (output.kind == OutputKind::frames) return 0.3 * pixels;
+    const std::string ending = output.path.extension().string();
+    return (ending == ".mp4" || ending == ".webm" ? 0.02 : 0.2) * pixels;
+}
+
+bool has(const std::vector<Output>& outputs, OutputKind kind) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [kind](const Output& output) { return output.kind == kind; });
+}
+
+std::string bytesText(double bytes) {
+    if (bytes >= 1e9) return fmt::format("{:.1f} GB", bytes / 1e9);
+    return fmt::format("{:.0f} MB", std::max(bytes / 1e6, 1.0));
+}
+
+std::string pictureText(const FilmPlan& plan) {
+    return fmt::format("{}x{} with {} sample{} a pixel", plan.layout.width, plan.layout.height,
+                       plan.picture.samples, plan.picture.samples == 1 ? "" : "s");
+}
+
+/// The limit of a control group, as container engines set it; 0 = none.
+double groupMemory() {
+    double limit = 0.0;
+    for (const char* name :
+         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
+        if (std::FILE* file = std::fopen(name, "r")) {
+            double bytes = 0.0;  // "max" reads as nothing
+            if (std::fscanf(file, "%lf", &bytes) == 1) limit = bytes;
+            std::fclose(file);
+            break;
+        }
+    return limit;
+}
+
+/// Before the memory: more of it would not help.
+void checkTexture(const FilmPlan& plan) {
+    const render::RendererSettings& picture = plan.picture;
+    const double samples = picture.samples > 1 ? 4.0 : 1.0;  // 2 are drawn as 4
+    const double most = kMostTexture / (4.0 * samples);
+    if (pixelsOf(picture.width, picture.height) <= most) return;
+    throw Stop(Exit::usage,
+               fmt::format("--size {}x{}: with --samples {} a picture has at most {:.0f} "
+                           "million pixels, for example 8192x8192",
+                           picture.width, picture.height, picture.samples, std::floor(most / 1e6)));
+}
+
+std::string targetText(const FilmPlan& plan, const Output& output) {
+    if (output.kind == OutputKind::raw) return "standard output, raw RGBA";
+    if (output.kind == OutputKind::film) return output.path.string();
+    return expandPattern(output.pattern, valuesOf(plan, 0)) + " ...";
+}
+
+}  // namespace
+
+FilmNeeds needsOf(const FilmPlan& plan, int workers, const std::vector<Output>& outputs) {
+    const bool png = has(outputs, OutputKind::frames);
+    const bool moving = has(outputs, OutputKind::film) || has(outputs, OutputKind::raw);
+    const double pixels = pixelsOf(plan.layout.width, plan.layout.height);
+    FilmNeeds needs;
+    needs.workers = workers;
+    needs.worker = workerBytes(plan, png || outputs.empty());
+    needs.program = kProgram + pixels * ((png ? 0.6 : 0.0) + (moving ? kMessagePixel : 0.0));
+    for (const Output& output : outputs) {
+        if (output.kind == OutputKind::film)
+            needs.encoders += encoderBytes(plan, output.path.extension().string());
+        needs.disk += diskBytes(plan, output);
+    }
+    return needs;
+}
+
+double machineMemory() {
+    const double machine =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const double group = groupMemory();
+    return group > 0.0 ? std::min(group, machine) : machine;
+}
+
+void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan) {
+    checkTexture(plan);
+    const double have = machineMemory();
+    if (have <= 0.0 || needs.memory() <= kShare * have) return;
+    const double room = kShare * have - needs.program - needs.encoders;
+    const int fitting = static_cast<int>(std::clamp(room / needs.worker, 0.0, 256.0));
+    throw Stop(
+        Exit::environment,
+        fmt::format(
+            "{} drawing process{} at {} need{} {} of memory; this machine has {}, of "
+            "which {:.0f} % may be taken; {}",
+            needs.workers, needs.workers == 1 ? "" : "es", pictureText(plan),
+            needs.workers == 1 ? "s" : "", bytesText(needs.memory()), bytesText(have), 100 * kShare,
+            fitting > 0 ? fmt::format("--jobs {} fits", fitting) : "a smaller --size fits"));
+}
+
+std::string needsText(const FilmNeeds& needs, const FilmPlan& plan,
+                      const std::vector<Output>& outputs) {
+    std::string text =
+        fmt::format("{}: {} frames of {}, {} a second, {:.3g} s\n", printable(plan.name),
+                    plan.frames, pictureText(plan), plan.fps, plan.timeOf(plan.frames));
+    text += fmt::format("memory: {} drawing process{} of {}, {} in all; this machine has {}\n",
+                        needs.workers, needs.workers == 1 ? "" : "es", bytesText(needs.worker),
+                        bytesText(needs.memory()), bytesText(machineMemory()));
+    for (const Output& output : outputs)
+        text += fmt::format(
+            "output: {}{}\n", printable(targetText(plan, output)),
+            output.kind == OutputKind::raw ? "" : ", about " + bytesText(diskBytes(plan, output)));
+    std::error_code error;
+    const auto space = std::filesystem::space(".", error);
+    if (!error)
+        text +=
+            fmt::format("disk: {} free here\n", bytesText(static_cast<double>(space.available)));
+    return text + "nothing was drawn (--dry-run)";
+}
+
+std::string needsJson(const FilmNeeds& needs, const FilmPlan& plan) {
+    return fmt::format(R"({{"event":"plan","scene":{},"frames":{},"fps":{},"width":{},"height":{},)"
+                       R"("samples":{},"workers":{},"memory":{:.0f},"disk":{:.0f}}})",
+                       jsonString(plan.name), plan.frames, plan.fps, plan.layout.width,
+                       plan.layout.height, plan.picture.samples, needs.workers, needs.memory(),
+                       needs.disk);
+}
+
+}  // namespace demos

@@ -1,0 +1,34 @@
+/// What a film takes of this machine, known before anything is drawn.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/film/outputs.h"
+
+namespace demos {
+
+/// Bytes, where nothing else is said.
+struct FilmNeeds {
+    int workers = 1;      // drawing processes
+    double worker = 0;    // of memory, each of them
+    double program = 0;   // the process that puts the frames in order and writes them
+    double encoders = 0;  // ffmpeg, one for every video
+    double disk = 0;      // a guess: it depends on what is seen
+    double memory() const { return workers * worker + program + encoders; }
+};
+
+FilmNeeds needsOf(const FilmPlan& plan, int workers, const std::vector<Output>& outputs);
+
+/// Of this machine, or of the container that the program runs in; 0 = not known.
+double machineMemory();
+
+/// Throws Stop (environment) over 80 % of the machine's memory, and says what would fit.
+void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan);
+
+/// What --dry-run prints: several lines, or one JSON object.
+std::string needsText(const FilmNeeds& needs, const FilmPlan& plan,
+                      const std::vector<Output>& outputs);
+std::string needsJson(const FilmNeeds& needs, const FilmPlan& plan);
+
+}  // namespace demos

@@ -1,0 +1,82 @@
+#include "render/context.h"
+
+#include "render/context_kinds.h"
+#include "render/driver_environment.h"
+#include "render/error.h"
+
+namespace render {
+namespace {
+
+constexpr int kMostPixels = 16384;  // a side; OSMesa takes more without a word and draws nothing
+
+void checkSides(const ContextSettings& settings) {
+    for (const int side : {settings.width, settings.height})
+        if (side < 1 || side > kMostPixels)
+            throw Error("a picture of " + std::to_string(settings.width) + "x" +
+                        std::to_string(settings.height) + " pixels cannot be drawn; 1 to " +
+                        std::to_string(kMostPixels) + " a side can");
+}
+
+std::unique_ptr<Context> make(ContextKind kind) {
+#ifdef IMPULSE_HAVE_OSMESA
+    if (kind == ContextKind::osmesa) return makeOsmesaContext();
+#endif
+#ifdef IMPULSE_HAVE_EGL
+    if (kind == ContextKind::egl) return makeEglContext();
+#endif
+    throw Error(std::string("this program was built without the context '") + nameOf(kind) +
+                "'; 'auto' takes one that it has");
+}
+
+/// The first that works; where none does, the first one's reason.
+std::unique_ptr<Context> makeAny() {
+    std::string reason;
+    for (const ContextKind kind : contextKinds()) {
+        try {
+            return make(kind);
+        } catch (const Error& error) {
+            if (reason.empty()) reason = error.what();
+        }
+    }
+    throw Error(reason);
+}
+
+}  // namespace
+
+const std::vector<ContextKind>& contextKinds() {
+    static const std::vector<ContextKind> kinds = {
+#ifdef IMPULSE_HAVE_OSMESA
+        ContextKind::osmesa,
+#endif
+#ifdef IMPULSE_HAVE_EGL
+        ContextKind::egl,
+#endif
+    };
+    return kinds;
+}
+
+const char* nameOf(ContextKind kind) {
+    switch (kind) {
+        case ContextKind::automatic:
+            return "auto";
+        case ContextKind::osmesa:
+            return "osmesa";
+        case ContextKind::egl:
+            return "egl";
+    }
+    return "unknown";
+}
+
+ContextKind contextCalled(std::string_view name) {
+    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl})
+        if (name == nameOf(kind)) return kind;
+    return ContextKind::automatic;
+}
+
+std::unique_ptr<Context> makeContext(const ContextSettings& settings) {
+    checkSides(settings);
+    prepareDriverEnvironment(settings);
+    return settings.kind == ContextKind::automatic ? makeAny() : make(settings.kind);
+}
+
+}  // namespace render

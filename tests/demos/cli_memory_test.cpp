@@ -1,0 +1,130 @@
+/// What a film takes of the machine: not more the longer it is, and known before it is drawn.
+#include "tests/demos/small_film.h"
+
+namespace demos::test {
+namespace {
+
+class Memory : public SmallFilm {};
+
+// ru_maxrss: the largest of the program and its drawing processes.
+TEST_F(Memory, DoesNotGrowWithTheFilm) {
+    const std::vector<std::vector<std::string>> kinds = {{"-o", "frames"}, {"-o", "-"}};
+    for (const std::vector<std::string>& kind : kinds) {
+        long peak[2] = {};
+        for (const int longer : {0, 1}) {
+            std::vector<std::string> more = kind;
+            more.insert(more.end(), {"--overwrite", "--seconds", longer ? "40" : "4"});
+            const Ended ended = film(more);
+            ASSERT_EQ(ended.code, 0) << ended.err;
+            peak[longer] = ended.peakKiB;
+        }
+        EXPECT_GT(peak[0], 20 * 1024);
+        // 360 more frames are 7 MiB of pixels in each process; the noise is well below one.
+        EXPECT_LT(peak[1] - peak[0], 3 * 1024) << kind[1];
+    }
+}
+
+/// The letter of a process's state: 'S' when it waits.
+char stateOf(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t at = text.rfind(") ");
+    return at == std::string::npos ? '?' : text[at + 2];
+}
+
+std::vector<pid_t> familyOf(pid_t parent) {
+    std::vector<pid_t> all{parent};
+    const std::string name = std::to_string(parent);
+    std::ifstream children("/proc/" + name + "/task/" + name + "/children");
+    for (pid_t child = 0; children >> child;) all.push_back(child);
+    return all;
+}
+
+long residentKiB(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("VmRSS:")) return std::atol(line.c_str() + 6);
+    return 0;
+}
+
+// Standard output is not read until nobody does anything any more. 400 frames are 8 MB; between
+// the drawing and the pipe there is room for a few.
+TEST_F(Memory, WhereNothingIsTakenNothingMoreIsDrawn) {
+    int out[2];
+    ASSERT_EQ(pipe2(out, O_CLOEXEC), 0);
+    const int silent = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const Launch launch = small(folder.path(), {"-o", "-", "--seconds", "40", "--jobs", "2"});
+    const pid_t child = fork();
+    if (child == 0) becomeProgram(launch, out[1], silent);
+    close(out[1]);
+    close(silent);
+    std::string taken(4 * kWidth * kHeight, '\0');  // the first frame: the workers are at work
+    for (std::size_t at = 0; at < taken.size();) {
+        const ssize_t got = read(out[0], taken.data() + at, taken.size() - at);
+        ASSERT_GT(got, 0);
+        at += static_cast<std::size_t>(got);
+    }
+    const auto allWait = [child] {
+        for (const pid_t process : familyOf(child))
+            if (stateOf(process) != 'S') return false;
+        return true;
+    };
+    for (int calm = 0; calm < 1000; calm = allWait() ? calm + 1 : 0) sched_yield();
+    for (const pid_t process : familyOf(child)) EXPECT_LT(residentKiB(process), 120 * 1024);
+    std::size_t rest = 0;
+    std::vector<char> block(1 << 16);
+    for (ssize_t got; (got = read(out[0], block.data(), block.size())) > 0;)
+        rest += static_cast<std::size_t>(got);
+    close(out[0]);
+    int status = 0;
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_EQ(rest, 399 * taken.size());
+    const Ended quick = film({"-o", "-", "--seconds", "4"});
+    EXPECT_LT(used.ru_maxrss - quick.peakKiB, 3 * 1024);
+}
+
+TEST_F(Memory, ADryRunTellsAndDrawsNothing) {
+    const Ended ended = film({"--dry-run", "--jobs", "2"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    for (const char* part :
+         {"10 frames of 96x54", "memory: 2 drawing processes of ",
+          "output: output/ball/frame_000000.png ..., about ", "nothing was drawn"})
+        EXPECT_NE(ended.out.find(part), std::string::npos) << part << " in\n" << ended.out;
+    EXPECT_FALSE(fs::exists(folder / "output"));
+    const Ended json = film({"--dry-run", "--json"});
+    EXPECT_TRUE(json.out.starts_with("{\"event\":\"plan\"")) << json.out;
+}
+
+// The figure is held against what the drawing process used, the largest of the run.
+TEST_F(Memory, IsForetold) {
+    for (const char* size : {"320x180", "1280x720"})
+        for (const char* samples : {"1", "4"}) {
+            std::vector<std::string> arguments = {
+                "render",    "ball.toml", "--size", size, "--samples", samples,
+                "--seconds", "0.1",       "--jobs", "1",  "-o",        std::string(size) + samples};
+            const double used = static_cast<double>(run(folder.path(), arguments).peakKiB) * 1024;
+            arguments.insert(arguments.end(), {"--dry-run", "--overwrite"});
+            const Ended plan = run(folder.path(), arguments);
+            const std::size_t at = plan.out.find("process of ");
+            ASSERT_NE(at, std::string::npos) << plan.out;
+            const double told = std::atof(plan.out.c_str() + at + 11) * 1e6;
+            EXPECT_LT(used, 1.15 * told) << size << " " << samples;
+            EXPECT_GT(used, 0.7 * told) << size << " " << samples;
+        }
+}
+
+TEST_F(Memory, TooMuchOfItIsRefusedBeforeAnythingIsDrawn) {
+    const Ended ended =
+        run(folder.path(), {"render", "ball.toml", "--size", "8192x8192", "--jobs", "256"});
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    EXPECT_NE(ended.err.find("256 drawing processes"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find(" fits"), std::string::npos) << ended.err;
+    EXPECT_FALSE(fs::exists(folder / "output"));
+}
+
+}  // namespace
+}  // namespace demos::test
