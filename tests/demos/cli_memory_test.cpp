@@ -121,7 +121,7 @@ TEST_F(Memory, TooMuchOfItIsRefusedBeforeAnythingIsDrawn) {
         run(folder.path(), {"render", "ball.toml", "--size", "8192x8192", "--jobs", "256"});
     EXPECT_EQ(ended.code, 4);
     EXPECT_EQ(ended.errorLines(), 1) << ended.err;
-    EXPECT_NE(ended.err.find("256 drawing processes"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("30 drawing processes at 8192x8192"), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find(" fits"), std::string::npos) << ended.err;
     EXPECT_FALSE(fs::exists(folder / "output"));
 }
