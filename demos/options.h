@@ -78,7 +78,7 @@ struct Options {
 
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself
-    bool picture = false;  // bench: time a frame as well
+    bool benchFilm = false;  // bench: time drawing instead of steps
     bool phases = false;   // bench: and every phase of the loop
     std::string against;   // bench: an earlier run's JSON lines
     std::string shell = "bash";

@@ -254,7 +254,12 @@ void addBench(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     app.get_option("scene")->expected(0, 1000)->required(false);
     addSeconds(app, options);
-    app.add_flag("--render", options.picture, "draw 1280x720 frames as well; default: off");
+    app.add_flag("--film", options.benchFilm,
+                 "processor time of every stage of a frame, and frames/s, of the film as it would "
+                 "be rendered with the options below; default: off");
+    addPicture(app, options, raw);
+    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
+        ->type_name("N");
     app.add_flag("--phases", options.phases,
                  "ms of every phase of the step, from a second run; default: off");
     app.add_option("--against", options.against,
@@ -310,8 +315,9 @@ constexpr CommandText kCommands[] = {
      {"impulse doctor", "impulse doctor --json", "impulse doctor --quiet && impulse render stack"}},
     {Command::bench,
      "bench",
-     "time per step, measured over the last 2 s of a scene",
-     {"impulse bench", "impulse bench stack chain --json", "impulse bench wall --phases --against before.json"}},
+     "time per step over the last 2 s of a scene, or per frame of its film",
+     {"impulse bench stack chain --json", "impulse bench wall --phases --against before.json",
+      "impulse bench wall --film -q film"}},
     {Command::completion,
      "completion",
      "a completion script for a shell",

@@ -9,6 +9,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/report/film_timing.h"
 #include "demos/report/timing.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
@@ -59,7 +60,6 @@ void sayJson(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     if (before)
         fmt::print(R"(,"ratio":{:.6g},"same_hash":{})", t.median() / before->ms,
                    before->hash == hexText(t.hash));
-    if (t.frameMs > 0.0) fmt::print(R"(,"ms_per_frame_median":{:.6g})", t.frameMs);
     fmt::print("}}\n");
     std::fflush(stdout);
 }
@@ -69,7 +69,6 @@ void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     fmt::print("{:18} {:6} {:6} {:8}  {:8.3f} {:8.3f} {:8.3f}  {:8.0f}  {}", t.scene, t.bodies,
                t.joints, t.contacts, t.median(), *least, *most, t.nanosecondsAPoint(),
                hexText(t.hash));
-    if (t.frameMs > 0.0) fmt::print("  {:.1f} ms a frame", t.frameMs);
     if (before)
         fmt::print("  {:.2f} x {}", t.median() / before->ms,
                    before->hash == hexText(t.hash) ? "as before, same state" : "another state");
@@ -84,13 +83,45 @@ void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
 }
 
 void benchScene(const SceneDescription& scene, const EarlierRun& earlier, const Options& options) {
-    const Timing timing = timeScene(scene, options.picture);
+    const Timing timing = timeScene(scene);
     PhaseTimes phases{};
     if (options.phases) phases = timePhases(scene);
     const auto found = earlier.find(scene.name);
     const Earlier* before = found == earlier.end() ? nullptr : &found->second;
     const auto say = options.json ? sayJson : sayRow;
     say(timing, options.phases ? &phases : nullptr, before);
+}
+
+void sayFilmJson(const FilmPlan& plan, const FilmTiming& t) {
+    fmt::print(R"({{"scene":{},"quality":"{}","width":{},"height":{},"samples":{},"moments":{},)"
+               R"("bodies":{},"frames":{},"workers":{},"frames_per_second":{:.6g},"goal":{:.6g},)"
+               R"("png_bytes":{:.0f})",
+               jsonString(plan.name), plan.quality, plan.layout.width, plan.layout.height,
+               plan.picture.samples, plan.shutter.moments, plan.scene().bodies.size(), t.frames,
+               t.workers, t.framesASecond, t.goal(), t.pngBytes);
+    for (std::size_t i = 0; i < t.ms.size(); ++i)
+        fmt::print(R"(,"ms_{}":{:.6g})", kFilmStages[i], t.ms[i]);
+    fmt::print("}}\n");
+}
+
+void sayFilm(const FilmPlan& plan, const FilmTiming& t) {
+    fmt::print("{:18} {:6}", plan.name, plan.scene().bodies.size());
+    for (const double ms : t.ms) fmt::print(" {:9.2f}", ms);
+    fmt::print(" {:8.1f} {:6.0f} {:9.1f} {:8.2f}\n", t.drawing(), 1e-3 * t.pngBytes,
+               t.framesASecond, t.framesASecond / t.goal());
+}
+
+void sayFilmHeader() {
+    fmt::print("{:18} {:>6}", "ms a frame", "bodies");
+    for (const char* name : kFilmStages) fmt::print(" {:>9}", name);
+    fmt::print(" {:>8} {:>6} {:>9} {:>8}\n", "drawing", "kB", "frames/s", "of goal");
+}
+
+void benchFilm(const Options& options) {
+    const FilmPlan plan = planFilm(options);
+    const FilmTiming timing = timeFilm(plan, options.jobs);
+    (options.json ? sayFilmJson : sayFilm)(plan, timing);
+    std::fflush(stdout);
 }
 
 }  // namespace
@@ -102,13 +133,17 @@ Exit benchCommand(const Options& options) {
     EarlierRun earlier;
     if (!options.against.empty()) earlier = readEarlier(options.against);
     watchSignals();
-    if (!options.json && !options.quiet)
+    if (options.benchFilm && !options.json && !options.quiet) sayFilmHeader();
+    if (!options.benchFilm && !options.json && !options.quiet)
         fmt::print("{:18} {:>6} {:>6} {:>8}  {:>8} {:>8} {:>8}  {:>8}  {}\n", "scene", "bodies",
                    "joints", "contacts", "ms/step", "least", "most", "ns/point", "state");
     for (const std::string& name : scenes) {
         Options one = options;
         one.scenes = {name};
-        benchScene(sceneOf(one), earlier, options);
+        if (options.benchFilm)
+            benchFilm(one);
+        else
+            benchScene(sceneOf(one), earlier, options);
     }
     const Talk talk(options, false);
     talk.say(fmt::format("next: impulse bench {} --json", printable(scenes.front())));

@@ -8,7 +8,6 @@
 #include "demos/film/signals.h"
 #include "demos/player.h"
 #include "demos/stop.h"
-#include "render/renderer.h"
 
 namespace demos {
 namespace {
@@ -27,19 +26,6 @@ double medianOf(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;
     return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-double pictureTime(const Player& player) {
-    render::RendererSettings settings;
-    settings.threads = 0;
-    render::Renderer renderer(settings);
-    std::vector<double> ms;
-    for (int i = 0; i < 6; ++i) {
-        const double before = processorTime();
-        renderer.draw(player.frame(0.0));
-        if (i > 0) ms.push_back(1e3 * (processorTime() - before));  // the first compiles shaders
-    }
-    return medianOf(ms);
 }
 
 /// Plays the scene in pieces of 1/60 s: play(piece's number of steps, whether it counts).
@@ -80,7 +66,7 @@ double Timing::nanosecondsAPoint() const {
     return points > 0.0 ? 1e6 * sum / points : 0.0;
 }
 
-Timing timeScene(const SceneDescription& scene, bool picture) {
+Timing timeScene(const SceneDescription& scene) {
     Player player(scene, Overlays{.trails = false});
     Timing timing;
     playPieces(scene, [&](int steps, bool counts) {
@@ -97,7 +83,6 @@ Timing timeScene(const SceneDescription& scene, bool picture) {
     timing.contacts = player.stage().world.report().contacts;
     timing.steps = static_cast<int>(timing.ms.size());
     timing.hash = player.stage().world.hash();
-    if (picture) timing.frameMs = pictureTime(player);
     return timing;
 }
 

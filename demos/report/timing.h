@@ -18,14 +18,13 @@ struct Timing {
     std::vector<double> ms;  // a step
     double points = 0.0;     // contact points, added up over the timed steps
     std::uint64_t hash = 0;
-    double frameMs = 0.0;  // 0 = not drawn
 
     double median() const;  // ms
     double nanosecondsAPoint() const;
 };
 
-/// Throws Stop (diverged, interrupted). `picture`: times frames of 1280x720 as well.
-Timing timeScene(const SceneDescription& scene, bool picture);
+/// Throws Stop (diverged, interrupted).
+Timing timeScene(const SceneDescription& scene);
 
 /// The loop's phases, and what comes before the first.
 constexpr std::array<const char*, 7> kPhaseNames = {"prepare",   "forces", "velocities", "impulses",
