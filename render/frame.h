@@ -27,7 +27,7 @@ struct Solid {
     Vec3 position{0, 0, 0};           // m, centre
     Quat rotation = Quat::Identity(); // a capsule's core lies along its own y
     Color color;
-    int id = 0;                       // the body's number, for data passes
+    int id = 0;                       // 0..65534, for data passes (data_images.h)
 };
 
 /// A straight round bar: joints, ropes.
@@ -35,6 +35,7 @@ struct Rod {
     Vec3 from{0, 0, 0}, to{0, 0, 0};
     float radius = 0.03f;
     Color color;
+    int id = 0;  // as a solid's
 };
 
 /// Drawn over everything it touches, with a head at `to`.
@@ -62,6 +63,7 @@ struct Ground {
     bool visible = true;
     Vec3 normal{0, 1, 0};
     float offset = 0.0f;  // m
+    int id = 0;           // as a solid's
 };
 
 enum class Corner { topLeft, topRight, bottomLeft, bottomRight };

@@ -89,6 +89,7 @@ InstancedMesh::InstancedMesh(const std::vector<Vertex>& mesh)
     attribute(5, 3, sizeof(Instance), offsetof(Instance, scale), 1);
     attribute(6, 1, sizeof(Instance), offsetof(Instance, stretch), 1);
     attribute(7, 3, sizeof(Instance), offsetof(Instance, color), 1);
+    attribute(8, 1, sizeof(Instance), offsetof(Instance, surface), 1);
 }
 
 void InstancedMesh::setInstances(const std::vector<Instance>& instances) {
@@ -125,13 +126,13 @@ void sortByDistance(std::vector<Instance>& instances, const Vec3& eye) {
     });
 }
 
-void addRod(const Rod& rod, std::vector<Instance>& bars) {
+void addRod(const Rod& rod, float surface, std::vector<Instance>& bars) {
     const Vec3 along = rod.to - rod.from;
     const float length = along.norm();
     if (length < 1e-6f) return;
     const Quat q = Quat::FromTwoVectors(Vec3::UnitY(), along);
     bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
-                    {rod.radius, 0.5f * length, rod.radius}, 0.0f, linear(rod.color)});
+                    {rod.radius, 0.5f * length, rod.radius}, 0.0f, linear(rod.color), surface});
 }
 
 }  // namespace
@@ -139,19 +140,22 @@ void addRod(const Rod& rod, std::vector<Instance>& bars) {
 Instances instancesOf(const Frame& frame, float pixelsAMeter) {
     Instances result;
     const Vec3& eye = frame.camera.from;
+    float surface = 0.0f;
     for (const Solid& s : frame.solids) {
+        const float number = surface++;
         const Eigen::Vector4f q = s.rotation.normalized().coeffs();
         const Vec3 color = linear(s.color);
         if (s.shape == SolidShape::box) {
-            result.boxes.push_back({s.position, q, s.halfSize, 0.0f, color});
+            result.boxes.push_back({s.position, q, s.halfSize, 0.0f, color, number});
             continue;
         }
         const float r = s.halfSize.x();
         const float pixels = r * pixelsAMeter / std::max((s.position - eye).norm(), 1e-3f);
         const float stretch = s.shape == SolidShape::capsule ? s.halfSize.y() : 0.0f;
-        result.balls[levelOf(pixels)].push_back({s.position, q, Vec3(r, r, r), stretch, color});
+        result.balls[levelOf(pixels)].push_back(
+            {s.position, q, Vec3(r, r, r), stretch, color, number});
     }
-    for (const Rod& rod : frame.rods) addRod(rod, result.bars);
+    for (const Rod& rod : frame.rods) addRod(rod, surface++, result.bars);
     sortByDistance(result.boxes, eye);
     sortByDistance(result.bars, eye);
     for (std::vector<Instance>& balls : result.balls) sortByDistance(balls, eye);

@@ -20,6 +20,7 @@ struct Instance {
     Vec3 scale;                // m
     float stretch;             // m
     Vec3 color;                // linear
+    float surface;             // its number (surface_map.h); whole, below 2^24
 };
 
 std::vector<Vertex> boxMesh();

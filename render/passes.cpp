@@ -97,6 +97,15 @@ DepthMap Passes::drawDepth(const Frame& frame) {
     return depth_.draw(frame, upsideDown(view), meshes_, ground_);
 }
 
+SurfaceMap Passes::drawSurfaces(const Frame& frame) {
+    if (!surfaces_) surfaces_ = std::make_unique<SurfacePass>(settings_.width, settings_.height);
+    const View view = viewOf(frame);
+    setMeshes(frame, view);
+    SurfaceMap map = surfaces_->draw(frame, upsideDown(view), meshes_, ground_);
+    checkGl();
+    return map;
+}
+
 OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
                                       const PixelRect& bodies, const DepthMap& map) const {
     OcclusionSettings set;

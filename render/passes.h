@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "render/sampling.h"
 #include "render/scene_pass.h"
+#include "render/surface_pass.h"
 
 namespace render {
 
@@ -21,6 +22,7 @@ public:
     Image drawSample(const Frame& frame, const SubSample& sample);
     /// Depths of a frame, for what is drawn over it.
     DepthMap drawDepth(const Frame& frame);
+    SurfaceMap drawSurfaces(const Frame& frame);
 
     View viewOf(const Frame& frame) const;
     View sampleView(const Frame& frame, const SubSample& sample) const;
@@ -45,6 +47,7 @@ private:
     DepthPass depth_;
     GlTexture openMap_;
     ScenePass scene_;
+    std::unique_ptr<SurfacePass> surfaces_;  // made when first asked for
 };
 
 }  // namespace render

@@ -58,4 +58,6 @@ Image Renderer::draw(std::span<const Frame> moments) {
     return image;
 }
 
+SurfaceMap Renderer::surfaces(const Frame& frame) { return passes_->drawSurfaces(frame); }
+
 }  // namespace render

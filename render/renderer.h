@@ -9,6 +9,7 @@
 #include "render/error.h"
 #include "render/frame.h"
 #include "render/image.h"
+#include "render/surface_map.h"
 
 namespace render {
 
@@ -49,6 +50,10 @@ public:
     /// anti-aliasing, soft shadows, ambient occlusion and depth of field for the price of samples.
     /// What is drawn over the picture is that of the last moment.
     Image draw(std::span<const Frame> moments);
+
+    /// Which surface is at the centre of every pixel of the picture (data_images.h goes on from
+    /// there). Throws Error when OpenGL reports an error.
+    SurfaceMap surfaces(const Frame& frame);
 
     /// Calls `observer` when a stage begins, with everything before it finished: for benchmarks.
     void observe(std::function<void(Stage)> observer);

@@ -1,0 +1,4 @@
+#version 330 core
+flat in int surface;
+out int result;
+void main() { result = surface; }

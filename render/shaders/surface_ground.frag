@@ -1,0 +1,4 @@
+#version 330 core
+uniform int surface;
+out int result;
+void main() { result = surface; }

@@ -1,0 +1,25 @@
+/// Which surface is seen at the centre of every pixel: one sample a pixel, because numbers of two
+/// surfaces have no mean. The driver says who is seen; where and how is computed from that on the
+/// processor (data_images.h), in closed form.
+#pragma once
+#include "render/ground_mesh.h"
+#include "render/meshes.h"
+#include "render/surface_map.h"
+
+namespace render {
+
+class SurfacePass {
+public:
+    SurfacePass(int width, int height);
+    /// `view`: upside down, so that the first row read back is the top one.
+    SurfaceMap draw(const Frame& frame, const View& view, const Meshes& meshes,
+                    const GroundMesh& ground) const;
+
+private:
+    int width_, height_;
+    GlRenderbuffer number_, depth_;
+    GlFramebuffer framebuffer_;
+    GlProgram solid_, ground_;
+};
+
+}  // namespace render
