@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "demos/film/data_pass.h"
 #include "demos/film/quality.h"
 #include "demos/overlays.h"
 #include "demos/report/measures.h"
@@ -115,6 +116,8 @@ void checkPicture(Options& options, const RawOptions& raw) {
     if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
     for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
     options.show = raw.show;
+    for (const std::string& name : raw.passes) checkName("--pass", name, passNames());
+    options.passes = raw.passes;
     for (const std::string& name : raw.what) checkName("--what", name, measureNames());
     options.what = raw.what;
     if (!raw.size.empty()) {

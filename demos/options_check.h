@@ -10,6 +10,7 @@ struct RawOptions {
     std::string maxSize;
     std::vector<std::string> times;
     std::vector<std::string> show;
+    std::vector<std::string> passes;
     std::vector<std::string> what;
     std::string solver;
 };

@@ -95,6 +95,12 @@ void addRender(CLI::App& app, Options& options, RawOptions& raw) {
     addDelivery(app, options, raw);
     addSeconds(app, options);
     addPicture(app, options, raw);
+    app.add_option("--pass", raw.passes,
+                   "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
+                   "poses contacts; described in passes.json; default: none")
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
         ->type_name("N");
     app.add_flag("-n,--dry-run", options.dryRun,

@@ -27,7 +27,7 @@ void addBody(const Stage& stage, int i, render::Frame& frame) {
     if (shape.type == engine::ShapeType::plane) {
         const Vec3 normal = pose.rotation * shape.normal;
         const double offset = normal.dot(pose.position);
-        frame.grounds.push_back({true, drawn(normal), static_cast<float>(offset)});
+        frame.grounds.push_back({true, drawn(normal), static_cast<float>(offset), i});
         return;
     }
     render::Solid solid;
@@ -222,7 +222,12 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     frame.camera = cameraOf(stage, frameTime);
     for (std::size_t i = 0; i < stage.bodies.size(); ++i)
         addBody(stage, static_cast<int>(i), frame);
-    for (const engine::JointId id : stage.joints) addJoint(stage, id, overlays, frame);
+    for (const engine::JointId id : stage.joints) {
+        const std::size_t first = frame.rods.size();
+        addJoint(stage, id, overlays, frame);
+        for (std::size_t i = first; i < frame.rods.size(); ++i)  // numbered after the bodies
+            frame.rods[i].id = static_cast<int>(stage.bodies.size()) + id.index;
+    }
     if (overlays.trails) addTrails(stage, frame);
     addContacts(stage, overlays, impulseScale, frame);
     if (overlays.nudges) addNudges(stage, history, nudgeScale, frame);

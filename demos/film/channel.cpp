@@ -13,8 +13,9 @@ namespace {
 struct Header {
     MessageKind kind;
     std::int32_t frame;
-    std::uint64_t stateHash, firstSize, secondSize;
+    std::uint64_t stateHash, firstSize, secondSize, dataCount;
 };
+constexpr std::uint64_t kMostData = 64;  // files
 constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;  // bytes; more is a torn header
 
 }  // namespace
@@ -60,10 +61,23 @@ bool Channel::receiveAll(std::span<std::uint8_t> bytes) {
 
 bool Channel::send(const Message& message) {
     const Header header{message.kind, message.frame, message.stateHash, message.first.size(),
-                        message.second.size()};
+                        message.second.size(), message.data.size()};
     std::uint8_t bytes[sizeof header];
     std::memcpy(bytes, &header, sizeof header);
-    return sendAll(bytes) && sendAll(message.first) && sendAll(message.second);
+    bool sent = sendAll(bytes) && sendAll(message.first) && sendAll(message.second);
+    for (const std::vector<std::uint8_t>& file : message.data) {
+        const std::uint64_t size = file.size();
+        std::uint8_t sizeBytes[sizeof size];
+        std::memcpy(sizeBytes, &size, sizeof size);
+        sent = sent && sendAll(sizeBytes) && sendAll(file);
+    }
+    return sent;
+}
+
+bool Channel::receiveBlock(std::uint64_t size, std::vector<std::uint8_t>& block) {
+    if (size > kLargest) return false;
+    block.resize(size);
+    return receiveAll(block);
 }
 
 bool Channel::receive(Message& message) {
@@ -71,13 +85,21 @@ bool Channel::receive(Message& message) {
     if (!receiveAll(bytes)) return false;
     Header header;
     std::memcpy(&header, bytes, sizeof header);
-    if (header.firstSize > kLargest || header.secondSize > kLargest) return false;
+    if (header.dataCount > kMostData) return false;
     message.kind = header.kind;
     message.frame = header.frame;
     message.stateHash = header.stateHash;
-    message.first.resize(header.firstSize);
-    message.second.resize(header.secondSize);
-    return receiveAll(message.first) && receiveAll(message.second);
+    message.data.resize(header.dataCount);
+    if (!receiveBlock(header.firstSize, message.first)) return false;
+    if (!receiveBlock(header.secondSize, message.second)) return false;
+    for (std::vector<std::uint8_t>& file : message.data) {
+        std::uint64_t size = 0;
+        std::uint8_t sizeBytes[sizeof size];
+        if (!receiveAll(sizeBytes)) return false;
+        std::memcpy(&size, sizeBytes, sizeof size);
+        if (!receiveBlock(size, file)) return false;
+    }
+    return true;
 }
 
 }  // namespace demos

@@ -20,6 +20,7 @@ struct Message {
     std::int32_t frame = 0;
     std::uint64_t stateHash = 0;
     std::vector<std::uint8_t> first, second;  // picture: PNG and raw RGBA; else text and nothing
+    std::vector<std::vector<std::uint8_t>> data;  // picture: files of the data passes
 
     std::string text() const { return {first.begin(), first.end()}; }
     static Message ofText(MessageKind kind, const std::string& text);
@@ -40,6 +41,7 @@ public:
 
 private:
     bool sendAll(std::span<const std::uint8_t> bytes);
+    bool receiveBlock(std::uint64_t size, std::vector<std::uint8_t>& block);
     bool receiveAll(std::span<std::uint8_t> bytes);
     int socket_ = -1;
 };

@@ -110,6 +110,10 @@ public:
                 "wrote {} ... {} ({} frames{})", printable(files->nameOf(0).string()),
                 printable(files->nameOf(plan.frames - 1).filename().string()), plan.frames,
                 files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
+        for (const auto& files : files_)
+            if (!plan.passes.empty())
+                talk.say(fmt::format("wrote {}: {}", printable(files->dataName().string()),
+                                     fmt::join(passNamesOf(plan.passes), " ")));
         for (const Film& film : films_)
             talk.say(fmt::format("wrote {} ({})", printable(film.path.string()),
                                  options.maxSize ? film.writer->summary()
@@ -148,6 +152,7 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
     record.samples = plan.picture.samples;
     record.fps = plan.fps;
     record.hz = plan.scene().hz;
+    record.passes = passNamesOf(plan.passes);
     return record;
 }
 

@@ -99,6 +99,7 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
         anyStep ? std::max(scene.hz / plan.fps, 1) : stepsPerFrame(scene.hz, plan.fps);
     for (const Panel& panel : plan.panels)
         if (!anyStep) stepsPerFrame(panel.scene.hz, plan.fps);
+    plan.passes = passesCalled(options.passes);
     plan.frames = frameCount(scene.seconds, plan.fps);
     const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
@@ -135,6 +136,7 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
                          plan.picture.width, plan.picture.height, plan.picture.samples,
                          plan.picture.reproducible, plan.frames, plan.fps, plan.stepsPerFrame));
     for (const std::string& name : options.show) hash.add(name);
+    for (const Pass pass : plan.passes) hash.add(textOf(pass).name);
     for (const Panel& panel : plan.panels) {
         for (const std::string& name : panel.scene.look.show) hash.add(name);
         hash.add(panel.settings);

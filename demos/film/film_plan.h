@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "demos/film/data_pass.h"
 #include "demos/film/panel_layout.h"
 #include "demos/film/shutter.h"
 #include "demos/options.h"
@@ -31,6 +32,7 @@ struct FilmPlan {
     ShutterSettings shutter;
     std::string name;                  // {scene} in output patterns
     std::string quality;
+    std::vector<Pass> passes;  // beside PNG frames; one panel only
     int frames = 0;
     int fps = 30;
     int stepsPerFrame = 2;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "demos/film/data_json.h"
 #include "demos/film/outputs.h"
 #include "demos/film/text_hash.h"
 #include "demos/scene/complaints.h"
@@ -49,6 +50,29 @@ std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
     throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(folder.string()), what));
 }
 
+bool isSymlink(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_symlink(fs::symlink_status(path, ignored));
+}
+
+/// Files named `ENDING.tmp` and a number.
+void sweep(const fs::path& folder, const std::vector<std::string>& endings) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const std::string stem = name.substr(0, name.find_last_not_of("0123456789") + 1);
+        for (const std::string& ending : endings)
+            if (stem.ends_with(ending + ".tmp") &&
+                entry.symlink_status(ignored).type() == fs::file_type::regular)
+                fs::remove(entry.path(), ignored);
+    }
+}
+
+void removeOwn(const fs::path& name) {
+    std::error_code ignored;
+    if (fs::is_regular_file(fs::symlink_status(name, ignored))) fs::remove(name, ignored);
+}
+
 }  // namespace
 
 FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord record,
@@ -62,7 +86,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     const bool same = old && old->pattern == record_.pattern;
     if (same) sweepTemporaries();
     if (overwrite && same) {
-        removeBeyond(old->frames.size());
+        removeOutdated(*old);
     } else if (!overwrite && same && old->fingerprint == record_.fingerprint) {
         takeUp(*old);
     } else if (!overwrite && (old || !bytes.empty())) {
@@ -73,6 +97,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
         refuseStrangers();
     }
     render::checkReplaceable(recordName());
+    prepareData();
     close(false);
 }
 
@@ -96,7 +121,14 @@ bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
     if (!entry.written) return false;
     const std::vector<std::uint8_t> bytes = contentOf(nameOf(frame));
     return render::pngIsWhole(bytes, plan_.layout.width, plan_.layout.height) &&
-           hashOf(bytes) == entry.png;
+           hashOf(bytes) == entry.png && dataHash(frame) == entry.data;
+}
+
+/// Of the frame's files of all passes; 0 where there are no passes.
+std::uint64_t FrameFiles::dataHash(int frame) const {
+    TextHash hash;
+    for (const Pass pass : plan_.passes) hash.add(contentOf(nameOf(frame, pass)));
+    return plan_.passes.empty() ? 0 : hash.value();
 }
 
 void FrameFiles::takeUp(const RunRecord& old) {
@@ -110,35 +142,53 @@ void FrameFiles::takeUp(const RunRecord& old) {
 
 /// Frames without a record are not ours to replace.
 void FrameFiles::refuseStrangers() const {
-    std::error_code ignored;
-    for (int frame = 0; frame < plan_.frames; ++frame)
-        if (fs::exists(fs::symlink_status(nameOf(frame), ignored)))
-            refuse(nameOf(frame),
+    const auto check = [](const fs::path& name) {
+        std::error_code ignored;
+        if (fs::exists(fs::symlink_status(name, ignored)))
+            refuse(name,
                    "is there already, and no run.json tells whose it is; "
                    "--overwrite replaces it");
+    };
+    for (int frame = 0; frame < plan_.frames; ++frame) {
+        check(nameOf(frame));
+        for (const Pass pass : plan_.passes) check(nameOf(frame, pass));
+    }
+    if (!plan_.passes.empty()) check(dataName());
+}
+
+/// A folder for each pass, and their description.
+void FrameFiles::prepareData() const {
+    for (const Pass pass : plan_.passes) {
+        const fs::path folder = nameOf(0, pass).parent_path();
+        if (isSymlink(folder))
+            throw render::Error(fmt::format(
+                "cannot write into '{}': it is a symbolic link; remove it or name another folder",
+                printable(folder.string())));
+        makeFolder(folder);
+    }
+    if (!plan_.passes.empty())
+        render::writeFileAtomically(dataName(), passesJson(plan_, record_.pattern));
 }
 
 /// What a killed run was writing. The lock says that nobody is writing it now.
 void FrameFiles::sweepTemporaries() const {
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
-        const std::string name = entry.path().filename().string();
-        const std::size_t at = name.find_last_not_of("0123456789");
-        const bool temporary =
-            at != std::string::npos &&
-            (name.substr(0, at + 1).ends_with(".png.tmp") || name.starts_with("run.json.tmp"));
-        if (temporary && entry.symlink_status(ignored).type() == fs::file_type::regular)
-            fs::remove(entry.path(), ignored);
-    }
+    sweep(folder_, {".png", "run.json", "passes.json"});
+    for (const PassText& text : passTexts())
+        if (const fs::path folder = folder_ / text.name; !isSymlink(folder))
+            sweep(folder, {text.ending});
 }
 
-/// A shorter film must not end in the old one's frames.
-void FrameFiles::removeBeyond(std::size_t oldFrames) const {
-    std::error_code ignored;
-    for (std::size_t frame = record_.frames.size(); frame < oldFrames; ++frame) {
-        const fs::path name = nameOf(static_cast<int>(frame));
-        if (fs::is_regular_file(fs::symlink_status(name, ignored))) fs::remove(name, ignored);
+/// A shorter film must not end in the old one's frames, nor have the old one's data beside it.
+void FrameFiles::removeOutdated(const RunRecord& old) const {
+    const int oldFrames = static_cast<int>(old.frames.size());
+    for (int frame = plan_.frames; frame < oldFrames; ++frame) removeOwn(nameOf(frame));
+    for (const Pass pass : passesCalled(old.passes)) {
+        if (isSymlink(folder_ / textOf(pass).name)) continue;
+        for (int frame = 0; frame < oldFrames; ++frame) removeOwn(nameOf(frame, pass));
+        std::error_code ignored;
+        fs::remove(folder_ / textOf(pass).name, ignored);  // where nothing else is in it
     }
+    if (!old.passes.empty()) removeOwn(dataName());
 }
 
 fs::path FrameFiles::nameOf(int frame) const {
@@ -146,10 +196,26 @@ fs::path FrameFiles::nameOf(int frame) const {
     return folder_ / name.filename();
 }
 
+fs::path FrameFiles::nameOf(int frame, Pass pass) const {
+    const PassText& text = textOf(pass);
+    return folder_ / text.name / (nameOf(frame).stem().string() + text.ending);
+}
+
+/// The hash of what it writes.
+std::uint64_t FrameFiles::addData(const DrawnFrame& frame) {
+    TextHash hash;
+    for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        render::writeFileAtomically(nameOf(frame.frame, plan_.passes[i]), frame.data.at(i));
+        hash.add(frame.data[i]);
+    }
+    return plan_.passes.empty() ? 0 : hash.value();
+}
+
 void FrameFiles::add(const DrawnFrame& frame) {
     if (has(frame.frame)) return;
+    const std::uint64_t data = addData(frame);
     render::writeFileAtomically(nameOf(frame.frame), frame.png);
-    record_.frames[frame.frame] = {true, frame.stateHash, hashOf(frame.png)};
+    record_.frames[frame.frame] = {true, frame.stateHash, hashOf(frame.png), data};
     // Seldom enough that a long film's record costs little, often enough that little is redrawn.
     if (++unrecorded_ >= std::max(50, plan_.frames / 64)) close(false);
 }

@@ -29,14 +29,20 @@ public:
     /// Writes the record.
     void close(bool finished);
     std::filesystem::path nameOf(int frame) const;
+    /// Where the data passes are described.
+    std::filesystem::path dataName() const { return folder_ / "passes.json"; }
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
     void lock();
+    void prepareData() const;
+    std::filesystem::path nameOf(int frame, Pass pass) const;
+    std::uint64_t dataHash(int frame) const;
+    std::uint64_t addData(const DrawnFrame& frame);
     void takeUp(const RunRecord& old);
     void refuseStrangers() const;
     void sweepTemporaries() const;
-    void removeBeyond(std::size_t oldFrames) const;
+    void removeOutdated(const RunRecord& old) const;
     bool isGood(int frame, const FrameRecord& entry) const;
     std::filesystem::path recordName() const { return folder_ / "run.json"; }
 

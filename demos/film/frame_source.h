@@ -19,6 +19,7 @@ struct DrawnFrame {
     std::uint64_t stateHash = 0;
     std::vector<std::uint8_t> png;  // empty where not asked for
     render::Image image;            // empty where not asked for
+    std::vector<std::vector<std::uint8_t>> data;  // a file for each of the plan's passes
 };
 
 class FrameSource {

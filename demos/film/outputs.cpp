@@ -66,6 +66,17 @@ Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     return framesOutput(plan, (fs::path(pattern) / "frame_{frame:6}.png").string());
 }
 
+/// Data has its place beside PNG frames.
+void checkPasses(const std::vector<Output>& outputs, const FilmPlan& plan) {
+    if (plan.passes.empty()) return;
+    for (const Output& output : outputs)
+        if (output.kind == OutputKind::frames) return;
+    throw Stop(Exit::usage,
+               fmt::format("--pass {}: data is written beside PNG frames; add a folder for both, "
+                           "for example -o output/{}",
+                           fmt::join(passNamesOf(plan.passes), ","), printable(plan.name)));
+}
+
 bool isThere(const fs::path& path) {
     std::error_code ignored;
     return fs::exists(fs::symlink_status(path, ignored));
@@ -123,6 +134,7 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {
     const auto isFilm = [](const Output& output) { return output.kind == OutputKind::film; };
     if (options.maxSize && std::none_of(outputs.begin(), outputs.end(), isFilm))
         throw Stop(Exit::usage, "--max-size belongs to a film; name one, as in -o film.gif");
+    checkPasses(outputs, plan);
     return outputs;
 }
 

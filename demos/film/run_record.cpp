@@ -39,13 +39,16 @@ std::string jsonOf(const RunRecord& record) {
     json["samples"] = record.samples;
     json["fps"] = record.fps;
     json["hz"] = record.hz;
+    if (!record.passes.empty()) json["passes"] = record.passes;
     json["finished"] = record.finished;
     Json& frames = json["frames"] = Json::array();
     for (const FrameRecord& frame : record.frames) {
-        if (frame.written)
-            frames.push_back({{"state", hexText(frame.state)}, {"png", hexText(frame.png)}});
-        else
+        if (!frame.written) {
             frames.push_back(nullptr);
+            continue;
+        }
+        frames.push_back({{"state", hexText(frame.state)}, {"png", hexText(frame.png)}});
+        if (frame.data != 0) frames.back()["data"] = hexText(frame.data);
     }
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -57,6 +60,7 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     record.fingerprint = fromHex(json.at("fingerprint").get<std::string>());
     record.pattern = json.at("pattern").get<std::string>();
     record.finished = json.at("finished").get<bool>();
+    if (json.contains("passes")) record.passes = json["passes"].get<std::vector<std::string>>();
     const Json& frames = json.at("frames");
     if (!frames.is_array() || frames.size() > kMostFrames) return std::nullopt;
     for (const Json& frame : frames) {
@@ -65,6 +69,7 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
             entry.written = true;
             entry.state = fromHex(frame.at("state").get<std::string>());
             entry.png = fromHex(frame.at("png").get<std::string>());
+            if (frame.contains("data")) entry.data = fromHex(frame["data"].get<std::string>());
         }
         record.frames.push_back(entry);
     }

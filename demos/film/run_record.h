@@ -12,6 +12,7 @@ struct FrameRecord {
     bool written = false;
     std::uint64_t state = 0;  // engine's state hash
     std::uint64_t png = 0;    // TextHash of the file
+    std::uint64_t data = 0;   // of the files of the data passes, in their order; 0: there are none
 };
 
 struct RunRecord {
@@ -22,6 +23,7 @@ struct RunRecord {
     std::string theme;
     std::vector<std::string> show, settings;  // overlays; KEY=VALUE of the command line
     int width = 0, height = 0, samples = 0, fps = 0, hz = 0;
+    std::vector<std::string> passes;  // data passes, by name
     bool finished = false;
     std::vector<FrameRecord> frames;
 };

@@ -69,6 +69,7 @@ void Screen::advance(Show& show, bool drawn, double time) try {
     for (int left = show.steps; left > 0; --left) {
         if (drawn && shutter.sees(left)) show.seen.push_back(frameOf(show, time - left * step));
         show.player.step();
+        if (watcher_ && &show == shows_.front().get()) watcher_(show.player.stage());
     }
 } catch (const Stop& stop) {
     if (shows_.size() == 1 || stop.code() != Exit::diverged) throw;
@@ -113,6 +114,12 @@ render::Image Screen::draw(int frame, render::Renderer& renderer) {
     drawCursor(strip.x + x, strip.y + static_cast<int>(cursor.top),
                strip.y + static_cast<int>(cursor.bottom), whole);
     return whole;
+}
+
+render::Frame Screen::plainFrame(int frame) const {
+    Overlays none;
+    none.trails = none.text = false;
+    return snapshot(stage(), none, plan_.timeOf(frame));
 }
 
 std::uint64_t Screen::hash() const {

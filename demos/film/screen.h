@@ -1,5 +1,6 @@
 /// All panels of a film, played on one clock and drawn into one picture.
 #pragma once
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,6 +18,11 @@ public:
     /// last, and says so. `drawn`: draw() will follow.
     void advance(bool drawn);
     render::Image draw(int frame, render::Renderer& renderer);
+    /// What the data passes show: the first panel without overlays.
+    render::Frame plainFrame(int frame) const;
+    const Stage& stage() const { return shows_.front()->player.stage(); }
+    /// `watcher` sees the first panel's stage after every step from now on.
+    void watchSteps(std::function<void(const Stage&)> watcher) { watcher_ = std::move(watcher); }
     /// Of all panels' states.
     std::uint64_t hash() const;
 
@@ -34,6 +40,7 @@ private:
     const FilmPlan& plan_;
     int frame_ = 0;
     std::vector<std::unique_ptr<Show>> shows_;
+    std::function<void(const Stage&)> watcher_;
 };
 
 }  // namespace demos

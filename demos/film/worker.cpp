@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "demos/film/screen.h"
+#include "demos/film/data_files.h"
 #include "demos/stop.h"
 #include "render/encode/png.h"
 #include "render/renderer.h"
@@ -10,33 +10,42 @@
 namespace demos {
 namespace {
 
-Message drawnMessage(Screen& screen, int frame, const WorkerTask& task,
-                     render::Renderer& renderer) {
-    render::Image image = screen.draw(frame, renderer);
+/// What a worker plays and draws with.
+struct Desk {
+    render::Renderer renderer;
+    Screen screen;
+    DataFiles data;
+
+    Desk(const FilmPlan& plan, const render::RendererSettings& settings)
+        : renderer(settings), screen(plan), data(plan, screen) {}
+};
+
+Message drawnMessage(Desk& desk, int frame, const WorkerTask& task) {
+    render::Image image = desk.screen.draw(frame, desk.renderer);
     Message message;
     message.kind = MessageKind::frame;
     message.frame = frame;
-    message.stateHash = screen.hash();
+    message.stateHash = desk.screen.hash();
     if (task.png) message.first = render::encodePng(image);
     if (task.raw) message.second = std::move(image.pixels);
+    message.data = desk.data.make(frame, desk.renderer);
     return message;
 }
 
 void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
     render::RendererSettings settings = plan.picture;
     settings.threads = 0;  // this process is the thread
-    render::Renderer renderer(settings);
-    Screen screen(plan);
+    Desk desk(plan, settings);
     Message orders;
-    if (!channel.send(Message::ofText(MessageKind::ready, renderer.describe())) ||
+    if (!channel.send(Message::ofText(MessageKind::ready, desk.renderer.describe())) ||
         !channel.receive(orders))
         return;
     int ordinal = 0;
     for (int frame = 0; frame < static_cast<int>(orders.first.size()); ++frame) {
         const bool mine = orders.first[frame] && ordinal++ % task.count == task.index;
-        if (frame > 0) screen.advance(mine);
+        if (frame > 0) desk.data.advance(mine);
         if (!mine) continue;
-        if (!channel.send(drawnMessage(screen, frame, task, renderer))) return;
+        if (!channel.send(drawnMessage(desk, frame, task))) return;
     }
 }
 

@@ -1,0 +1,68 @@
+#include "demos/film/data_pass.h"
+
+#include <algorithm>
+
+namespace demos {
+namespace {
+
+constexpr PassText kPasses[] = {
+    {Pass::depth, "depth", ".pfm", "PFM: 32-bit floats, little-endian, bottom row first", "m",
+     "distance along the view axis of the surface at the pixel's centre; inf: nothing but sky"},
+    {Pass::depth16, "depth16", ".png", "PNG: 16-bit grey", "depth_unit_m",
+     "the same, as a multiple of depth_unit_m, rounded; 65534: that far or farther; 65535: nothing "
+     "but sky"},
+    {Pass::normal, "normal", ".png", "PNG: 16-bit RGB", "1",
+     "unit normal in world axes, towards the viewer: n = value / 32767.5 - 1 for x, y, z; "
+     "0 0 0: nothing but sky"},
+    {Pass::id, "id", ".png", "PNG: 16-bit grey", "1",
+     "number of the body or joint seen at the pixel's centre, see ids; 0: nothing but sky"},
+    {Pass::flow, "flow", ".flo", "Middlebury .flo: 32-bit floats, little-endian, top row first",
+     "pixels",
+     "where the point at the pixel's centre is in the next frame, minus where it is in this one, x "
+     "right, y down, seen or hidden; of the sky, points infinitely far away; 1e10: unknown. Of the "
+     "last frame: to the one that would follow"},
+    {Pass::camera, "camera", ".json", "JSON", "m, pixels",
+     "view: world to eye axes (x right, y up, z towards the viewer); projection: eye axes to "
+     "OpenGL's clip space; matrices by rows, for columns. K: a point x right, y down, z ahead of "
+     "the eye is seen at pixel (K p) / z; the centre of the top left pixel is (0.5, 0.5)"},
+    {Pass::poses, "poses", ".json", "JSON", "m, m/s, rad/s",
+     "of every body: position of the centre of mass, rotation from body to world axes as a "
+     "quaternion w x y z, velocity, spin in world axes"},
+    {Pass::contacts, "contacts", ".json", "JSON", "m, N s",
+     "every touching point of every step since the frame before: position half way between the "
+     "surfaces, unit normal from a to b, penetration (negative: apart), impulse along the normal "
+     "and friction on b over the step. event: begin or persist, whether the pair of bodies touched "
+     "in the step before; end: it did and does not any more. Touching: penetration >= 0, or an "
+     "impulse > 0"},
+};
+
+}  // namespace
+
+std::span<const PassText> passTexts() { return kPasses; }
+
+const PassText& textOf(Pass pass) {
+    return *std::find_if(std::begin(kPasses), std::end(kPasses),
+                         [pass](const PassText& text) { return text.pass == pass; });
+}
+
+std::vector<std::string> passNames() {
+    std::vector<std::string> names;
+    for (const PassText& text : kPasses) names.emplace_back(text.name);
+    return names;
+}
+
+std::vector<std::string> passNamesOf(const std::vector<Pass>& passes) {
+    std::vector<std::string> names;
+    for (const Pass pass : passes) names.emplace_back(textOf(pass).name);
+    return names;
+}
+
+std::vector<Pass> passesCalled(const std::vector<std::string>& names) {
+    std::vector<Pass> passes;
+    for (const PassText& text : kPasses)
+        if (std::find(names.begin(), names.end(), text.name) != names.end())
+            passes.push_back(text.pass);
+    return passes;
+}
+
+}  // namespace demos
