@@ -9,6 +9,10 @@
 #include <xmmintrin.h>
 #endif
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "demos/run.h"
 
 /// A closed standard stream would give its number to the next file that is opened, and what is
@@ -19,8 +23,19 @@ static void fillStandardStreams() {
             open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/// A frame's buffers are some megabytes each and come again with every frame: kept by the program,
+/// they are not cleared by the system anew each time.
+static void keepBuffers() {
+#if defined(__GLIBC__)
+    constexpr int kMost = 32 << 20;  // bytes, the most that glibc takes
+    mallopt(M_MMAP_THRESHOLD, kMost);
+    mallopt(M_TRIM_THRESHOLD, 4 * kMost);
+#endif
+}
+
 int main(int argc, char** argv) {
     fillStandardStreams();
+    keepBuffers();
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error to be told, not a death
     std::signal(SIGXFSZ, SIG_IGN);  // so is a file that may not grow
     std::fesetround(FE_TONEAREST);
