@@ -20,13 +20,17 @@ struct Lanes;
 template <>
 struct Lanes<4> {
     using Type = float __attribute__((vector_size(16)));
+    using Whole = int __attribute__((vector_size(16)));
 };
 template <>
 struct Lanes<8> {
     using Type = float __attribute__((vector_size(32)));
+    using Whole = int __attribute__((vector_size(32)));
 };
 template <int N>
 using Samples = typename Lanes<N>::Type;
+template <int N>
+using Places = typename Lanes<N>::Whole;
 
 /// Where the samples of a pixel lie: a spiral of a radius of 1, started by the pixel's place in its
 /// cell.
@@ -52,6 +56,12 @@ struct Pattern {
 template <class Lane>
 void keepPositive(Lane& v) {
     v = v > 0.0f ? v : Lane{};
+}
+
+template <class Lane>
+void keepWithin(Lane& v, int most) {
+    v = v > 0 ? v : Lane{};
+    v = v < most ? v : Lane{} + most;
 }
 
 /// The whole computation of one map, with N samples a pixel.
@@ -125,14 +135,14 @@ float Occlusion<N>::open(int x, int y) const {
     const int cell = y % kCell * kCell + x % kCell;
     const Samples<N> fx = pattern_.x[cell] * pixels + (static_cast<float>(x) + 0.5f);
     const Samples<N> fy = pattern_.y[cell] * pixels + (static_cast<float>(y) + 0.5f);
-    Samples<N> px, py, depth;
-    for (int i = 0; i < N; ++i) {
-        const int sx = std::clamp(static_cast<int>(fx[i]), 0, depth_.width - 1);
-        const int sy = std::clamp(static_cast<int>(fy[i]), 0, depth_.height - 1);
-        px[i] = static_cast<float>(sx);
-        py[i] = static_cast<float>(sy);
-        depth[i] = depth_.at(sx, sy);
-    }
+    Places<N> sx = __builtin_convertvector(fx, Places<N>);
+    Places<N> sy = __builtin_convertvector(fy, Places<N>);
+    keepWithin(sx, depth_.width - 1);
+    keepWithin(sy, depth_.height - 1);
+    const Samples<N> px = __builtin_convertvector(sx, Samples<N>);
+    const Samples<N> py = __builtin_convertvector(sy, Samples<N>);
+    Samples<N> depth;
+    for (int i = 0; i < N; ++i) depth[i] = depth_.at(sx[i], sy[i]);
     const float sum = hidden(here, normal(x, y, here), px, py, depth);
     return std::max(0.0f, 1.0f - sum * 1.9f * set_.reach / N);
 }
@@ -180,8 +190,9 @@ private:
 
 }  // namespace
 
-int occlusionRadius(int height) {
-    return static_cast<int>(std::ceil(kWidest * static_cast<float>(height))) + kCell;
+int occlusionRadius(const OcclusionSettings& settings, float nearest, int height) {
+    const float share = 0.5f * settings.reach / (std::max(nearest, 1e-3f) * settings.lensY);
+    return static_cast<int>(std::ceil(std::min(share, kWidest) * static_cast<float>(height))) + kCell;
 }
 
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {

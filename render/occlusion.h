@@ -43,7 +43,8 @@ ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, 
 /// Twice as wide and high, or one more than that: 3/4 of the nearest and 1/4 of the next one.
 ByteMap doubled(const ByteMap& map, int width, int height);
 
-/// How far a point's samples may lie from it, in pixels of a map of this height.
-int occlusionRadius(int height);
+/// How far a point's samples may lie from it, in pixels of a map of this height; `nearest`: m, to
+/// the first thing seen.
+int occlusionRadius(const OcclusionSettings& settings, float nearest, int height);
 
 }  // namespace render

@@ -113,7 +113,9 @@ OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
     set.lensY = 1.0f / view.projection(1, 1);
     set.farthest = view.farthest;
     set.reach = 0.035f * (frame.camera.from - frame.camera.lookAt).norm() + 0.15f;
-    set.where = halved(bodies).grown(occlusionRadius(map.height), map.width, map.height);
+    const float nearest = *std::min_element(map.meters.begin(), map.meters.end());
+    const int border = occlusionRadius(set, nearest, map.height);
+    set.where = halved(bodies).grown(border, map.width, map.height);
     return set;
 }
 

@@ -177,18 +177,22 @@ void ScenePass::drawGround(const Scene& scene, const Ground& ground, const Groun
                            const std::vector<Vec3>& part, const std::string& features,
                            const GroundMesh& mesh) {
     if (part.empty()) return;
-    const bool catcher = scene.frame.look.transparent;
-    const GLuint program =
-        lit("ground", "ground", features + (catcher ? " SHADOW_CATCHER" : ""), scene);
-    setUniform(program, "lineStrength", scene.frame.look.lineStrength);
+    const Look& look = scene.frame.look;
+    const std::string kind = look.transparent ? " WIDE_KERNEL SHADOW_CATCHER" : " WIDE_KERNEL";
+    const GLuint program = lit("ground", "ground", features + kind, scene);
+    setUniform(program, "lineStrength", look.lineStrength);
     const Vec3 normal = ground.normal.normalized();
+    const float up = 0.5f + 0.5f * normal.y();
+    const float facing = std::max(normal.dot(look.sunDirection.normalized()), 0.0f);
+    setUniform(program, "ambientLight", Vec3(up * kSkyLight + (1.0f - up) * kGroundLight));
+    setUniform(program, "fullSun", Vec3(facing * kSunLight));
     setUniform(program, "normal", normal);
     setUniform(program, "across", corners.across);
     setUniform(program, "along", corners.along);
-    setColorUniform(program, "groundColor", scene.frame.look.ground);
-    setColorUniform(program, "lineColor", lineColor(scene.frame.look.ground));
+    setColorUniform(program, "groundColor", look.ground);
+    setColorUniform(program, "lineColor", lineColor(look.ground));
     const float decade = std::floor(std::log10(distanceOf(scene.frame) / 6.0f));
-    setUniform(program, "cell", std::max(std::pow(10.0f, decade), 0.1f));
+    setUniform(program, "perCell", 1.0f / std::max(std::pow(10.0f, decade), 0.1f));
     mesh.draw(part);
 }
 

@@ -24,10 +24,11 @@ vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
     return color;
 }
 
-// By the depth along the view axis: rows of ground keep one colour, which PNG takes for nothing.
+// clear^2, clear = 1 / (1 + ((depth - start) / distance)^2), with depth = 1 / gl_FragCoord.w along
+// the view axis: rows of ground keep one colour, which PNG takes for nothing.
 vec3 fogged(vec3 color) {
-    float d = max(1.0 / gl_FragCoord.w - fogStart, 0.0) / fogDistance;
-    float clear = 1.0 / (1.0 + d * d);
+    float near = gl_FragCoord.w * fogDistance, past = max(1.0 - gl_FragCoord.w * fogStart, 0.0);
+    float clear = near * near / (near * near + past * past);
     return mix(fogColor, color, clear * clear);
 }
 

@@ -1,10 +1,8 @@
 #version 330 core
-in vec3 ray;
-uniform vec3 forward;                           // unit, the view axis
+in float up;                                    // of a ray as long as 1 along the view axis
 uniform vec3 fogColor, horizonColor, topColor;  // sRGB: mixed as they are seen
 out vec4 result;
 void main() {
-    float up = ray.y / dot(ray, forward);
     vec3 color = mix(fogColor, horizonColor, smoothstep(0.0, 0.07, up));
     result = vec4(mix(color, topColor, smoothstep(0.05, 0.5, up)), 1.0);
 }
