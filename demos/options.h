@@ -41,6 +41,7 @@ struct Options {
     std::optional<double> seconds;  // length; also of sim, plot and bench
     std::vector<std::string> show;  // overlays, added to the scene's
     std::string theme;              // empty = the scene's
+    std::string colorBy;            // empty = the scene's
     int jobs = 0;                   // 0 = a worker per core
     std::vector<std::string> passes;  // render: data beside the frames
     bool clean = false;             // no text

@@ -114,6 +114,7 @@ void checkPicture(Options& options, const RawOptions& raw) {
     checkName("--quality", options.quality, qualityNames());
     checkName("--context", options.context, contextNames());
     if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
+    if (!options.colorBy.empty()) checkName("--colour-by", options.colorBy, colorings());
     for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
     options.show = raw.show;
     for (const std::string& name : raw.passes) checkName("--pass", name, passNames());

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "demos/overlays.h"
+
 namespace demos {
 namespace {
 
@@ -47,12 +49,15 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                    "with --blur: how much of a frame's time the shutter is open, 0..1; default: 0.5")
         ->type_name("S");
     app.add_option("--show", raw.show,
-                   "overlays, with commas: contacts normals impulses friction nudges joints axes "
-                   "trails caption stats; default: the scene's")
+                   "overlays, with commas: " + overlayList() + "; default: the scene's")
         ->type_name("NAMES")
         ->delimiter(',')
         ->allow_extra_args(false);
     app.add_option("--theme", options.theme, "studio, dark, print or transparent; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--colour-by,--color-by", options.colorBy,
+                   "what colours bodies: body, speed, impulse, island, group, material or id; "
+                   "default: the scene's")
         ->type_name("NAME");
     app.add_flag("--clean", options.clean, "no text in the picture; default: off");
     app.add_flag("--reproducible", options.reproducible,

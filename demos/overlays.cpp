@@ -11,8 +11,11 @@ constexpr Switch kSwitches[] = {
     {"contacts", &Overlays::contacts}, {"normals", &Overlays::normals},
     {"impulses", &Overlays::impulses}, {"friction", &Overlays::friction},
     {"nudges", &Overlays::nudges},     {"joints", &Overlays::joints},
-    {"axes", &Overlays::axes},         {"trails", &Overlays::trails},
+    {"axes", &Overlays::axes},         {"com", &Overlays::com},
+    {"bounds", &Overlays::bounds},     {"ids", &Overlays::ids},
+    {"ghost", &Overlays::ghost},       {"trails", &Overlays::trails},
     {"caption", &Overlays::text},      {"stats", &Overlays::stats},
+    {"plot", &Overlays::plot},
 };
 
 }  // namespace
@@ -23,6 +26,18 @@ const std::vector<std::string>& overlayNames() {
         for (const Switch& s : kSwitches) all.emplace_back(s.name);
         return all;
     }();
+    return names;
+}
+
+std::string overlayList() {
+    std::string list;
+    for (const std::string& name : overlayNames()) list += (list.empty() ? "" : " ") + name;
+    return list;
+}
+
+const std::vector<std::string>& colorings() {
+    static const std::vector<std::string> names = {"body",  "speed",    "impulse", "island",
+                                                   "group", "material", "id"};
     return names;
 }
 

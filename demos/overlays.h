@@ -7,22 +7,35 @@ namespace demos {
 
 struct Overlays {
     bool contacts = false;  // a dot where a contact was solved
-    bool normals = false;   // its normal, 0.3 m long
+    bool normals = false;   // its normal
     bool impulses = false;  // what it got along the normal in the last step
     bool friction = false;  // and across
     bool nudges = false;    // where the last step's nudges moved each body
     bool joints = false;    // the two anchors of every joint
-    bool axes = false;      // body axes
+    bool axes = false;      // body axes: x red, y green, z blue
+    bool com = false;       // centres of mass
+    bool bounds = false;    // axis-aligned bounding boxes
+    bool ids = false;       // the bodies' names
+    bool ghost = false;     // earlier poses
     bool trails = true;     // of the bodies that the scene names
-    bool text = true;       // time, bodies, solver, caption
-    bool stats = false;     // contacts, penetration, energy
+    bool text = true;       // time, bodies, solver, caption, legends
+    bool stats = false;     // a panel of numbers in place of the first line
+    bool plot = false;      // a strip below the picture, of a film of one scene
     std::string theme = "studio";
+    std::string colorBy = "body";  // one of colorings()
+    double colorMax = 0.0;         // the scale's end; 0: the largest so far
+    double ghostEvery = 0.25;      // s
 };
 
 /// Every name that --show takes.
 const std::vector<std::string>& overlayNames();
+/// "contacts normals ...", for help.
+std::string overlayList();
 
-/// Switches the named ones on; false for a name that is not known (or not drawn).
+/// Switches the named ones on; false for a name that is not known.
 bool switchOn(Overlays& overlays, const std::string& name);
+
+/// What can decide about a body's colour.
+const std::vector<std::string>& colorings();
 
 }  // namespace demos

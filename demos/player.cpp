@@ -75,10 +75,7 @@ void Player::step(int count) {
 }
 
 void Player::remember() {
-    for (const engine::ContactState& contact : stage_.world.contacts())
-        history_.largestImpulse = std::max(history_.largestImpulse, contact.impulse);
-    for (const Vec3& nudge : history_.nudges)
-        history_.largestNudge = std::max(history_.largestNudge, nudge.norm());
+    demos::remember(stage_, overlays_, history_);
     const std::size_t most = static_cast<std::size_t>(kTrailSeconds * stage_.scene.hz) + 1;
     for (std::size_t i = 0; i < stage_.trails.size(); ++i) {
         std::vector<Vec3>& trail = stage_.trails[i];

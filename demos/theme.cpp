@@ -40,6 +40,9 @@ void applyTheme(const std::string& theme, render::Frame& frame) {
     } else if (theme == "transparent") {
         frame.look.transparent = true;
     }
+    if (theme == "dark") frame.look.plate = render::fromHex(0x343a43);
+    frame.look.plate.a = render::Look{}.plate.a;
+    frame.look.ink = ink;
     for (render::Text& text : frame.texts)
         if (isPlainInk(text.color)) text.color = ink;
 }

@@ -38,17 +38,41 @@ struct Rod {
     int id = 0;  // as a solid's
 };
 
-/// Drawn over everything it touches, with a head at `to`.
+/// Drawn over the picture, with a head at `to`; faint where it starts behind something.
 struct Arrow {
     Vec3 from{0, 0, 0}, to{0, 0, 0};
     Color color;
+    float reach = 0.0f;  // m: what is in front of `from` by less than this does not hide it
 };
 
-/// A dot of constant size on the picture (contact points).
+enum class MarkerShape { dot, quartered };
+
+/// A mark of constant size on the picture: contact points, and the quartered disc of a centre of
+/// mass.
 struct Marker {
     Vec3 position{0, 0, 0};
-    float pixels = 3.5f;  // radius in a picture 720 pixels high; scales with the height
+    float pixels = 3.5f;  // radius in a picture of 1280x720
     Color color;
+    float largest = 0.0f;  // m: a radius that it does not exceed in the world; 0 = any
+    float reach = 0.0f;    // m, as an arrow's
+    MarkerShape shape = MarkerShape::dot;
+};
+
+/// A thin line over the picture; faint where it is behind something.
+struct Line {
+    Vec3 from{0, 0, 0}, to{0, 0, 0};
+    float pixels = 1.5f;  // width in a picture of 1280x720
+    Color color;
+};
+
+/// A name at a place. Left out where it would cover another one or a corner's text, or where it is
+/// behind something. The nearest are placed first.
+struct Label {
+    std::string text;
+    Vec3 position{0, 0, 0};
+    float reach = 0.0f;  // m, as an arrow's; smaller bodies have smaller names
+    float size = 15.0f;  // as a text's
+    float below = 0.0f;  // in heights of the name, how far its middle is below the place
 };
 
 /// A band along a path that fades towards its oldest (first) point.
@@ -68,12 +92,39 @@ struct Ground {
 
 enum class Corner { topLeft, topRight, bottomLeft, bottomRight };
 
-/// One line of text in a corner of the picture; lines in one corner stack in the order given.
+/// A text in a corner of the picture; texts in one corner stack in the order given. What is longer
+/// than the picture is wide is broken into lines.
 struct Text {
     std::string text;  // UTF-8; glyphs: Latin, Greek, arrows, arithmetic signs
     Corner corner = Corner::topLeft;
-    float size = 18.0f;  // pixels of cap-to-descender height in a picture 720 pixels high
+    float size = 18.0f;  // pixels of cap-to-descender height in a picture of 1280x720
     Color color{0.1f, 0.1f, 0.11f, 1.0f};
+};
+
+/// What stands before a row's text: a sample of what the picture shows.
+enum class Swatch { none, dot, quartered, arrow, line };
+
+/// A share of a bar, 0..1 of its width.
+struct BarPart {
+    float share = 0.0f;
+    Color color;
+};
+
+/// One row of a plate: a swatch or none, a name, and a value at the right edge.
+struct PlateRow {
+    std::string name, value;
+    Swatch swatch = Swatch::none;
+    Color color{};             // of the swatch
+    float meters = 0.0f;       // length of an arrow, where the camera looks; 0 = short
+    std::vector<BarPart> bar{};  // below the text, from left to right; empty = none
+    std::vector<Color> ramp{};   // a colour scale above the text, from left to right; empty = none
+};
+
+/// A table on a translucent ground, in a corner below the corner's texts.
+struct Plate {
+    Corner corner = Corner::topRight;
+    float size = 15.0f;  // as a text's
+    std::vector<PlateRow> rows;
 };
 
 struct Camera {
@@ -97,6 +148,8 @@ struct Look {
     bool edges = true;
     bool transparent = false;  // no sky and no ground: alpha is 0 where nothing stands
     float lineStrength = 1.0f;  // of edges and of the grid
+    Color ink{0.1f, 0.1f, 0.11f, 1.0f};         // of plates and labels
+    Color plate{0.96f, 0.965f, 0.97f, 0.72f};  // the ground of plates
 };
 
 struct Frame {
@@ -107,8 +160,12 @@ struct Frame {
     std::vector<Rod> rods;
     std::vector<Arrow> arrows;
     std::vector<Marker> markers;
+    std::vector<Line> lines;
+    std::vector<Solid> ghosts;  // earlier poses, oldest first; translucent by their colour's a
+    std::vector<Label> labels;
     std::vector<Trail> trails;
     std::vector<Text> texts;
+    std::vector<Plate> plates;
 };
 
 }  // namespace render

@@ -2,96 +2,129 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "render/blend.h"
+#include "render/coverage.h"
 
 namespace render {
 namespace {
 
-using Vec2 = Eigen::Vector2f;
+constexpr float kFaint = 0.3f;       // of what starts behind something
+constexpr std::size_t kCrowd = 100;  // of so many arrows, the hidden ones only confuse
 
-/// Distance from p to the segment a-b.
-float toSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 ab = b - a;
-    const float square = ab.squaredNorm();
-    const float t = square > 0 ? std::clamp((p - a).dot(ab) / square, 0.0f, 1.0f) : 0.0f;
-    return (p - a - t * ab).norm();
+/// Light around marks on a light ground, dark on a dark one.
+Color rimOf(const Look& look) {
+    const bool light = look.skyTop.g > 0.4f;
+    return light ? Color{1, 1, 1, 0.8f} : Color{0.03f, 0.03f, 0.04f, 0.7f};
 }
 
-/// Signed distance to a triangle given counter-clockwise or clockwise; negative inside.
-float toTriangle(const Vec2& p, const Vec2 (&corner)[3]) {
-    float edge = 1e9f;
-    bool inside = true;
-    const float area = (corner[1] - corner[0]).x() * (corner[2] - corner[0]).y() -
-                       (corner[1] - corner[0]).y() * (corner[2] - corner[0]).x();
-    for (int i = 0; i < 3; ++i) {
-        const Vec2 &a = corner[i], &b = corner[(i + 1) % 3];
-        edge = std::min(edge, toSegment(p, a, b));
-        const float cross = (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
-        inside = inside && cross * area >= 0;
-    }
-    return inside ? -edge : edge;
+/// The radius in pixels, or 0 when the marker is not to be seen.
+float radiusOf(const Marker& marker, const Projected& p, const Image& image, const View& view) {
+    const float wanted = marker.pixels * overlayScale(image.width, image.height);
+    if (marker.largest <= 0.0f) return std::max(wanted, 1.2f);
+    const float pixelsPerMeter =
+        0.5f * static_cast<float>(image.height) * view.projection(1, 1) / p.depth;
+    return std::max(std::min(wanted, marker.largest * pixelsPerMeter), 1.2f);
 }
 
-/// Fills where `distance` (pixels, negative inside) is below zero, with a rim of another colour.
-template <class Distance>
-void fill(Image& image, Vec2 low, Vec2 high, const Color& color, const Color& rim, float rimWidth,
-          Distance distance) {
-    const int x0 = std::max(static_cast<int>(std::floor(low.x() - rimWidth - 1)), 0);
-    const int y0 = std::max(static_cast<int>(std::floor(low.y() - rimWidth - 1)), 0);
-    const int x1 = std::min(static_cast<int>(std::ceil(high.x() + rimWidth + 1)), image.width - 1);
-    const int y1 = std::min(static_cast<int>(std::ceil(high.y() + rimWidth + 1)), image.height - 1);
-    for (int y = y0; y <= y1; ++y)
-        for (int x = x0; x <= x1; ++x) {
-            const float d = distance(Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
-            blend(image.at(x, y), rim, std::clamp(0.5f - (d - rimWidth), 0.0f, 1.0f));
-            blend(image.at(x, y), color, std::clamp(0.5f - d, 0.0f, 1.0f));
-        }
+/// The usual sign of a centre of mass: quarters of ink and white.
+void drawQuartered(Image& image, const Vec2& c, float r, const Color& color) {
+    const Vec2 reach(r, r);
+    const float rim = std::max(0.14f * r, 0.8f);
+    fill(image, c - reach, c + reach, {{1, 1, 1, 1}, color, rim},
+         [&](const Vec2& q) { return (q - c).norm() - r; });
+    fill(image, c - reach, c + reach, {color, {}, 0.0f}, [&](const Vec2& q) {
+        const Vec2 d = q - c;
+        const float away = std::min(std::abs(d.x()), std::abs(d.y()));
+        const float quarter = d.x() * d.y() < 0.0f ? -away : away;
+        return std::max(d.norm() - r, quarter);
+    });
 }
 
-float scaleOf(const Image& image) { return static_cast<float>(image.height) / 720.0f; }
-
-/// True when the picture shows something clearly nearer at that place. A contact lies between two
-/// surfaces, so a little in front of it is its own body.
-bool isHidden(const Projected& p, const Image& image, const DepthMap& depth) {
-    if (depth.meters.empty() || p.x < 0 || p.y < 0) return false;
-    const int x = static_cast<int>(p.x) * depth.width / image.width;
-    const int y = static_cast<int>(p.y) * depth.height / image.height;
-    return x < depth.width && y < depth.height && depth.at(x, y) < 0.985f * p.depth - 0.02f;
-}
-
-constexpr Color kRim{1.0f, 1.0f, 1.0f, 0.75f};
+struct FlatArrow {
+    Vec2 from, to;
+    Color color;
+    float depth;  // m
+};
 
 }  // namespace
 
+bool isHidden(const Projected& p, float reach, const Image& image, const DepthMap& depth) {
+    if (p.x < 0 || p.y < 0 || p.x >= static_cast<float>(image.width) ||
+        p.y >= static_cast<float>(image.height))
+        return false;
+    const float there = metersAt(depth, image, static_cast<int>(p.x), static_cast<int>(p.y));
+    // A contact lies between two surfaces, so a little in front of it is its own body.
+    return there < 0.985f * p.depth - 0.02f - reach;
+}
+
 void drawMarkers(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
+    const Color rim = rimOf(frame.look);
     for (const Marker& marker : frame.markers) {
         const Projected p = project(view, marker.position, image.width, image.height);
-        if (p.depth <= 0 || isHidden(p, image, depth)) continue;
-        const float r = std::max(marker.pixels * scaleOf(image), 1.2f);
+        if (p.depth <= 0 || isHidden(p, marker.reach, image, depth)) continue;
+        const float r = radiusOf(marker, p, image, view);
         const Vec2 c(p.x, p.y), reach(r, r);
-        fill(image, c - reach, c + reach, marker.color, kRim, 0.25f * r,
-             [&](const Vec2& q) { return (q - c).norm() - r; });
+        if (marker.shape == MarkerShape::quartered)
+            drawQuartered(image, c, r, marker.color);
+        else
+            fill(image, c - reach, c + reach, {marker.color, rim, r < 2.0f ? 0.0f : 0.25f * r},
+                 [&](const Vec2& q) { return (q - c).norm() - r; });
     }
 }
 
-void drawArrows(Image& image, const Frame& frame, const View& view) {
+/// A shaft that grows towards its head, so that the way it points is seen along all of it.
+void drawFlatArrow(Image& image, const Vec2& from, const Vec2& to, const Color& color,
+                   const Look& look) {
+    const float length = (to - from).norm();
+    const float scale = overlayScale(image.width, image.height);
+    if (length < 2.0f * scale) return;
+    const float half = std::clamp(0.035f * length, 0.9f * scale, 1.9f * scale);
+    const float head = std::min(6.0f * half, 0.6f * length);
+    const Vec2 way = (to - from) / length, side(-way.y(), way.x());
+    const Vec2 neck = to - head * way, reach(0.5f * head, 0.5f * head);
+    const float slope = 0.4f,
+                cosine = 1.0f / std::sqrt(1.0f + slope * slope);  // of the head's sides
+    Color rim = rimOf(look);
+    if (color.a < 1.0f) rim.a = 0.0f;  // it would be seen through the arrow
+    fill(image, from.cwiseMin(to) - reach, from.cwiseMax(to) + reach, {color, rim, 0.55f * half},
+         [&](const Vec2& q) {
+             float along = 0.0f;
+             const float off = toSegment(q, from, neck, along);
+             const float shaft = off - half * (0.45f + 0.55f * along);
+             const float ahead = (q - neck).dot(way), aside = std::abs((q - neck).dot(side));
+             return std::min(shaft, std::max(-ahead, (aside - slope * (head - ahead)) * cosine));
+         });
+}
+
+void drawArrows(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
+    std::vector<FlatArrow> arrows;
     for (const Arrow& arrow : frame.arrows) {
         const Projected from = project(view, arrow.from, image.width, image.height);
         const Projected to = project(view, arrow.to, image.width, image.height);
         if (from.depth <= 0 || to.depth <= 0) continue;
-        const Vec2 a(from.x, from.y), b(to.x, to.y);
-        const float length = (b - a).norm();
-        if (length < 1.0f) continue;
-        const float half = std::max(1.5f * scaleOf(image), 0.8f);
-        const float head = std::min(8.5f * half / 1.5f, 0.6f * length);
-        const Vec2 way = (b - a) / length, side(-way.y(), way.x());
-        const Vec2 neck = b - head * way;
-        const Vec2 tip[3] = {b, neck + 0.42f * head * side, neck - 0.42f * head * side};
-        const Vec2 reach(head + half, head + half);
-        fill(image, a.cwiseMin(b) - reach, a.cwiseMax(b) + reach, arrow.color, kRim, 0.6f * half,
-             [&](const Vec2& q) { return std::min(toSegment(q, a, neck) - half, toTriangle(q, tip)); });
+        const bool hidden = isHidden(from, arrow.reach, image, depth);
+        if (hidden && frame.arrows.size() > kCrowd) continue;
+        arrows.push_back({{from.x, from.y}, {to.x, to.y}, arrow.color, from.depth});
+        if (hidden) arrows.back().color.a *= kFaint;
     }
+    std::stable_sort(arrows.begin(), arrows.end(),
+                     [](const FlatArrow& a, const FlatArrow& b) { return a.depth > b.depth; });
+    for (const FlatArrow& arrow : arrows)
+        drawFlatArrow(image, arrow.from, arrow.to, arrow.color, frame.look);
+}
+
+bool needsDepth(const Frame& frame) {
+    return !(frame.markers.empty() && frame.arrows.empty() && frame.lines.empty() &&
+             frame.ghosts.empty() && frame.labels.empty());
+}
+
+void drawOverlays(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
+    drawGhosts(image, frame, view, depth);
+    drawLines(image, frame, view, depth);
+    drawMarkers(image, frame, view, depth);
+    drawArrows(image, frame, view, depth);
+    drawTexts(image, frame, view, depth);
 }
 
 }  // namespace render

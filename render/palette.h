@@ -24,6 +24,7 @@ inline Color contactColor() { return fromHex(0xe0218a); }
 inline Color normalColor() { return fromHex(0x1f77d0); }
 inline Color impulseColor() { return fromHex(0xd62728); }
 inline Color frictionColor() { return fromHex(0xf0a202); }
+inline Color boundsColor() { return fromHex(0x008f8f); }
 inline Color jointColor() { return fromHex(0x4a4d52); }
 
 }  // namespace render

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "render/overlay.h"
+
 namespace render {
 namespace {
 
@@ -134,7 +136,7 @@ Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
     const bool darkened = full && frame.look.ambientOcclusion;
     Lights lights;
     setMeshes(frame, view);
-    if (darkened || !frame.markers.empty())
+    if (darkened || needsDepth(frame))
         depth = depth_.draw(frame, upsideDown(view), meshes_, ground_);
     enter(Stage::occlusion);
     if (darkened) {

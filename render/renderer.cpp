@@ -15,9 +15,7 @@ constexpr std::size_t kMostMoments = 256;
 void drawOver(Image& image, const Frame& frame, const DepthMap& depth, const Passes& passes) {
     passes.enter(Stage::overlay);
     const View view = passes.viewOf(frame);
-    drawMarkers(image, frame, view, depth);
-    drawArrows(image, frame, view);
-    drawTexts(image, frame);
+    drawOverlays(image, frame, view, depth);
     passes.enter(Stage::done);
 }
 
@@ -54,7 +52,7 @@ Image Renderer::draw(std::span<const Frame> moments) {
     }
     Image image = sum.mean();
     const Frame& now = moments.back();
-    drawOver(image, now, now.markers.empty() ? DepthMap{} : passes_->drawDepth(now), *passes_);
+    drawOver(image, now, needsDepth(now) ? passes_->drawDepth(now) : DepthMap{}, *passes_);
     return image;
 }
 

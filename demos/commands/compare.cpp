@@ -4,10 +4,10 @@
 
 #include "demos/commands/commands.h"
 #include "demos/film/film.h"
+#include "demos/film/plot_strip.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
 #include "demos/report/comparisons.h"
-#include "demos/report/layout.h"
 #include "demos/report/measure_table.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
@@ -110,17 +110,6 @@ int plottedMeasure(const Plan& plan) {
     return measureCalled(word);
 }
 
-/// The plot, and where its time axis begins and ends.
-void addStrip(const std::vector<Measured>& runs, const Plan& plan, FilmPlan& film) {
-    const PictureSize size{film.layout.strip.width, film.layout.strip.height};
-    const std::vector<Chart> charts = {historyChart(runs, plottedMeasure(plan), "")};
-    const std::string& theme = film.panels.front().overlays.theme;
-    film.strip = imageOf(charts, size, theme);
-    const Page page = pageOf(charts, size);
-    film.cursor = {page.plots[0].xOf(0.0), page.plots[0].xOf(film.scene().seconds),
-                   page.plots[0].top, page.plots[0].bottom};
-}
-
 void makeComparison(const std::vector<Measured>& runs, const Plan& plan) {
     std::vector<Panel> panels;
     for (const Measured& run : runs) {
@@ -133,7 +122,7 @@ void makeComparison(const std::vector<Measured>& runs, const Plan& plan) {
     }
     FilmPlan film = planFilm(std::move(panels), plan.options.strip, plan.options);
     film.name = plan.name + "-compare";
-    if (plan.options.strip) addStrip(runs, plan, film);
+    if (plan.options.strip) addStrip({historyChart(runs, plottedMeasure(plan), "")}, film);
     makeFilm(film, plan.options);
 }
 

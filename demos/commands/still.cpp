@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
@@ -8,6 +9,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
+#include "demos/film/screen.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
 #include "render/encode/file.h"
@@ -81,9 +83,11 @@ Exit stillCommand(const Options& options) {
     const std::vector<render::Frame> seen = play(player, plan, moment);
     render::Renderer renderer(plan.picture);
     const bool blurred = plan.shutter.moments > 1;
-    const std::vector<std::uint8_t> png = render::encodePng(
+    render::Image picture =
         blurred ? renderer.draw(Shutter(plan.shutter, plan.stepsPerFrame).moments(seen))
-                : renderer.draw(seen.back()));
+                : renderer.draw(seen.back());
+    const std::vector<std::uint8_t> png =
+        render::encodePng(withStrip(std::move(picture), plan, moment.time));
     writeResult(target, png);
     const Talk talk(options, target == "-");
     const std::string hash = hexText(player.stage().world.hash());

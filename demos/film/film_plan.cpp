@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
 #include "demos/film/text_hash.h"
 #include "demos/scene/builtin.h"
@@ -53,7 +54,10 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     for (const std::string& name : scene.look.show) switchOn(overlays, name);
     for (const std::string& name : options.show) switchOn(overlays, name);
     overlays.theme = options.theme.empty() ? scene.look.theme : options.theme;
-    if (options.clean) overlays.text = overlays.stats = false;
+    overlays.colorBy = options.colorBy.empty() ? scene.look.colorBy : options.colorBy;
+    overlays.colorMax = scene.look.colorMax;
+    overlays.ghostEvery = scene.look.ghostEvery;
+    if (options.clean) overlays.text = overlays.stats = overlays.ids = false;
     return overlays;
 }
 
@@ -105,6 +109,11 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
     plan.picture.width = plan.layout.panels.front().width;
     plan.picture.height = plan.layout.panels.front().height;
+    const bool parted = strip || plan.panels.size() > 1;
+    if (parted && std::min(plan.picture.width, plan.picture.height) < 2)
+        throw Stop(Exit::usage, fmt::format("--size {}x{}: too small for a picture of several "
+                                            "parts; try 640x360",
+                                            size.width, size.height));
     plan.picture.samples = options.samples.value_or(quality.samples);
     plan.picture.finish = quality.finish;
     plan.picture.reproducible = options.reproducible;
@@ -117,7 +126,12 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
 FilmPlan planFilm(const Options& options) {
     Panel panel;
     panel.scene = sceneOf(options);
-    return planFilm({std::move(panel)}, false, options);
+    // A row of moments (impulse strip) has no time for a plot's cursor.
+    const bool strip =
+        overlaysOf(panel.scene, options).plot && options.command != Command::strip;
+    FilmPlan plan = planFilm({std::move(panel)}, strip, options);
+    if (strip) addStrip({playedChart(plan.scene())}, plan);
+    return plan;
 }
 
 bool FilmPlan::alpha() const {
@@ -141,6 +155,7 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
         for (const std::string& name : panel.scene.look.show) hash.add(name);
         hash.add(panel.settings);
         hash.add(panel.overlays.theme);
+        hash.add(panel.overlays.colorBy);
         hash.add(panel.overlays.text ? "text" : "clean");
     }
     hash.add(fmt::format("{} {} {}", static_cast<int>(plan.picture.finish), plan.shutter.moments,

@@ -48,7 +48,33 @@ void keepWidth(float aspect, render::Camera& camera) {
     camera.fovDegrees = std::min(std::atan(half) / kHalfDegree, 170.0f);
 }
 
+render::Image emptyPicture(const FilmPlan& plan) {
+    render::Image whole{plan.layout.width, plan.layout.height, {}};
+    whole.pixels.assign(4 * static_cast<std::size_t>(whole.width) * whole.height, 255);
+    return whole;
+}
+
+void placeStrip(const FilmPlan& plan, double time, render::Image& whole) {
+    const Area& strip = plan.layout.strip;
+    place(plan.strip, strip.x, strip.y, whole);
+    const auto& cursor = plan.cursor;
+    const float share = static_cast<float>(std::min(time / plan.scene().seconds, 1.0));
+    const int x = static_cast<int>(std::lround(cursor.start + share * (cursor.end - cursor.start)));
+    drawCursor(strip.x + x, strip.y + static_cast<int>(cursor.top),
+               strip.y + static_cast<int>(cursor.bottom), whole);
+}
+
 }  // namespace
+
+render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) {
+    if (plan.strip.pixels.empty()) return panel;
+    render::Image whole = emptyPicture(plan);
+    const Area& at = plan.layout.panels.front();
+    place(panel, at.x, at.y, whole);
+    drawBorder(at, whole);
+    placeStrip(plan, time, whole);
+    return whole;
+}
 
 Screen::Screen(const FilmPlan& plan) : plan_(plan) {
     for (const Panel& panel : plan.panels)
@@ -96,23 +122,15 @@ render::Frame Screen::frameOf(const Show& show, double time) const {
 
 render::Image Screen::draw(int frame, render::Renderer& renderer) {
     const double time = plan_.timeOf(frame);
-    if (shows_.size() == 1 && plan_.strip.pixels.empty())
-        return drawPanel(*shows_.front(), time, renderer);
-    render::Image whole{plan_.layout.width, plan_.layout.height, {}};
-    whole.pixels.assign(4 * static_cast<std::size_t>(whole.width) * whole.height, 255);
+    if (shows_.size() == 1)
+        return withStrip(drawPanel(*shows_.front(), time, renderer), plan_, time);
+    render::Image whole = emptyPicture(plan_);
     for (std::size_t i = 0; i < shows_.size(); ++i) {
         const Area& at = plan_.layout.panels[i];
         place(drawPanel(*shows_[i], time, renderer), at.x, at.y, whole);
         drawBorder(at, whole);
     }
-    if (plan_.strip.pixels.empty()) return whole;
-    const Area& strip = plan_.layout.strip;
-    place(plan_.strip, strip.x, strip.y, whole);
-    const auto& cursor = plan_.cursor;
-    const float share = static_cast<float>(time / plan_.scene().seconds);
-    const int x = static_cast<int>(std::lround(cursor.start + share * (cursor.end - cursor.start)));
-    drawCursor(strip.x + x, strip.y + static_cast<int>(cursor.top),
-               strip.y + static_cast<int>(cursor.bottom), whole);
+    if (!plan_.strip.pixels.empty()) placeStrip(plan_, time, whole);
     return whole;
 }
 

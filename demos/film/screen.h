@@ -9,6 +9,10 @@
 
 namespace demos {
 
+/// A panel of its own with the plan's plot below it, and the cursor at `time` (s); the panel itself
+/// where the plan has no plot.
+render::Image withStrip(render::Image panel, const FilmPlan& plan, double time);
+
 class Screen {
 public:
     /// `plan` has to stay.

@@ -49,6 +49,10 @@ struct LookDescription {
     std::string theme = "studio";     // studio | dark | print | transparent
     std::vector<std::string> show;    // overlays
     std::vector<std::string> trails;  // bodies
+    std::string colorBy = "body";     // body | speed | impulse | island | group | material | id
+    double colorMax = 0.0;            // m/s or N s, the scale's end; 0: the largest so far
+    double ghostEvery = 0.25;         // s
+    std::string plot = "energy";      // of the overlay 'plot': a chart's name
 };
 
 struct Section {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "demos/overlays.h"
+#include "demos/report/measures.h"
 #include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
 #include "demos/scene/read_parts.h"
@@ -28,15 +29,9 @@ void checkView(Keys& keys, const CameraDescription& camera) {
 }
 
 void checkOverlay(Keys& keys, const std::string& name) {
-    const auto holds = [&](const std::vector<std::string>& names) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (holds(overlayNames())) return;
-    if (holds({"ghost", "ids"}))
-        keys.complain("show", "overlay '" + name + "' is not available yet; leave it out");
-    else
-        keys.complain("show",
-                      "no overlay is called '" + name + "'" + suggestion(name, overlayNames()));
+    const std::vector<std::string>& names = overlayNames();
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        keys.complain("show", "no overlay is called '" + name + "'" + suggestion(name, names));
 }
 
 /// "first", "last", or a time.
@@ -92,6 +87,11 @@ void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
         scene.look.show.push_back(name);
         checkOverlay(keys, name);
     }
+    set(scene.look.colorBy, keys.word("colour_by", colorings()));
+    constexpr Range kScale{1e-9, 1e9, "m/s or N s"};
+    set(scene.look.colorMax, keys.number("colour_max", kScale));
+    set(scene.look.ghostEvery, keys.number("ghost_every", {1e-3, 1e5, "s"}));
+    set(scene.look.plot, keys.word("plot", measureNames()));
     for (const std::string& pattern : keys.texts("trails").value_or(std::vector<std::string>{})) {
         const std::size_t before = scene.look.trails.size();
         for (const BodyDescription& body : scene.bodies)

@@ -1,6 +1,7 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 
+#include "render/encode/png_read.h"
 #include "tests/demos/small_film.h"
 
 namespace demos::test {
@@ -276,6 +277,41 @@ TEST_F(RenderCommand, DoctorKnowsTheRenderer) {
     const Ended ended = run(folder.path(), {"doctor"});
     EXPECT_TRUE(ended.code == 0 || ended.code == 4);
     EXPECT_NE(ended.out.find("OpenGL"), std::string::npos) << ended.out;
+}
+
+TEST_F(RenderCommand, APlotStandsBelowThePictureAndItsCursorMoves) {
+    const auto still = [&](const std::string& time) {
+        const Ended ended =
+            run(folder.path(), {"still", "ball.toml", "--size", "320x180", "--samples", "1", "--show",
+                                "plot", "--clean", "-t", time, "-o", "-"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(ended.out.data());
+        return render::decodePng({bytes, ended.out.size()});
+    };
+    const render::Image early = still("0"), late = still("0.7");
+    ASSERT_EQ(early.width, 320);
+    ASSERT_EQ(early.height, 180);
+    const auto below = [](const render::Image& image) {
+        return std::vector<std::uint8_t>(image.at(0, 130), image.at(0, 179));
+    };
+    EXPECT_NE(below(early), below(late));
+}
+
+TEST_F(RenderCommand, ASizeWithoutRoomForAPlotIsRefused) {
+    const Ended ended =
+        run(folder.path(), {"still", "ball.toml", "--size", "9x2", "--show", "plot", "-o", "-"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("--size 9x2: too small"), std::string::npos) << ended.err;
+}
+
+TEST_F(RenderCommand, AnotherColouringIsAnotherFilm) {
+    ASSERT_EQ(film({}).code, 0);
+    const Ended other = film({"--colour-by", "speed"});
+    EXPECT_NE(other.code, 0);
+    EXPECT_EQ(film({"--color-by", "speed", "--overwrite"}).code, 0);
+    const Ended wrong = film({"--color-by", "sped"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.err.find("did you mean 'speed'"), std::string::npos) << wrong.err;
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "demos/player.h"
 #include "demos/scene/reader.h"
+#include "demos/snapshot/scale.h"
 #include "demos/stop.h"
 
 namespace demos {
@@ -77,7 +80,9 @@ TEST(Snapshot, CleanPicturesHoldNoText) {
     const Stage stage(sceneFrom(kBall));
     Overlays clean;
     clean.text = false;
+    clean.impulses = true;
     EXPECT_TRUE(snapshot(stage, clean, 0.0).texts.empty());
+    EXPECT_TRUE(snapshot(stage, clean, 0.0).plates.empty());
 }
 
 TEST(Snapshot, TheCameraGoesAQuarterRoundInASecondAt90Degrees) {
@@ -96,26 +101,141 @@ TEST(Snapshot, AnArmReachesTheAnchorThatTheShapeDoesNot) {
     EXPECT_NEAR((frame.rods[0].from - render::Vec3(1, 2, 0)).norm(), 0.0f, 1e-6f);
 }
 
+const render::PlateRow* rowOf(const render::Frame& frame, const std::string& name) {
+    for (const render::Plate& plate : frame.plates)
+        for (const render::PlateRow& row : plate.rows)
+            if (row.name == name) return &row;
+    return nullptr;
+}
+
 TEST(Snapshot, AnImpulseArrowIsAsLongAsItsLegendSays) {
     Player player(sceneFrom(kBall), {.impulses = true});
     player.step(60);
     const double impulse = player.stage().world.contacts()[0].impulse;
     EXPECT_NEAR(impulse, 2.0 * 9.81 / 60, 1e-3);  // m g dt: it rests
     History history;
-    history.largestImpulse = 2.0 * impulse;  // arrows are 2 m at most, so the scale is 0.5
+    history.impulsePeak = 2.0 * impulse;  // 0.654 N s
     const render::Frame frame = snapshot(player.stage(), {.impulses = true}, 1.0, history);
     ASSERT_EQ(frame.arrows.size(), 1u);
-    EXPECT_EQ(frame.texts.at(2).text, "arrow 1 m = 0.5 N s");
-    EXPECT_NEAR((frame.arrows[0].to - frame.arrows[0].from).norm(), impulse / 0.5, 1e-5);
+    const render::PlateRow* row = rowOf(frame, "impulse");
+    ASSERT_NE(row, nullptr);
+    EXPECT_EQ(row->value, "0.5 N s");
+    EXPECT_NEAR((frame.arrows[0].to - frame.arrows[0].from).norm() / row->meters, impulse / 0.5,
+                1e-5);
+}
+
+TEST(Snapshot, ThePeakThatArrowsAreMeasuredByHalvesEveryHalfSecond) {
+    History history;
+    const Stage stage(sceneFrom(kPendulum));  // no contacts
+    history.impulsePeak = 64.0;
+    for (int i = 0; i < 60; ++i) remember(stage, {}, history);  // 1 s
+    EXPECT_NEAR(history.impulsePeak, 16.0, 1e-9);
 }
 
 TEST(Snapshot, ScalesAreRoundNumbers) {
-    EXPECT_EQ(arrowScale(0.0), 1.0);
-    EXPECT_EQ(arrowScale(1.0), 1.0);
-    EXPECT_EQ(arrowScale(2.0), 2.5);
-    EXPECT_EQ(arrowScale(3.0), 5.0);
-    EXPECT_EQ(arrowScale(60.0), 100.0);
-    EXPECT_DOUBLE_EQ(arrowScale(0.02), 0.025);
+    EXPECT_EQ(roundBelow(0.0), 0.0);
+    EXPECT_EQ(roundAbove(0.0), 1.0);
+    for (const double round : {1.0, 2.0, 5.0, 10.0, 200.0, 0.05, 1e-3}) {
+        EXPECT_DOUBLE_EQ(roundBelow(round), round);
+        EXPECT_DOUBLE_EQ(roundAbove(round), round);
+    }
+    EXPECT_EQ(roundBelow(4.9), 2.0);
+    EXPECT_EQ(roundAbove(2.1), 5.0);
+    EXPECT_EQ(roundAbove(60.0), 100.0);
+    EXPECT_DOUBLE_EQ(roundBelow(0.019), 0.01);
+}
+
+TEST(Snapshot, ArrowsSuitTheSizeOfTheScene) {
+    CameraDescription small, large;
+    small.from = small.lookAt + Vec3(0, 0, 0.2);
+    large.from = large.lookAt + Vec3(0, 0, 50);
+    const ArrowScale a(3.0, viewHeight(small)), b(3.0, viewHeight(large));
+    EXPECT_NEAR(b.longest / a.longest, 250.0, 1e-9);
+    EXPECT_EQ(a.sample, b.sample);
+    EXPECT_FALSE(a.shows(0.02 * a.longest));
+    EXPECT_TRUE(a.shows(0.04 * a.longest));
+}
+
+TEST(Snapshot, ADotIsSmallBesideItsBody) {
+    Player player(sceneFrom(kBall), {.contacts = true});
+    player.step(30);
+    const render::Frame frame = player.frame(0.5);
+    ASSERT_EQ(frame.markers.size(), 1u);
+    EXPECT_GT(frame.markers[0].largest, 0.0f);
+    EXPECT_LT(frame.markers[0].largest, 0.25f * 0.5f);
+}
+
+TEST(Snapshot, GhostsAreWhereTheBodyWas) {
+    const Overlays overlays{.ghost = true, .ghostEvery = 0.1};
+    Player player(sceneFrom(kPendulum), overlays);
+    std::vector<Vec3> was;
+    for (int step = 0; step <= 30; ++step) {
+        if (step > 0) player.step();
+        if (step % 6 == 0) was.push_back(player.stage().world.pose({0}).position);
+    }
+    const render::Frame frame = player.frame(0.5);
+    ASSERT_GE(frame.ghosts.size(), 2u);
+    float before = 0.0f;
+    for (const render::Solid& ghost : frame.ghosts) {
+        EXPECT_TRUE(std::any_of(was.begin(), was.end(), [&](const Vec3& at) {
+            return (at.cast<float>() - ghost.position).norm() < 1e-6f;
+        }));
+        EXPECT_GT(ghost.color.a, before);  // the newest is the densest
+        before = ghost.color.a;
+    }
+    EXPECT_LT(before, 0.5f);
+}
+
+TEST(Snapshot, WhatRestsHasNoGhosts) {
+    Player player(sceneFrom(kBall), {.ghost = true, .ghostEvery = 0.1});
+    player.step(60);
+    EXPECT_TRUE(player.frame(1.0).ghosts.empty());
+}
+
+TEST(Snapshot, NamesStandAtTheCentresAndPlanesHaveNone) {
+    const Stage stage(sceneFrom(kBall));
+    const render::Frame frame = snapshot(stage, {.ids = true}, 0.0);
+    ASSERT_EQ(frame.labels.size(), 1u);
+    EXPECT_EQ(frame.labels[0].text, "ball");
+    EXPECT_FLOAT_EQ(frame.labels[0].position.y(), 0.5f);
+    EXPECT_FLOAT_EQ(frame.labels[0].reach, 0.5f);
+}
+
+TEST(Snapshot, ABoundingBoxHasTwelveEdgesAndACentreOneMark) {
+    const Stage stage(sceneFrom(kBall));
+    const render::Frame frame = snapshot(stage, {.com = true, .bounds = true}, 0.0);
+    EXPECT_EQ(frame.lines.size(), 12u);
+    for (const render::Line& line : frame.lines)
+        EXPECT_NEAR((line.to - line.from).norm(), 1.0f, 1e-6f);
+    ASSERT_EQ(frame.markers.size(), 1u);
+    EXPECT_EQ(frame.markers[0].shape, render::MarkerShape::quartered);
+}
+
+TEST(Snapshot, TheStatisticsSplitEnergyIntoABar) {
+    Player player(sceneFrom(kPendulum), {.stats = true});
+    player.step(20);
+    const render::Frame frame = player.frame(1.0 / 3.0);
+    const render::PlateRow* energy = rowOf(frame, "energy");
+    ASSERT_NE(energy, nullptr);
+    ASSERT_EQ(energy->bar.size(), 2u);
+    EXPECT_GT(energy->bar[0].share, 0.1f);
+    EXPECT_LE(energy->bar[0].share + energy->bar[1].share, 1.0f + 1e-6f);
+    EXPECT_EQ(rowOf(frame, "time")->value, "0.333 s");
+    EXPECT_EQ(rowOf(frame, "step")->value, "20");
+    EXPECT_EQ(rowOf(frame, "solver")->value, "steady impulses");
+    ASSERT_EQ(frame.texts.size(), 1u);  // the caption; a first line would say the same
+    EXPECT_EQ(frame.texts[0].text, "test");
+}
+
+TEST(Snapshot, TheLegendNamesWhatIsShown) {
+    const Stage stage(sceneFrom(kBall));
+    const render::Frame frame =
+        snapshot(stage, {.contacts = true, .nudges = true, .com = true}, 0.0);
+    EXPECT_NE(rowOf(frame, "contact"), nullptr);
+    EXPECT_NE(rowOf(frame, "centre of mass"), nullptr);
+    ASSERT_NE(rowOf(frame, "nudge"), nullptr);
+    EXPECT_EQ(rowOf(frame, "nudge")->value, "none");
+    EXPECT_EQ(rowOf(frame, "impulse"), nullptr);
 }
 
 TEST(Snapshot, TrailsFollowTheSteps) {
@@ -133,14 +253,16 @@ TEST(Snapshot, WatchingNudgesDoesNotChangeTheMotion) {
     EXPECT_EQ(plain.stage().world.hash(), watched.stage().world.hash());
 }
 
-TEST(Snapshot, ThemesChangeTheInkOfPlainTextOnly) {
+TEST(Snapshot, ThemesChangeTheInkOfPlainTextAndPlates) {
     const Stage stage(sceneFrom(kBall));
     Overlays overlays{.impulses = true};
     const render::Frame studio = snapshot(stage, overlays, 0.0);
     overlays.theme = "dark";
     const render::Frame dark = snapshot(stage, overlays, 0.0);
     EXPECT_GT(dark.texts.at(0).color.r, 0.8f);
-    EXPECT_EQ(dark.texts.at(2).color.r, studio.texts.at(2).color.r);
+    EXPECT_GT(dark.look.ink.r, 0.8f);
+    EXPECT_LT(dark.look.plate.r, 0.3f);
+    EXPECT_EQ(rowOf(dark, "impulse")->color.r, rowOf(studio, "impulse")->color.r);
     EXPECT_LT(dark.look.skyTop.r, studio.look.skyTop.r);
 }
 

@@ -63,6 +63,19 @@ TEST(Readme, ItsCommandsExist) {
             << command;
 }
 
+TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
+    const std::string help = outputOf("render --help");
+    const std::size_t start = help.find("overlays, with commas:");
+    ASSERT_NE(start, std::string::npos);
+    const std::string list = help.substr(start + 22, help.find(';', start) - start - 22);
+    const std::string readme = textOf(fs::path(IMPULSE_SOURCE_DIR) / "demos" / "README.md");
+    const std::size_t table = readme.find("## What `--show` adds");
+    ASSERT_NE(table, std::string::npos);
+    const std::set<std::string> named = matches(readme.substr(table), R"(\n\| `([a-z]+)` \|)");
+    EXPECT_EQ(named, matches(list, R"(([a-z]+))"));
+    EXPECT_GE(named.size(), 15u);
+}
+
 TEST(Readme, ItsLinksLeadSomewhere) {
     for (const char* file : {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
                              "tests/README.md"}) {

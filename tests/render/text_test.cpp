@@ -12,6 +12,11 @@ Image grey(int width, int height) {
     return image;
 }
 
+void drawTexts(Image& image, const Frame& frame) {
+    const View view = makeView(frame.camera, 1.0f);
+    drawTexts(image, frame, view, DepthMap{});
+}
+
 /// Pixels that are clearly dark, in the quarter of the picture given by its corner.
 int ink(const Image& image, bool right, bool bottom) {
     int count = 0;

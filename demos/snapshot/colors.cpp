@@ -1,0 +1,138 @@
+#include "demos/snapshot/colors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "demos/snapshot/history.h"
+#include "demos/snapshot/scale.h"
+#include "engine/base/disjoint_sets.h"
+#include "render/palette.h"
+
+namespace demos {
+namespace {
+
+constexpr std::array<unsigned, 9> kViridis = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
+                                              0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
+
+bool isFixed(const Stage& stage, int body) {
+    return stage.scene.bodies[body].def.kind == engine::BodyKind::fixed;
+}
+
+/// "brick12", "brick-12-3" -> "brick"
+std::string groupOf(const std::string& name) {
+    const std::size_t end = name.find_last_not_of("0123456789-_.");
+    return end == std::string::npos ? name : name.substr(0, end + 1);
+}
+
+/// The same number for what is the same, in the order of the bodies.
+template <class Key>
+std::vector<int> numbered(const std::vector<Key>& keys) {
+    std::map<Key, int> numbers;
+    std::vector<int> result;
+    for (const Key& key : keys)
+        result.push_back(numbers.emplace(key, static_cast<int>(numbers.size())).first->second);
+    return result;
+}
+
+/// By body; nothing when its own colours stay.
+std::vector<int> kindsOf(const Stage& stage, const std::string& colorBy) {
+    if (colorBy == "island") return islandsOf(stage);
+    std::vector<std::string> groups;
+    std::vector<std::tuple<double, double, double>> materials;
+    std::vector<int> ids;
+    for (const BodyDescription& body : stage.scene.bodies) {
+        const engine::Material& m = body.def.material;
+        groups.push_back(groupOf(body.name));
+        materials.emplace_back(m.friction, m.restitution, m.density);
+        ids.push_back(static_cast<int>(ids.size()));
+    }
+    return colorBy == "group"      ? numbered(groups)
+           : colorBy == "material" ? numbered(materials)
+           : colorBy == "id"       ? ids
+                                   : std::vector<int>{};
+}
+
+}  // namespace
+
+std::vector<double> colorValues(const Stage& stage, const std::string& colorBy) {
+    if (colorBy != "speed" && colorBy != "impulse") return {};
+    std::vector<double> values(stage.bodies.size(), 0.0);
+    if (colorBy == "speed") {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = stage.world.velocity(stage.bodies[i]).norm();
+    } else {
+        for (const engine::ContactState& contact : stage.world.contacts())
+            for (const engine::BodyId id : {contact.a, contact.b})
+                if (id.index < static_cast<int>(values.size())) values[id.index] += contact.impulse;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (isFixed(stage, static_cast<int>(i))) values[i] = -1.0;
+    return values;
+}
+
+render::Color scaleColor(double share) {
+    const double at = std::clamp(share, 0.0, 1.0) * (kViridis.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(at), kViridis.size() - 2);
+    const render::Color a = render::fromHex(kViridis[i]), b = render::fromHex(kViridis[i + 1]);
+    const float t = static_cast<float>(at - static_cast<double>(i));
+    return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), 1.0f};
+}
+
+std::vector<render::Color> scaleRamp() {
+    std::vector<render::Color> ramp;
+    for (const unsigned color : kViridis) ramp.push_back(render::fromHex(color));
+    return ramp;
+}
+
+double scaleEnd(const Overlays& overlays, const History& history) {
+    return overlays.colorMax > 0.0 ? overlays.colorMax : roundAbove(history.largestValue);
+}
+
+std::vector<int> islandsOf(const Stage& stage) {
+    engine::DisjointSets sets;
+    const int count = static_cast<int>(stage.bodies.size());
+    sets.reset(count);
+    const auto moves = [&](engine::BodyId id) {
+        return id.index < count && !isFixed(stage, id.index);
+    };
+    const auto join = [&](engine::BodyId a, engine::BodyId b) {
+        if (moves(a) && moves(b)) sets.join(a.index, b.index);
+    };
+    for (const engine::ContactState& contact : stage.world.contacts()) join(contact.a, contact.b);
+    for (const engine::JointId id : stage.joints) {
+        const engine::JointState joint = stage.world.joint(id);
+        if (!joint.removed) join(joint.def.a, joint.def.b);
+    }
+    std::vector<int> islands;
+    for (int i = 0; i < count; ++i) islands.push_back(isFixed(stage, i) ? -1 : sets.leaderOf(i));
+    return islands;
+}
+
+render::Color ownColor(const Stage& stage, int body) {
+    const BodyDescription& description = stage.scene.bodies[body];
+    if (description.color) return render::fromHex(*description.color);
+    return isFixed(stage, body) ? render::fixedColor() : render::paletteColor(body);
+}
+
+std::vector<render::Color> bodyColors(const Stage& stage, const Overlays& overlays,
+                                      const History& history) {
+    const std::vector<double> values = colorValues(stage, overlays.colorBy);
+    const std::vector<int> kinds = kindsOf(stage, overlays.colorBy);
+    const double end = scaleEnd(overlays, history);
+    std::vector<render::Color> colors;
+    for (int i = 0; i < static_cast<int>(stage.bodies.size()); ++i) {
+        if ((values.empty() && kinds.empty()))
+            colors.push_back(ownColor(stage, i));
+        else if (isFixed(stage, i))
+            colors.push_back(render::fixedColor());
+        else
+            colors.push_back(values.empty() ? render::paletteColor(kinds[i])
+                                            : scaleColor(values[i] / end));
+    }
+    return colors;
+}
+
+}  // namespace demos

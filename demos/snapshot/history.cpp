@@ -1,0 +1,54 @@
+#include "demos/snapshot/history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/snapshot/colors.h"
+
+namespace demos {
+namespace {
+
+constexpr double kHalfLife = 0.5;        // s, of a peak
+constexpr std::size_t kMostGhosts = 12;  // more cannot be told apart
+constexpr double kLeastImpulse = 1e-6;   // N s; less is rounding
+constexpr double kLeastNudge = 1e-9;     // m
+
+void decay(double& peak, double dt, double least) {
+    peak *= std::exp2(-dt / kHalfLife);
+    if (peak < least) peak = 0.0;
+}
+
+void rememberPeaks(const Stage& stage, History& history) {
+    decay(history.impulsePeak, stage.dt(), kLeastImpulse);
+    decay(history.nudgePeak, stage.dt(), kLeastNudge);
+    for (const engine::ContactState& contact : stage.world.contacts())
+        history.impulsePeak =
+            std::max({history.impulsePeak, contact.impulse, contact.friction.norm()});
+    for (const Vec3& nudge : history.nudges)
+        history.nudgePeak = std::max(history.nudgePeak, nudge.norm());
+}
+
+void rememberGhost(const Stage& stage, double every, History& history) {
+    const long long steps = std::max(std::llround(every * stage.scene.hz), 1LL);
+    if (stage.world.report().step % steps != 0) return;
+    std::vector<engine::Pose> poses;
+    for (const engine::BodyId id : stage.bodies) poses.push_back(stage.world.pose(id));
+    if (history.ghosts.size() == kMostGhosts) history.ghosts.erase(history.ghosts.begin());
+    history.ghosts.push_back(std::move(poses));
+}
+
+}  // namespace
+
+void remember(const Stage& stage, const Overlays& overlays, History& history) {
+    rememberPeaks(stage, history);
+    if (overlays.ghost) rememberGhost(stage, overlays.ghostEvery, history);
+    if (overlays.stats) {
+        const engine::Energy energy = stage.world.energy();
+        history.lowestPotential = std::min(history.lowestPotential, energy.potential);
+        history.largestEnergy = std::max(history.largestEnergy, energy.total());
+    }
+    for (const double value : colorValues(stage, overlays.colorBy))
+        history.largestValue = std::max(history.largestValue, value);
+}
+
+}  // namespace demos

@@ -1,0 +1,66 @@
+// What is drawn at every body: axes, centre of mass, bounding box, name.
+#include "demos/snapshot/parts.h"
+#include "engine/collision/bounds.h"
+#include "render/palette.h"
+
+namespace demos {
+namespace {
+
+/// As long as half the body and a third of its reach.
+void addAxes(const engine::Shape& shape, const engine::Pose& pose, render::Frame& frame) {
+    const render::Color colors[] = {render::fromHex(0xd62728), render::fromHex(0x2f9e73),
+                                    render::fromHex(0x1f77d0)};
+    const double reach = reachOf(shape);
+    Vec3 half = Vec3::Constant(shape.radius);
+    if (shape.type == engine::ShapeType::box) half = shape.halfSize;
+    if (shape.type == engine::ShapeType::capsule) half.y() += shape.halfLength;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 tip = (half[axis] + 0.33 * reach) * Vec3::Unit(axis);
+        frame.arrows.push_back({drawn(pose.position), drawn(pose.toWorld(tip)), colors[axis],
+                                static_cast<float>(reach)});
+    }
+}
+
+void addCentre(const engine::Shape& shape, const engine::Pose& pose, render::Frame& frame) {
+    render::Marker marker{drawn(pose.position), 8.0f, render::fromHex(0x16181b)};
+    marker.largest = static_cast<float>(0.6 * thicknessOf(shape));
+    marker.reach = static_cast<float>(reachOf(shape));
+    marker.shape = render::MarkerShape::quartered;
+    frame.markers.push_back(marker);
+}
+
+/// The twelve edges.
+void addBounds(const engine::Shape& shape, const engine::Pose& pose, render::Frame& frame) {
+    const engine::Bounds bounds = engine::boundsOf(shape, pose);
+    const auto corner = [&](int i) {
+        return Vec3((i & 1 ? bounds.high : bounds.low).x(), (i & 2 ? bounds.high : bounds.low).y(),
+                    (i & 4 ? bounds.high : bounds.low).z());
+    };
+    for (int i = 0; i < 8; ++i)
+        for (const int axis : {1, 2, 4})
+            if (!(i & axis))
+                frame.lines.push_back(
+                    {drawn(corner(i)), drawn(corner(i | axis)), 1.5f, render::boundsColor()});
+}
+
+}  // namespace
+
+void addBodyMarks(const Moment& moment, render::Frame& frame) {
+    const Stage& stage = moment.stage;
+    const Overlays& show = moment.overlays;
+    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        const engine::Shape& shape = stage.world.def(stage.bodies[i]).shape;
+        const engine::Pose& pose = stage.world.pose(stage.bodies[i]);
+        if (shape.type == engine::ShapeType::plane) continue;
+        const bool moves = stage.scene.bodies[i].def.kind != engine::BodyKind::fixed;
+        if (show.axes) addAxes(shape, pose, frame);
+        if (show.com && moves) addCentre(shape, pose, frame);
+        if (show.bounds) addBounds(shape, pose, frame);
+        if (!show.ids) continue;
+        frame.labels.push_back(
+            {stage.scene.bodies[i].name, drawn(pose.position), static_cast<float>(reachOf(shape))});
+        if (show.com) frame.labels.back().below = 1.1f;
+    }
+}
+
+}  // namespace demos

@@ -1,0 +1,36 @@
+// The first line, and the caption.
+#include <fmt/format.h>
+
+#include "demos/snapshot/parts.h"
+
+namespace demos {
+namespace {
+
+std::string captionAt(const SceneDescription& scene, double time) {
+    std::string caption = scene.title;
+    for (const Section& section : scene.sections)
+        if (section.at <= time + 1e-9 && !section.caption.empty()) caption = section.caption;
+    return caption;
+}
+
+std::string counted(int count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+}  // namespace
+
+void addTexts(const Moment& moment, render::Frame& frame) {
+    const Stage& stage = moment.stage;
+    const int bodies = static_cast<int>(stage.bodies.size());
+    const int substeps = stage.world.settings().substeps;
+    if (!moment.overlays.stats)  // which say the same
+        frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,
+                                           counted(bodies, "body", "bodies"), stage.scene.preset,
+                                           counted(substeps, "sub-step", "sub-steps")),
+                               render::Corner::topLeft, 18.0f, render::Text{}.color});
+    const std::string caption = captionAt(stage.scene, moment.time);
+    if (!caption.empty())
+        frame.texts.push_back({caption, render::Corner::bottomLeft, 26.0f, render::Text{}.color});
+}
+
+}  // namespace demos

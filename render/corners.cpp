@@ -1,0 +1,140 @@
+#include "render/corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/coverage.h"
+#include "render/glyphs.h"
+
+namespace render {
+namespace {
+
+struct Margins {
+    float side, width, height;
+    float right() const { return width - side; }
+    float bottom() const { return height - side; }
+};
+
+bool isRight(Corner c) { return c == Corner::topRight || c == Corner::bottomRight; }
+bool isBottom(Corner c) { return c == Corner::bottomLeft || c == Corner::bottomRight; }
+
+/// In its corner, or as near to it as others leave room, up or down.
+std::optional<Box> placed(float width, float height, Corner corner, float gap,
+                          const CornerLayout& layout, const Margins& m) {
+    Box box{isRight(corner) ? m.right() - width : m.side,
+            isBottom(corner) ? m.bottom() - height : m.side, width, height};
+    const float step = std::max(gap, 1.0f);
+    for (; box.y >= m.side - 0.5f && box.y + height <= m.bottom() + 0.5f;
+         box.y += isBottom(corner) ? -step : step) {
+        const Box roomy{box.x - gap, box.y - 0.5f * gap, box.width + 2.0f * gap, box.height + gap};
+        if (layout.isFree(roomy)) return box;
+    }
+    return std::nullopt;
+}
+
+int pixelsOf(float size, const Margins& m, float share = 1.0f) {
+    const float scale = overlayScale(static_cast<int>(m.width), static_cast<int>(m.height));
+    return std::max(static_cast<int>(std::lround(share * size * scale)), kSmallestText);
+}
+
+/// Without the last letter of UTF-8.
+void dropLetter(std::string& text) {
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80)
+        text.pop_back();
+    if (!text.empty()) text.pop_back();
+}
+
+void addText(const Text& text, const Margins& m, CornerLayout& layout) {
+    const float room = m.right() - m.side;
+    for (const float share : {1.0f, 0.8f, 0.65f}) {
+        PlacedText p;
+        p.pixels = pixelsOf(text.size, m, share);
+        p.lines = brokenText(text.text, p.pixels, room);
+        if (p.lines.size() > 2 && share > 0.7f && p.pixels > kSmallestText) continue;
+        p.lineHeight = std::round(1.2f * static_cast<float>(p.pixels));
+        float width = 0.0f;
+        for (const std::string& line : p.lines)
+            width = std::max(width, textWidth(line, static_cast<float>(p.pixels)));
+        const float height = p.lineHeight * static_cast<float>(p.lines.size());
+        const float gap = 0.2f * static_cast<float>(p.pixels);
+        const auto box = placed(width, height, text.corner, gap, layout, m);
+        if (!box) continue;
+        p.box = *box;
+        p.right = isRight(text.corner);
+        p.color = text.color;
+        layout.texts.push_back(std::move(p));
+        return;
+    }
+}
+
+void addPlate(const Plate& plate, const Frame& frame, const Margins& m, CornerLayout& layout) {
+    const float meter = pixelsPerMeter(frame.camera, static_cast<int>(m.height));
+    for (const float share : {1.0f, 0.85f, 0.7f}) {
+        const PlateMetrics metrics = metricsOf(plate, pixelsOf(plate.size, m, share), meter);
+        if (metrics.width > m.right() - m.side) continue;
+        const float gap = 0.4f * static_cast<float>(metrics.pixels);
+        const auto box = placed(metrics.width, metrics.height, plate.corner, gap, layout, m);
+        if (!box) continue;
+        layout.plates.push_back({*box, metrics, &plate});
+        return;
+    }
+}
+
+}  // namespace
+
+bool CornerLayout::isFree(const Box& box) const {
+    const auto meets = [&](const auto& item) { return item.box.overlaps(box); };
+    return std::none_of(texts.begin(), texts.end(), meets) &&
+           std::none_of(plates.begin(), plates.end(), meets);
+}
+
+std::vector<std::string> brokenText(const std::string& text, int pixels, float room) {
+    const auto fits = [&](const std::string& line) {
+        return textWidth(line, static_cast<float>(pixels)) <= room;
+    };
+    if (fits(text)) return {text};
+    std::vector<std::string> lines(1);
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find(' ', start), text.size());
+        std::string word = text.substr(start, end - start);
+        start = end + 1;
+        if (word.empty()) continue;
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (fits(longer)) {
+            lines.back() = longer;
+            continue;
+        }
+        if (!fits(word)) {
+            while (!word.empty() && !fits(word + "…")) dropLetter(word);
+            word += "…";
+        }
+        if (lines.back().empty())
+            lines.back() = word;
+        else
+            lines.push_back(word);
+    }
+    return lines;
+}
+
+float pixelsPerMeter(const Camera& camera, int height) {
+    const float half = std::tan(camera.fovDegrees * std::numbers::pi_v<float> / 360.0f);
+    const float distance = std::max((camera.from - camera.lookAt).norm(), 1e-3f);
+    return 0.5f * static_cast<float>(height) / (half * distance);
+}
+
+CornerLayout layoutCorners(const Frame& frame, int width, int height) {
+    const Margins m{0.033f * static_cast<float>(std::min(width, height)), static_cast<float>(width),
+                    static_cast<float>(height)};
+    CornerLayout layout;
+    // The lowest line of a lower corner is its last one.
+    for (const Text& text : frame.texts)
+        if (!isBottom(text.corner) && !text.text.empty()) addText(text, m, layout);
+    for (auto text = frame.texts.rbegin(); text != frame.texts.rend(); ++text)
+        if (isBottom(text->corner) && !text->text.empty()) addText(*text, m, layout);
+    for (const Plate& plate : frame.plates)
+        if (!plate.rows.empty()) addPlate(plate, frame, m, layout);
+    return layout;
+}
+
+}  // namespace render

@@ -1,0 +1,77 @@
+/// Filling shapes on a picture by their signed distance (pixels, negative inside): a pixel is
+/// covered by half a pixel less than the distance of its centre from the edge.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "render/blend.h"
+#include "render/image.h"
+
+namespace render {
+
+using Vec2 = Eigen::Vector2f;
+
+/// Pixels low..high, within the picture.
+struct PixelRange {
+    int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
+};
+inline PixelRange pixelsWithin(const Image& image, const Vec2& low, const Vec2& high) {
+    const auto at = [](float v, int most) {
+        return static_cast<int>(std::clamp(v, -1.0f, static_cast<float>(most) + 1.0f));
+    };
+    PixelRange range;
+    range.x0 = std::max(at(std::floor(low.x()), image.width), 0);
+    range.y0 = std::max(at(std::floor(low.y()), image.height), 0);
+    range.x1 = std::min(at(std::ceil(high.x()), image.width), image.width - 1);
+    range.y1 = std::min(at(std::ceil(high.y()), image.height), image.height - 1);
+    return range;
+}
+
+inline Vec2 centreOf(int x, int y) {
+    return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+}
+
+/// What a shape is filled with, and a rim around it.
+struct Paint {
+    Color color, rim;
+    float rimWidth = 0.0f;  // pixels
+};
+
+template <class Distance>
+void fill(Image& image, const Vec2& low, const Vec2& high, const Paint& paint, Distance distance) {
+    const Vec2 reach = Vec2::Constant(paint.rimWidth + 1.0f);
+    const PixelRange range = pixelsWithin(image, low - reach, high + reach);
+    for (int y = range.y0; y <= range.y1; ++y)
+        for (int x = range.x0; x <= range.x1; ++x) {
+            const float d = distance(centreOf(x, y));
+            if (d >= paint.rimWidth + 0.5f) continue;
+            const float inside = std::clamp(0.5f - d, 0.0f, 1.0f);
+            if (paint.rimWidth > 0.0f && inside < 1.0f)
+                blend(image.at(x, y), paint.rim, std::clamp(0.5f - d + paint.rimWidth, 0.0f, 1.0f));
+            blend(image.at(x, y), paint.color, inside);
+        }
+}
+
+/// Distance from p to the segment a-b, and where along it: 0 at a, 1 at b.
+inline float toSegment(const Vec2& p, const Vec2& a, const Vec2& b, float& along) {
+    const Vec2 ab = b - a;
+    const float square = ab.squaredNorm();
+    along = square > 0.0f ? std::clamp((p - a).dot(ab) / square, 0.0f, 1.0f) : 0.0f;
+    return (p - a - along * ab).norm();
+}
+
+/// Signed distance to a rectangle with round corners.
+inline float toRoundedBox(const Vec2& p, const Vec2& low, const Vec2& high, float radius) {
+    const Vec2 half = 0.5f * (high - low) - Vec2::Constant(radius);
+    const Vec2 q = (p - 0.5f * (low + high)).cwiseAbs() - half;
+    return q.cwiseMax(0.0f).norm() + std::min(q.maxCoeff(), 0.0f) - radius;
+}
+
+/// Pixels of a picture, for 1 pixel of 1280x720: by area, so that a tall picture reads like a wide
+/// one, but never larger than a side allows.
+inline float overlayScale(int width, int height) {
+    const float w = static_cast<float>(width), h = static_cast<float>(height);
+    return std::min({std::sqrt(w * h / (1280.0f * 720.0f)), w / 400.0f, h / 400.0f});
+}
+
+}  // namespace render

@@ -1,0 +1,209 @@
+// Earlier poses as translucent silhouettes: every pixel asks by a ray how far the ghost's surface
+// is and how it is turned to the light; what the picture shows in front of that stays.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "render/coverage.h"
+#include "render/overlay.h"
+
+namespace render {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+/// Where a ray enters a ghost.
+struct Hit {
+    float distance = 0;  // in lengths of the ray's direction
+    Vec3 normal;         // in the ghost's axes
+};
+
+/// Slabs (Kay and Kajiya 1986).
+std::optional<Hit> hitBox(const Vec3& half, const Vec3& from, const Vec3& way) {
+    float enter = -1e30f, leave = 1e30f;
+    int face = 0;
+    for (int i = 0; i < 3; ++i) {
+        const float inverse = 1.0f / (std::abs(way[i]) > 1e-12f ? way[i] : 1e-12f);
+        const float a = (-half[i] - from[i]) * inverse, b = (half[i] - from[i]) * inverse;
+        if (std::min(a, b) > enter) enter = std::min(a, b), face = i;
+        leave = std::min(leave, std::max(a, b));
+    }
+    if (enter > leave || enter < 0.0f) return std::nullopt;
+    return Hit{enter, way[face] > 0.0f ? Vec3(-Vec3::Unit(face)) : Vec3(Vec3::Unit(face))};
+}
+
+/// A ball about the point of the core nearest to the ray: exact for a sphere, near enough else.
+std::optional<Hit> hitRound(float radius, float core, const Vec3& from, const Vec3& way) {
+    const float a = way.squaredNorm(), b = way.y(), d = way.dot(from);
+    const float square = a - b * b;  // |way|^2 |y|^2 - (way . y)^2
+    const float y = square > 1e-9f ? (a * from.y() - b * d) / square : 0.0f;
+    const Vec3 o = from - Vec3(0, std::clamp(y, -core, core), 0);
+    const float half = way.dot(o), rest = half * half - a * (o.squaredNorm() - radius * radius);
+    if (rest < 0.0f) return std::nullopt;
+    const float t = (-half - std::sqrt(rest)) / a;
+    if (t < 0.0f) return std::nullopt;
+    return Hit{t, (o + t * way).normalized()};
+}
+
+/// Points whose hull on the picture is the silhouette.
+std::vector<Vec3> rimPoints(const Solid& solid, const Vec3& eye) {
+    std::vector<Vec3> points;
+    if (solid.shape == SolidShape::box) {
+        for (int i = 0; i < 8; ++i)
+            points.push_back(solid.position +
+                             solid.rotation * Vec3(solid.halfSize.x() * (i & 1 ? 1.0f : -1.0f),
+                                                   solid.halfSize.y() * (i & 2 ? 1.0f : -1.0f),
+                                                   solid.halfSize.z() * (i & 4 ? 1.0f : -1.0f)));
+        return points;
+    }
+    const float r = solid.halfSize.x();
+    const float core = solid.shape == SolidShape::capsule ? solid.halfSize.y() : 0.0f;
+    for (const float end : {-core, core}) {
+        // The circle in which a cone from the eye touches the ball.
+        const Vec3 centre = solid.position + solid.rotation * Vec3(0, end, 0);
+        const Vec3 way = centre - eye;
+        const float distance = std::max(way.norm(), 1.001f * r), sine = r / distance;
+        const Vec3 middle = centre - way / distance * r * sine;
+        const Vec3 u = way.unitOrthogonal(), v = way.normalized().cross(u);
+        const float radius = r * std::sqrt(std::max(1.0f - sine * sine, 0.0f));
+        for (int i = 0; i < 48; ++i) {
+            const float angle = 2.0f * kPi * static_cast<float>(i) / 48.0f;
+            points.push_back(middle + radius * (std::cos(angle) * u + std::sin(angle) * v));
+        }
+        if (core == 0.0f) break;
+    }
+    return points;
+}
+
+float turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+/// The convex hull (Andrew 1979).
+std::vector<Vec2> hullOf(std::vector<Vec2> points) {
+    const auto before = [](const Vec2& a, const Vec2& b) {
+        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    };
+    std::sort(points.begin(), points.end(), before);
+    std::vector<Vec2> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t start = hull.size();
+        for (const Vec2& p : points) {
+            while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0f)
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+/// Rays from the eye through the pixels, 1 m along the view axis, in a ghost's axes.
+struct Rays {
+    Vec3 corner, right, down;  // through the picture's upper left corner; a pixel on, either way
+
+    Rays(const View& view, const Image& image, const Quat& back) {
+        const Eigen::Matrix3f turn =
+            back.toRotationMatrix() * view.view.block<3, 3>(0, 0).transpose();
+        const float x = 1.0f / view.projection(0, 0), y = 1.0f / view.projection(1, 1);
+        corner = turn * Vec3(-x, y, -1.0f);
+        right = turn.col(0) * (2.0f * x / static_cast<float>(image.width));
+        down = turn.col(1) * (-2.0f * y / static_cast<float>(image.height));
+    }
+    Vec3 through(const Vec2& p) const { return corner + p.x() * right + p.y() * down; }
+};
+
+Color shaded(const Color& color, float light) {
+    return {color.r * light, color.g * light, color.b * light, color.a};
+}
+
+/// A silhouette as the half planes of its edges.
+class Outline {
+public:
+    explicit Outline(const std::vector<Vec2>& hull) {
+        low_ = high_ = hull.front();
+        for (std::size_t i = 0; i < hull.size(); ++i) {
+            const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
+            const Vec2 out = Vec2((b - a).y(), -(b - a).x()).normalized();
+            edges_.push_back({out, out.dot(a)});
+            low_ = low_.cwiseMin(a), high_ = high_.cwiseMax(a);
+        }
+    }
+    /// Pixels, negative inside; near enough beyond the corners.
+    float distance(const Vec2& p) const {
+        float most = -1e9f;
+        for (const Edge& edge : edges_) most = std::max(most, edge.out.dot(p) - edge.offset);
+        return most;
+    }
+    const Vec2& low() const { return low_; }
+    const Vec2& high() const { return high_; }
+
+private:
+    struct Edge {
+        Vec2 out;
+        float offset;
+    };
+    std::vector<Edge> edges_;
+    Vec2 low_, high_;
+};
+
+std::optional<Outline> outlineOf(const Solid& ghost, const View& view, const Image& image) {
+    std::vector<Vec2> flat;
+    for (const Vec3& point : rimPoints(ghost, view.eye)) {
+        const Projected p = project(view, point, image.width, image.height);
+        if (p.depth <= 0) return std::nullopt;  // partly behind the camera
+        flat.emplace_back(p.x, p.y);
+    }
+    const std::vector<Vec2> hull = hullOf(std::move(flat));
+    if (hull.size() < 3) return std::nullopt;
+    return Outline(hull);
+}
+
+/// Inkier and denser towards the outline, which is `edge` pixels wide; d: pixels, negative inside.
+Color tintOf(const Color& color, const Color& ink, float light, float d, float edge) {
+    const float rim = std::clamp(d + 0.5f + edge, 0.0f, 1.0f), share = 0.35f * rim;
+    Color tint = shaded(color, light);
+    tint.r += share * (ink.r - tint.r);
+    tint.g += share * (ink.g - tint.g);
+    tint.b += share * (ink.b - tint.b);
+    tint.a = std::min(color.a * (1.0f + 1.4f * rim), 1.0f);
+    return tint;
+}
+
+void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& view,
+               const DepthMap& depth) {
+    const std::optional<Outline> outline = outlineOf(ghost, view, image);
+    if (!outline) return;
+    const Quat back = ghost.rotation.conjugate();
+    const Vec3 from = back * Vec3(view.eye - ghost.position);
+    const Rays rays(view, image, back);
+    const Vec3 sun = back * look.sunDirection.normalized();
+    const float core = ghost.shape == SolidShape::capsule ? ghost.halfSize.y() : 0.0f;
+    const float edge = std::max(0.9f * overlayScale(image.width, image.height), 0.7f);
+    const PixelRange range =
+        pixelsWithin(image, outline->low() - Vec2(1, 1), outline->high() + Vec2(1, 1));
+    for (int y = range.y0; y <= range.y1; ++y)
+        for (int x = range.x0; x <= range.x1; ++x) {
+            const Vec2 at = centreOf(x, y);
+            const float d = outline->distance(at);
+            if (d >= 0.5f) continue;
+            const Vec3 way = rays.through(at);
+            const std::optional<Hit> hit = ghost.shape == SolidShape::box
+                                               ? hitBox(ghost.halfSize, from, way)
+                                               : hitRound(ghost.halfSize.x(), core, from, way);
+            const float away = hit ? hit->distance : from.norm() / way.norm();
+            if (metersAt(depth, image, x, y) < 0.998f * away) continue;
+            const float light = hit ? 0.75f + 0.25f * std::max(hit->normal.dot(sun), 0.0f) : 0.75f;
+            blend(image.at(x, y), tintOf(ghost.color, look.ink, light, d, edge),
+                  std::clamp(0.5f - d, 0.0f, 1.0f));
+        }
+}
+
+}  // namespace
+
+void drawGhosts(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
+    for (const Solid& ghost : frame.ghosts) drawGhost(image, ghost, frame.look, view, depth);
+}
+
+}  // namespace render

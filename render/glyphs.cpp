@@ -1,0 +1,178 @@
+// The only file that includes stb_truetype.
+#include "render/glyphs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "render/blend.h"
+#include "render/canvas.h"
+#include "render/font.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
+#define STB_TRUETYPE_IMPLEMENTATION
+#define STBTT_STATIC
+#include <stb/stb_truetype.h>
+#pragma GCC diagnostic pop
+
+namespace render {
+namespace {
+
+struct Bitmap {
+    int width = 0, height = 0;
+    int left = 0, top = 0;  // pixels, from the pen to the upper left corner
+    std::vector<unsigned char> cover;
+};
+
+struct Glyph {
+    float advance = 0.0f;  // pixels
+    Bitmap ink, halo;
+};
+
+/// The ink laid over itself at every shift up to `reach`, a sixth of its strength each:
+/// 1 - product of (1 - 0.16 cover).
+Bitmap haloOf(const Bitmap& ink, int reach) {
+    Bitmap halo{
+        ink.width + 2 * reach, ink.height + 2 * reach, ink.left - reach, ink.top - reach, {}};
+    if (ink.width == 0 || ink.height == 0) return {};
+    for (int y = 0; y < halo.height; ++y)
+        for (int x = 0; x < halo.width; ++x) {
+            float open = 1.0f;
+            for (int v = std::max(y - 2 * reach, 0); v <= std::min(y, ink.height - 1); ++v)
+                for (int u = std::max(x - 2 * reach, 0); u <= std::min(x, ink.width - 1); ++u)
+                    open *=
+                        1.0f - 0.16f / 255.0f * static_cast<float>(ink.cover[v * ink.width + u]);
+            halo.cover.push_back(static_cast<unsigned char>(255.0f * (1.0f - open) + 0.5f));
+        }
+    return halo;
+}
+
+class Font {
+public:
+    Font() { stbtt_InitFont(&info_, fontBytes(), 0); }
+
+    const Glyph& glyph(int codepoint, int pixels) {
+        Glyph& g = glyphs_[{codepoint, pixels}];
+        if (g.advance > 0.0f) return g;
+        const float scale = stbtt_ScaleForPixelHeight(&info_, static_cast<float>(pixels));
+        int advance = 0, bearing = 0;
+        stbtt_GetCodepointHMetrics(&info_, codepoint, &advance, &bearing);
+        g.advance = std::max(static_cast<float>(advance) * scale, 0.01f);
+        Bitmap& ink = g.ink;
+        unsigned char* bitmap = stbtt_GetCodepointBitmap(
+            &info_, scale, scale, codepoint, &ink.width, &ink.height, &ink.left, &ink.top);
+        ink.cover.assign(bitmap, bitmap + ink.width * ink.height);
+        stbtt_FreeBitmap(bitmap, nullptr);
+        return g;
+    }
+    const Bitmap& halo(int codepoint, int pixels) {
+        Glyph& g = glyphs_[{codepoint, pixels}];
+        if (g.halo.cover.empty()) g.halo = haloOf(g.ink, std::max(pixels / 14, 1));
+        return g.halo;
+    }
+    float ascent(int pixels) const {
+        int ascent = 0, descent = 0, gap = 0;
+        stbtt_GetFontVMetrics(&info_, &ascent, &descent, &gap);
+        return static_cast<float>(ascent) *
+               stbtt_ScaleForPixelHeight(&info_, static_cast<float>(pixels));
+    }
+
+private:
+    stbtt_fontinfo info_;
+    std::map<std::pair<int, int>, Glyph> glyphs_;
+};
+
+Font& font() {
+    static Font theFont;
+    return theFont;
+}
+
+/// The code points of UTF-8; a broken byte becomes a question mark.
+std::vector<int> codepoints(const std::string& text) {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i++]);
+        const int more = first < 0x80       ? 0
+                         : first >> 5 == 6  ? 1
+                         : first >> 4 == 14 ? 2
+                         : first >> 3 == 30 ? 3
+                                            : -1;
+        int code = more <= 0 ? first : first & (0x3f >> more);
+        bool whole = more >= 0;
+        for (int k = 0; k < more && whole; ++k) {
+            whole = i < text.size() && (static_cast<unsigned char>(text[i]) >> 6) == 2;
+            if (whole) code = code << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
+        }
+        result.push_back(whole && code >= 32 ? code : '?');
+    }
+    return result;
+}
+
+/// Calls draw(code, glyph, x) for every glyph of a line, and returns where the line ends.
+template <class Draw>
+float walk(const std::string& text, int pixels, float x, Draw draw) {
+    for (const int code : codepoints(text)) {
+        const Glyph& g = font().glyph(code, pixels);
+        draw(code, g, static_cast<int>(std::lround(x)));
+        x += g.advance;
+    }
+    return x;
+}
+
+void paint(Image& image, const Bitmap& b, int penX, int penY, const Color& color) {
+    const int left = penX + b.left, top = penY + b.top;
+    const int x0 = std::max(-left, 0), x1 = std::min(b.width, image.width - left);
+    const int y0 = std::max(-top, 0), y1 = std::min(b.height, image.height - top);
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
+            const unsigned char cover = b.cover[y * b.width + x];
+            if (cover > 0)
+                blend(image.at(left + x, top + y), color, static_cast<float>(cover) / 255.0f);
+        }
+}
+
+/// Light behind dark letters, dark behind light ones.
+Color haloColorOf(const Color& color) {
+    const bool dark = color.r + color.g + color.b < 1.5f;
+    return dark ? Color{1, 1, 1, 1} : Color{0.05f, 0.05f, 0.06f, 1};
+}
+
+}  // namespace
+
+float textWidth(const std::string& text, float pixels) {
+    return walk(text, static_cast<int>(std::lround(pixels)), 0, [](int, const Glyph&, int) {});
+}
+
+float textAscent(int pixels) { return font().ascent(pixels); }
+
+void drawHaloed(Image& image, const std::string& text, int pixels, float x, float baseline,
+                const Color& color) {
+    const int y = static_cast<int>(std::lround(baseline));
+    const Color halo = haloColorOf(color);
+    walk(text, pixels, x, [&](int code, const Glyph&, int pen) {
+        paint(image, font().halo(code, pixels), pen, y, halo);
+    });
+    walk(text, pixels, x,
+         [&](int, const Glyph& g, int pen) { paint(image, g.ink, pen, y, color); });
+}
+
+void drawLabel(Image& image, const std::string& text, Point at, Anchor anchor, float pixels,
+               const Color& color) {
+    const float most = 4.0f * static_cast<float>(image.width + image.height);
+    if (!(std::abs(at.x) <= most && std::abs(at.y) <= most && pixels >= 1.0f && pixels <= most))
+        return;  // not finite, or nowhere near the picture
+    const float width = anchor == Anchor::start ? 0.0f : textWidth(text, pixels);
+    const float x = at.x - (anchor == Anchor::end ? width : 0.5f * width);
+    const int y = static_cast<int>(std::lround(at.y));
+    walk(text, static_cast<int>(std::lround(pixels)), x,
+         [&](int, const Glyph& g, int pen) { paint(image, g.ink, pen, y, color); });
+}
+
+}  // namespace render

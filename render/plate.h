@@ -1,0 +1,10 @@
+/// A table on a translucent ground: swatches, names, values, bars, colour scales.
+#pragma once
+#include "render/corners.h"
+#include "render/image.h"
+
+namespace render {
+
+void drawPlate(Image& image, const PlacedPlate& placed, const Look& look, float pixelsPerMeter);
+
+}  // namespace render

@@ -1,0 +1,93 @@
+// Texts and plates in the corners, then the names, the nearest first.
+#include <algorithm>
+#include <cmath>
+
+#include "render/corners.h"
+#include "render/coverage.h"
+#include "render/overlay.h"
+#include "render/plate.h"
+
+namespace render {
+namespace {
+
+void drawText(Image& image, const PlacedText& text) {
+    float y = text.box.y;
+    for (const std::string& line : text.lines) {
+        const float width = text.right ? textWidth(line, static_cast<float>(text.pixels)) : 0.0f;
+        const float x = text.right ? text.box.x + text.box.width - width : text.box.x;
+        drawHaloed(image, line, text.pixels, x, y + textAscent(text.pixels), text.color);
+        y += text.lineHeight;
+    }
+}
+
+struct SeenLabel {
+    const Label* label;
+    Projected at;
+};
+
+std::vector<SeenLabel> seenLabels(const Image& image, const Frame& frame, const View& view,
+                                  const DepthMap& depth) {
+    std::vector<SeenLabel> seen;
+    for (const Label& label : frame.labels) {
+        const Projected p = project(view, label.position, image.width, image.height);
+        if (p.depth > 0 && !label.text.empty() && !isHidden(p, label.reach, image, depth))
+            seen.push_back({&label, p});
+    }
+    std::stable_sort(seen.begin(), seen.end(), [](const SeenLabel& a, const SeenLabel& b) {
+        return a.at.depth < b.at.depth;
+    });
+    return seen;
+}
+
+/// Where a name may stand: at its place, or a line above or below it if that is not farther than
+/// `most` pixels; wholly within the picture.
+bool findPlace(Box& box, float most, const Image& image, const CornerLayout& corners,
+               const std::vector<Box>& taken) {
+    const float y = box.y;
+    for (const float shift : {0.0f, -box.height, box.height}) {
+        if (std::abs(shift) > most) continue;
+        box.y = y + shift;
+        const bool within = box.x >= 0.0f && box.y >= 0.0f &&
+                            box.x + box.width <= static_cast<float>(image.width) &&
+                            box.y + box.height <= static_cast<float>(image.height);
+        const auto meets = [&](const Box& other) { return other.overlaps(box); };
+        if (within && corners.isFree(box) && std::none_of(taken.begin(), taken.end(), meets))
+            return true;
+    }
+    return false;
+}
+
+void drawLabels(Image& image, const Frame& frame, const View& view, const DepthMap& depth,
+                const CornerLayout& corners) {
+    std::vector<Box> taken;
+    const float scale = overlayScale(image.width, image.height);
+    for (const SeenLabel& seen : seenLabels(image, frame, view, depth)) {
+        const Label& label = *seen.label;
+        const float reach = label.reach > 0.0f
+                                ? label.reach * view.projection(1, 1) * 0.5f *
+                                      static_cast<float>(image.height) / seen.at.depth
+                                : 1e6f;  // pixels
+        const float wanted = std::min(label.size * scale, 0.4f * reach);
+        const int pixels = std::max(static_cast<int>(std::lround(wanted)), kSmallestText);
+        const float width = textWidth(label.text, static_cast<float>(pixels));
+        const float height = 1.1f * static_cast<float>(pixels), pad = 0.1f * height;
+        Box box{seen.at.x - 0.5f * width - pad, seen.at.y + (label.below - 0.5f) * height,
+                width + 2.0f * pad, height};
+        if (!findPlace(box, 0.4f * reach, image, corners, taken)) continue;
+        taken.push_back(box);
+        drawHaloed(image, label.text, pixels, box.x + pad, box.y + textAscent(pixels),
+                   frame.look.ink);
+    }
+}
+
+}  // namespace
+
+void drawTexts(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
+    const CornerLayout corners = layoutCorners(frame, image.width, image.height);
+    const float meter = pixelsPerMeter(frame.camera, image.height);
+    for (const PlacedPlate& plate : corners.plates) drawPlate(image, plate, frame.look, meter);
+    for (const PlacedText& text : corners.texts) drawText(image, text);
+    drawLabels(image, frame, view, depth, corners);
+}
+
+}  // namespace render

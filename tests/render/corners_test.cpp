@@ -1,0 +1,111 @@
+// Texts, plates and names keep clear of each other and within the picture, at every size.
+#include "render/corners.h"
+
+#include <gtest/gtest.h>
+
+#include "render/camera.h"
+#include "render/glyphs.h"
+
+namespace render {
+namespace {
+
+Plate plateIn(Corner corner, int rows) {
+    Plate plate;
+    plate.corner = corner;
+    for (int i = 0; i < rows; ++i) plate.rows.push_back({"penetration", "1.62 mm"});
+    return plate;
+}
+
+/// Something in every corner, a caption that is much too long for a line.
+Frame crowded() {
+    Frame frame;
+    frame.texts.push_back({"t = 1.750 s   152 bodies   steady, 4 sub-steps"});
+    frame.texts.push_back(
+        {"400 kg at 17 m/s hit a wall of 150 bricks that nothing but friction "
+         "holds together, and what falls lies still after eight seconds",
+         Corner::bottomLeft, 26});
+    frame.texts.push_back({"right", Corner::bottomRight, 20});
+    frame.plates = {plateIn(Corner::topRight, 11), plateIn(Corner::topLeft, 5),
+                    plateIn(Corner::bottomRight, 2)};
+    return frame;
+}
+
+std::vector<Box> boxesOf(const CornerLayout& layout) {
+    std::vector<Box> boxes;
+    for (const PlacedText& text : layout.texts) boxes.push_back(text.box);
+    for (const PlacedPlate& plate : layout.plates) boxes.push_back(plate.box);
+    return boxes;
+}
+
+TEST(Corners, NothingOverlapsOrLeavesThePicture) {
+    const Frame frame = crowded();
+    for (const auto& [w, h] : {std::pair{480, 270},
+                               {640, 360},
+                               {1280, 720},
+                               {3840, 2160},
+                               {720, 1280},
+                               {360, 640},
+                               {640, 252},
+                               {200, 100},
+                               {100, 200},
+                               {40, 30},
+                               {1, 1}}) {
+        const std::vector<Box> boxes = boxesOf(layoutCorners(frame, w, h));
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            EXPECT_GE(boxes[i].x, 0.0f) << w << "x" << h;
+            EXPECT_GE(boxes[i].y, 0.0f) << w << "x" << h;
+            EXPECT_LE(boxes[i].x + boxes[i].width, static_cast<float>(w)) << w << "x" << h;
+            EXPECT_LE(boxes[i].y + boxes[i].height, static_cast<float>(h)) << w << "x" << h;
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_FALSE(boxes[i].overlaps(boxes[k]))
+                    << w << "x" << h << ": " << k << ", " << i;
+        }
+    }
+}
+
+TEST(Corners, OrdinaryPicturesHaveRoomForEverything) {
+    const Frame frame = crowded();
+    for (const auto& [w, h] : {std::pair{640, 360}, {1280, 720}, {3840, 2160}, {720, 1280}}) {
+        const CornerLayout layout = layoutCorners(frame, w, h);
+        EXPECT_EQ(layout.texts.size(), frame.texts.size()) << w << "x" << h;
+        EXPECT_EQ(layout.plates.size(), frame.plates.size()) << w << "x" << h;
+    }
+}
+
+TEST(Corners, LettersGrowWithThePictureAndStayLegible) {
+    const Frame frame = crowded();
+    EXPECT_EQ(layoutCorners(frame, 1280, 720).texts[0].pixels, 18);
+    EXPECT_EQ(layoutCorners(frame, 3840, 2160).texts[0].pixels, 54);
+    EXPECT_EQ(layoutCorners(frame, 720, 1280).texts[0].pixels, 18);
+    EXPECT_EQ(layoutCorners(frame, 480, 270).texts[0].pixels, kSmallestText);
+}
+
+TEST(Corners, LongTextsAreBrokenBetweenWords) {
+    const std::string text = "one two three four five six";
+    const float room = textWidth("one two three", 20) + 1.0f;
+    const std::vector<std::string> lines = brokenText(text, 20, room);
+    EXPECT_EQ(lines, (std::vector<std::string>{"one two three", "four five six"}));
+    EXPECT_EQ(brokenText(text, 20, 1e6f), std::vector<std::string>{text});
+}
+
+TEST(Corners, AWordThatIsTooLongLosesItsEnd) {
+    const float room = 80.0f;
+    for (const std::string word : {"incomprehensibilities", "λλλλλλλλλλλλλλλλ"}) {
+        const std::vector<std::string> lines = brokenText(word, 20, room);
+        ASSERT_EQ(lines.size(), 1u);
+        EXPECT_TRUE(lines[0].ends_with("…"));
+        EXPECT_LE(textWidth(lines[0], 20), room);
+        EXPECT_EQ(lines[0].substr(0, 2), word.substr(0, 2));
+    }
+}
+
+TEST(Corners, ALegendsArrowIsAsLongAsInTheScene) {
+    Camera camera{{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 53.130102f};  // 10 m high where it looks
+    EXPECT_NEAR(pixelsPerMeter(camera, 500), 50.0f, 1e-3f);
+    const View view = makeView(camera, 1.0f);
+    const Projected a = project(view, {0, 0, 0}, 500, 500), b = project(view, {0, 1, 0}, 500, 500);
+    EXPECT_NEAR(a.y - b.y, pixelsPerMeter(camera, 500), 1e-2f);
+}
+
+}  // namespace
+}  // namespace render
