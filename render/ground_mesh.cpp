@@ -1,57 +1,6 @@
 #include "render/ground_mesh.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace render {
-namespace {
-
-using Quad = std::array<Vec3, 4>;
-
-void addQuad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::vector<Vec3>& out) {
-    out.insert(out.end(), {a, b, c, a, c, d});
-}
-
-/// The same quad, large enough to reach `distance` from `eye` on every side.
-Quad grown(const Quad& inner, const Vec3& eye, float distance) {
-    const Vec3 middle = 0.25f * (inner[0] + inner[1] + inner[2] + inner[3]);
-    float least = 1e9f;  // from the middle to the nearest side
-    for (int i = 0; i < 4; ++i) {
-        const Vec3 side = inner[(i + 1) % 4] - inner[i];
-        least = std::min(least, side.cross(inner[i] - middle).norm() / side.norm());
-    }
-    const float factor = std::max((distance + (eye - middle).norm()) / std::max(least, 1e-3f), 2.0f);
-    Quad outer;
-    for (int i = 0; i < 4; ++i) outer[i] = middle + factor * (inner[i] - middle);
-    return outer;
-}
-
-}  // namespace
-
-GroundCorners groundCorners(const Ground& ground, const View& view,
-                            const std::vector<Vec3>& footprint) {
-    const Vec3 n = ground.normal.normalized();
-    const Vec3 helper = std::abs(n.x()) < 0.9f ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitZ());
-    GroundCorners corners;
-    corners.along = helper.cross(n).normalized();
-    corners.across = n.cross(corners.along);
-    if (footprint.size() == 4) {
-        const Quad inner = {footprint[0], footprint[1], footprint[2], footprint[3]};
-        const Quad outer = grown(inner, view.eye, view.farthest);
-        addQuad(inner[0], inner[1], inner[2], inner[3], corners.inside);
-        for (int i = 0; i < 4; ++i) {
-            const int j = (i + 1) % 4;
-            addQuad(outer[i], outer[j], inner[j], inner[i], corners.around);
-        }
-        return corners;
-    }
-    const Vec3 below = view.eye - (n.dot(view.eye) - ground.offset) * n;
-    const Vec3 u = view.farthest * corners.across, v = view.farthest * corners.along;
-    addQuad(below - u - v, below + u - v, below + u + v, below - u + v, corners.around);
-    return corners;
-}
 
 GroundMesh::GroundMesh() : array_(newArray()), buffer_(newBuffer()) {
     glBindVertexArray(array_);

@@ -5,6 +5,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
+#include "demos/film/exposure.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
@@ -47,18 +48,6 @@ Moment momentOf(const FilmPlan& plan, const Options& options) {
     return moment;
 }
 
-/// Up to the moment; what is seen of it while the shutter is open, a frame a step.
-std::vector<render::Frame> play(Player& player, const FilmPlan& plan, const Moment& moment) {
-    const Shutter shutter(plan.shutter, plan.stepsPerFrame);
-    std::vector<render::Frame> seen;
-    for (int left = moment.steps; left >= 0; --left) {
-        if (shutter.sees(left))
-            seen.push_back(player.frame(moment.time - static_cast<double>(left) / plan.scene().hz));
-        if (left > 0) player.step();
-    }
-    return seen;
-}
-
 std::string targetOf(const FilmPlan& plan, const Options& options, const Moment& moment) {
     const std::string pattern =
         options.outputs.empty() ? "output/{scene}/still_{time}.png" : options.outputs.front();
@@ -80,12 +69,9 @@ Exit stillCommand(const Options& options) {
     checkFree(target, options.overwrite);
     checkNeeds(needsOf(plan, 1, {}), plan);
     Player player(plan.scene(), plan.panels.front().overlays);
-    const std::vector<render::Frame> seen = play(player, plan, moment);
+    const std::vector<render::Frame> seen = playTo(moment.time, moment.steps, plan, player);
     render::Renderer renderer(plan.picture);
-    const bool blurred = plan.shutter.moments > 1;
-    render::Image picture =
-        blurred ? renderer.draw(Shutter(plan.shutter, plan.stepsPerFrame).moments(seen))
-                : renderer.draw(seen.back());
+    render::Image picture = exposed(seen, plan, renderer);
     const std::vector<std::uint8_t> png =
         render::encodePng(withStrip(std::move(picture), plan, moment.time));
     writeResult(target, png);

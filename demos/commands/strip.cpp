@@ -5,6 +5,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
+#include "demos/film/exposure.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/film_strip.h"
 #include "demos/film/outputs.h"
@@ -83,10 +84,10 @@ render::Image drawStrip(const FilmPlan& plan, const StripLayout& layout,
     render::Renderer renderer(plan.picture);
     int played = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        player.step(steps[i] - played);
+        const double time = static_cast<double>(steps[i]) / plan.scene().hz;
+        const auto seen = playTo(time, steps[i] - played, plan, player);
         played = steps[i];
-        const double time = static_cast<double>(played) / plan.scene().hz;
-        placeMoment(layout, static_cast<int>(i), renderer.draw(player.frame(time)),
+        placeMoment(layout, static_cast<int>(i), exposed(seen, plan, renderer),
                     fmt::format("t = {:.2f} s", time), inks.ink, paper);
     }
     return paper;
