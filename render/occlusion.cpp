@@ -220,18 +220,17 @@ ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, 
 
 ByteMap doubled(const ByteMap& map, int width, int height) {
     ByteMap large{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height)};
-    std::vector<int> column(static_cast<std::size_t>(map.width) + 2);  // ends twice
+    const auto next = [](int i) { return i / 2 + (i % 2 ? 1 : -1); };
+    const int lastX = map.width - 1, lastY = map.height - 1;
+    std::vector<int> column(static_cast<std::size_t>(map.width));
     for (int y = 0; y < height; ++y) {
-        const int nearest = std::min(y / 2, map.height - 1);
-        const int next = std::clamp(nearest + (y % 2 ? 1 : -1), 0, map.height - 1);
-        const std::uint8_t *a = map.row(nearest), *b = map.row(next);
-        for (int x = 0; x < map.width; ++x) column[x + 1] = 3 * a[x] + b[x];
-        column.front() = column[1];
-        column.back() = column[map.width];
+        const std::uint8_t* a = map.row(std::min(y / 2, lastY));
+        const std::uint8_t* b = map.row(std::clamp(next(y), 0, lastY));
+        for (int x = 0; x < map.width; ++x) column[x] = 3 * a[x] + b[x];
         std::uint8_t* out = large.row(y);
         for (int x = 0; x < width; ++x) {
-            const int i = std::min(x / 2, map.width - 1) + 1;
-            out[x] = static_cast<std::uint8_t>((3 * column[i] + column[i + (x % 2 ? 1 : -1)] + 8) / 16);
+            const int sum = 3 * column[std::min(x / 2, lastX)] + column[std::clamp(next(x), 0, lastX)];
+            out[x] = static_cast<std::uint8_t>((sum + 8) / 16);
         }
     }
     return large;
