@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace render {
@@ -14,64 +13,52 @@ constexpr float kTurns = 3.0f;
 constexpr float kWidest = 0.12f;  // of the height: a sample is never farther away
 using Vec3 = Eigen::Vector3f;
 
-// Spelled out: GCC takes a size that depends on N for no vector at all.
-template <int N>
-struct Lanes;
-template <>
-struct Lanes<4> {
-    using Type = float __attribute__((vector_size(16)));
-    using Whole = int __attribute__((vector_size(16)));
-};
-template <>
-struct Lanes<8> {
-    using Type = float __attribute__((vector_size(32)));
-    using Whole = int __attribute__((vector_size(32)));
-};
-template <int N>
-using Samples = typename Lanes<N>::Type;
-template <int N>
-using Places = typename Lanes<N>::Whole;
+// Four side by side, which every x86-64 processor has; wider ones are taken apart into single ones.
+constexpr int kLanes = 4;
+using Samples = float __attribute__((vector_size(16)));
+using Places = int __attribute__((vector_size(16)));
 
-/// Where the samples of a pixel lie: a spiral of a radius of 1, started by the pixel's place in its
-/// cell.
-template <int N>
-struct Pattern {
-    std::array<Samples<N>, kCell * kCell> x, y;
-    explicit Pattern(float turn) {
-        for (int cell = 0; cell < kCell * kCell; ++cell) {
+/// Where the samples of a pixel lie, four to a group: a spiral of a radius of 1, started by the
+/// pixel's place in its cell.
+class Pattern {
+public:
+    Pattern(int groups, float turn) : groups_(groups) {
+        const int samples = groups * kLanes;
+        for (int i = 0; i < kCell * kCell * samples; ++i) {
+            const int cell = i / samples, sample = i % samples;
             const int cx = cell % kCell, cy = cell / kCell;
             const int order = (cx * 4 + cy * 7 + (cx ^ cy) * 3) & 15;
             const float start = static_cast<float>(order) / 16.0f + turn;
-            for (int i = 0; i < N; ++i) {
-                const float t = (static_cast<float>(i) + 0.5f) / N;
-                const float angle = (t * kTurns + start) * 6.2831853f;
-                x[cell][i] = std::cos(angle) * t;
-                y[cell][i] = std::sin(angle) * t;
-            }
+            const float t = (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples);
+            const float angle = (t * kTurns + start) * 6.2831853f;
+            if (i % kLanes == 0) x_.emplace_back(), y_.emplace_back();
+            x_.back()[i % kLanes] = std::cos(angle) * t;
+            y_.back()[i % kLanes] = std::sin(angle) * t;
         }
     }
+    int groups() const { return groups_; }
+    const Samples& x(int cell, int group) const { return x_[cell * groups_ + group]; }
+    const Samples& y(int cell, int group) const { return y_[cell * groups_ + group]; }
+
+private:
+    int groups_;
+    std::vector<Samples> x_, y_;
 };
 
-/// In place: a wide vector that is returned has another form with every instruction set.
-template <class Lane>
-void keepPositive(Lane& v) {
-    v = v > 0.0f ? v : Lane{};
+Samples positive(Samples v) { return v > 0.0f ? v : Samples{}; }
+
+Places within(Places v, int most) {
+    v = v > 0 ? v : Places{};
+    return v < most ? v : Places{} + most;
 }
 
-template <class Lane>
-void keepWithin(Lane& v, int most) {
-    v = v > 0 ? v : Lane{};
-    v = v < most ? v : Lane{} + most;
-}
-
-/// The whole computation of one map, with N samples a pixel.
-template <int N>
+/// The whole computation of one map.
 class Occlusion {
 public:
-    Occlusion(const DepthMap& depth, const OcclusionSettings& settings, float turn)
+    Occlusion(const DepthMap& depth, const OcclusionSettings& settings, int groups, float turn)
         : depth_(depth),
           set_(settings),
-          pattern_(turn),
+          pattern_(groups, turn),
           scaleX_(2.0f * settings.lensX / static_cast<float>(depth.width)),
           scaleY_(2.0f * settings.lensY / static_cast<float>(depth.height)) {}
 
@@ -84,12 +71,12 @@ private:
                 (set_.lensY - (static_cast<float>(y) + 0.5f) * scaleY_) * d, -d};
     }
     Vec3 normal(int x, int y, const Vec3& here) const;
-    float hidden(const Vec3& here, const Vec3& normal, const Samples<N>& x, const Samples<N>& y,
-                 const Samples<N>& depth) const;
+    /// fx, fy: pixels.
+    float hidden(const Vec3& here, const Vec3& normal, Samples fx, Samples fy) const;
 
     const DepthMap& depth_;
     const OcclusionSettings& set_;
-    const Pattern<N> pattern_;
+    const Pattern pattern_;
     float scaleX_, scaleY_;  // m a pixel at 1 m
 };
 
@@ -99,8 +86,7 @@ Vec3 slope(const Vec3& before, const Vec3& here, const Vec3& after) {
     return std::abs(a.z()) < std::abs(b.z()) ? a : b;
 }
 
-template <int N>
-Vec3 Occlusion<N>::normal(int x, int y, const Vec3& here) const {
+Vec3 Occlusion::normal(int x, int y, const Vec3& here) const {
     const int right = std::min(x + 1, depth_.width - 1), low = std::min(y + 1, depth_.height - 1);
     const Vec3 dx = slope(point(std::max(x - 1, 0), y), here, point(right, y));
     const Vec3 dy = slope(point(x, low), here, point(x, std::max(y - 1, 0)));
@@ -108,43 +94,39 @@ Vec3 Occlusion<N>::normal(int x, int y, const Vec3& here) const {
 }
 
 /// sum of  (1 - v^2 / r^2)^2  max(v . n - bias, 0) / (v^2 + epsilon),  v: from here to a sample
-template <int N>
-float Occlusion<N>::hidden(const Vec3& here, const Vec3& normal, const Samples<N>& x,
-                           const Samples<N>& y, const Samples<N>& depth) const {
-    const Samples<N> vx = ((x + 0.5f) * scaleX_ - set_.lensX) * depth - here.x();
-    const Samples<N> vy = (set_.lensY - (y + 0.5f) * scaleY_) * depth - here.y();
-    const Samples<N> vz = -depth - here.z();
-    const Samples<N> square = vx * vx + vy * vy + vz * vz;
-    Samples<N> fall = 1.0f - square * (1.0f / (set_.reach * set_.reach));
-    Samples<N> rise = vx * normal.x() + vy * normal.y() + vz * normal.z() + 0.004f * here.z();
-    keepPositive(fall);
-    keepPositive(rise);
-    const Samples<N> part = fall * fall * rise / (square + 0.004f);
-    float sum = 0.0f;
-    for (int i = 0; i < N; ++i) sum += part[i];
-    return sum;
+float Occlusion::hidden(const Vec3& here, const Vec3& normal, Samples fx, Samples fy) const {
+    const Places sx = within(__builtin_convertvector(fx, Places), depth_.width - 1);
+    const Places sy = within(__builtin_convertvector(fy, Places), depth_.height - 1);
+    Samples depth;
+    for (int i = 0; i < kLanes; ++i) depth[i] = depth_.at(sx[i], sy[i]);
+    const Samples x = __builtin_convertvector(sx, Samples);
+    const Samples y = __builtin_convertvector(sy, Samples);
+    const Samples vx = ((x + 0.5f) * scaleX_ - set_.lensX) * depth - here.x();
+    const Samples vy = (set_.lensY - (y + 0.5f) * scaleY_) * depth - here.y();
+    const Samples vz = -depth - here.z();
+    const Samples square = vx * vx + vy * vy + vz * vz;
+    const Samples fall = positive(1.0f - square * (1.0f / (set_.reach * set_.reach)));
+    const Samples rise =
+        positive(vx * normal.x() + vy * normal.y() + vz * normal.z() + 0.004f * here.z());
+    const Samples part = fall * fall * rise / (square + 0.004f);
+    return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-template <int N>
-float Occlusion<N>::open(int x, int y) const {
+float Occlusion::open(int x, int y) const {
     const Vec3 here = point(x, y);
     const float away = -here.z();
     const float share = std::min(0.5f * set_.reach / (away * set_.lensY), kWidest);
     const float pixels = share * static_cast<float>(depth_.height);
     if (away > 0.6f * set_.farthest || pixels < 1.0f) return 1.0f;
+    const Vec3 n = normal(x, y, here);
+    const float middleX = static_cast<float>(x) + 0.5f, middleY = static_cast<float>(y) + 0.5f;
     const int cell = y % kCell * kCell + x % kCell;
-    const Samples<N> fx = pattern_.x[cell] * pixels + (static_cast<float>(x) + 0.5f);
-    const Samples<N> fy = pattern_.y[cell] * pixels + (static_cast<float>(y) + 0.5f);
-    Places<N> sx = __builtin_convertvector(fx, Places<N>);
-    Places<N> sy = __builtin_convertvector(fy, Places<N>);
-    keepWithin(sx, depth_.width - 1);
-    keepWithin(sy, depth_.height - 1);
-    const Samples<N> px = __builtin_convertvector(sx, Samples<N>);
-    const Samples<N> py = __builtin_convertvector(sy, Samples<N>);
-    Samples<N> depth;
-    for (int i = 0; i < N; ++i) depth[i] = depth_.at(sx[i], sy[i]);
-    const float sum = hidden(here, normal(x, y, here), px, py, depth);
-    return std::max(0.0f, 1.0f - sum * 1.9f * set_.reach / N);
+    float sum = 0.0f;
+    for (int group = 0; group < pattern_.groups(); ++group)
+        sum += hidden(here, n, pattern_.x(cell, group) * pixels + middleX,
+                      pattern_.y(cell, group) * pixels + middleY);
+    const auto samples = static_cast<float>(pattern_.groups() * kLanes);
+    return std::max(0.0f, 1.0f - sum * 1.9f * set_.reach / samples);
 }
 
 /// 0..1 to a byte, in 51 steps: finer ones are not seen, and make files larger.
@@ -197,7 +179,7 @@ int occlusionRadius(const OcclusionSettings& settings, float nearest, int height
 
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
     const PixelRect& where = settings.where;
-    const Occlusion<8> occlusion(depth, settings, 0.0f);
+    const Occlusion occlusion(depth, settings, 2, 0.0f);
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
     std::vector<float> open(depth.meters.size());
     for (int y = where.y0; y < where.y1; ++y)
@@ -210,7 +192,7 @@ ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
 
 ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, float turn) {
     const PixelRect& where = settings.where;
-    const Occlusion<4> occlusion(depth, settings, turn);
+    const Occlusion occlusion(depth, settings, 1, turn);
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
     for (int y = where.y0; y < where.y1; ++y)
         for (int x = where.x0; x < where.x1; ++x)
