@@ -111,7 +111,7 @@ TEST(Layering, EachOfTheseLibrariesHasOneFile) {
         {"GL/osmesa.h", "render/context_osmesa.cpp"},
         {"EGL/egl.h", "render/context_egl.cpp"},
         {"stb/stb_image_write.h", "render/encode/png.cpp"},
-        {"stb/stb_truetype.h", "render/text.cpp"},
+        {"stb/stb_truetype.h", "render/glyphs.cpp"},
         {"CLI/CLI.hpp", "demos/options_commands.h"}};
     std::set<std::string> seen;
     for (const char* folder : {"engine", "render", "demos"})
