@@ -19,6 +19,7 @@ public:
     void step(int count);
     render::Frame frame(double time) const { return snapshot(stage_, overlays_, time, history_); }
     const Stage& stage() const { return stage_; }
+    const History& history() const { return history_; }
     /// In place of what the nudges' overlay watches (engine::World::observe).
     void observe(std::function<void(engine::Phase, int)> observer) {
         stage_.world.observe(std::move(observer));

@@ -83,6 +83,19 @@ Json idsOf(const SceneDescription& scene) {
     return ids;
 }
 
+/// m: to where the camera looks, or to the far side of the farthest body where it begins.
+double reachFrom(const Vec3& from, const Vec3& lookAt, const SceneDescription& scene) {
+    double reach = (lookAt - from).norm();
+    for (const BodyDescription& body : scene.bodies) {
+        const engine::Shape& shape = body.def.shape;
+        if (shape.type == engine::ShapeType::plane) continue;
+        const double size = shape.type == engine::ShapeType::box ? shape.halfSize.norm()
+                                                                 : shape.radius + shape.halfLength;
+        reach = std::max(reach, (body.def.pose.position - from).norm() + size);
+    }
+    return reach;
+}
+
 }  // namespace
 
 std::string cameraJson(const FilmPlan& plan, int frame, const render::Camera& camera) {
@@ -155,15 +168,10 @@ std::string passesJson(const FilmPlan& plan, const std::string& pattern) {
 }
 
 double depthUnitOf(const SceneDescription& scene) {
-    const Vec3& from = scene.camera.from;
-    double reach = (scene.camera.lookAt - from).norm();
-    for (const BodyDescription& body : scene.bodies) {
-        const engine::Shape& shape = body.def.shape;
-        if (shape.type == engine::ShapeType::plane) continue;
-        const double size = shape.type == engine::ShapeType::box ? shape.halfSize.norm()
-                                                                 : shape.radius + shape.halfLength;
-        reach = std::max(reach, (body.def.pose.position - from).norm() + size);
-    }
+    const CameraDescription& camera = scene.camera;
+    double reach = reachFrom(camera.from, camera.lookAt, scene);
+    for (const CameraKey& key : camera.keys)
+        reach = std::max(reach, reachFrom(key.from, key.lookAt, scene));
     for (const double decade : {1e-4, 1e-3, 1e-2, 1e-1, 1.0})
         for (const double unit : {decade, 2.0 * decade, 5.0 * decade})
             if (65534.0 * unit >= 2.0 * reach) return unit;

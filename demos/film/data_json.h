@@ -18,7 +18,7 @@ std::string contactsJson(const FilmPlan& plan, int frame, const Stage& stage,
 std::string passesJson(const FilmPlan& plan, const std::string& pattern);
 
 /// m: the smallest of 0.1, 0.2, 0.5, 1 mm ... of which 65534 reach twice as far as all that the
-/// scene begins with.
+/// scene begins with, from wherever the camera's keys put it.
 double depthUnitOf(const SceneDescription& scene);
 
 }  // namespace demos

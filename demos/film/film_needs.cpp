@@ -26,6 +26,7 @@ constexpr double kProgram = 57.0 * kMiB;
 constexpr double kEncoder = 58.0 * kMiB;
 constexpr double kPixel = 26.0;        // textures, the picture, a message on its way
 constexpr double kSample = 8.2;        // colour and depth, where there are more than one
+constexpr double kSum = 20.0;          // of several moments: four sums and one more picture
 constexpr double kPngPixel = 6.5;      // RGB and what is compressed
 constexpr double kMessagePixel = 8.0;  // raw frames in the program: one taken, one coming
 
@@ -39,16 +40,17 @@ double workerBytes(const FilmPlan& plan, bool png) {
     const double drawn = pixelsOf(picture.width, picture.height);
     const double whole = pixelsOf(plan.layout.width, plan.layout.height);
     const double samples = picture.samples > 1 ? kSample * (picture.samples - 1) : 0.0;
-    const double shadow = 4.0 * picture.shadowSize * picture.shadowSize;
+    const double shadow = 2.0 * picture.shadowSize * picture.shadowSize;
+    const double sums = plan.shutter.moments > 1 ? kSum * drawn : 0.0;
     const double panels = plan.panels.size() > 1 ? 4.0 * whole : 0.0;
-    return kWorker + shadow + drawn * (kPixel + samples) + panels + (png ? kPngPixel * whole : 0.0);
+    return kWorker + shadow + sums + drawn * (kPixel + samples) + panels +
+           (png ? kPngPixel * whole : 0.0);
 }
 
-/// x264 holds about 45 frames to look ahead, a GIF the whole film until its palette is known.
-double encoderBytes(const FilmPlan& plan, const std::string& ending) {
+/// Encoders hold frames to look ahead, x264 the most: about 45.
+double encoderBytes(const FilmPlan& plan) {
     const double pixels = pixelsOf(plan.layout.width, plan.layout.height);
-    const double frames = ending == ".gif" ? plan.frames : std::min(plan.frames, 45);
-    return kEncoder + pixels * (25.0 + (ending == ".gif" ? 5.5 : 4.5) * frames);
+    return kEncoder + pixels * (25.0 + 4.5 * std::min(plan.frames, 45));
 }
 
 /// Bytes a pixel and frame of the built-in scenes, rounded up.
@@ -118,8 +120,7 @@ FilmNeeds needsOf(const FilmPlan& plan, int workers, const std::vector<Output>& 
     needs.worker = workerBytes(plan, png || outputs.empty());
     needs.program = kProgram + pixels * ((png ? 0.6 : 0.0) + (moving ? kMessagePixel : 0.0));
     for (const Output& output : outputs) {
-        if (output.kind == OutputKind::film)
-            needs.encoders += encoderBytes(plan, output.path.extension().string());
+        if (output.kind == OutputKind::film) needs.encoders += encoderBytes(plan);
         needs.disk += diskBytes(plan, output);
     }
     return needs;

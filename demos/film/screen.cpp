@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "demos/snapshot/camera.h"
 #include "demos/stop.h"
 #include "engine/base/hash.h"
 #include "render/palette.h"
@@ -46,6 +47,16 @@ void keepWidth(float aspect, render::Camera& camera) {
     constexpr float kHalfDegree = std::numbers::pi_v<float> / 360.0f;
     const float half = std::tan(camera.fovDegrees * kHalfDegree) * kWidest / aspect;
     camera.fovDegrees = std::min(std::atan(half) / kHalfDegree, 170.0f);
+}
+
+/// A cut falls between two pictures: a shutter that was open across it looks from behind it all the
+/// while. `seen`: the newest at `time`, the others a step earlier each.
+void keepShot(const CameraDescription& camera, double time, double step,
+              std::vector<render::Frame>& seen) {
+    const int newest = static_cast<int>(seen.size()) - 1;
+    for (int i = newest - 1; i >= 0; --i)
+        if (shotAt(camera, time - (newest - i) * step) != shotAt(camera, time))
+            seen[i].camera = seen[i + 1].camera;
 }
 
 render::Image emptyPicture(const FilmPlan& plan) {
@@ -106,6 +117,7 @@ void Screen::advance(Show& show, bool drawn, double time) try {
 render::Image Screen::drawPanel(Show& show, double time, render::Renderer& renderer) const {
     if (plan_.shutter.moments <= 1) return renderer.draw(frameOf(show, time));
     show.seen.push_back(frameOf(show, time));
+    keepShot(show.player.stage().scene.camera, time, 1.0 / (plan_.fps * show.steps), show.seen);
     return renderer.draw(Shutter(plan_.shutter, show.steps).moments(show.seen));
 }
 
@@ -137,7 +149,7 @@ render::Image Screen::draw(int frame, render::Renderer& renderer) {
 render::Frame Screen::plainFrame(int frame) const {
     Overlays none;
     none.trails = none.text = false;
-    return snapshot(stage(), none, plan_.timeOf(frame));
+    return snapshot(stage(), none, plan_.timeOf(frame), shows_.front()->player.history());
 }
 
 std::uint64_t Screen::hash() const {

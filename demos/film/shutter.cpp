@@ -10,6 +10,8 @@ render::Vec3 mixed(const render::Vec3& a, const render::Vec3& b, float share) {
     return a + share * (b - a);
 }
 
+float mixed(float a, float b, float share) { return a + share * (b - a); }
+
 }  // namespace
 
 bool Shutter::sees(int stepsBefore) const {
@@ -43,6 +45,8 @@ render::Frame between(const render::Frame& a, const render::Frame& b, float shar
         }
     frame.camera.from = mixed(a.camera.from, b.camera.from, share);
     frame.camera.lookAt = mixed(a.camera.lookAt, b.camera.lookAt, share);
+    frame.camera.fovDegrees = mixed(a.camera.fovDegrees, b.camera.fovDegrees, share);
+    frame.camera.focus = mixed(a.camera.focus, b.camera.focus, share);
     return frame;
 }
 

@@ -38,11 +38,27 @@ struct JointDescription {
     Place place;
 };
 
+/// How the camera moves to a key; `cut`: not at all until the key's time.
+enum class Ease { smooth, linear, in, out, cut };
+
+/// Where the camera is at a time; what the file leaves out is as in the key before.
+struct CameraKey {
+    double at = 0.0;  // s
+    Vec3 from{8, 5, 14}, lookAt{0, 2, 0};
+    double fovDegrees = 35.0;
+    Ease ease = Ease::smooth;  // of the way to here
+};
+
 struct CameraDescription {
     Vec3 from{8, 5, 14}, lookAt{0, 2, 0};
     double fovDegrees = 35.0;
     double orbitDegreesPerSecond = 0.0;
-    std::string follow;  // a body, or empty
+    std::string follow;           // a body, or empty
+    double followLag = 0.0;       // s, the time constant with which it comes after; 0: glued
+    double aperture = 0.0;        // m, the lens's radius
+    double focus = 0.0;           // m along the view axis; 0: at lookAt
+    std::string focusBody;        // in place of `focus`: a body, or empty
+    std::vector<CameraKey> keys;  // later and later; none: the camera stays
 };
 
 struct LookDescription {

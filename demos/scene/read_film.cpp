@@ -1,4 +1,4 @@
-// [camera], [look], [[section]] and [snapshot]
+// [look], [[section]] and [snapshot]
 
 #include <algorithm>
 
@@ -12,20 +12,9 @@
 namespace demos {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
-
 template <class To, class From>
 void set(To& to, const std::optional<From>& from) {
     if (from) to = *from;
-}
-
-/// Up is y: the picture has no top when the camera looks along it.
-void checkView(Keys& keys, const CameraDescription& camera) {
-    const Vec3 sight = camera.lookAt - camera.from;
-    if (sight.norm() < 1e-3)
-        keys.complain("from", "from and look_at are the same point; move one of them");
-    else if (Vec3(sight.x(), 0.0, sight.z()).norm() < 1e-4 * sight.norm())
-        keys.complain("from", "the camera looks straight up or down; move it a little aside");
 }
 
 void checkOverlay(Keys& keys, const std::string& name) {
@@ -58,25 +47,6 @@ Section readSection(const Value& table, const SceneDescription& scene, Complaint
 }
 
 }  // namespace
-
-void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
-                Complaints& complaints) {
-    const Value* table = top.any("camera");
-    if (!table) return;
-    Keys keys(*table, "[camera]", complaints);
-    CameraDescription& camera = scene.camera;
-    set(camera.from, keys.vector("from", kMeters));
-    set(camera.lookAt, keys.vector("look_at", kMeters));
-    set(camera.fovDegrees, keys.number("fov_deg", {1.0, 170.0, "deg"}));
-    set(camera.orbitDegreesPerSecond, keys.number("orbit_deg_per_s", {-3600.0, 3600.0, "deg/s"}));
-    set(camera.follow, keys.text("follow"));
-    if (!camera.follow.empty() && !numbers.contains(camera.follow))
-        keys.complain("follow", "no body is called '" + camera.follow + "'" +
-                                    suggestion(camera.follow, bodyNames(scene)));
-    keys.later({"keys"});
-    keys.done();
-    checkView(keys, camera);
-}
 
 void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
     const Value* table = top.any("look");

@@ -34,9 +34,11 @@ std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints);
 void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbers,
                 SceneDescription& scene, Complaints& complaints);
 
-// read_film.cpp
+// read_camera.cpp
 void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
                 Complaints& complaints);
+
+// read_film.cpp
 void readLook(Keys& top, SceneDescription& scene, Complaints& complaints);
 void readSections(Keys& top, SceneDescription& scene, Complaints& complaints);
 void readSnapshot(Keys& top, SceneDescription& scene, Complaints& complaints);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/snapshot/camera.h"
 #include "demos/snapshot/colors.h"
 
 namespace demos {
@@ -37,10 +38,21 @@ void rememberGhost(const Stage& stage, double every, History& history) {
     history.ghosts.push_back(std::move(poses));
 }
 
+/// The body's place p, smoothed with the time constant T: f' = (p - f) / T, exact for p at rest.
+void rememberFollowed(const Stage& stage, History& history) {
+    const CameraDescription& camera = stage.scene.camera;
+    if (!(camera.followLag > 0.0)) return;
+    const std::optional<Vec3> place = placeOf(stage, camera.follow);
+    if (!place) return;
+    if (!history.followed) history.followed = place;
+    *history.followed += -std::expm1(-stage.dt() / camera.followLag) * (*place - *history.followed);
+}
+
 }  // namespace
 
 void remember(const Stage& stage, const Overlays& overlays, History& history) {
     rememberPeaks(stage, history);
+    rememberFollowed(stage, history);
     if (overlays.ghost) rememberGhost(stage, overlays.ghostEvery, history);
     if (overlays.stats) {
         const engine::Energy energy = stage.world.energy();

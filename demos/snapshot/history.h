@@ -1,5 +1,6 @@
 /// What pictures need to know of the steps so far, whichever frames are drawn.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "demos/overlays.h"
@@ -17,6 +18,7 @@ struct History {
     double largestValue = 0.0;     // of what the bodies are coloured by, so far
     double lowestPotential = 0.0;  // J, so far, and 0 at most
     double largestEnergy = 0.0;    // J, so far
+    std::optional<Vec3> followed;  // m: where the camera that follows with a lag believes its body
     std::vector<std::vector<engine::Pose>> ghosts;  // by body; the oldest first
 };
 

@@ -89,7 +89,7 @@ TEST_F(Plot, BadOptionsAreOneLineAndLeaveNothing) {
         {"ending", {"-o", "a.jpg"}, 2, ".svg or .png"},
         {"no ending", {"-o", "a"}, 2, ".svg or .png"},
         {"standard output", {"-o", "-"}, 2, ".svg or .png"},
-        {"empty", {"-o", ""}, 2, ".svg or .png"},
+        {"empty", {"-o", ""}, 2, "give it a value"},
         {"second ending", {"-o", "a.svg", "-o", "a.pdf"}, 2, ".svg or .png"},
         {"twice", {"-o", "a.svg", "-o", "a.svg"}, 2, "another --output"},
         {"size", {"--size", "0x9"}, 2, "1 to 16384"},

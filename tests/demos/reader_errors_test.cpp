@@ -154,8 +154,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"fov", kBall + "[camera]\nfov_deg = 180\n", "7:11", "from 1 to 170 deg"},
         BadScene{"eye", kBall + "[camera]\nfrom = [1, 1, 1]\nlook_at = [1, 1, 1]\n", "7:1",
                  "the same point"},
-        BadScene{"follow", kBall + "[camera]\nfollow = 'bll'\n", "7:1", "did you mean 'ball'?"},
-        BadScene{"keys", kBall + "[camera]\nkeys = []\n", "7:1", "not available yet"},
         BadScene{"theme", kBall + "[look]\ntheme = 'darc'\n", "7:9", "did you mean 'dark'?"},
         BadScene{"overlay", kBall + "[look]\nshow = ['contact']\n", "7:1",
                  "did you mean 'contacts'?"},
@@ -182,6 +180,37 @@ INSTANTIATE_TEST_SUITE_P(
                  "no body is called 'box*'"},
         BadScene{"window", kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1\nafter = 2\nuntil = 1\n",
                  "10:1", "should not be before after, 2"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Cameras, BadScenes,
+    testing::Values(
+        BadScene{"keys", kBall + "[camera]\nkeys = 3\n", "7:8", "one or more tables"},
+        BadScene{"no table", kBall + "[camera]\nkeys = [3]\n", "7:9",
+                 "a key of the camera is 3; it should be a table"},
+        BadScene{"no time", kBall + "[camera]\nkeys = [{ fov_deg = 30 }]\n", "7:9",
+                 "a key of the camera has no time"},
+        BadScene{"same time", kBall + "[camera]\nkeys = [{ at = 1 }, { at = 1 }]\n", "7:21",
+                 "at is 1 s; it should be later than the key before, which is at 1 s"},
+        BadScene{"too late", kBall + "[camera]\nkeys = [{ at = 5.1 }]\n", "7:16", "from 0 to 5 s"},
+        BadScene{"ease", kBall + "[camera]\nkeys = [{ at = 1, ease = 'liner' }]\n", "7:26",
+                 "smooth, linear, in, out or cut; did you mean 'linear'?"},
+        BadScene{"upright", kBall + "[camera]\nkeys = [{ at = 1, from = [0, 9, 0] }]\n", "7:19",
+                 "straight up or down"},
+        BadScene{"in itself", kBall + "[camera]\nkeys = [{ at = 1, look_at = [8, 5, 14] }]\n",
+                 "7:9", "the same point"},
+        BadScene{"overhead",
+                 kBall + "[camera]\nfrom = [0, 9, 5]\nlook_at = [0, 0, 0]\n"
+                         "keys = [{ at = 1, from = [0, 9, -5] }]\n",
+                 "9:11", "lead it round by a key in between"},
+        BadScene{"follow", kBall + "[camera]\nfollow = 'bll'\n", "7:1", "did you mean 'ball'?"},
+        BadScene{"lag", kBall + "[camera]\nfollow = 'ball'\nfollow_lag = -1\n", "8:14",
+                 "from 0 to 100 s"},
+        BadScene{"lag alone", kBall + "[camera]\nfollow_lag = 1\n", "7:1", "write follow"},
+        BadScene{"aperture", kBall + "[camera]\naperture = 11\n", "7:12", "from 0 to 10 m"},
+        BadScene{"focus on", kBall + "[camera]\nfocus = 'bal'\n", "7:1", "did you mean 'ball'?"},
+        BadScene{"focus at", kBall + "[camera]\nfocus = 0\n", "7:9", "from 0.01 to 100000 m"},
+        BadScene{"focus", kBall + "[camera]\nfocus = [1]\n", "7:1",
+                 "it should be a body's name or a distance in m"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Repeats, BadScenes,

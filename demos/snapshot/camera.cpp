@@ -1,0 +1,105 @@
+// view(t) = a + e(s) (b - a),  s = (t - t_a) / (t_b - t_a)   between the keys a and b
+//
+//   smooth 3 s^2 - 2 s^3   linear s   in s^2   out 1 - (1 - s)^2   cut 0
+
+#include "demos/snapshot/camera.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace demos {
+namespace {
+
+constexpr double kSameTime = 1e-9;      // s: times of pictures are sums, those of keys are not
+constexpr double kNearestFocus = 1e-3;  // m; what is nearer, or behind, is not focused on
+
+double eased(Ease ease, double s) {
+    switch (ease) {
+        case Ease::smooth:
+            return s * s * (3.0 - 2.0 * s);
+        case Ease::linear:
+            return s;
+        case Ease::in:
+            return s * s;
+        case Ease::out:
+            return 1.0 - (1.0 - s) * (1.0 - s);
+        case Ease::cut:
+            return 0.0;
+    }
+    return s;
+}
+
+bool reached(const CameraKey& key, double time) { return key.at <= time + kSameTime; }
+
+CameraView viewOf(const CameraKey& key) { return {key.from, key.lookAt, key.fovDegrees}; }
+
+CameraView mixed(const CameraKey& a, const CameraKey& b, double share) {
+    return {a.from + share * (b.from - a.from), a.lookAt + share * (b.lookAt - a.lookAt),
+            a.fovDegrees + share * (b.fovDegrees - a.fovDegrees)};
+}
+
+/// How far the body that the camera follows has come, as the camera knows it.
+Vec3 followed(const Moment& moment) {
+    const Stage& stage = moment.stage;
+    const CameraDescription& camera = stage.scene.camera;
+    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        if (camera.follow.empty() || stage.scene.bodies[i].name != camera.follow) continue;
+        const Vec3 place = stage.world.pose(stage.bodies[i]).position;
+        return moment.history.followed.value_or(place) - stage.scene.bodies[i].def.pose.position;
+    }
+    return Vec3::Zero();
+}
+
+/// m along the view axis; never 0, so that a shutter may mix it.
+double focusOf(const Stage& stage, const Vec3& from, const Vec3& lookAt) {
+    const CameraDescription& camera = stage.scene.camera;
+    const Vec3 sight = lookAt - from;
+    double focus = camera.focus;
+    if (const std::optional<Vec3> place = placeOf(stage, camera.focusBody))
+        focus = sight.normalized().dot(*place - from);
+    return focus > kNearestFocus ? focus : sight.norm();
+}
+
+}  // namespace
+
+CameraView viewAt(const CameraDescription& camera, double time) {
+    CameraKey before{0.0, camera.from, camera.lookAt, camera.fovDegrees};
+    for (const CameraKey& key : camera.keys) {
+        if (!reached(key, time)) {
+            const double s = std::max(time - before.at, 0.0) / (key.at - before.at);
+            return mixed(before, key, eased(key.ease, s));
+        }
+        before = key;
+    }
+    return viewOf(before);
+}
+
+int shotAt(const CameraDescription& camera, double time) {
+    const auto cut = [time](const CameraKey& k) { return k.ease == Ease::cut && reached(k, time); };
+    return static_cast<int>(std::count_if(camera.keys.begin(), camera.keys.end(), cut));
+}
+
+std::optional<Vec3> placeOf(const Stage& stage, const std::string& body) {
+    for (std::size_t i = 0; i < stage.bodies.size() && !body.empty(); ++i)
+        if (stage.scene.bodies[i].name == body) return stage.world.pose(stage.bodies[i]).position;
+    return std::nullopt;
+}
+
+render::Camera cameraOf(const Moment& moment) {
+    const CameraDescription& camera = moment.stage.scene.camera;
+    const CameraView view = viewAt(camera, moment.time);
+    const double angle = camera.orbitDegreesPerSecond * moment.time * std::numbers::pi / 180.0;
+    const Eigen::AngleAxisd turn(angle, Vec3::UnitY());
+    const Vec3 moved = followed(moment);
+    const Vec3 from = view.lookAt + turn * (view.from - view.lookAt) + moved;
+    const Vec3 lookAt = view.lookAt + moved;
+    render::Camera result;
+    result.from = drawn(from);
+    result.lookAt = drawn(lookAt);
+    result.fovDegrees = static_cast<float>(view.fovDegrees);
+    result.aperture = static_cast<float>(camera.aperture);
+    result.focus = static_cast<float>(focusOf(moment.stage, from, lookAt));
+    return result;
+}
+
+}  // namespace demos
