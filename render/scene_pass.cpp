@@ -143,7 +143,7 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
     const std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
     glEnable(GL_CULL_FACE);
-    const GLuint box = lit("solid", "box", features + " GLOSS", scene);
+    const GLuint box = lit("solid", "box", features + " GLOSS FLAT_FACES", scene);
     const Look& look = scene.frame.look;
     const float width = 1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
     setUniform(box, "lineWidth", std::max(1.0f, width));

@@ -1,7 +1,7 @@
 #version 330 core
 #include "light.glsl"
-in vec3 world, worldNormal, tint, local;
-flat in vec3 halfSize;
+in vec3 world, local;
+flat in vec3 worldNormal, tint, halfSize;
 flat in vec4 q;
 uniform float lineWidth;        // pixels
 uniform float lineStrength;     // 0..1

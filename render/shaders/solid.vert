@@ -1,8 +1,12 @@
 #version 330 core
 #include "instance.glsl"
 uniform mat4 worldToClip;
-out vec3 world, worldNormal, tint, local;
-flat out vec3 halfSize;
+#ifdef FLAT_FACES
+flat
+#endif
+out vec3 worldNormal;
+out vec3 world, local;
+flat out vec3 tint, halfSize;
 flat out vec4 q;
 void main() {
     world = worldPoint();
