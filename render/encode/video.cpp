@@ -116,6 +116,8 @@ void VideoWriter::close() {
         abandon();
         throw Error("cannot write " + quoted(target_) + ": " + describeError(error));
     }
+    // An encoder whose program was killed may have made its file after this run looked for it.
+    sweepTemporaries(target_);
     ffmpeg_.reset();
     store_.reset();
 }

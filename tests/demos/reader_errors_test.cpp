@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a key of the camera is 3; it should be a table"},
         BadScene{"no time", kBall + "[camera]\nkeys = [{ fov_deg = 30 }]\n", "7:9",
                  "a key of the camera has no time"},
-        BadScene{"same time", kBall + "[camera]\nkeys = [{ at = 1 }, { at = 1 }]\n", "7:21",
+        BadScene{"same time", kBall + "[camera]\nkeys = [{ at = 1 }, { at = 1 }]\n", "7:23",
                  "at is 1 s; it should be later than the key before, which is at 1 s"},
         BadScene{"too late", kBall + "[camera]\nkeys = [{ at = 5.1 }]\n", "7:16", "from 0 to 5 s"},
         BadScene{"ease", kBall + "[camera]\nkeys = [{ at = 1, ease = 'liner' }]\n", "7:26",
