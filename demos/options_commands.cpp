@@ -46,14 +46,16 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                    "anti-aliasing; default: the quality's, 1 or 16")
         ->type_name("N");
     app.add_option("--shutter", options.shutter,
-                   "with --blur: how much of a frame's time the shutter is open, 0..1; default: 0.5")
+                   "with --blur: how much of a frame's time the shutter is open, 0..1; "
+                   "default: 0.5")
         ->type_name("S");
     app.add_option("--show", raw.show,
                    "overlays, with commas: " + overlayList() + "; default: the scene's")
         ->type_name("NAMES")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app.add_option("--theme", options.theme, "studio, dark, print or transparent; default: the scene's")
+    app.add_option("--theme", options.theme,
+                   "studio, dark, print or transparent; default: the scene's")
         ->type_name("NAME");
     app.add_option("--colour-by,--color-by", options.colorBy,
                    "what colours bodies: body, speed, impulse, island, group, material or id; "

@@ -22,7 +22,8 @@ Quad grown(const Quad& inner, const Vec3& eye, float distance) {
         const Vec3 side = inner[(i + 1) % 4] - inner[i];
         least = std::min(least, side.cross(inner[i] - middle).norm() / side.norm());
     }
-    const float factor = std::max((distance + (eye - middle).norm()) / std::max(least, 1e-3f), 2.0f);
+    const float reach = distance + (eye - middle).norm();
+    const float factor = std::max(reach / std::max(least, 1e-3f), 2.0f);
     Quad outer;
     for (int i = 0; i < 4; ++i) outer[i] = middle + factor * (inner[i] - middle);
     return outer;

@@ -37,12 +37,13 @@ std::vector<Vertex> ballMesh(int corners) {
         float angle, end;
     };
     std::vector<Ring> rings;
+    const float right = kPi / 2, steps = static_cast<float>(half);
     for (int i = 0; i <= half; ++i)
-        rings.push_back({kPi / 2 * static_cast<float>(i) / static_cast<float>(half) - kPi / 2, -1.0f});
-    for (int i = 0; i <= half; ++i)
-        rings.push_back({kPi / 2 * static_cast<float>(i) / static_cast<float>(half), 1.0f});
+        rings.push_back({right * static_cast<float>(i) / steps - right, -1.0f});
+    for (int i = 0; i <= half; ++i) rings.push_back({right * static_cast<float>(i) / steps, 1.0f});
     const auto vertex = [slices](const Ring& ring, int slice) {
-        const float turn = 2 * kPi * static_cast<float>(slice % slices) / static_cast<float>(slices);
+        const float share = static_cast<float>(slice % slices) / static_cast<float>(slices);
+        const float turn = 2 * kPi * share;
         const Vec3 p(std::cos(ring.angle) * std::cos(turn), std::sin(ring.angle),
                      -std::cos(ring.angle) * std::sin(turn));
         return Vertex{p, p, ring.end};
@@ -67,7 +68,8 @@ std::vector<Vertex> barMesh() {
     };
     std::vector<Vertex> mesh;
     for (int s = 0; s < kSlices; ++s) {
-        const Vertex a = vertex(s, -1), b = vertex(s + 1, -1), c = vertex(s + 1, 1), d = vertex(s, 1);
+        const Vertex a = vertex(s, -1), b = vertex(s + 1, -1);
+        const Vertex c = vertex(s + 1, 1), d = vertex(s, 1);
         mesh.insert(mesh.end(), {a, b, c, a, c, d});
     }
     return mesh;

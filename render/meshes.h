@@ -41,7 +41,7 @@ private:
     int vertexCount_ = 0, instanceCount_ = 0;
 };
 
-/// A ball's corners around, from small pictures of it to large ones: a third of a pixel off at most.
+/// A ball's corners around, from small pictures of it to large ones: a third of a pixel off.
 inline constexpr std::array<int, 4> kBallCorners = {16, 28, 44, 64};
 
 /// Solids and rods of a frame, by mesh, nearest first: what is hidden is not shaded.

@@ -143,7 +143,9 @@ public:
     void find(int y, std::uint8_t* out) {
         std::fill(sum_.begin(), sum_.end(), 0.0f);
         std::fill(weight_.begin(), weight_.end(), 0.0f);
-        for (int j = std::max(y - kCell / 2, where_.y0); j < std::min(y + kCell / 2, where_.y1); ++j)
+        const int first = std::max(y - kCell / 2, where_.y0);
+        const int last = std::min(y + kCell / 2, where_.y1);
+        for (int j = first; j < last; ++j)
             for (int shift = -kCell / 2; shift < kCell / 2; ++shift) add(y, j, shift);
         for (int x = where_.x0; x < where_.x1; ++x)  // the pixel itself is always one of them
             out[x] = inSteps(sum_[x] / weight_[x]);
@@ -174,7 +176,8 @@ private:
 
 int occlusionRadius(const OcclusionSettings& settings, float nearest, int height) {
     const float share = 0.5f * settings.reach / (std::max(nearest, 1e-3f) * settings.lensY);
-    return static_cast<int>(std::ceil(std::min(share, kWidest) * static_cast<float>(height))) + kCell;
+    const float pixels = std::min(share, kWidest) * static_cast<float>(height);
+    return static_cast<int>(std::ceil(pixels)) + kCell;
 }
 
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
@@ -201,7 +204,8 @@ ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, 
 }
 
 ByteMap doubled(const ByteMap& map, int width, int height) {
-    ByteMap large{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height)};
+    ByteMap large{width, height, {}};
+    large.bytes.resize(static_cast<std::size_t>(width) * height);
     const auto next = [](int i) { return i / 2 + (i % 2 ? 1 : -1); };
     const int lastX = map.width - 1, lastY = map.height - 1;
     std::vector<int> column(static_cast<std::size_t>(map.width));
@@ -211,8 +215,9 @@ ByteMap doubled(const ByteMap& map, int width, int height) {
         for (int x = 0; x < map.width; ++x) column[x] = 3 * a[x] + b[x];
         std::uint8_t* out = large.row(y);
         for (int x = 0; x < width; ++x) {
-            const int sum = 3 * column[std::min(x / 2, lastX)] + column[std::clamp(next(x), 0, lastX)];
-            out[x] = static_cast<std::uint8_t>((sum + 8) / 16);
+            const int near = column[std::min(x / 2, lastX)];
+            const int far = column[std::clamp(next(x), 0, lastX)];
+            out[x] = static_cast<std::uint8_t>((3 * near + far + 8) / 16);
         }
     }
     return large;

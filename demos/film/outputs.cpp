@@ -99,7 +99,8 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
                                             printable(output.path.string()), ending));
     if (plan.fps > render::videoFormatOf(output.path)->largestFps)
         throw Stop(Exit::usage, fmt::format("--fps {}: a {} film takes at most {} frames a second",
-                                            plan.fps, ending, render::videoFormatOf(output.path)->largestFps));
+                                            plan.fps, ending,
+                                            render::videoFormatOf(output.path)->largestFps));
     if (render::sweepTemporaries(output.path))
         throw Stop(Exit::wouldOverwrite,
                    fmt::format("'{}' is being written by another run; wait for it, or give "

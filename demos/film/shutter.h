@@ -1,5 +1,5 @@
-/// Which moments a frame's light comes from: motion blur. The shutter closes at the frame's own time,
-/// so that bodies end up where the numbers and arrows of that time say they are.
+/// Which moments a frame's light comes from: motion blur. The shutter closes at the frame's own
+/// time, so that bodies end up where the numbers and arrows of that time say they are.
 #pragma once
 #include <vector>
 

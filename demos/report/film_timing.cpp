@@ -35,7 +35,8 @@ double medianOf(std::vector<double> values) {
 
 class TemporaryFolder {
 public:
-    TemporaryFolder() : path_(fs::temp_directory_path() / fmt::format("impulse-bench-{}", getpid())) {
+    TemporaryFolder()
+        : path_(fs::temp_directory_path() / fmt::format("impulse-bench-{}", getpid())) {
         fs::create_directory(path_);
     }
     ~TemporaryFolder() {
