@@ -17,11 +17,7 @@ DepthMap DepthPass::draw(const Frame& frame, const View& view, const Meshes& mes
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width_, height_);
     glClear(GL_DEPTH_BUFFER_BIT);
-    glUseProgram(solid_);
-    setUniform(solid_, "worldToClip", view.worldToClip());
-    glEnable(GL_CULL_FACE);
-    meshes.draw();
-    glDisable(GL_CULL_FACE);
+    meshes.drawWith(solid_, view.worldToClip());
     glUseProgram(ground_);
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (const Ground& plane : frame.grounds)

@@ -179,9 +179,13 @@ void Meshes::drawRound() const {
     bars_.draw();
 }
 
-void Meshes::draw() const {
+void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip) const {
+    glUseProgram(program);
+    setUniform(program, "worldToClip", worldToClip);
+    glEnable(GL_CULL_FACE);
     drawBoxes();
     drawRound();
+    glDisable(GL_CULL_FACE);
 }
 
 }  // namespace render

@@ -59,7 +59,8 @@ public:
     void set(const Instances& instances);
     void drawBoxes() const { boxes_.draw(); }
     void drawRound() const;
-    void draw() const;
+    /// All of them, front faces only, with a program that takes `worldToClip`.
+    void drawWith(GLuint program, const Eigen::Matrix4f& worldToClip) const;
 
 private:
     InstancedMesh boxes_, bars_;

@@ -173,14 +173,15 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     Lights lights;
     lights.soft = false;
     setMeshes(moment, view);
-    if (frame.look.ambientOcclusion) {
+    const bool full = settings_.finish == Finish::standard;
+    if (full && frame.look.ambientOcclusion) {
         const DepthMap depth = depth_.draw(moment, upsideDown(view), meshes_, ground_);
         enter(Stage::occlusion);
         setOpenMap(roughOpenness(depth, occlusionOf(moment, view, bodies, depth), sample.turn));
         lights.openMap = openMap_;
     }
     enter(Stage::shadow);
-    if (frame.look.shadows) {
+    if (full && frame.look.shadows) {
         sun_.draw(moment, sample.toSun, meshes_);
         lights.sun = &sun_;
     }

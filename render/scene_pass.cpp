@@ -143,13 +143,13 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
     const std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
     glEnable(GL_CULL_FACE);
-    const GLuint box = lit("solid", "box", features + " GLOSS FLAT_FACES", scene);
+    const GLuint box = lit("solid", "box", features + " FLAT_FACES", scene);
     const Look& look = scene.frame.look;
     const float width = 1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
     setUniform(box, "lineWidth", std::max(1.0f, width));
     setUniform(box, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));
     meshes.drawBoxes();
-    lit("solid", "round", features + " GLOSS", scene);
+    lit("solid", "round", features, scene);
     meshes.drawRound();
     glDisable(GL_CULL_FACE);
 }
@@ -221,7 +221,9 @@ void ScenePass::drawTrails(const Scene& scene) {
                  band.data(), GL_STREAM_DRAW);
     glUseProgram(trail_);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    const bool own = scene.frame.look.transparent;  // else the picture stays opaque, to the bit
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, own ? GL_ONE : GL_ZERO,
+                        own ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     glDepthMask(GL_FALSE);
     glBindVertexArray(trailArray_);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(band.size()));

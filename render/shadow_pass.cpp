@@ -107,17 +107,13 @@ void ShadowPass::draw(const Frame& frame, const Vec3& toLight, const Meshes& mes
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, used_[0], used_[1]);
     glClear(GL_DEPTH_BUFFER_BIT);
-    glUseProgram(program_);
     Eigen::Matrix4f toClip = Eigen::Matrix4f::Identity();
     toClip(0, 0) = 1.0f / half_.x();
     toClip(1, 1) = 1.0f / half_.y();
     toClip(2, 2) = -1.0f / depth_;
-    setUniform(program_, "worldToClip", Eigen::Matrix4f(toClip * worldToLight_));
-    glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);  // the picture's rows go down, the map's go up
-    meshes.draw();
+    meshes.drawWith(program_, toClip * worldToLight_);
     glCullFace(GL_BACK);
-    glDisable(GL_CULL_FACE);
 }
 
 }  // namespace render

@@ -18,11 +18,7 @@ SurfaceMap SurfacePass::draw(const Frame& frame, const View& view, const Meshes&
     const GLint nothing[] = {kNoSurface, 0, 0, 0};
     glClearBufferiv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
-    glUseProgram(solid_);
-    setUniform(solid_, "worldToClip", view.worldToClip());
-    glEnable(GL_CULL_FACE);
-    meshes.draw();
-    glDisable(GL_CULL_FACE);
+    meshes.drawWith(solid_, view.worldToClip());
     glUseProgram(ground_);
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (std::size_t i = 0; i < frame.grounds.size(); ++i) {

@@ -1,7 +1,6 @@
 #include "demos/report/film_timing.h"
 
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "demos/film/frame_source.h"
 #include "demos/film/screen.h"
 #include "demos/film/signals.h"
+#include "demos/report/clock.h"
 #include "demos/stop.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
@@ -19,19 +19,6 @@ namespace demos {
 namespace {
 
 namespace fs = std::filesystem;
-
-double seconds(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double medianOf(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 class TemporaryFolder {
 public:

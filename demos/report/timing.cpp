@@ -1,12 +1,11 @@
 #include "demos/report/timing.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "demos/film/signals.h"
 #include "demos/player.h"
+#include "demos/report/clock.h"
 #include "demos/stop.h"
 
 namespace demos {
@@ -15,18 +14,7 @@ namespace {
 constexpr int kStepsASecond = 60;
 constexpr int kWindow = 2 * kStepsASecond;
 
-double seconds(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 double processorTime() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }  // s, of this process
-
-double medianOf(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 /// Plays the scene in pieces of 1/60 s: play(piece's number of steps, whether it counts).
 template <class Play>

@@ -18,7 +18,7 @@ float lines(vec2 place, vec2 pixel, float width) {
 
 vec3 light() {
     float sees = open();
-    return ambientLight * sees + fullSun * (sunlit(world, normal) * (0.7 + 0.3 * sees));
+    return ambientLight * sees + fullSun * sunShare(world, normal, sees);
 }
 
 #ifdef SHADOW_CATCHER

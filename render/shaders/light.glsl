@@ -7,12 +7,16 @@ uniform float fogStart, fogDistance;  // m
 
 #include "shadow.glsl"
 
+// A corner that sees little of the sky sees a little less of a sun that is no point.
+float sunShare(vec3 world, vec3 normal, float sees) {
+    return sunlit(world, normal) * (0.7 + 0.3 * sees);
+}
+
 // Sun and sky on a matt surface; `shine`: how much of a lacquer is on it.
 vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
     float sees = open();
-    float sun = max(dot(normal, toSun), 0.0) * sunlit(world, normal) * (0.7 + 0.3 * sees);
+    float sun = max(dot(normal, toSun), 0.0) * sunShare(world, normal, sees);
     vec3 color = albedo * (ambient(normal) * sees + sunLight * sun);
-#ifdef GLOSS
     vec3 toEye = normalize(eye - world);
     float g = max(dot(normal, normalize(toEye + toSun)), 0.0);
     g *= g, g *= g, g *= g, g *= g;                 // to the 16th
@@ -20,7 +24,6 @@ vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
     float rim = 1.0 - max(dot(normal, toEye), 0.0);
     rim *= rim, rim *= rim;
     color += shine * (gloss * sunLight * 0.35 + rim * skyLight * 0.10);
-#endif
     return color;
 }
 

@@ -7,9 +7,9 @@ uniform float shadowTexel;         // m
 uniform float shadowSize;          // texels a side
 
 // Moved out along the normal by what a kernel's width hides at this slant: no acne, no gap.
-vec3 lifted(vec3 world, vec3 normal, vec3 toLight, float texel) {
-    float slant = 1.0 - max(dot(normal, toLight), 0.0);
-    return world + normal * texel * (0.7 + 1.8 * slant);
+vec3 lifted(vec3 world, vec3 normal) {
+    float slant = 1.0 - max(dot(normal, toSun), 0.0);
+    return world + normal * shadowTexel * (0.7 + 1.8 * slant);
 }
 #endif
 
@@ -17,7 +17,7 @@ vec3 lifted(vec3 world, vec3 normal, vec3 toLight, float texel) {
 // Weighted so that the kernel moves smoothly with the point: on the ground, where edges are seen,
 // sixteen texels by four gathers; on bodies four by one.
 float sunlit(vec3 world, vec3 normal) {
-    vec3 p = (worldToShadow * vec4(lifted(world, normal, toSun, shadowTexel), 1.0)).xyz;
+    vec3 p = (worldToShadow * vec4(lifted(world, normal), 1.0)).xyz;
     vec2 t = p.xy - 0.5;
     vec2 f = fract(t), g = 1.0 - f;
     float texel = 1.0 / shadowSize;
@@ -39,7 +39,7 @@ float sunlit(vec3 world, vec3 normal) {
 #elif defined(HARD_SHADOWS)
 // One of many sub-frames, each with the sun in another place: their mean is soft.
 float sunlit(vec3 world, vec3 normal) {
-    vec3 p = (worldToShadow * vec4(lifted(world, normal, toSun, shadowTexel), 1.0)).xyz;
+    vec3 p = (worldToShadow * vec4(lifted(world, normal), 1.0)).xyz;
     return texture(shadowMap, vec3(p.xy / shadowSize, p.z));
 }
 #else

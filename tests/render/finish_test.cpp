@@ -54,6 +54,29 @@ TEST(Transparent, OnlyBodiesAndTheirShadowsAreThere) {
     EXPECT_GT(red, 10);
 }
 
+TEST(Transparent, TrailsAreSeenWhereNothingElseIs) {
+    Frame frame = boxAt(0);
+    frame.look.transparent = true;
+    Trail trail;
+    trail.points = {{-3, 2, 0}, {-2.5f, 2, 0}, {-2, 2, 0}};
+    trail.color = fromHex(0x1f77d0);
+    frame.trails.push_back(trail);
+    const Image image = Renderer(settings()).draw(frame);
+    int blue = 0;
+    for (int y = 0; y < kHeight / 2; ++y)
+        for (int x = 0; x < kWidth / 2 - 15; ++x)
+            blue += image.at(x, y)[3] > 60 && image.at(x, y)[2] > 150;
+    EXPECT_GT(blue, 3);
+}
+
+TEST(Draft, OfManyMomentsHasNoShadowsEither) {
+    const std::vector<Frame> moments(4, boxAt(0));
+    std::vector<Frame> plain = moments;
+    for (Frame& frame : plain) frame.look.shadows = frame.look.ambientOcclusion = false;
+    EXPECT_EQ(Renderer(settings(Finish::draft)).draw(moments).pixels,
+              Renderer(settings()).draw(plain).pixels);
+}
+
 TEST(Draft, HasNeitherShadowsNorSamples) {
     const Image draft = Renderer(settings(Finish::draft)).draw(boxAt(0));
     RendererSettings one = settings();

@@ -1,0 +1,25 @@
+/// What every timing needs: a clock, and a value that one slow round does not move.
+#pragma once
+#include <time.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace demos {
+
+/// s; CLOCK_MONOTONIC: on the wall, CLOCK_PROCESS_CPUTIME_ID: of this process's work.
+inline double seconds(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// 0 of nothing.
+inline double medianOf(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+}  // namespace demos
