@@ -39,9 +39,9 @@ void checkRange(const char* name, int value, int low, int high) {
 }
 
 void checkSamples(int samples) {
-    for (const int good : {1, 2, 4})  // llvmpipe has no more
+    for (const int good : {1, 2, 4, 8, 16})
         if (samples == good) return;
-    refuse(fmt::format("--samples {}: must be 1, 2 or 4", samples));
+    refuse(fmt::format("--samples {}: must be 1, 2, 4, 8 or 16", samples));
 }
 
 void checkName(const char* option, const std::string& word, const std::vector<std::string>& names) {

@@ -39,7 +39,7 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                    "default: the quality's")
         ->type_name("N");
     app.add_option("--samples", options.samples,
-                   "samples a pixel: 1, 2 or 4 (2 are drawn as 4); default: the quality's")
+                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: the quality's")
         ->type_name("N");
     app.add_option("--blur", options.blur,
                    "moments a frame is the mean of, 1..256: motion blur, soft shadows, "

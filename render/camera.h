@@ -13,6 +13,11 @@ struct View {
     Eigen::Matrix4f worldToClip() const { return projection * view; }
 };
 
+/// Of a length at 1 m from the eye.
+inline float pixelsAMeter(const View& view, int height) {
+    return 0.5f * static_cast<float>(height) * view.projection(1, 1);
+}
+
 View makeView(const Camera& camera, float aspect);
 
 /// Pixels from the top left corner, and the distance along the view axis (m; <= 0: behind).

@@ -45,17 +45,16 @@ GlTexture newTexture(GLenum format, int width, int height) {
     return GlTexture(name);
 }
 
-GlRenderbuffer newRenderbuffer(GLenum format, int width, int height, int samples) {
+GlRenderbuffer newRenderbuffer(GLenum format, int width, int height) {
     GLuint name = 0;
     glGenRenderbuffers(1, &name);
     glBindRenderbuffer(GL_RENDERBUFFER, name);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width,
-                                     height);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
     return GlRenderbuffer(name);
 }
 
 GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint colorBuffer,
-                             GLuint depthBuffer) {
+                             GLuint depthBuffer, GLuint secondBuffer) {
     GLuint name = 0;
     glGenFramebuffers(1, &name);
     GlFramebuffer framebuffer(name);
@@ -69,6 +68,7 @@ GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint co
     texture(GL_COLOR_ATTACHMENT0, colorTexture);
     texture(GL_DEPTH_ATTACHMENT, depthTexture);
     buffer(GL_COLOR_ATTACHMENT0, colorBuffer);
+    buffer(GL_COLOR_ATTACHMENT1, secondBuffer);
     buffer(GL_DEPTH_ATTACHMENT, depthBuffer);
     if (!colorTexture && !colorBuffer) {
         glDrawBuffer(GL_NONE);

@@ -48,10 +48,11 @@ GlBuffer newBuffer();
 GlArray newArray();
 /// NEAREST, clamped; `format` is sized (GL_RGBA8, GL_R8, GL_DEPTH_COMPONENT16 ...).
 GlTexture newTexture(GLenum format, int width, int height);
-GlRenderbuffer newRenderbuffer(GLenum format, int width, int height, int samples);
-/// With the attachments given (0 = none); throws Error when incomplete.
+GlRenderbuffer newRenderbuffer(GLenum format, int width, int height);
+/// With the attachments given (0 = none); throws Error when incomplete. `secondBuffer`: a second
+/// colour's.
 GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint colorBuffer = 0,
-                             GLuint depthBuffer = 0);
+                             GLuint depthBuffer = 0, GLuint secondBuffer = 0);
 
 /// Compiles and links two files of render/shaders, named without their endings .vert and .frag.
 /// `defines`: words that are defined in both, with blanks between them.

@@ -128,16 +128,22 @@ void sortByDistance(std::vector<Instance>& instances, const Vec3& eye) {
     });
 }
 
-void addRod(const Rod& rod, float surface, std::vector<Instance>& bars) {
+void addRod(const Rod& rod, float radius, float surface, std::vector<Instance>& bars) {
     const Vec3 along = rod.to - rod.from;
     const float length = along.norm();
     if (length < 1e-6f) return;
     const Quat q = Quat::FromTwoVectors(Vec3::UnitY(), along);
     bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
-                    {rod.radius, 0.5f * length, rod.radius}, 0.0f, linear(rod.color), surface});
+                    {radius, 0.5f * length, radius}, 0.0f, linear(rod.color), surface});
 }
 
 }  // namespace
+
+float drawnRadius(const Rod& rod, const Vec3& eye, float pixelsAMeter) {
+    constexpr float kThinnest = 0.55f;  // pixels
+    const float away = std::max((rod.from - eye).norm(), (rod.to - eye).norm());
+    return std::max(rod.radius, kThinnest * away / pixelsAMeter);
+}
 
 Instances instancesOf(const Frame& frame, float pixelsAMeter) {
     Instances result;
@@ -157,7 +163,7 @@ Instances instancesOf(const Frame& frame, float pixelsAMeter) {
         result.balls[levelOf(pixels)].push_back(
             {s.position, q, Vec3(r, r, r), stretch, color, number});
     }
-    for (const Rod& rod : frame.rods) addRod(rod, surface++, result.bars);
+    for (const Rod& rod : frame.rods) addRod(rod, drawnRadius(rod, eye, pixelsAMeter), surface++, result.bars);
     sortByDistance(result.boxes, eye);
     sortByDistance(result.bars, eye);
     for (std::vector<Instance>& balls : result.balls) sortByDistance(balls, eye);

@@ -52,6 +52,10 @@ struct Instances {
 /// `pixelsAMeter`: at 1 m from the eye; a ball of few pixels gets few triangles.
 Instances instancesOf(const Frame& frame, float pixelsAMeter);
 
+/// m; a rod that would be thinner in the picture is drawn a little wider than a pixel, so that no
+/// row of it falls between the pixels' centres.
+float drawnRadius(const Rod& rod, const Vec3& eye, float pixelsAMeter);
+
 /// All meshes, with the instances of one frame.
 class Meshes {
 public:

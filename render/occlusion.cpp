@@ -1,9 +1,10 @@
 #include "render/occlusion.h"
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "render/four.h"
 
 namespace render {
 namespace {
@@ -11,68 +12,72 @@ namespace {
 constexpr int kCell = 4;  // the pattern repeats every 4 x 4 pixels
 constexpr float kTurns = 3.0f;
 constexpr float kWidest = 0.12f;  // of the height: a sample is never farther away
-using Vec3 = Eigen::Vector3f;
+static_assert(kCell == kFour, "four pixels side by side are a row of a cell");
 
-// Four side by side, which every x86-64 processor has; wider ones are taken apart into single ones.
-constexpr int kLanes = 4;
-using Samples = float __attribute__((vector_size(16)));
-using Places = int __attribute__((vector_size(16)));
-
-/// Where the samples of a pixel lie, four to a group: a spiral of a radius of 1, started by the
-/// pixel's place in its cell.
+/// Where the samples of a pixel lie: a spiral of a radius of 1, started by the pixel's place in its
+/// cell. Four pixels' side by side, by sample and row of the cell.
 class Pattern {
 public:
-    Pattern(int groups, float turn) : groups_(groups) {
-        const int samples = groups * kLanes;
-        for (int i = 0; i < kCell * kCell * samples; ++i) {
-            const int cell = i / samples, sample = i % samples;
-            const int cx = cell % kCell, cy = cell / kCell;
-            const int order = (cx * 4 + cy * 7 + (cx ^ cy) * 3) & 15;
-            const float start = static_cast<float>(order) / 16.0f + turn;
-            const float t = (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples);
-            const float angle = (t * kTurns + start) * 6.2831853f;
-            if (i % kLanes == 0) x_.emplace_back(), y_.emplace_back();
-            x_.back()[i % kLanes] = std::cos(angle) * t;
-            y_.back()[i % kLanes] = std::sin(angle) * t;
-        }
+    Pattern(int samples, float turn) : samples_(samples) {
+        for (int cy = 0; cy < kCell; ++cy)
+            for (int sample = 0; sample < samples; ++sample) {
+                x_.emplace_back(), y_.emplace_back();
+                for (int cx = 0; cx < kCell; ++cx) {
+                    const int order = (cx * 4 + cy * 7 + (cx ^ cy) * 3) & 15;
+                    const float start = static_cast<float>(order) / 16.0f + turn;
+                    const float t =
+                        (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples);
+                    const float angle = (t * kTurns + start) * 6.2831853f;
+                    x_.back()[cx] = std::cos(angle) * t;
+                    y_.back()[cx] = std::sin(angle) * t;
+                }
+            }
     }
-    int groups() const { return groups_; }
-    const Samples& x(int cell, int group) const { return x_[cell * groups_ + group]; }
-    const Samples& y(int cell, int group) const { return y_[cell * groups_ + group]; }
+    int samples() const { return samples_; }
+    const Four& x(int row, int sample) const { return x_[row % kCell * samples_ + sample]; }
+    const Four& y(int row, int sample) const { return y_[row % kCell * samples_ + sample]; }
 
 private:
-    int groups_;
-    std::vector<Samples> x_, y_;
+    int samples_;
+    std::vector<Four> x_, y_;
 };
 
-Samples positive(Samples v) { return v > 0.0f ? v : Samples{}; }
-
-Places within(Places v, int most) {
-    v = v > 0 ? v : Places{};
-    return v < most ? v : Places{} + most;
+/// Four points side by side.
+struct Points {
+    Four x, y, z;
+};
+Points operator-(const Points& a, const Points& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Four dot(const Points& a, const Points& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Points cross(const Points& a, const Points& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The whole computation of one map.
+/// The shorter of the two steps: the other one may lead off the surface.
+Points slope(const Points& before, const Points& here, const Points& after) {
+    const Points a = here - before, b = after - here;
+    const FourInts first = size(a.z) < size(b.z);
+    return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+
+/// The whole computation of one map, for four pixels side by side.
 class Occlusion {
 public:
-    Occlusion(const DepthMap& depth, const OcclusionSettings& settings, int groups, float turn)
+    Occlusion(const DepthMap& depth, const OcclusionSettings& settings, int samples, float turn)
         : depth_(depth),
           set_(settings),
-          pattern_(groups, turn),
+          pattern_(samples, turn),
           scaleX_(2.0f * settings.lensX / static_cast<float>(depth.width)),
           scaleY_(2.0f * settings.lensY / static_cast<float>(depth.height)) {}
 
-    float open(int x, int y) const;
+    /// `x`: a multiple of 4. Beyond the right edge: of no use.
+    Four open(int x, int y) const;
 
 private:
-    Vec3 point(int x, int y) const {
-        const float d = depth_.at(x, y);
-        return {((static_cast<float>(x) + 0.5f) * scaleX_ - set_.lensX) * d,
-                (set_.lensY - (static_cast<float>(y) + 0.5f) * scaleY_) * d, -d};
-    }
-    Vec3 normal(int x, int y, const Vec3& here) const;
-    /// fx, fy: pixels.
-    float hidden(const Vec3& here, const Vec3& normal, Samples fx, Samples fy) const;
+    Four depths(int x, int y) const;
+    Points points(int x, int y) const;
+    Points normals(int x, int y, const Points& here) const;
+    /// sampleX, sampleY: pixels.
+    Four hidden(const Points& here, const Points& normal, Four sampleX, Four sampleY) const;
 
     const DepthMap& depth_;
     const OcclusionSettings& set_;
@@ -80,53 +85,80 @@ private:
     float scaleX_, scaleY_;  // m a pixel at 1 m
 };
 
-/// The shorter of the two steps: the other one may lead off the surface.
-Vec3 slope(const Vec3& before, const Vec3& here, const Vec3& after) {
-    const Vec3 a = here - before, b = after - here;
-    return std::abs(a.z()) < std::abs(b.z()) ? a : b;
+/// Of the pixels from (x, y) to the right; outside the map: of the nearest inside.
+Four Occlusion::depths(int x, int y) const {
+    const int row = std::clamp(y, 0, depth_.height - 1);
+    Four four;
+    if (x >= 0 && x + kFour <= depth_.width)
+        std::memcpy(&four, &depth_.meters[static_cast<std::size_t>(row) * depth_.width + x],
+                    sizeof four);
+    else
+        for (int i = 0; i < kFour; ++i)
+            four[i] = depth_.at(std::clamp(x + i, 0, depth_.width - 1), row);
+    return four;
 }
 
-Vec3 Occlusion::normal(int x, int y, const Vec3& here) const {
-    const int right = std::min(x + 1, depth_.width - 1), low = std::min(y + 1, depth_.height - 1);
-    const Vec3 dx = slope(point(std::max(x - 1, 0), y), here, point(right, y));
-    const Vec3 dy = slope(point(x, low), here, point(x, std::max(y - 1, 0)));
-    return dx.cross(dy).normalized();
+Points Occlusion::points(int x, int y) const {
+    const Four d = depths(x, y);
+    const Four right = static_cast<float>(x) + Four{0.5f, 1.5f, 2.5f, 3.5f};
+    const float down = static_cast<float>(y) + 0.5f;
+    return {(right * scaleX_ - set_.lensX) * d, (set_.lensY - down * scaleY_) * d, -d};
 }
 
-/// sum of  (1 - v^2 / r^2)^2  max(v . n - bias, 0) / (v^2 + epsilon),  v: from here to a sample
-float Occlusion::hidden(const Vec3& here, const Vec3& normal, Samples fx, Samples fy) const {
-    const Places sx = within(__builtin_convertvector(fx, Places), depth_.width - 1);
-    const Places sy = within(__builtin_convertvector(fy, Places), depth_.height - 1);
-    Samples depth;
-    for (int i = 0; i < kLanes; ++i) depth[i] = depth_.at(sx[i], sy[i]);
-    const Samples x = __builtin_convertvector(sx, Samples);
-    const Samples y = __builtin_convertvector(sy, Samples);
-    const Samples vx = ((x + 0.5f) * scaleX_ - set_.lensX) * depth - here.x();
-    const Samples vy = (set_.lensY - (y + 0.5f) * scaleY_) * depth - here.y();
-    const Samples vz = -depth - here.z();
-    const Samples square = vx * vx + vy * vy + vz * vz;
-    const Samples fall = positive(1.0f - square * (1.0f / (set_.reach * set_.reach)));
-    const Samples rise =
-        positive(vx * normal.x() + vy * normal.y() + vz * normal.z() + 0.004f * here.z());
-    const Samples part = fall * fall * rise / (square + 0.004f);
-    return (part[0] + part[1]) + (part[2] + part[3]);
+Points Occlusion::normals(int x, int y, const Points& here) const {
+    const Points dx = slope(points(x - 1, y), here, points(x + 1, y));
+    const Points dy = slope(points(x, y + 1), here, points(x, y - 1));
+    const Points n = cross(dx, dy);
+    const Four length = squareRoot(dot(n, n));
+    return {n.x / length, n.y / length, n.z / length};
 }
 
-float Occlusion::open(int x, int y) const {
-    const Vec3 here = point(x, y);
-    const float away = -here.z();
-    const float share = std::min(0.5f * set_.reach / (away * set_.lensY), kWidest);
-    const float pixels = share * static_cast<float>(depth_.height);
-    if (away > 0.6f * set_.farthest || pixels < 1.0f) return 1.0f;
-    const Vec3 n = normal(x, y, here);
-    const float middleX = static_cast<float>(x) + 0.5f, middleY = static_cast<float>(y) + 0.5f;
-    const int cell = y % kCell * kCell + x % kCell;
-    float sum = 0.0f;
-    for (int group = 0; group < pattern_.groups(); ++group)
-        sum += hidden(here, n, pattern_.x(cell, group) * pixels + middleX,
-                      pattern_.y(cell, group) * pixels + middleY);
-    const auto samples = static_cast<float>(pattern_.groups() * kLanes);
-    return std::max(0.0f, 1.0f - sum * 1.9f * set_.reach / samples);
+/// (1 - v^2 / r^2)^2  max(v . n - bias, 0) / (v^2 + epsilon),  v: from here to a sample
+Four Occlusion::hidden(const Points& here, const Points& normal, Four sampleX,
+                       Four sampleY) const {
+    const Four lastX = fourOf(static_cast<float>(depth_.width - 1));
+    const Four lastY = fourOf(static_cast<float>(depth_.height - 1));
+    const FourInts sx = __builtin_convertvector(smaller(positive(sampleX), lastX), FourInts);
+    const FourInts sy = __builtin_convertvector(smaller(positive(sampleY), lastY), FourInts);
+    Four depth;
+    for (int i = 0; i < kFour; ++i) depth[i] = depth_.at(sx[i], sy[i]);
+    const Four x = __builtin_convertvector(sx, Four), y = __builtin_convertvector(sy, Four);
+    const Points v = Points{((x + 0.5f) * scaleX_ - set_.lensX) * depth,
+                            (set_.lensY - (y + 0.5f) * scaleY_) * depth, -depth} -
+                     here;
+    const Four square = dot(v, v);
+    const Four fall = positive(1.0f - square * (1.0f / (set_.reach * set_.reach)));
+    const Four rise = positive(dot(v, normal) + 0.004f * here.z);
+    return fall * fall * rise / (square + 0.004f);
+}
+
+Four Occlusion::open(int x, int y) const {
+    const Points here = points(x, y);
+    const Four away = -here.z;
+    const Four share = smaller(0.5f * set_.reach / (away * set_.lensY), fourOf(kWidest));
+    const Four pixels = share * static_cast<float>(depth_.height);
+    const FourInts far = (away > 0.6f * set_.farthest) | (pixels < 1.0f);
+    if (far[0] & far[1] & far[2] & far[3]) return fourOf(1.0f);
+    const Points n = normals(x, y, here);
+    const Four middleX = static_cast<float>(x) + Four{0.5f, 1.5f, 2.5f, 3.5f};
+    const float middleY = static_cast<float>(y) + 0.5f;
+    Four sum{};
+    for (int sample = 0; sample < pattern_.samples(); ++sample)
+        sum += hidden(here, n, pattern_.x(y, sample) * pixels + middleX,
+                      pattern_.y(y, sample) * pixels + middleY);
+    const float strength = 1.9f * set_.reach / static_cast<float>(pattern_.samples());
+    return far ? fourOf(1.0f) : positive(1.0f - sum * strength);
+}
+
+/// Calls put(x, y, open) for every pixel of a rectangle.
+template <class Put>
+void forAll(const PixelRect& where, const Occlusion& occlusion, Put put) {
+    for (int y = where.y0; y < where.y1; ++y)
+        for (int x = where.x0 / kFour * kFour; x < where.x1; x += kFour) {
+            const Four open = occlusion.open(x, y);
+            for (int i = std::max(where.x0 - x, 0); i < std::min(kFour, where.x1 - x); ++i)
+                put(x + i, y, open[i]);
+        }
 }
 
 /// 0..1 to a byte, in 51 steps: finer ones are not seen, and make files larger.
@@ -182,42 +214,42 @@ int occlusionRadius(const OcclusionSettings& settings, float nearest, int height
 
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
     const PixelRect& where = settings.where;
-    const Occlusion occlusion(depth, settings, 2, 0.0f);
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
-    std::vector<float> open(depth.meters.size());
-    for (int y = where.y0; y < where.y1; ++y)
-        for (int x = where.x0; x < where.x1; ++x)
-            open[static_cast<std::size_t>(y) * depth.width + x] = occlusion.open(x, y);
-    BlurredRow row(depth, open, where);
+    std::vector<float> all(depth.meters.size());
+    forAll(where, Occlusion(depth, settings, 8, 0.0f), [&](int x, int y, float open) {
+        all[static_cast<std::size_t>(y) * depth.width + x] = open;
+    });
+    BlurredRow row(depth, all, where);
     for (int y = where.y0; y < where.y1; ++y) row.find(y, map.row(y));
     return map;
 }
 
 ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, float turn) {
-    const PixelRect& where = settings.where;
-    const Occlusion occlusion(depth, settings, 1, turn);
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
-    for (int y = where.y0; y < where.y1; ++y)
-        for (int x = where.x0; x < where.x1; ++x)
-            map.row(y)[x] = static_cast<std::uint8_t>(255.0f * occlusion.open(x, y) + 0.5f);
+    forAll(settings.where, Occlusion(depth, settings, 4, turn), [&map](int x, int y, float open) {
+        map.row(y)[x] = static_cast<std::uint8_t>(255.0f * open + 0.5f);
+    });
     return map;
 }
 
-ByteMap doubled(const ByteMap& map, int width, int height) {
-    ByteMap large{width, height, {}};
-    large.bytes.resize(static_cast<std::size_t>(width) * height);
+ByteMap doubled(const ByteMap& map, const PixelRect& where) {
+    ByteMap large{where.x1 - where.x0, where.y1 - where.y0, {}};
+    large.bytes.resize(static_cast<std::size_t>(large.width) * large.height);
     const auto next = [](int i) { return i / 2 + (i % 2 ? 1 : -1); };
-    const int lastX = map.width - 1, lastY = map.height - 1;
-    std::vector<int> column(static_cast<std::size_t>(map.width));
-    for (int y = 0; y < height; ++y) {
+    const int lastY = map.height - 1;
+    // One more on either side, so that no pixel has to ask whether it is the last.
+    std::vector<std::uint16_t> column(static_cast<std::size_t>(map.width) + 3);
+    for (int y = where.y0; y < where.y1; ++y) {
         const std::uint8_t* a = map.row(std::min(y / 2, lastY));
         const std::uint8_t* b = map.row(std::clamp(next(y), 0, lastY));
-        for (int x = 0; x < map.width; ++x) column[x] = 3 * a[x] + b[x];
-        std::uint8_t* out = large.row(y);
-        for (int x = 0; x < width; ++x) {
-            const int near = column[std::min(x / 2, lastX)];
-            const int far = column[std::clamp(next(x), 0, lastX)];
-            out[x] = static_cast<std::uint8_t>((3 * near + far + 8) / 16);
+        for (int x = 0; x < map.width; ++x)
+            column[x + 1] = static_cast<std::uint16_t>(3 * a[x] + b[x]);
+        column[0] = column[1];
+        column[map.width + 1] = column[map.width + 2] = column[map.width];
+        std::uint8_t* out = large.row(y - where.y0);
+        for (int x = where.x0; x < where.x1; ++x) {
+            const int near = column[x / 2 + 1], far = column[next(x) + 1];
+            out[x - where.x0] = static_cast<std::uint8_t>((3 * near + far + 8) / 16);
         }
     }
     return large;

@@ -40,8 +40,9 @@ ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings);
 /// the pattern left in: to be averaged over many turns.
 ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, float turn);
 
-/// Twice as wide and high, or one more than that: 3/4 of the nearest and 1/4 of the next one.
-ByteMap doubled(const ByteMap& map, int width, int height);
+/// A part of the map twice as wide and high, or one more than that: 3/4 of the nearest and 1/4 of
+/// the next one. `where`: in the large map.
+ByteMap doubled(const ByteMap& map, const PixelRect& where);
 
 /// How far a point's samples may lie from it, in pixels of a map of this height; `nearest`: m, to
 /// the first thing seen.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
+#include "render/edge_samples.h"
 #include "render/overlay.h"
 
 namespace render {
@@ -12,6 +14,11 @@ namespace {
 /// Of a map of half the size.
 PixelRect halved(const PixelRect& rect) {
     return {rect.x0 / 2, rect.y0 / 2, (rect.x1 + 1) / 2, (rect.y1 + 1) / 2};
+}
+
+/// The other way, in a picture of the given size.
+PixelRect doubled(const PixelRect& rect, int width, int height) {
+    return PixelRect{2 * rect.x0, 2 * rect.y0, 2 * rect.x1, 2 * rect.y1}.grown(1, width, height);
 }
 
 /// Pictures are drawn upside down, so that the first row read back is the top one.
@@ -68,8 +75,7 @@ Passes::Passes(const RendererSettings& settings)
       sun_(settings.shadowSize),
       depth_(settings.width, settings.height),
       openMap_(newTexture(GL_R8, settings.width, settings.height)),
-      scene_(settings.width, settings.height,
-             settings.finish == Finish::draft ? 1 : settings.samples) {
+      scene_(settings.width, settings.height) {
     glEnable(GL_DEPTH_TEST);
     glFrontFace(GL_CW);  // upside down
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -89,8 +95,7 @@ void Passes::enter(Stage stage) const {
 }
 
 void Passes::setMeshes(const Frame& frame, const View& view) {
-    const float pixelsAMeter = 0.5f * static_cast<float>(settings_.height) * view.projection(1, 1);
-    meshes_.set(instancesOf(frame, pixelsAMeter));
+    meshes_.set(instancesOf(frame, pixelsAMeter(view, settings_.height)));
 }
 
 DepthMap Passes::drawDepth(const Frame& frame) {
@@ -121,11 +126,14 @@ OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
     return set;
 }
 
-void Passes::setOpenMap(const ByteMap& halfSize) {
-    const ByteMap open = doubled(halfSize, settings_.width, settings_.height);
+void Passes::darken(const ByteMap& halfSize, const PixelRect& where, Lights& lights) {
+    lights.openMap = openMap_;
+    lights.darkened = doubled(where, settings_.width, settings_.height);
+    if (lights.darkened.empty()) return;
+    const ByteMap open = doubled(halfSize, lights.darkened);
     glBindTexture(GL_TEXTURE_2D, openMap_);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, settings_.width, settings_.height, GL_RED,
-                    GL_UNSIGNED_BYTE, open.bytes.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, lights.darkened.x0, lights.darkened.y0, open.width,
+                    open.height, GL_RED, GL_UNSIGNED_BYTE, open.bytes.data());
 }
 
 Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
@@ -135,13 +143,14 @@ Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
     const bool full = settings_.finish == Finish::standard;
     const bool darkened = full && frame.look.ambientOcclusion;
     Lights lights;
+    lights.corners = !full;
     setMeshes(frame, view);
     if (darkened || needsDepth(frame))
         depth = depth_.draw(frame, upsideDown(view), meshes_, ground_);
     enter(Stage::occlusion);
     if (darkened) {
-        setOpenMap(openness(depth, occlusionOf(frame, view, bodies, depth)));
-        lights.openMap = openMap_;
+        const OcclusionSettings occlusion = occlusionOf(frame, view, bodies, depth);
+        darken(openness(depth, occlusion), occlusion.where, lights);
     }
     enter(Stage::shadow);
     if (full && frame.look.shadows) {
@@ -149,10 +158,15 @@ Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
         lights.sun = &sun_;
     }
     enter(Stage::scene);
-    scene_.draw(frame, upsideDown(view), lights, bodies, meshes_, ground_);
-    enter(Stage::resolve);
-    scene_.resolve(bodies);
-    return readBack(frame.look.transparent);
+    const bool smooth = full && settings_.samples > 1;
+    scene_.draw(frame, upsideDown(view), lights, smooth, meshes_, ground_);
+    Image image = readBack();
+    if (smooth) {
+        const SurfaceMap surfaces = scene_.surfaces();
+        enter(Stage::resolve);
+        smoothEdges(image, surfaces, frame, view, settings_.samples);
+    }
+    return finished(std::move(image), frame.look);
 }
 
 View Passes::sampleView(const Frame& frame, const SubSample& sample) const {
@@ -171,14 +185,14 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     const View view = sampleView(moment, sample);
     const PixelRect bodies = bodiesRect(moment, view, settings_.width, settings_.height);
     Lights lights;
-    lights.soft = false;
-    setMeshes(moment, view);
     const bool full = settings_.finish == Finish::standard;
+    lights.soft = false, lights.corners = !full;
+    setMeshes(moment, view);
     if (full && frame.look.ambientOcclusion) {
         const DepthMap depth = depth_.draw(moment, upsideDown(view), meshes_, ground_);
         enter(Stage::occlusion);
-        setOpenMap(roughOpenness(depth, occlusionOf(moment, view, bodies, depth), sample.turn));
-        lights.openMap = openMap_;
+        const OcclusionSettings occlusion = occlusionOf(moment, view, bodies, depth);
+        darken(roughOpenness(depth, occlusion, sample.turn), occlusion.where, lights);
     }
     enter(Stage::shadow);
     if (full && frame.look.shadows) {
@@ -186,19 +200,19 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
         lights.sun = &sun_;
     }
     enter(Stage::scene);
-    scene_.draw(moment, upsideDown(view), lights, {}, meshes_, ground_);
-    return readBack(frame.look.transparent);
+    scene_.draw(moment, upsideDown(view), lights, false, meshes_, ground_);
+    return finished(readBack(), frame.look);
 }
 
-Image Passes::readBack(bool transparent) const {
+Image Passes::readBack() const {
     enter(Stage::readBack);
-    Image image;
-    image.width = settings_.width, image.height = settings_.height;
-    image.pixels.resize(4u * static_cast<std::size_t>(image.width) * image.height);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_.framebuffer());
-    glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    Image image = scene_.image();
     checkGl();
-    if (transparent)
+    return image;
+}
+
+Image Passes::finished(Image image, const Look& look) const {
+    if (look.transparent)
         divideByAlpha(image);
     else
         checkNotEmpty(image);

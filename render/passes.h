@@ -36,8 +36,10 @@ private:
     void setMeshes(const Frame& frame, const View& view);
     OcclusionSettings occlusionOf(const Frame& frame, const View& view, const PixelRect& bodies,
                                   const DepthMap& map) const;
-    void setOpenMap(const ByteMap& halfSize);
-    Image readBack(bool transparent) const;
+    /// `where`: of the half-size map, the rest of which is full.
+    void darken(const ByteMap& halfSize, const PixelRect& where, Lights& lights);
+    Image readBack() const;
+    Image finished(Image image, const Look& look) const;
 
     RendererSettings settings_;
     std::unique_ptr<Context> context_;

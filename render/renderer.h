@@ -15,12 +15,12 @@ namespace render {
 
 enum class Finish {
     draft,    // one sample a pixel, no shadows: to see whether the scene is right
-    standard  // shadows, ambient occlusion, `samples` a pixel
+    standard  // shadows, ambient occlusion, `samples` a pixel where there are edges
 };
 
 struct RendererSettings {
     int width = 1280, height = 720;  // pixels, 1..16384
-    int samples = 4;                 // per pixel; 1 = no anti-aliasing
+    int samples = 8;                 // of a pixel with an edge: 1, 2, 4, 8 or 16; 1: edges in steps
     int shadowSize = 1024;           // texels a side of a shadow map
     Finish finish = Finish::standard;
     int threads = -1;           // of the rasteriser; -1: as many as it likes, 0: the caller's
@@ -29,7 +29,7 @@ struct RendererSettings {
 };
 
 /// What a picture's time goes to, in this order.
-enum class Stage { depth, occlusion, shadow, scene, resolve, readBack, overlay, done };
+enum class Stage { depth, occlusion, shadow, scene, readBack, resolve, overlay, done };
 
 class Passes;
 

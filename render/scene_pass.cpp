@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "render/trails.h"
 
@@ -25,6 +26,7 @@ std::string featuresOf(const Lights& lights) {
     std::string features;
     if (lights.sun) features += lights.soft ? " SOFT_SHADOWS" : " HARD_SHADOWS";
     if (lights.openMap) features += " OCCLUSION";
+    if (lights.corners) features += " LIT_CORNERS";
     return features;
 }
 
@@ -45,13 +47,25 @@ void scissor(const PixelRect& rect) {
     glScissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);
 }
 
-/// Colours need it only where nothing else covers the picture.
-void clear(const Look& look) {
-    glClear(GL_DEPTH_BUFFER_BIT | (look.transparent ? GL_COLOR_BUFFER_BIT : 0u));
+/// The picture, or the picture and the numbers of its surfaces.
+void drawInto(int buffers) {
+    constexpr GLenum kBuffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(buffers, kBuffers);
+}
+
+/// Colours and numbers need it only where nothing else covers the picture.
+void clear(const Look& look, bool numbered) {
+    constexpr float kNothing[] = {0, 0, 0, 0};
+    constexpr GLint kNone[] = {kNoSurface, 0, 0, 0};
+    glClear(GL_DEPTH_BUFFER_BIT);
+    if (!look.transparent) return;
+    glClearBufferfv(GL_COLOR, 0, kNothing);
+    if (numbered) glClearBufferiv(GL_COLOR, 1, kNone);
 }
 
 /// What of `all` is left around a hole: above, below, left, right.
 std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
+    if (hole.empty()) return {all};
     std::vector<PixelRect> parts;
     for (const PixelRect& part : {PixelRect{all.x0, all.y0, all.x1, hole.y0},
                                   PixelRect{all.x0, hole.y1, all.x1, all.y1},
@@ -63,16 +77,13 @@ std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
 
 }  // namespace
 
-ScenePass::ScenePass(int width, int height, int samples)
+ScenePass::ScenePass(int width, int height)
     : width_(width),
       height_(height),
-      samples_(samples),
-      samplesColor_(newRenderbuffer(GL_RGBA8, width, height, samples)),
-      samplesDepth_(newRenderbuffer(GL_DEPTH_COMPONENT32F, width, height, samples)),
-      samplesBuffer_(newFramebuffer(0, 0, samplesColor_, samplesDepth_)),
-      color_(newTexture(GL_RGBA8, width, height)),
-      depth_(newTexture(GL_DEPTH_COMPONENT32F, width, height)),
-      resolved_(newFramebuffer(color_, depth_)),
+      color_(newRenderbuffer(GL_RGBA8, width, height)),
+      number_(newRenderbuffer(GL_R32I, width, height)),
+      depth_(newRenderbuffer(GL_DEPTH_COMPONENT32F, width, height)),
+      framebuffer_(newFramebuffer(0, 0, color_, depth_, number_)),
       sky_(newProgram("sky", "sky")),
       trail_(newProgram("trail", "trail")),
       empty_(newArray()),
@@ -80,11 +91,14 @@ ScenePass::ScenePass(int width, int height, int samples)
       trailBuffer_(newBuffer()) {
     glBindVertexArray(trailArray_);
     glBindBuffer(GL_ARRAY_BUFFER, trailBuffer_);
-    for (const GLuint i : {0u, 1u}) {
-        glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(TrailVertex),
-                              reinterpret_cast<const void*>(static_cast<std::size_t>(i) * 16));
-    }
+    const auto attribute = [](GLuint index, int size, std::size_t offset) {
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(TrailVertex),
+                              reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 4, offsetof(TrailVertex, clip));
+    attribute(1, 4, offsetof(TrailVertex, color));
+    attribute(2, 2, offsetof(TrailVertex, across));
 }
 
 /// A program with everything set that lights need.
@@ -113,35 +127,40 @@ GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
     return program;
 }
 
-void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
-                     const PixelRect& bodies, const Meshes& meshes, const GroundMesh& ground) {
+void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights, bool numbered,
+                     const Meshes& meshes, const GroundMesh& ground) {
     const Scene scene{frame, view, lights};
-    const PixelRect all{0, 0, width_, height_};
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width_, height_);
-    glEnable(GL_SCISSOR_TEST);
-    const bool smooth = samples_ > 1 && !bodies.empty();
-    if (smooth) {
-        glBindFramebuffer(GL_FRAMEBUFFER, samplesBuffer_);
-        scissor(bodies);
-        clear(frame.look);
-        drawBodies(scene, meshes);
-        drawBackground(scene, ground);
-        drawTrails(scene);
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
-    scissor(all);
-    clear(frame.look);
-    for (const PixelRect& part : smooth ? around(bodies, all) : std::vector<PixelRect>{all}) {
-        scissor(part);
-        if (!smooth) drawBodies(scene, meshes);
-        drawBackground(scene, ground);
-        if (!smooth) drawTrails(scene);
-    }
-    glDisable(GL_SCISSOR_TEST);
+    drawInto(numbered ? 2 : 1);
+    clear(frame.look, numbered);
+    drawBodies(scene, meshes);
+    drawBackground(scene, ground);
+    drawInto(1);  // a trail has no number, and its shader gives none
+    drawTrails(scene);
+}
+
+Image ScenePass::image() const {
+    Image image{width_, height_, {}};
+    image.pixels.resize(4u * static_cast<std::size_t>(width_) * height_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    return image;
+}
+
+SurfaceMap ScenePass::surfaces() const {
+    SurfaceMap map{width_, height_, {}};
+    map.packed.resize(static_cast<std::size_t>(width_) * height_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glReadBuffer(GL_COLOR_ATTACHMENT1);
+    glReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_INT, map.packed.data());
+    return map;
 }
 
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
-    const std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
+    const std::string features = featuresOf(scene.lights) +
+                                 (scene.frame.look.edges ? " EDGES" : "");
     glEnable(GL_CULL_FACE);
     const GLuint box = lit("solid", "box", features + " FLAT_FACES", scene);
     const Look& look = scene.frame.look;
@@ -156,32 +175,50 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
 
 /// Without a sky, what is empty stays transparent, and the ground only catches shadows.
 void ScenePass::drawBackground(const Scene& scene, const GroundMesh& mesh) {
-    drawGrounds(scene, mesh);
+    const PixelRect all{0, 0, width_, height_};
+    Scene bright = scene;  // where the map is full, it need not be looked into
+    bright.lights.openMap = 0;
+    glEnable(GL_SCISSOR_TEST);
+    if (scene.lights.openMap && !scene.lights.darkened.empty()) {
+        scissor(scene.lights.darkened);
+        drawGrounds(scene, mesh);
+    }
+    for (const PixelRect& part : around(scene.lights.darkened, all)) {
+        scissor(part);
+        drawGrounds(bright, mesh);
+    }
+    glDisable(GL_SCISSOR_TEST);
     if (!scene.frame.look.transparent) drawSky(scene);
 }
 
 void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh) {
     const std::string all = featuresOf(scene.lights);
-    const std::string unshaded = scene.lights.openMap ? " OCCLUSION" : "";
-    for (const Ground& ground : scene.frame.grounds) {
+    Lights unshaded = scene.lights;
+    unshaded.sun = nullptr;
+    const std::string around = featuresOf(unshaded);
+    for (std::size_t i = 0; i < scene.frame.grounds.size(); ++i) {
+        const Ground& ground = scene.frame.grounds[i];
         if (!ground.visible) continue;
         const ShadowPass* sun = scene.lights.sun;
         const GroundCorners corners = groundCorners(
             ground, scene.view, sun ? sun->footprint(ground) : std::vector<Vec3>{});
-        drawGround(scene, ground, corners, corners.inside, all, mesh);
-        drawGround(scene, ground, corners, corners.around, unshaded, mesh);
+        for (const auto& [part, features] : {std::pair(&corners.inside, &all),
+                                             std::pair(&corners.around, &around)}) {
+            if (part->empty()) continue;
+            setGround(scene, i, corners, *features);
+            mesh.draw(*part);
+        }
     }
 }
 
-void ScenePass::drawGround(const Scene& scene, const Ground& ground, const GroundCorners& corners,
-                           const std::vector<Vec3>& part, const std::string& features,
-                           const GroundMesh& mesh) {
-    if (part.empty()) return;
+void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,
+                          const std::string& features) {
     const Look& look = scene.frame.look;
     const std::string kind = look.transparent ? " WIDE_KERNEL SHADOW_CATCHER" : " WIDE_KERNEL";
     const GLuint program = lit("ground", "ground", features + kind, scene);
+    setUniform(program, "surface", 8 * surfaceOfGround(scene.frame, number));
     setUniform(program, "lineStrength", look.lineStrength);
-    const Vec3 normal = ground.normal.normalized();
+    const Vec3 normal = scene.frame.grounds[number].normal.normalized();
     const float up = 0.5f + 0.5f * normal.y();
     const float facing = std::max(normal.dot(look.sunDirection.normalized()), 0.0f);
     setUniform(program, "ambientLight", Vec3(up * kSkyLight + (1.0f - up) * kGroundLight));
@@ -193,7 +230,6 @@ void ScenePass::drawGround(const Scene& scene, const Ground& ground, const Groun
     setColorUniform(program, "lineColor", lineColor(look.ground));
     const float decade = std::floor(std::log10(distanceOf(scene.frame) / 6.0f));
     setUniform(program, "perCell", 1.0f / std::max(std::pow(10.0f, decade), 0.1f));
-    mesh.draw(part);
 }
 
 void ScenePass::drawSky(const Scene& scene) {
@@ -229,14 +265,6 @@ void ScenePass::drawTrails(const Scene& scene) {
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(band.size()));
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-}
-
-void ScenePass::resolve(const PixelRect& bodies) const {
-    if (samples_ <= 1 || bodies.empty()) return;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, samplesBuffer_);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
-    glBlitFramebuffer(bodies.x0, bodies.y0, bodies.x1, bodies.y1, bodies.x0, bodies.y0, bodies.x1,
-                      bodies.y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace render

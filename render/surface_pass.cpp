@@ -5,8 +5,8 @@ namespace render {
 SurfacePass::SurfacePass(int width, int height)
     : width_(width),
       height_(height),
-      number_(newRenderbuffer(GL_R32I, width, height, 1)),
-      depth_(newRenderbuffer(GL_DEPTH_COMPONENT32F, width, height, 1)),
+      number_(newRenderbuffer(GL_R32I, width, height)),
+      depth_(newRenderbuffer(GL_DEPTH_COMPONENT32F, width, height)),
       framebuffer_(newFramebuffer(0, 0, number_, depth_)),
       solid_(newProgram("surface", "surface")),
       ground_(newProgram("ground", "surface_ground")) {}

@@ -3,16 +3,15 @@
 namespace render {
 namespace {
 
-/// Half the band's width at a point, across its way over the picture, in clip coordinates.
+/// A pixel across the band's way over the picture, in clip coordinates.
 Eigen::Vector4f sideways(const Eigen::Vector4f& before, const Eigen::Vector4f& here,
-                         const Eigen::Vector4f& after, float pixels, int width, int height) {
+                         const Eigen::Vector4f& after, int width, int height) {
     const float w = static_cast<float>(width), h = static_cast<float>(height);
     const Eigen::Vector2f from = before.head<2>() / before.w(), to = after.head<2>() / after.w();
     Eigen::Vector2f way((to.x() - from.x()) * w, (to.y() - from.y()) * h);
     if (way.norm() < 1e-6f) way = {1, 0};
     way.normalize();
-    const float half = 0.5f * pixels * h / 720.0f;
-    return Eigen::Vector4f(-way.y() * half * 2 / w, way.x() * half * 2 / h, 0, 0) * here.w();
+    return Eigen::Vector4f(-way.y() * 2 / w, way.x() * 2 / h, 0, 0) * here.w();
 }
 
 void addBand(const Trail& trail, const View& view, int width, int height,
@@ -24,11 +23,13 @@ void addBand(const Trail& trail, const View& view, int width, int height,
         const float age = static_cast<float>(i) / static_cast<float>(n - 1);  // 1: now
         const Eigen::Vector4f color(trail.color.r, trail.color.g, trail.color.b,
                                     trail.color.a * (0.04f + 0.9f * age * age));
-        const Eigen::Vector4f side =
-            sideways(clip[std::max(i - 1, 0)], clip[i], clip[std::min(i + 1, n - 1)],
-                     trail.pixels * (0.35f + 0.65f * age), width, height);
-        pair[0] = {clip[i] + side, color};
-        pair[1] = {clip[i] - side, color};
+        const Eigen::Vector4f pixel = sideways(clip[std::max(i - 1, 0)], clip[i],
+                                               clip[std::min(i + 1, n - 1)], width, height);
+        const float half =
+            0.5f * trail.pixels * (0.35f + 0.65f * age) * static_cast<float>(height) / 720.0f;
+        const float reach = half + 0.5f;
+        pair[0] = {clip[i] + reach * pixel, color, {reach, half}};
+        pair[1] = {clip[i] - reach * pixel, color, {-reach, half}};
     };
     for (int i = 0; i + 1 < n; ++i) {
         if (clip[i].w() < view.nearest || clip[i + 1].w() < view.nearest) continue;

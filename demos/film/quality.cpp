@@ -7,11 +7,11 @@ using render::Finish;
 
 constexpr Quality kQualities[] = {
     {"draft", 480, 270, 15, 1, 1, Finish::draft},
-    {"low", 854, 480, 30, 2, 1, Finish::standard},
-    {"medium", 1280, 720, 30, 4, 1, Finish::standard},
-    {"high", 1920, 1080, 60, 4, 1, Finish::standard},
-    {"4k", 3840, 2160, 60, 4, 1, Finish::standard},
-    {"film", 1280, 720, 30, 1, 16, Finish::standard},
+    {"low", 854, 480, 30, 8, 1, Finish::standard},
+    {"medium", 1280, 720, 30, 8, 1, Finish::standard},
+    {"high", 1920, 1080, 60, 8, 1, Finish::standard},
+    {"4k", 3840, 2160, 60, 8, 1, Finish::standard},
+    {"film", 1280, 720, 30, 1, 12, Finish::standard},
 };
 
 }  // namespace

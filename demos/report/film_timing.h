@@ -9,7 +9,7 @@ namespace demos {
 
 constexpr std::array<const char*, 10> kFilmStages = {
     "simulate", "depth", "occlusion", "shadow", "scene",
-    "resolve",  "read",  "overlay",   "encode", "write"};
+    "read",     "resolve",  "overlay",   "encode", "write"};
 
 struct FilmTiming {
     std::array<double, kFilmStages.size()> ms{};  // processor time a frame, median; PNG files

@@ -1,32 +1,40 @@
 #version 330 core
 #include "light.glsl"
-in vec3 world, local;
-flat in vec3 worldNormal, tint, halfSize;
-flat in vec4 q;
+in vec3 world;
+in vec2 onFace;                             // m, from the face's middle
+flat in vec3 worldNormal, worldU, worldV, tint;
+flat in vec2 halfFace;
+flat in float thinnest;
+flat in int surface;
 uniform float lineWidth;        // pixels
 uniform float lineStrength;     // 0..1
-out vec4 result;
+layout(location = 0) out vec4 result;
+layout(location = 1) out int seen;
 
-vec3 turn(vec4 r, vec3 v) { return v + 2.0 * cross(r.xyz, cross(r.xyz, v) + r.w * v); }
+// How much of a line along the face's edges covers the pixel. On small faces it never takes more
+// than a fair share.
+float lineCover(vec2 inner) {
+    vec2 perPixel = 1.0 / (fwidth(onFace) + 1e-6);
+    vec2 pixels = inner * perPixel, size = halfFace * perPixel;
+    float line = 1.0 - smoothstep(lineWidth - 0.7, lineWidth + 0.7, min(pixels.x, pixels.y));
+    return line * smoothstep(2.0, 7.0, min(size.x, size.y));
+}
 
 void main() {
-    vec3 normal = worldNormal;
-    vec3 inner = halfSize - abs(local);          // m, to each pair of faces
-    vec3 across = fwidth(local) + 1e-6;          // m a pixel
-    // The face's own axis is the one on which `local` does not change.
-    vec3 face = step(inner, vec3(1e-4 * max(max(halfSize.x, halfSize.y), halfSize.z)));
-    vec3 pixels = inner / across + face * 1e4;
-    float line = 1.0 - smoothstep(lineWidth - 0.7, lineWidth + 0.7, min(min(pixels.x, pixels.y), pixels.z));
-    // Small boxes: a line never takes more than a fair share of the face.
-    vec3 size = halfSize / across + face * 1e4;
-    line *= smoothstep(2.0, 7.0, min(min(size.x, size.y), size.z));
-    vec3 color = tint;
+    vec3 normal = worldNormal, color = tint;
+    seen = surface;
+#ifdef EDGES
+    vec2 inner = halfFace - abs(onFace);    // m, to each pair of edges
+    color *= 1.0 - lineStrength * lineCover(inner);
+#endif
+#ifdef LIT_CORNERS
+    result = vec4(color, 1.0);
+#else
 #ifdef EDGES
     // A rounded edge: the normal leans out over the last stretch before it.
-    float bevel = 0.045 * min(min(halfSize.x, halfSize.y), halfSize.z) + 0.004;
-    vec3 lean = (1.0 - face) * sign(local) * (1.0 - smoothstep(vec3(0.0), vec3(bevel), inner));
-    normal = normalize(normal + turn(q, lean) * 0.55);
-    color *= 1.0 - lineStrength * line;
+    vec2 lean = sign(onFace) * (1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, inner));
+    normal = normalize(normal + 0.55 * (worldU * lean.x + worldV * lean.y));
 #endif
     result = vec4(encode(fogged(lit(color, world, normal, 0.6))), 1.0);
+#endif
 }

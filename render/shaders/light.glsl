@@ -1,21 +1,21 @@
 #extension GL_ARB_gpu_shader5 : require
-uniform vec3 toSun;             // unit
 uniform vec3 eye;
-uniform vec3 skyLight, groundLight, sunLight;
 uniform vec3 fogColor;
 uniform float fogStart, fogDistance;  // m
 
+#include "sky_light.glsl"
+#include "shadow_place.glsl"
 #include "shadow.glsl"
 
 // A corner that sees little of the sky sees a little less of a sun that is no point.
-float sunShare(vec3 world, vec3 normal, float sees) {
-    return sunlit(world, normal) * (0.7 + 0.3 * sees);
+float sunShare(vec3 place, float sees) {
+    return sunlit(place) * (0.7 + 0.3 * sees);
 }
 
 // Sun and sky on a matt surface; `shine`: how much of a lacquer is on it.
 vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
     float sees = open();
-    float sun = max(dot(normal, toSun), 0.0) * sunShare(world, normal, sees);
+    float sun = max(dot(normal, toSun), 0.0) * sunShare(shadowPlace(world, normal), sees);
     vec3 color = albedo * (ambient(normal) * sees + sunLight * sun);
     vec3 toEye = normalize(eye - world);
     float g = max(dot(normal, normalize(toEye + toSun)), 0.0);
@@ -29,10 +29,11 @@ vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
 
 // clear^2, clear = 1 / (1 + ((depth - start) / distance)^2), with depth = 1 / gl_FragCoord.w along
 // the view axis: rows of ground keep one colour, which PNG takes for nothing.
-vec3 fogged(vec3 color) {
+float clearness() {
     float near = gl_FragCoord.w * fogDistance, past = max(1.0 - gl_FragCoord.w * fogStart, 0.0);
     float clear = near * near / (near * near + past * past);
-    return mix(fogColor, color, clear * clear);
+    return clear * clear;
 }
+vec3 fogged(vec3 color) { return mix(fogColor, color, clearness()); }
 
 #include "encode.glsl"

@@ -1,8 +1,20 @@
 #version 330 core
 #include "light.glsl"
 in vec3 world, worldNormal;
-flat in vec3 tint;
-out vec4 result;
+#ifdef LIT_CORNERS
+in
+#else
+flat in
+#endif
+vec3 tint;
+flat in int surface;
+layout(location = 0) out vec4 result;
+layout(location = 1) out int seen;
 void main() {
+    seen = surface;
+#ifdef LIT_CORNERS
+    result = vec4(tint, 1.0);
+#else
     result = vec4(encode(fogged(lit(tint, world, normalize(worldNormal), 1.0))), 1.0);
+#endif
 }

@@ -1,23 +1,14 @@
-// What reaches a point from the sun, and from the sky.
+// What reaches a point from the sun, at a place p in its map, and from the sky.
 
 #if defined(SOFT_SHADOWS) || defined(HARD_SHADOWS)
 uniform sampler2DShadow shadowMap;
-uniform mat4 worldToShadow;        // to texels; z to 0..1
-uniform float shadowTexel;         // m
 uniform float shadowSize;          // texels a side
-
-// Moved out along the normal by what a kernel's width hides at this slant: no acne, no gap.
-vec3 lifted(vec3 world, vec3 normal) {
-    float slant = 1.0 - max(dot(normal, toSun), 0.0);
-    return world + normal * shadowTexel * (0.7 + 1.8 * slant);
-}
 #endif
 
 #ifdef SOFT_SHADOWS
 // Weighted so that the kernel moves smoothly with the point: on the ground, where edges are seen,
 // sixteen texels by four gathers; on bodies four by one.
-float sunlit(vec3 world, vec3 normal) {
-    vec3 p = (worldToShadow * vec4(lifted(world, normal), 1.0)).xyz;
+float sunlit(vec3 p) {
     vec2 t = p.xy - 0.5;
     vec2 f = fract(t), g = 1.0 - f;
     float texel = 1.0 / shadowSize;
@@ -38,12 +29,11 @@ float sunlit(vec3 world, vec3 normal) {
 }
 #elif defined(HARD_SHADOWS)
 // One of many sub-frames, each with the sun in another place: their mean is soft.
-float sunlit(vec3 world, vec3 normal) {
-    vec3 p = (worldToShadow * vec4(lifted(world, normal), 1.0)).xyz;
+float sunlit(vec3 p) {
     return texture(shadowMap, vec3(p.xy / shadowSize, p.z));
 }
 #else
-float sunlit(vec3 world, vec3 normal) { return 1.0; }
+float sunlit(vec3 p) { return 1.0; }
 #endif
 
 #ifdef OCCLUSION
@@ -52,5 +42,3 @@ float open() { return texelFetch(openMap, ivec2(gl_FragCoord.xy), 0).r; }
 #else
 float open() { return 1.0; }
 #endif
-
-vec3 ambient(vec3 normal) { return mix(groundLight, skyLight, 0.5 + 0.5 * normal.y); }

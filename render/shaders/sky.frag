@@ -1,8 +1,10 @@
 #version 330 core
 in float up;                                    // of a ray as long as 1 along the view axis
 uniform vec3 fogColor, horizonColor, topColor;  // sRGB: mixed as they are seen
-out vec4 result;
+layout(location = 0) out vec4 result;
+layout(location = 1) out int seen;
 void main() {
+    seen = -1;
     vec3 color = mix(fogColor, horizonColor, smoothstep(0.0, 0.07, up));
     result = vec4(mix(color, topColor, smoothstep(0.05, 0.5, up)), 1.0);
 }

@@ -117,7 +117,7 @@ TEST(Occlusion, OutsideItsRegionAllIsOpen) {
 TEST(Occlusion, DoubledKeepsItsValuesAtAnySize) {
     const ByteMap map{2, 2, {0, 100, 100, 200}};
     for (const int side : {1, 4, 5}) {
-        const ByteMap large = doubled(map, side, side);
+        const ByteMap large = doubled(map, {0, 0, side, side});
         EXPECT_EQ(large.bytes.size(), static_cast<std::size_t>(side * side));
         EXPECT_EQ(large.row(0)[0], 0);
         EXPECT_EQ(large.row(side - 1)[side - 1], side > 1 ? 200 : 0);

@@ -1,0 +1,43 @@
+/// Rays through points of the picture, four side by side, and where they enter a surface as it is
+/// drawn: from outside. Single precision: a millionth of the distance is far below a pixel.
+#pragma once
+#include "render/camera.h"
+#include "render/four.h"
+#include "render/ray_surface.h"
+
+namespace render {
+
+/// Ray to the point (x, y) of the picture, pixels from the top left corner:
+/// eye + t (ahead + x right + y down).
+struct Sight {
+    Vec3 eye{0, 0, 0};                                // m
+    Vec3 ahead{0, 0, 0}, right{0, 0, 0}, down{0, 0, 0};  // m a pixel at 1 m; `ahead`: to (0, 0)
+};
+Sight sightOf(const View& view, int width, int height);
+
+/// Where four rays enter: t is infinite where they miss; the face of a box (-x +x -y +y -z +z),
+/// else 0.
+struct FourHits {
+    Four t{};
+    FourInts face{};
+};
+
+/// One surface as one camera's rays see it.
+class SeenSurface {
+public:
+    SeenSurface(const Surface& surface, const Sight& sight);
+    FourHits enter(Four x, Four y) const;
+
+private:
+    struct Rays;
+    FourHits enterBox(const Rays& rays) const;
+    FourHits enterCapsule(const Rays& rays) const;
+    FourHits enterBar(const Rays& rays) const;
+    FourHits enterPlane(const Rays& rays) const;
+
+    SurfaceKind kind_;
+    Vec3 half_;                       // m, as the surface's
+    Vec3 eye_, ahead_, right_, down_;  // the sight, in the surface's own axes
+};
+
+}  // namespace render

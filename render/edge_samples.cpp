@@ -1,0 +1,227 @@
+// colour = 1/n sum over rays of  colour of the nearest pixel, of 3 x 3, with the surface it meets
+#include "render/edge_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "render/meshes.h"
+
+namespace render {
+namespace {
+
+constexpr std::size_t kAround = 9;  // a pixel and its neighbours, row by row
+constexpr std::size_t kMiddle = 4;
+
+struct Offset {
+    float x, y;  // pixels from a pixel's middle
+};
+
+/// No two in a row or a column: an edge that is nearly upright or level gets all the steps.
+std::vector<Offset> offsets(int samples) {
+    constexpr int kTwo[][2] = {{4, 4}, {-4, -4}};
+    constexpr int kFourth[][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
+    constexpr int kEighth[][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5},
+                                  {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+    constexpr int kSixteenth[][2] = {{1, 1},  {-1, -3}, {-3, 2}, {4, -1}, {-5, -2}, {2, 5},
+                                     {5, 3},  {3, -5},  {-2, 6}, {0, -7}, {-4, -6}, {-6, 4},
+                                     {-8, 0}, {7, -4},  {6, 7},  {-7, -8}};
+    std::vector<Offset> result;
+    const auto add = [&result](const auto& places) {
+        for (const auto& p : places)
+            result.push_back({static_cast<float>(p[0]) / 16.0f, static_cast<float>(p[1]) / 16.0f});
+    };
+    if (samples == 2) add(kTwo), add(kTwo);  // twice, to fill four
+    if (samples == 4) add(kFourth);
+    if (samples == 8) add(kEighth);
+    if (samples == 16) add(kSixteenth);
+    return result;
+}
+
+/// The places around a pixel, nearest to an offset first.
+std::array<std::size_t, kAround> nearestFirst(const Offset& offset) {
+    std::array<std::size_t, kAround> order{};
+    std::iota(order.begin(), order.end(), 0);
+    const auto distance = [&offset](std::size_t place) {
+        const float dx = static_cast<float>(place % 3) - 1.0f - offset.x;
+        const float dy = static_cast<float>(place / 3) - 1.0f - offset.y;
+        return dx * dx + dy * dy;
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    return order;
+}
+
+/// As they are drawn.
+std::vector<Surface> drawnSurfaces(const Frame& frame, const View& view, int height) {
+    std::vector<Surface> surfaces = surfacesOf(frame);
+    for (std::size_t i = 0; i < frame.rods.size(); ++i) {
+        Vec3d& half = surfaces[static_cast<std::size_t>(surfaceOfRod(frame, i))].half;
+        const float radius = drawnRadius(frame.rods[i], view.eye, pixelsAMeter(view, height));
+        half.x() = half.z() = static_cast<double>(radius);
+    }
+    return surfaces;
+}
+
+class EdgeSamples {
+public:
+    EdgeSamples(const Image& image, const SurfaceMap& map, const Frame& frame, const View& view,
+                int samples)
+        : image_(image),
+          map_(map),
+          surfaces_(drawnSurfaces(frame, view, map.height)),
+          sight_(sightOf(view, map.width, map.height)),
+          seen_(surfaces_.size()) {
+        const std::vector<Offset> all = offsets(samples);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (i % kFour == 0) x_.emplace_back(), y_.emplace_back();
+            x_.back()[i % kFour] = all[i].x;
+            y_.back()[i % kFour] = all[i].y;
+            order_.push_back(nearestFirst(all[i]));
+        }
+    }
+
+    std::array<std::uint8_t, 4> color(int x, int y);
+
+private:
+    const SeenSurface& seen(int surface) {
+        std::optional<SeenSurface>& one = seen_[static_cast<std::size_t>(surface)];
+        if (!one) one.emplace(surfaces_[static_cast<std::size_t>(surface)], sight_);
+        return *one;
+    }
+    void look(int x, int y);
+    FourInts meet(Four x, Four y, int count);
+    std::size_t placeOf(std::int32_t surface, std::size_t sample) const;
+    std::array<std::uint8_t, 4> mean(const std::array<int, kAround>& times) const;
+
+    const Image& image_;
+    const SurfaceMap& map_;
+    const std::vector<Surface> surfaces_;
+    const Sight sight_;
+    std::vector<std::optional<SeenSurface>> seen_;  // made when first met
+    std::vector<Four> x_, y_;                       // of the samples
+    std::vector<std::array<std::size_t, kAround>> order_;   // by sample
+    std::array<std::int32_t, kAround> around_{};    // packed surfaces
+    std::array<std::size_t, kAround> at_{};         // where their pixels begin
+    std::array<int, kAround> candidates_{};         // surfaces, each once, without the sky
+};
+
+void EdgeSamples::look(int x, int y) {
+    for (std::size_t place = 0; place < kAround; ++place) {
+        const int px = std::clamp(x + static_cast<int>(place % 3) - 1, 0, map_.width - 1);
+        const int py = std::clamp(y + static_cast<int>(place / 3) - 1, 0, map_.height - 1);
+        const std::size_t i = static_cast<std::size_t>(py) * map_.width + px;
+        around_[place] = map_.packed[i];
+        at_[place] = 4 * i;
+    }
+}
+
+/// The packed surface that each of four rays meets first.
+FourInts EdgeSamples::meet(Four x, Four y, int count) {
+    Four nearest = fourOf(std::numeric_limits<float>::infinity());
+    FourInts met = FourInts{} + kNoSurface;
+    for (int i = 0; i < count; ++i) {
+        const FourHits hits = seen(candidates_[i]).enter(x, y);
+        const FourInts nearer = hits.t < nearest;
+        nearest = nearer ? hits.t : nearest;
+        met = nearer ? hits.face + 8 * candidates_[i] : met;
+    }
+    return met;
+}
+
+/// The nearest pixel that has it; a face that none has: one of the same body; else the pixel itself.
+std::size_t EdgeSamples::placeOf(std::int32_t surface, std::size_t sample) const {
+    for (const std::size_t place : order_[sample])
+        if (around_[place] == surface) return place;
+    for (const std::size_t place : order_[sample])
+        if (around_[place] >> 3 == surface >> 3) return place;
+    return kMiddle;
+}
+
+std::array<std::uint8_t, 4> EdgeSamples::color(int x, int y) {
+    look(x, y);
+    int count = 0;
+    for (const std::int32_t packed : around_) {
+        const int surface = packed >> 3;
+        const auto end = candidates_.begin() + count;
+        if (surface >= 0 && std::find(candidates_.begin(), end, surface) == end)
+            candidates_[count++] = surface;
+    }
+    std::array<int, kAround> times{};
+    for (std::size_t group = 0; group < x_.size(); ++group) {
+        const FourInts met = meet(x_[group] + (static_cast<float>(x) + 0.5f),
+                                  y_[group] + (static_cast<float>(y) + 0.5f), count);
+        for (std::size_t lane = 0; lane < kFour; ++lane)
+            ++times[placeOf(met[lane], group * kFour + lane)];
+    }
+    return mean(times);
+}
+
+std::array<std::uint8_t, 4> EdgeSamples::mean(const std::array<int, kAround>& times) const {
+    const int samples = static_cast<int>(order_.size());
+    std::array<int, 4> sum;
+    sum.fill(samples / 2);
+    for (std::size_t place = 0; place < kAround; ++place)
+        if (times[place] > 0)
+            for (std::size_t c = 0; c < 4; ++c)
+                sum[c] += times[place] * image_.pixels[at_[place] + c];
+    std::array<std::uint8_t, 4> color{};
+    for (std::size_t c = 0; c < 4; ++c) color[c] = static_cast<std::uint8_t>(sum[c] / samples);
+    return color;
+}
+
+/// Whether one of four numbers has another one at the same place of the other four.
+bool differ(const std::int32_t* a, const std::int32_t* b) {
+    std::uint64_t x[2], y[2];
+    std::memcpy(x, a, sizeof x);
+    std::memcpy(y, b, sizeof y);
+    return ((x[0] ^ y[0]) | (x[1] ^ y[1])) != 0;
+}
+
+/// Pixels of a row with another surface beside, above or below them, in order.
+void findEdges(const SurfaceMap& map, int y, std::vector<int>& found) {
+    const int w = map.width;
+    const std::int32_t* row = &map.packed[static_cast<std::size_t>(y) * w];
+    const std::int32_t* above = y > 0 ? row - w : row;
+    const std::int32_t* below = y + 1 < map.height ? row + w : row;
+    const auto add = [&](int x) {
+        if ((x > 0 && row[x - 1] != row[x]) || (x + 1 < w && row[x + 1] != row[x]) ||
+            above[x] != row[x] || below[x] != row[x])
+            found.push_back(x);
+    };
+    found.clear();
+    int x = 0;
+    if (w > 0) add(x++);
+    for (; x + kFour < w; x += kFour)
+        if (differ(row + x, row + x - 1) || differ(row + x, row + x + 1) ||
+            differ(row + x, above + x) || differ(row + x, below + x))
+            for (int i = 0; i < kFour; ++i) add(x + i);
+    for (; x < w; ++x) add(x);
+}
+
+}  // namespace
+
+void smoothEdges(Image& image, const SurfaceMap& map, const Frame& frame, const View& view,
+                 int samples) {
+    if (samples == 1) return;
+    EdgeSamples edges(image, map, frame, view, samples);
+    struct Smooth {
+        std::size_t at;
+        std::array<std::uint8_t, 4> color;
+    };
+    std::vector<Smooth> pixels;  // put in afterwards: neighbours still look at the old ones
+    std::vector<int> found;
+    for (int y = 0; y < map.height; ++y) {
+        findEdges(map, y, found);
+        for (const int x : found)
+            pixels.push_back(
+                {4 * (static_cast<std::size_t>(y) * map.width + x), edges.color(x, y)});
+    }
+    for (const Smooth& pixel : pixels)
+        std::copy(pixel.color.begin(), pixel.color.end(), &image.pixels[pixel.at]);
+}
+
+}  // namespace render

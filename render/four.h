@@ -1,0 +1,21 @@
+/// Four numbers side by side, which every x86-64 processor has; the compilers' vector extensions
+/// give them operators. Wider ones are taken apart into single numbers by one of the compilers.
+#pragma once
+#include <cmath>
+
+namespace render {
+
+inline constexpr int kFour = 4;
+using Four = float __attribute__((vector_size(16)));
+using FourInts = int __attribute__((vector_size(16)));  // also what comparisons give: 0 or -1
+
+inline Four fourOf(float v) { return Four{v, v, v, v}; }
+inline Four positive(Four v) { return v > 0.0f ? v : Four{}; }
+inline Four smaller(Four a, Four b) { return a < b ? a : b; }
+inline Four size(Four v) { return v < 0.0f ? -v : v; }
+inline Four squareRoot(Four v) {
+    for (int i = 0; i < kFour; ++i) v[i] = std::sqrt(v[i]);
+    return v;
+}
+
+}  // namespace render

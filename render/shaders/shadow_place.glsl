@@ -1,0 +1,15 @@
+uniform vec3 toSun;             // unit
+#if defined(SOFT_SHADOWS) || defined(HARD_SHADOWS)
+uniform mat4 worldToShadow;     // to texels; z to 0..1
+uniform float shadowTexel;      // m
+
+// In the shadow map. Moved out along the normal by what a kernel's width hides at this slant: no
+// acne, no gap.
+vec3 shadowPlace(vec3 world, vec3 normal) {
+    float slant = 1.0 - max(dot(normal, toSun), 0.0);
+    vec3 lifted = world + normal * shadowTexel * (0.7 + 1.8 * slant);
+    return (worldToShadow * vec4(lifted, 1.0)).xyz;
+}
+#else
+vec3 shadowPlace(vec3 world, vec3 normal) { return vec3(0.0); }
+#endif

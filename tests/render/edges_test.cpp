@@ -1,0 +1,249 @@
+// Edges: rays that meet surfaces, the samples taken along them, and trails, which cover in part.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "render/edge_samples.h"
+#include "render/palette.h"
+#include "render/renderer.h"
+#include "render/trails.h"
+
+namespace render {
+namespace {
+
+View viewOf(const Frame& frame, int width, int height) {
+    return makeView(frame.camera, static_cast<float>(width) / static_cast<float>(height));
+}
+
+/// A bar is a tube without ends; here it has them.
+bool isInside(const Surface& s, const Vec3d& point) {
+    const Vec3d p = s.axes.transpose() * (point - s.at);
+    const double across = std::hypot(p.x(), p.z());
+    switch (s.kind) {
+        case SurfaceKind::box: return (p.cwiseAbs() - s.half).maxCoeff() < 0.0;
+        case SurfaceKind::bar: return across < s.half.x() && std::abs(p.y()) < s.half.y();
+        case SurfaceKind::capsule: {
+            const double beyond = std::max(std::abs(p.y()) - s.half.y(), 0.0);
+            return std::hypot(across, beyond) < s.half.x();
+        }
+        case SurfaceKind::plane: return p.y() < 0.0;
+    }
+    return false;
+}
+
+constexpr double kFarthest = 30.0;  // m
+
+/// How far along a ray one has to go to get inside, by many small steps; kFarthest: never.
+double walk(const Surface& s, const Vec3d& from, const Vec3d& along) {
+    const double step = 5e-4;
+    for (double t = step; t < kFarthest; t += step)
+        if (isInside(s, from + t * along)) return t;
+    return kFarthest;
+}
+
+Frame oneOfEach() {
+    Frame frame;
+    frame.camera = {{2, 3, 7}, {0, 1.6f, 0}, {0, 1, 0}, 40};
+    frame.grounds.push_back({});
+    Solid box;
+    box.rotation = Quat(Eigen::AngleAxisf(0.7f, Vec3(1, 2, 3).normalized()));
+    box.position = {0, 1, 0};
+    Solid ball = box, capsule = box;
+    ball.shape = SolidShape::sphere, ball.halfSize = Vec3::Constant(0.6f);
+    capsule.shape = SolidShape::capsule, capsule.halfSize = {0.3f, 0.7f, 0.3f};
+    frame.solids = {box, ball, capsule};
+    Rod rod;
+    rod.from = {-1, 0.5f, 0}, rod.to = {1, 1.5f, 0.4f}, rod.radius = 0.2f;
+    frame.rods.push_back(rod);
+    return frame;
+}
+
+TEST(EdgeRays, EnterWhereAWalkAlongThemGetsInside) {
+    const Frame frame = oneOfEach();
+    const Sight sight = sightOf(viewOf(frame, 64, 36), 64, 36);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> share(0.0f, 1.0f);
+    for (const Surface& surface : surfacesOf(frame)) {
+        const SeenSurface seen(surface, sight);
+        const bool tube = surface.kind == SurfaceKind::bar;
+        int hits = 0, misses = 0;
+        for (int i = 0; i < 40; ++i) {
+            Four x, y;
+            for (int lane = 0; lane < kFour; ++lane)
+                x[lane] = (0.3f + 0.4f * share(random)) * 64, y[lane] = share(random) * 36;
+            const FourHits found = seen.enter(x, y);
+            for (int lane = 0; lane < kFour; ++lane) {
+                const Vec3 along = sight.ahead + x[lane] * sight.right + y[lane] * sight.down;
+                const double walked =
+                    walk(surface, sight.eye.cast<double>(), along.cast<double>());
+                const double t = std::min(static_cast<double>(found.t[lane]), kFarthest);
+                if (tube && t == kFarthest) continue;  // a walk may go in by an open end
+                EXPECT_NEAR(t, walked, 2e-3) << "surface " << static_cast<int>(surface.kind);
+                ++(t < kFarthest ? hits : misses);
+            }
+        }
+        EXPECT_GT(hits, 3) << static_cast<int>(surface.kind);
+        EXPECT_TRUE(tube || misses > 3) << static_cast<int>(surface.kind);
+    }
+}
+
+TEST(EdgeRays, NameTheFaceOfABox) {
+    Frame frame;
+    frame.solids.emplace_back();
+    const struct {
+        Vec3 from;
+        int face;
+    } cases[] = {{{-5, 0, 0}, 0}, {{5, 0, 0}, 1}, {{0, -5, 0.1f}, 2},
+                 {{0, 5, 0.1f}, 3}, {{0, 0, -5}, 4}, {{0, 0, 5}, 5}};
+    for (const auto& one : cases) {
+        frame.camera = {one.from, {0, 0, 0}, Vec3(0.1f, 1, 0.2f).normalized(), 30};
+        const SeenSurface box(surfacesOf(frame)[0], sightOf(viewOf(frame, 8, 8), 8, 8));
+        const FourHits hits = box.enter(fourOf(4.0f), fourOf(4.0f));
+        EXPECT_EQ(hits.face[0], one.face);
+        EXPECT_NEAR(hits.t[0], 4.5f, 0.01f);
+    }
+}
+
+TEST(EdgeRays, DoNotMeetWhatIsBehindTheEye) {
+    Frame frame = oneOfEach();
+    frame.camera.lookAt = {4, 6, 14};  // away from all of them
+    const Sight sight = sightOf(viewOf(frame, 8, 8), 8, 8);
+    const std::vector<Surface> surfaces = surfacesOf(frame);
+    for (std::size_t i = 0; i + 1 < surfaces.size(); ++i) {
+        const FourHits hits = SeenSurface(surfaces[i], sight).enter(fourOf(4), fourOf(4));
+        EXPECT_TRUE(std::isinf(hits.t[0])) << i;
+    }
+}
+
+RendererSettings plain(int width, int height, int samples) {
+    RendererSettings s;
+    s.width = width, s.height = height, s.samples = samples, s.threads = 0;
+    return s;
+}
+
+/// Nothing but colours that do not change within a surface.
+Frame flatFrame() {
+    Frame frame = oneOfEach();
+    frame.look.shadows = frame.look.ambientOcclusion = frame.look.edges = false;
+    frame.grounds.clear();  // its lines are as wide in a larger picture
+    Solid floor;
+    floor.position = {0, -1, 0}, floor.halfSize = {4, 0.6f, 4}, floor.color = fromHex(0x808890);
+    frame.solids[0].color = fromHex(0x1f77d0);
+    frame.solids[1].position = {1.2f, 1.0f, 0.5f}, frame.solids[1].color = fromHex(0xd02020);
+    frame.solids[2].position = {-1.4f, 0.8f, 0.5f}, frame.solids[2].color = fromHex(0xe0c020);
+    frame.solids.push_back(floor);
+    frame.rods[0].radius = 0.05f, frame.rods[0].from.y() = frame.rods[0].to.y() = 2.2f;
+    return frame;
+}
+
+/// Every pixel the mean of 8 x 8 of a picture that much larger.
+Image shrunk(const Image& large) {
+    Image small{large.width / 8, large.height / 8, {}};
+    small.pixels.resize(4u * static_cast<std::size_t>(small.width * small.height));
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            for (int c = 0; c < 4; ++c) {
+                int sum = 32;
+                for (int i = 0; i < 64; ++i)
+                    sum += large.at(8 * x + i % 8, 8 * y + i / 8)[c];
+                small.at(x, y)[c] = static_cast<std::uint8_t>(sum / 64);
+            }
+    return small;
+}
+
+/// Root of the mean square, in levels.
+double apart(const Image& a, const Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const double d = a.pixels[i] - b.pixels[i];
+        sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(a.pixels.size()));
+}
+
+TEST(EdgeSamples, AreAsGoodAsAMuchLargerPicture) {
+    const Frame frame = flatFrame();
+    const Image exact = shrunk(Renderer(plain(8 * 160, 8 * 90, 1)).draw(frame));
+    std::vector<double> off;
+    for (const int samples : {1, 2, 4, 8, 16})
+        off.push_back(apart(Renderer(plain(160, 90, samples)).draw(frame), exact));
+    for (std::size_t i = 1; i < off.size(); ++i) EXPECT_LT(off[i], off[i - 1]) << i;
+    EXPECT_LT(off.back(), 0.33 * off.front());
+    EXPECT_LT(off[3], 1.5);  // levels
+}
+
+TEST(EdgeSamples, LeaveAllElseAsItIs) {
+    const Frame frame = flatFrame();
+    Renderer renderer(plain(160, 90, 1));
+    const Image before = renderer.draw(frame);
+    const SurfaceMap map = renderer.surfaces(frame);
+    Image after = before;
+    smoothEdges(after, map, frame, viewOf(frame, 160, 90), 8);
+    int changed = 0;
+    for (int y = 1; y + 1 < 90; ++y)
+        for (int x = 1; x + 1 < 160; ++x) {
+            const bool same = std::equal(before.at(x, y), before.at(x, y) + 4, after.at(x, y));
+            const int s = map.at(x, y);
+            const bool inner = s == map.at(x - 1, y) && s == map.at(x + 1, y) &&
+                               s == map.at(x, y - 1) && s == map.at(x, y + 1);
+            EXPECT_TRUE(same || !inner) << x << "," << y;
+            changed += !same;
+        }
+    EXPECT_GT(changed, 100);
+}
+
+TEST(EdgeSamples, WorkOnPicturesOfAnySize) {
+    const Frame frame = flatFrame();
+    for (const auto& [w, h] : {std::pair(1, 1), {1, 7}, {2, 3}, {5, 1}, {7, 6}}) {
+        SurfaceMap map{w, h, std::vector<std::int32_t>(static_cast<std::size_t>(w * h))};
+        Image image{w, h, std::vector<std::uint8_t>(static_cast<std::size_t>(4 * w * h), 90)};
+        for (std::size_t i = 0; i < map.packed.size(); ++i)
+            map.packed[i] = i % 3 == 0 ? kNoSurface : 8 * static_cast<int>(i % 3);
+        const std::vector<std::uint8_t> before = image.pixels;
+        smoothEdges(image, map, frame, viewOf(frame, w, h), 4);
+        EXPECT_EQ(image.pixels, before);  // the mean of one colour
+    }
+}
+
+TEST(EdgeSamples, AThinRodHasNoGaps) {
+    Frame frame;
+    frame.camera = {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 35};
+    frame.look.shadows = frame.look.ambientOcclusion = false;
+    Rod rod;
+    rod.from = {-0.3f, -2.5f, 0}, rod.to = {0.2f, 2.5f, 0}, rod.radius = 0.002f;  // 0.06 pixels
+    rod.color = fromHex(0x101010);
+    frame.rods.push_back(rod);
+    const Image image = Renderer(plain(160, 90, 8)).draw(frame);
+    for (int y = 10; y < 80; ++y) {
+        int darkest = 255;
+        for (int x = 60; x < 100; ++x) darkest = std::min<int>(darkest, image.at(x, y)[1]);
+        EXPECT_LT(darkest, 150) << y;
+    }
+}
+
+TEST(Trails, CoverAsMuchAsTheyAreWide) {
+    Frame frame;
+    frame.camera = {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 35};
+    frame.look.shadows = frame.look.ambientOcclusion = false;
+    const Image empty = Renderer(plain(160, 90, 1)).draw(frame);
+    Trail trail;
+    trail.color = {0, 0, 0, 1};
+    for (int i = 0; i <= 40; ++i)
+        trail.points.push_back({0.01f * static_cast<float>(i), 0.1f * static_cast<float>(i - 20), 0});
+    trail.pixels = 16.0f;  // at 720 rows: 2 here
+    frame.trails.push_back(trail);
+    const Image image = Renderer(plain(160, 90, 1)).draw(frame);
+    double before = 1e9;
+    for (int y = 20; y < 50; ++y) {  // from the newest, which is the widest and darkest, down
+        double missing = 0.0;
+        for (int x = 0; x < 160; ++x) missing += empty.at(x, y)[1] - image.at(x, y)[1];
+        missing /= empty.at(0, y)[1];
+        EXPECT_GT(missing, 0.2) << y;
+        EXPECT_LT(missing, before + 0.03) << y;  // pixels' worth of black: no steps, no gaps
+        before = missing;
+    }
+}
+
+}  // namespace
+}  // namespace render
