@@ -30,7 +30,7 @@ void addFeedback(CLI::App& app, Options& options) {
 void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("-q,--quality", options.quality,
                    "draft 480x270 @15, low 854x480 @30, medium 1280x720 @30, high 1920x1080 @60, "
-                   "4k 3840x2160 @60, film 1280x720 @30 of 16 moments a frame; default: medium")
+                   "4k 3840x2160 @60, film 1280x720 @30 of 12 moments a frame; default: medium")
         ->type_name("NAME");
     app.add_option("--size", raw.size, "pixels, 1..16384 a side; default: the quality's")
         ->type_name("WxH");

@@ -1,19 +1,11 @@
 /// Rays through points of the picture, four side by side, and where they enter a surface as it is
 /// drawn: from outside. Single precision: a millionth of the distance is far below a pixel.
 #pragma once
-#include "render/camera.h"
 #include "render/four.h"
 #include "render/ray_surface.h"
+#include "render/sight.h"
 
 namespace render {
-
-/// Ray to the point (x, y) of the picture, pixels from the top left corner:
-/// eye + t (ahead + x right + y down).
-struct Sight {
-    Vec3 eye{0, 0, 0};                                // m
-    Vec3 ahead{0, 0, 0}, right{0, 0, 0}, down{0, 0, 0};  // m a pixel at 1 m; `ahead`: to (0, 0)
-};
-Sight sightOf(const View& view, int width, int height);
 
 /// Where four rays enter: t is infinite where they miss; the face of a box (-x +x -y +y -z +z),
 /// else 0.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/sight.h"
+
 namespace render {
 namespace {
 
@@ -29,7 +31,28 @@ Quad grown(const Quad& inner, const Vec3& eye, float distance) {
     return outer;
 }
 
+/// Whether a ray from the eye meets the ground well before the last thing that is drawn.
+bool meets(const Ground& ground, const Vec3& ray, const View& view) {
+    const Vec3 n = ground.normal.normalized();
+    const float above = n.dot(view.eye) - ground.offset, down = -n.dot(ray);
+    return above * down > 0.0f && above / down * ray.norm() < 0.95f * view.farthest;
+}
+
 }  // namespace
+
+int rowsOfSky(const Frame& frame, const View& view, int width, int height) {
+    const Sight sight = sightOf(view, width, height);
+    int rows = height;
+    const auto covered = [&](float y) {  // worst at one of the row's ends
+        const Vec3 left = sight.ahead + y * sight.down;
+        const Vec3 right = left + static_cast<float>(width) * sight.right;
+        return std::any_of(frame.grounds.begin(), frame.grounds.end(), [&](const Ground& ground) {
+            return ground.visible && meets(ground, left, view) && meets(ground, right, view);
+        });
+    };
+    while (rows > 0 && covered(static_cast<float>(rows - 1))) --rows;
+    return rows;
+}
 
 GroundCorners groundCorners(const Ground& ground, const View& view,
                             const std::vector<Vec3>& footprint) {

@@ -16,4 +16,7 @@ struct GroundCorners {
 GroundCorners groundCorners(const Ground& ground, const View& view,
                             const std::vector<Vec3>& footprint);
 
+/// So many rows from the top may show something else than ground behind the bodies.
+int rowsOfSky(const Frame& frame, const View& view, int width, int height);
+
 }  // namespace render

@@ -150,13 +150,17 @@ Four Occlusion::open(int x, int y) const {
     return far ? fourOf(1.0f) : positive(1.0f - sum * strength);
 }
 
-/// Calls put(x, y, open) for every pixel of a rectangle.
+/// Calls put(x, y, open) for every pixel of the tiles that have something of `where`.
 template <class Put>
-void forAll(const PixelRect& where, const Occlusion& occlusion, Put put) {
-    for (int y = where.y0; y < where.y1; ++y)
-        for (int x = where.x0 / kFour * kFour; x < where.x1; x += kFour) {
+void forAll(const DepthMap& depth, const std::vector<PixelRect>& where, const Occlusion& occlusion,
+            Put put) {
+    const PixelRect bounds = boundsOf(where);
+    const Tiles tiles(where, depth.width, depth.height);
+    for (int y = bounds.y0; y < bounds.y1; ++y)
+        for (int x = bounds.x0 / kFour * kFour; x < bounds.x1; x += kFour) {
+            if (!tiles.hold(x, y)) continue;
             const Four open = occlusion.open(x, y);
-            for (int i = std::max(where.x0 - x, 0); i < std::min(kFour, where.x1 - x); ++i)
+            for (int i = std::max(bounds.x0 - x, 0); i < std::min(kFour, bounds.x1 - x); ++i)
                 put(x + i, y, open[i]);
         }
 }
@@ -213,44 +217,56 @@ int occlusionRadius(const OcclusionSettings& settings, float nearest, int height
 }
 
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
-    const PixelRect& where = settings.where;
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
-    std::vector<float> all(depth.meters.size());
-    forAll(where, Occlusion(depth, settings, 8, 0.0f), [&](int x, int y, float open) {
-        all[static_cast<std::size_t>(y) * depth.width + x] = open;
-    });
-    BlurredRow row(depth, all, where);
-    for (int y = where.y0; y < where.y1; ++y) row.find(y, map.row(y));
+    std::vector<float> all(depth.meters.size(), 1.0f);
+    forAll(depth, settings.where, Occlusion(depth, settings, 8, 0.0f),
+           [&](int x, int y, float open) {
+               all[static_cast<std::size_t>(y) * depth.width + x] = open;
+           });
+    const PixelRect bounds = boundsOf(settings.where);
+    BlurredRow row(depth, all, bounds);
+    for (int y = bounds.y0; y < bounds.y1; ++y) row.find(y, map.row(y));
     return map;
 }
 
 ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, float turn) {
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
-    forAll(settings.where, Occlusion(depth, settings, 4, turn), [&map](int x, int y, float open) {
-        map.row(y)[x] = static_cast<std::uint8_t>(255.0f * open + 0.5f);
-    });
+    forAll(depth, settings.where, Occlusion(depth, settings, 4, turn),
+           [&map](int x, int y, float open) {
+               map.row(y)[x] = static_cast<std::uint8_t>(255.0f * open + 0.5f);
+           });
     return map;
 }
+
+namespace {
+
+/// Two pixels for each of `column`, which has one more on either side: a row of a doubled map.
+void doubleRow(const std::uint16_t* column, int count, std::uint8_t* out) {
+    for (int k = 0; k < count; ++k) {
+        const int near = 3 * column[k + 1] + 8;
+        out[2 * k] = static_cast<std::uint8_t>((near + column[k]) >> 4);
+        out[2 * k + 1] = static_cast<std::uint8_t>((near + column[k + 2]) >> 4);
+    }
+}
+
+}  // namespace
 
 ByteMap doubled(const ByteMap& map, const PixelRect& where) {
     ByteMap large{where.x1 - where.x0, where.y1 - where.y0, {}};
     large.bytes.resize(static_cast<std::size_t>(large.width) * large.height);
-    const auto next = [](int i) { return i / 2 + (i % 2 ? 1 : -1); };
-    const int lastY = map.height - 1;
-    // One more on either side, so that no pixel has to ask whether it is the last.
-    std::vector<std::uint16_t> column(static_cast<std::size_t>(map.width) + 3);
+    const int first = where.x0 / 2, count = (where.x1 + 1) / 2 - first;
+    const int lastX = map.width - 1, lastY = map.height - 1;
+    std::vector<std::uint16_t> column(static_cast<std::size_t>(count) + 2);
+    std::vector<std::uint8_t> row(2 * static_cast<std::size_t>(count));
     for (int y = where.y0; y < where.y1; ++y) {
         const std::uint8_t* a = map.row(std::min(y / 2, lastY));
-        const std::uint8_t* b = map.row(std::clamp(next(y), 0, lastY));
-        for (int x = 0; x < map.width; ++x)
-            column[x + 1] = static_cast<std::uint16_t>(3 * a[x] + b[x]);
-        column[0] = column[1];
-        column[map.width + 1] = column[map.width + 2] = column[map.width];
-        std::uint8_t* out = large.row(y - where.y0);
-        for (int x = where.x0; x < where.x1; ++x) {
-            const int near = column[x / 2 + 1], far = column[next(x) + 1];
-            out[x - where.x0] = static_cast<std::uint8_t>((3 * near + far + 8) / 16);
+        const std::uint8_t* b = map.row(std::clamp(y / 2 + (y % 2 ? 1 : -1), 0, lastY));
+        for (int k = 0; k < count + 2; ++k) {
+            const int x = std::clamp(first + k - 1, 0, lastX);
+            column[k] = static_cast<std::uint16_t>(3 * a[x] + b[x]);
         }
+        doubleRow(column.data(), count, row.data());
+        std::copy_n(row.begin() + (where.x0 - 2 * first), large.width, large.row(y - where.y0));
     }
     return large;
 }

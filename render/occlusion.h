@@ -30,7 +30,7 @@ struct OcclusionSettings {
     float lensX = 1.0f, lensY = 1.0f;  // tan of half the angles of view
     float farthest = 1000.0f;          // m: beyond 0.6 of it nothing is dark
     float reach = 0.5f;                // m: what is farther away hides nothing
-    PixelRect where;                   // of the map: all is open elsewhere
+    std::vector<PixelRect> where;      // of the map: all is open elsewhere
 };
 
 /// 255 = sees all of the sky, 0 = nothing. Eight samples a pixel, blurred over their pattern.

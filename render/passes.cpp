@@ -114,7 +114,7 @@ SurfaceMap Passes::drawSurfaces(const Frame& frame) {
 }
 
 OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
-                                      const PixelRect& bodies, const DepthMap& map) const {
+                                      const DepthMap& map) const {
     OcclusionSettings set;
     set.lensX = 1.0f / view.projection(0, 0);
     set.lensY = 1.0f / view.projection(1, 1);
@@ -122,13 +122,15 @@ OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
     set.reach = 0.035f * (frame.camera.from - frame.camera.lookAt).norm() + 0.15f;
     const float nearest = *std::min_element(map.meters.begin(), map.meters.end());
     const int border = occlusionRadius(set, nearest, map.height);
-    set.where = halved(bodies).grown(border, map.width, map.height);
+    for (const PixelRect& body : bodyRects(frame, view, settings_.width, settings_.height))
+        set.where.push_back(halved(body).grown(border, map.width, map.height));
     return set;
 }
 
-void Passes::darken(const ByteMap& halfSize, const PixelRect& where, Lights& lights) {
+void Passes::darken(const ByteMap& halfSize, const std::vector<PixelRect>& where,
+                    Lights& lights) {
     lights.openMap = openMap_;
-    lights.darkened = doubled(where, settings_.width, settings_.height);
+    lights.darkened = doubled(boundsOf(where), settings_.width, settings_.height);
     if (lights.darkened.empty()) return;
     const ByteMap open = doubled(halfSize, lights.darkened);
     glBindTexture(GL_TEXTURE_2D, openMap_);
@@ -139,7 +141,6 @@ void Passes::darken(const ByteMap& halfSize, const PixelRect& where, Lights& lig
 Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
     enter(Stage::depth);
     const View view = viewOf(frame);
-    const PixelRect bodies = bodiesRect(frame, view, settings_.width, settings_.height);
     const bool full = settings_.finish == Finish::standard;
     const bool darkened = full && frame.look.ambientOcclusion;
     Lights lights;
@@ -149,7 +150,7 @@ Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
         depth = depth_.draw(frame, upsideDown(view), meshes_, ground_);
     enter(Stage::occlusion);
     if (darkened) {
-        const OcclusionSettings occlusion = occlusionOf(frame, view, bodies, depth);
+        const OcclusionSettings occlusion = occlusionOf(frame, view, depth);
         darken(openness(depth, occlusion), occlusion.where, lights);
     }
     enter(Stage::shadow);
@@ -183,7 +184,6 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     Frame moment = frame;
     moment.camera = moved(frame.camera, sample.lens);
     const View view = sampleView(moment, sample);
-    const PixelRect bodies = bodiesRect(moment, view, settings_.width, settings_.height);
     Lights lights;
     const bool full = settings_.finish == Finish::standard;
     lights.soft = false, lights.corners = !full;
@@ -191,7 +191,7 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     if (full && frame.look.ambientOcclusion) {
         const DepthMap depth = depth_.draw(moment, upsideDown(view), meshes_, ground_);
         enter(Stage::occlusion);
-        const OcclusionSettings occlusion = occlusionOf(moment, view, bodies, depth);
+        const OcclusionSettings occlusion = occlusionOf(moment, view, depth);
         darken(roughOpenness(depth, occlusion, sample.turn), occlusion.where, lights);
     }
     enter(Stage::shadow);

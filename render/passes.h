@@ -34,10 +34,9 @@ public:
 
 private:
     void setMeshes(const Frame& frame, const View& view);
-    OcclusionSettings occlusionOf(const Frame& frame, const View& view, const PixelRect& bodies,
-                                  const DepthMap& map) const;
+    OcclusionSettings occlusionOf(const Frame& frame, const View& view, const DepthMap& map) const;
     /// `where`: of the half-size map, the rest of which is full.
-    void darken(const ByteMap& halfSize, const PixelRect& where, Lights& lights);
+    void darken(const ByteMap& halfSize, const std::vector<PixelRect>& where, Lights& lights);
     Image readBack() const;
     Image finished(Image image, const Look& look) const;
 

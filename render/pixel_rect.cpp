@@ -13,19 +13,19 @@ class Around {
 public:
     Around(const View& view, int width, int height) : view_(view), width_(width), height_(height) {}
 
-    void add(const Vec3& point, float pixels = 0.0f) {
+    void add(const Vec3& point) {
         const Projected p = project(view_, point, width_, height_);
-        if (p.depth <= 0) whole_ = true;
-        const float border = kEdge + pixels;
-        low_ = low_.cwiseMin(Eigen::Vector2f(p.x - border, p.y - border));
-        high_ = high_.cwiseMax(Eigen::Vector2f(p.x + border, p.y + border));
+        (p.depth > 0 ? front_ : back_) = true;
+        low_ = low_.cwiseMin(Eigen::Vector2f(p.x - kEdge, p.y - kEdge));
+        high_ = high_.cwiseMax(Eigen::Vector2f(p.x + kEdge, p.y + kEdge));
     }
     void addBox(const Vec3& middle, const Vec3& u, const Vec3& v, const Vec3& w) {
         for (int corner = 0; corner < 8; ++corner)
             add(middle + (corner & 1 ? u : -u) + (corner & 2 ? v : -v) + (corner & 4 ? w : -w));
     }
     PixelRect rect() const {
-        if (whole_) return {0, 0, width_, height_};
+        if (!front_) return {};
+        if (back_) return {0, 0, width_, height_};
         const auto inside = [](float x, int most) {
             return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(most)));
         };
@@ -36,7 +36,7 @@ public:
 private:
     const View& view_;
     int width_, height_;
-    bool whole_ = false;
+    bool front_ = false, back_ = false;  // of the eye
     Eigen::Vector2f low_{1e9f, 1e9f}, high_{-1e9f, -1e9f};
 };
 
@@ -48,23 +48,46 @@ PixelRect PixelRect::grown(int border, int width, int height) const {
             std::min(y1 + border, height)};
 }
 
-PixelRect bodiesRect(const Frame& frame, const View& view, int width, int height) {
-    Around around(view, width, height);
+std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width, int height) {
+    std::vector<PixelRect> rects;
+    const auto add = [&rects](const Around& around) {
+        if (!around.rect().empty()) rects.push_back(around.rect());
+    };
     for (const Solid& s : frame.solids) {
         Vec3 half = s.halfSize;
         if (s.shape == SolidShape::capsule) half.y() += half.x();
         const Eigen::Matrix3f axes = s.rotation.toRotationMatrix();
+        Around around(view, width, height);
         around.addBox(s.position, half.x() * axes.col(0), half.y() * axes.col(1),
                       half.z() * axes.col(2));
+        add(around);
     }
-    for (const Rod& rod : frame.rods)
+    for (const Rod& rod : frame.rods) {
+        Around around(view, width, height);
         for (const Vec3& end : {rod.from, rod.to})
             around.addBox(end, rod.radius * Vec3::UnitX(), rod.radius * Vec3::UnitY(),
                           rod.radius * Vec3::UnitZ());
-    for (const Trail& trail : frame.trails)
-        for (const Vec3& point : trail.points)
-            around.add(point, trail.pixels * static_cast<float>(height) / 720.0f);
-    return around.rect();
+        add(around);
+    }
+    return rects;
+}
+
+PixelRect boundsOf(const std::vector<PixelRect>& rects) {
+    if (rects.empty()) return {};
+    PixelRect all = rects.front();
+    for (const PixelRect& r : rects)
+        all = {std::min(all.x0, r.x0), std::min(all.y0, r.y0), std::max(all.x1, r.x1),
+               std::max(all.y1, r.y1)};
+    return all;
+}
+
+Tiles::Tiles(const std::vector<PixelRect>& rects, int width, int height)
+    : across_((width + kSide - 1) / kSide),
+      held_(static_cast<std::size_t>(across_) * ((height + kSide - 1) / kSide)) {
+    for (const PixelRect& r : rects)
+        for (int y = r.y0 / kSide; y * kSide < r.y1; ++y)
+            for (int x = r.x0 / kSide; x * kSide < r.x1; ++x)
+                held_[static_cast<std::size_t>(y) * across_ + x] = 1;
 }
 
 }  // namespace render

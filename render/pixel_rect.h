@@ -1,6 +1,7 @@
-/// The part of a picture that holds the bodies: only there are edges to smooth and corners to
-/// darken.
+/// The parts of a picture that hold bodies: only there are corners to darken.
 #pragma once
+#include <vector>
+
 #include "render/camera.h"
 
 namespace render {
@@ -14,7 +15,25 @@ struct PixelRect {
     PixelRect grown(int border, int width, int height) const;
 };
 
-/// Around all solids, rods and trails; the whole picture when one of them reaches behind the eye.
-PixelRect bodiesRect(const Frame& frame, const View& view, int width, int height);
+/// Around every solid and rod that is in the picture; the whole picture for one that lies on both
+/// sides of the eye.
+std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width, int height);
+
+/// Around all of them.
+PixelRect boundsOf(const std::vector<PixelRect>& rects);
+
+/// Rectangles of a picture, to the nearest 8 pixels outwards.
+class Tiles {
+public:
+    Tiles(const std::vector<PixelRect>& rects, int width, int height);
+    bool hold(int x, int y) const {
+        return held_[static_cast<std::size_t>(y / kSide) * across_ + x / kSide] != 0;
+    }
+
+private:
+    static constexpr int kSide = 8;  // pixels
+    int across_;
+    std::vector<char> held_;  // tile by tile, row by row
+};
 
 }  // namespace render

@@ -245,7 +245,12 @@ void ScenePass::drawSky(const Scene& scene) {
     color("fogColor", look.fog);
     color("horizonColor", look.skyHorizon);
     color("topColor", look.skyTop);
+    View upright = scene.view;
+    upright.projection.row(1) *= -1.0f;
+    glEnable(GL_SCISSOR_TEST);
+    scissor({0, 0, width_, rowsOfSky(scene.frame, upright, width_, height_)});
     drawFullScreen(empty_);
+    glDisable(GL_SCISSOR_TEST);
     glDepthFunc(GL_LESS);
 }
 

@@ -18,32 +18,62 @@ namespace {
 constexpr double kMiB = 1024.0 * 1024.0;
 constexpr double kShare = 0.8;  // of the machine's memory; the rest is for others and for caches
 
-// Peak sizes (VmHWM) of the processes of `impulse render stack --jobs 2` at 320x180, 1280x720 and
-// 3840x2160, with 1 and 4 samples, as PNG files and as .mp4. bytes = fixed + pixels * each; the
-// fixed parts are mostly libraries, which the processes share.
+// Peak sizes (VmHWM in /proc) of the processes of `impulse render stack --jobs 2`, at 320x180,
+// 1280x720, 1920x1080 and 3840x2160, as PNG files and as .mp4, with --blur 4 and with every --pass.
+// bytes = fixed + pixels * each; the fixed parts are mostly libraries, which the processes share.
+// How many samples an edge has makes no difference.
 constexpr double kWorker = 66.0 * kMiB;  // and the shadow map
 constexpr double kProgram = 57.0 * kMiB;
 constexpr double kEncoder = 58.0 * kMiB;
-constexpr double kPixel = 26.0;        // textures, the picture, a message on its way
-constexpr double kSample = 8.2;        // colour and depth, where there are more than one
-constexpr double kSum = 20.0;          // of several moments: four sums and one more picture
+constexpr double kPixel = 19.5;        // buffers, the picture, a message on its way
+constexpr double kSum = 18.0;          // of several moments: four sums and one more picture
 constexpr double kPngPixel = 6.5;      // RGB and what is compressed
 constexpr double kMessagePixel = 8.0;  // raw frames in the program: one taken, one coming
-
-constexpr double kMostTexture = 1024.0 * kMiB;  // bytes, of llvmpipe
+constexpr double kPassKept = 5.0;      // of every data pass but the largest
 
 double pixelsOf(int width, int height) { return static_cast<double>(width) * height; }
+
+/// Bytes a pixel.
+struct PassBytes {
+    double worker = 0.0, program = 0.0;
+};
+
+PassBytes bytesOf(Pass pass) {
+    switch (pass) {
+        case Pass::depth: return {15.0, 12.0};
+        case Pass::depth16: return {16.0, 0.0};
+        case Pass::normal: return {42.0, 0.0};
+        case Pass::id: return {14.0, 0.0};
+        case Pass::flow: return {27.0, 16.0};
+        case Pass::camera:
+        case Pass::poses:
+        case Pass::contacts: return {};
+    }
+    return {};
+}
+
+/// They are made one after the other; what is ready waits until the frame is.
+PassBytes passBytes(const std::vector<Pass>& passes) {
+    PassBytes all;
+    for (const Pass pass : passes) {
+        const PassBytes one = bytesOf(pass);
+        if (one.worker == 0.0) continue;
+        const double before = all.worker;
+        all.worker = std::max(before, one.worker) + (before > 0.0 ? kPassKept : 0.0);
+        all.program += one.program;
+    }
+    return all;
+}
 
 /// Drawn with `panels` pictures of which one is drawn at a time and all are put into the whole.
 double workerBytes(const FilmPlan& plan, bool png) {
     const render::RendererSettings& picture = plan.picture;
     const double drawn = pixelsOf(picture.width, picture.height);
     const double whole = pixelsOf(plan.layout.width, plan.layout.height);
-    const double samples = picture.samples > 1 ? kSample * (picture.samples - 1) : 0.0;
     const double shadow = 2.0 * picture.shadowSize * picture.shadowSize;
     const double sums = plan.shutter.moments > 1 ? kSum * drawn : 0.0;
     const double panels = plan.panels.size() > 1 ? 4.0 * whole : 0.0;
-    return kWorker + shadow + sums + drawn * (kPixel + samples) + panels +
+    return kWorker + shadow + sums + drawn * (kPixel + passBytes(plan.passes).worker) + panels +
            (png ? kPngPixel * whole : 0.0);
 }
 
@@ -73,8 +103,7 @@ std::string bytesText(double bytes) {
 }
 
 std::string pictureText(const FilmPlan& plan) {
-    return fmt::format("{}x{} with {} sample{} a pixel", plan.layout.width, plan.layout.height,
-                       plan.picture.samples, plan.picture.samples == 1 ? "" : "s");
+    return fmt::format("{}x{}", plan.layout.width, plan.layout.height);
 }
 
 /// The limit of a control group, as container engines set it; 0 = none.
@@ -89,18 +118,6 @@ double groupMemory() {
             break;
         }
     return limit;
-}
-
-/// Before the memory: more of it would not help.
-void checkTexture(const FilmPlan& plan) {
-    const render::RendererSettings& picture = plan.picture;
-    const double samples = picture.samples > 1 ? 4.0 : 1.0;  // 2 are drawn as 4
-    const double most = kMostTexture / (4.0 * samples);
-    if (pixelsOf(picture.width, picture.height) <= most) return;
-    throw Stop(Exit::usage,
-               fmt::format("--size {}x{}: with --samples {} a picture has at most {:.0f} "
-                           "million pixels, for example 8192x8192",
-                           picture.width, picture.height, picture.samples, std::floor(most / 1e6)));
 }
 
 std::string targetText(const FilmPlan& plan, const Output& output) {
@@ -118,7 +135,8 @@ FilmNeeds needsOf(const FilmPlan& plan, int workers, const std::vector<Output>& 
     FilmNeeds needs;
     needs.workers = workers;
     needs.worker = workerBytes(plan, png || outputs.empty());
-    needs.program = kProgram + pixels * ((png ? 0.6 : 0.0) + (moving ? kMessagePixel : 0.0));
+    needs.program = kProgram + pixels * ((png ? 0.6 : 0.0) + (moving ? kMessagePixel : 0.0) +
+                                         passBytes(plan.passes).program);
     for (const Output& output : outputs) {
         if (output.kind == OutputKind::film) needs.encoders += encoderBytes(plan);
         needs.disk += diskBytes(plan, output);
@@ -134,7 +152,6 @@ double machineMemory() {
 }
 
 void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan) {
-    checkTexture(plan);
     const double have = machineMemory();
     if (have <= 0.0 || needs.memory() <= kShare * have) return;
     const double room = kShare * have - needs.program - needs.encoders;

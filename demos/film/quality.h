@@ -11,7 +11,7 @@ struct Quality {
     const char* name;
     int width, height;  // pixels
     int fps;
-    int samples;  // a pixel
+    int samples;  // of a pixel with an edge
     int moments;  // pictures that a frame is the mean of
     render::Finish finish;
 };

@@ -69,8 +69,6 @@ INSTANTIATE_TEST_SUITE_P(
         {"TwoTables", {"sim", "stack", "--csv", "-", "--bodies", "-"}, 2, "two tables"},
         {"Shell", {"completion", "zsh"}, 2, "known are: bash"},
         {"SizeBelowZero", {"render", "stack", "--size", "-5x10"}, 2, "1 to 16384"},
-        {"SizeTooManyPixels", {"render", "stack", "--size", "16384x16384"}, 2, "67 million pixels"},
-        {"StillTooManyPixels", {"still", "stack", "--size", "16384x9000"}, 2, "67 million pixels"},
         {"SizeOverflow", {"render", "stack", "--size", "99999999999x9"}, 2, "1280x720"},
         {"SizeEmpty",
          {"render", "stack", "--size", ""},

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "render/edge_samples.h"
+#include "render/ground_corners.h"
 #include "render/palette.h"
 #include "render/renderer.h"
 #include "render/trails.h"
@@ -219,6 +220,31 @@ TEST(EdgeSamples, AThinRodHasNoGaps) {
         int darkest = 255;
         for (int x = 60; x < 100; ++x) darkest = std::min<int>(darkest, image.at(x, y)[1]);
         EXPECT_LT(darkest, 150) << y;
+    }
+}
+
+TEST(RowsOfSky, HoldAllOfItAndLittleElse) {
+    const struct {
+        Camera camera;
+        int fewest, most;
+    } cases[] = {{{{8, 5, 14}, {0, 2, 0}, {0, 1, 0}, 35}, 15, 60},
+                 {{{8, 5, 14}, {0, 2, 0}, Vec3(0.5f, 1, 0).normalized(), 35}, 40, 90},
+                 {{{0, 9, 1}, {0, 0, 0}, {0, 1, 0}, 35}, 0, 0},    // straight down
+                 {{{0, 1, 5}, {0, 9, 0}, {0, 1, 0}, 35}, 90, 90},  // up
+                 {{{0, 200, 900}, {0, 0, 0}, {0, 1, 0}, 35}, 1, 60},
+                 {{{0, -2, 9}, {0, 0, 0}, {0, 1, 0}, 35}, 10, 90}};  // from below
+    for (const auto& one : cases) {
+        Frame frame;
+        frame.camera = one.camera;
+        frame.grounds.push_back({});
+        const int rows = rowsOfSky(frame, viewOf(frame, 160, 90), 160, 90);
+        const Vec3& from = one.camera.from;
+        EXPECT_GE(rows, one.fewest) << from.transpose();
+        EXPECT_LE(rows, one.most) << from.transpose();
+        const SurfaceMap map = Renderer(plain(160, 90, 1)).surfaces(frame);
+        for (int y = rows; y < 90; ++y)
+            for (int x = 0; x < 160; ++x)
+                ASSERT_NE(map.at(x, y), kNoSurface) << from.transpose() << ": " << x << "," << y;
     }
 }
 

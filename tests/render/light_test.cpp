@@ -76,7 +76,7 @@ DepthMap room(bool wall) {
 OcclusionSettings everywhere(float reach) {
     OcclusionSettings settings;
     settings.reach = reach;
-    settings.where = {0, 0, 96, 96};
+    settings.where = {{0, 0, 96, 96}};
     return settings;
 }
 
@@ -108,7 +108,7 @@ TEST(Occlusion, ManyRoughOnesAreLikeAFineOne) {
 
 TEST(Occlusion, OutsideItsRegionAllIsOpen) {
     OcclusionSettings settings = everywhere(2.0f);
-    settings.where = {0, 0, 48, 96};
+    settings.where = {{0, 0, 48, 96}};
     const ByteMap open = openness(room(true), settings);
     EXPECT_LT(open.row(kCorner + 1)[20], 255);
     EXPECT_EQ(open.row(kCorner + 1)[70], 255);
@@ -131,14 +131,15 @@ View straight() {
     return makeView(camera, 16.0f / 9.0f);
 }
 
-TEST(BodiesRect, HoldsEveryCornerOfABody) {
+TEST(BodyRects, HoldEveryCornerOfABody) {
     Frame frame;
     Solid box;
     box.position = {1, 0.5f, 0};
     box.rotation = Eigen::AngleAxisf(0.7f, Vec3(1, 1, 0).normalized());
     frame.solids.push_back(box);
     const View view = straight();
-    const PixelRect rect = bodiesRect(frame, view, 640, 360);
+    ASSERT_EQ(bodyRects(frame, view, 640, 360).size(), 1u);
+    const PixelRect rect = bodyRects(frame, view, 640, 360).front();
     const auto within = [](float place, int low, int high) {
         return place > static_cast<float>(low) && place < static_cast<float>(high);
     };
@@ -151,15 +152,33 @@ TEST(BodiesRect, HoldsEveryCornerOfABody) {
     EXPECT_LT(rect.x1 - rect.x0, 200);
 }
 
-TEST(BodiesRect, IsThePictureWhereABodyReachesBehindTheEye) {
+TEST(BodyRects, AreThePictureWhereABodyReachesBehindTheEye) {
     Frame frame;
     Solid floor;
     floor.halfSize = {20, 0.1f, 20};
     frame.solids.push_back(floor);
-    const PixelRect rect = bodiesRect(frame, straight(), 640, 360);
+    const PixelRect rect = boundsOf(bodyRects(frame, straight(), 640, 360));
     EXPECT_EQ(rect.x0 + rect.y0, 0);
     EXPECT_EQ(rect.x1, 640);
     EXPECT_EQ(rect.y1, 360);
+    frame.solids[0].halfSize = {1, 1, 1};
+    frame.solids[0].position = {0, 2, 12};  // all of it behind
+    EXPECT_TRUE(bodyRects(frame, straight(), 640, 360).empty());
+}
+
+TEST(Tiles, HoldAllPixelsOfTheirRectanglesAndFewMore) {
+    const Tiles tiles({{3, 9, 20, 10}, {30, 0, 31, 21}}, 37, 21);
+    for (int y = 0; y < 21; ++y)
+        for (int x = 0; x < 37; ++x) {
+            const bool first = x < 24 && y >= 8 && y < 16, second = x >= 24 && x < 32;
+            EXPECT_EQ(tiles.hold(x, y), first || second) << x << "," << y;
+        }
+}
+
+TEST(Occlusion, IsTheSameInManyRectanglesAsInOne) {
+    OcclusionSettings parts = everywhere(2.0f);
+    parts.where = {{0, 0, 96, 50}, {0, 48, 50, 96}, {48, 48, 96, 96}};
+    EXPECT_EQ(openness(room(true), parts).bytes, openness(room(true), everywhere(2.0f)).bytes);
 }
 
 /// Whether a point of the plane y = 0 lies in a triangle.
