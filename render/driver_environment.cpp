@@ -16,7 +16,8 @@ constexpr std::string_view kPrefixes[] = {"DRAW_",    "DRIRC_",    "EGL_",  "GAL
                                           "disable_", "force_",    "glsl_", "mesa_"};
 
 /// Where files lie is a matter of the installation. The cache of compiled shaders changes no pixel:
-/// the processor's features and GALLIVM_PERF are part of its keys. It saves a process a second of CPU.
+/// the processor's features and GALLIVM_PERF are part of its keys. It saves a process a
+/// second of CPU.
 constexpr std::string_view kKept[] = {"LIBGL_DRIVERS_PATH", "MESA_SHADER_CACHE_DIR",
                                       "MESA_SHADER_CACHE_DISABLE", "MESA_SHADER_CACHE_MAX_SIZE"};
 

@@ -29,7 +29,9 @@ struct SeenSurface::Rays {
 SeenSurface::SeenSurface(const Surface& surface, const Sight& sight)
     : kind_(surface.kind), half_(surface.half.cast<float>()) {
     const Mat3d turn = surface.axes.transpose();
-    const auto local = [&](const Vec3& v) -> Vec3 { return (turn * v.cast<double>()).cast<float>(); };
+    const auto local = [&turn](const Vec3& v) -> Vec3 {
+        return (turn * v.cast<double>()).cast<float>();
+    };
     eye_ = (turn * (sight.eye.cast<double>() - surface.at)).cast<float>();
     ahead_ = local(sight.ahead), right_ = local(sight.right), down_ = local(sight.down);
 }

@@ -132,7 +132,7 @@ FourInts EdgeSamples::meet(Four x, Four y, int count) {
     return met;
 }
 
-/// The nearest pixel that has it; a face that none has: one of the same body; else the pixel itself.
+/// The nearest pixel that has it; of a face that none has, one of the same body; else the middle.
 std::size_t EdgeSamples::placeOf(std::int32_t surface, std::size_t sample) const {
     for (const std::size_t place : order_[sample])
         if (around_[place] == surface) return place;

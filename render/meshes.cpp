@@ -163,7 +163,8 @@ Instances instancesOf(const Frame& frame, float pixelsAMeter) {
         result.balls[levelOf(pixels)].push_back(
             {s.position, q, Vec3(r, r, r), stretch, color, number});
     }
-    for (const Rod& rod : frame.rods) addRod(rod, drawnRadius(rod, eye, pixelsAMeter), surface++, result.bars);
+    for (const Rod& rod : frame.rods)
+        addRod(rod, drawnRadius(rod, eye, pixelsAMeter), surface++, result.bars);
     sortByDistance(result.boxes, eye);
     sortByDistance(result.bars, eye);
     for (std::vector<Instance>& balls : result.balls) sortByDistance(balls, eye);

@@ -14,7 +14,7 @@
 namespace render {
 
 enum class Finish {
-    draft,    // one sample a pixel, no shadows: to see whether the scene is right
+    draft,    // one sample a pixel, light at corners, no shadows: to see whether the scene is right
     standard  // shadows, ambient occlusion, `samples` a pixel where there are edges
 };
 

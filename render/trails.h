@@ -1,5 +1,5 @@
-/// Trails as bands of triangles that face the viewer, wider than the trail by half a pixel on either
-/// side: there it covers pixels in part.
+/// Trails as bands of triangles that face the viewer, wider than the trail by half a pixel on
+/// either side: there it covers pixels in part.
 #pragma once
 #include <vector>
 

@@ -255,8 +255,7 @@ TEST(Trails, CoverAsMuchAsTheyAreWide) {
     const Image empty = Renderer(plain(160, 90, 1)).draw(frame);
     Trail trail;
     trail.color = {0, 0, 0, 1};
-    for (int i = 0; i <= 40; ++i)
-        trail.points.push_back({0.01f * static_cast<float>(i), 0.1f * static_cast<float>(i - 20), 0});
+    for (float y = -2.0f; y < 2.01f; y += 0.1f) trail.points.push_back({0.1f * (y + 2.0f), y, 0});
     trail.pixels = 16.0f;  // at 720 rows: 2 here
     frame.trails.push_back(trail);
     const Image image = Renderer(plain(160, 90, 1)).draw(frame);
