@@ -34,8 +34,7 @@ std::optional<Box> placed(float width, float height, Corner corner, float gap,
 }
 
 int pixelsOf(float size, const Margins& m, float share = 1.0f) {
-    const float scale = overlayScale(static_cast<int>(m.width), static_cast<int>(m.height));
-    return std::max(static_cast<int>(std::lround(share * size * scale)), kSmallestText);
+    return textPixels(share * size, static_cast<int>(m.width), static_cast<int>(m.height));
 }
 
 /// Without the last letter of UTF-8.
@@ -83,6 +82,15 @@ void addPlate(const Plate& plate, const Frame& frame, const Margins& m, CornerLa
 
 }  // namespace
 
+float cornerMargin(int width, int height) {
+    return 0.033f * static_cast<float>(std::min(width, height));
+}
+
+int textPixels(float size, int width, int height) {
+    return std::max(static_cast<int>(std::lround(size * overlayScale(width, height))),
+                    kSmallestText);
+}
+
 bool CornerLayout::isFree(const Box& box) const {
     const auto meets = [&](const auto& item) { return item.box.overlaps(box); };
     return std::none_of(texts.begin(), texts.end(), meets) &&
@@ -124,7 +132,7 @@ float pixelsPerMeter(const Camera& camera, int height) {
 }
 
 CornerLayout layoutCorners(const Frame& frame, int width, int height) {
-    const Margins m{0.033f * static_cast<float>(std::min(width, height)), static_cast<float>(width),
+    const Margins m{cornerMargin(width, height), static_cast<float>(width),
                     static_cast<float>(height)};
     CornerLayout layout;
     // The lowest line of a lower corner is its last one.

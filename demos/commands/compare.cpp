@@ -110,20 +110,19 @@ int plottedMeasure(const Plan& plan) {
     return measureCalled(word);
 }
 
-void makeComparison(const std::vector<Measured>& runs, const Plan& plan) {
+FilmPlan filmOf(const Plan& plan) {
     std::vector<Panel> panels;
-    for (const Measured& run : runs) {
+    for (const Variant& variant : plan.variants) {
         Panel panel;
-        panel.scene = run.variant.scene;
-        panel.settings = fmt::format("{}", fmt::join(run.variant.settings, " "));
-        panel.scene.title = run.variant.label;
+        panel.scene = variant.scene;
+        panel.settings = fmt::format("{}", fmt::join(variant.settings, " "));
+        panel.scene.title = variant.label;
         panel.scene.sections.clear();
         panels.push_back(std::move(panel));
     }
     FilmPlan film = planFilm(std::move(panels), plan.options.strip, plan.options);
     film.name = plan.name + "-compare";
-    if (plan.options.strip) addStrip({historyChart(runs, plottedMeasure(plan), "")}, film);
-    makeFilm(film, plan.options);
+    return film;
 }
 
 }  // namespace
@@ -141,6 +140,8 @@ Exit compareCommand(const Options& options) {
                                             fmt::join(names, ", ")));
     }
     const Plan plan = planOf(options);
+    FilmPlan film = filmOf(plan);
+    if (options.film) checkFilmPlan(film, plan.options);
     watchSignals();
     const bool raw =
         std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
@@ -153,7 +154,9 @@ Exit compareCommand(const Options& options) {
     if (!plan.point.empty()) talk.say(fmt::format("{}: {}", plan.name, plan.point));
     if (!options.json) fmt::print(raw ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
-    if (options.film) makeComparison(runs, plan);
+    if (!options.film) return Exit::ok;
+    if (options.strip) addStrip({historyChart(runs, plottedMeasure(plan), "")}, film);
+    makeFilm(film, plan.options);
     return Exit::ok;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "demos/commands/commands.h"
@@ -26,28 +27,28 @@ std::vector<std::string> shortLabels(const Variation& variation) {
     return labels;
 }
 
-/// At most 16 of the runs, the first and the last among them.
-std::vector<const Measured*> spread(const std::vector<Measured>& runs) {
-    std::vector<const Measured*> chosen;
-    const std::size_t count = std::min(runs.size(), kMostPanels);
+/// At most 16 of them, the first and the last among them.
+std::vector<const Variant*> spread(const std::vector<Variant>& variants) {
+    std::vector<const Variant*> chosen;
+    const std::size_t count = std::min(variants.size(), kMostPanels);
     for (std::size_t i = 0; i < count; ++i)
-        chosen.push_back(&runs[count == 1 ? 0 : i * (runs.size() - 1) / (count - 1)]);
+        chosen.push_back(&variants[count == 1 ? 0 : i * (variants.size() - 1) / (count - 1)]);
     return chosen;
 }
 
-void makeGrid(const std::vector<Measured>& runs, const Options& options) {
+FilmPlan gridOf(const std::vector<Variant>& variants, const Options& options) {
     std::vector<Panel> panels;
-    for (const Measured* run : spread(runs)) {
+    for (const Variant* variant : spread(variants)) {
         Panel panel;
-        panel.scene = run->variant.scene;
-        panel.settings = run->variant.settings.back();
-        panel.scene.title = run->variant.label;
+        panel.scene = variant->scene;
+        panel.settings = variant->settings.back();
+        panel.scene.title = variant->label;
         panel.scene.sections.clear();
         panels.push_back(std::move(panel));
     }
     FilmPlan film = planFilm(std::move(panels), false, options);
     film.name = film.scene().name + "-sweep";
-    makeFilm(film, options);
+    return film;
 }
 
 std::vector<int> plotted(const Options& options) {
@@ -77,6 +78,11 @@ Exit sweepCommand(const Options& options) {
     const std::vector<Variant> variants =
         variantsOf(options, combinations({variation}), shortLabels(variation), "--over");
     if (!options.plot.empty()) checkChartFile(options.plot);
+    std::optional<FilmPlan> grid;
+    if (!options.outputs.empty()) {
+        grid = gridOf(variants, options);
+        checkFilmPlan(*grid, options);
+    }
     watchSignals();
     const bool csvOnStdout = options.csv == "-";
     const bool dataOnStdout =
@@ -102,7 +108,7 @@ Exit sweepCommand(const Options& options) {
         writeCharts(options.plot, charts, chartSize(charts.size()), theme);
         talk.say(fmt::format("wrote {}", printable(options.plot)));
     }
-    if (!options.outputs.empty()) makeGrid(runs, options);
+    if (grid) makeFilm(*grid, options);
     return Exit::ok;
 }
 

@@ -208,17 +208,21 @@ void tellPlan(const FilmNeeds& needs, const FilmPlan& plan, const std::vector<Ou
 
 }  // namespace
 
-void makeFilm(const FilmPlan& plan, const Options& options) {
+void checkFilmPlan(const FilmPlan& plan, const Options& options) {
     const std::vector<Output> outputs = outputsOf(plan, options);
     checkOutputs(outputs, plan, options.overwrite);
+    checkNeeds(needsOf(plan, workerCount(options.jobs, plan.frames), outputs), plan);
+}
+
+void makeFilm(const FilmPlan& plan, const Options& options) {
+    checkFilmPlan(plan, options);
+    const std::vector<Output> outputs = outputsOf(plan, options);
     Poster poster(plan, options);
     const bool raw = has(outputs, OutputKind::raw);
     const bool moving = raw || has(outputs, OutputKind::film);
     const Talk talk(options, raw);
     const int workers = workerCount(options.jobs, plan.frames);
-    const FilmNeeds needs = needsOf(plan, workers, outputs);
-    checkNeeds(needs, plan);
-    if (options.dryRun) return tellPlan(needs, plan, outputs, talk);
+    if (options.dryRun) return tellPlan(needsOf(plan, workers, outputs), plan, outputs, talk);
     watchSignals();
     FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
     RunRecord record = recordOf(plan, options, source.renderer());

@@ -4,6 +4,10 @@
 
 namespace demos {
 
+/// Refuses, with Stop, outputs that cannot be written and pictures that need more memory than there
+/// is: before anything is played for them.
+void checkFilmPlan(const FilmPlan& plan, const Options& options);
+
 /// Throws Stop and render::Error; what has been written until then stays, whole.
 void makeFilm(const FilmPlan& plan, const Options& options);
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "demos/film/framing.h"
 #include "demos/snapshot/camera.h"
 #include "demos/stop.h"
 #include "engine/base/hash.h"
@@ -12,9 +12,7 @@
 namespace demos {
 namespace {
 
-/// Scenes are framed for pictures at least this wide; a narrower panel looks wider up and down.
 constexpr std::uint8_t kWhite = 255;
-constexpr float kWidest = 4.0f / 3.0f;
 
 void place(const render::Image& part, int x, int y, render::Image& whole) {
     for (int row = 0; row < part.height; ++row)
@@ -40,13 +38,6 @@ void drawCursor(int x, int top, int bottom, render::Image& whole) {
                 std::uint8_t& value = whole.at(column, y)[c];
                 value = static_cast<std::uint8_t>((value + 128) / 2);
             }
-}
-
-void keepWidth(float aspect, render::Camera& camera) {
-    if (aspect >= kWidest) return;
-    constexpr float kHalfDegree = std::numbers::pi_v<float> / 360.0f;
-    const float half = std::tan(camera.fovDegrees * kHalfDegree) * kWidest / aspect;
-    camera.fovDegrees = std::min(std::atan(half) / kHalfDegree, 170.0f);
 }
 
 /// A cut falls between two pictures: a shutter that was open across it looks from behind it all the
@@ -123,9 +114,7 @@ render::Image Screen::drawPanel(Show& show, double time, render::Renderer& rende
 
 render::Frame Screen::frameOf(const Show& show, double time) const {
     render::Frame frame = show.player.frame(time);
-    if (shows_.size() == 1) return frame;
-    keepWidth(static_cast<float>(plan_.picture.width) / static_cast<float>(plan_.picture.height),
-              frame.camera);
+    fitCamera(plan_.picture.width, plan_.picture.height, frame);
     if (!show.trouble.empty())
         frame.texts.push_back({"diverged: the last good state", render::Corner::topLeft, 22.0f,
                                render::fromHex(0xc0392b)});
@@ -149,7 +138,10 @@ render::Image Screen::draw(int frame, render::Renderer& renderer) {
 render::Frame Screen::plainFrame(int frame) const {
     Overlays none;
     none.trails = none.text = false;
-    return snapshot(stage(), none, plan_.timeOf(frame), shows_.front()->player.history());
+    const double time = plan_.timeOf(frame);
+    render::Frame plain = snapshot(stage(), none, time, shows_.front()->player.history());
+    plain.camera = frameOf(*shows_.front(), time).camera;  // beside what is written on the picture
+    return plain;
 }
 
 std::uint64_t Screen::hash() const {

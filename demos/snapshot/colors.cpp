@@ -1,10 +1,13 @@
 #include "demos/snapshot/colors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <numeric>
+#include <set>
 
 #include "demos/snapshot/history.h"
 #include "demos/snapshot/scale.h"
@@ -27,32 +30,38 @@ std::string groupOf(const std::string& name) {
     return end == std::string::npos ? name : name.substr(0, end + 1);
 }
 
+std::string materialText(const engine::Material& m) {
+    std::string text = fmt::format("friction {:g}, {:g} kg/m³", m.friction, m.density);
+    if (m.restitution > 0.0) text += fmt::format(", restitution {:g}", m.restitution);
+    return text;
+}
+
+/// What bodies are told apart by, where that has a name.
+std::vector<std::string> namesOf(const Stage& stage, const std::string& colorBy) {
+    std::vector<std::string> names;
+    if (colorBy == "group" || colorBy == "material")
+        for (const BodyDescription& body : stage.scene.bodies)
+            names.push_back(colorBy == "group" ? groupOf(body.name)
+                                               : materialText(body.def.material));
+    return names;
+}
+
 /// The same number for what is the same, in the order of the bodies.
-template <class Key>
-std::vector<int> numbered(const std::vector<Key>& keys) {
-    std::map<Key, int> numbers;
+std::vector<int> numbered(const std::vector<std::string>& names) {
+    std::map<std::string, int> numbers;
     std::vector<int> result;
-    for (const Key& key : keys)
-        result.push_back(numbers.emplace(key, static_cast<int>(numbers.size())).first->second);
+    for (const std::string& name : names)
+        result.push_back(numbers.emplace(name, static_cast<int>(numbers.size())).first->second);
     return result;
 }
 
 /// By body; nothing when its own colours stay.
 std::vector<int> kindsOf(const Stage& stage, const std::string& colorBy) {
     if (colorBy == "island") return islandsOf(stage);
-    std::vector<std::string> groups;
-    std::vector<std::tuple<double, double, double>> materials;
-    std::vector<int> ids;
-    for (const BodyDescription& body : stage.scene.bodies) {
-        const engine::Material& m = body.def.material;
-        groups.push_back(groupOf(body.name));
-        materials.emplace_back(m.friction, m.restitution, m.density);
-        ids.push_back(static_cast<int>(ids.size()));
-    }
-    return colorBy == "group"      ? numbered(groups)
-           : colorBy == "material" ? numbered(materials)
-           : colorBy == "id"       ? ids
-                                   : std::vector<int>{};
+    if (colorBy != "id") return numbered(namesOf(stage, colorBy));
+    std::vector<int> ids(stage.scene.bodies.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    return ids;
 }
 
 }  // namespace
@@ -115,6 +124,17 @@ render::Color ownColor(const Stage& stage, int body) {
     const BodyDescription& description = stage.scene.bodies[body];
     if (description.color) return render::fromHex(*description.color);
     return isFixed(stage, body) ? render::fixedColor() : render::paletteColor(body);
+}
+
+std::vector<ColorMeaning> colorMeanings(const Stage& stage, const std::string& colorBy) {
+    const std::vector<std::string> names = namesOf(stage, colorBy);
+    const std::vector<int> kinds = numbered(names);
+    std::vector<ColorMeaning> meanings;
+    std::set<int> told;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (!isFixed(stage, static_cast<int>(i)) && told.insert(kinds[i]).second)
+            meanings.push_back({names[i], render::paletteColor(kinds[i])});
+    return meanings;
 }
 
 std::vector<render::Color> bodyColors(const Stage& stage, const Overlays& overlays,

@@ -29,6 +29,13 @@ double scaleEnd(const Overlays& overlays, const History& history);
 /// fixed bodies do not join others, and are -1.
 std::vector<int> islandsOf(const Stage& stage);
 
+/// What the colours of moving bodies say, in the bodies' order: for "group" and "material".
+struct ColorMeaning {
+    std::string name;
+    render::Color color;
+};
+std::vector<ColorMeaning> colorMeanings(const Stage& stage, const std::string& colorBy);
+
 /// By body.
 std::vector<render::Color> bodyColors(const Stage& stage, const Overlays& overlays,
                                       const History& history);

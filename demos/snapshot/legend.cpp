@@ -2,6 +2,8 @@
 // scale.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/parts.h"
 #include "demos/snapshot/scale.h"
@@ -23,12 +25,20 @@ void addScaledArrow(const char* name, const ArrowScale& scale, double factor, co
     rows.push_back(std::move(row));
 }
 
+void addMeanings(const std::vector<ColorMeaning>& meanings, std::vector<render::PlateRow>& rows) {
+    constexpr std::size_t kMost = 8;
+    for (std::size_t i = 0; i < std::min(meanings.size(), kMost); ++i)
+        rows.push_back({meanings[i].name, "", Swatch::dot, meanings[i].color});
+    if (meanings.size() > kMost)
+        rows.push_back({fmt::format("and {} more", meanings.size() - kMost), ""});
+}
+
 void addColors(const Moment& moment, std::vector<render::PlateRow>& rows) {
     const std::string& by = moment.overlays.colorBy;
     if (by == "body") return;
     const bool scaled = by == "speed" || by == "impulse";
     rows.push_back({scaled ? by : "colour", !scaled ? by : by == "speed" ? "m/s" : "N s"});
-    if (!scaled) return;
+    if (!scaled) return addMeanings(colorMeanings(moment.stage, by), rows);
     render::PlateRow scale{"0", fmt::format("{:g}", scaleEnd(moment.overlays, moment.history))};
     scale.ramp = scaleRamp();
     rows.push_back(std::move(scale));

@@ -51,6 +51,24 @@ TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
     EXPECT_GT(different, 50);
 }
 
+TEST_F(Compare, WhatCannotBeWrittenIsRefusedBeforeAnythingIsPlayed) {
+    write(folder / "there.mp4", "a film");
+    for (const std::string command : {"compare", "sweep"}) {
+        const std::vector<std::string> varied =
+            command == "compare" ? std::vector<std::string>{"--vary", "solver.nudges=0,4"}
+                                 : std::vector<std::string>{"--over", "solver.nudges=0..4"};
+        const Ended there = run(
+            folder.path(), with(with({command, "ball.toml", "-o", "there.mp4"}, varied), kSmall));
+        EXPECT_EQ(there.code, 5) << there.err;
+        EXPECT_TRUE(there.out.empty()) << there.out;  // no table
+        const Ended large = run(folder.path(), with({command, "ball.toml", "-o", "f", "--size",
+                                                     "16384x16384", "--jobs", "256"}, varied));
+        EXPECT_EQ(large.code, 4) << large.err;
+        EXPECT_TRUE(large.out.empty()) << large.out;
+    }
+    EXPECT_EQ(contentOf(folder / "there.mp4"), "a film");
+}
+
 TEST_F(Compare, ASecondRunKeepsEveryFrame) {
     const std::vector<std::string> arguments =
         with({"ball.toml", "--vary", "solver.nudges=0,4", "-o", "film"}, kSmall);

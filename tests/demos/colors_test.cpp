@@ -126,5 +126,21 @@ TEST(Colors, GroupsAndMaterialsAndOwnColours) {
     for (const std::string& name : colorings()) EXPECT_EQ(colored(name.c_str()).size(), 5u) << name;
 }
 
+TEST(Colors, OfGroupsAndMaterialsAreNamed) {
+    const Stage stage(sceneFrom(kScene));
+    const auto groups = colorMeanings(stage, "group");  // not the floor, which is fixed
+    ASSERT_EQ(groups.size(), 2u);
+    EXPECT_EQ(groups[0].name, "box");
+    EXPECT_EQ(groups[1].name, "ball");
+    const auto colors = bodyColors(stage, {.colorBy = "group"}, {});
+    EXPECT_TRUE(same(groups[0].color, colors[1]));
+    EXPECT_TRUE(same(groups[1].color, colors[4]));
+    const auto materials = colorMeanings(stage, "material");
+    ASSERT_EQ(materials.size(), 2u);
+    EXPECT_TRUE(materials[1].name.starts_with("friction 0.1, ")) << materials[1].name;
+    for (const char* by : {"body", "island", "id", "speed"})
+        EXPECT_TRUE(colorMeanings(stage, by).empty()) << by;
+}
+
 }  // namespace
 }  // namespace demos
