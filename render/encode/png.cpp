@@ -27,6 +27,11 @@ unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, 
     return out;
 }
 
+/// stb's own goes byte by byte.
+unsigned int crc32(const unsigned char* bytes, int size) {
+    return libdeflate_crc32(0, bytes, static_cast<std::size_t>(size));
+}
+
 }  // namespace
 
 #if defined(__GNUC__)
@@ -40,6 +45,7 @@ unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, 
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
 #define STBIW_ZLIB_COMPRESS deflateFast
+#define STBIW_CRC32 crc32
 #include <stb/stb_image_write.h>
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
