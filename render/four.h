@@ -12,7 +12,7 @@ using FourInts = int __attribute__((vector_size(16)));  // also what comparisons
 inline Four fourOf(float v) { return Four{v, v, v, v}; }
 inline Four positive(Four v) { return v > 0.0f ? v : Four{}; }
 inline Four smaller(Four a, Four b) { return a < b ? a : b; }
-inline Four size(Four v) { return v < 0.0f ? -v : v; }
+inline Four magnitude(Four v) { return v < 0.0f ? -v : v; }
 inline Four squareRoot(Four v) {
     for (int i = 0; i < kFour; ++i) v[i] = std::sqrt(v[i]);
     return v;

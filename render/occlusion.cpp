@@ -55,7 +55,7 @@ Points cross(const Points& a, const Points& b) {
 /// The shorter of the two steps: the other one may lead off the surface.
 Points slope(const Points& before, const Points& here, const Points& after) {
     const Points a = here - before, b = after - here;
-    const FourInts first = size(a.z) < size(b.z);
+    const FourInts first = magnitude(a.z) < magnitude(b.z);
     return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
 

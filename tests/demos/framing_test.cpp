@@ -3,30 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "demos/player.h"
-#include "demos/scene/reader.h"
 #include "render/camera.h"
 #include "render/corners.h"
+#include "tests/demos/reading.h"
 
 namespace demos {
 namespace {
 
-const char* const kScene = R"(format = 1
-[[body]]
-name = "floor"
-shape = { plane = [0, 1, 0] }
-fixed = true
-[[body]]
-name = "ball"
-shape = { sphere = 0.5 }
-at = [0, 0.5, 0]
-[camera]
-from = [0, 2, 10]
-look_at = [0, 2, 0]
-fov_deg = 30
-)";
+const std::string kCamera = "[camera]\nfrom = [0, 2, 10]\nlook_at = [0, 2, 0]\nfov_deg = 30\n";
 
 render::Frame frameOf(const Overlays& overlays, int steps = 0) {
-    Player player(readScene(kScene, "test", "test"), overlays);
+    Player player(test::read(test::kFloor + test::kBall + kCamera), overlays);
     player.step(steps);
     return player.frame(0.01 * steps);
 }
