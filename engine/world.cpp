@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/base/check.h"
+#include "engine/collision/ray_cast.h"
 #include "engine/dynamics/forces.h"
 #include "engine/dynamics/integration.h"
 #include "engine/solver/nudges.h"
@@ -121,6 +122,20 @@ void World::setGravity(const Vec3& gravity) {
 const Vec3& World::gravity() const { return state_->gravity; }
 int World::bodyCount() const { return state_->bodies.count(); }
 int World::jointCount() const { return static_cast<int>(state_->joints.size()); }
+
+std::optional<RayHit> World::castRay(const Vec3& from, const Vec3& to,
+                                     const std::function<bool(BodyId)>& wanted) const {
+    ENGINE_CHECK(from.allFinite() && to.allFinite(), "a ray goes from a finite place to another");
+    const Bodies& bodies = state_->bodies;
+    std::optional<RayHit> first;
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.present[i] || !(wanted ? wanted({i}) : bodies.defs[i].collide)) continue;
+        const auto hit = enterShape(bodies.defs[i].shape, bodies.poses[i], from, to);
+        if (!hit || (first && hit->fraction >= first->fraction)) continue;
+        first = RayHit{{i}, hit->fraction, from + hit->fraction * (to - from), hit->normal};
+    }
+    return first;
+}
 
 bool World::has(BodyId id) const {
     return id.index >= 0 && id.index < bodyCount() && state_->bodies.present[id.index];

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "engine/body.h"
 #include "engine/joint.h"
+#include "engine/ray.h"
 #include "engine/settings.h"
 #include "engine/step_report.h"
 
@@ -58,6 +60,12 @@ public:
     void applyForce(BodyId id, const Vec3& force, const Vec3& torque = Vec3::Zero());
     /// N s, at a point in world axes.
     void applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at);
+
+    /// The first body on the straight way between two points (m), of those that are `wanted`; an
+    /// empty function wants all that collide. A body that holds `from` is passed through; of two
+    /// that are met at once, the one added first. Looks at every body; changes nothing.
+    std::optional<RayHit> castRay(const Vec3& from, const Vec3& to,
+                                  const std::function<bool(BodyId)>& wanted = {}) const;
 
     /// The contacts that the last step solved, with their impulses; before the first step, those it
     /// will solve.

@@ -1,0 +1,169 @@
+#include "engine/collision/ray_cast.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "engine/world.h"
+
+namespace engine {
+namespace {
+
+bool isInside(const Shape& shape, const Pose& pose, const Vec3& point) {
+    const Vec3 p = pose.toLocal(point);
+    switch (shape.type) {
+        case ShapeType::sphere: return p.norm() < shape.radius;
+        case ShapeType::box: return (p.cwiseAbs() - shape.halfSize).maxCoeff() < 0.0;
+        case ShapeType::plane: return p.dot(shape.normal) < 0.0;
+        case ShapeType::capsule: {
+            const double beyond = std::max(std::abs(p.y()) - shape.halfLength, 0.0);
+            return Vec3(p.x(), beyond, p.z()).norm() < shape.radius;
+        }
+    }
+    return false;
+}
+
+constexpr int kSteps = 20000;
+
+/// By many small steps; 2: never.
+double walk(const Shape& shape, const Pose& pose, const Vec3& from, const Vec3& to) {
+    for (int i = 0; i <= kSteps; ++i) {
+        const double t = static_cast<double>(i) / kSteps;
+        if (isInside(shape, pose, from + t * (to - from))) return t;
+    }
+    return 2.0;
+}
+
+Pose somePose() {
+    Pose pose;
+    pose.position = {0.3, -0.2, 0.5};
+    pose.rotation = Quat(Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()));
+    return pose;
+}
+
+TEST(RayCast, EntersWhereAWalkAlongItGetsInside) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-2.5, 2.5);
+    const auto point = [&] { return Vec3(place(random), place(random), place(random)); };
+    const Pose pose = somePose();
+    for (const Shape& shape : {Shape::sphere(0.8), Shape::box({1.0, 0.6, 1.8}),
+                               Shape::capsule(0.4, 2.0), Shape::plane({1, 2, -1})}) {
+        int hits = 0, misses = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 from = point(), to = point();
+            if (isInside(shape, pose, from)) {
+                EXPECT_FALSE(enterShape(shape, pose, from, to)) << i;
+                continue;
+            }
+            const auto hit = enterShape(shape, pose, from, to);
+            EXPECT_NEAR(hit ? hit->fraction : 2.0, walk(shape, pose, from, to), 1.1 / kSteps)
+                << static_cast<int>(shape.type) << " " << i;
+            ++(hit ? hits : misses);
+            if (!hit) continue;
+            // The normal points out: a step along it leaves the body, one against it enters.
+            const Vec3 at = from + hit->fraction * (to - from);
+            EXPECT_NEAR(hit->normal.norm(), 1.0, 1e-12);
+            EXPECT_LE(hit->normal.dot(to - from), 0.0);
+            EXPECT_FALSE(isInside(shape, pose, at + 1e-6 * hit->normal));
+            EXPECT_TRUE(isInside(shape, pose, at - 1e-6 * hit->normal));
+        }
+        EXPECT_GT(hits, 8) << static_cast<int>(shape.type);
+        EXPECT_GT(misses, 8) << static_cast<int>(shape.type);
+    }
+}
+
+TEST(RayCast, WaysAlongAxesAndThroughEndsAreNoSpecialCase) {
+    const Pose pose;
+    const Shape box = Shape::box({2, 2, 2}), capsule = Shape::capsule(0.5, 3.0);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            const Vec3 from = 5.0 * side * Vec3::Unit(axis);
+            const auto hit = enterShape(box, pose, from, -from);
+            ASSERT_TRUE(hit);
+            EXPECT_DOUBLE_EQ(hit->fraction, 0.4);
+            EXPECT_EQ(hit->normal, Vec3(side * Vec3::Unit(axis)));
+        }
+    const auto tip = enterShape(capsule, pose, {0, 5, 0}, {0, -5, 0});
+    ASSERT_TRUE(tip);
+    EXPECT_DOUBLE_EQ(tip->fraction, 0.35);
+    EXPECT_FALSE(enterShape(box, pose, {0, 1.5, 0}, {0, 1.5, 9}));    // beside it
+    EXPECT_FALSE(enterShape(box, pose, {0, 3, 0}, {0, 1.5, 0}));      // ends before
+    EXPECT_FALSE(enterShape(box, pose, {0, 3, 0}, {0, 9, 0}));        // leads away
+    EXPECT_FALSE(enterShape(capsule, pose, {0, 3, 0}, {0, 3, 0}));    // no way at all
+    EXPECT_FALSE(enterShape(Shape::plane({0, 1, 0}), pose, {0, 1, 0}, {5, 1, 0}));
+}
+
+TEST(RayCast, IsAsGoodFarAway) {
+    const Pose pose;
+    const auto hit = enterShape(Shape::sphere(0.5), pose, {1e7, 0.3, 0}, {-1e7, 0.3, 0});
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(1e7 - hit->fraction * 2e7, 0.4, 1e-6);
+}
+
+class Rays : public testing::Test {
+protected:
+    BodyId add(const Shape& shape, const Vec3& at, BodyKind kind = BodyKind::dynamic) {
+        BodyDef def;
+        def.shape = shape;
+        def.kind = kind;
+        def.pose.position = at;
+        return world.add(def);
+    }
+    World world;
+};
+
+TEST_F(Rays, FindTheFirstBody) {
+    const BodyId floor = add(Shape::plane({0, 1, 0}), {0, 0, 0}, BodyKind::fixed);
+    const BodyId low = add(Shape::sphere(0.5), {0, 2, 0}), high = add(Shape::sphere(0.5), {0, 4, 0});
+    const auto hit = world.castRay({0, 10, 0}, {0, -10, 0});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->body, high);
+    EXPECT_NEAR((hit->point - Vec3(0, 4.5, 0)).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(hit->fraction, 0.275, 1e-12);
+    EXPECT_EQ(world.castRay({0, -5, 0}, {0, 9, 0})->body, low);  // the floor holds its beginning
+    EXPECT_EQ(world.castRay({3, 10, 0}, {3, -10, 0})->body, floor);
+    EXPECT_FALSE(world.castRay({3, 10, 0}, {3, 1, 0}));
+    const auto filtered = world.castRay({0, 10, 0}, {0, -10, 0},
+                                        [high](BodyId id) { return id != high; });
+    EXPECT_EQ(filtered->body, low);
+}
+
+TEST_F(Rays, FollowWhatMovesComesAndGoes) {
+    const BodyId ball = add(Shape::sphere(0.5), {0, 4, 0});
+    world.setVelocity(ball, {6, 0, 0}, Vec3::Zero());
+    world.setGravity(Vec3::Zero());
+    for (int i = 0; i < 60; ++i) ASSERT_TRUE(world.step(1.0 / 60.0));
+    EXPECT_FALSE(world.castRay({0, 9, 0}, {0, -9, 0}));
+    EXPECT_EQ(world.castRay({6, 9, 0}, {6, -9, 0})->body, ball);
+    Pose back;
+    back.position = {-2, 0, 0};
+    world.setPose(ball, back);  // before any step
+    EXPECT_EQ(world.castRay({-2, 9, 0}, {-2, -9, 0})->body, ball);
+    world.remove(ball);
+    EXPECT_FALSE(world.castRay({-2, 9, 0}, {-2, -9, 0}));
+}
+
+TEST_F(Rays, PassThroughWhatDoesNotCollideUnlessItIsWanted) {
+    BodyDef ghost;
+    ghost.collide = false;
+    const BodyId id = world.add(ghost);
+    EXPECT_FALSE(world.castRay({0, 9, 0}, {0, -9, 0}));
+    EXPECT_EQ(world.castRay({0, 9, 0}, {0, -9, 0}, [](BodyId) { return true; })->body, id);
+}
+
+TEST_F(Rays, ChangeNothing) {
+    add(Shape::plane({0, 1, 0}), {0, 0, 0}, BodyKind::fixed);
+    add(Shape::box({1, 1, 1}), {0, 0.5, 0});
+    world.step(1.0 / 60.0);
+    const std::uint64_t before = world.hash();
+    world.castRay({0, 9, 0}, {0, -9, 0});
+    EXPECT_EQ(world.hash(), before);
+}
+
+TEST(RaysDeathTest, OfNoPlaceAreTheCallersBug) {
+    const World world;
+    EXPECT_DEATH(world.castRay({std::nan(""), 0, 0}, {0, 1, 0}), "finite place");
+}
+
+}  // namespace
+}  // namespace engine
