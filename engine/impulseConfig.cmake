@@ -1,6 +1,7 @@
 # find_package(impulse [COMPONENTS engine])
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4)
+find_dependency(Qhull)
 find_dependency(Threads)
 include(${CMAKE_CURRENT_LIST_DIR}/impulse-engine.cmake)
 foreach(component ${impulse_FIND_COMPONENTS})

@@ -1,18 +1,35 @@
 /// What a body occupies. Every shape is centred on the body's centre of mass.
 #pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "engine/base/math.h"
 
 namespace engine {
 
-enum class ShapeType { sphere, box, capsule, plane };
+enum class ShapeType { sphere, box, capsule, plane, cylinder, cone, hull, compound, mesh };
+
+struct Hull;       // shapes/hull.h
+struct Mesh;       // shapes/mesh.h
+struct ShapePart;  // below
+using ShapeParts = std::vector<ShapePart>;
 
 struct Shape {
     ShapeType type = ShapeType::sphere;
-    double radius = 0.5;                  // m; sphere, capsule
-    double halfLength = 0.0;              // m; capsule: half its core segment, along the local y
+    double radius = 0.5;                  // m; sphere, capsule, cylinder, a cone's base
+    double halfLength = 0.0;              // m, along the local y; capsule: half its core segment;
+                                          // cylinder, cone: half its height
     Vec3 halfSize{0.5, 0.5, 0.5};         // m; box: half edges
     Vec3 normal{0, 1, 0};                 // plane: unit, out of the solid half space, which ends
                                           // at the body's position; static bodies only
+    Vec3 origin{0, 0, 0};                 // m; hull, compound: where the origin of the points it
+                                          // was made of lies, from the centre of mass
+    std::shared_ptr<const Hull> hull;
+    std::shared_ptr<const ShapeParts> parts;
+    std::shared_ptr<const Mesh> mesh;
 
     static Shape sphere(double radius);
     /// `size`: the full edges, m.
@@ -21,6 +38,34 @@ struct Shape {
     static Shape capsule(double radius, double height);
     /// `normal`: any length but zero.
     static Shape plane(const Vec3& normal);
+    /// Along the local y.
+    static Shape cylinder(double radius, double height);
+    /// Along the local y, its tip up: the base lies a quarter of the height below the origin.
+    static Shape cone(double radius, double height);
+    /// The convex hull of points (m). Nothing where they are flat to a ten-thousandth of their
+    /// extent, are not all finite, or span more than kMostCorners corners.
+    static std::optional<Shape> hullOf(std::span<const Vec3> points);
+    /// Of anything but planes and meshes; parts that overlap weigh twice there. At least one.
+    static Shape compound(std::span<const ShapePart> parts);
+    /// A surface for bodies that are not dynamic: it holds from the side from which its triangles
+    /// are seen counter-clockwise. Those without an area are left out; at least one must stay.
+    static Shape meshOf(std::span<const Vec3> corners,
+                        std::span<const std::array<int, 3>> triangles);
+    /// A mesh over a grid in x and z, centred on the origin: heights (m) row after row, x running
+    /// fastest, `spacing` (m) apart; at least two each way.
+    static Shape heightField(int columns, int rows, double spacing,
+                             std::span<const double> heights);
+
+    static constexpr int kMostCorners = 256;
 };
+
+/// A piece of a compound, placed in the axes in which it is written down.
+struct ShapePart {
+    Shape shape;
+    Pose pose;
+};
+
+/// m: the farthest of its points from the centre of mass; 0 for a plane.
+double reachOf(const Shape& shape);
 
 }  // namespace engine

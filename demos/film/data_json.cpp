@@ -89,9 +89,7 @@ double reachFrom(const Vec3& from, const Vec3& lookAt, const SceneDescription& s
     for (const BodyDescription& body : scene.bodies) {
         const engine::Shape& shape = body.def.shape;
         if (shape.type == engine::ShapeType::plane) continue;
-        const double size = shape.type == engine::ShapeType::box ? shape.halfSize.norm()
-                                                                 : shape.radius + shape.halfLength;
-        reach = std::max(reach, (body.def.pose.position - from).norm() + size);
+        reach = std::max(reach, (body.def.pose.position - from).norm() + engine::reachOf(shape));
     }
     return reach;
 }

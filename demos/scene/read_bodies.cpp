@@ -5,7 +5,7 @@
 #include "demos/scene/nearest.h"
 #include "demos/scene/read_parts.h"
 #include "engine/base/trigonometry.h"
-#include "engine/dynamics/mass.h"
+#include "engine/shapes/mass.h"
 
 namespace demos {
 namespace {

@@ -42,20 +42,6 @@ double wayBetween(const engine::Pose& a, const engine::Pose& b, double reach) {
 
 }  // namespace
 
-double reachOf(const engine::Shape& shape) {
-    switch (shape.type) {
-        case engine::ShapeType::box:
-            return shape.halfSize.norm();
-        case engine::ShapeType::sphere:
-            return shape.radius;
-        case engine::ShapeType::capsule:
-            return shape.radius + shape.halfLength;
-        case engine::ShapeType::plane:
-            return 0.0;
-    }
-    return 0.0;
-}
-
 double thicknessOf(const engine::Shape& shape) {
     if (shape.type == engine::ShapeType::plane) return 0.0;
     return shape.type == engine::ShapeType::box ? shape.halfSize.minCoeff() : shape.radius;

@@ -19,8 +19,8 @@ struct Moment {
 
 inline render::Vec3 drawn(const Vec3& v) { return v.cast<float>(); }
 
-/// m: from a body's centre to its farthest point; 0 for a plane.
-double reachOf(const engine::Shape& shape);
+using engine::reachOf;
+
 /// m: from its centre to its nearest face; 0 for a plane.
 double thicknessOf(const engine::Shape& shape);
 

@@ -1,36 +1,14 @@
 /// Axis-aligned boxes around shapes.
 #pragma once
-#include "engine/base/math.h"
+#include "engine/base/bounds.h"
 #include "engine/shape.h"
 
 namespace engine {
 
-struct Bounds {
-    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+/// Of any shape but a plane, which has none.
+Bounds boundsOf(const Shape& shape, const Pose& pose);
 
-    bool overlaps(const Bounds& o) const {
-        return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
-    }
-    bool contains(const Bounds& o) const {
-        return (low.array() <= o.low.array()).all() && (o.high.array() <= high.array()).all();
-    }
-    Bounds with(const Bounds& o) const { return {low.cwiseMin(o.low), high.cwiseMax(o.high)}; }
-    Bounds grownBy(double m) const { return {low.array() - m, high.array() + m}; }
-    /// Half the surface: the chance that a random ray meets it, which is what a tree's cost is.
-    double area() const {
-        const Vec3 d = high - low;
-        return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
-    }
-};
-
-/// Of a sphere, box or capsule (a plane has none).
-inline Bounds boundsOf(const Shape& shape, const Pose& pose) {
-    Vec3 reach = Vec3::Constant(shape.radius);
-    if (shape.type == ShapeType::box)
-        reach = pose.rotation.toRotationMatrix().cwiseAbs() * shape.halfSize;
-    if (shape.type == ShapeType::capsule)
-        reach += (pose.rotation * Vec3(0.0, shape.halfLength, 0.0)).cwiseAbs();
-    return {pose.position - reach, pose.position + reach};
-}
+/// Of the same box seen in other axes: around it, and a little larger.
+Bounds seenFrom(const Pose& pose, const Bounds& world);
 
 }  // namespace engine

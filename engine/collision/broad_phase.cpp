@@ -26,7 +26,8 @@ Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
     const Bounds upright = boundsOf(shape, motion.start);
     const Vec3 way = dt * motion.velocity;
     const Vec3 half = 0.5 * (upright.high - upright.low);
-    const double round = shape.type == ShapeType::box ? 0.0 : shape.radius;
+    const bool isRound = shape.type == ShapeType::sphere || shape.type == ShapeType::capsule;
+    const double round = isRound ? shape.radius : 0.0;
     const Vec3 ball = (motion.reach + round) * Vec3::Ones();
     const Vec3 turn = (dt * motion.sweep * Vec3::Ones()).cwiseMin(ball - half).cwiseMax(0.0);
     const Bounds now{upright.low - turn, upright.high + turn};

@@ -16,16 +16,17 @@ Polygon faceOf(const Mat3& axes, const Vec3& centre, const Vec3& half, int axis,
     return face;
 }
 
-void clip(Polygon& polygon, const Vec3& normal, double offset, int line) {
+template <int Most>
+void clip(PolygonOf<Most>& polygon, const Vec3& normal, double offset, int line) {
     constexpr double kStays = 5e-4;  // m
-    Polygon kept;
+    PolygonOf<Most> kept;
     for (int i = 0; i < polygon.count; ++i) {
         const int next = i + 1 < polygon.count ? i + 1 : 0;
         const Vec3 &p = polygon.corner[i], &q = polygon.corner[next];
         const double heightP = normal.dot(p) - offset, heightQ = normal.dot(q) - offset;
         const bool insideP = heightP <= kStays, insideQ = heightQ <= kStays;
-        if (insideP && kept.count < Polygon::kMaxCorners) kept.add(p, polygon.edge[i]);
-        if (insideP == insideQ || kept.count == Polygon::kMaxCorners) continue;
+        if (insideP && kept.count < Most) kept.add(p, polygon.edge[i]);
+        if (insideP == insideQ || kept.count == Most) continue;
         // Between the two, also where the inner one is kept by grace: the line through both may meet
         // the plane far away.
         const double t = clamped(heightP / (heightP - heightQ), 0.0, 1.0);
@@ -36,18 +37,21 @@ void clip(Polygon& polygon, const Vec3& normal, double offset, int line) {
     polygon = kept;
 }
 
-ClippedPoints::ClippedPoints(const Polygon& polygon, const Vec3& n, double height, double margin) {
+template <int Most>
+ClippedPoints<Most>::ClippedPoints(const PolygonOf<Most>& polygon, const Vec3& n, double height,
+                                   double margin) {
     for (int i = 0; i < polygon.count; ++i) {
         const double s = n.dot(polygon.corner[i]) - height;
         if (s > margin) continue;
         const int before = polygon.edge[i > 0 ? i - 1 : polygon.count - 1];
         position[count] = polygon.corner[i];
         separation[count] = s;
-        label[count++] = before * 8 + polygon.edge[i];
+        label[count++] = before * Most + polygon.edge[i];
     }
 }
 
-void ClippedPoints::keepFour(const Vec3& n) {
+template <int Most>
+void ClippedPoints<Most>::keepFour(const Vec3& n) {
     if (count <= 4) return;
     // Ties within 0.2 mm go to the first in the ring, so that a flat rest keeps its choice.
     constexpr double kTie = 2e-4;
@@ -79,5 +83,10 @@ void ClippedPoints::keepFour(const Vec3& n) {
     }
     count = n4;
 }
+
+template void clip(PolygonOf<8>&, const Vec3&, double, int);
+template void clip(PolygonOf<kMostClipped>&, const Vec3&, double, int);
+template struct ClippedPoints<8>;
+template struct ClippedPoints<kMostClipped>;
 
 }  // namespace engine

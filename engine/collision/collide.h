@@ -2,11 +2,12 @@
 /// that the solver sees a contact before it is too late; none found leaves count = 0.
 #pragma once
 #include "engine/collision/manifold.h"
+#include "engine/collision/pieces.h"
 #include "engine/shape.h"
 
 namespace engine {
 
-/// Any shape against any other; the normal points from a to b.
+/// Any shape but compounds and meshes (pieces.h) against any other; the normal points from a to b.
 Manifold collide(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
                  double margin);
 

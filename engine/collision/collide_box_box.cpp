@@ -70,7 +70,7 @@ void clipFaces(const OrientedBox& reference, int axis, const Vec3& n, const Orie
     const bool positive = n.dot(reference.axes.col(axis)) > 0.0;
     const int face = ((flipped ? 1 : 0) * 6 + 2 * axis + (positive ? 1 : 0)) * 6 +
                      2 * incident + (side > 0.0 ? 1 : 0);
-    ClippedPoints points(polygon, n, faceHeight, margin);
+    ClippedPoints<8> points(polygon, n, faceHeight, margin);
     points.keepFour(n);
     for (int i = 0; i < points.count; ++i) {
         const Vec3& onOther = points.position[i];

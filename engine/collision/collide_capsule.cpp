@@ -26,20 +26,6 @@ void closestParameters(const Segment& a, const Segment& b, double& s, double& t)
     s = closestOn(a, b.at(t));
 }
 
-/// The part of segment a that runs beside b: parameters on a.
-bool overlap(const Segment& a, const Segment& b, double& from, double& to) {
-    const double square = a.half.squaredNorm();
-    const double middle = (b.centre - a.centre).dot(a.half) / square;
-    const double reach = std::abs(b.half.dot(a.half)) / square;
-    from = larger(middle - reach, -1.0);
-    to = smaller(middle + reach, 1.0);
-    return to - from > 1e-3;
-}
-
-bool nearlyParallel(const Vec3& a, const Vec3& b) {
-    return a.cross(b).squaredNorm() < 1e-3 * a.squaredNorm() * b.squaredNorm();  // within 1.8 deg
-}
-
 }  // namespace
 
 Manifold collideCapsuleCapsule(const Shape& a, const Pose& poseA, const Shape& b,

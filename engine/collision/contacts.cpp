@@ -4,53 +4,14 @@
 #include <span>
 
 #include "engine/collision/collide.h"
+#include "engine/collision/piece_contacts.h"
 
 namespace engine {
 namespace {
 
 constexpr double kSamePlace = 0.02;  // m
+constexpr double kSameWay = 0.95;    // cosine, between normals
 constexpr int kPairsAThread = 256;   // at least: fewer are looked at before they are shared out
-
-Pose seenFrom(const Pose& a, const Pose& b) {
-    return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
-}
-
-enum class Found { here, onTheWay };  // at the present poses, or where the two will meet
-
-Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& manifold, Found where) {
-    const Material &a = bodies.defs[pair.a].material, &b = bodies.defs[pair.b].material;
-    Contact contact;
-    contact.a = pair.a, contact.b = pair.b;
-    contact.normal = manifold.normal;
-    contact.normalA = bodies.poses[pair.a].rotation.conjugate() * manifold.normal;
-    if (where == Found::here)
-        contact.seenFromA = seenFrom(bodies.poses[pair.a], bodies.poses[pair.b]);
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = larger(a.restitution, b.restitution);
-    contact.count = manifold.count;
-    for (int i = 0; i < manifold.count; ++i) {
-        const ManifoldPoint& point = manifold.points[i];
-        contact.points[i].anchorA = bodies.poses[pair.a].toLocal(point.onA);
-        contact.points[i].anchorB = bodies.poses[pair.b].toLocal(point.onB);
-        contact.points[i].feature = point.feature;
-    }
-    return contact;
-}
-
-/// Whether the two bodies have hardly moved against each other since the contact was found: less than a
-/// quarter of the margin, so that no point is missed that may touch in the next step.
-bool stays(const Contact& contact, const Bodies& bodies) {
-    const auto isFlat = [&](int body) {  // what rolls gets new points as it goes
-        const ShapeType type = bodies.defs[body].shape.type;
-        return type == ShapeType::box || type == ShapeType::plane;
-    };
-    if (!isFlat(contact.a) || !isFlat(contact.b)) return false;
-    constexpr double kWay = 5e-3, kTurn = 5e-3;  // m; sine of half the angle
-    const Pose now = seenFrom(bodies.poses[contact.a], bodies.poses[contact.b]);
-    const Quat turn = contact.seenFromA.rotation.conjugate() * now.rotation;
-    return (now.position - contact.seenFromA.position).squaredNorm() < kWay * kWay &&
-           turn.vec().squaredNorm() < kTurn * kTurn;
-}
 
 /// Kept as it is but for its normal, which turns with a: saves the search, and its points do not change
 /// their names.
@@ -61,8 +22,7 @@ bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pa
         return i < previous.size() && pairOf(previous[i]) == pair;
     };
     if (!isOfPair(old) || isOfPair(old + 1) || !stays(previous[old], bodies)) return false;
-    Contact& kept = found.emplace_back(previous[old]);
-    kept.normal = bodies.poses[pair.a].rotation * kept.normalA;
+    found.push_back(kept(previous[old], bodies));
     return true;
 }
 
@@ -85,10 +45,12 @@ bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey&
 /// the first of the previous contacts that is not of an earlier pair.
 void addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
                  std::size_t old, const ContactFinder& finder, std::vector<Contact>& found) {
+    const PiecePair whole{pair, wholeOf(bodies.defs[pair.a].shape),
+                          wholeOf(bodies.defs[pair.b].shape)};
     if (const std::optional<Impact> impact =
             impactOf(bodies, pair, finder.moving, near > margin, dt)) {
         const MovingManifolds met =
-            collideMoving(bodies, pair, finder.moving, *impact, margin, near, dt);
+            collideMoving(bodies, whole, finder.moving, *impact, margin, near, dt);
         for (int i = 0; i < met.count; ++i)
             found.push_back(contactOf(bodies, pair, met.manifolds[i], Found::onTheWay));
         return;
@@ -98,6 +60,20 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
         collide(bodies.defs[pair.a].shape, bodies.poses[pair.a], bodies.defs[pair.b].shape,
                 bodies.poses[pair.b], margin);
     if (manifold.count > 0) found.push_back(contactOf(bodies, pair, manifold, Found::here));
+}
+
+/// The pair's contact of the last step that looks the same way, of those from `old` on; of two fast
+/// bodies the first only, whichever way it looks. Null: there is none.
+const Contact* sameAs(const Contact& contact, const std::vector<Contact>& previous,
+                      std::size_t old, bool isFirst, bool areWhole) {
+    const Contact* same = nullptr;
+    double most = kSameWay;
+    for (; old < previous.size() && pairOf(previous[old]) == pairOf(contact); ++old) {
+        if (areWhole) return isFirst ? &previous[old] : nullptr;
+        const double along = previous[old].normalA.dot(contact.normalA);
+        if (along > most) most = along, same = &previous[old];
+    }
+    return same;
 }
 
 /// Of some of the pairs, in their order.
@@ -116,9 +92,16 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
         while (old < previous.size() && isBefore(previous[old], pair)) ++old;
         const std::size_t first = found.size();
-        addContacts(bodies, pair, margin, larger(margin, thrown), dt, old, finder, found);
-        if (found.size() > first && old < previous.size() && pairOf(previous[old]) == pair)
-            carryImpulses(previous[old], found[first]);
+        const double near = larger(margin, thrown);
+        if (areWhole(bodies, pair))
+            addContacts(bodies, pair, margin, near, dt, old, finder, found);
+        else
+            addContactsOfPieces(bodies, pair, finder.broadPhase, finder.moving, margin, near, dt,
+                                previous, old, found);
+        for (std::size_t i = first; i < found.size(); ++i)
+            if (const Contact* from =
+                    sameAs(found[i], previous, old, i == first, areWhole(bodies, pair)))
+                carryImpulses(*from, found[i]);
     }
 }
 

@@ -14,15 +14,15 @@ constexpr int kHops = 2;  // bodies that a blow goes through in a step; without,
 
 /// A pair on its way.
 struct Pair {
-    const Shape &shapeA, &shapeB;
+    const Piece &pieceA, &pieceB;
     const Motion &a, &b;
     double shareOfA;  // 1 where only b can be turned, 0 where only a
 
-    Pair(const Bodies& bodies, const PairKey& pair, const MovingPairs& moving)
-        : shapeA(bodies.defs[pair.a].shape), shapeB(bodies.defs[pair.b].shape),
-          a(moving.motions[pair.a]), b(moving.motions[pair.b]) {
-        const double easeA = bodies.inverseMasses[pair.a].angular.trace();
-        const double easeB = bodies.inverseMasses[pair.b].angular.trace();
+    Pair(const Bodies& bodies, const PiecePair& pair, const MovingPairs& moving)
+        : pieceA(pair.a), pieceB(pair.b), a(moving.motions[pair.bodies.a]),
+          b(moving.motions[pair.bodies.b]) {
+        const double easeA = bodies.inverseMasses[pair.bodies.a].angular.trace();
+        const double easeB = bodies.inverseMasses[pair.bodies.b].angular.trace();
         shareOfA = easeA + easeB > 0.0 ? easeB / (easeA + easeB) : 0.5;
     }
     /// How fast the bodies close at a point of the present, m/s: -J v.
@@ -77,7 +77,7 @@ bool holdsMore(const Manifold& m, const Manifold& other) {
 }
 
 bool areBoxes(const Pair& pair) {
-    return pair.shapeA.type == ShapeType::box && pair.shapeB.type == ShapeType::box;
+    return pair.pieceA.isBox() && pair.pieceB.isBox();
 }
 
 /// What comes to touch when the pair has stopped approaching at `time` and turns and slides on: at
@@ -90,7 +90,7 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
         const Vec3 stopped = left * approachOf(first, pair, time) * first.normal;
         Pose endB = pair.b.at(dt);
         endB.position += stopped;
-        m = collide(pair.shapeA, pair.a.at(dt), pair.shapeB, endB, margin);
+        m = collide(pair.pieceA, pair.a.at(dt), pair.pieceB, endB, margin);
         for (int i = 0; i < m.count; ++i) m.points[i].onB -= stopped;
         if (holdsMore(m, first)) {
             seeFromNow(m, pair, dt, 0.0);
@@ -99,7 +99,8 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
         m.count = 0;
     }
     if (first.count > 1 || !areBoxes(pair)) return m;
-    m = collideBoxFaces(pair.shapeA, pair.a.at(time), pair.shapeB, pair.b.at(time),
+    m = collideBoxFaces(*pair.pieceA.shape, pair.pieceA.at(pair.a.at(time)), *pair.pieceB.shape,
+                        pair.pieceB.at(pair.b.at(time)),
                         larger(margin, wayOf(pair.a, pair.b, left)));
     if (!holdsMore(m, first)) m.count = 0;
     seeFromNow(m, pair, time, 0.0);
@@ -134,6 +135,33 @@ void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
     }
 }
 
+std::vector<MovingPairs::Entry>::const_iterator entryOf(const MovingPairs& moving,
+                                                        const PairKey& pair) {
+    const auto known = std::lower_bound(
+        moving.entries.begin(), moving.entries.end(), pair,
+        [](const MovingPairs::Entry& entry, const PairKey& k) { return entry.pair < k; });
+    const bool found = known != moving.entries.end() && known->pair == pair;
+    return found ? known : moving.entries.end();
+}
+
+/// Of all its pieces.
+Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const PairKey& pair,
+                   double margin, const MovingPairs& moving, double dt) {
+    const Motion &a = moving.motions[pair.a], &b = moving.motions[pair.b];
+    if (areWhole(bodies, pair))
+        return timeOfImpact(bodies.defs[pair.a].shape, a, bodies.defs[pair.b].shape, b, dt);
+    Impact first{false, 0.0, 1e9, 0.0};
+    forPiecePairs(bodies, moving.motions, broadPhase, pair, margin, dt,
+                  [&](const Piece& pieceA, const Piece& pieceB) {
+                      const Impact impact = timeOfImpact(pieceA, a, pieceB, b, dt);
+                      const bool sooner = first.meets ? impact.meets && impact.time < first.time
+                                                      : impact.meets ||
+                                                            impact.distance < first.distance;
+                      if (sooner) first = impact;
+                  });
+    return first;
+}
+
 }  // namespace
 
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
@@ -152,8 +180,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     const auto look = [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             auto& [key, impact] = moving.entries[i];
-            impact = timeOfImpact(bodies.defs[key.a].shape, moving.motions[key.a],
-                                  bodies.defs[key.b].shape, moving.motions[key.b], dt);
+            impact = firstImpact(bodies, broadPhase, key, margin, moving, dt);
         }
     };
     const int count = static_cast<int>(moving.entries.size());
@@ -162,26 +189,28 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     broadPhase.lookFarther(bodies, moving.throws, margin);
 }
 
-std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
-                               const MovingPairs& moving, bool always, double dt) {
-    const auto known = std::lower_bound(
-        moving.entries.begin(), moving.entries.end(), key,
-        [](const MovingPairs::Entry& entry, const PairKey& k) { return entry.pair < k; });
-    if (known != moving.entries.end() && known->pair == key) return known->impact;
-    if (!always) return {};
-    const Pair pair(bodies, key, moving);
-    return timeOfImpact(pair.shapeA, pair.a, pair.shapeB, pair.b, dt);
+bool isMoving(const MovingPairs& moving, const PairKey& pair) {
+    return entryOf(moving, pair) != moving.entries.end();
 }
 
-MovingManifolds collideMoving(const Bodies& bodies, const PairKey& key,
+std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
+                               const MovingPairs& moving, bool always, double dt) {
+    const auto known = entryOf(moving, key);
+    if (known != moving.entries.end()) return known->impact;
+    if (!always) return {};
+    return timeOfImpact(bodies.defs[key.a].shape, moving.motions[key.a], bodies.defs[key.b].shape,
+                        moving.motions[key.b], dt);
+}
+
+MovingManifolds collideMoving(const Bodies& bodies, const PiecePair& pieces,
                               const MovingPairs& moving, const Impact& impact, double margin,
                               double near, double dt) {
     MovingManifolds found;
     if (!impact.meets && impact.distance > near) return found;
-    const Pair pair(bodies, key, moving);
+    const Pair pair(bodies, pieces, moving);
     const double left = dt - impact.time;
     Manifold& first = found.manifolds[0];
-    first = collide(pair.shapeA, pair.a.at(impact.time), pair.shapeB, pair.b.at(impact.time),
+    first = collide(pair.pieceA, pair.a.at(impact.time), pair.pieceB, pair.b.at(impact.time),
                     larger(impact.distance, 0.0) + larger(margin, wayOf(pair.a, pair.b, left)));
     if (first.count == 0) return found;
     found.count = 1;

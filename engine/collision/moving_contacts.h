@@ -17,9 +17,8 @@
 #include <optional>
 
 #include "engine/base/workers.h"
-#include "engine/collision/broad_phase.h"
+#include "engine/collision/piece_pairs.h"
 #include "engine/collision/manifold.h"
-#include "engine/collision/time_of_impact.h"
 
 namespace engine {
 
@@ -48,6 +47,14 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
 /// Nothing for a pair that the margin is enough for; `always`: found now if it was not before.
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,
                                const MovingPairs& moving, bool always, double dt);
+/// Whether it is one of those that the margin is too short for.
+bool isMoving(const MovingPairs& moving, const PairKey& pair);
+
+/// Two bodies' pieces; of most bodies, the whole.
+struct PiecePair {
+    PairKey bodies;
+    Piece a, b;
+};
 
 struct MovingManifolds {
     int count = 0;
@@ -55,7 +62,7 @@ struct MovingManifolds {
 };
 
 /// `near` (m): a pair that passes this closely gets a contact as well.
-MovingManifolds collideMoving(const Bodies& bodies, const PairKey& pair,
+MovingManifolds collideMoving(const Bodies& bodies, const PiecePair& pair,
                               const MovingPairs& moving, const Impact& impact, double margin,
                               double near, double dt);
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/trigonometry.h"
 #include "engine/collision/collide.h"
+#include "engine/collision/collide_convex.h"
 #include "engine/collision/oriented_box.h"
 
 namespace engine {
@@ -48,15 +49,27 @@ Gap gapOfBoxes(const OrientedBox& boxA, const OrientedBox& boxB, const Motion& a
     return gap;
 }
 
-Gap gapAt(const Shape& shapeA, const Motion& a, const Shape& shapeB, const Motion& b,
+bool isConvex(const Piece& piece) {
+    return piece.isTriangle || piece.shape->type > ShapeType::plane;
+}
+
+Gap gapAt(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motion& b,
           double time) {
     const Pose poseA = a.at(time), poseB = b.at(time);
-    if (shapeA.type == ShapeType::box && shapeB.type == ShapeType::box)
-        return gapOfBoxes({shapeA, poseA}, {shapeB, poseB}, a, b);
-    const Manifold m = collide(shapeA, poseA, shapeB, poseB, kFar);
+    if (pieceA.isBox() && pieceB.isBox())
+        return gapOfBoxes({*pieceA.shape, pieceA.at(poseA)}, {*pieceB.shape, pieceB.at(poseB)}, a,
+                          b);
+    Gap gap;
+    const bool plane = pieceA.shape->type == ShapeType::plane ||
+                       pieceB.shape->type == ShapeType::plane;
+    if (!plane && (isConvex(pieceA) || isConvex(pieceB))) {
+        const ConvexGap apart = gapOf(convexOf(pieceA, poseA), convexOf(pieceB, poseB));
+        gap.see(apart.normal, apart.distance, a, b);
+        return gap;
+    }
+    const Manifold m = collide(pieceA, poseA, pieceB, poseB, kFar);
     double apart = kFar;
     for (int i = 0; i < m.count; ++i) apart = smaller(apart, m.separation(i));
-    Gap gap;
     gap.see(m.normal, apart, a, b);
     return gap;
 }
@@ -77,8 +90,10 @@ Motion motionOf(const Bodies& bodies, int i, double dt) {
     Motion m{bodies.poses[i], bodies.velocities[i].linear, bodies.velocities[i].angular, 0.0,
              0.0};
     if (bodies.isDynamic(i)) m.velocity += 0.5 * dt * bodies.accelerations[i].linear;
-    if (shape.type == ShapeType::box) m.reach = shape.halfSize.norm();
-    if (shape.type == ShapeType::capsule) m.reach = shape.halfLength;
+    if (shape.type == ShapeType::capsule)
+        m.reach = shape.halfLength;
+    else if (shape.type != ShapeType::sphere)
+        m.reach = reachOf(shape);
     m.sweep = m.spin.norm() * m.reach;
     return m;
 }
@@ -89,10 +104,15 @@ double wayOf(const Motion& a, const Motion& b, double dt) {
 
 Impact timeOfImpact(const Shape& shapeA, const Motion& a, const Shape& shapeB, const Motion& b,
                     double dt) {
+    return timeOfImpact(wholeOf(shapeA), a, wholeOf(shapeB), b, dt);
+}
+
+Impact timeOfImpact(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motion& b,
+                    double dt) {
     Impact closest{false, 0.0, kFar, 0.0};
     double time = 0.0;
     for (int i = 0; i < kMostAdvances; ++i) {
-        const Gap gap = gapAt(shapeA, a, shapeB, b, time);
+        const Gap gap = gapAt(pieceA, a, pieceB, b, time);
         if (gap.distance < closest.distance)
             closest = {false, time, gap.distance, gap.closing};
         closest.meets = gap.distance <= kTouching;

@@ -10,6 +10,7 @@
 /// that do not turn, one advance along the axis that keeps them apart for longest gives the time
 /// exactly.
 #pragma once
+#include "engine/collision/pieces.h"
 #include "engine/dynamics/bodies.h"
 
 namespace engine {
@@ -38,7 +39,10 @@ struct Impact {
     double closing = 0.0;   // m/s, of the centres along the normal then
 };
 
+/// Of two whole shapes, or of two pieces on their bodies.
 Impact timeOfImpact(const Shape& shapeA, const Motion& a, const Shape& shapeB, const Motion& b,
+                    double dt);
+Impact timeOfImpact(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motion& b,
                     double dt);
 
 }  // namespace engine

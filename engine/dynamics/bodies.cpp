@@ -1,7 +1,7 @@
 #include "engine/dynamics/bodies.h"
 
 #include "engine/base/check.h"
-#include "engine/dynamics/mass.h"
+#include "engine/shapes/mass.h"
 
 namespace engine {
 namespace {
@@ -24,8 +24,10 @@ BodyMass massOf(const BodyDef& def) {
 }  // namespace
 
 int addBody(Bodies& bodies, const BodyDef& def) {
-    ENGINE_CHECK(def.kind != BodyKind::dynamic || def.shape.type != ShapeType::plane,
-                 "a plane is endless; make it fixed");
+    const bool surface =
+        def.shape.type == ShapeType::plane || def.shape.type == ShapeType::mesh;
+    ENGINE_CHECK(def.kind != BodyKind::dynamic || !surface,
+                 "a plane or a mesh has no mass; make it fixed or kinematic");
     ENGINE_CHECK(def.pose.rotation.norm() > 0.0, "a rotation needs a quaternion that is not zero");
     const int i = bodies.count();
     BodyDef filled = def;

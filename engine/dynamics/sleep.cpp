@@ -7,12 +7,6 @@ namespace {
 
 constexpr double kSlow = 0.03;  // m/s, of any of a body's points
 
-double reachOf(const Shape& shape) {
-    return shape.type == ShapeType::box       ? shape.halfSize.norm()
-           : shape.type == ShapeType::capsule ? shape.halfLength + shape.radius
-                                              : shape.radius;
-}
-
 bool isSlow(const Bodies& bodies, int i) {
     const Velocity<double>& v = bodies.velocities[i];
     return v.linear.norm() + v.angular.norm() * reachOf(bodies.defs[i].shape) < kSlow;

@@ -1,7 +1,7 @@
 // mission 6: a box spun about its middle axis flips, again and again (Dzhanibekov).
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/mass.h"
+#include "engine/shapes/mass.h"
 #include "tests/support/worlds.h"
 
 namespace engine {

@@ -16,7 +16,7 @@ double distanceTo(const Shape& s, const Pose& pose, const Vec3& world) {
         case ShapeType::capsule:
             return (p - Vec3(0, clamped(p.y(), -s.halfLength, s.halfLength), 0)).norm() - s.radius;
         case ShapeType::plane: return s.normal.dot(p);
-        case ShapeType::box: break;
+        default: break;  // a box
     }
     const Vec3 d = p.cwiseAbs() - s.halfSize;
     const Vec3 outside = d.cwiseMax(0.0);

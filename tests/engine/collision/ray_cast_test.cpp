@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "engine/base/trigonometry.h"
+#include "engine/shapes/hull.h"
 #include "engine/world.h"
 
 namespace engine {
@@ -19,6 +21,23 @@ bool isInside(const Shape& shape, const Pose& pose, const Vec3& point) {
             const double beyond = std::max(std::abs(p.y()) - shape.halfLength, 0.0);
             return Vec3(p.x(), beyond, p.z()).norm() < shape.radius;
         }
+        case ShapeType::cylinder:
+            return std::abs(p.y()) < shape.halfLength &&
+                   Vec3(p.x(), 0, p.z()).norm() < shape.radius;
+        case ShapeType::cone: {
+            const double below = (1.5 * shape.halfLength - p.y()) / (2.0 * shape.halfLength);
+            return p.y() > -0.5 * shape.halfLength &&
+                   Vec3(p.x(), 0, p.z()).norm() < shape.radius * below;
+        }
+        case ShapeType::hull:
+            return std::ranges::all_of(shape.hull->faces, [&](const Hull::Face& face) {
+                return face.normal.dot(p) < face.offset;
+            });
+        case ShapeType::compound:
+            return std::ranges::any_of(*shape.parts, [&](const ShapePart& part) {
+                return isInside(part.shape, part.pose, p);
+            });
+        case ShapeType::mesh: break;
     }
     return false;
 }
@@ -46,8 +65,13 @@ TEST(RayCast, EntersWhereAWalkAlongItGetsInside) {
     std::uniform_real_distribution<double> place(-2.5, 2.5);
     const auto point = [&] { return Vec3(place(random), place(random), place(random)); };
     const Pose pose = somePose();
+    const Vec3 corners[] = {{0, 0, 0}, {2, 0.1, 0}, {0.2, 1.8, 0.1}, {0.1, 0.2, 2}, {1.5, 1.4, 1}};
+    const ShapePart parts[] = {{Shape::box({0.6, 0.8, 1.3}), {{0.2, 0, 0}, Quat::Identity()}},
+                               {Shape::sphere(0.6), {{1.1, 0.6, 0}, Quat::Identity()}}};
     for (const Shape& shape : {Shape::sphere(0.8), Shape::box({1.0, 0.6, 1.8}),
-                               Shape::capsule(0.4, 2.0), Shape::plane({1, 2, -1})}) {
+                               Shape::capsule(0.4, 2.0), Shape::plane({1, 2, -1}),
+                               Shape::cylinder(0.6, 1.4), Shape::cone(0.8, 1.5),
+                               *Shape::hullOf(corners), Shape::compound(parts)}) {
         int hits = 0, misses = 0;
         for (int i = 0; i < 200; ++i) {
             const Vec3 from = point(), to = point();
@@ -163,6 +187,24 @@ TEST_F(Rays, ChangeNothing) {
 TEST(RaysDeathTest, OfNoPlaceAreTheCallersBug) {
     const World world;
     EXPECT_DEATH(world.castRay({std::nan(""), 0, 0}, {0, 1, 0}), "finite place");
+}
+
+/// Straight down on hills: the height of the triangle below.
+TEST(RayCast, MeetsAHeightFieldFromAboveOnly) {
+    std::vector<double> heights;
+    for (int j = 0; j < 9; ++j)
+        for (int i = 0; i < 9; ++i) heights.push_back(0.2 * i + 0.1 * j);  // a slope
+    const Shape field = Shape::heightField(9, 9, 0.5, heights);
+    for (const double x : {-1.9, -0.33, 0.0, 1.25})
+        for (const double z : {-1.7, 0.21, 1.9}) {
+            const double height = 0.2 * (x / 0.5 + 4.0) + 0.1 * (z / 0.5 + 4.0);
+            const auto hit = enterShape(field, {}, {x, 5, z}, {x, -5, z});
+            ASSERT_TRUE(hit);
+            EXPECT_NEAR(5.0 - 10.0 * hit->fraction, height, 1e-9);
+            EXPECT_LT((hit->normal - Vec3(-0.4, 1, -0.2).normalized()).norm(), 1e-9);
+            EXPECT_FALSE(enterShape(field, {}, {x, -5, z}, {x, 5, z}));
+        }
+    EXPECT_FALSE(enterShape(field, {}, {3, 5, 0}, {3, -5, 0}));
 }
 
 }  // namespace

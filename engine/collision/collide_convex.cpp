@@ -1,0 +1,211 @@
+#include "engine/collision/collide_convex.h"
+
+#include "engine/collision/way_out.h"
+
+namespace engine {
+namespace {
+
+/// As between boxes (collide_box_box.cpp): a face keeps its place until another is better by this
+/// much, and gives way to one point only where that is clearly better.
+constexpr double kFaceBonus = 5e-4;  // m
+constexpr double kEdgeBonus = 2e-3;  // m
+constexpr double kBeside = 5e-4;     // m: a point this far beside a face still lies on it
+constexpr double kFar = 1e9;         // m
+constexpr int kLine = 1 << 30;       // features that are not on faces
+
+struct FaceAxis {
+    double separation = -1e300;  // m, radii included
+    int face = -1;
+    bool ofB = false;
+};
+
+FaceAxis bestFace(const Convex& a, const Convex& b) {
+    FaceAxis best;
+    const double radii = a.radius() + b.radius();
+    const auto see = [&](const Convex& owner, bool ofB, double bonus) {
+        FaceAxis own;
+        for (int i = 0; i < owner.faceCount(); ++i) {
+            const Vec3 n = ofB ? Vec3(-owner.faceNormal(i)) : owner.faceNormal(i);
+            if (a.isTriangle() && n.dot(a.front()) < -1e-3) continue;
+            if (b.isTriangle() && n.dot(b.front()) > 1e-3) continue;
+            const double separation = separationOfCores(a, b, n) - radii;
+            if (separation > own.separation) own = {separation, i, ofB};
+        }
+        if (own.separation > best.separation + bonus) best = own;
+    };
+    see(a, false, 0.0);
+    see(b, true, kFaceBonus);
+    return best;
+}
+
+/// The side planes of a face: one between every two corners, looking out.
+struct Side {
+    Vec3 normal;
+    double offset;
+};
+Side sideOf(const Feature& face, int i, const Vec3& n) {
+    const Vec3& from = face.corner[i];
+    const Vec3 out = (face.corner[i + 1 < face.count ? i + 1 : 0] - from).cross(n).normalized();
+    return {out, out.dot(from)};
+}
+
+/// A segment or a point, cut by the sides of a face; false: nothing is left.
+bool clipLine(Feature& line, const Feature& face, const Vec3& n) {
+    for (int i = 0; i < face.count; ++i) {
+        const Side side = sideOf(face, i, n);
+        double height[2];
+        for (int k = 0; k < line.count; ++k)
+            height[k] = side.normal.dot(line.corner[k]) - side.offset;
+        if (line.count == 1) {
+            if (height[0] > kBeside) return false;
+            continue;
+        }
+        if (height[0] > kBeside && height[1] > kBeside) return false;
+        const Vec3 way = line.corner[1] - line.corner[0];
+        for (int k = 0; k < 2; ++k)
+            if (height[k] > kBeside)
+                line.corner[k] = line.corner[0] +
+                                 clamped(height[0] / (height[0] - height[1]), 0.0, 1.0) * way;
+    }
+    return true;
+}
+
+/// What of `other` lies against face number `number` of `owner`, n being that face's normal.
+Manifold clipToFace(const Convex& owner, int number, const Convex& other, bool ofB,
+                    double margin) {
+    Manifold m;
+    const Vec3 n = owner.faceNormal(number);
+    m.normal = ofB ? Vec3(-n) : n;
+    const Feature face = owner.face(number);
+    int incident = 0;
+    Feature feature = other.towards(-n, incident);
+    if (feature.count <= 2) {
+        if (!clipLine(feature, face, n)) return m;
+    } else {
+        for (int i = 0; i < face.count; ++i) {
+            const Side side = sideOf(face, i, n);
+            clip(feature, side.normal, side.offset, kMostClipped / 2 + i);
+        }
+    }
+    const double height = n.dot(face.corner[0]) + other.radius();
+    ClippedPoints<kMostClipped> points(feature, n, height, margin);
+    points.keepFour(n);
+    const int name = ((ofB ? 300 : 0) + number) * 300 + incident;
+    for (int i = 0; i < points.count; ++i) {
+        const Vec3 onOther = points.position[i] - other.radius() * n;
+        const Vec3 onOwner = onOther - points.separation[i] * n;
+        m.add(ofB ? onOther : onOwner, ofB ? onOwner : onOther,
+              name * kMostClipped * kMostClipped + points.label[i]);
+    }
+    return m;
+}
+
+Manifold clipToFace(const Convex& a, const Convex& b, const FaceAxis& axis, double margin) {
+    return axis.ofB ? clipToFace(b, axis.face, a, true, margin)
+                    : clipToFace(a, axis.face, b, false, margin);
+}
+
+void addAlong(Manifold& m, const Vec3& p, const Vec3& q, double radiusA, double radiusB,
+              double margin, int feature) {
+    const double separation = m.normal.dot(q - p) - radiusA - radiusB;
+    if (separation > margin) return;
+    // The two may be askew; the separation along the normal is what the axis says.
+    const Vec3 middle = 0.5 * (p + radiusA * m.normal + q - radiusB * m.normal);
+    const Vec3 reach = 0.5 * separation * m.normal;
+    m.add(middle - reach, middle + reach, feature);
+}
+
+double deepestOf(const Manifold& m) {
+    double deepest = kFar;
+    for (int i = 0; i < m.count; ++i) deepest = smaller(deepest, m.separation(i));
+    return deepest;
+}
+
+/// Two lines side by side: two points. None: they are not, or what touches first lies elsewhere.
+Manifold alongLines(const Convex& a, const Convex& b, const WayOut& out, double margin) {
+    Manifold m;
+    m.normal = out.normal;
+    Segment onA, onB;
+    double from = 0.0, to = 0.0;
+    if (!a.line(m.normal, onA) || !b.line(-m.normal, onB) ||
+        !nearlyParallel(onA.half, onB.half) || !overlap(onA, onB, from, to))
+        return m;
+    for (const int end : {0, 1}) {
+        const Vec3 p = onA.at(end == 0 ? from : to);
+        addAlong(m, p, onB.at(closestOn(onB, p)), a.radius(), b.radius(), margin,
+                 kLine + 1 + end);
+    }
+    const double separation = out.separation - a.radius() - b.radius();
+    if (deepestOf(m) > separation + kEdgeBonus) m.count = 0;
+    return m;
+}
+
+Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
+    const FaceAxis face = bestFace(a, b);
+    if (face.separation > margin) return {};
+    Manifold onFace;
+    if (face.face >= 0) onFace = clipToFace(a, b, face, margin);
+    const double deepest = deepestOf(onFace);
+    // What touches first lies over the face: no other normal is better by more than the bonus.
+    const bool over = deepest < face.separation + kBeside;
+    if (over && face.separation > -kEdgeBonus) return onFace;
+    const WayOut out = wayOut(a, b);
+    const double separation = out.separation - a.radius() - b.radius();
+    if (separation > margin) return {};
+    if (separation < face.separation + kEdgeBonus && deepest < separation + kEdgeBonus)
+        return onFace;
+    Manifold m = alongLines(a, b, out, margin);
+    if (m.count == 0)
+        addAlong(m, out.onA, out.onB, a.radius(), b.radius(), margin, kLine);
+    return m;
+}
+
+/// Against a triangle a. Edges that are not sharp, and the back, are felt through the front: as far
+/// as the piece lies over it, and has not sunk below it by more than a quarter of its size.
+Manifold collideTriangle(const Convex& a, const Convex& b, double margin) {
+    const Manifold m = collideTwo(a, b, margin);
+    if (m.count == 0) return m;
+    const double along = m.normal.dot(a.front());
+    if (along > 1.0 - 1e-9 || (along > -1e-2 && !a.isSmoothAt(m.points[0].onA))) return m;
+    const double separation = separationOfCores(a, b, a.front()) - b.radius();
+    if (separation < -1.25 * (b.reach() + b.radius())) return {};
+    return clipToFace(a, 0, b, false, margin);
+}
+
+}  // namespace
+
+Manifold collideConvex(const Convex& a, const Convex& b, double margin) {
+    if (a.isTriangle()) return collideTriangle(a, b, margin);
+    if (!b.isTriangle()) return collideTwo(a, b, margin);
+    Manifold m = collideTriangle(b, a, margin);
+    m.flip();
+    return m;
+}
+
+Manifold collideConvexPlane(const Convex& a, const Shape& plane, const Pose& pose, double margin) {
+    Manifold m;
+    const Vec3 up = pose.rotation * plane.normal;
+    m.normal = -up;
+    const double height = up.dot(pose.position) + a.radius();
+    if (up.dot(a.support(-up)) - height > margin) return m;
+    int number = 0;
+    const Feature feature = a.towards(-up, number);
+    ClippedPoints<kMostClipped> points(feature, up, height, margin);
+    points.keepFour(up);
+    for (int i = 0; i < points.count; ++i) {
+        const Vec3 onA = points.position[i] - a.radius() * up;
+        m.add(onA, onA - points.separation[i] * up,
+              number * kMostClipped * kMostClipped + points.label[i]);
+    }
+    return m;
+}
+
+ConvexGap gapOf(const Convex& a, const Convex& b) {
+    const WayOut out = wayOut(a, b);
+    const bool behind = (a.isTriangle() && out.normal.dot(a.front()) < 0.0) ||
+                        (b.isTriangle() && out.normal.dot(b.front()) > 0.0);
+    if (behind) return {kFar, out.normal};
+    return {out.separation - a.radius() - b.radius(), out.normal};
+}
+
+}  // namespace engine

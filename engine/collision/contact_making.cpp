@@ -1,0 +1,65 @@
+#include "engine/collision/contact_making.h"
+
+#include <algorithm>
+
+namespace engine {
+namespace {
+
+Pose seenFrom(const Pose& a, const Pose& b) {
+    return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
+}
+
+/// What rolls gets new points as it goes.
+bool isFlat(const Shape& shape) {
+    switch (shape.type) {
+        case ShapeType::box:
+        case ShapeType::plane:
+        case ShapeType::hull:
+        case ShapeType::mesh: return true;
+        case ShapeType::compound:
+            return std::ranges::all_of(*shape.parts,
+                                       [](const ShapePart& part) { return isFlat(part.shape); });
+        default: return false;
+    }
+}
+
+}  // namespace
+
+Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& manifold,
+                  Found where) {
+    const Material &a = bodies.defs[pair.a].material, &b = bodies.defs[pair.b].material;
+    Contact contact;
+    contact.a = pair.a, contact.b = pair.b;
+    contact.normal = manifold.normal;
+    contact.normalA = bodies.poses[pair.a].rotation.conjugate() * manifold.normal;
+    if (where == Found::here)
+        contact.seenFromA = seenFrom(bodies.poses[pair.a], bodies.poses[pair.b]);
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.restitution = larger(a.restitution, b.restitution);
+    contact.count = manifold.count;
+    for (int i = 0; i < manifold.count; ++i) {
+        const ManifoldPoint& point = manifold.points[i];
+        contact.points[i].anchorA = bodies.poses[pair.a].toLocal(point.onA);
+        contact.points[i].anchorB = bodies.poses[pair.b].toLocal(point.onB);
+        contact.points[i].feature = point.feature;
+    }
+    return contact;
+}
+
+bool stays(const Contact& contact, const Bodies& bodies) {
+    if (!isFlat(bodies.defs[contact.a].shape) || !isFlat(bodies.defs[contact.b].shape))
+        return false;
+    constexpr double kWay = 5e-3, kTurn = 5e-3;  // m; sine of half the angle
+    const Pose now = seenFrom(bodies.poses[contact.a], bodies.poses[contact.b]);
+    const Quat turn = contact.seenFromA.rotation.conjugate() * now.rotation;
+    return (now.position - contact.seenFromA.position).squaredNorm() < kWay * kWay &&
+           turn.vec().squaredNorm() < kTurn * kTurn;
+}
+
+Contact kept(const Contact& contact, const Bodies& bodies) {
+    Contact same = contact;
+    same.normal = bodies.poses[contact.a].rotation * contact.normalA;
+    return same;
+}
+
+}  // namespace engine

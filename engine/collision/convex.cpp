@@ -1,0 +1,240 @@
+#include "engine/collision/convex.h"
+
+#include "engine/base/trigonometry.h"
+
+namespace engine {
+namespace {
+
+constexpr int kRim = 16;             // corners that stand for a circle
+constexpr double kAlong = 0.05;      // sine: a line within three degrees
+constexpr double kTilted = 1e-3;     // sine: a disc that lies flatter keeps its corners
+constexpr int kCorners = kMostClipped / 2;  // of a face, at most: the rest is left for cuts
+
+/// The unit circle's corners.
+const std::array<Vec2, kRim>& rim() {
+    static const std::array<Vec2, kRim> corners = [] {
+        std::array<Vec2, kRim> c;
+        for (int i = 0; i < kRim; ++i)
+            c[i] = {cosine(2.0 * kPi * i / kRim), sine(2.0 * kPi * i / kRim)};
+        return c;
+    }();
+    return corners;
+}
+
+bool isRound(ShapeType type) { return type == ShapeType::cylinder || type == ShapeType::cone; }
+
+/// The base's and the top's height; a cone's top is its tip.
+double baseOf(const Shape& s) {
+    return s.type == ShapeType::cone ? -0.5 * s.halfLength : -s.halfLength;
+}
+double topOf(const Shape& s) {
+    return s.type == ShapeType::cone ? 1.5 * s.halfLength : s.halfLength;
+}
+
+/// Of a vector's part across y: a unit vector, or x where there is none.
+Vec3 outwards(const Vec3& d) {
+    const Vec3 across(d.x(), 0.0, d.z());
+    const double length = across.norm();
+    return length > 0.0 ? Vec3(across / length) : Vec3(Vec3::UnitX());
+}
+
+}  // namespace
+
+Convex::Convex(const Shape& shape, const Pose& pose)
+    : shape_(&shape), pose_(pose), turn_(pose.rotation.toRotationMatrix()) {
+    centre_ = pose.position;
+    const bool ball = shape.type == ShapeType::sphere, pill = shape.type == ShapeType::capsule;
+    if (ball || pill) radius_ = shape.radius;
+    reach_ = ball ? 0.0 : pill ? shape.halfLength : reachOf(shape);
+}
+
+Convex::Convex(const Mesh& mesh, int triangle, const Pose& pose)
+    : mesh_(&mesh), triangle_(&mesh.triangles[triangle]), pose_(pose),
+      turn_(pose.rotation.toRotationMatrix()) {
+    Vec3 middle = Vec3::Zero();
+    for (const int c : triangle_->corners) middle += mesh.corners[c] / 3.0;
+    for (const int c : triangle_->corners)
+        reach_ = larger(reach_, (mesh.corners[c] - middle).norm());
+    centre_ = pose.position + turn_ * middle;
+    front_ = turn_ * triangle_->normal;
+}
+
+Convex convexOf(const Piece& piece, const Pose& body) {
+    if (piece.isTriangle) return {*piece.shape->mesh, piece.number, body};
+    return {*piece.shape, piece.at(body)};
+}
+
+Vec3 Convex::support(const Vec3& n) const {
+    return pose_.position + turn_ * supportLocal(turn_.transpose() * n);
+}
+
+Vec3 Convex::supportLocal(const Vec3& d) const {
+    const auto farthest = [&](const auto& corners, const auto& numbers) {
+        Vec3 best = corners[numbers(0)];
+        for (int i = 1; i < numbers(-1); ++i)
+            if (d.dot(corners[numbers(i)]) > d.dot(best)) best = corners[numbers(i)];
+        return best;
+    };
+    if (triangle_)
+        return farthest(mesh_->corners, [&](int i) { return i < 0 ? 3 : triangle_->corners[i]; });
+    const Shape& s = *shape_;
+    switch (s.type) {
+        case ShapeType::capsule: return {0.0, d.y() < 0.0 ? -s.halfLength : s.halfLength, 0.0};
+        case ShapeType::box:
+            return {d.x() < 0.0 ? -s.halfSize.x() : s.halfSize.x(),
+                    d.y() < 0.0 ? -s.halfSize.y() : s.halfSize.y(),
+                    d.z() < 0.0 ? -s.halfSize.z() : s.halfSize.z()};
+        case ShapeType::cylinder: {
+            Vec3 p = s.radius * outwards(d);
+            p.y() = d.y() < 0.0 ? baseOf(s) : topOf(s);
+            return p;
+        }
+        case ShapeType::cone: {
+            const Vec3 tip(0.0, topOf(s), 0.0);
+            Vec3 p = s.radius * outwards(d);
+            p.y() = baseOf(s);
+            return d.dot(p) > d.dot(tip) ? p : tip;
+        }
+        case ShapeType::hull: {
+            const int count = static_cast<int>(s.hull->corners.size());
+            return farthest(s.hull->corners, [&](int i) { return i < 0 ? count : i; });
+        }
+        default: return Vec3::Zero();
+    }
+}
+
+int Convex::faceCount() const {
+    if (triangle_) return 1;
+    switch (shape_->type) {
+        case ShapeType::box: return 6;
+        case ShapeType::cylinder: return 2;
+        case ShapeType::cone: return 1;
+        case ShapeType::hull: return static_cast<int>(shape_->hull->faces.size());
+        default: return 0;
+    }
+}
+
+Vec3 Convex::faceNormal(int face) const {
+    if (triangle_) return front_;
+    if (shape_->type == ShapeType::hull) return turn_ * shape_->hull->faces[face].normal;
+    const int axis = shape_->type == ShapeType::box ? face / 2 : 1;
+    return face % 2 == 0 ? Vec3(-turn_.col(axis)) : Vec3(turn_.col(axis));
+}
+
+Feature Convex::disc(double y, const Vec3& n) const {
+    const Vec3 local = turn_.transpose() * n;
+    const double tilt = std::sqrt(local.x() * local.x() + local.z() * local.z());
+    // The corner that touches first is one of the circle's, however it lies.
+    const Vec3 first = tilt > kTilted * local.norm() ? outwards(local) : Vec3(Vec3::UnitX());
+    const Vec3 second(first.z(), 0.0, -first.x());
+    Feature feature;
+    for (int i = 0; i < kRim; ++i) {
+        const int k = y < 0.0 ? kRim - 1 - i : i;  // counter-clockwise from outside
+        const Vec3 p = shape_->radius * (rim()[k].x() * first + rim()[k].y() * second);
+        feature.add({p.x(), y, p.z()}, i);
+    }
+    toWorld(feature);
+    return feature;
+}
+
+Feature Convex::face(int face) const {
+    Feature feature;
+    if (triangle_) {
+        for (int i = 0; i < 3; ++i) feature.add(mesh_->corners[triangle_->corners[i]], i);
+    } else if (shape_->type == ShapeType::hull) {
+        const std::vector<int>& corners = shape_->hull->faces[face].corners;
+        const int count = static_cast<int>(corners.size());
+        const int kept = count < kCorners ? count : kCorners;
+        for (int i = 0; i < kept; ++i)
+            feature.add(shape_->hull->corners[corners[i * count / kept]], i);
+    } else if (shape_->type == ShapeType::box) {
+        const double side = face % 2 == 0 ? -1.0 : 1.0;
+        const Polygon box = faceOf(Mat3::Identity(), Vec3::Zero(), shape_->halfSize, face / 2, side);
+        for (int i = 0; i < 4; ++i) feature.add(box.corner[side < 0.0 ? 3 - i : i], i);
+    } else {
+        return disc(face == 0 ? baseOf(*shape_) : topOf(*shape_), faceNormal(face));
+    }
+    toWorld(feature);
+    return feature;
+}
+
+void Convex::toWorld(Feature& feature) const {
+    for (int i = 0; i < feature.count; ++i)
+        feature.corner[i] = pose_.position + turn_ * feature.corner[i];
+}
+
+/// From the rim to the top's, on the side of `local`.
+Feature Convex::sideLine(const Vec3& local) const {
+    const Vec3 out = shape_->radius * outwards(local);
+    Feature feature;
+    feature.add({out.x(), baseOf(*shape_), out.z()}, 0);
+    if (shape_->type == ShapeType::cone)
+        feature.add({0.0, topOf(*shape_), 0.0}, 1);
+    else
+        feature.add({out.x(), topOf(*shape_), out.z()}, 1);
+    toWorld(feature);
+    return feature;
+}
+
+Feature Convex::towards(const Vec3& n, int& number) const {
+    number = 0;
+    Feature feature;
+    if (triangle_) return face(0);
+    const Vec3 local = turn_.transpose() * n;
+    if (shape_->type == ShapeType::sphere) {
+        feature.add(pose_.position, 0);
+    } else if (shape_->type == ShapeType::capsule) {
+        feature.add({0.0, -shape_->halfLength, 0.0}, 0);
+        feature.add({0.0, shape_->halfLength, 0.0}, 1);
+        toWorld(feature);
+    } else if (isRound(shape_->type)) {
+        const bool cone = shape_->type == ShapeType::cone;
+        const bool end = cone ? local.y() < -0.7 : std::abs(local.y()) > 0.7;
+        number = end ? (local.y() < 0.0 ? 0 : 1) : 2;
+        if (!end) return sideLine(local);
+        return disc(local.y() < 0.0 ? baseOf(*shape_) : topOf(*shape_), n);
+    } else {
+        double most = -2.0;
+        for (int i = 0; i < faceCount(); ++i)
+            if (const double along = faceNormal(i).dot(n); along > most + 1e-3)
+                most = along, number = i;
+        return face(number);
+    }
+    return feature;
+}
+
+bool Convex::line(const Vec3& n, Segment& result) const {
+    if (triangle_) return false;
+    const Vec3 local = turn_.transpose() * n;
+    if (shape_->type == ShapeType::capsule) {
+        if (std::abs(local.y()) > kAlong) return false;
+        result = coreOf(*shape_, pose_);
+        return shape_->halfLength > 0.0;
+    }
+    if (!isRound(shape_->type)) return false;
+    // Across the side line: y for a cylinder, leaning by the slope of a cone.
+    const double height = topOf(*shape_) - baseOf(*shape_);
+    const double inwards = shape_->type == ShapeType::cone ? shape_->radius : 0.0;
+    const Vec3 out = outwards(local);
+    const Vec3 along = Vec3(-inwards * out.x(), height, -inwards * out.z()).normalized();
+    if (std::abs(along.dot(local)) > kAlong) return false;
+    const Feature ends = sideLine(local);
+    result = {0.5 * (ends.corner[0] + ends.corner[1]), 0.5 * (ends.corner[1] - ends.corner[0])};
+    return true;
+}
+
+bool Convex::isSmoothAt(const Vec3& world) const {
+    const Vec3 p = pose_.toLocal(world);
+    bool onSmooth = false;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& from = mesh_->corners[triangle_->corners[i]];
+        const Vec3 edge = mesh_->corners[triangle_->corners[(i + 1) % 3]] - from;
+        const double away = edge.cross(p - from).norm() / edge.norm();
+        if (away > 1e-6 * (1.0 + reach_)) continue;
+        if (triangle_->sharp[i]) return false;
+        onSmooth = true;
+    }
+    return onSmooth;
+}
+
+}  // namespace engine

@@ -1,0 +1,88 @@
+#include "engine/collision/piece_contacts.h"
+
+#include "engine/collision/clip.h"
+#include "engine/collision/collide.h"
+
+namespace engine {
+namespace {
+
+constexpr double kSameNormal = 0.9995;  // within 1.8 degrees
+
+/// Another name for the same feature of another piece.
+int featureOf(int feature, const Piece& a, const Piece& b) {
+    const unsigned mixed =
+        (static_cast<unsigned>(feature) * 31u + static_cast<unsigned>(a.number)) * 10007u +
+        static_cast<unsigned>(b.number);
+    return static_cast<int>(mixed & 0x7fffffffu);
+}
+
+/// Of the points of both, the four that carry best.
+void merge(const Bodies& bodies, const Contact& more, Contact& into) {
+    std::array<ContactPoint, 8> all;
+    ClippedPoints<8> points;
+    const Pose &a = bodies.poses[into.a], &b = bodies.poses[into.b];
+    for (const Contact* from : {static_cast<const Contact*>(&into), &more})
+        for (int i = 0; i < from->count; ++i) {
+            const Vec3 onA = a.toWorld(from->points[i].anchorA);
+            const double separation =
+                into.normal.dot(b.toWorld(from->points[i].anchorB) - onA);
+            ContactPoint& point = all[points.count];
+            point = from->points[i];
+            point.anchorB = b.toLocal(onA + separation * into.normal);
+            points.position[points.count] = onA;
+            points.separation[points.count] = separation;
+            points.label[points.count] = points.count;
+            ++points.count;
+        }
+    points.keepFour(into.normal);
+    into.count = points.count;
+    for (int i = 0; i < points.count; ++i) into.points[i] = all[points.label[i]];
+}
+
+void add(const Bodies& bodies, const Contact& contact, std::size_t first,
+         std::vector<Contact>& found) {
+    for (std::size_t i = first; i < found.size(); ++i)
+        if (found[i].normal.dot(contact.normal) > kSameNormal)
+            return merge(bodies, contact, found[i]);
+    found.push_back(contact);
+}
+
+bool keepAll(const std::vector<Contact>& previous, std::size_t old, const PairKey& pair,
+             const Bodies& bodies, std::vector<Contact>& found) {
+    std::size_t end = old;
+    const auto isOfPair = [&](const Contact& c) { return c.a == pair.a && c.b == pair.b; };
+    for (; end < previous.size() && isOfPair(previous[end]); ++end)
+        if (!stays(previous[end], bodies)) return false;
+    for (std::size_t i = old; i < end; ++i) found.push_back(kept(previous[i], bodies));
+    return end > old;
+}
+
+}  // namespace
+
+void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase,
+                         const MovingPairs& moving, double margin, double near, double dt,
+                         const std::vector<Contact>& previous, std::size_t old,
+                         std::vector<Contact>& found) {
+    const bool fast = near > margin || isMoving(moving, pair);
+    if (!fast && keepAll(previous, old, pair, bodies, found)) return;
+    const std::size_t first = found.size();
+    const auto take = [&](Manifold& m, const PiecePair& pieces, Found where) {
+        for (int i = 0; i < m.count; ++i)
+            m.points[i].feature = featureOf(m.points[i].feature, pieces.a, pieces.b);
+        if (m.count > 0) add(bodies, contactOf(bodies, pair, m, where), first, found);
+    };
+    const auto meet = [&](const Piece& a, const Piece& b) {
+        const PiecePair pieces{pair, a, b};
+        if (!fast) {
+            Manifold m = collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
+            return take(m, pieces, Found::here);
+        }
+        const Impact impact =
+            timeOfImpact(a, moving.motions[pair.a], b, moving.motions[pair.b], dt);
+        MovingManifolds met = collideMoving(bodies, pieces, moving, impact, margin, near, dt);
+        for (int i = 0; i < met.count; ++i) take(met.manifolds[i], pieces, Found::onTheWay);
+    };
+    forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt, meet);
+}
+
+}  // namespace engine

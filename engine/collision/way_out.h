@@ -1,0 +1,20 @@
+/// The normal between two convex pieces, apart or overlapping.
+#pragma once
+#include "engine/collision/gjk.h"
+
+namespace engine {
+
+struct WayOut {
+    Vec3 normal = Vec3::UnitY();  // unit, from a to b
+    double separation = 0.0;      // m, of the cores along it; negative: they overlap
+    Vec3 onA, onB;                // m, where they touch once moved apart along it
+};
+
+WayOut wayOut(const Convex& a, const Convex& b);
+
+/// n.(s_B(-n) - s_A(n)), m, of the cores.
+inline double separationOfCores(const Convex& a, const Convex& b, const Vec3& n) {
+    return n.dot(b.support(-n) - a.support(n));
+}
+
+}  // namespace engine

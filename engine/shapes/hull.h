@@ -1,0 +1,24 @@
+/// A convex polyhedron.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/base/math.h"
+
+namespace engine {
+
+struct Hull {
+    struct Face {
+        Vec3 normal;               // unit, outwards
+        double offset = 0.0;       // m: normal . x <= offset inside
+        std::vector<int> corners;  // counter-clockwise from outside
+    };
+    std::vector<Vec3> corners;  // m
+    std::vector<Face> faces;
+};
+
+/// By Qhull; faces in one plane are one face. Nothing where the points are flat (shape.h).
+std::optional<Hull> convexHull(std::span<const Vec3> points);
+
+}  // namespace engine

@@ -1,0 +1,47 @@
+/// A surface of triangles, with a tree of bounds over them that never changes.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/base/bounds.h"
+
+namespace engine {
+
+struct Mesh {
+    struct Triangle {
+        std::array<int, 3> corners;        // counter-clockwise from the side that holds
+        Vec3 normal;                       // unit, out of that side
+        std::array<bool, 3> sharp;         // the edge from corner i to the next is convex or a rim:
+                                           // others cannot be felt by what slides over them
+    };
+    struct Node {
+        Bounds bounds;
+        int first = 0, count = 0;  // a leaf's triangles; count 0: an inner node
+        int next = 0;              // after everything below this node
+    };
+    std::vector<Vec3> corners;  // m
+    std::vector<Triangle> triangles;
+    std::vector<Node> nodes;    // depth first: the first child of a node follows it
+
+    const Bounds& bounds() const { return nodes[0].bounds; }
+
+    /// Calls visit(number) for the triangles whose leaves overlap, in order.
+    template <class Visit>
+    void query(const Bounds& within, Visit visit) const {
+        for (int i = 0; i < static_cast<int>(nodes.size());) {
+            const Node& node = nodes[i];
+            if (!node.bounds.overlaps(within)) {
+                i = node.next;
+                continue;
+            }
+            for (int k = node.first; k < node.first + node.count; ++k) visit(k);
+            ++i;
+        }
+    }
+};
+
+/// Corners in the same place become one; triangles without an area are left out.
+Mesh makeMesh(std::span<const Vec3> corners, std::span<const std::array<int, 3>> triangles);
+
+}  // namespace engine

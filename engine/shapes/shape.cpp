@@ -1,0 +1,181 @@
+#include "engine/shape.h"
+
+#include "engine/base/check.h"
+#include "engine/shapes/hull.h"
+#include "engine/shapes/mass.h"
+#include "engine/shapes/mesh.h"
+
+namespace engine {
+
+Shape Shape::sphere(double radius) {
+    ENGINE_CHECK(radius > 0.0, "a sphere needs a positive radius");
+    Shape s;
+    s.type = ShapeType::sphere;
+    s.radius = radius;
+    return s;
+}
+
+Shape Shape::box(const Vec3& size) {
+    ENGINE_CHECK(size.minCoeff() > 0.0, "a box needs three positive edges");
+    Shape s;
+    s.type = ShapeType::box;
+    s.halfSize = 0.5 * size;
+    return s;
+}
+
+Shape Shape::capsule(double radius, double height) {
+    ENGINE_CHECK(radius > 0.0 && height >= 2.0 * radius,
+                 "a capsule needs a positive radius and a height of at least twice that");
+    Shape s;
+    s.type = ShapeType::capsule;
+    s.radius = radius;
+    s.halfLength = 0.5 * height - radius;
+    return s;
+}
+
+Shape Shape::plane(const Vec3& normal) {
+    const double length = normal.norm();
+    ENGINE_CHECK(length > 0.0, "a plane needs a normal that is not zero");
+    Shape s;
+    s.type = ShapeType::plane;
+    s.normal = normal / length;
+    return s;
+}
+
+Shape Shape::cylinder(double radius, double height) {
+    ENGINE_CHECK(radius > 0.0 && height > 0.0, "a cylinder needs a positive radius and height");
+    Shape s;
+    s.type = ShapeType::cylinder;
+    s.radius = radius;
+    s.halfLength = 0.5 * height;
+    return s;
+}
+
+Shape Shape::cone(double radius, double height) {
+    ENGINE_CHECK(radius > 0.0 && height > 0.0, "a cone needs a positive radius and height");
+    Shape s;
+    s.type = ShapeType::cone;
+    s.radius = radius;
+    s.halfLength = 0.5 * height;
+    return s;
+}
+
+std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
+    std::optional<Hull> hull = convexHull(points);
+    if (!hull) return std::nullopt;
+    // About the first corner first: far from the origin the integrals would cancel.
+    const Vec3 near = hull->corners[0];
+    const auto moveBy = [&](const Vec3& way) {
+        for (Vec3& corner : hull->corners) corner += way;
+        for (Hull::Face& face : hull->faces) {
+            face.offset = -1e300;
+            for (const int i : face.corners)
+                face.offset = larger(face.offset, face.normal.dot(hull->corners[i]));
+        }
+    };
+    moveBy(-near);
+    const VolumeIntegrals sum = integralsOf(*hull);
+    const Vec3 centre = sum.first / sum.volume;
+    moveBy(-centre);
+    Shape s;
+    s.type = ShapeType::hull;
+    s.origin = -near - centre;
+    s.hull = std::make_shared<const Hull>(*std::move(hull));
+    return s;
+}
+
+Shape Shape::compound(std::span<const ShapePart> parts) {
+    ENGINE_CHECK(!parts.empty(), "a compound needs a part");
+    auto placed = std::make_shared<ShapeParts>();
+    for (const ShapePart& part : parts) {
+        const ShapeType type = part.shape.type;
+        ENGINE_CHECK(type != ShapeType::plane && type != ShapeType::mesh,
+                     "a compound holds no planes and no meshes");
+        const Quat turn = part.pose.rotation.normalized();
+        if (type != ShapeType::compound) {
+            placed->push_back({part.shape, {part.pose.position, turn}});
+            continue;
+        }
+        for (const ShapePart& inner : *part.shape.parts)
+            placed->push_back({inner.shape,
+                               {part.pose.toWorld(inner.pose.position), turn * inner.pose.rotation}});
+    }
+    const VolumeIntegrals sum = integralsOf(*placed);
+    const Vec3 centre = sum.first / sum.volume;
+    for (ShapePart& part : *placed) part.pose.position -= centre;
+    Shape s;
+    s.type = ShapeType::compound;
+    s.origin = -centre;
+    s.parts = std::move(placed);
+    return s;
+}
+
+Shape Shape::meshOf(std::span<const Vec3> corners,
+                    std::span<const std::array<int, 3>> triangles) {
+    for (const std::array<int, 3>& triangle : triangles)
+        for (const int corner : triangle)
+            ENGINE_CHECK(corner >= 0 && corner < static_cast<int>(corners.size()) &&
+                             corners[corner].allFinite(),
+                         "a triangle needs three corners of its mesh, all finite");
+    auto mesh = std::make_shared<const Mesh>(makeMesh(corners, triangles));
+    ENGINE_CHECK(!mesh->triangles.empty(), "a mesh needs a triangle with an area");
+    Shape s;
+    s.type = ShapeType::mesh;
+    s.mesh = std::move(mesh);
+    return s;
+}
+
+Shape Shape::heightField(int columns, int rows, double spacing, std::span<const double> heights) {
+    ENGINE_CHECK(columns >= 2 && rows >= 2 && spacing > 0.0 &&
+                     heights.size() == static_cast<std::size_t>(columns) * rows,
+                 "a height field needs two columns, two rows, and a height for each of its points");
+    std::vector<Vec3> corners;
+    std::vector<std::array<int, 3>> triangles;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            corners.push_back({spacing * (i - 0.5 * (columns - 1)), heights[j * columns + i],
+                               spacing * (j - 0.5 * (rows - 1))});
+    for (int j = 0; j + 1 < rows; ++j)
+        for (int i = 0; i + 1 < columns; ++i) {
+            const int c = j * columns + i, d = c + columns;
+            triangles.push_back({c, d, c + 1});
+            triangles.push_back({c + 1, d, d + 1});
+        }
+    return meshOf(corners, triangles);
+}
+
+namespace {
+
+template <class Points>
+double farthest(const Points& points) {
+    double square = 0.0;
+    for (const Vec3& p : points) square = larger(square, p.squaredNorm());
+    return std::sqrt(square);
+}
+
+double reachOf(const ShapeParts& parts) {
+    double most = 0.0;
+    for (const ShapePart& part : parts)
+        most = larger(most, part.pose.position.norm() + engine::reachOf(part.shape));
+    return most;
+}
+
+}  // namespace
+
+double reachOf(const Shape& shape) {
+    const double r = shape.radius, h = shape.halfLength;
+    switch (shape.type) {
+        case ShapeType::sphere: return r;
+        case ShapeType::box: return shape.halfSize.norm();
+        case ShapeType::capsule: return h + r;
+        case ShapeType::cylinder: return std::sqrt(r * r + h * h);
+        case ShapeType::cone: return larger(1.5 * h, std::sqrt(r * r + 0.25 * h * h));
+        case ShapeType::hull: return farthest(shape.hull->corners);
+        case ShapeType::compound: return reachOf(*shape.parts);
+        case ShapeType::mesh: return farthest(shape.mesh->corners);
+        case ShapeType::plane: return 0.0;
+    }
+    return 0.0;
+}
+
+}  // namespace engine

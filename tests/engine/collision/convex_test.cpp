@@ -1,0 +1,186 @@
+// Pairs of the general convex shapes against a measure of its own: the largest separation over many
+// directions, each climbed to its top.
+#include <gtest/gtest.h>
+
+#include "engine/base/trigonometry.h"
+#include "engine/collision/collide.h"
+#include "engine/collision/collide_convex.h"
+#include "engine/collision/way_out.h"
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+Shape wedge() {
+    const Vec3 points[] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0.8}, {1, 0, 0.8}, {0, 0.6, 0}, {0, 0.6, 0.8}};
+    return *Shape::hullOf(points);
+}
+
+/// Twelve corners, twenty faces.
+Shape icosahedron() {
+    const double g = 0.5 * (1.0 + std::sqrt(5.0));
+    std::vector<Vec3> points;
+    for (const double a : {-0.3, 0.3})
+        for (const double b : {-0.3 * g, 0.3 * g})
+            for (const Vec3& p : {Vec3(0, a, b), Vec3(a, b, 0), Vec3(b, 0, a)}) points.push_back(p);
+    return *Shape::hullOf(points);
+}
+
+const std::vector<Shape>& shapes() {
+    static const std::vector<Shape> all{Shape::sphere(0.4),      Shape::box({1.0, 0.7, 1.4}),
+                                        Shape::capsule(0.25, 1.3), Shape::cylinder(0.4, 0.9),
+                                        Shape::cone(0.45, 1.1),  wedge(), icosahedron()};
+    return all;
+}
+
+struct Pair {
+    int a, b;
+};
+void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.a << " and " << pair.b; }
+
+std::vector<Pair> pairsWithNew() {
+    std::vector<Pair> pairs;
+    for (int a = 0; a < 7; ++a)
+        for (int b = a < 3 ? 3 : a; b < 7; ++b) pairs.push_back({a, b});
+    return pairs;
+}
+
+double separation(const Convex& a, const Convex& b, const Vec3& n) {
+    return separationOfCores(a, b, n) - a.radius() - b.radius();
+}
+
+/// max over n of s(n): from the best of many directions by ever smaller steps to all sides.
+double largestSeparation(const Convex& a, const Convex& b) {
+    support::Random random(5);
+    std::vector<std::pair<double, Vec3>> starts;
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 n = random.rotation() * Vec3::UnitX();
+        starts.push_back({separation(a, b, n), n});
+    }
+    std::sort(starts.begin(), starts.end(),
+              [](const auto& l, const auto& r) { return l.first > r.first; });
+    double best = -1e9;
+    for (int k = 0; k < 12; ++k) {
+        auto [top, n] = starts[k];
+        for (double step = 0.2; step > 1e-7;) {
+            bool climbed = false;
+            for (int i = 0; i < 12; ++i) {
+                const Vec3 m = (n + step * (random.rotation() * Vec3::UnitX())).normalized();
+                if (const double s = separation(a, b, m); s > top) top = s, n = m, climbed = true;
+            }
+            if (!climbed) step *= 0.5;
+        }
+        best = larger(best, top);
+    }
+    return best;
+}
+
+class ConvexPairs : public testing::TestWithParam<Pair> {};
+
+TEST_P(ConvexPairs, ClosestPointsAreApartByTheLargestSeparation) {
+    const Shape &shapeA = shapes()[GetParam().a], &shapeB = shapes()[GetParam().b];
+    support::Random random(100 + 10 * GetParam().a + GetParam().b);
+    int apart = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Pose poseA{random.vector(1.1), random.rotation()}, poseB{Vec3::Zero(), random.rotation()};
+        const Convex a(shapeA, poseA), b(shapeB, poseB);
+        const ConvexGap gap = gapOf(a, b);
+        EXPECT_NEAR(gap.normal.norm(), 1.0, 1e-12);
+        const double largest = largestSeparation(a, b);
+        if (largest < -0.02) {  // deep: a way out, if not always the shortest
+            EXPECT_LT(gap.distance, 0.0);
+            EXPECT_GT(gap.distance, -a.reach() - a.radius() - b.reach() - b.radius());
+            continue;
+        }
+        ++apart;
+        EXPECT_NEAR(gap.distance, largest, 2e-4) << i;
+        EXPECT_NEAR(separation(a, b, gap.normal), gap.distance, 2e-5) << i;
+    }
+    EXPECT_GT(apart, 10);
+}
+
+/// Points that two shapes are pushed to just touch at, or to overlap a little: the manifold says so.
+TEST_P(ConvexPairs, ManifoldsTellTheDepthOfTouchingPairs) {
+    const Shape &shapeA = shapes()[GetParam().a], &shapeB = shapes()[GetParam().b];
+    support::Random random(500 + 10 * GetParam().a + GetParam().b);
+    for (const double wanted : {0.01, 1e-4, -1e-4, -1e-3})
+        for (int i = 0; i < 40; ++i) {
+            const Pose poseA{Vec3::Zero(), random.rotation()};
+            Pose poseB{random.rotation() * Vec3(5, 0, 0), random.rotation()};
+            const ConvexGap far = gapOf({shapeA, poseA}, {shapeB, poseB});
+            poseB.position -= (far.distance - wanted) * far.normal;
+            const double gap = gapOf({shapeA, poseA}, {shapeB, poseB}).distance;
+            // On the way in the normal may turn, and the way out be shorter.
+            EXPECT_GE(gap, wanted - 1e-6);
+            const Manifold m = collide(shapeA, poseA, shapeB, poseB, 0.02);
+            ASSERT_GT(m.count, 0) << wanted << ' ' << i;
+            EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
+            double deepest = 1e9;
+            for (int k = 0; k < m.count; ++k) {
+                const Vec3 between = m.points[k].onB - m.points[k].onA;
+                EXPECT_LT(between.cross(m.normal).norm(), 1e-9);
+                deepest = smaller(deepest, between.dot(m.normal));
+            }
+            EXPECT_NEAR(deepest, gap, 2.5e-3) << wanted << ' ' << i;  // a face may be off by 2 mm
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ConvexPairs, testing::ValuesIn(pairsWithNew()));
+
+struct Rest {
+    const char* name;
+    Shape shape;
+    double height;  // of its centre above the ground
+    Quat turn;
+    int points;
+};
+
+std::vector<Rest> rests() {
+    const Quat lying = turnAbout(Vec3::UnitZ(), radians(90));
+    return {{"cylinder", Shape::cylinder(0.4, 1.0), 0.5, Quat::Identity(), 4},
+            {"lying cylinder", Shape::cylinder(0.4, 1.0), 0.4, lying, 2},
+            {"cone", Shape::cone(0.4, 1.0), 0.25, Quat::Identity(), 4},
+            {"lying cone", Shape::cone(0.4, 1.0), 0.75 * 0.4 / std::sqrt(1.16),
+             turnAbout(Vec3::UnitZ(), kPi / 2 + arctangent(0.4, 1.0)), 2},
+            {"wedge", wedge(), 0.2, Quat::Identity(), 4}};
+}
+
+TEST(ConvexRest, LiesOnPlanesBoxesAndCylindersWithItsWholeFeature) {
+    const Shape grounds[] = {Shape::plane({0, 1, 0}), Shape::box({6, 1, 6}),
+                             Shape::cylinder(3, 1)};
+    for (const Shape& ground : grounds)
+        for (const Rest& rest : rests()) {
+            const bool plane = ground.type == ShapeType::plane;
+            const Pose below{{0, plane ? 0.0 : -0.5, 0}, Quat::Identity()};
+            const Manifold m = collide(ground, below, rest.shape,
+                                       {{0.1, rest.height - 5e-4, 0.2}, rest.turn}, 0.02);
+            ASSERT_EQ(m.count, rest.points) << rest.name;
+            EXPECT_LT((m.normal - Vec3::UnitY()).norm(), 1e-12) << rest.name;
+            for (int i = 0; i < m.count; ++i) EXPECT_NEAR(m.separation(i), -5e-4, 1e-9) << rest.name;
+        }
+}
+
+TEST(ConvexRest, CylindersSideBySideTouchAlongALine) {
+    const Shape log = Shape::cylinder(0.3, 2.0);
+    const Quat lying = turnAbout(Vec3::UnitX(), radians(90));
+    for (const double gap : {5e-3, -5e-4}) {
+        const Manifold m = collide(log, {{0, 0, 0}, lying}, log, {{0.6 + gap, 0, 0.4}, lying}, 0.02);
+        ASSERT_EQ(m.count, 2) << gap;
+        EXPECT_LT((m.normal - Vec3::UnitX()).norm(), 1e-5);
+        EXPECT_NEAR(std::abs(m.points[0].onA.z() - m.points[1].onA.z()), 1.6, 1e-6);
+        EXPECT_NEAR(m.separation(0), gap, 1e-6);
+    }
+}
+
+TEST(ConvexRest, ConcentricShapesGetSomeNormalAndNoNaN) {
+    for (const Shape& a : shapes())
+        for (const Shape& b : shapes()) {
+            const Manifold m = collide(a, {}, b, {}, 0.02);
+            ASSERT_GT(m.count, 0);
+            EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
+            for (int i = 0; i < m.count; ++i) EXPECT_TRUE(m.points[i].onB.allFinite());
+        }
+}
+
+}  // namespace
+}  // namespace engine
