@@ -60,6 +60,7 @@ struct Options {
 
     // sim
     std::string csv, bodies, joints, contacts, sweeps;  // a file or "-"; empty = not asked for
+    std::string events;                                 // likewise
     bool exact = false;  // sweeps are compared with the direct solution
     int every = 1;
     bool hash = false;

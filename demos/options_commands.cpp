@@ -104,7 +104,7 @@ void addRender(CLI::App& app, Options& options, RawOptions& raw) {
     addPicture(app, options, raw);
     app.add_option("--pass", raw.passes,
                    "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
-                   "poses contacts; described in passes.json; default: none")
+                   "poses contacts events; described in passes.json; default: none")
         ->type_name("NAMES")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -171,6 +171,8 @@ void addSim(CLI::App& app, Options& options, RawOptions& raw) {
     table("--joints", options.joints, "a row a step and joint: separation (m), force (N)");
     table("--contacts", options.contacts, "a row a contact point: where, normal, impulse (N s)");
     table("--sweeps", options.sweeps, "a row a sweep: residual (m/s), change (N s)");
+    table("--events", options.events,
+          "JSON: begin and end of contacts: where, speed (m/s), impulse (N s)");
     app.add_flag("--exact", options.exact,
                  "with --sweeps: the distance to the direct solution; slow; default: off");
     app.add_option("--every", options.every, "rows of every Nth step only; default: 1")

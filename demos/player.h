@@ -24,6 +24,8 @@ public:
     void observe(std::function<void(engine::Phase, int)> observer) {
         stage_.world.observe(std::move(observer));
     }
+    /// The stage's world tells who begins to touch from now on (engine::World::touches).
+    void watchTouches() { stage_.world.watchTouches(true); }
 
 private:
     void watchNudges();

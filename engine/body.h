@@ -35,6 +35,10 @@ struct BodyDef {
     std::optional<Mat3> inertia;  // kg m^2, body axes, symmetric positive definite; else the
                                   // shape's own, scaled to the mass
     bool collide = true;          // false: passes through everything
+    bool sensor = false;          // true: passes through everything too, but tells of whom it
+                                  // overlaps (World::touches)
+    unsigned groups = 0;          // a bit for each group that it belongs to
+    unsigned ignores = 0;         // groups whose bodies it passes through, and they through it
 };
 
 }  // namespace engine

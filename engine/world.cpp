@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "engine/base/check.h"
 #include "engine/collision/ray_cast.h"
@@ -30,7 +31,7 @@ bool World::step(double dt) {
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
         s.phase(Phase::forces, i);
-        evaluateField(*this, s);
+        evaluateForces(*this, s, i, h);  // forces/force.cpp
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp
 
         s.phase(Phase::velocities, i);
@@ -45,7 +46,7 @@ bool World::step(double dt) {
         integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
 
         s.phase(Phase::nudges, i);
-        const bool seen = s.field || i + 1 == s.report.substeps;
+        const bool seen = s.hasForces() || i + 1 == s.report.substeps;
         solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);
@@ -75,6 +76,16 @@ JointId World::add(const JointDef& def) {
     return {static_cast<int>(s.joints.size()) - 1};
 }
 
+ForceId World::add(const ForceDef& def) {
+    ENGINE_CHECK(std::ranges::all_of(def.on, [&](BodyId id) { return has(id); }),
+                 "a force acts on bodies of this world");
+    ENGINE_CHECK(!std::holds_alternative<SpringForce>(def.kind) || def.on.size() == 2,
+                 "a spring has two ends: put both bodies in `on`");
+    ENGINE_CHECK(def.from <= def.until, "a force ends after it began");
+    state_->forces.push_back(def);
+    return {static_cast<int>(state_->forces.size()) - 1};
+}
+
 void World::remove(BodyId id) {
     ENGINE_CHECK(has(id), "there is no such body");
     WorldState& s = *state_;
@@ -88,6 +99,9 @@ void World::remove(BodyId id) {
     std::erase_if(s.finder.contacts, [&](const Contact& c) {
         return c.a == id.index || c.b == id.index;
     });
+    std::erase_if(s.finder.sensed, [&](const Sensed& o) {
+        return o.pair.a == id.index || o.pair.b == id.index;
+    });
     s.jointsStale = s.contactsStale = true;
 }
 
@@ -98,6 +112,14 @@ void World::remove(JointId id) {
     for (const BodyId body : {def.a, def.b}) state_->sleep.call(state_->bodies, body.index);
     state_->joints[id.index].present = false;
     state_->jointsStale = state_->contactsStale = true;
+}
+
+void World::remove(ForceId id) {
+    std::vector<std::optional<ForceDef>>& forces = state_->forces;
+    ENGINE_CHECK(id.index >= 0 && id.index < static_cast<int>(forces.size()) && forces[id.index],
+                 "there is no such force");
+    for (const BodyId body : forces[id.index]->on) state_->sleep.call(state_->bodies, body.index);
+    forces[id.index].reset();
 }
 
 void World::setSettings(const Settings& settings) {
@@ -129,7 +151,8 @@ std::optional<RayHit> World::castRay(const Vec3& from, const Vec3& to,
     const Bodies& bodies = state_->bodies;
     std::optional<RayHit> first;
     for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.present[i] || !(wanted ? wanted({i}) : bodies.defs[i].collide)) continue;
+        const bool solid = bodies.defs[i].collide && !bodies.defs[i].sensor;
+        if (!bodies.present[i] || !(wanted ? wanted({i}) : solid)) continue;
         const auto hit = enterShape(bodies.defs[i].shape, bodies.poses[i], from, to);
         if (!hit || (first && hit->fraction >= first->fraction)) continue;
         first = RayHit{{i}, hit->fraction, from + hit->fraction * (to - from), hit->normal};
@@ -223,6 +246,12 @@ std::span<const ContactState> World::contacts() const {
     if (state_->statesStale) listContacts(*state_);
     return state_->contactStates;
 }
+
+void World::watchTouches(bool watch) {
+    state_->touches = {};
+    state_->touches.watched = watch;
+}
+std::span<const TouchEvent> World::touches() const { return state_->touches.events; }
 
 const StepReport& World::report() const {
     refresh(*state_);

@@ -7,10 +7,12 @@
 #include <span>
 
 #include "engine/body.h"
+#include "engine/forces/force.h"
 #include "engine/joint.h"
 #include "engine/ray.h"
 #include "engine/settings.h"
 #include "engine/step_report.h"
+#include "engine/touch_event.h"
 
 namespace engine {
 
@@ -26,9 +28,12 @@ public:
 
     BodyId add(const BodyDef& def);
     JointId add(const JointDef& def);
+    /// While it acts, its bodies do not sleep.
+    ForceId add(const ForceDef& def);
     /// The body's joints, contacts and cached impulses go with it.
     void remove(BodyId id);
     void remove(JointId id);
+    void remove(ForceId id);
 
     /// Settings may change between two steps; whoever sleeps wakes, as with another gravity.
     void setSettings(const Settings& settings);
@@ -70,6 +75,11 @@ public:
     /// The contacts that the last step solved, with their impulses; before the first step, those it
     /// will solve.
     std::span<const ContactState> contacts() const;
+    /// Whether every step is to tell who began to touch and who has parted; off at first. Who
+    /// touches already begins in the next step.
+    void watchTouches(bool watch);
+    /// Of the last step, in the order of pairs.
+    std::span<const TouchEvent> touches() const;
     const StepReport& report() const;
     Energy energy() const;
     /// Poses and velocities of all bodies, bit for bit.

@@ -42,6 +42,14 @@ void callAround(WorldState& s, int body) {
         if (joint.present) callOther(joint.def.a.index, joint.def.b.index);
 }
 
+void callForced(WorldState& s, double dt) {
+    if (!s.settings.sleeping) return;
+    for (const std::optional<ForceDef>& force : s.forces) {
+        if (!force || force->until <= s.report.time || force->from >= s.report.time + dt) continue;
+        for (const BodyId id : force->on) s.sleep.call(s.bodies, id.index);
+    }
+}
+
 void wakeCalled(WorldState& s) {
     if (!s.sleep.wakeCalled(s.bodies)) return;
     takeUpContacts(s.bodies, s.finder);

@@ -8,6 +8,9 @@ namespace engine {
 /// To wake with the next step: the body's island, and those that it touches or is jointed to.
 void callAround(WorldState& s, int body);
 
+/// To stay awake: whoever a force acts on within the next dt (s).
+void callForced(WorldState& s, double dt);
+
 /// Whoever was called, with its contacts and joints.
 void wakeCalled(WorldState& s);
 

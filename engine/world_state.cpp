@@ -74,7 +74,7 @@ bool energyJumped(const WorldState& s, const Energy& before, const Energy& after
         if (s.bodies.isDynamic(i)) mass += s.bodies.masses[i].mass;
     }
     const double gain = after.total() - before.total();
-    return !s.field && gain > 10.0 * (before.kinetic + 10.0 * mass);
+    return !s.hasForces() && gain > 10.0 * (before.kinetic + 10.0 * mass);
 }
 
 ContactState stateOf(const Contact& contact, int i, const PointImpulses& got,
@@ -118,6 +118,7 @@ void goBack(WorldState& s) {
     s.bodies.velocities = s.velocitiesBefore;
     s.contactStates.clear();  // the impulses of a step that did not happen
     s.statesStale = false;
+    s.touches.events.clear();
     for (int i = 0; i < s.bodies.count(); ++i) updateInverseInertia(s.bodies, i);
 }
 
@@ -133,6 +134,7 @@ void updateJoints(WorldState& s, double dt) {
 
 bool beginStep(WorldState& s, double dt) {
     if (s.report.trouble != Trouble::none) return false;
+    callForced(s, dt);
     wakeCalled(s);
     if (s.jointsStale) listJointedPairs(s);
     if (s.contactsStale) findContacts(s, dt);
@@ -152,10 +154,13 @@ bool beginStep(WorldState& s, double dt) {
     return true;
 }
 
-void evaluateField(const World& world, WorldState& s) {
-    if (!s.field) return;
+void evaluateForces(const World& world, WorldState& s, int substep, double h) {
+    if (!s.hasForces()) return;
     s.fieldLoads.assign(s.bodies.count(), {});
-    s.field(world, s.fieldLoads);
+    if (s.field) s.field(world, s.fieldLoads);
+    const ForceMoment now{s.report.time + substep * h, h, s.gravity};
+    for (const std::optional<ForceDef>& force : s.forces)
+        if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
 }
 
 bool endStep(WorldState& s, double dt) {
@@ -179,6 +184,10 @@ bool endStep(WorldState& s, double dt) {
     s.report.energy = after;
     s.report.residual = s.report.sweeps.empty() ? 0.0 : s.report.sweeps.back().residual;
     s.separationsStale = true;
+    if (s.touches.watched) {
+        listContacts(s);
+        recordTouches(s);
+    }
     return true;
 }
 
@@ -226,6 +235,8 @@ Energy energyNow(const WorldState& s) {
     for (const Joint& joint : s.joints)
         if (joint.present && joint.def.spring.isSoft())
             energy.elastic += elasticEnergy(joint, s.bodies);
+    for (const std::optional<ForceDef>& force : s.forces)
+        if (force && acts(*force, s.report.time, 0.0)) addPotential(*force, s.bodies, energy);
     return energy;
 }
 

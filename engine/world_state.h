@@ -1,6 +1,7 @@
 /// What a World holds, and what happens before and after the six steps of the loop.
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "engine/solver/prepare_joints.h"
 #include "engine/solver/substeps.h"
 #include "engine/world.h"
+#include "engine/world_touches.h"
 
 namespace engine {
 
@@ -26,8 +28,10 @@ struct WorldState {
     StepReport report;
     std::vector<ContactState> contactStates;
     std::function<void(const World&, std::span<Load>)> field;
-    std::vector<Load> fieldLoads;
+    std::vector<std::optional<ForceDef>> forces;  // by number; removed: empty
+    std::vector<Load> fieldLoads;                 // of the field and the forces, in this sub-step
     std::function<void(Phase, int)> observer;
+    TouchLog touches;
 
     bool statesStale = false;   // contactStates are those of an earlier step
     bool separationsStale = false;  // so are the report's worst penetration and separation
@@ -41,6 +45,8 @@ struct WorldState {
 
     std::vector<Velocity<double>> velocitiesBefore;  // to go back to when a step turns out wrong
 
+    /// Whether forces depend on where bodies are: they are looked at in every sub-step.
+    bool hasForces() const { return field || !forces.empty(); }
     void phase(Phase which, int substep) const {
         if (observer) observer(which, substep);
     }
@@ -50,8 +56,8 @@ struct WorldState {
 /// has stopped.
 bool beginStep(WorldState& s, double dt);
 
-/// What the caller's force field says of this moment.
-void evaluateField(const World& world, WorldState& s);
+/// What the caller's force field and the forces say of a sub-step of length h (s).
+void evaluateForces(const World& world, WorldState& s, int substep, double h);
 
 /// Step 6, the report, and the last look at whether the new state is one to pass on.
 bool endStep(WorldState& s, double dt);

@@ -5,6 +5,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
+#include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
@@ -104,7 +105,7 @@ void writeAll(const Tables& tables, const Talk& talk) {
     }
 }
 
-/// True when standard output carries a table.
+/// True when standard output carries a table or the events.
 bool checkTargets(const Tables& tables, const Options& options) {
     std::vector<std::string> seen;
     for (const Table* table : tables.wanted()) {
@@ -112,6 +113,13 @@ bool checkTargets(const Tables& tables, const Options& options) {
             throw Stop(Exit::usage, fmt::format("two tables for '{}'; give each its own file",
                                                 printable(table->target())));
         seen.push_back(table->target());
+    }
+    if (!options.events.empty()) {
+        if (std::find(seen.begin(), seen.end(), options.events) != seen.end())
+            throw Stop(Exit::usage, fmt::format("a table and the events for '{}'; give each its "
+                                                "own file",
+                                                printable(options.events)));
+        seen.push_back(options.events);
     }
     if (std::find(seen.begin(), seen.end(), options.plot) != seen.end())
         throw Stop(Exit::usage, fmt::format("a table and the plot for '{}'; give each its own file",
@@ -169,6 +177,7 @@ public:
           choice_(plotChoiceOf(options, scene)),
           steps_(std::max(std::lround(scene.seconds * scene.hz), 1L)) {
         if (!options.plot.empty()) checkPlotFile(options.plot, choice_);
+        if (!options.events.empty()) player_.watchTouches();
     }
 
     Exit play() {
@@ -192,6 +201,7 @@ private:
         const Stage& stage = player_.stage();
         if (options_.expect) checker_.look(stage);
         direct_.look(stage);
+        if (step > 0) events_.look(stage);
         if (step % options_.every == 0) addRows(stage, step, tables_);
         if (!options_.plot.empty()) recorder_.look(stage);
         const bool last = step == steps_;
@@ -202,9 +212,19 @@ private:
 
     void writeResults() const {
         writeAll(tables_, talk_);
+        if (!options_.events.empty()) writeEvents();
         if (options_.plot.empty()) return;
         const std::size_t charts = writePlot(options_.plot, recorder_, choice_);
         talk_.say(fmt::format("wrote {} ({} charts)", printable(options_.plot), charts));
+    }
+
+    void writeEvents() const {
+        const std::string text = eventsJson(events_.events(), player_.stage()) + "\n";
+        writeResult(options_.events,
+                    {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+        if (options_.events != "-")
+            talk_.say(fmt::format("wrote {} ({} events)", printable(options_.events),
+                                  events_.events().size()));
     }
 
     [[noreturn]] void stopInterrupted(long step) {
@@ -235,6 +255,7 @@ private:
     DirectNote direct_;
     PlotChoice choice_;
     Recorder recorder_;
+    EventLog events_{0};
     long steps_;
 };
 

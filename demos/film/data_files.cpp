@@ -54,7 +54,8 @@ std::vector<std::uint16_t> quantised(const std::vector<render::Vec3>& normals) {
 Bytes bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
 
 bool isText(Pass pass) {
-    return pass == Pass::camera || pass == Pass::poses || pass == Pass::contacts;
+    return pass == Pass::camera || pass == Pass::poses || pass == Pass::contacts ||
+           pass == Pass::events;
 }
 
 }  // namespace
@@ -63,11 +64,23 @@ DataFiles::DataFiles(const FilmPlan& plan, Screen& screen)
     : plan_(plan),
       screen_(screen),
       log_(plan.stepsPerFrame),
+      eventLog_(plan.stepsPerFrame),
       images_(imagesFor(plan.passes)),
       depthUnit_(depthUnitOf(plan.scene())) {
-    const auto& passes = plan.passes;
-    if (std::find(passes.begin(), passes.end(), Pass::contacts) != passes.end())
-        screen_.watchSteps([this](const Stage& stage) { log_.look(stage); });
+    watch();
+}
+
+void DataFiles::watch() {
+    const auto isWanted = [this](Pass pass) {
+        return std::find(plan_.passes.begin(), plan_.passes.end(), pass) != plan_.passes.end();
+    };
+    const bool contacts = isWanted(Pass::contacts), events = isWanted(Pass::events);
+    if (!contacts && !events) return;
+    if (events) screen_.watchTouches();
+    screen_.watchSteps([this, contacts, events](const Stage& stage) {
+        if (contacts) log_.look(stage);
+        if (events) eventLog_.look(stage);
+    });
 }
 
 void DataFiles::advance(bool drawn) {
@@ -107,6 +120,8 @@ bool DataFiles::goOn(int frame, render::Frame& next) {
 Bytes DataFiles::textOf(Pass pass, int frame, const render::Camera& camera) const {
     if (pass == Pass::camera) return bytesOf(cameraJson(plan_, frame, camera));
     if (pass == Pass::poses) return bytesOf(posesJson(plan_, frame, screen_.stage()));
+    if (pass == Pass::events)
+        return bytesOf(eventsJson(plan_, frame, screen_.stage(), eventLog_.events()));
     return bytesOf(contactsJson(plan_, frame, screen_.stage(), log_.events()));
 }
 

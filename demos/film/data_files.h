@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "demos/film/contact_log.h"
+#include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/screen.h"
 #include "render/data_images.h"
@@ -25,6 +26,7 @@ public:
     void advance(bool drawn);
 
 private:
+    void watch();
     bool goOn(int frame, render::Frame& next);
     Bytes textOf(Pass pass, int frame, const render::Camera& camera) const;
     Bytes imageOf(Pass pass, const render::DataImages& images) const;
@@ -32,6 +34,7 @@ private:
     const FilmPlan& plan_;
     Screen& screen_;
     ContactLog log_;
+    EventLog eventLog_;
     render::DataPasses images_;
     double depthUnit_;  // m
     bool ahead_ = false;

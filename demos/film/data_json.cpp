@@ -143,6 +143,13 @@ std::string contactsJson(const FilmPlan& plan, int frame, const Stage& stage,
     return dumped(json);
 }
 
+std::string eventsJson(const FilmPlan& plan, int frame, const Stage& stage,
+                       const std::vector<engine::TouchEvent>& events) {
+    Json json = begun(plan, frame);
+    json["events"] = Json::parse(eventsJson(events, stage));
+    return dumped(json);
+}
+
 std::string passesJson(const FilmPlan& plan, const std::string& pattern) {
     Json json;
     json["impulse"] = kVersion;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "demos/film/contact_log.h"
+#include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 
 namespace demos {
@@ -12,6 +13,8 @@ std::string cameraJson(const FilmPlan& plan, int frame, const render::Camera& ca
 std::string posesJson(const FilmPlan& plan, int frame, const Stage& stage);
 std::string contactsJson(const FilmPlan& plan, int frame, const Stage& stage,
                          const std::vector<ContactEvent>& events);
+std::string eventsJson(const FilmPlan& plan, int frame, const Stage& stage,
+                       const std::vector<engine::TouchEvent>& events);
 
 /// passes.json: files, units and meanings of every pass, and the bodies by their numbers.
 /// `pattern`: of the pictures' names.

@@ -7,7 +7,7 @@
 
 namespace demos {
 
-enum class Pass { depth, depth16, normal, id, flow, camera, poses, contacts };
+enum class Pass { depth, depth16, normal, id, flow, camera, poses, contacts, events };
 
 struct PassText {
     Pass pass;

@@ -47,7 +47,8 @@ PassBytes bytesOf(Pass pass) {
         case Pass::flow: return {27.0, 16.0};
         case Pass::camera:
         case Pass::poses:
-        case Pass::contacts: return {};
+        case Pass::contacts:
+        case Pass::events: return {};
     }
     return {};
 }

@@ -27,6 +27,8 @@ public:
     const Stage& stage() const { return shows_.front()->player.stage(); }
     /// `watcher` sees the first panel's stage after every step from now on.
     void watchSteps(std::function<void(const Stage&)> watcher) { watcher_ = std::move(watcher); }
+    /// Of the first panel: its world tells who begins to touch from now on.
+    void watchTouches() { shows_.front()->player.watchTouches(); }
     /// Of all panels' states.
     std::uint64_t hash() const;
 

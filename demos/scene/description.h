@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "demos/scene/kinematic_path.h"
 #include "engine/body.h"
+#include "engine/forces/force.h"
 #include "engine/joint.h"
 #include "engine/settings.h"
 
@@ -24,6 +26,14 @@ struct BodyDescription {
     std::string name;
     engine::BodyDef def;            // material values are already in def.material
     std::optional<unsigned> color;  // 0xRRGGBB
+    std::optional<KinematicPath> path;
+    std::vector<std::string> groups, ignores;  // numbered in def
+    Place place, ignoresPlace;
+};
+
+/// The bodies of `def` by their place in `bodies`; -1: the world.
+struct ForceDescription {
+    engine::ForceDef def;
     Place place;
 };
 
@@ -118,6 +128,7 @@ struct SceneDescription {
     engine::Settings settings;
     std::vector<BodyDescription> bodies;
     std::vector<JointDescription> joints;
+    std::vector<ForceDescription> forces;
     CameraDescription camera;
     LookDescription look;
     std::vector<Section> sections;

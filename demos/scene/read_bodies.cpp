@@ -75,6 +75,7 @@ public:
         readPose();
         readMotion();
         readMass();
+        readMeetings();
         if (const std::optional<unsigned> color = keys_.color("colour")) body_.color = color;
         keys_.later({"rolling", "break_at"});
         keys_.done();
@@ -120,10 +121,7 @@ private:
         if (fixed) body_.def.kind = engine::BodyKind::fixed;
         if (kinematic) {
             body_.def.kind = engine::BodyKind::kinematic;
-            Keys keys(*kinematic, "kinematic", complaints_);
-            body_.def.velocity = keys.vector("velocity", kSpeed).value_or(Vec3(0, 0, 0));
-            body_.def.spin = keys.vector("spin", kSpin).value_or(Vec3(0, 0, 0));
-            keys.done();
+            readKinematic(*kinematic, instance_, body_, complaints_);
         }
         if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::plane && !fixed)
             keys_.complain("shape", "a plane that is not fixed; write fixed = true");
@@ -138,6 +136,12 @@ private:
     void readPose() {
         const Vec3 at = keys_.vector("at", kMeters).value_or(Vec3(0, 0, 0));
         body_.def.pose.position = instance_.point(at);
+        if (const auto* path = body_.path ? std::get_if<PointPath>(&*body_.path) : nullptr) {
+            if (keys_.has("at"))
+                keys_.complain("at", "at of a body on a path; leave it out: the path begins at its "
+                                     "first point");
+            body_.def.pose.position = path->points.front();
+        }
         body_.def.pose.rotation = instance_.rotation(readRotation(keys_));
         if (body_.def.pose.position.cwiseAbs().maxCoeff() > kMeters.high)
             keys_.complain("at", "a [[repeat]] puts '" + body_.name +
@@ -151,6 +155,19 @@ private:
         if (spin) body_.def.spin = *spin;
         if (body_.def.velocity.norm() >= kSpeed.high)
             keys_.complain("velocity", "velocity should be slower than 10000 m/s in all");
+    }
+
+    /// Whom it collides with.
+    void readMeetings() {
+        body_.def.sensor = keys_.truth("sensor").value_or(false);
+        body_.groups = keys_.texts("group").value_or(std::vector<std::string>{});
+        body_.ignores = keys_.texts("ignores").value_or(std::vector<std::string>{});
+        body_.ignoresPlace = keys_.placeOf("ignores");
+        for (std::string& name : body_.ignores) name = instance_.named(name);
+        for (std::string& name : body_.groups) {
+            name = instance_.named(name);
+            checkName(name, keys_.placeOf("group"), "group", complaints_);
+        }
     }
 
     void readMass() {

@@ -27,11 +27,22 @@ Materials readMaterials(Keys& top, Complaints& complaints);
 BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
                        SceneDescription& scene, Complaints& complaints);
 
+// read_motion.cpp
+void readKinematic(const Value& table, const Instance& instance, BodyDescription& body,
+                   Complaints& complaints);
+
+// read_groups.cpp
+void numberGroups(SceneDescription& scene, Complaints& complaints);
+
 // read_shape.cpp
 std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints);
 
 // read_joints.cpp
 void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbers,
+                SceneDescription& scene, Complaints& complaints);
+
+// read_forces.cpp
+void readForces(const std::vector<Instance>& instances, const BodyNumbers& numbers,
                 SceneDescription& scene, Complaints& complaints);
 
 // read_camera.cpp

@@ -42,9 +42,12 @@ SceneDescription readDocument(const Value& document, const std::string& sceneNam
     readSolver(top, scene, complaints);
     const Materials materials = readMaterials(top, complaints);
     const Instances instances = unroll(top.tables("body"), top.tables("joint"),
-                                       top.tables("repeat"), scene.seed, complaints);
+                                       top.tables("force"), top.tables("repeat"), scene.seed,
+                                       complaints);
     const BodyNumbers numbers = readBodies(instances.bodies, materials, scene, complaints);
+    numberGroups(scene, complaints);
     readJoints(instances.joints, numbers, scene, complaints);
+    readForces(instances.forces, numbers, scene, complaints);
     if (complaints.count() == 0 && scene.bodies.empty())
         complaints.add({1, 1}, "the scene has no body; write a [[body]]");
     readCamera(top, numbers, scene, complaints);
@@ -52,7 +55,6 @@ SceneDescription readDocument(const Value& document, const std::string& sceneNam
     readSections(top, scene, complaints);
     readExpectations(top, scene, complaints);
     readSnapshot(top, scene, complaints);
-    top.later({"force"});
     top.done();
     return scene;
 }

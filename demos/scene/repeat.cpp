@@ -20,7 +20,7 @@ struct Repeat {
     Vec3 turnStep{0, 0, 0};  // rad
     std::optional<Vec3> about;
     Vec3 jitter{0, 0, 0};  // m
-    std::vector<const Value*> bodies, joints, inner;
+    std::vector<const Value*> bodies, joints, forces, inner;
     Place place;
 
     Motion motion(int i) const { return {engine::turnAboutXyz(turnStep * i), about, step * i}; }
@@ -41,12 +41,14 @@ Repeat readRepeat(const Value& table, int depth, Complaints& complaints) {
     r.jitter = keys.vector("jitter", {0.0, 1e3, "m"}).value_or(Vec3(0, 0, 0));
     r.bodies = keys.tables("body");
     r.joints = keys.tables("joint");
+    r.forces = keys.tables("force");
     if (depth == 0)
         r.inner = keys.tables("repeat");
     else if (keys.any("repeat"))
         keys.complain("repeat", "a [[repeat]] in a [[repeat]] holds no third: there are i and j");
-    if (r.bodies.empty() && r.joints.empty() && r.inner.empty())
-        complaints.add(table.place, "a [[repeat]] of nothing; give it a body, a joint or a repeat");
+    if (r.bodies.empty() && r.joints.empty() && r.forces.empty() && r.inner.empty())
+        complaints.add(table.place,
+                       "a [[repeat]] of nothing; give it a body, a joint, a force or a repeat");
     keys.done();
     return r;
 }
@@ -60,6 +62,9 @@ public:
     void body(const Instance& instance) { add(out_.bodies, instance, kMostBodies, "10000 bodies"); }
     void joint(const Instance& instance) {
         add(out_.joints, instance, kMostJoints, "20000 joints");
+    }
+    void force(const Instance& instance) {
+        add(out_.forces, instance, kMostForces, "10000 forces");
     }
 
     void repeat(const Value& table) {
@@ -100,6 +105,10 @@ private:
         for (const Value* table : r.joints) {
             instance.table = table;
             joint(instance);
+        }
+        for (const Value* table : r.forces) {
+            instance.table = table;
+            force(instance);
         }
     }
 
@@ -170,16 +179,18 @@ Vec3 Instance::direction(const Vec3& v) const {
 }
 
 Instances unroll(const std::vector<const Value*>& bodies, const std::vector<const Value*>& joints,
+                 const std::vector<const Value*>& forces,
                  const std::vector<const Value*>& repeats, std::uint64_t seed,
                  Complaints& complaints) {
     struct Item {
         const Value* table;
-        int kind;  // 0 body, 1 joint, 2 repeat
+        int kind;  // 0 body, 1 joint, 2 repeat, 3 force
     };
     std::vector<Item> items;
     for (const Value* table : bodies) items.push_back({table, 0});
     for (const Value* table : joints) items.push_back({table, 1});
     for (const Value* table : repeats) items.push_back({table, 2});
+    for (const Value* table : forces) items.push_back({table, 3});
     std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
         const Place &p = a.table->place, &q = b.table->place;
         return std::tie(p.line, p.column) < std::tie(q.line, q.column);
@@ -192,6 +203,7 @@ Instances unroll(const std::vector<const Value*>& bodies, const std::vector<cons
         if (item.kind == 0) unrolling.body(instance);
         if (item.kind == 1) unrolling.joint(instance);
         if (item.kind == 2) unrolling.repeat(*item.table);
+        if (item.kind == 3) unrolling.force(instance);
     }
     return out;
 }

@@ -1,5 +1,5 @@
-/// [[repeat]]: one body or joint in the file, many in the scene. Unrolling makes no copy of the
-/// text: an instance is the written table, what i and j are, and how it is moved.
+/// [[repeat]]: one body, joint or force in the file, many in the scene. Unrolling makes no copy of
+/// the text: an instance is the written table, what i and j are, and how it is moved.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,6 +11,7 @@ namespace demos {
 
 constexpr int kMostBodies = 10'000;
 constexpr int kMostJoints = 20'000;
+constexpr int kMostForces = 10'000;
 
 /// One level of repetition: turned about `about` (without: about itself), then moved.
 struct Motion {
@@ -38,12 +39,13 @@ struct Instance {
 };
 
 struct Instances {
-    std::vector<Instance> bodies, joints;
+    std::vector<Instance> bodies, joints, forces;
 };
 
-/// All [[body]], [[joint]] and [[repeat]] tables of the scene in the order of the file, up to the
-/// limits. `seed`: of the jitter.
+/// All [[body]], [[joint]], [[force]] and [[repeat]] tables of the scene in the order of the file,
+/// up to the limits. `seed`: of the jitter.
 Instances unroll(const std::vector<const Value*>& bodies, const std::vector<const Value*>& joints,
+                 const std::vector<const Value*>& forces,
                  const std::vector<const Value*>& repeats, std::uint64_t seed,
                  Complaints& complaints);
 

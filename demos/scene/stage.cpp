@@ -25,16 +25,44 @@ engine::JointDef jointDef(const JointDescription& joint, const Stage& stage) {
     return def;
 }
 
+engine::ForceDef forceDef(const ForceDescription& force, const Stage& stage) {
+    engine::ForceDef def = force.def;
+    for (engine::BodyId& id : def.on) id = id.index < 0 ? stage.ground : stage.bodies[id.index];
+    return def;
+}
+
 }  // namespace
 
 Stage::Stage(const SceneDescription& description)
     : scene(description), world(description.settings) {
     world.setGravity(scene.gravity);
-    for (const BodyDescription& body : scene.bodies) bodies.push_back(world.add(body.def));
+    for (const BodyDescription& body : scene.bodies) {
+        if (body.path) onPaths_.push_back(static_cast<int>(bodies.size()));
+        bodies.push_back(world.add(body.def));
+    }
     ground = addGround(world);
     for (const JointDescription& joint : scene.joints)
         joints.push_back(world.add(jointDef(joint, *this)));
+    for (const ForceDescription& force : scene.forces) world.add(forceDef(force, *this));
+    followPaths();
     trails.resize(scene.look.trails.size());
+}
+
+bool Stage::step() {
+    followPaths();
+    const bool good = world.step(dt());
+    if (good) ++steps_;
+    return good;
+}
+
+void Stage::followPaths() {
+    const double next = static_cast<double>(steps_ + 1) / scene.hz;
+    for (const int i : onPaths_) {
+        const BodyDescription& body = scene.bodies[i];
+        const engine::Pose target = poseAt(*body.path, body.def.pose, next);
+        const Twist twist = twistBetween(world.pose(bodies[i]), target, dt());
+        world.setVelocity(bodies[i], twist.velocity, twist.spin);
+    }
 }
 
 const std::string& Stage::nameOf(engine::BodyId id) const {

@@ -18,9 +18,16 @@ struct Stage {
     explicit Stage(const SceneDescription& description);
 
     double dt() const { return 1.0 / scene.hz; }
-    /// One step of the world. False: it diverged; world.report() says how.
-    bool step() { return world.step(dt()); }
+    /// One step of the world, kinematic bodies on their paths. False: it diverged; world.report()
+    /// says how.
+    bool step();
     const std::string& nameOf(engine::BodyId id) const;
+
+private:
+    void followPaths();
+
+    std::vector<int> onPaths_;  // places in scene.bodies
+    long long steps_ = 0;
 };
 
 }  // namespace demos

@@ -40,6 +40,15 @@ double wayBetween(const engine::Pose& a, const engine::Pose& b, double reach) {
     return (a.position - b.position).norm() + a.rotation.angularDistance(b.rotation) * reach;
 }
 
+/// A sensor lets through what is behind it.
+void addSolid(const Stage& stage, std::size_t i, render::Color color, render::Frame& frame) {
+    const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
+    if (def.sensor) color.a = kDensest;
+    (def.sensor ? frame.ghosts : frame.solids)
+        .push_back(solidOf(def.shape, stage.world.pose(stage.bodies[i]), color,
+                           static_cast<int>(i)));
+}
+
 }  // namespace
 
 double thicknessOf(const engine::Shape& shape) {
@@ -56,7 +65,7 @@ void addBodies(const Moment& moment, render::Frame& frame) {
         if (shape.type == engine::ShapeType::plane)
             frame.grounds.push_back(groundOf(shape, pose, static_cast<int>(i)));
         else
-            frame.solids.push_back(solidOf(shape, pose, colors[i], static_cast<int>(i)));
+            addSolid(stage, i, colors[i], frame);
     }
 }
 

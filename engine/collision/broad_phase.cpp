@@ -14,8 +14,13 @@ bool isPlane(const Bodies& bodies, int i) {
     return bodies.defs[i].shape.type == ShapeType::plane;
 }
 
+/// Neither ignores a group of the other.
+bool heeds(const BodyDef& a, const BodyDef& b) {
+    return (a.groups & b.ignores) == 0 && (b.groups & a.ignores) == 0;
+}
+
 bool mayMeet(const Bodies& bodies, int i, int j) {
-    return bodies.isDynamic(i) || bodies.isDynamic(j);
+    return (bodies.isDynamic(i) || bodies.isDynamic(j)) && heeds(bodies.defs[i], bodies.defs[j]);
 }
 
 /// Where the body may be within the next step. Turning moves no point farther than its sweep, nor
@@ -121,6 +126,7 @@ void BroadPhase::findPairsOf(const Bodies& bodies, int i, const Bounds& within,
 void BroadPhase::findPairsOfPlane(const Bodies& bodies, int plane, Found& found) const {
     for (int j = 0; j < bodies.count(); ++j)
         if (bodies.isDynamic(j) && bodies.defs[j].collide &&
+            heeds(bodies.defs[plane], bodies.defs[j]) &&
             (proxies_[plane].moved || proxies_[j].moved))
             found.pairs.push_back({std::min(plane, j), std::max(plane, j)});
 }

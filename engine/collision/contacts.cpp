@@ -90,6 +90,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         if (rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
+        if (isSensed(bodies, pair)) continue;
         while (old < previous.size() && isBefore(previous[old], pair)) ++old;
         const std::size_t first = found.size();
         const double near = larger(margin, thrown);
@@ -134,6 +135,7 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     finder.contacts.clear();
     if (!anyStirs(bodies)) return;
     finder.broadPhase.update(bodies, margin, dt, finder.workers);
+    if (bodies.hasSensors) findSensed(bodies, finder.broadPhase, finder.sensed);
     const int threads = finder.workers ? finder.workers->count() : 1;
     findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.workers,
                 finder.moving);

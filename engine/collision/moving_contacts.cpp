@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/collision/collide.h"
+#include "engine/collision/sensors.h"
 
 namespace engine {
 namespace {
@@ -175,6 +176,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
         if (wayOf(a, b, dt) <= margin || !broadPhase.boundsMeet(key)) continue;
         if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
+        if (isSensed(bodies, key)) continue;
         moving.entries.push_back({key, {}});
     }
     const auto look = [&](int first, int end, int) {

@@ -46,6 +46,7 @@ int addBody(Bodies& bodies, const BodyDef& def) {
     bodies.present.push_back(1);
     bodies.asleep.push_back(-1);
     bodies.placed.push_back(1);
+    bodies.hasSensors = bodies.hasSensors || def.sensor;
     updateInverseInertia(bodies, i);
     return i;
 }

@@ -46,6 +46,7 @@ struct Bodies {
     std::vector<char> present;                       // 0: removed
     std::vector<int> asleep;   // the least body of its sleeping island (sleep.h); -1: awake
     std::vector<char> placed;  // 1: by the caller, after the last step
+    bool hasSensors = false;
 
     int count() const { return static_cast<int>(defs.size()); }
     bool isDynamic(int i) const { return present[i] && defs[i].kind == BodyKind::dynamic; }

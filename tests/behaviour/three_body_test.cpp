@@ -7,16 +7,6 @@
 namespace engine {
 namespace {
 
-/// G = m = 1.
-void attract(const World& world, std::span<Load> loads) {
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-            if (i == k) continue;
-            const Vec3 d = world.pose({k}).position - world.pose({i}).position;
-            loads[i].force += d / (d.squaredNorm() * d.norm());
-        }
-}
-
 struct FigureEight {
     static constexpr double kPeriod = 6.32591398;  // s
     World world;
@@ -33,7 +23,7 @@ struct FigureEight {
             star.collide = false;
             world.add(star);
         }
-        world.setForceField(attract);
+        world.add(ForceDef{NBodyGravity{1.0, 0.0}, {{0}, {1}, {2}}});  // G = m = 1
     }
     static Settings oneSubstep() {
         Settings s = Settings::steady();

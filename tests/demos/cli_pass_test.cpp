@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kWidth = 96, kHeight = 54, kFrames = 10;
-const std::string kAll = "depth,depth16,normal,id,flow,camera,poses,contacts";
+const std::string kAll = "depth,depth16,normal,id,flow,camera,poses,contacts,events";
 
 /// Everything below a folder but run.json, by path.
 std::map<std::string, std::string> filesIn(const fs::path& folder) {
@@ -45,12 +45,12 @@ TEST_F(PassOption, WritesAFileAFrameAndPassAndDescribesThem) {
     const Ended ended = film({"--pass", kAll, "-o", "out"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.out.find("wrote out/passes.json: depth depth16 normal id flow camera poses "
-                             "contacts"),
+                             "contacts events"),
               std::string::npos)
         << ended.out;
-    EXPECT_EQ(filesIn(folder / "out").size(), 9u * kFrames + 1u);
+    EXPECT_EQ(filesIn(folder / "out").size(), 10u * kFrames + 1u);
     const Json passes = json("out/passes.json");
-    EXPECT_EQ(passes["passes"].size(), 8u);
+    EXPECT_EQ(passes["passes"].size(), 9u);
     EXPECT_EQ(passes["passes"]["depth"]["files"], "depth/frame_{frame:6}.pfm");
     EXPECT_EQ(passes["ids"][1]["name"], "ball");
     EXPECT_EQ(passes["ids"][1]["id"], 2);
@@ -211,6 +211,24 @@ TEST_F(PassOption, ContactImpulsesAreThoseOfSim) {
     const auto begun = std::count(events.begin(), events.end(), "begin");
     const auto ended = std::count(events.begin(), events.end(), "end");
     EXPECT_EQ(begun - ended, events.back() == "end" ? 0 : 1);  // one pair, that touches or not
+}
+
+TEST_F(PassOption, EventsAreThoseOfTheSimulation) {
+    ASSERT_EQ(film({"-o", "out", "--pass", "events", "--jobs", "2"}).code, 0);
+    ASSERT_EQ(run(folder.path(), {"sim", "ball.toml", "--events", "e.json"}).code, 0);
+    const Json inSim = json("e.json");
+    Json inFilm = Json::array();
+    for (int frame = 0; frame < kFrames; ++frame) {
+        const Json file = json("out/events/frame_00000" + std::to_string(frame) + ".json");
+        for (const Json& event : file["events"]) inFilm.push_back(event);
+    }
+    ASSERT_FALSE(inFilm.empty());
+    // The last frame is at 0.9 s, the simulation's end at 1 s.
+    for (std::size_t i = 0; i < inFilm.size(); ++i) EXPECT_EQ(inFilm[i], inSim[i]);
+    EXPECT_EQ(inSim[0]["event"], "begin");
+    EXPECT_EQ(inSim[0]["a"], "floor");
+    EXPECT_EQ(inSim[0]["b"], "ball");
+    EXPECT_NEAR(inSim[0]["time"].get<double>(), 0.714, 0.02);  // sqrt(2 h / g), h = 2.5 m
 }
 
 }  // namespace

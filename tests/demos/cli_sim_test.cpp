@@ -77,6 +77,16 @@ TEST_F(Sim, ContactsHoldTheImpulseThatCarriesTheWeight) {
     EXPECT_NEAR(number(rows.back()[10]), 2.0 * 9.81 / 60, 1e-3);  // m g dt
 }
 
+TEST_F(Sim, EventsHaveAFileOfTheirOwn) {
+    const Ended ended = sim({"--events", "e.json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("wrote e.json (1 events)"), std::string::npos) << ended.out;
+    EXPECT_EQ(contentOf(folder / "e.json").substr(0, 20), "[\n {\"event\":\"begin\",");
+    const Ended twice = sim({"--events", "x", "--csv", "x"});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_NE(twice.err.find("give each its own file"), std::string::npos) << twice.err;
+}
+
 TEST_F(Sim, SweepsAndJointsHaveTheirColumns) {
     const auto sweeps = rowsOf(sim({"--sweeps", "-", "--seconds", "0.1"}).out);
     EXPECT_EQ(sweeps.at(0).size(), 4u);

@@ -7,6 +7,11 @@
 namespace demos::test {
 namespace {
 
+const std::string kForce = kBall + "[[force]]\n";  // at line 6
+const std::string kWind = kForce + "type = 'wind'\nvelocity = [3, 0, 0]\n";
+const std::string kCart = "[[body]]\nname = 'cart'\nshape = { box = [1, 1, 1] }\nkinematic = ";
+const std::string kPath = "{ path = [[0, 1, 0], [1, 1, 0]], times = [0, 1]";
+
 struct BadScene {
     const char* what;
     std::string text;  // after "format = 1\n"
@@ -39,7 +44,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"cut in a number", "seconds = 3.", "2:13", "not TOML"},
         BadScene{"key twice", "title = 'a'\ntitle = 'b'\n", "3:9", "not TOML"},
         BadScene{"no body", "title = 'a'\n", "1:1", "the scene has no body"},
-        BadScene{"later", kBall + "[[force]]\ntype = 'wind'\n", "6:3", "not available yet"},
         BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
                  "hz is a table; it should be a whole number from 10 to 100000"}));
 
@@ -66,6 +70,70 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"sleep_after", "[solver]\nsleep_after = 0\n" + kBall, "3:15",
                  "sleep_after is 0; it should be a number from 0.1 to 3600 s"},
         BadScene{"block", "[solver]\nblock = 1\n" + kBall, "3:9", "true or false"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Forces, BadScenes,
+    testing::Values(
+        BadScene{"no type", kForce + "on = 'ball'\n", "6:1", "a [[force]] has no type"},
+        BadScene{"type", kForce + "type = 'wnd'\n", "7:8", "did you mean 'wind'?"},
+        BadScene{"no body", kWind + "on = ['bal']\n", "9:1",
+                 "no body is called 'bal'; did you mean 'ball'?"},
+        BadScene{"no body fits", kWind + "on = 'box*'\n", "9:1", "no body is called 'box*'"},
+        BadScene{"on what is fixed", kFloor + kWind + "on = 'floor'\n", "13:1",
+                 "nothing that 'floor' names can be moved"},
+        BadScene{"wind without", kForce + "type = 'wind'\n", "7:1",
+                 "a wind has no velocity; write velocity = [3, 0, 0]"},
+        BadScene{"density", kWind + "density = 0\n", "9:11",
+                 "density is 0; it should be a number from 1e-06 to 1000000 kg/m^3"},
+        BadScene{"unknown key", kWind + "dragg = 1\n", "9:1", "did you mean 'drag'?"},
+        BadScene{"key of another type", kWind + "stiffness = 1\n", "9:1",
+                 "unknown key 'stiffness' in a [[force]]"},
+        BadScene{"times", kWind + "from = 2\nuntil = 1\n", "10:1",
+                 "until is 1; it should be later than from, 2 s"},
+        BadScene{"within", kWind + "within = { from = [0, 0, 0], to = [1, 0, 1] }\n", "9:1",
+                 "within should be a box"},
+        BadScene{"medium without", kForce + "type = 'medium'\n", "7:1",
+                 "a force of type medium has no density; write density = 1000"},
+        BadScene{"drag of nothing", kForce + "type = 'drag'\n", "7:1", "a drag of nothing"},
+        BadScene{"no centre", kForce + "type = 'point-gravity'\nstrength = 1\n", "7:1",
+                 "write at = [0, 0, 0]"},
+        BadScene{"spring without end", kForce + "type = 'spring'\na = 'ball'\nstiffness = 1\n",
+                 "6:1", "a spring has no b"},
+        BadScene{"spring to itself",
+                 kForce + "type = 'spring'\na = 'ball'\nb = 'ball'\nstiffness = 1\n", "9:1",
+                 "a spring of a body with itself"},
+        BadScene{"spring of walls",
+                 kFloor + kForce + "type = 'spring'\na = 'floor'\nb = 'world'\nstiffness = 1\n",
+                 "13:1", "neither end of the spring can be moved"},
+        BadScene{"constant nothing", kForce + "type = 'constant'\n", "7:1",
+                 "a constant force of nothing"},
+        BadScene{"chord", kForce + "type = 'airfoil'\narea = 1\nnormal = [2, 0, 0]\n", "9:1",
+                 "chord and normal should be two directions"},
+        BadScene{"stall", kForce + "type = 'airfoil'\narea = 1\nstall_deg = 91\n", "9:13",
+                 "from 0 to 90 deg"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Meetings, BadScenes,
+    testing::Values(
+        BadScene{"ignores nobody", kBall + "group = 'wheels'\nignores = 'whels'\n", "7:1",
+                 "no body is of the group 'whels'; did you mean 'wheels'?"},
+        BadScene{"bad group", kBall + "group = 'a b'\n", "6:1", "group is 'a b'"},
+        BadScene{"sensor", kBall + "sensor = 1\n", "6:10", "true or false"},
+        BadScene{"path of one", kCart + "{ path = [[0, 1, 0]], times = [0] }\n", "5:15",
+                 "at least two points"},
+        BadScene{"path of no points", kCart + "{ path = [[0, 1], [1, 1]], times = [0, 1] }\n",
+                 "5:23", "three numbers [x, y, z]"},
+        BadScene{"no times", kCart + "{ path = [[0, 1, 0], [1, 1, 0]] }\n", "5:15",
+                 "a path has no times"},
+        BadScene{"times fall", kCart + "{ path = [[0, 1, 0], [1, 1, 0]], times = [0, 0] }\n",
+                 "5:46", "begin with 0 and rise"},
+        BadScene{"loop", kCart + kPath + ", loop = true }\n", "5:62", "should end where it began"},
+        BadScene{"at", kCart + kPath + " }\nat = [0, 1, 0]\n", "6:1",
+                 "leave it out: the path begins at its first point"},
+        BadScene{"orbit", kCart + "{ orbit = { centre = [0, 1, 0] } }\n", "5:25",
+                 "an orbit should say about what and how fast"},
+        BadScene{"velocity on a path", kCart + kPath + ", velocity = [1, 0, 0] }\n",
+                 "5:62", "velocity of a body on a path; leave it out"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Bodies, BadScenes,

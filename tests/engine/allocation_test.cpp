@@ -44,6 +44,21 @@ TEST(Allocation, ASteadyStepOfAChainMakesNone) {
     EXPECT_EQ(allocations - before, 0);
 }
 
+TEST(Allocation, ASteadyStepWithForcesSensorsAndEventsMakesNone) {
+    World world = support::stack(3);
+    BodyDef sensor = support::fixed(Shape::box({3, 3, 3}));
+    sensor.sensor = true;
+    world.add(sensor);
+    const std::vector<BodyId> on{{1}, {2}, {3}};
+    world.add(ForceDef{Medium{.velocity = {1, 0, 0}}, on});
+    world.add(ForceDef{NBodyGravity{}, on});
+    world.watchTouches(true);
+    support::run(world, 120);
+    const long before = allocations;
+    support::run(world, 120);
+    EXPECT_EQ(allocations - before, 0);
+}
+
 TEST(Allocation, TheCounterCounts) {
     const long before = allocations;
     ::operator delete(::operator new(8));

@@ -63,12 +63,45 @@ inline World goldenPyramid() {
     return world;
 }
 
-inline const std::array<GoldenWorld, 4>& goldenWorlds() {
-    static const std::array<GoldenWorld, 4> worlds{{
+/// One of every force on bodies of every shape, half in water; a sensor, a group that is ignored.
+inline World goldenForces() {
+    World world;
+    BodyDef ground = floorPlane();
+    ground.groups = 1u;
+    world.add(ground);
+    std::vector<BodyId> all;
+    for (int i = 0; i < 12; ++i) {
+        const Shape shapes[3] = {Shape::box({0.8, 0.5, 0.6}), Shape::sphere(0.3),
+                                 Shape::capsule(0.2, 0.9)};
+        BodyDef def = body(shapes[i % 3], {0.9 * i - 5.0, 2.0 + 0.3 * (i % 4), 0.1 * i}, 40.0);
+        def.spin = {0.3 * i, 1.0, -0.2 * i};
+        def.ignores = i == 11 ? 1u : 0u;
+        all.push_back(world.add(def));
+    }
+    BodyDef gate = fixed(Shape::box({4, 4, 4}), {0, 1, 0});
+    gate.sensor = true;
+    world.add(gate);
+    using namespace engine;
+    world.add(ForceDef{Medium{.density = 900, .velocity = {0.5, 0, 0}, .level = 1.5}, all});
+    world.add(ForceDef{Drag{5.0, 1.0}, all});
+    world.add(ForceDef{NBodyGravity{1e-3, 0.1}, all});
+    world.add(ForceDef{PointGravity{{0, 3, 0}, 5.0, 0.2}, {all[0], all[1]}});
+    world.add(ForceDef{SpringForce{{0.2, 0, 0}, {0, 0.1, 0}, 1.0, 900.0, 20.0}, {all[2], all[5]}});
+    const ConstantForce thrust{{60, 0, 0}, {0, 3, 0}, {0, 0.1, 0}, true};
+    world.add(ForceDef{thrust, {all[3]}, 0.5, 3.0});
+    const Airfoil foil{.area = 2.0, .at = {-0.3, 0, 0}, .wind = {-9, 2, 0}};
+    world.add(ForceDef{foil, {all[6], all[9]}});
+    world.watchTouches(true);
+    return world;
+}
+
+inline const std::array<GoldenWorld, 5>& goldenWorlds() {
+    static const std::array<GoldenWorld, 5> worlds{{
         {"stack", goldenStack, 300, 0x47c791b2da072290},
         {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
         {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
         {"pyramid", goldenPyramid, 60, 0x52d5cd5112539786},
+        {"forces", goldenForces, 300, 0x07e341464014756f},
     }};
     return worlds;
 }

@@ -1,0 +1,113 @@
+// kinematic = { velocity, spin }, { path, times, ... } or { orbit }
+
+#include "demos/scene/read_parts.h"
+#include "engine/base/trigonometry.h"
+
+namespace demos {
+namespace {
+
+constexpr Range kMeters{-1e5, 1e5, "m"};
+constexpr Range kSpeed{-1e4, 1e4, "m/s"};
+constexpr Range kSpin{-1e4, 1e4, "rad/s"};
+
+std::optional<std::vector<Vec3>> readPoints(Keys& keys, Complaints& complaints) {
+    const Value* value = keys.any("path");
+    std::vector<Vec3> points;
+    for (const Value& item : value->items) {
+        Value one;  // a table with the key, so that the point is read like any other
+        one.place = item.place;
+        one.keys.push_back({"path", item.place});
+        one.items.push_back(item);
+        const auto point = Keys(one, "a path", complaints).vector("path", kMeters);
+        if (!point) return std::nullopt;
+        points.push_back(*point);
+    }
+    if (value->kind == Value::Kind::array && points.size() >= 2) return points;
+    keys.complain("path", "path should be at least two points, like [[0, 1, 0], [4, 1, 0]]");
+    return std::nullopt;
+}
+
+/// Empty after a complaint.
+std::vector<double> readTimes(Keys& keys, std::size_t points) {
+    if (!keys.has("times"))
+        keys.complain("path", "a path has no times; write times = [0, 2, ...], one for each of "
+                              "its points, in s");
+    const std::optional<std::vector<double>> times = keys.numbers("times", {0.0, 1e5, "s"});
+    if (!times) return {};
+    bool rising = !times->empty() && times->front() == 0.0;
+    for (std::size_t i = 1; i < times->size(); ++i)
+        rising = rising && (*times)[i] > (*times)[i - 1];
+    if (times->size() == points && rising) return *times;
+    keys.complain("times", "times are " + std::to_string(times->size()) + " for " +
+                               std::to_string(points) +
+                               " points; they should be as many, begin with 0 and rise");
+    return {};
+}
+
+std::optional<PointPath> readPointPath(Keys& keys, const Instance& instance,
+                                       Complaints& complaints) {
+    const auto points = readPoints(keys, complaints);
+    PointPath path;
+    path.loop = keys.truth("loop").value_or(false);
+    path.smooth = keys.truth("smooth").value_or(false);
+    path.spin = keys.vector("spin", kSpin).value_or(Vec3(0, 0, 0));
+    if (!points) {
+        keys.any("times");
+        return std::nullopt;
+    }
+    path.times = readTimes(keys, points->size());
+    if (path.times.empty()) return std::nullopt;
+    if (path.loop && points->front() != points->back()) {
+        keys.complain("loop", "a path that loops should end where it began; write its first point "
+                              "once more, with a time of its own");
+        return std::nullopt;
+    }
+    for (const Vec3& point : *points) path.points.push_back(instance.point(point));
+    return path;
+}
+
+std::optional<Orbit> readOrbit(const Value& table, const Instance& instance,
+                               Complaints& complaints) {
+    Keys keys(table, "an orbit", complaints);
+    if (!keys.has("centre") || !keys.has("deg_per_s"))
+        keys.complain("centre", "an orbit should say about what and how fast; write "
+                                "orbit = { centre = [0, 1, 0], axis = [0, 1, 0], deg_per_s = 90 }");
+    Orbit orbit;
+    const std::optional<Vec3> centre = keys.vector("centre", kMeters);
+    const Vec3 axis = keys.vector("axis", {-1e6, 1e6}).value_or(Vec3(0, 1, 0));
+    const std::optional<double> rate = keys.number("deg_per_s", {-36'000.0, 36'000.0, "deg/s"});
+    orbit.turns = keys.truth("turn").value_or(true);
+    if (axis.norm() < 1e-6)
+        keys.complain("axis", "axis is [0, 0, 0]; it should be a direction, like [0, 1, 0]");
+    keys.done();
+    if (!centre || !rate || axis.norm() < 1e-6) return std::nullopt;
+    orbit.centre = instance.point(*centre);
+    orbit.axis = instance.direction(axis.normalized());
+    orbit.rate = engine::radians(*rate);
+    return orbit;
+}
+
+}  // namespace
+
+void readKinematic(const Value& table, const Instance& instance, BodyDescription& body,
+                   Complaints& complaints) {
+    Keys keys(table, "kinematic", complaints);
+    const Value* orbit = keys.any("orbit");
+    const bool path = keys.has("path");
+    if (path) body.path = readPointPath(keys, instance, complaints);
+    if (orbit) body.path = readOrbit(*orbit, instance, complaints);
+    if (path && orbit) keys.complain("orbit", "path and orbit in one body; give one of them");
+    for (const char* key : {"velocity", "spin"})
+        if (keys.has(key) && (orbit || (path && key == std::string("velocity")))) {
+            keys.any(key);
+            keys.complain(key, std::string(key) + " of a body on " +
+                                   (orbit ? "an orbit" : "a path") + "; leave it out");
+        }
+    if (!path && !orbit) {
+        body.def.velocity = keys.vector("velocity", kSpeed).value_or(Vec3(0, 0, 0));
+        body.def.spin = keys.vector("spin", kSpin).value_or(Vec3(0, 0, 0));
+    }
+    keys.done();
+}
+
+}  // namespace demos

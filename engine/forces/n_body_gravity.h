@@ -1,0 +1,24 @@
+/// Gravity between bodies, each pair once: what one gets the other gives.
+///   F_ij = G m_i m_j d / (|d|^2 + s^2)^(3/2),   d = x_j - x_i
+///   E = -G m_i m_j / sqrt(|d|^2 + s^2)
+#pragma once
+#include <span>
+
+#include "engine/body.h"
+#include "engine/forces/force_moment.h"
+
+namespace engine {
+
+struct Bodies;
+
+struct NBodyGravity {
+    double constant = 6.6743e-11;  // G, m^3/(kg s^2)
+    double softening = 0.0;        // s, m: bodies that meet in a point do not fly apart
+};
+
+/// The cost grows with the square of the number of bodies.
+void addLoads(const NBodyGravity& gravity, std::span<const BodyId> on, const Bodies& bodies,
+              const ForceMoment& now, std::span<Load> loads);
+double potentialOf(const NBodyGravity& gravity, std::span<const BodyId> on, const Bodies& bodies);
+
+}  // namespace engine

@@ -1,0 +1,58 @@
+#include "engine/forces/spring_force.h"
+
+#include "engine/dynamics/bodies.h"
+
+namespace engine {
+namespace {
+
+struct SpringEnd {
+    Vec3 arm, point, velocity;
+
+    SpringEnd(const Bodies& bodies, BodyId id, const Vec3& anchor)
+        : arm(bodies.poses[id.index].rotation * anchor),
+          point(bodies.poses[id.index].position + arm),
+          velocity(bodies.velocities[id.index].linear +
+                   bodies.velocities[id.index].angular.cross(arm)) {}
+    /// What an impulse along n changes of the end's velocity along n, 1/kg.
+    double ease(const Bodies& bodies, BodyId id, const Vec3& n) const {
+        const InverseMass<double>& m = bodies.inverseMasses[id.index];
+        const Vec3 turn = arm.cross(n);
+        return m.linear + turn.dot(m.angular * turn);
+    }
+};
+
+bool isThere(std::span<const BodyId> on, const Bodies& bodies) {
+    return bodies.present[on[0].index] && bodies.present[on[1].index];
+}
+
+}  // namespace
+
+void addLoads(const SpringForce& spring, std::span<const BodyId> on, const Bodies& bodies,
+              const ForceMoment& now, std::span<Load> loads) {
+    if (!isThere(on, bodies)) return;
+    const SpringEnd a(bodies, on[0], spring.anchorA), b(bodies, on[1], spring.anchorB);
+    const Vec3 d = b.point - a.point;
+    const double length = d.norm();
+    if (length == 0.0) return;  // no direction
+    const Vec3 n = d / length;
+    const double ease = a.ease(bodies, on[0], n) + b.ease(bodies, on[1], n);
+    if (ease == 0.0) return;
+    const double c = smaller(spring.damping, 1.0 / (now.h * ease));
+    const double pull =
+        spring.stiffness * (length - spring.length) + c * n.dot(b.velocity - a.velocity);
+    const Vec3 force = pull * n;
+    loads[on[0].index].force += force;
+    loads[on[0].index].torque += a.arm.cross(force);
+    loads[on[1].index].force -= force;
+    loads[on[1].index].torque -= b.arm.cross(force);
+}
+
+double potentialOf(const SpringForce& spring, std::span<const BodyId> on, const Bodies& bodies) {
+    if (!isThere(on, bodies)) return 0.0;
+    const Vec3 d = bodies.poses[on[1].index].toWorld(spring.anchorB) -
+                   bodies.poses[on[0].index].toWorld(spring.anchorA);
+    const double stretch = d.norm() - spring.length;
+    return 0.5 * spring.stiffness * stretch * stretch;
+}
+
+}  // namespace engine
