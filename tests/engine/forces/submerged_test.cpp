@@ -51,8 +51,13 @@ TEST(Submerged, ABoxOnItsEdgeIsAPrism) {
 // What is below one side of a plane and what is below its other side are the whole body.
 TEST(Submerged, TwoSidesOfASurfaceAreTheWholeBody) {
     support::Random random(7);
+    const Vec3 corners[] = {{0, 0, 0}, {2, 0.1, 0}, {0.2, 1.8, 0.1}, {0.1, 0.2, 2}, {1.5, 1.4, 1}};
+    const ShapePart parts[] = {{Shape::box({0.6, 0.8, 1.3}), {{0.2, 0, 0}, Quat::Identity()}},
+                               {Shape::sphere(0.6), {{1.1, 0.6, 0}, Quat::Identity()}}};
     for (const Shape& shape :
-         {Shape::box({1, 2, 3}), Shape::sphere(0.8), Shape::capsule(0.4, 2.5)})
+         {Shape::box({1, 2, 3}), Shape::sphere(0.8), Shape::capsule(0.4, 2.5),
+          Shape::cylinder(0.6, 1.4), Shape::cone(0.8, 1.5), *Shape::hullOf(corners),
+          Shape::compound(parts)})
         for (int i = 0; i < 200; ++i) {
             const Pose pose = at(random.vector(0.5), random.rotation());
             const Vec3 up = random.vector(1).normalized();
@@ -74,6 +79,23 @@ TEST(Submerged, ALyingCapsuleIsHalfUnderAtItsMiddleAndAllOfItBelow) {
     EXPECT_NEAR(submergedPart(capsule, at(Vec3::Zero()), Vec3::UnitY(), 1.0).volume,
                 volume(capsule), 1e-14);
     EXPECT_EQ(submergedPart(capsule, at({0, 1.01, 0}), Vec3::UnitY(), 0.0).volume, 0.0);
+}
+
+// Of an upright cylinder and cone, at the same depth on every side: h / H, and 1 - (1 - h / H)^3.
+TEST(Submerged, AnUprightCylinderAndConeAreAsTheirSections) {
+    const Shape cylinder = Shape::cylinder(0.5, 2.0), cone = Shape::cone(0.5, 2.0);
+    EXPECT_NEAR(submergedPart(cylinder, at(Vec3::Zero()), Vec3::UnitY(), -0.4).volume,
+                0.3 * volume(cylinder), 1e-12);
+    EXPECT_NEAR(submergedPart(cone, at(Vec3::Zero()), Vec3::UnitY(), 0.0).volume,
+                (1.0 - 0.75 * 0.75 * 0.75) * volume(cone), 1e-12);
+}
+
+// A cylinder's shadow from the side is a rectangle, along its axis a disc; a cone's a triangle.
+TEST(Submerged, ShadowsOfRoundThings) {
+    const Quat upright = Quat::Identity();
+    EXPECT_NEAR(shadowOf(Shape::cylinder(0.5, 2.0), upright, Vec3::UnitX()), 2.0, 0.02);
+    EXPECT_NEAR(shadowOf(Shape::cylinder(0.5, 2.0), upright, Vec3::UnitY()), kPi * 0.25, 0.01);
+    EXPECT_NEAR(shadowOf(Shape::cone(0.5, 2.0), upright, Vec3::UnitZ()), 1.0, 0.01);
 }
 
 TEST(Submerged, WithoutASurfaceAllOfItIs) {
