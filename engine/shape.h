@@ -4,8 +4,10 @@
 
 namespace engine {
 
+/// The plane bounds a half space, the others are bodies: sphere, box, capsule.
 enum class ShapeType { sphere, box, capsule, plane };
 
+/// Made by one of the functions below, which stop the program where a size is not positive.
 struct Shape {
     ShapeType type = ShapeType::sphere;
     double radius = 0.5;                  // m; sphere, capsule
@@ -14,6 +16,7 @@ struct Shape {
     Vec3 normal{0, 1, 0};                 // plane: unit, out of the solid half space, which ends
                                           // at the body's position; static bodies only
 
+    /// `radius`: m.
     static Shape sphere(double radius);
     /// `size`: the full edges, m.
     static Shape box(const Vec3& size);

@@ -40,7 +40,8 @@ int main(int count, char** arguments) try {
     for (int step = 0; step <= 60; ++step) {
         if (step % 15 == 0) {
             const std::string name = folder + "/box_" + std::to_string(step / 15) + ".png";
-            render::writeFileAtomically(name, render::encodePng(renderer.draw(frameOf(world, box))));
+            const render::Image image = renderer.draw(frameOf(world, box));
+            render::writeFileAtomically(name, render::encodePng(image));
             std::printf("%s: height %.4f m\n", name.c_str(), world.pose(box).position.y());
         }
         if (!world.step(1.0 / 60)) return 1;
