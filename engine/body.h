@@ -14,7 +14,7 @@ enum class BodyKind { dynamic, fixed, kinematic };
 
 /// A body's number in its world: 0, 1, 2 ... in the order of adding, never used twice.
 struct BodyId {
-    int index = -1;
+    int index = -1;  // -1: none
     auto operator<=>(const BodyId&) const = default;
 };
 
@@ -24,6 +24,7 @@ struct Load {
     Vec3 torque = Vec3::Zero();  // N m
 };
 
+/// Everything about a body that is given to World::add, which says what has to hold.
 struct BodyDef {
     BodyKind kind = BodyKind::dynamic;
     Shape shape;

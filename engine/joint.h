@@ -11,8 +11,9 @@ namespace engine {
 /// hinge: a point and an axis in common, 5 rows. weld: no relative motion, 6 rows.
 enum class JointType { ball, distance, hinge, weld };
 
+/// A joint's number in its world, as BodyId is a body's.
 struct JointId {
-    int index = -1;
+    int index = -1;  // -1: none
     auto operator<=>(const JointId&) const = default;
 };
 
@@ -20,9 +21,10 @@ struct JointId {
 struct Spring {
     double hz = 0.0;       // frequency of the masses it joins, along a row; 0: rigid
     double damping = 0.0;  // ratio: 0 swings on, 1 just does not overshoot
-    bool isSoft() const { return hz > 0.0; }
+    bool isSoft() const { return hz > 0.0; }  // otherwise rigid
 };
 
+/// Everything about a joint that is given to World::add, which says what has to hold.
 struct JointDef {
     JointType type = JointType::ball;
     BodyId a, b;                 // two bodies, one of them dynamic
@@ -40,7 +42,7 @@ struct JointState {
     double separation = 0.0;     // m: |C| of the rows in metres
     Vec3 force{0, 0, 0};         // N, on b, mean over the last step
     Vec3 torque{0, 0, 0};        // N m, on b about its anchor, mean over the last step
-    bool removed = false;
+    bool removed = false;        // by the caller, or with one of its bodies
 };
 
 }  // namespace engine

@@ -4,6 +4,7 @@
 
 namespace engine {
 
+/// Of the whole body.
 struct Material {
     double density = 1000.0;   // kg/m^3, used where a body gives no mass
     double friction = 0.6;     // mu, Coulomb; 0 = ice

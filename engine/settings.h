@@ -30,6 +30,8 @@ enum class Bounce { impacts, bias };
 /// What the wide contact solver runs on; the bits are the same.
 enum class Instructions { best, baseline };
 
+/// What a World is made with and may be given between two steps. No sub-step, no thread, a negative
+/// count, Baumgarte beside nudges: each of them stops the program there.
 struct Settings {
     Method method = Method::impulses;
     int substeps = 4;         // velocities, impulses, positions and nudges, this often a step
@@ -44,7 +46,7 @@ struct Settings {
     double baumgarte = 0.0;   // b = beta C / h instead of nudges; never both
     Order order = Order::gravity;
     bool block = true;        // a manifold's normal rows, and a joint's point, solved together
-    JointSolving joints = JointSolving::direct;
+    JointSolving joints = JointSolving::direct;  // as that says
     bool warmStart = true;    // start from the impulses of the last step
     bool accumulate = true;   // clamp the total; false = clamp the correction: the wrong way
     Gyroscope gyroscope = Gyroscope::momentum;

@@ -10,6 +10,7 @@
 
 namespace engine {
 
+/// plane: bounds a half space. mesh: a surface, also height fields. The others are bodies.
 enum class ShapeType { sphere, box, capsule, plane, cylinder, cone, hull, compound, mesh };
 
 struct Hull;       // shapes/hull.h
@@ -17,6 +18,7 @@ struct Mesh;       // shapes/mesh.h
 struct ShapePart;  // below
 using ShapeParts = std::vector<ShapePart>;
 
+/// Made by one of the functions below, which stop the program where a size is not positive.
 struct Shape {
     ShapeType type = ShapeType::sphere;
     double radius = 0.5;                  // m; sphere, capsule, cylinder, a cone's base
@@ -31,6 +33,7 @@ struct Shape {
     std::shared_ptr<const ShapeParts> parts;
     std::shared_ptr<const Mesh> mesh;
 
+    /// `radius`: m.
     static Shape sphere(double radius);
     /// `size`: the full edges, m.
     static Shape box(const Vec3& size);

@@ -27,8 +27,9 @@ struct DirectReport {
     bool found = true;                 // false: no consistent set of contacts; sweeps took over
 };
 
+/// Why a step was taken back, of the first body that shows it.
 enum class Trouble {
-    none,
+    none,              // the step went well
     positionNotFinite,
     velocityNotFinite,
     positionTooLarge,  // farther than 1e5 m from the origin
@@ -37,13 +38,15 @@ enum class Trouble {
     energyJump         // ten times the energy in one step, with no kinematic body to give it
 };
 
+/// Of all dynamic bodies together.
 struct Energy {
     double kinetic = 0.0;    // J
     double potential = 0.0;  // J, in the field of gravity, 0 at the origin
     double elastic = 0.0;    // J, in soft joints
-    double total() const { return kinetic + potential + elastic; }
+    double total() const { return kinetic + potential + elastic; }  // J
 };
 
+/// Everything the last step says of itself.
 struct StepReport {
     long long step = 0;               // steps done since the start
     double time = 0.0;                // s
@@ -55,14 +58,14 @@ struct StepReport {
     Energy energy;
     double residual = 0.0;            // m/s, of the last sweep of the last sub-step
     std::vector<SweepReport> sweeps;  // of all sub-steps, in order
-    DirectReport direct;
+    DirectReport direct;              // of the direct solver
     Trouble trouble = Trouble::none;  // not none: the world is back where the step began, and stays
-    BodyId troubledBody;
+    BodyId troubledBody;              // none where it is not one body
 };
 
 /// A contact point as the last step's solver left it: where it was solved and what it got.
 struct ContactState {
-    BodyId a, b;
+    BodyId a, b;               // the two that touch
     Vec3 position;             // m, half way between the two surfaces
     Vec3 normal;               // unit, from a to b
     double penetration = 0.0;  // m; negative: still apart

@@ -21,45 +21,53 @@ struct WorldState;  // world_state.h
 /// Does not throw; wrong calls stop the program (base/check.h). Same calls, same bits.
 class World {
 public:
+    /// An empty world with gravity (0, -9.81, 0) m/s^2.
     explicit World(const Settings& settings = Settings::steady());
     ~World();
+    /// Worlds move and are not copied; of one that was moved from, only destruction is left.
     World(World&&) noexcept;
-    World& operator=(World&&) noexcept;
+    World& operator=(World&&) noexcept;  // as the constructor
 
+    /// A dynamic body needs a positive mass, its own or by volume and density, and is no plane or mesh; an
+    /// inertia that is given has to be symmetric and positive definite, a rotation not zero.
     BodyId add(const BodyDef& def);
+    /// Between two different bodies of this world, one of them dynamic. A distance joint needs a
+    /// positive length, a hinge an axis that is not zero, a spring no negative numbers.
     JointId add(const JointDef& def);
     /// While it acts, its bodies do not sleep.
     ForceId add(const ForceDef& def);
-    /// The body's joints, contacts and cached impulses go with it.
+    /// The body's joints, contacts and cached impulses go with it. Its number stays taken.
     void remove(BodyId id);
-    void remove(JointId id);
-    void remove(ForceId id);
+    void remove(JointId id);  // which has to be there
+    void remove(ForceId id);  // as well
 
     /// Settings may change between two steps; whoever sleeps wakes, as with another gravity.
     void setSettings(const Settings& settings);
-    const Settings& settings() const;
+    const Settings& settings() const;  // as set
     /// m/s^2
     void setGravity(const Vec3& gravity);
-    const Vec3& gravity() const;
+    const Vec3& gravity() const;  // m/s^2
 
-    /// Moves the world on by dt (s). False: the state would not have been finite or sane; the world
-    /// is back at the step's beginning, report() says why, and further steps do nothing.
+    /// Moves the world on by dt (s), which has to be positive. False: the state would not have been
+    /// finite or sane; the world is back at the step's beginning, report() says why, and further
+    /// steps do nothing.
     bool step(double dt);
 
     int bodyCount() const;   // removed bodies included
-    int jointCount() const;
-    bool has(BodyId id) const;
+    int jointCount() const;  // removed joints included
+    bool has(BodyId id) const;  // and it was not removed
     const BodyDef& def(BodyId id) const;  // as added; mass and inertia filled in
-    const Pose& pose(BodyId id) const;
+    const Pose& pose(BodyId id) const;  // m; of a removed body the last one
     const Vec3& velocity(BodyId id) const;  // m/s
     const Vec3& spin(BodyId id) const;      // rad/s, world axes
     bool isAsleep(BodyId id) const;         // never unless Settings::sleeping
     double mass(BodyId id) const;           // kg; 0 unless dynamic
     const Mat3& inertia(BodyId id) const;   // kg m^2, body axes
-    JointState joint(JointId id) const;
+    JointState joint(JointId id) const;  // as the last step left it
 
-    /// Contacts are found anew before the next step.
+    /// Contacts are found anew before the next step. A rotation is normalised.
     void setPose(BodyId id, const Pose& pose);
+    /// m/s and rad/s, world axes; of a dynamic or kinematic body.
     void setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin);
     /// N and N m, for the next step only.
     void applyForce(BodyId id, const Vec3& force, const Vec3& torque = Vec3::Zero());
@@ -80,8 +88,8 @@ public:
     void watchTouches(bool watch);
     /// Of the last step, in the order of pairs.
     std::span<const TouchEvent> touches() const;
-    const StepReport& report() const;
-    Energy energy() const;
+    const StepReport& report() const;  // of the last step
+    Energy energy() const;             // J, now
     /// Poses and velocities of all bodies, bit for bit.
     std::uint64_t hash() const;
 

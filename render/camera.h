@@ -4,13 +4,14 @@
 
 namespace render {
 
+/// What a camera makes of the world.
 struct View {
     Eigen::Matrix4f view;        // world to eye: x right, y up, z towards the viewer
     Eigen::Matrix4f projection;  // eye to clip
     Vec3 eye;                    // m, world
     float nearest, farthest;     // m, the clip planes
 
-    Eigen::Matrix4f worldToClip() const { return projection * view; }
+    Eigen::Matrix4f worldToClip() const { return projection * view; }  // both in a row
 };
 
 /// Of a length at 1 m from the eye.
@@ -18,14 +19,17 @@ inline float pixelsAMeter(const View& view, int height) {
     return 0.5f * static_cast<float>(height) * view.projection(1, 1);
 }
 
+/// `aspect`: width over height.
 View makeView(const Camera& camera, float aspect);
 
 /// Pixels from the top left corner, and the distance along the view axis (m; <= 0: behind).
 struct Projected {
-    float x = 0, y = 0, depth = 0;
+    float x = 0, y = 0, depth = 0;  // pixels, pixels, m
 };
+/// Where a point of the world (m) is in a picture of so many pixels.
 Projected project(const View& view, const Vec3& world, int width, int height);
 
+/// World to eye; `up` is not along the view.
 Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up);
 
 }  // namespace render

@@ -10,6 +10,7 @@
 
 namespace render {
 
+/// A place in a picture.
 struct Point {
     float x = 0.0f, y = 0.0f;  // pixels
 };
@@ -21,6 +22,7 @@ void fillRectangle(Image& image, Point corner, float width, float height, const 
 /// itself a translucent colour counts once. A point that is not finite leaves a gap.
 void drawPolyline(Image& image, std::span<const Point> points, float width, const Color& color);
 
+/// Which part of a text is at its place: start, middle or end.
 enum class Anchor { start, middle, end };
 
 /// One line of UTF-8 text; `at`: its anchor on the baseline. `pixels` from cap to descender.

@@ -8,8 +8,10 @@
 
 namespace render {
 
+/// automatic: osmesa where it works, else egl.
 enum class ContextKind { automatic, osmesa, egl };
 
+/// What makeContext is asked for.
 struct ContextSettings {
     int width = 0, height = 0;                  // pixels, 1..16384
     int threads = -1;                           // of the rasteriser; -1: as many as it likes
@@ -17,6 +19,7 @@ struct ContextSettings {
     ContextKind kind = ContextKind::automatic;  // automatic: OSMesa where it works, else EGL
 };
 
+/// Current as long as it lives.
 class Context {
 public:
     virtual ~Context() = default;

@@ -12,17 +12,18 @@
 
 namespace render {
 
+/// Which of the images are wanted.
 struct DataPasses {
-    bool depth = false, normal = false, id = false, flow = false;
-    bool any() const { return depth || normal || id || flow; }
+    bool depth = false, normal = false, id = false, flow = false;  // as in DataImages
+    bool any() const { return depth || normal || id || flow; }  // at all
 };
 
-inline constexpr float kNoDepth = std::numeric_limits<float>::infinity();
+inline constexpr float kNoDepth = std::numeric_limits<float>::infinity();  // the sky
 inline constexpr float kNoFlow = 1e10f;  // above 1e9 is 'unknown' in Middlebury's files
 
 /// Row 0 on top; what was not asked for is empty.
 struct DataImages {
-    int width = 0, height = 0;
+    int width = 0, height = 0;          // pixels
     std::vector<float> depth;           // m along the view axis; kNoDepth: the sky
     std::vector<Vec3> normal;           // unit, world axes, towards the viewer; 0 0 0: the sky
     std::vector<std::uint16_t> id;      // id + 1 of the solid, rod or ground; 0: the sky
@@ -42,8 +43,9 @@ DataImages dataImages(const Frame& now, const Frame* next, const SurfaceMap& map
 /// (centreX + focalX * x / -z, centreY - focalY * y / -z), the top left pixel's centre being at
 /// (0.5, 0.5).
 struct Lens {
-    double focalX = 1, focalY = 1, centreX = 0, centreY = 0;
+    double focalX = 1, focalY = 1, centreX = 0, centreY = 0;  // pixels
 };
+/// Of a view in a picture of so many pixels.
 Lens lensOf(const View& view, int width, int height);
 
 }  // namespace render

@@ -4,6 +4,7 @@
 
 namespace render {
 
+/// What compare() measures.
 struct Difference {
     bool sameSize = false;         // false: nothing below was measured
     long differing = 0;            // pixels that differ at all, in any channel
@@ -21,7 +22,7 @@ struct Gate {
     int levels = 3;        // of 255; a pixel that differs by more counts
     int windowPixels = 8;  // counted pixels allowed in any 16x16 window
     double ssim = 0.90;    // every block must reach it
-    const char* reason = "between the noise of CPU classes and the least damage";
+    const char* reason = "between the noise of CPU classes and the least damage";  // of its numbers
 };
 
 /// `levels`: a pixel counts in a window when any channel differs by more.

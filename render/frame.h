@@ -9,14 +9,15 @@
 
 namespace render {
 
-using Vec3 = Eigen::Vector3f;
-using Quat = Eigen::Quaternionf;
+using Vec3 = Eigen::Vector3f;       // x, y, z
+using Quat = Eigen::Quaternionf;    // a rotation, of length 1
 
 /// sRGB, each channel 0..1; a = 1 is opaque.
 struct Color {
-    float r = 0.8f, g = 0.8f, b = 0.8f, a = 1.0f;
+    float r = 0.8f, g = 0.8f, b = 0.8f, a = 1.0f;  // 0..1
 };
 
+/// box, sphere or capsule, each of the half sizes that Solid gives it.
 enum class SolidShape { box, sphere, capsule };
 
 /// A body's picture.
@@ -32,25 +33,26 @@ struct Solid {
 
 /// A straight round bar: joints, ropes.
 struct Rod {
-    Vec3 from{0, 0, 0}, to{0, 0, 0};
-    float radius = 0.03f;
+    Vec3 from{0, 0, 0}, to{0, 0, 0};  // m
+    float radius = 0.03f;             // m
     Color color;
     int id = 0;  // as a solid's
 };
 
 /// Drawn over the picture, with a head at `to`; faint where it starts behind something.
 struct Arrow {
-    Vec3 from{0, 0, 0}, to{0, 0, 0};
+    Vec3 from{0, 0, 0}, to{0, 0, 0};  // m
     Color color;
     float reach = 0.0f;  // m: what is in front of `from` by less than this does not hide it
 };
 
+/// A dot, or a quartered disc.
 enum class MarkerShape { dot, quartered };
 
 /// A mark of constant size on the picture: contact points, and the quartered disc of a centre of
 /// mass.
 struct Marker {
-    Vec3 position{0, 0, 0};
+    Vec3 position{0, 0, 0};  // m
     float pixels = 3.5f;  // radius in a picture of 1280x720
     Color color;
     float largest = 0.0f;  // m: a radius that it does not exceed in the world; 0 = any
@@ -60,7 +62,7 @@ struct Marker {
 
 /// A thin line over the picture; faint where it is behind something.
 struct Line {
-    Vec3 from{0, 0, 0}, to{0, 0, 0};
+    Vec3 from{0, 0, 0}, to{0, 0, 0};  // m
     float pixels = 1.5f;  // width in a picture of 1280x720
     Color color;
 };
@@ -68,8 +70,8 @@ struct Line {
 /// A name at a place. Left out where it would cover another one or a corner's text, or where it is
 /// behind something. The nearest are placed first.
 struct Label {
-    std::string text;
-    Vec3 position{0, 0, 0};
+    std::string text;    // one line, UTF-8
+    Vec3 position{0, 0, 0};  // m
     float reach = 0.0f;  // m, as an arrow's; smaller bodies have smaller names
     float size = 15.0f;  // as a text's
     float below = 0.0f;  // in heights of the name, how far its middle is below the place
@@ -77,19 +79,20 @@ struct Label {
 
 /// A band along a path that fades towards its oldest (first) point.
 struct Trail {
-    std::vector<Vec3> points;
+    std::vector<Vec3> points;  // m, oldest first
     float pixels = 4.0f;  // width in a picture 720 pixels high
     Color color;
 };
 
 /// An infinite plane with a grid that fades into the fog: {x : normal . x = offset}.
 struct Ground {
-    bool visible = true;
-    Vec3 normal{0, 1, 0};
+    bool visible = true;   // false: it hides nothing and takes no shadow
+    Vec3 normal{0, 1, 0};  // unit
     float offset = 0.0f;  // m
     int id = 0;           // as a solid's
 };
 
+/// Of the picture: topLeft, topRight, bottomLeft or bottomRight.
 enum class Corner { topLeft, topRight, bottomLeft, bottomRight };
 
 /// A text in a corner of the picture; texts in one corner stack in the order given. What is longer
@@ -106,13 +109,13 @@ enum class Swatch { none, dot, quartered, arrow, line };
 
 /// A share of a bar, 0..1 of its width.
 struct BarPart {
-    float share = 0.0f;
+    float share = 0.0f;  // 0..1
     Color color;
 };
 
 /// One row of a plate: a swatch or none, a name, and a value at the right edge.
 struct PlateRow {
-    std::string name, value;
+    std::string name, value;   // UTF-8
     Swatch swatch = Swatch::none;
     Color color{};             // of the swatch
     float meters = 0.0f;       // length of an arrow, where the camera looks; 0 = short
@@ -127,10 +130,11 @@ struct Plate {
     std::vector<PlateRow> rows;
 };
 
+/// Where the picture is seen from.
 struct Camera {
-    Vec3 from{8, 5, 14};
-    Vec3 lookAt{0, 2, 0};
-    Vec3 up{0, 1, 0};
+    Vec3 from{8, 5, 14};       // m
+    Vec3 lookAt{0, 2, 0};      // m, the picture's middle; not `from`
+    Vec3 up{0, 1, 0};          // not along the view
     float fovDegrees = 35.0f;  // vertical
     float aperture = 0.0f;     // m, the lens's radius: what is not in focus is soft, in sub-frames
     float focus = 0.0f;        // m along the view axis; 0: at lookAt
@@ -139,19 +143,20 @@ struct Camera {
 /// Light and ground tones.
 struct Look {
     Vec3 sunDirection{0.45f, 0.75f, 0.5f};  // towards the sun, any length
-    Color skyTop{0.66f, 0.72f, 0.78f, 1.0f};
-    Color skyHorizon{0.87f, 0.89f, 0.91f, 1.0f};
-    Color fog{0.84f, 0.86f, 0.885f, 1.0f};
-    Color ground{0.71f, 0.715f, 0.72f, 1.0f};
-    bool shadows = true;
-    bool ambientOcclusion = true;
-    bool edges = true;
+    Color skyTop{0.66f, 0.72f, 0.78f, 1.0f};      // at the picture's upper edge
+    Color skyHorizon{0.87f, 0.89f, 0.91f, 1.0f};  // and at its horizon
+    Color fog{0.84f, 0.86f, 0.885f, 1.0f};        // what the ground fades to
+    Color ground{0.71f, 0.715f, 0.72f, 1.0f};     // near by, without its grid
+    bool shadows = true;           // of the sun
+    bool ambientOcclusion = true;  // darker where little of the sky is seen
+    bool edges = true;             // lines along the edges of bodies
     bool transparent = false;  // no sky and no ground: alpha is 0 where nothing stands
     float lineStrength = 1.0f;  // of edges and of the grid
     Color ink{0.1f, 0.1f, 0.11f, 1.0f};         // of plates and labels
     Color plate{0.96f, 0.965f, 0.97f, 0.72f};  // the ground of plates
 };
 
+/// Everything that one picture shows; what is empty is not there.
 struct Frame {
     Camera camera;
     Look look;

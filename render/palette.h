@@ -20,11 +20,11 @@ inline Color paletteColor(int i) {
 
 inline Color fixedColor() { return fromHex(0x55585c); }    // what cannot move
 inline Color heavyColor() { return fromHex(0x3a3c40); }    // what is much heavier than the rest
-inline Color contactColor() { return fromHex(0xe0218a); }
-inline Color normalColor() { return fromHex(0x1f77d0); }
-inline Color impulseColor() { return fromHex(0xd62728); }
-inline Color frictionColor() { return fromHex(0xf0a202); }
-inline Color boundsColor() { return fromHex(0x008f8f); }
-inline Color jointColor() { return fromHex(0x4a4d52); }
+inline Color contactColor() { return fromHex(0xe0218a); }  // dots
+inline Color normalColor() { return fromHex(0x1f77d0); }   // arrows
+inline Color impulseColor() { return fromHex(0xd62728); }  // arrows along the normal
+inline Color frictionColor() { return fromHex(0xf0a202); } // arrows across it
+inline Color boundsColor() { return fromHex(0x008f8f); }   // boxes along the axes
+inline Color jointColor() { return fromHex(0x4a4d52); }    // rods
 
 }  // namespace render

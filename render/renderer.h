@@ -13,11 +13,13 @@
 
 namespace render {
 
+/// How much trouble is taken with a picture.
 enum class Finish {
     draft,    // one sample a pixel, light at corners, no shadows: to see whether the scene is right
     standard  // shadows, ambient occlusion, `samples` a pixel where there are edges
 };
 
+/// What a Renderer is made with.
 struct RendererSettings {
     int width = 1280, height = 720;  // pixels, 1..16384
     int samples = 8;                 // of a pixel with an edge: 1, 2, 4, 8 or 16; 1: edges in steps
@@ -25,7 +27,7 @@ struct RendererSettings {
     Finish finish = Finish::standard;
     int threads = -1;           // of the rasteriser; -1: as many as it likes, 0: the caller's
     bool reproducible = false;  // the same pixels on every x86-64 CPU, for a third more time
-    ContextKind context = ContextKind::automatic;
+    ContextKind context = ContextKind::automatic;  // what OpenGL is reached through
 };
 
 /// What a picture's time goes to, in this order.

@@ -9,8 +9,6 @@
 namespace demos {
 namespace {
 
-const Value kNoTable;
-
 std::string rangeText(const Range& range, const char* kind) {
     return std::string(kind) + " from " + numberText(range.low) + " to " + numberText(range.high) +
            (*range.unit ? std::string(" ") + range.unit : "");
@@ -26,9 +24,7 @@ std::string anyOf(const std::vector<std::string>& words) {
 }
 
 Keys::Keys(const Value& table, std::string where, Complaints& complaints)
-    : table_(table.kind == Value::Kind::table ? table : kNoTable),
-      where_(std::move(where)),
-      complaints_(complaints) {
+    : table_(table), where_(std::move(where)), complaints_(complaints) {
     if (table.kind != Value::Kind::table)
         complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table");
 }
@@ -45,7 +41,8 @@ Place Keys::placeOf(std::string_view key) const {
 }
 
 void Keys::complain(std::string_view key, const std::string& what) {
-    complaints_.add(placeOf(key), what);
+    const bool told = table_.kind != Value::Kind::table;  // that it is no table at all
+    if (!told) complaints_.add(placeOf(key), what);
 }
 
 void Keys::wrong(const Value& value, std::string_view key, const std::string& right) {

@@ -53,7 +53,7 @@ private:
     std::optional<double> checked(const Value& value, std::string_view key, Range range);
     void wrong(const Value& value, std::string_view key, const std::string& right);
 
-    const Value& table_;
+    const Value& table_;  // where it is none, it has no keys
     std::string where_;
     Complaints& complaints_;
     std::vector<std::string_view> known_, later_;

@@ -1,5 +1,7 @@
 #include "demos/scene/toml_limits.h"
 
+#include <algorithm>
+
 namespace demos {
 namespace {
 
@@ -22,6 +24,8 @@ public:
                 continue;
             }
             count(c);
+            if (isBeyondAscii(c) && !isByteOrderMark())
+                return beyond("a character beyond ASCII; put it in quotes or in a comment");
             if (depth_ > kDeepest) return beyond("nested deeper than 32 tables and arrays");
             if (dots_ >= kDeepest) return beyond("a key of more than 32 parts");
             if (values_ > kMostValues) return beyond("more than a million values");
@@ -31,6 +35,11 @@ public:
     }
 
 private:
+    static bool isBeyondAscii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+    /// At the very beginning an editor may have left EF BB BF.
+    bool isByteOrderMark() const { return at_ < 3 && text_.starts_with("\xef\xbb\xbf"); }
+
     void count(char c) {
         if (c == '[' || c == '{') ++depth_;
         if ((c == ']' || c == '}') && depth_ > 0) --depth_;
@@ -62,6 +71,9 @@ private:
             }
             if (block ? text_.substr(at_, 3) == std::string(3, quote) : text_[at_] == quote) {
                 at_ += block ? 3 : 1;
+                // Of five quotes in a row the first two are text.
+                for (int i = 0; block && i < 2 && at_ < text_.size() && text_[at_] == quote; ++i)
+                    ++at_;
                 return;
             }
             ++at_;
@@ -69,7 +81,12 @@ private:
     }
 
     BeyondLimit beyond(const char* what) const {
-        return {{line_, static_cast<int>(at_ - lineStart_) + 1}, what};
+        // Columns are characters, as toml++ counts them: a byte 10xxxxxx goes on with one.
+        const std::string_view before = text_.substr(lineStart_, at_ - lineStart_);
+        const auto characters = std::count_if(before.begin(), before.end(), [](char c) {
+            return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;
+        });
+        return {{line_, static_cast<int>(characters) + 1}, what};
     }
 
     std::string_view text_;

@@ -3,10 +3,12 @@
 #pragma once
 
 namespace engine {
+/// Prints the four to standard error and aborts.
 [[noreturn]] void checkFailed(const char* condition, const char* advice, const char* file,
                               int line);
 }
 
+/// What has to be true of a call, and what to do instead.
 #define ENGINE_CHECK(condition, advice) \
     ((condition) ? static_cast<void>(0) \
                  : ::engine::checkFailed(#condition, advice, __FILE__, __LINE__))

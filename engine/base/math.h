@@ -10,35 +10,37 @@
 namespace engine {
 
 template <class Real>
-using Vec2T = Eigen::Matrix<Real, 2, 1>;
+using Vec2T = Eigen::Matrix<Real, 2, 1>;  // a column of 2
 template <class Real>
-using Vec3T = Eigen::Matrix<Real, 3, 1>;
+using Vec3T = Eigen::Matrix<Real, 3, 1>;  // a column of 3
 template <class Real>
-using Vec4T = Eigen::Matrix<Real, 4, 1>;
+using Vec4T = Eigen::Matrix<Real, 4, 1>;  // a column of 4
 template <class Real>
-using Mat2T = Eigen::Matrix<Real, 2, 2>;
+using Mat2T = Eigen::Matrix<Real, 2, 2>;  // 2 x 2
 template <class Real>
-using Mat3T = Eigen::Matrix<Real, 3, 3>;
+using Mat3T = Eigen::Matrix<Real, 3, 3>;  // 3 x 3
 template <class Real>
-using Mat4T = Eigen::Matrix<Real, 4, 4>;
+using Mat4T = Eigen::Matrix<Real, 4, 4>;  // 4 x 4
 template <class Real>
-using QuatT = Eigen::Quaternion<Real>;
+using QuatT = Eigen::Quaternion<Real>;  // made as (w, x, y, z)
 
-using Vec2 = Vec2T<double>;
-using Vec3 = Vec3T<double>;
-using Vec4 = Vec4T<double>;
-using Mat3 = Mat3T<double>;
-using Quat = QuatT<double>;
+using Vec2 = Vec2T<double>;  // x, y
+using Vec3 = Vec3T<double>;  // x, y, z; right-handed
+using Vec4 = Vec4T<double>;  // four of a kind
+using Mat3 = Mat3T<double>;  // inertia, rotation
+using Quat = QuatT<double>;  // a rotation, of length 1
 
 /// Ties and NaNs are defined: a when the two are equal, b when a is not a number.
 template <class Real>
 Real smaller(Real a, Real b) {
     return a <= b ? a : b;
 }
+/// The larger one, with the same ties.
 template <class Real>
 Real larger(Real a, Real b) {
     return a >= b ? a : b;
 }
+/// x, or the bound it is beyond.
 template <class Real>
 Real clamped(Real x, Real low, Real high) {
     return smaller(larger(x, low), high);
@@ -67,9 +69,11 @@ void tangents(const Vec3T<Real>& n, Vec3T<Real>& t1, Vec3T<Real>& t2) {
 /// Where a body is: x_world = position + rotation * x_local.
 struct Pose {
     Vec3 position = Vec3::Zero();    // m, centre of mass
-    Quat rotation = Quat::Identity();
+    Quat rotation = Quat::Identity();  // body axes to world axes, of length 1
 
+    /// A point from body axes to world axes (m).
     Vec3 toWorld(const Vec3& local) const { return position + rotation * local; }
+    /// A point from world axes to body axes (m).
     Vec3 toLocal(const Vec3& world) const { return rotation.conjugate() * (world - position); }
 };
 

@@ -21,7 +21,7 @@ public:
     ~Descriptor();
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
+    int number() const { return number_; }  // above 2
 
 private:
     int number_;
@@ -37,7 +37,7 @@ public:
     /// child's file number kSharedFile, where its arguments name that.
     Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
            const Descriptor* shared = nullptr);
-    static constexpr int kSharedFile = 3;
+    static constexpr int kSharedFile = 3;  // its number in the child
     ~Ffmpeg() { end(); }
     Ffmpeg(const Ffmpeg&) = delete;
     Ffmpeg& operator=(const Ffmpeg&) = delete;
@@ -52,7 +52,7 @@ public:
     /// Why finish() was false.
     std::string complaint() const;
 
-    int framesWritten() const;
+    int framesWritten() const;  // as ffmpeg counts them
 
     /// All that it has written to its standard output.
     std::string output() const;

@@ -14,6 +14,7 @@ namespace render {
 /// the disk is full; then neither a temporary file nor a half-written one is left.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
+/// The same for a text.
 inline void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
     writeFileAtomically(path,
                         std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));

@@ -20,21 +20,23 @@ public:
 
 /// Frames that ffmpeg has written as storeArguments() says.
 struct StoredFilm {
-    const Descriptor& file;
+    const Descriptor& file;              // open for reading
     VideoSource source;
-    int frames = 0;
-    std::chrono::milliseconds patience;
+    int frames = 0;                      // in the file
+    std::chrono::milliseconds patience;  // with ffmpeg, as a VideoWriter's
 };
 
+/// How large a film may be, and who is asked and told on the way.
 struct Fit {
     std::uint64_t largestFile = 0;                      // bytes; 0: no limit, the best there is
     std::function<bool()> cancelled = {};               // asked ten times a second
     std::function<void(const std::string&)> tell = {};  // what did not fit
 };
 
+/// What a film became.
 struct Fitted {
     Encoding encoding;
-    std::uint64_t bytes = 0;
+    std::uint64_t bytes = 0;  // of the file
 };
 
 /// Fills `output`, an empty file. Tries the best encoding and then, by halving what

@@ -7,14 +7,16 @@
 
 namespace render {
 
+/// How pictures are encoded: h264, vp9, and the three that hold pictures: gif, webp, apng.
 enum class Codec { h264, vp9, gif, webp, apng };
 
+/// One kind of film file.
 struct VideoFormat {
-    const char* ending;
+    const char* ending;     // ".mp4"
     Codec codec;
     const char* evenSides;  // the codec that needs them, or null
-    int largestFps;
-    bool holdsAlpha;
+    int largestFps;         // frames a second
+    bool holdsAlpha;        // straight alpha, of a GIF yes or no
 };
 
 /// By the ending, in any case; null: no film this program writes.
@@ -24,18 +26,18 @@ const VideoFormat* videoFormatOf(const std::filesystem::path& path);
 struct VideoSource {
     int width = 0, height = 0;  // pixels
     int fps = 30;               // frames a second
-    bool alpha = false;
+    bool alpha = false;         // the film shows what is behind it
 };
 
 /// How they are encoded: as they are, or as less, so that the file gets smaller.
 struct Encoding {
     int width = 0, height = 0;  // pixels
     int everyNth = 1;           // frame is kept
-    double fps = 30.0;
+    double fps = 30.0;          // frames a second
     int quality = 0;  // gif: colours; mp4, webm: crf, less is better; webp: 0..100; apng: none
 
     bool operator==(const Encoding&) const = default;
-    int framesOf(int frames) const { return (frames + everyNth - 1) / everyNth; }
+    int framesOf(int frames) const { return (frames + everyNth - 1) / everyNth; }  // are kept
 };
 
 /// From the best to the smallest: each gives up what is missed least, first exactness, then every
@@ -45,7 +47,7 @@ std::vector<Encoding> ladderOf(const VideoFormat& format, const VideoSource& sou
 /// "640x360, 15 frames/s, 128 colours"
 std::string describe(const VideoFormat& format, const Encoding& encoding);
 
-using Arguments = std::vector<std::string>;
+using Arguments = std::vector<std::string>;  // of a child process, without its name
 
 /// Frames from standard input into a film.
 Arguments encodeArguments(const VideoFormat& format, const VideoSource& source,

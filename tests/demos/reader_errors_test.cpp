@@ -345,6 +345,21 @@ TEST(Reader, RefusesWhatWouldExhaustTheParser) {
     EXPECT_TRUE(tells(errorsOf(std::string(9u << 20, ' ')), "a.toml: ", "8 MiB"));
 }
 
+TEST(Reader, RefusesLettersBeyondAsciiOutsideOfQuotes) {
+    for (const char* text : {"title = 1\u00e9\n", "\u00e9 = 1\n", "title = [1\u00a9]\n"})
+        EXPECT_TRUE(tells(errorsOf(text + kBall), "a.toml:1:", "put it in quotes")) << text;
+    // A column is a character, not a byte.
+    EXPECT_TRUE(tells(errorsOf("title = '\u00e9\u00e9' \u00e9\n" + kBall),
+                      "a.toml:1:14: ", "beyond ASCII"));
+}
+
+TEST(Reader, ToldOfAListWhereATableShouldBeSaysWhere) {
+    for (const char* key : {"material", "body", "joint", "repeat", "section", "expect"})
+        EXPECT_TRUE(
+            tells(errorsOf(std::string(key) + " = ['oak']\n"), "a.toml:1:", "it should be a table"))
+            << key;
+}
+
 TEST(Reader, AllowsDotsInTexts) {
     EXPECT_EQ(read("title = '" + std::string(99, '.') + "'\n" + kBall).title.size(), 99u);
 }

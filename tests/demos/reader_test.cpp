@@ -28,6 +28,14 @@ TEST(Reader, FillsInDefaults) {
     EXPECT_EQ(scene.bodies[1].place.line, 6);
 }
 
+TEST(Reader, TakesLettersBeyondAsciiInTextsAndComments) {
+    EXPECT_EQ(read("title = '\u00e9' # \u03bb\n" + kBall).title, "\u00e9");
+    EXPECT_EQ(read("title = \"\"\"a\\\n  \u00e9\"\"\"\n" + kBall).title, "a\u00e9");
+    // Up to two of the quotes that end a block are text.
+    EXPECT_EQ(read("title = '''\u00e9'''''\n" + kBall).title, "\u00e9''");
+    EXPECT_EQ(readScene("\ufeffformat = 1\n" + kBall, "a.toml", "a").bodies.size(), 1u);
+}
+
 TEST(Reader, ReadsABodyInFull) {
     const SceneDescription scene = read(
         "[[material]]\nname = 'm'\ndensity = 600\nfriction = 0.1\nrestitution = 0.2\n"

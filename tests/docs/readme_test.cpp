@@ -63,6 +63,14 @@ TEST(Readme, ItsCommandsExist) {
             << command;
 }
 
+TEST(Readme, ShowsTheExamplesOwnLines) {
+    const std::string example =
+        textOf(fs::path(IMPULSE_SOURCE_DIR) / "demos/examples/engine_and_render/CMakeLists.txt");
+    const std::string lines = R"(\n((?:find_package|target_link_libraries)\([^)]*\)))";
+    EXPECT_EQ(matches(kReadme, lines), matches(example, lines));
+    EXPECT_EQ(matches(kReadme, lines).size(), 2u);
+}
+
 TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
     const std::string help = outputOf("render --help");
     const std::size_t start = help.find("overlays, with commas:");

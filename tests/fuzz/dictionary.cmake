@@ -1,0 +1,42 @@
+# cmake -DOUT=scene.dict -DDIR=demos/scene -P dictionary.cmake
+# The format's words for the fuzzer: what is in quotes in the files that read it, and TOML's own.
+file(GLOB files ${DIR}/read_*.cpp ${DIR}/repeat.cpp ${DIR}/reader.cpp)
+set(words "")
+foreach(file ${files})
+  file(STRINGS ${file} lines REGEX "\"[a-z][a-z_-]*\"")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCHALL "\"[a-z][a-z_-]*\"" found "${line}")
+    list(APPEND words ${found})
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES words)
+list(SORT words)
+list(LENGTH words count)
+if(count LESS 100)
+  message(FATAL_ERROR "${count} words of the format in ${DIR}: where has the reader gone?")
+endif()
+list(JOIN words "\n" text)
+file(WRITE ${OUT} "${text}
+\"#--set \"
+\" = \"
+\"[[\"
+\"]]\"
+\"{i}\"
+\"{i+1}\"
+\"{j}\"
+\"inf\"
+\"nan\"
+\"1e999\"
+\"-0.0\"
+\"1e-320\"
+\"9223372036854775807\"
+\"0x7fffffff\"
+\"true\"
+\"1979-05-27\"
+\"'''\"
+\"\\\\u001b\"
+\"\\x1b\"
+\"\\xc2\\x9b\"
+\"\\xff\\xfe\"
+\"\\x00\"
+")

@@ -1,0 +1,114 @@
+// Any bytes as a scene. What readScene refuses it refuses in lines that are whole: a place inside
+// the text, nothing a terminal should not be given. What it accepts the engine takes (ENGINE_CHECK
+// stops the program), and one step leaves it finite or says why not.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "demos/scene/builtin.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
+#include "demos/scene/stage.h"
+
+namespace demos {
+
+/// Texts are read here, not names.
+std::span<const BuiltinScene> builtinScenes() { return {}; }
+
+}  // namespace demos
+
+namespace {
+
+constexpr std::string_view kOption = "#--set ";
+constexpr std::size_t kMostOptions = 8;
+constexpr std::size_t kMostBodies = 64;  // of a world that is built, and of one that is stepped
+constexpr std::size_t kMostMoving = 8;
+
+void require(bool truth, const char* what, std::string_view value) {
+    if (truth) return;
+    std::fprintf(stderr, "%s: %.*s\n", what, static_cast<int>(value.size()), value.data());
+    std::abort();
+}
+
+/// A line that begins with `#--set ` is a comment of the scene, and an option as well.
+std::vector<std::string> optionsIn(std::string_view text) {
+    std::vector<std::string> options;
+    for (std::size_t at = text.find(kOption);
+         at != std::string_view::npos && options.size() < kMostOptions;
+         at = text.find(kOption, at)) {
+        at += kOption.size();
+        options.emplace_back(text.substr(at, text.find('\n', at) - at));
+    }
+    return options;
+}
+
+/// Takes a number off the front; -1 where there is none.
+long numberAt(std::string_view& line) {
+    const std::size_t end = line.find(':');
+    if (end == 0 || end > 9) return -1;
+    long number = 0;
+    for (const char digit : line.substr(0, end)) {
+        if (digit < '0' || digit > '9') return -1;
+        number = 10 * number + (digit - '0');
+    }
+    line.remove_prefix(end + 1);
+    return number;
+}
+
+void checkComplaint(const std::string& whole, long linesOfText) {
+    require(demos::printable(whole) == whole, "a byte that does not print", whole);
+    std::string_view line = whole;
+    if (line.starts_with("--set ") || line.starts_with("and ")) return;
+    require(line.starts_with("a.toml:"), "a complaint without its file", whole);
+    line.remove_prefix(7);
+    const long row = numberAt(line), column = numberAt(line);
+    require(row >= 1 && row <= linesOfText + 1, "a line that is not in the text", whole);
+    require(column >= 1, "a column that is none", whole);
+    require(line.size() > 3 && line[0] == ' ', "a complaint of nothing", whole);
+}
+
+void checkRefusal(const demos::SceneError& error, std::string_view text) {
+    require(!error.lines().empty(), "refused without a word", text);
+    const long lines = std::count(text.begin(), text.end(), '\n') + 1;
+    for (const std::string& line : error.lines()) checkComplaint(line, lines);
+}
+
+/// As much work as a step of few bodies should be, whatever the scene asks for.
+void boundWork(engine::Settings& s) {
+    s.threads = 1;
+    s.substeps = std::min(s.substeps, 8);
+    s.maxSubsteps = std::min(s.maxSubsteps, 8);
+    s.sweeps = std::min(s.sweeps, 20);
+    s.minSweeps = std::min(s.minSweeps, 20);
+    s.nudges = std::min(s.nudges, 8);
+}
+
+void checkWorld(demos::SceneDescription scene) {
+    if (scene.bodies.size() + scene.joints.size() > kMostBodies) return;
+    boundWork(scene.settings);
+    demos::Stage stage(scene);
+    if (scene.bodies.size() > kMostMoving || !stage.step()) return;
+    for (const engine::BodyId id : stage.bodies) {
+        const bool finite = stage.world.pose(id).position.allFinite() &&
+                            stage.world.velocity(id).allFinite() &&
+                            stage.world.spin(id).allFinite();
+        require(finite, "not finite after a step that went well", stage.nameOf(id));
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes), size);
+    try {
+        checkWorld(demos::readScene(text, "a.toml", "a", optionsIn(text)));
+    } catch (const demos::SceneError& error) {
+        checkRefusal(error, text);
+    }
+    return 0;
+}
