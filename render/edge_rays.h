@@ -7,8 +7,7 @@
 
 namespace render {
 
-/// Where four rays enter: t is infinite where they miss; the face of a box (-x +x -y +y -z +z),
-/// else 0.
+/// Where four rays enter: t is infinite where they miss; the face as in a SurfaceMap.
 struct FourHits {
     Four t{};
     FourInts face{};
@@ -26,8 +25,13 @@ private:
     FourHits enterCapsule(const Rays& rays) const;
     FourHits enterBar(const Rays& rays) const;
     FourHits enterPlane(const Rays& rays) const;
+    FourHits enterCylinder(const Rays& rays) const;
+    FourHits enterCone(const Rays& rays) const;
+    FourHits enterHull(const Rays& rays) const;
+    FourHits enterMesh(const Rays& rays) const;
 
     SurfaceKind kind_;
+    const SolidMesh* mesh_;
     Vec3 half_;                       // m, as the surface's
     Vec3 eye_, ahead_, right_, down_;  // the sight, in the surface's own axes
 };

@@ -7,7 +7,9 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
+#include "render/joined_faces.h"
 #include "render/meshes.h"
 
 namespace render {
@@ -68,12 +70,13 @@ std::vector<Surface> drawnSurfaces(const Frame& frame, const View& view, int hei
 
 class EdgeSamples {
 public:
-    EdgeSamples(const Image& image, const SurfaceMap& map, const Frame& frame, const View& view,
+    EdgeSamples(const Image& image, SurfaceMap map, const Frame& frame, const View& view,
                 int samples)
         : image_(image),
-          map_(map),
           surfaces_(drawnSurfaces(frame, view, map.height)),
-          sight_(sightOf(view, map.width, map.height)),
+          joined_(joinedFaces(surfaces_, view.eye)),
+          map_(joined(std::move(map), joined_)),
+          sight_(sightOf(view, map_.width, map_.height)),
           seen_(surfaces_.size()) {
         const std::vector<Offset> all = offsets(samples);
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -85,6 +88,7 @@ public:
     }
 
     std::array<std::uint8_t, 4> color(int x, int y);
+    const SurfaceMap& map() const { return map_; }
 
 private:
     const SeenSurface& seen(int surface) {
@@ -93,13 +97,15 @@ private:
         return *one;
     }
     void look(int x, int y);
+    FourInts packedFaces(int surface, FourInts faces) const;
     FourInts meet(Four x, Four y, int count);
     std::size_t placeOf(std::int32_t surface, std::size_t sample) const;
     std::array<std::uint8_t, 4> mean(const std::array<int, kAround>& times) const;
 
     const Image& image_;
-    const SurfaceMap& map_;
     const std::vector<Surface> surfaces_;
+    const FaceTables joined_;
+    const SurfaceMap map_;
     const Sight sight_;
     std::vector<std::optional<SeenSurface>> seen_;  // made when first met
     std::vector<Four> x_, y_;                       // of the samples
@@ -119,6 +125,12 @@ void EdgeSamples::look(int x, int y) {
     }
 }
 
+FourInts EdgeSamples::packedFaces(int surface, FourInts faces) const {
+    if (!joined_.empty() && !joined_[surface].empty())
+        for (int i = 0; i < kFour; ++i) faces[i] = joined_[surface][faces[i]];
+    return faces + packedSurface(surface, 0);
+}
+
 /// The packed surface that each of four rays meets first.
 FourInts EdgeSamples::meet(Four x, Four y, int count) {
     Four nearest = fourOf(std::numeric_limits<float>::infinity());
@@ -127,7 +139,7 @@ FourInts EdgeSamples::meet(Four x, Four y, int count) {
         const FourHits hits = seen(candidates_[i]).enter(x, y);
         const FourInts nearer = hits.t < nearest;
         nearest = nearer ? hits.t : nearest;
-        met = nearer ? hits.face + 8 * candidates_[i] : met;
+        met = nearer ? packedFaces(candidates_[i], hits.face) : met;
     }
     return met;
 }
@@ -137,7 +149,7 @@ std::size_t EdgeSamples::placeOf(std::int32_t surface, std::size_t sample) const
     for (const std::size_t place : order_[sample])
         if (around_[place] == surface) return place;
     for (const std::size_t place : order_[sample])
-        if (around_[place] >> 3 == surface >> 3) return place;
+        if (surfaceIn(around_[place]) == surfaceIn(surface)) return place;
     return kMiddle;
 }
 
@@ -145,7 +157,7 @@ std::array<std::uint8_t, 4> EdgeSamples::color(int x, int y) {
     look(x, y);
     int count = 0;
     for (const std::int32_t packed : around_) {
-        const int surface = packed >> 3;
+        const int surface = surfaceIn(packed);
         const auto end = candidates_.begin() + count;
         if (surface >= 0 && std::find(candidates_.begin(), end, surface) == end)
             candidates_[count++] = surface;
@@ -204,21 +216,21 @@ void findEdges(const SurfaceMap& map, int y, std::vector<int>& found) {
 
 }  // namespace
 
-void smoothEdges(Image& image, const SurfaceMap& map, const Frame& frame, const View& view,
-                 int samples) {
+void smoothEdges(Image& image, SurfaceMap map, const Frame& frame, const View& view, int samples) {
     if (samples == 1) return;
-    EdgeSamples edges(image, map, frame, view, samples);
+    EdgeSamples edges(image, std::move(map), frame, view, samples);
     struct Smooth {
         std::size_t at;
         std::array<std::uint8_t, 4> color;
     };
     std::vector<Smooth> pixels;  // put in afterwards: neighbours still look at the old ones
     std::vector<int> found;
-    for (int y = 0; y < map.height; ++y) {
-        findEdges(map, y, found);
+    const SurfaceMap& faces = edges.map();
+    for (int y = 0; y < faces.height; ++y) {
+        findEdges(faces, y, found);
         for (const int x : found)
             pixels.push_back(
-                {4 * (static_cast<std::size_t>(y) * map.width + x), edges.color(x, y)});
+                {4 * (static_cast<std::size_t>(y) * faces.width + x), edges.color(x, y)});
     }
     for (const Smooth& pixel : pixels)
         std::copy(pixel.color.begin(), pixel.color.end(), &image.pixels[pixel.at]);

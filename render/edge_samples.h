@@ -10,7 +10,6 @@ namespace render {
 /// 16; 1: does nothing) which of the surfaces around it each of them meets, and takes the mean of
 /// these surfaces' colours. `map`: the surfaces at the pixels' centres, of `frame` in `view`.
 /// What no pixel's centre meets is not found: nothing is drawn thinner than a pixel.
-void smoothEdges(Image& image, const SurfaceMap& map, const Frame& frame, const View& view,
-                 int samples);
+void smoothEdges(Image& image, SurfaceMap map, const Frame& frame, const View& view, int samples);
 
 }  // namespace render

@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,18 +18,24 @@ struct Color {
     float r = 0.8f, g = 0.8f, b = 0.8f, a = 1.0f;  // 0..1
 };
 
-/// box, sphere or capsule, each of the half sizes that Solid gives it.
-enum class SolidShape { box, sphere, capsule };
+struct SolidMesh;  // solid_mesh.h
+
+/// Each of the half sizes that Solid gives it.
+enum class SolidShape { box, sphere, capsule, cylinder, cone, mesh };
 
 /// A body's picture.
 struct Solid {
     SolidShape shape = SolidShape::box;
     Vec3 halfSize{0.5f, 0.5f, 0.5f};  // m; box: half edges; sphere: (r, r, r);
                                       // capsule: (radius, half length of the core segment, radius)
-    Vec3 position{0, 0, 0};           // m, centre
-    Quat rotation = Quat::Identity(); // a capsule's core lies along its own y
+                                      // cylinder, cone: (radius, half height, radius)
+                                      // mesh: SolidMesh::halfSize
+    Vec3 position{0, 0, 0};           // m, centre; of a cone that of its mass: the base is
+                                      // halfSize.y / 2 below it, the tip 1.5 halfSize.y above
+    Quat rotation = Quat::Identity(); // what is round has its axis along its own y
     Color color;
     int id = 0;                       // 0..65534, for data passes (data_images.h)
+    std::shared_ptr<const SolidMesh> mesh{};  // of a mesh; without it nothing is drawn
 };
 
 /// A straight round bar: joints, ropes.

@@ -5,49 +5,46 @@
 #include <optional>
 
 #include "render/coverage.h"
+#include "render/ghost_rays.h"
 #include "render/overlay.h"
+#include "render/solid_mesh.h"
 
 namespace render {
 namespace {
 
 constexpr float kPi = 3.14159265f;
 
-/// Where a ray enters a ghost.
-struct Hit {
-    float distance = 0;  // in lengths of the ray's direction
-    Vec3 normal;         // in the ghost's axes
-};
+constexpr int kRim = 48;  // points around a circle
 
-/// Slabs (Kay and Kajiya 1986).
-std::optional<Hit> hitBox(const Vec3& half, const Vec3& from, const Vec3& way) {
-    float enter = -1e30f, leave = 1e30f;
-    int face = 0;
-    for (int i = 0; i < 3; ++i) {
-        const float inverse = 1.0f / (std::abs(way[i]) > 1e-12f ? way[i] : 1e-12f);
-        const float a = (-half[i] - from[i]) * inverse, b = (half[i] - from[i]) * inverse;
-        if (std::min(a, b) > enter) enter = std::min(a, b), face = i;
-        leave = std::min(leave, std::max(a, b));
+void addCircle(std::vector<Vec3>& points, const Vec3& middle, const Vec3& u, const Vec3& v,
+               float radius) {
+    for (int i = 0; i < kRim; ++i) {
+        const float angle = 2.0f * kPi * static_cast<float>(i) / static_cast<float>(kRim);
+        points.push_back(middle + radius * (std::cos(angle) * u + std::sin(angle) * v));
     }
-    if (enter > leave || enter < 0.0f) return std::nullopt;
-    return Hit{enter, way[face] > 0.0f ? Vec3(-Vec3::Unit(face)) : Vec3(Vec3::Unit(face))};
 }
 
-/// A ball about the point of the core nearest to the ray: exact for a sphere, near enough else.
-std::optional<Hit> hitRound(float radius, float core, const Vec3& from, const Vec3& way) {
-    const float a = way.squaredNorm(), b = way.y(), d = way.dot(from);
-    const float square = a - b * b;  // |way|^2 |y|^2 - (way . y)^2
-    const float y = square > 1e-9f ? (a * from.y() - b * d) / square : 0.0f;
-    const Vec3 o = from - Vec3(0, std::clamp(y, -core, core), 0);
-    const float half = way.dot(o), rest = half * half - a * (o.squaredNorm() - radius * radius);
-    if (rest < 0.0f) return std::nullopt;
-    const float t = (-half - std::sqrt(rest)) / a;
-    if (t < 0.0f) return std::nullopt;
-    return Hit{t, (o + t * way).normalized()};
+/// Of what has corners or sharp rims.
+std::vector<Vec3> cornerPoints(const Solid& solid) {
+    std::vector<Vec3> points;
+    const float r = solid.halfSize.x(), h = solid.halfSize.y();
+    const Vec3 up = Vec3::UnitY();
+    if (solid.shape == SolidShape::mesh && solid.mesh) points = solid.mesh->vertices;
+    const auto addRim = [&](float y) {
+        addCircle(points, y * up, Vec3::UnitX(), Vec3::UnitZ(), r);
+    };
+    if (solid.shape == SolidShape::cylinder) addRim(-h), addRim(h);
+    if (solid.shape == SolidShape::cone) addRim(-0.5f * h), points.push_back(1.5f * h * up);
+    for (Vec3& point : points) point = solid.position + solid.rotation * point;
+    return points;
 }
 
 /// Points whose hull on the picture is the silhouette.
 std::vector<Vec3> rimPoints(const Solid& solid, const Vec3& eye) {
     std::vector<Vec3> points;
+    if (solid.shape == SolidShape::cylinder || solid.shape == SolidShape::cone ||
+        solid.shape == SolidShape::mesh)
+        return cornerPoints(solid);
     if (solid.shape == SolidShape::box) {
         for (int i = 0; i < 8; ++i)
             points.push_back(solid.position +
@@ -66,10 +63,7 @@ std::vector<Vec3> rimPoints(const Solid& solid, const Vec3& eye) {
         const Vec3 middle = centre - way / distance * r * sine;
         const Vec3 u = way.unitOrthogonal(), v = way.normalized().cross(u);
         const float radius = r * std::sqrt(std::max(1.0f - sine * sine, 0.0f));
-        for (int i = 0; i < 48; ++i) {
-            const float angle = 2.0f * kPi * static_cast<float>(i) / 48.0f;
-            points.push_back(middle + radius * (std::cos(angle) * u + std::sin(angle) * v));
-        }
+        addCircle(points, middle, u, v, radius);
         if (core == 0.0f) break;
     }
     return points;
@@ -98,21 +92,6 @@ std::vector<Vec2> hullOf(std::vector<Vec2> points) {
     }
     return hull;
 }
-
-/// Rays from the eye through the pixels, 1 m along the view axis, in a ghost's axes.
-struct Rays {
-    Vec3 corner, right, down;  // through the picture's upper left corner; a pixel on, either way
-
-    Rays(const View& view, const Image& image, const Quat& back) {
-        const Eigen::Matrix3f turn =
-            back.toRotationMatrix() * view.view.block<3, 3>(0, 0).transpose();
-        const float x = 1.0f / view.projection(0, 0), y = 1.0f / view.projection(1, 1);
-        corner = turn * Vec3(-x, y, -1.0f);
-        right = turn.col(0) * (2.0f * x / static_cast<float>(image.width));
-        down = turn.col(1) * (-2.0f * y / static_cast<float>(image.height));
-    }
-    Vec3 through(const Vec2& p) const { return corner + p.x() * right + p.y() * down; }
-};
 
 Color shaded(const Color& color, float light) {
     return {color.r * light, color.g * light, color.b * light, color.a};
@@ -175,11 +154,8 @@ void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& v
                const DepthMap& depth) {
     const std::optional<Outline> outline = outlineOf(ghost, view, image);
     if (!outline) return;
-    const Quat back = ghost.rotation.conjugate();
-    const Vec3 from = back * Vec3(view.eye - ghost.position);
-    const Rays rays(view, image, back);
-    const Vec3 sun = back * look.sunDirection.normalized();
-    const float core = ghost.shape == SolidShape::capsule ? ghost.halfSize.y() : 0.0f;
+    const GhostRays rays(ghost, view, look.sunDirection.normalized(), image.width, image.height);
+    const bool hollow = ghost.mesh && !ghost.mesh->convex;
     const float edge = std::max(0.9f * overlayScale(image.width, image.height), 0.7f);
     const PixelRange range =
         pixelsWithin(image, outline->low() - Vec2(1, 1), outline->high() + Vec2(1, 1));
@@ -188,13 +164,11 @@ void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& v
             const Vec2 at = centreOf(x, y);
             const float d = outline->distance(at);
             if (d >= 0.5f) continue;
-            const Vec3 way = rays.through(at);
-            const std::optional<Hit> hit = ghost.shape == SolidShape::box
-                                               ? hitBox(ghost.halfSize, from, way)
-                                               : hitRound(ghost.halfSize.x(), core, from, way);
-            const float away = hit ? hit->distance : from.norm() / way.norm();
-            if (metersAt(depth, image, x, y) < 0.998f * away) continue;
-            const float light = hit ? 0.75f + 0.25f * std::max(hit->normal.dot(sun), 0.0f) : 0.75f;
+            const std::optional<GhostHit> hit = rays.at(at);
+            if (!hit && hollow) continue;
+            if (metersAt(depth, image, x, y) < 0.998f * (hit ? hit->distance : rays.middle(at)))
+                continue;
+            const float light = hit ? 0.75f + 0.25f * std::max(hit->facing, 0.0f) : 0.75f;
             blend(image.at(x, y), tintOf(ghost.color, look.ink, light, d, edge),
                   std::clamp(0.5f - d, 0.0f, 1.0f));
         }

@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "render/facet_mesh.h"
 
 namespace render {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-
-void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
-    glVertexAttribDivisor(index, divisor);
-}
 
 }  // namespace
 
@@ -25,7 +21,9 @@ std::vector<Vertex> boxMesh() {
             const Vec3 normal = side * Vec3::Unit(axis);
             const Vec3 u = Vec3::Unit((axis + 1) % 3), v = normal.cross(u);
             const Vec3 corner[4] = {normal - u - v, normal + u - v, normal + u + v, normal - u + v};
-            for (const int i : {0, 1, 2, 0, 2, 3}) mesh.push_back({corner[i], normal, 0.0f});
+            const float face = static_cast<float>(2 * axis) + (side > 0.0f ? 1.0f : 0.0f);
+            for (const int i : {0, 1, 2, 0, 2, 3})
+                mesh.push_back({corner[i], normal, 0.0f, face});
         }
     return mesh;
 }
@@ -46,7 +44,7 @@ std::vector<Vertex> ballMesh(int corners) {
         const float turn = 2 * kPi * share;
         const Vec3 p(std::cos(ring.angle) * std::cos(turn), std::sin(ring.angle),
                      -std::cos(ring.angle) * std::sin(turn));
-        return Vertex{p, p, ring.end};
+        return Vertex{p, p, ring.end, 0.0f};
     };
     std::vector<Vertex> mesh;
     for (std::size_t r = 0; r + 1 < rings.size(); ++r)
@@ -64,7 +62,7 @@ std::vector<Vertex> barMesh() {
     const auto vertex = [](int slice, float y) {
         const float turn = 2 * kPi * static_cast<float>(slice % kSlices) / kSlices;
         const Vec3 out(std::cos(turn), 0, -std::sin(turn));
-        return Vertex{out + Vec3(0, y, 0), out, 0.0f};
+        return Vertex{out + Vec3(0, y, 0), out, 0.0f, 0.0f};
     };
     std::vector<Vertex> mesh;
     for (int s = 0; s < kSlices; ++s) {
@@ -73,38 +71,6 @@ std::vector<Vertex> barMesh() {
         mesh.insert(mesh.end(), {a, b, c, a, c, d});
     }
     return mesh;
-}
-
-InstancedMesh::InstancedMesh(const std::vector<Vertex>& mesh)
-    : array_(newArray()), vertices_(newBuffer()), instances_(newBuffer()) {
-    vertexCount_ = static_cast<int>(mesh.size());
-    glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(Vertex)),
-                 mesh.data(), GL_STATIC_DRAW);
-    attribute(0, 3, sizeof(Vertex), offsetof(Vertex, position), 0);
-    attribute(1, 3, sizeof(Vertex), offsetof(Vertex, normal), 0);
-    attribute(2, 1, sizeof(Vertex), offsetof(Vertex, end), 0);
-    glBindBuffer(GL_ARRAY_BUFFER, instances_);
-    attribute(3, 3, sizeof(Instance), offsetof(Instance, position), 1);
-    attribute(4, 4, sizeof(Instance), offsetof(Instance, rotation), 1);
-    attribute(5, 3, sizeof(Instance), offsetof(Instance, scale), 1);
-    attribute(6, 1, sizeof(Instance), offsetof(Instance, stretch), 1);
-    attribute(7, 3, sizeof(Instance), offsetof(Instance, color), 1);
-    attribute(8, 1, sizeof(Instance), offsetof(Instance, surface), 1);
-}
-
-void InstancedMesh::setInstances(const std::vector<Instance>& instances) {
-    instanceCount_ = static_cast<int>(instances.size());
-    glBindBuffer(GL_ARRAY_BUFFER, instances_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
-                 instances.data(), GL_STREAM_DRAW);
-}
-
-void InstancedMesh::draw() const {
-    if (instanceCount_ == 0) return;
-    glBindVertexArray(array_);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, vertexCount_, instanceCount_);
 }
 
 namespace {
@@ -145,45 +111,122 @@ float drawnRadius(const Rod& rod, const Vec3& eye, float pixelsAMeter) {
     return std::max(rod.radius, kThinnest * away / pixelsAMeter);
 }
 
-Instances instancesOf(const Frame& frame, float pixelsAMeter) {
-    Instances result;
-    const Vec3& eye = frame.camera.from;
-    float surface = 0.0f;
-    for (const Solid& s : frame.solids) {
-        const float number = surface++;
-        const Eigen::Vector4f q = s.rotation.normalized().coeffs();
-        const Vec3 color = linear(s.color);
-        if (s.shape == SolidShape::box) {
-            result.boxes.push_back({s.position, q, s.halfSize, 0.0f, color, number});
-            continue;
+namespace {
+
+/// Instances of solids, sorted by what they are drawn with.
+class Sorted {
+public:
+    Sorted(const Vec3& eye, float pixelsAMeter) : eye_(eye), pixelsAMeter_(pixelsAMeter) {}
+
+    void add(const Solid& s, float number) {
+        Instance one{s.position, s.rotation.normalized().coeffs(), s.halfSize, 0.0f,
+                     linear(s.color), number};
+        switch (s.shape) {
+            case SolidShape::box: result.boxes.push_back(one); return;
+            case SolidShape::cylinder: round(result.cylinders, one); return;
+            case SolidShape::cone: round(result.cones, one); return;
+            case SolidShape::mesh: addMesh(s.mesh, one); return;
+            case SolidShape::capsule: one.stretch = s.halfSize.y(); break;
+            case SolidShape::sphere: break;
         }
-        const float r = s.halfSize.x();
-        const float pixels = r * pixelsAMeter / std::max((s.position - eye).norm(), 1e-3f);
-        const float stretch = s.shape == SolidShape::capsule ? s.halfSize.y() : 0.0f;
-        result.balls[levelOf(pixels)].push_back(
-            {s.position, q, Vec3(r, r, r), stretch, color, number});
+        one.scale.setConstant(s.halfSize.x());
+        round(result.balls, one);
     }
+
+    Instances result;
+
+private:
+    void round(ByCorners& levels, const Instance& one) const {
+        const float away = std::max((one.position - eye_).norm(), 1e-3f);
+        levels[levelOf(one.scale.x() * pixelsAMeter_ / away)].push_back(one);
+    }
+
+    void addMesh(const std::shared_ptr<const SolidMesh>& mesh, Instance one) {
+        if (!mesh) return;
+        const auto [at, isNew] = places_.insert({mesh.get(), result.meshes.size()});
+        if (isNew) result.meshes.push_back({mesh, {}});
+        one.scale.setOnes();
+        result.meshes[at->second].instances.push_back(one);
+    }
+
+    const Vec3 eye_;
+    const float pixelsAMeter_;
+    std::map<const SolidMesh*, std::size_t> places_;  // looked up only: its order plays no part
+};
+
+}  // namespace
+
+Instances instancesOf(const Frame& frame, float pixelsAMeter) {
+    const Vec3& eye = frame.camera.from;
+    Sorted sorted(eye, pixelsAMeter);
+    Instances& result = sorted.result;
+    float surface = 0.0f;
+    for (const Solid& s : frame.solids) sorted.add(s, surface++);
     for (const Rod& rod : frame.rods)
         addRod(rod, drawnRadius(rod, eye, pixelsAMeter), surface++, result.bars);
     sortByDistance(result.boxes, eye);
     sortByDistance(result.bars, eye);
-    for (std::vector<Instance>& balls : result.balls) sortByDistance(balls, eye);
-    return result;
+    for (ByCorners* levels : {&result.balls, &result.cylinders, &result.cones})
+        for (std::vector<Instance>& instances : *levels) sortByDistance(instances, eye);
+    for (Instances::OfMesh& mesh : result.meshes) sortByDistance(mesh.instances, eye);
+    return std::move(result);
 }
 
 Meshes::Meshes() : boxes_(boxMesh()), bars_(barMesh()) {
-    for (const int corners : kBallCorners) balls_.emplace_back(ballMesh(corners));
+    for (const int corners : kBallCorners) {
+        balls_.emplace_back(ballMesh(corners));
+        cylinders_.emplace_back(cylinderMesh(corners));
+        cones_.emplace_back(coneMesh(corners));
+    }
 }
 
 void Meshes::set(const Instances& instances) {
     boxes_.setInstances(instances.boxes);
     bars_.setInstances(instances.bars);
-    for (std::size_t i = 0; i < balls_.size(); ++i) balls_[i].setInstances(instances.balls[i]);
+    facets_ = false;
+    for (const Instances::OfMesh& one : instances.meshes)
+        facets_ = facets_ || one.mesh->anyCrisp;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        balls_[i].setInstances(instances.balls[i]);
+        cylinders_[i].setInstances(instances.cylinders[i]);
+        cones_[i].setInstances(instances.cones[i]);
+        facets_ = facets_ || !instances.cylinders[i].empty() || !instances.cones[i].empty();
+    }
+    setMeshes(instances.meshes);
+}
+
+/// What the last frame had is not sent again; what this one has not is freed.
+void Meshes::setMeshes(const std::vector<Instances::OfMesh>& meshes) {
+    std::map<const SolidMesh*, Uploaded*> old;
+    for (Uploaded& one : meshes_) old[one.mesh.get()] = &one;
+    std::vector<Uploaded> now;
+    for (const Instances::OfMesh& one : meshes) {
+        const auto known = old.find(one.mesh.get());
+        if (known != old.end())
+            now.push_back(std::move(*known->second));
+        else
+            now.push_back({one.mesh, InstancedMesh(facetMesh(*one.mesh))});
+        now.back().drawn.setInstances(one.instances);
+    }
+    meshes_ = std::move(now);
 }
 
 void Meshes::drawRound() const {
     for (const InstancedMesh& ball : balls_) ball.draw();
     bars_.draw();
+    for (const Uploaded& one : meshes_)
+        if (!one.mesh->anyCrisp) one.drawn.draw();
+}
+
+void Meshes::drawFacets(GLuint program) const {
+    setUniform(program, "thinnestOfUnit", 1.0f);
+    for (const InstancedMesh& cylinder : cylinders_) cylinder.draw();
+    for (const InstancedMesh& cone : cones_) cone.draw();
+    for (const Uploaded& one : meshes_) {
+        if (!one.mesh->anyCrisp) continue;
+        setUniform(program, "thinnestOfUnit", one.mesh->thinnest);
+        one.drawn.draw();
+    }
 }
 
 void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip) const {
@@ -192,6 +235,7 @@ void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip) const 
     glEnable(GL_CULL_FACE);
     drawBoxes();
     drawRound();
+    drawFacets(program);
     glDisable(GL_CULL_FACE);
 }
 

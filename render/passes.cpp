@@ -163,9 +163,9 @@ Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
     scene_.draw(frame, upsideDown(view), lights, smooth, meshes_, ground_);
     Image image = readBack();
     if (smooth) {
-        const SurfaceMap surfaces = scene_.surfaces();
+        SurfaceMap surfaces = scene_.surfaces();
         enter(Stage::resolve);
-        smoothEdges(image, surfaces, frame, view, settings_.samples);
+        smoothEdges(image, std::move(surfaces), frame, view, settings_.samples);
     }
     return finished(std::move(image), frame.look);
 }

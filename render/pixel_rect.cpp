@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/solid_mesh.h"
+
 namespace render {
 namespace {
 
@@ -54,8 +56,7 @@ std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width
         if (!around.rect().empty()) rects.push_back(around.rect());
     };
     for (const Solid& s : frame.solids) {
-        Vec3 half = s.halfSize;
-        if (s.shape == SolidShape::capsule) half.y() += half.x();
+        const Vec3 half = holdingHalfSize(s);
         const Eigen::Matrix3f axes = s.rotation.toRotationMatrix();
         Around around(view, width, height);
         around.addBox(s.position, half.x() * axes.col(0), half.y() * axes.col(1),

@@ -162,14 +162,21 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
     const std::string features = featuresOf(scene.lights) +
                                  (scene.frame.look.edges ? " EDGES" : "");
     glEnable(GL_CULL_FACE);
-    const GLuint box = lit("solid", "box", features + " FLAT_FACES", scene);
     const Look& look = scene.frame.look;
     const float width = 1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
-    setUniform(box, "lineWidth", std::max(1.0f, width));
-    setUniform(box, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));
+    const auto setLines = [&look, width](GLuint program) {
+        setUniform(program, "lineWidth", std::max(1.0f, width));
+        setUniform(program, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));
+    };
+    setLines(lit("solid", "box", features + " FLAT_FACES", scene));
     meshes.drawBoxes();
+    if (meshes.anyFacets()) {
+        const GLuint facets = lit("facet", "facet", features, scene);
+        setLines(facets);
+        meshes.drawFacets(facets);
+    }
     lit("solid", "round", features, scene);
-    meshes.drawRound();
+    meshes.drawRound();  // scenery last: much of it is hidden
     glDisable(GL_CULL_FACE);
 }
 
@@ -216,7 +223,7 @@ void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCo
     const Look& look = scene.frame.look;
     const std::string kind = look.transparent ? " WIDE_KERNEL SHADOW_CATCHER" : " WIDE_KERNEL";
     const GLuint program = lit("ground", "ground", features + kind, scene);
-    setUniform(program, "surface", 8 * surfaceOfGround(scene.frame, number));
+    setUniform(program, "surface", packedSurface(surfaceOfGround(scene.frame, number), 0));
     setUniform(program, "lineStrength", look.lineStrength);
     const Vec3 normal = scene.frame.grounds[number].normal.normalized();
     const float up = 0.5f + 0.5f * normal.y();

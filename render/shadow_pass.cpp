@@ -19,12 +19,13 @@ Box boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight) {
     Box box;
     for (const Solid& s : frame.solids) {
         const float core = s.shape == SolidShape::capsule ? s.halfSize.x() : 0.0f;
-        if (s.halfSize.norm() + core > kTooLarge ||
+        const Vec3 half = s.shape == SolidShape::capsule ? s.halfSize : holdingHalfSize(s);
+        if (half.norm() + core > kTooLarge ||
             (s.position - frame.camera.lookAt).norm() > 4 * kTooLarge)
             continue;
         const Eigen::Matrix3f axes = toLight * s.rotation.toRotationMatrix();
-        const Vec3 reach = s.shape == SolidShape::sphere ? s.halfSize
-                                                         : Vec3(axes.cwiseAbs() * s.halfSize);
+        const Vec3 reach =
+            s.shape == SolidShape::sphere ? half : Vec3(axes.cwiseAbs() * half);
         const Vec3 middle = toLight * s.position;
         box.extend(Vec3(middle - reach - Vec3::Constant(core)));
         box.extend(Vec3(middle + reach + Vec3::Constant(core)));

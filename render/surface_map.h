@@ -1,4 +1,4 @@
-/// The number of the surface seen at every pixel's centre, and of a box the face.
+/// The number of the surface seen at every pixel's centre, and which of its faces.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,13 +9,23 @@
 namespace render {
 
 inline constexpr int kNoSurface = -1;  // the sky
+inline constexpr int kFaceBits = 12;  // as number.glsl has it; surfaces are below 2^19
+inline constexpr int kFaces = 1 << kFaceBits;
+
+/// Faces of a box: 0..5 for -x +x -y +y -z +z; of a cylinder or cone: 2 and 3 as a box's, 0 the
+/// side; of a mesh: its facet, modulo kFaces; of all else: 0.
+inline std::int32_t packedSurface(int surface, int face) {
+    return (surface << kFaceBits) + (face & (kFaces - 1));
+}
+inline int surfaceIn(std::int32_t packed) { return packed >> kFaceBits; }  // kNoSurface: the sky
+inline int faceIn(std::int32_t packed) { return packed & (kFaces - 1); }
 
 /// Made by Renderer::surfaces.
 struct SurfaceMap {
     int width = 0, height = 0;  // pixels
-    std::vector<std::int32_t> packed;  // row 0 on top; 8 * surface + face, negative: the sky
-    int surface(int x, int y) const { return at(x, y) >> 3; }  // kNoSurface: the sky
-    int face(int x, int y) const { return at(x, y) & 7; }      // of a box: -x +x -y +y -z +z
+    std::vector<std::int32_t> packed;  // row 0 on top; kNoSurface: the sky
+    int surface(int x, int y) const { return surfaceIn(at(x, y)); }
+    int face(int x, int y) const { return faceIn(at(x, y)); }
     /// Both in one number; x and y have to be inside.
     std::int32_t at(int x, int y) const { return packed[static_cast<std::size_t>(y) * width + x]; }
 };

@@ -23,7 +23,7 @@ SurfaceMap SurfacePass::draw(const Frame& frame, const View& view, const Meshes&
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (std::size_t i = 0; i < frame.grounds.size(); ++i) {
         if (!frame.grounds[i].visible) continue;
-        setUniform(ground_, "surface", 8 * surfaceOfGround(frame, i));
+        setUniform(ground_, "surface", packedSurface(surfaceOfGround(frame, i), 0));
         ground.draw(groundCorners(frame.grounds[i], view, {}).around);
     }
 

@@ -21,19 +21,17 @@ flat out vec2 halfFace;                     // m
 flat out float thinnest;                    // m, of the box's half edges
 
 void setFace(vec3 local) {
-    int face = faceOf(vertexNormal);
-    int u = (face / 2 + 1) % 3, v = (face / 2 + 2) % 3;
+    int axis = int(face) / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
     vec3 unit = vec3(0.0);
     unit[u] = 1.0, worldU = turn(rotation, unit);
     unit[u] = 0.0, unit[v] = 1.0, worldV = turn(rotation, unit);
     onFace = vec2(local[u], local[v]);
     halfFace = vec2(scale[u], scale[v]);
     thinnest = min(min(scale.x, scale.y), scale.z);
-    surface = packedSurface(face);
 }
 #else
 out vec3 worldNormal;
-void setFace(vec3 local) { surface = packedSurface(0); }
+void setFace(vec3 local) {}
 #endif
 
 void main() {
@@ -43,6 +41,7 @@ void main() {
 #ifdef LIT_CORNERS
     tint = encode(color * (ambient(worldNormal) + sunLight * max(dot(worldNormal, toSun), 0.0)));
 #endif
+    surface = packedSurface();
     setFace(localPoint());
     gl_Position = worldToClip * vec4(world, 1.0);
 }

@@ -4,6 +4,6 @@
 uniform mat4 worldToClip;
 flat out int surface;
 void main() {
-    surface = packedSurface(faceOf(vertexNormal));
+    surface = packedSurface();
     gl_Position = worldToClip * vec4(worldPoint(), 1.0);
 }

@@ -9,38 +9,13 @@
 #include "render/palette.h"
 #include "render/renderer.h"
 #include "render/trails.h"
+#include "tests/render/ray_walks.h"
 
 namespace render {
 namespace {
 
 View viewOf(const Frame& frame, int width, int height) {
     return makeView(frame.camera, static_cast<float>(width) / static_cast<float>(height));
-}
-
-/// A bar is a tube without ends; here it has them.
-bool isInside(const Surface& s, const Vec3d& point) {
-    const Vec3d p = s.axes.transpose() * (point - s.at);
-    const double across = std::hypot(p.x(), p.z());
-    switch (s.kind) {
-        case SurfaceKind::box: return (p.cwiseAbs() - s.half).maxCoeff() < 0.0;
-        case SurfaceKind::bar: return across < s.half.x() && std::abs(p.y()) < s.half.y();
-        case SurfaceKind::capsule: {
-            const double beyond = std::max(std::abs(p.y()) - s.half.y(), 0.0);
-            return std::hypot(across, beyond) < s.half.x();
-        }
-        case SurfaceKind::plane: return p.y() < 0.0;
-    }
-    return false;
-}
-
-constexpr double kFarthest = 30.0;  // m
-
-/// How far along a ray one has to go to get inside, by many small steps; kFarthest: never.
-double walk(const Surface& s, const Vec3d& from, const Vec3d& along) {
-    const double step = 5e-4;
-    for (double t = step; t < kFarthest; t += step)
-        if (isInside(s, from + t * along)) return t;
-    return kFarthest;
 }
 
 Frame oneOfEach() {
@@ -200,7 +175,7 @@ TEST(EdgeSamples, WorkOnPicturesOfAnySize) {
         SurfaceMap map{w, h, std::vector<std::int32_t>(static_cast<std::size_t>(w * h))};
         Image image{w, h, std::vector<std::uint8_t>(static_cast<std::size_t>(4 * w * h), 90)};
         for (std::size_t i = 0; i < map.packed.size(); ++i)
-            map.packed[i] = i % 3 == 0 ? kNoSurface : 8 * static_cast<int>(i % 3);
+            map.packed[i] = i % 3 == 0 ? kNoSurface : packedSurface(static_cast<int>(i % 3), 0);
         const std::vector<std::uint8_t> before = image.pixels;
         smoothEdges(image, map, frame, viewOf(frame, w, h), 4);
         EXPECT_EQ(image.pixels, before);  // the mean of one colour

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render/palette.h"
+#include "tests/render/solids.h"
 
 namespace render {
 namespace {
@@ -106,13 +107,16 @@ Solid ghostAt(SolidShape shape, float z) {
     ghost.shape = shape;
     ghost.halfSize = {1, 1, 1};
     if (shape == SolidShape::capsule) ghost.halfSize = {0.5f, 0.5f, 0.5f};
+    if (shape == SolidShape::mesh) ghost.mesh = octahedron(1.0f);
     ghost.position = {0, 0, z};
     ghost.color = {0, 0, 0, 0.4f};
     return ghost;
 }
 
 TEST(Ghosts, CoverTheirSilhouetteAndAreHiddenByWhatIsInFront) {
-    for (const SolidShape shape : {SolidShape::box, SolidShape::sphere, SolidShape::capsule}) {
+    for (const SolidShape shape :
+         {SolidShape::box, SolidShape::sphere, SolidShape::capsule, SolidShape::cylinder,
+          SolidShape::cone, SolidShape::mesh}) {
         Scene open(40), hidden(5);
         open.frame.ghosts.push_back(ghostAt(shape, -10));
         hidden.frame.ghosts.push_back(ghostAt(shape, -10));
@@ -135,6 +139,21 @@ TEST(Ghosts, ASphereIsAsLargeAsItsConeOfSight) {
     for (std::size_t i = 0; i < scene.image.pixels.size(); i += 4)
         pixels += scene.image.pixels[i] < 128;
     EXPECT_NEAR(pixels, 3.14159 * radius * radius, 0.02 * pixels);
+}
+
+TEST(Ghosts, OfABarThatHidesPartsOfItselfHaveItsOutline) {
+    Scene scene(40);
+    Solid ghost = solidOf(angleBar(), {0, 0, -10}, {0, 0, 0, 1});
+    scene.frame.ghosts.push_back(ghost);
+    scene.draw();
+    const auto seen = [&scene](float x, float y) {  // at its front, 9.5 m away
+        const float scale = 0.5f * kSize / 9.5f;
+        return scene.image.at(static_cast<int>(0.5f * kSize + scale * x),
+                              static_cast<int>(0.5f * kSize - scale * y))[0];
+    };
+    EXPECT_LT(seen(-0.7f, 0.8f), 128);
+    EXPECT_LT(seen(0.8f, -0.7f), 128);
+    EXPECT_EQ(seen(0.5f, 0.0f), 255);  // within the hull of its corners
 }
 
 TEST(Ghosts, AroundTheCameraAreLeftOut) {

@@ -14,6 +14,7 @@
 #include "render/encode/png_read.h"
 #include "render/palette.h"
 #include "render/renderer.h"
+#include "tests/render/solids.h"
 
 namespace render {
 namespace {
@@ -93,6 +94,7 @@ void expectGolden(const std::string& name, const Frame& frame) {
 }
 
 TEST(GoldenPicture, StillLife) { expectGolden("still", still()); }
+TEST(GoldenPicture, EverySolid) { expectGolden("solids", everySolid()); }
 TEST(GoldenPicture, Annotated) { expectGolden("annotated", annotated()); }
 TEST(GoldenPicture, DarkWithoutOcclusion) {
     Frame frame = still();
