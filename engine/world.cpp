@@ -63,6 +63,7 @@ JointId World::add(const JointDef& def) {
     ENGINE_CHECK(def.a != def.b, "a joint needs two different bodies");
     ENGINE_CHECK(s.bodies.isDynamic(def.a.index) || s.bodies.isDynamic(def.b.index),
                  "one of a joint's bodies must be dynamic");
+    ENGINE_CHECK(def.type <= JointType::weld && !def.acts(), "this joint is still to come");
     ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0,
                  "a distance joint needs a positive length; for zero use a ball joint");
     ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
@@ -177,6 +178,16 @@ const Mat3& World::inertia(BodyId id) const {
 JointState World::joint(JointId id) const {
     ENGINE_CHECK(id.index >= 0 && id.index < jointCount(), "there is no such joint");
     return stateOf(*state_, state_->joints[id.index]);
+}
+
+void World::setFreedom(JointId id, int coordinate, const Freedom& freedom) {
+    ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
+                 "there is no such joint");
+    ENGINE_CHECK(coordinate >= 0 && coordinate < 6, "a joint has coordinates 0 to 5");
+    JointDef& def = state_->joints[id.index].def;
+    def.free[coordinate] = freedom;
+    for (const BodyId body : {def.a, def.b}) state_->sleep.call(state_->bodies, body.index);
+    state_->jointsStale = true;
 }
 
 void World::setPose(BodyId id, const Pose& pose) {

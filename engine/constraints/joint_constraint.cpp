@@ -28,8 +28,8 @@ int rowCount(JointType type) {
         case JointType::distance: return 1;
         case JointType::hinge: return 5;
         case JointType::weld: return 6;
+        default: return 0;
     }
-    return 0;
 }
 
 template <class Real>
@@ -40,6 +40,7 @@ JointRows<Real> rowsOf(JointType type, const JointGeometry<Real>& geometry) {
         case JointType::distance: addDistanceRow(geometry, rows); break;
         case JointType::hinge: addHingeRows(geometry, rows); break;
         case JointType::weld: addWeldRows(geometry, rows); break;
+        default: break;
     }
     return rows;
 }
