@@ -19,10 +19,10 @@ namespace engine {
 ///   universal         a point, and axis of a across axis2 of b; 0, 1: angles about the two
 ///   constantVelocity  a point, and the turn about the shafts `axis` of a, axis2 of b; 1: swing
 ///   lookAt            the axis of b points from anchorB to anchorA; free to turn about it
-///   axis              `axis` of a and axis2 of b stay parallel; places are free
+///   axis              `axis` of a and axis2 of b stay parallel; places are free; 0: angle about it
 ///   sixDof            what its six coordinates lock; 0..2: ways along, 3..5: turns about x, y, z
 ///   gear              turns: that of b about axis2 is `ratio` times that of a about `axis`, either
-///                     seen from the world, turns counted
+///                     seen from the world; 0, 1: their turns, counted, for reading only
 ///   wheel             b rides along the axis of a and spins about axis2; 0: way, 1: spin angle
 ///   path              anchorB lies on a curve fixed in a; 0: the way along it (m)
 enum class JointType {

@@ -9,6 +9,7 @@
 #include "engine/dynamics/integration.h"
 #include "engine/solver/nudges.h"
 #include "engine/solver/solve.h"
+#include "engine/world_joints.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -60,16 +61,7 @@ BodyId World::add(const BodyDef& def) {
 JointId World::add(const JointDef& def) {
     WorldState& s = *state_;
     ENGINE_CHECK(has(def.a) && has(def.b), "a joint needs two bodies of this world");
-    ENGINE_CHECK(def.a != def.b, "a joint needs two different bodies");
-    ENGINE_CHECK(s.bodies.isDynamic(def.a.index) || s.bodies.isDynamic(def.b.index),
-                 "one of a joint's bodies must be dynamic");
-    ENGINE_CHECK(def.type <= JointType::weld && !def.acts(), "this joint is still to come");
-    ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0,
-                 "a distance joint needs a positive length; for zero use a ball joint");
-    ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
-                 "a hinge needs an axis that is not zero");
-    ENGINE_CHECK(def.spring.hz >= 0.0 && def.spring.damping >= 0.0,
-                 "a spring has no negative frequency or damping");
+    checkJoint(s, def);
     s.joints.push_back(makeJoint(s, def));
     for (const BodyId id : {def.a, def.b}) s.sleep.call(s.bodies, id.index);
     s.jointsStale = s.contactsStale = true;
@@ -183,9 +175,10 @@ JointState World::joint(JointId id) const {
 void World::setFreedom(JointId id, int coordinate, const Freedom& freedom) {
     ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
                  "there is no such joint");
-    ENGINE_CHECK(coordinate >= 0 && coordinate < 6, "a joint has coordinates 0 to 5");
+    checkFreedom(state_->joints[id.index].def.type, coordinate, freedom);
     JointDef& def = state_->joints[id.index].def;
     def.free[coordinate] = freedom;
+    state_->joints[id.index].acts = def.acts();
     for (const BodyId body : {def.a, def.b}) state_->sleep.call(state_->bodies, body.index);
     state_->jointsStale = true;
 }
@@ -198,6 +191,7 @@ void World::setPose(BodyId id, const Pose& pose) {
     s.bodies.poses[id.index] = pose;
     s.bodies.poses[id.index].rotation.normalize();
     updateInverseInertia(s.bodies, id.index);
+    findOnPaths(s, id.index);
     s.contactsStale = s.jointsStale = true;
 }
 
