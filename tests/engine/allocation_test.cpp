@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/support/worlds.h"
+#include "tests/support/golden_worlds.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -39,6 +39,14 @@ TEST(Allocation, ASteadyStepOfAChainMakesNone) {
         last = next;
     }
     support::run(world, 300);
+    const long before = allocations;
+    support::run(world, 60);
+    EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocation, AStepOfAMachineMakesNone) {
+    World world = support::goldenMachine();
+    support::run(world, 120);
     const long before = allocations;
     support::run(world, 60);
     EXPECT_EQ(allocations - before, 0);

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "engine/base/trigonometry.h"
-#include "tests/support/worlds.h"
+#include "tests/support/joints.h"
 
 namespace support {
 
@@ -60,6 +60,33 @@ inline World goldenPyramid() {
     BodyDef ball = body(Shape::sphere(1.0), {-3.0, 4.0, 0.1}, 20.0);
     ball.velocity = Vec3(25.0, 3.0, 0);
     world.add(ball);
+    return world;
+}
+
+/// A joint of every type, with limits, motors and springs, on a load that swings.
+inline World goldenMachine() {
+    World world;
+    const BodyId hook = world.add(support::hook());
+    for (int i = 0; i < 13; ++i) {
+        const double x = 3.0 * i;
+        BodyDef def = body(Shape::box({0.6, 0.3, 0.4}), {x, 0, 0}, 2.0 + i);
+        def.spin = {0.3, 0.2 * i, 1.0};
+        const BodyId box = world.add(def), load = world.add(body(Shape::sphere(0.2), {x, -1, 0.3}));
+        JointDef joint = jointAt(world, static_cast<JointType>(i), hook, box, {x + 0.1, 0.4, 0},
+                                 {0, 0, 1}, {0, 1, 0});
+        joint.length = 0.5;
+        if (joint.type == JointType::distance) joint.anchorA += Vec3(0, 0.5, 0);
+        if (joint.type == JointType::lookAt) joint.anchorA = {x, 2, 1};
+        if (joint.type == JointType::path)
+            joint.path = {{x - 1, 0.2, 0}, {x, 0.4, 0.3}, {x + 1, 0.5, 0}, {x + 2, 0, 0}};
+        if (joint.type == JointType::hinge) joint.free[0].limits = {-1.0, 0.5};
+        if (joint.type == JointType::slider) joint.free[0].motor = {0.3, 40.0};
+        if (joint.type == JointType::ball) joint.free[1].limits.high = 0.4;
+        if (joint.type == JointType::wheel) joint.free[0].spring = {1.5, 0.3};
+        if (joint.type == JointType::sixDof) joint.free[0].locked = joint.free[4].locked = true;
+        world.add(joint);
+        join(world, JointType::ball, box, load, {x, -0.3, 0.1});
+    }
     return world;
 }
 
