@@ -59,6 +59,7 @@ struct StepReport {
     double residual = 0.0;            // m/s, of the last sweep of the last sub-step
     std::vector<SweepReport> sweeps;  // of all sub-steps, in order
     DirectReport direct;              // of the direct solver
+    std::vector<JointId> broken;      // joints that the step broke, in their order
     Trouble trouble = Trouble::none;  // not none: the world is back where the step began, and stays
     BodyId troubledBody;              // none where it is not one body
 };

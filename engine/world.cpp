@@ -10,6 +10,7 @@
 #include "engine/dynamics/integration.h"
 #include "engine/solver/nudges.h"
 #include "engine/solver/solve.h"
+#include "engine/world_joints.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -61,15 +62,7 @@ BodyId World::add(const BodyDef& def) {
 JointId World::add(const JointDef& def) {
     WorldState& s = *state_;
     ENGINE_CHECK(has(def.a) && has(def.b), "a joint needs two bodies of this world");
-    ENGINE_CHECK(def.a != def.b, "a joint needs two different bodies");
-    ENGINE_CHECK(s.bodies.isDynamic(def.a.index) || s.bodies.isDynamic(def.b.index),
-                 "one of a joint's bodies must be dynamic");
-    ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0,
-                 "a distance joint needs a positive length; for zero use a ball joint");
-    ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
-                 "a hinge needs an axis that is not zero");
-    ENGINE_CHECK(def.spring.hz >= 0.0 && def.spring.damping >= 0.0,
-                 "a spring has no negative frequency or damping");
+    checkJoint(s, def);
     s.joints.push_back(makeJoint(s, def));
     for (const BodyId id : {def.a, def.b}) s.sleep.call(s.bodies, id.index);
     s.jointsStale = s.contactsStale = true;
@@ -202,6 +195,17 @@ JointState World::joint(JointId id) const {
     return stateOf(*state_, state_->joints[id.index]);
 }
 
+void World::setFreedom(JointId id, int coordinate, const Freedom& freedom) {
+    ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
+                 "there is no such joint");
+    checkFreedom(state_->joints[id.index].def.type, coordinate, freedom);
+    JointDef& def = state_->joints[id.index].def;
+    def.free[coordinate] = freedom;
+    state_->joints[id.index].acts = def.acts();
+    for (const BodyId body : {def.a, def.b}) state_->sleep.call(state_->bodies, body.index);
+    state_->jointsStale = true;
+}
+
 void World::setPose(BodyId id, const Pose& pose) {
     ENGINE_CHECK(has(id), kNoSuchBody);
     WorldState& s = *state_;
@@ -210,6 +214,7 @@ void World::setPose(BodyId id, const Pose& pose) {
     s.bodies.poses[id.index] = pose;
     s.bodies.poses[id.index].rotation.normalize();
     updateInverseInertia(s.bodies, id.index);
+    findOnPaths(s, id.index);
     s.contactsStale = s.jointsStale = true;
 }
 

@@ -64,6 +64,8 @@ public:
     double mass(BodyId id) const;           // kg; 0 unless dynamic
     const Mat3& inertia(BodyId id) const;   // kg m^2, body axes
     JointState joint(JointId id) const;  // as the last step left it
+    /// Other limits, motor and spring of one coordinate of a joint, from the next step on.
+    void setFreedom(JointId id, int coordinate, const Freedom& freedom);
 
     /// Contacts are found anew before the next step. A rotation is normalised.
     void setPose(BodyId id, const Pose& pose);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/collision/sleeping_contacts.h"
+#include "engine/world_joints.h"
 
 namespace engine {
 namespace {
@@ -59,7 +60,9 @@ void wakeCalled(WorldState& s) {
 void updateSleep(WorldState& s, double dt) {
     wakeTouched(s);
     std::fill(s.bodies.placed.begin(), s.bodies.placed.end(), char{0});
-    if (s.settings.sleeping && !s.field) fallAsleep(s, dt);
+    if (!s.settings.sleeping || s.field) return;
+    wakeMotors(s);
+    fallAsleep(s, dt);
 }
 
 }  // namespace engine

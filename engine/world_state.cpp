@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/world_joints.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -22,6 +23,11 @@ void listJointedPairs(WorldState& s) {
     std::sort(s.finder.jointed.begin(), s.finder.jointed.end());
 }
 
+void scaleImpulses(Joint& joint, double scale) {
+    for (double& lambda : joint.lambda) lambda *= scale;
+    for (double& lambda : joint.driven) lambda *= scale;
+}
+
 /// An impulse is a force times a sub-step; when that changes, so does what is carried over.
 void rescaleImpulses(WorldState& s, double dt) {
     const double h = dt / s.report.substeps;
@@ -34,7 +40,9 @@ void rescaleImpulses(WorldState& s, double dt) {
                     point.impulse *= scale, point.friction *= scale;
         for (Joint& joint : s.joints)
             if (isAsleep(joint, s.bodies))
-                for (double& lambda : joint.lambda) lambda *= scale;
+                scaleImpulses(joint, scale);
+        for (JointDrive<double>& drive : s.solver.constraints.drives)
+            for (DriveRow<double>& row : drive.rows) row.lambda *= scale;
         for (JointConstraint<double>& joint : s.solver.constraints.joints)
             for (double& lambda : joint.lambda) lambda *= scale;
         s.solver.trees.scaleImpulses(scale);
@@ -62,10 +70,11 @@ Trouble findTrouble(const WorldState& s, BodyId& who) {
     return Trouble::none;
 }
 
-/// Ten times the energy in one step: nothing but a kinematic body or a force from outside has so
-/// much to give. Measured against the kinetic energy and 10 J/kg: a start at rest may fall, and a
-/// deep overlap be thrown out by Baumgarte's bias.
+/// Ten times the energy in one step: nothing but a kinematic body, a motor or a force from outside
+/// has so much to give. Measured against the kinetic energy and 10 J/kg: a start at rest may fall,
+/// and a deep overlap be thrown out by Baumgarte's bias.
 bool energyJumped(const WorldState& s, const Energy& before, const Energy& after) {
+    if (hasMotors(s)) return false;
     double mass = 0.0;
     for (int i = 0; i < s.bodies.count(); ++i) {
         if (s.bodies.isMoving(i) && !s.bodies.isDynamic(i)) return false;
@@ -150,6 +159,8 @@ bool beginStep(WorldState& s, double dt) {
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
     for (JointConstraint<double>& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
+    for (JointDrive<double>& drive : s.solver.constraints.drives)
+        drive.totalImpulse.setZero(), drive.totalTwist.setZero();
     s.solver.trees.beginStep();
     return true;
 }
@@ -175,6 +186,8 @@ bool endStep(WorldState& s, double dt) {
     }
     storeImpulses(s.solver, s.finder.contacts);
     storeImpulses(s.solver, s.bodies, s.joints, dt);
+    followJoints(s);
+    if (breakJoints(s)) listJointedPairs(s);
     s.statesStale = true;
     for (Load& load : s.bodies.loads) load = {};
     findContacts(s, dt);
@@ -221,7 +234,7 @@ void reportSeparations(WorldState& s) {
     for (const Joint& joint : s.joints)
         if (joint.present && !joint.def.spring.isSoft())
             s.report.worstSeparation =
-                larger(s.report.worstSeparation, stateOf(s, joint).separation);
+                larger(s.report.worstSeparation, separationOf(s, joint));
 }
 
 void listContacts(WorldState& s) {
@@ -233,38 +246,11 @@ void listContacts(WorldState& s) {
 Energy energyNow(const WorldState& s) {
     Energy energy = energyOf(s.bodies, s.gravity);
     for (const Joint& joint : s.joints)
-        if (joint.present && joint.def.spring.isSoft())
+        if (joint.present && (joint.def.spring.isSoft() || joint.acts))
             energy.elastic += elasticEnergy(joint, s.bodies);
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, s.report.time, 0.0)) addPotential(*force, s.bodies, energy);
     return energy;
-}
-
-Joint makeJoint(const WorldState& s, const JointDef& def) {
-    Joint joint;
-    joint.def = def;
-    const Quat &qa = s.bodies.poses[def.a.index].rotation, &qb = s.bodies.poses[def.b.index].rotation;
-    const Vec3 axis = def.axis.normalized();
-    joint.axisA = qa.conjugate() * axis;
-    joint.axisB = qb.conjugate() * axis;
-    joint.turnAtStart = qa.conjugate() * qb;
-    return joint;
-}
-
-JointState stateOf(const WorldState& s, const Joint& joint) {
-    JointState state;
-    state.def = joint.def;
-    state.removed = !joint.present;
-    const Pose &a = s.bodies.poses[joint.def.a.index], &b = s.bodies.poses[joint.def.b.index];
-    state.worldA = a.toWorld(joint.def.anchorA);
-    state.worldB = b.toWorld(joint.def.anchorB);
-    const double distance = (state.worldB - state.worldA).norm();
-    state.separation = joint.def.type == JointType::distance
-                           ? std::abs(distance - joint.def.length)
-                           : distance;
-    state.force = joint.force;
-    state.torque = joint.torque;
-    return state;
 }
 
 }  // namespace engine

@@ -73,7 +73,4 @@ void refresh(WorldState& s);
 void reportSeparations(WorldState& s);
 void listContacts(WorldState& s);
 
-Joint makeJoint(const WorldState& s, const JointDef& def);
-JointState stateOf(const WorldState& s, const Joint& joint);
-
 }  // namespace engine

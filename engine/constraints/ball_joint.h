@@ -2,6 +2,8 @@
 ///   C = p_b - p_a = x_b + r_b - x_a - r_a                       three rows, along e = x, y, z
 ///   dC/dt = v_b + w_b x r_b - v_a - w_a x r_a
 ///   J_e = [-e, -(r_a x e), e, r_b x e]                          from e.(w x r) = w.(r x e)
+/// Free are the twist about its axis and the axis's swing (turning.h): limits of them are the twist
+/// and the cone of a shoulder.
 #pragma once
 #include "engine/constraints/joint_constraint.h"
 
@@ -11,6 +13,12 @@ template <class Real>
 void addBallRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
     for (int i = 0; i < 3; ++i)
         rows.add(alongDirection<Real>(Vec3T<Real>::Unit(i), g.armA, g.armB), g.between[i]);
+}
+
+template <class Real>
+void addBallCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
+    addTurn(twistAbout<Real>(g.axisA, turnSinceStart(g), g.near[0]), coordinates);
+    addTurn(swingOf<Real>(g.axisA, g.axis2B), coordinates);
 }
 
 }  // namespace engine

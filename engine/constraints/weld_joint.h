@@ -9,9 +9,9 @@
 
 namespace engine {
 
+/// b does not turn as seen from a.
 template <class Real>
-void addWeldRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
-    addBallRows(g, rows);
+void addTurnRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
     QuatT<Real> tooFar = g.turnB * (g.turnA * g.turnAtStart).conjugate();
     if (tooFar.w() < Real(0)) tooFar.coeffs() = -tooFar.coeffs();  // the short way round
     const Vec3T<Real> u = tooFar.vec();
@@ -21,6 +21,12 @@ void addWeldRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
     for (int i = 0; i < 3; ++i)
         rows.add({Vec3T<Real>::Zero(), turnA.row(i).transpose(), turnB.row(i).transpose()},
                  Real(2) * u[i]);
+}
+
+template <class Real>
+void addWeldRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+    addBallRows(g, rows);
+    addTurnRows(g, rows);
 }
 
 }  // namespace engine

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/constraints/contact_constraint.h"
+#include "engine/constraints/drive.h"
 #include "engine/constraints/joint_constraint.h"
 #include "engine/settings.h"
 #include "engine/solver/joint_trees.h"
@@ -16,13 +17,14 @@ template <class Real>
 struct Constraints {
     std::vector<ContactConstraint<Real>> contacts;
     std::vector<JointConstraint<Real>> joints;
+    std::vector<JointDrive<Real>> drives;  // of joints that are limited, driven or sprung
     std::vector<int> order;  // of the contacts in a sweep
 };
 
 /// One solve is enough: there is nothing but trees.
 template <class Real>
 bool solvedAtOnce(const Constraints<Real>& c, const JointTrees& trees) {
-    return c.contacts.empty() && !trees.empty() && trees.exact() &&
+    return c.contacts.empty() && c.drives.empty() && !trees.empty() && trees.exact() &&
            trees.order().size() == c.joints.size();
 }
 

@@ -154,7 +154,7 @@ private:
         redundant_ = system.redundant();
     }
 
-    /// Rows that pull, sink, or stick beyond their cone.
+    /// Rows that pull, sink, hold with more than their strength, or stick beyond their cone.
     std::vector<int> wrongRows() const {
         std::vector<int> wrong;
         for (int i = 0; i < g_.count(); ++i) {
@@ -165,12 +165,22 @@ private:
                 const bool pulls = active_[i] && scale * g_.force[i] < -tolerance_;
                 const bool sinks = !active_[i] && slack(i) < -tolerance_;
                 if (pulls || sinks) wrong.push_back(i);
+            } else if (row.kind == RowKind::hold) {
+                if (active_[i] ? beyondStrength(i) : givesWay(i)) wrong.push_back(i);
             } else if (row.kind == RowKind::slide) {
                 if (active_[i] && beyondCone(i)) wrong.push_back(i);
                 ++i;
             }
         }
         return wrong;
+    }
+
+    bool beyondStrength(int i) const {
+        return a_(i, i) * (std::abs(g_.force[i]) - g_.rows[i].most) > tolerance_;
+    }
+    /// At the end of its strength, though less would do.
+    bool givesWay(int i) const {
+        return g_.force[i] > 0.0 ? slack(i) > tolerance_ : slack(i) < -tolerance_;
     }
 
     bool beyondCone(int i) const {
@@ -184,6 +194,8 @@ private:
         if (g_.rows[i].kind == RowKind::slide) {
             active_[i + 1] = active_[i];
             if (!active_[i]) hold(i, {g_.force[i], g_.force[i + 1]});
+        } else if (!active_[i] && g_.rows[i].kind == RowKind::hold) {
+            g_.force[i] = g_.force[i] > 0.0 ? g_.rows[i].most : -g_.rows[i].most;
         } else if (!active_[i]) {
             g_.force[i] = 0.0;
         }

@@ -24,6 +24,19 @@ public:
         }
     }
 
+    void add(const JointDrive<Real>& drive) {
+        for (int i = 0; i < drive.count; ++i) {
+            const DriveRow<Real>& of = drive.rows[i];
+            GlobalRow<Real> row{drive.rowOf(of), drive.a, drive.b};
+            row.softness = of.softness;
+            row.most = of.high / g_.h;
+            row.kind = of.kind == DriveKind::motor ? RowKind::hold
+                       : of.low == Real(0)         ? RowKind::push
+                                                   : RowKind::free;
+            add(row, of.bias, of.lambda);
+        }
+    }
+
     void add(const ContactConstraint<Real>& contact) {
         const int first = g_.count();
         for (int i = 0; i < contact.count; ++i) {
@@ -61,6 +74,7 @@ GlobalRows<Real> globalRows(const Constraints<Real>& c, std::span<const Velocity
     g.h = h;
     Collector<Real> collector(g, v, settings.warmStart ? Real(1) : Real(0));
     for (int i = 0; i < static_cast<int>(c.joints.size()); ++i) collector.add(c.joints[i], i);
+    for (const JointDrive<Real>& drive : c.drives) collector.add(drive);
     for (const int i : c.order) collector.add(c.contacts[i]);
     return g;
 }
@@ -79,6 +93,11 @@ void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Veloc
         for (int k = 0; k < joint.count; ++k, ++i) {
             joint.lambda[k] = g.h * g.force[i];
             push(joint, k, joint.lambda[k], v[joint.a], v[joint.b]);
+        }
+    for (JointDrive<Real>& drive : c.drives)
+        for (int k = 0; k < drive.count; ++k) {
+            drive.rows[k].lambda = g.h * g.force[i++];
+            push(drive, drive.rows[k], drive.rows[k].lambda, v[drive.a], v[drive.b]);
         }
     for (const int place : c.order) {
         ContactConstraint<Real>& contact = c.contacts[place];

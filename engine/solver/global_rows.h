@@ -9,9 +9,9 @@
 
 namespace engine {
 
-/// free: any lambda. push: lambda >= 0. slide: this row and the next are one contact point's two
-/// tangents, |(lambda_1, lambda_2)| <= mu lambda_normal.
-enum class RowKind { free, push, slide };
+/// free: any lambda. push: lambda >= 0. hold: |lambda| <= most, a motor's strength. slide: this row
+/// and the next are one contact point's two tangents, |(lambda_1, lambda_2)| <= mu lambda_normal.
+enum class RowKind { free, push, hold, slide };
 
 template <class Real>
 struct GlobalRow {
@@ -19,7 +19,8 @@ struct GlobalRow {
     int a = -1, b = -1;  // body numbers
     RowKind kind = RowKind::free;
     Real softness = Real(0);                    // added to A's diagonal, 1/kg
-    const ContactRow<Real>* contact = nullptr;  // push, slide: the point it belongs to
+    Real most = Real(0);                        // hold, N (N m)
+    const ContactRow<Real>* contact = nullptr;  // slide: the point it belongs to
     int normal = -1;                            // slide: the row that holds it
     Real mu = Real(0);                          // slide
     int joint = -1;                             // its place in the constraints' joints, or -1
@@ -57,6 +58,13 @@ void addAlongRows(const GlobalRows<Real>& g, std::span<const Real> lambda,
 template <class Real>
 void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Velocity<Real>> v);
 
+/// A force within the row's bounds; of any kind but slide.
+template <class Real>
+Real held(const GlobalRow<Real>& row, Real force) {
+    if (row.kind == RowKind::push) return larger(force, Real(0));
+    return row.kind == RowKind::hold ? clamped(force, -row.most, row.most) : force;
+}
+
 /// One projected Gauss-Seidel sweep. `residual(i)` = wanted_i - (A lambda)_i as it is now, without
 /// the softness; `moved(i, change)` is told of every change of a force.
 template <class Real, class Residual, class Moved>
@@ -80,7 +88,7 @@ SweepReport sweepRows(GlobalRows<Real>& g, Residual residual, Moved moved) {
         } else if (row.diagonal() > Real(0)) {
             const Real left = residual(i) - row.softness * g.force[i];
             const Real force = g.force[i] + left / row.diagonal();
-            const Real by = change(i, row.kind == RowKind::push ? larger(force, Real(0)) : force);
+            const Real by = change(i, held(row, force));
             correction.add(g.h * row.diagonal() * by, g.h * by);
         }
     }

@@ -1,5 +1,7 @@
 #include "engine/solver/impulses.h"
 
+#include "engine/solver/block_factors.h"
+#include "engine/solver/drives.h"
 #include "engine/solver/exact_velocities.h"
 #include "engine/solver/impacts.h"
 
@@ -20,6 +22,21 @@ Real biasOf(const ContactRow<Real>& row, Real restitution, Real approach, const 
     return Real(0);
 }
 
+/// (J M^-1 J^T)^-1 of all rows.
+template <class Real>
+Eigen::Matrix<Real, 6, 6> massOf(const JointConstraint<Real>& joint) {
+    Eigen::Matrix<double, 6, 6> k = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> scale = Eigen::Matrix<double, 6, 1>::Zero();
+    for (int i = 0; i < joint.count; ++i) {
+        for (int l = 0; l < joint.count; ++l)
+            k(i, l) = static_cast<double>(coupling(joint.rows[i], joint.rows[l]));
+        k(i, i) += static_cast<double>(joint.softness[i]);
+        scale[i] = k(i, i);
+    }
+    sweepPivots<6>(k, scale);
+    return k.cast<Real>();
+}
+
 /// b, softness, and the block of the point's rows; after the rows were made.
 template <class Real>
 void setBiases(JointConstraint<Real>& joint, const Settings& settings, Real h) {
@@ -31,7 +48,9 @@ void setBiases(JointConstraint<Real>& joint, const Settings& settings, Real h) {
         joint.softness[i] = soft.softness;
         joint.bias[i] = soft.bias;
     }
-    joint.pointAtOnce = settings.block && !joint.inTree && joint.count >= 3;
+    joint.allAtOnce = settings.block && !joint.inTree && joint.asBlock;
+    if (joint.allAtOnce) joint.mass = massOf(joint);
+    joint.pointAtOnce = settings.block && !joint.inTree && !joint.asBlock && joint.count >= 3;
     if (!joint.pointAtOnce) return;
     Mat3T<Real> k;
     for (int i = 0; i < 3; ++i)
@@ -56,9 +75,26 @@ void sweepPoint(JointConstraint<Real>& joint, Velocity<Real>& a, Velocity<Real>&
     }
 }
 
+/// All rows as one.
+template <class Real>
+void sweepWhole(JointConstraint<Real>& joint, Velocity<Real>& a, Velocity<Real>& b,
+                Correction<Real>& correction) {
+    Eigen::Matrix<Real, 6, 1> left = Eigen::Matrix<Real, 6, 1>::Zero();
+    for (int i = 0; i < joint.count; ++i)
+        left[i] = velocityAlong(joint.rows[i].j, a, b) + joint.bias[i] +
+                  joint.softness[i] * joint.lambda[i];
+    const Eigen::Matrix<Real, 6, 1> lambda = -(joint.mass * left);
+    for (int i = 0; i < joint.count; ++i) {
+        joint.lambda[i] += lambda[i];
+        push(joint, i, lambda[i], a, b);
+        correction.add(left[i], lambda[i]);
+    }
+}
+
 template <class Real>
 void sweepJoint(JointConstraint<Real>& joint, Velocity<Real>& a, Velocity<Real>& b,
                 Correction<Real>& correction) {
+    if (joint.allAtOnce) return sweepWhole(joint, a, b, correction);
     if (joint.pointAtOnce) sweepPoint(joint, a, b, correction);
     for (int i = joint.pointAtOnce ? 3 : 0; i < joint.count; ++i) {
         const Row<Real>& row = joint.rows[i];
@@ -95,6 +131,7 @@ void setBiases(Constraints<Real>& c, std::span<const Velocity<Real>> v, const Se
         }
     for (JointConstraint<Real>& joint : c.joints)
         if (!joint.inTree || settings.compareExact) setBiases(joint, settings, h);
+    setDriveBiases(c, settings, h);
 }
 
 template <class Real>
@@ -107,6 +144,7 @@ void warmStart(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings
             push(joint, i, joint.lambda[i], v[joint.a], v[joint.b]);
         }
     }
+    warmStartDrives(c, keep, v);
     for (ContactConstraint<Real>& contact : c.contacts)
         for (int i = 0; i < contact.count; ++i) {
             ContactRow<Real>& row = contact.rows[i];
@@ -123,6 +161,7 @@ SweepReport sweep(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Re
     trees.solveVelocities(v, correction);
     for (JointConstraint<Real>& joint : c.joints)
         if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
+    sweepDrives(c, v, correction);
     for (const int i : c.order) sweepContact(c.contacts[i], v, settings, correction);
     return {static_cast<double>(correction.velocity), static_cast<double>(correction.impulse)};
 }

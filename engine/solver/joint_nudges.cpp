@@ -1,6 +1,7 @@
 #include "engine/solver/joint_nudges.h"
 
 #include "engine/dynamics/rotation.h"
+#include "engine/solver/drives.h"
 #include "engine/solver/lanes.h"
 #include "engine/solver/nudges.h"
 #include "engine/solver/prepare_joints.h"
@@ -42,11 +43,12 @@ void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h) {
     for (const JointConstraint<double>& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
+    nudgeDrives(joints, bodies, solver.constraints, settings);
     const TreeNudge nudge{kMostNudge, h > 0.0 ? 1.0 / h : 0.0};
     solver.trees.nudge(nudge, joints, bodies);
 }
 
-void finishJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                   const Settings& settings, bool seen) {
     prepareJoints(joints, bodies, settings, solver);
     const bool linear = settings.gyroscope != Gyroscope::implicitEuler;

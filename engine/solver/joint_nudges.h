@@ -16,7 +16,7 @@ void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
 
 /// After the last nudge: all joints at the new poses, and J v = 0 for trees. Unseen and with nothing
 /// but trees that is left to the next sub-step, whose poses are the same:  P (P v + h a) = P (v + h a).
-void finishJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                   const Settings& settings, bool seen);
 
 }  // namespace engine

@@ -67,7 +67,8 @@ bool solvedAtOnce(const Solver& s) {
 
 void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report) {
-    if (s.constraints.joints.empty() && s.wide.empty()) return;  // all asleep, or in free flight
+    if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
+        return;  // all asleep, or in free flight
     beginSolving<double>(s.constraints, v, settings, h);  // of the joints
     s.wide.begin(v, settings, h);
     const std::size_t first = report.size();

@@ -57,19 +57,20 @@ bool nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
     for (const int i : solver.constraints.order)
         nudgeContact(solver.constraints.contacts[i], bodies, solver, settings);
     nudgeJoints(joints, bodies, solver, settings, h);
-    return moved || !solver.constraints.joints.empty();
+    return moved || !solver.constraints.joints.empty() || !solver.constraints.drives.empty();
 }
 
 }  // namespace
 
-void solveNudges(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen) {
     bool moved = true;
     for (int i = 0; i < settings.nudges; ++i)  // joints feed back only the first
         moved = nudgeOnce(joints, bodies, solver, settings, i == 0 ? h : 0.0);
     updateInverseInertias(bodies);
     if (solver.lanes && moved) solver.wide.separate(bodies, settings.slop);
-    if (!solver.constraints.joints.empty()) finishJoints(joints, bodies, solver, settings, seen);
+    if (!solver.constraints.joints.empty() || !solver.constraints.drives.empty())
+        finishJoints(joints, bodies, solver, settings, seen);
 }
 
 }  // namespace engine

@@ -13,7 +13,7 @@ constexpr double kMostNudge = 0.2;  // m: what one nudge may move, so that a dee
 
 /// h: length of the sub-step, s. seen: whether the velocities are looked at before they are solved
 /// again, which can spare trees a solve (joint_nudges.h).
-void solveNudges(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen);
 
 }  // namespace engine

@@ -1,18 +1,26 @@
 #include "engine/solver/prepare_joints.h"
 
+#include "engine/solver/drives.h"
+
 namespace engine {
 
 void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
     std::vector<JointConstraint<double>>& list = solver.constraints.joints;
     list.clear();
+    solver.constraints.drives.clear();
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
         if (!joints[i].present || isAsleep(joints[i], bodies)) continue;
+        const JointDef& def = joints[i].def;
+        if (def.acts()) solver.constraints.drives.push_back(makeDrive(joints[i], i));
+        if (rowCount(def) == 0) continue;
         JointConstraint<double> joint;
-        joint.a = joints[i].def.a.index, joint.b = joints[i].def.b.index;
+        joint.a = def.a.index, joint.b = def.b.index;
         joint.joint = i;
-        joint.count = rowCount(joints[i].def.type);
-        joint.spring = joints[i].def.spring;
+        joint.count = rowCount(def);
+        joint.spring = def.spring;
+        joint.asBlock = def.type > JointType::weld;
+        joint.fitsTree = !joint.asBlock;
         joint.lambda = joints[i].lambda;
         list.push_back(joint);
     }
@@ -22,11 +30,13 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         solver.trees = {};
 }
 
-void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
     for (JointConstraint<double>& c : solver.constraints.joints) {
         if (c.inTree && !settings.compareExact) continue;
-        const Joint& joint = joints[c.joint];
+        Joint& joint = joints[c.joint];
+        if (joint.def.type == JointType::gear || joint.def.type == JointType::path)
+            followCoordinates(joint, bodies.poses[c.a], bodies.poses[c.b]);
         const JointRows<double> rows =
             rowsOf(joint.def.type, geometryOf(joint, bodies.poses[c.a], bodies.poses[c.b]));
         c.count = rows.count;
@@ -36,14 +46,16 @@ void prepareJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         }
     }
     solver.trees.prepare(joints, bodies);
+    prepareDrives(joints, bodies, solver.constraints);
 }
 
 double elasticEnergy(const Joint& joint, const Bodies& bodies) {
+    double energy = joint.acts ? driveEnergy(joint, bodies) : 0.0;
+    if (!joint.def.spring.isSoft()) return energy;
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows<double> rows =
         rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
     const double w = 6.283185307179586 * joint.def.spring.hz;
-    double energy = 0.0;
     for (int i = 0; i < rows.count; ++i) {
         const double k =
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
@@ -53,6 +65,8 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
 }
 
 void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> joints, double dt) {
+    for (const JointDrive<double>& drive : solver.constraints.drives)
+        joints[drive.joint].force = joints[drive.joint].torque = Vec3::Zero();
     for (const JointConstraint<double>& c : solver.constraints.joints) {
         if (c.inTree) continue;
         Joint& joint = joints[c.joint];
@@ -62,6 +76,7 @@ void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> 
         joint.torque = c.totalTwist / dt - armB.cross(joint.force);
     }
     solver.trees.report(joints, dt);
+    storeDrives(solver.constraints, bodies, joints, dt);
 }
 
 }  // namespace engine

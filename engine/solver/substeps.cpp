@@ -18,6 +18,15 @@ double swingSquared(const InverseMass<double>& mass, const Vec3& arm, double for
     return force * r * across;
 }
 
+/// rad/s; a wheel's spin about its axle turns no arm.
+double turnOfB(const Joint& joint, const Bodies& bodies) {
+    const int b = joint.def.b.index;
+    const Vec3& spin = bodies.velocities[b].angular;
+    if (joint.def.type != JointType::wheel) return spin.norm();
+    const Vec3 axle = bodies.poses[b].rotation * joint.axis2B;
+    return (spin - axle.dot(spin) * axle).norm();
+}
+
 double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                       double dt) {
     double most = 0.0;
@@ -30,8 +39,7 @@ double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const
                          force),
             swingSquared(bodies.inverseMasses[c.b], bodies.poses[c.b].rotation * joint.def.anchorB,
                          force));
-        const double turn = larger(bodies.velocities[c.a].angular.norm(),
-                                   bodies.velocities[c.b].angular.norm());
+        const double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
         most = larger(most, dt * larger(std::sqrt(swing) / kSwingPerSubstep,
                                         turn / kTurnPerSubstep));
     }

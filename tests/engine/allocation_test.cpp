@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/support/worlds.h"
+#include "tests/support/golden_worlds.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -56,6 +56,14 @@ TEST(Allocation, ASteadyStepWithForcesSensorsAndEventsMakesNone) {
     support::run(world, 120);
     const long before = allocations;
     support::run(world, 120);
+    EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocation, AStepOfAMachineMakesNone) {
+    World world = support::goldenMachine();
+    support::run(world, 120);
+    const long before = allocations;
+    support::run(world, 60);
     EXPECT_EQ(allocations - before, 0);
 }
 

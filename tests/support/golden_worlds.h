@@ -3,7 +3,7 @@
 #include <array>
 
 #include "engine/base/trigonometry.h"
-#include "tests/support/worlds.h"
+#include "tests/support/joints.h"
 
 namespace support {
 
@@ -95,13 +95,64 @@ inline World goldenForces() {
     return world;
 }
 
-inline const std::array<GoldenWorld, 5>& goldenWorlds() {
-    static const std::array<GoldenWorld, 5> worlds{{
+/// A joint of every type, with limits, motors and springs, on a load that swings.
+inline World goldenMachine() {
+    World world;
+    const BodyId hook = world.add(support::hook());
+    for (int i = 0; i < 13; ++i) {
+        const double x = 3.0 * i;
+        BodyDef def = body(Shape::box({0.6, 0.3, 0.4}), {x, 0, 0}, 2.0 + i);
+        def.spin = {0.3, 0.2 * i, 1.0};
+        const BodyId box = world.add(def), load = world.add(body(Shape::sphere(0.2), {x, -1, 0.3}));
+        JointDef joint = jointAt(world, static_cast<JointType>(i), hook, box, {x + 0.1, 0.4, 0},
+                                 {0, 0, 1}, {0, 1, 0});
+        joint.length = 0.5;
+        if (joint.type == JointType::distance) joint.anchorA += Vec3(0, 0.5, 0);
+        if (joint.type == JointType::lookAt) joint.anchorA = {x, 2, 1};
+        if (joint.type == JointType::path)
+            joint.path = {{x - 1, 0.2, 0}, {x, 0.4, 0.3}, {x + 1, 0.5, 0}, {x + 2, 0, 0}};
+        if (joint.type == JointType::hinge) joint.free[0].limits = {-1.0, 0.5};
+        if (joint.type == JointType::slider) joint.free[0].motor = {0.3, 40.0};
+        if (joint.type == JointType::ball) joint.free[1].limits.high = 0.4;
+        if (joint.type == JointType::wheel) joint.free[0].spring = {1.5, 0.3};
+        if (joint.type == JointType::sixDof) joint.free[0].locked = joint.free[4].locked = true;
+        world.add(joint);
+        join(world, JointType::ball, box, load, {x, -0.3, 0.1});
+    }
+    return world;
+}
+
+/// Cylinders, cones, hulls and compounds on hills of triangles.
+inline World goldenShapes() {
+    World world;
+    Random random(3);
+    std::vector<double> heights;
+    for (int i = 0; i < 121; ++i) heights.push_back(random.number(0.0, 0.5));
+    world.add(fixed(Shape::heightField(11, 11, 0.8, heights)));
+    const Vec3 corners[] = {{0, 0, 0}, {0.6, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0.4, 0.4}};
+    const engine::ShapePart parts[] = {
+        {Shape::box({0.6, 0.1, 0.4}), {{0, 0, 0}, Quat::Identity()}},
+        {Shape::cylinder(0.1, 0.4), {{0.2, 0.25, 0}, Quat::Identity()}}};
+    const Shape shapes[] = {Shape::cylinder(0.25, 0.4), Shape::cone(0.3, 0.5),
+                            *Shape::hullOf(corners), Shape::compound(parts), Shape::sphere(0.2),
+                            Shape::box({0.4, 0.3, 0.5})};
+    for (int i = 0; i < 24; ++i) {
+        BodyDef def = body(shapes[i % 6], {0.7 * (i % 5) - 1.4, 1.0 + 0.4 * i, 0.3 * (i % 4)}, 5.0);
+        def.pose.rotation = random.rotation();
+        world.add(def);
+    }
+    return world;
+}
+
+inline const std::array<GoldenWorld, 7>& goldenWorlds() {
+    static const std::array<GoldenWorld, 7> worlds{{
         {"stack", goldenStack, 300, 0x47c791b2da072290},
         {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
         {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
         {"pyramid", goldenPyramid, 60, 0x52d5cd5112539786},
         {"forces", goldenForces, 300, 0x07e341464014756f},
+        {"machine", goldenMachine, 300, 0x0},
+        {"shapes", goldenShapes, 180, 0x0},
     }};
     return worlds;
 }

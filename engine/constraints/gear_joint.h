@@ -1,0 +1,36 @@
+/// Gear: two bodies turn at a fixed ratio, each about its own axis.
+///   C = phi_b - r phi_a       phi: how far a body has turned about its axis since the gear was made,
+///                             the twist of q q_0^-1 about h as it was then (turning.h, with w of
+///                             that body alone)
+///   J = [0, -r rate_a, 0, rate_b]
+/// The axes are to be held by hinges on something that stays: phi is seen from the world. Outer teeth
+/// have r = -n_a / n_b, an inner ring or a chain r = n_a / n_b.
+#pragma once
+#include "engine/constraints/joint_constraint.h"
+
+namespace engine {
+
+template <class Real>
+Angle<Real> turnOfA(const JointGeometry<Real>& g) {
+    return twistAbout<Real>(g.startAxisA, g.sinceStartA, g.near[0]);
+}
+template <class Real>
+Angle<Real> turnOfB(const JointGeometry<Real>& g) {
+    return twistAbout<Real>(g.startAxisB, g.sinceStartB, g.near[1]);
+}
+
+template <class Real>
+void addGearRow(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+    const Angle<Real> a = turnOfA(g), b = turnOfB(g);
+    rows.add({Vec3T<Real>::Zero(), Vec3T<Real>(-g.ratio * a.rate), b.rate},
+             b.value - g.ratio * a.value);
+}
+
+template <class Real>
+void addGearCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
+    const Angle<Real> a = turnOfA(g), b = turnOfB(g);
+    coordinates.add({Vec3T<Real>::Zero(), a.rate, Vec3T<Real>::Zero()}, a.value);
+    coordinates.add({Vec3T<Real>::Zero(), Vec3T<Real>::Zero(), b.rate}, b.value);
+}
+
+}  // namespace engine

@@ -1,0 +1,23 @@
+/// Wheel: b rides along an axis h of a (the way of the suspension) and spins about an axle k.
+///   C = t.d   for the two t across h             two rows, as in a slider
+///   C = t'.k_b  for the two t' across k          two rows, as in a hinge; k_b is fixed in b
+/// Free are the way along h, which a spring makes a coil-over, and the spin, which a motor drives.
+#pragma once
+#include "engine/constraints/hinge_joint.h"
+#include "engine/constraints/slider_joint.h"
+
+namespace engine {
+
+template <class Real>
+void addWheelRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+    addAcrossRows(g, rows);
+    addParallelRows(g.across2A, g.axis2B, rows);
+}
+
+template <class Real>
+void addWheelCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
+    addSliderCoordinate(g, coordinates);
+    addTurn(twistAbout<Real>(g.axis2A, turnSinceStart(g), g.near[1]), coordinates);
+}
+
+}  // namespace engine

@@ -1,0 +1,35 @@
+/// Limits, motors and springs of joints in a step (constraints/drive.h). A joint that has some is
+/// solved as ever, in its tree or in the sweep, and these rows come after it.
+#pragma once
+#include "engine/solver/prepare.h"
+
+namespace engine {
+
+/// Rows of a joint for which something acts; for when joints come or go.
+JointDrive<double> makeDrive(const Joint& joint, int number);
+
+/// J, K and C at the bodies' present poses; turns are counted on.
+void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints<double>& c);
+
+/// b, softness and bounds of a sub-step of length h (s).
+template <class Real>
+void setDriveBiases(Constraints<Real>& c, const Settings& settings, Real h);
+
+template <class Real>
+void warmStartDrives(Constraints<Real>& c, Real keep, std::span<Velocity<Real>> v);
+
+template <class Real>
+void sweepDrives(Constraints<Real>& c, std::span<Velocity<Real>> v, Correction<Real>& correction);
+
+/// One nudge of what has passed its limit:  lambda_n = -beta C / K, C < 0
+void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints<double>& c,
+                 const Settings& settings);
+
+/// Impulses go back to where the next step finds them, and into the joints' mean forces.
+void storeDrives(const Constraints<double>& c, const Bodies& bodies, std::span<Joint> joints,
+                 double dt);
+
+/// J, in the springs along a joint's coordinates.
+double driveEnergy(const Joint& joint, const Bodies& bodies);
+
+}  // namespace engine

@@ -1,0 +1,228 @@
+#include "engine/world_joints.h"
+
+#include "engine/base/check.h"
+#include "engine/constraints/catmull_rom.h"
+
+namespace engine {
+namespace {
+
+Vec3 secondAxis(const JointDef& def) { return def.axis2.isZero(0.0) ? def.axis : def.axis2; }
+
+/// How many coordinates a type leaves free; a sixDof has them all.
+int coordinateCount(JointType type) {
+    switch (type) {
+        case JointType::weld:
+        case JointType::lookAt:
+        case JointType::gear: return 0;
+        case JointType::distance:
+        case JointType::hinge:
+        case JointType::slider:
+        case JointType::axis:
+        case JointType::path: return 1;
+        case JointType::ball:
+        case JointType::universal:
+        case JointType::constantVelocity:
+        case JointType::wheel: return 2;
+        case JointType::sixDof: return 6;
+    }
+    return 0;
+}
+
+bool areAcross(const Vec3& a, const Vec3& b) {
+    return std::abs(a.dot(b)) < 1e-6 * a.norm() * b.norm();
+}
+
+/// The turn that brings h to k by the short way; half a turn about anything across, if opposite.
+Quat swingBetween(const Vec3& h, const Vec3& k) {
+    const double c = h.dot(k);
+    Vec3 across, other;
+    tangents(h, across, other);
+    const Vec3 axis = c > -1.0 + 1e-12 ? Vec3(h.cross(k)) : across;
+    Quat q(c > -1.0 + 1e-12 ? 1.0 + c : 0.0, axis.x(), axis.y(), axis.z());
+    q.normalize();
+    return q;
+}
+
+void measurePath(const Pose& a, const Pose& b, Joint& joint) {
+    const JointDef& def = joint.def;
+    joint.lengths.assign(1, 0.0);
+    for (int i = 0; i < pieces(def.path, def.closed); ++i)
+        joint.lengths.push_back(joint.lengths.back() +
+                                curveLength(def.path, def.closed, i, i + 1.0));
+    joint.nearest = nearestOnCurve(def.path, def.closed, a.toLocal(b.toWorld(def.anchorB)));
+}
+
+/// By how much the limits of ways are missed, m.
+double beyondLimits(const Joint& joint, const Pose& a, const Pose& b) {
+    double worst = 0.0;
+    if (!joint.acts) return worst;
+    const JointRows<double> free = coordinatesOf(joint, a, b);
+    for (int i = 0; i < free.count; ++i) {
+        const Limits& limits = joint.def.free[i].limits;
+        if (!limits.any() || free.j[i].linear.isZero(0.0)) continue;
+        worst = larger(worst, larger(limits.low - free.error[i], free.error[i] - limits.high));
+    }
+    return worst;
+}
+
+/// |C| of the rows in metres.
+double missOf(const Joint& joint, const Pose& a, const Pose& b) {
+    const JointDef& def = joint.def;
+    if (rowCount(def) == 0) return 0.0;
+    const double distance =
+        (b.toWorld(def.anchorB) - a.toWorld(def.anchorA)).norm();
+    if (def.type == JointType::distance) return std::abs(distance - def.length);
+    if (def.type <= JointType::weld) return distance;
+    const JointRows<double> rows = rowsOf(def.type, geometryOf(joint, a, b));
+    double sum = 0.0;
+    for (int i = 0; i < rows.count; ++i)
+        if (!rows.j[i].linear.isZero(0.0)) sum += rows.error[i] * rows.error[i];
+    return std::sqrt(sum);
+}
+
+}  // namespace
+
+void checkFreedom(JointType type, int coordinate, const Freedom& f) {
+    ENGINE_CHECK(coordinate >= 0 && coordinate < 6, "a joint has coordinates 0 to 5");
+    ENGINE_CHECK(!f.acts() || coordinate < coordinateCount(type),
+                 "this type of joint has no such coordinate; see JointType");
+    ENGINE_CHECK(!f.acts() || type != JointType::constantVelocity || coordinate == 1,
+                 "a constant velocity joint holds its twist; its swing is coordinate 1");
+    ENGINE_CHECK(!f.locked || (type == JointType::sixDof && !f.acts()),
+                 "only a sixDof locks coordinates, and then nothing else acts along them");
+    ENGINE_CHECK(f.limits.low <= f.limits.high, "a lower limit is not above the upper one");
+    ENGINE_CHECK(f.motor.strength >= 0.0, "a motor has no negative strength; turn its speed");
+    ENGINE_CHECK(f.spring.hz >= 0.0 && f.spring.damping >= 0.0,
+                 "a spring has no negative frequency or damping");
+}
+
+void checkJoint(const WorldState& s, const JointDef& def) {
+    ENGINE_CHECK(def.a != def.b, "a joint needs two different bodies");
+    ENGINE_CHECK(s.bodies.isDynamic(def.a.index) || s.bodies.isDynamic(def.b.index),
+                 "one of a joint's bodies must be dynamic");
+    ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0 || rowCount(def) == 0,
+                 "a distance joint needs a positive length; for zero use a ball joint");
+    ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
+                 "a hinge needs an axis that is not zero");
+    ENGINE_CHECK(def.axis.norm() > 0.0, "a joint's axis is not zero; leave it where none is used");
+    ENGINE_CHECK((def.type != JointType::universal && def.type != JointType::wheel) ||
+                     (!def.axis2.isZero(0.0) && areAcross(def.axis, def.axis2)),
+                 "the axes of a universal joint or a wheel are at right angles");
+    ENGINE_CHECK(def.type != JointType::gear || def.ratio != 0.0, "a gear's ratio is not zero");
+    ENGINE_CHECK(def.type != JointType::path || def.path.size() >= 2,
+                 "a path goes through two points or more");
+    ENGINE_CHECK(def.breakForce > 0.0 && def.breakTorque > 0.0,
+                 "a joint that breaks bears some force and torque first");
+    ENGINE_CHECK(def.spring.hz >= 0.0 && def.spring.damping >= 0.0,
+                 "a spring has no negative frequency or damping");
+    for (int i = 0; i < 6; ++i) checkFreedom(def.type, i, def.free[i]);
+}
+
+double separationOf(const WorldState& s, const Joint& joint) {
+    const Pose &a = s.bodies.poses[joint.def.a.index], &b = s.bodies.poses[joint.def.b.index];
+    return larger(missOf(joint, a, b), beyondLimits(joint, a, b));
+}
+
+Joint makeJoint(const WorldState& s, const JointDef& def) {
+    Joint joint;
+    joint.def = def;
+    joint.acts = def.acts();
+    const Pose &a = s.bodies.poses[def.a.index], &b = s.bodies.poses[def.b.index];
+    const Quat &qa = a.rotation, &qb = b.rotation;
+    Vec3 axis = def.axis.normalized(), axis2 = secondAxis(def).normalized();
+    if (def.type == JointType::sixDof) {
+        const bool world = def.axis2.isZero(0.0);
+        axis = world ? Vec3(Vec3::UnitX()) : axis;
+        axis2 = world ? Vec3(Vec3::UnitY()) : Vec3((axis2 - axis.dot(axis2) * axis).normalized());
+    }
+    joint.axisA = qa.conjugate() * axis;
+    joint.axisB = qb.conjugate() * axis;
+    joint.axis2A = qa.conjugate() * axis2;
+    joint.axis2B = qb.conjugate() * axis2;
+    joint.turnAtStart = qa.conjugate() * qb;
+    if (def.type == JointType::constantVelocity || def.type == JointType::axis)
+        joint.turnAtStart = qa.conjugate() * (swingBetween(axis2, axis) * qb);
+    joint.startA = qa, joint.startB = qb;
+    if (def.type == JointType::path) measurePath(a, b, joint);
+    followCoordinates(joint, a, b);
+    return joint;
+}
+
+JointState stateOf(const WorldState& s, const Joint& joint) {
+    JointState state;
+    state.def = joint.def;
+    state.removed = !joint.present;
+    state.broken = joint.broken;
+    const Pose &a = s.bodies.poses[joint.def.a.index], &b = s.bodies.poses[joint.def.b.index];
+    state.worldA = a.toWorld(joint.def.anchorA);
+    state.worldB = b.toWorld(joint.def.anchorB);
+    const JointRows<double> free = coordinatesOf(joint, a, b);
+    for (int i = 0; i < free.count; ++i) {
+        state.positions[i] = free.error[i];
+        state.speeds[i] = velocityAlong(free.j[i], s.bodies.velocities[joint.def.a.index],
+                                        s.bodies.velocities[joint.def.b.index]);
+    }
+    state.position = state.positions[0];
+    state.speed = state.speeds[0];
+    state.separation = separationOf(s, joint);
+    state.force = joint.force;
+    state.torque = joint.torque;
+    return state;
+}
+
+void followJoints(WorldState& s) {
+    for (Joint& joint : s.joints) {
+        const JointType type = joint.def.type;
+        const bool counts = type == JointType::hinge || type > JointType::weld;
+        if (joint.present && (counts || joint.acts))
+            followCoordinates(joint, s.bodies.poses[joint.def.a.index],
+                              s.bodies.poses[joint.def.b.index]);
+    }
+}
+
+void findOnPaths(WorldState& s, int body) {
+    for (Joint& joint : s.joints) {
+        const JointDef& def = joint.def;
+        if (!joint.present || def.type != JointType::path) continue;
+        if (def.a.index != body && def.b.index != body) continue;
+        const Pose &a = s.bodies.poses[def.a.index], &b = s.bodies.poses[def.b.index];
+        joint.nearest = nearestOnCurve(def.path, def.closed, a.toLocal(b.toWorld(def.anchorB)));
+    }
+}
+
+bool breakJoints(WorldState& s) {
+    s.report.broken.clear();
+    for (std::size_t i = 0; i < s.joints.size(); ++i) {
+        Joint& joint = s.joints[i];
+        const bool bears = joint.force.norm() <= joint.def.breakForce &&
+                           joint.torque.norm() <= joint.def.breakTorque;
+        if (!joint.present || bears) continue;
+        joint.present = false;
+        joint.broken = true;
+        s.report.broken.push_back({static_cast<int>(i)});
+        for (const BodyId body : {joint.def.a, joint.def.b}) s.sleep.call(s.bodies, body.index);
+        s.jointsStale = true;
+    }
+    return !s.report.broken.empty();
+}
+
+void wakeMotors(WorldState& s) {
+    for (const Joint& joint : s.joints) {
+        if (!joint.present || !joint.acts) continue;
+        for (const Freedom& f : joint.def.free)
+            if (f.motor.isOn() && f.motor.speed != 0.0)
+                for (const BodyId body : {joint.def.a, joint.def.b})
+                    s.sleep.call(s.bodies, body.index);
+    }
+}
+
+bool hasMotors(const WorldState& s) {
+    for (const Joint& joint : s.joints) {
+        if (!joint.present || !joint.acts) continue;
+        for (const Freedom& f : joint.def.free)
+            if (f.motor.isOn()) return true;
+    }
+    return false;
+}
+
+}  // namespace engine

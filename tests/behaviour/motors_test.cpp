@@ -1,0 +1,147 @@
+// Motors and springs along joints' coordinates.
+#include <gtest/gtest.h>
+
+#include "engine/base/trigonometry.h"
+#include "tests/support/joints.h"
+
+namespace engine {
+namespace {
+
+using support::ballOf;
+using support::jointAt;
+using support::kGravity;
+using support::kStep;
+using support::run;
+
+// alpha = M / (I + m l^2) until the speed is reached, whether or not the hinge is at the centre.
+TEST(HingeMotor, ReachesItsSpeedAtItsTorqueByTheInertia) {
+    for (const double arm : {0.0, 1.0}) {
+        World world = support::weightless();
+        const BodyId hook = world.add(support::hook());
+        const BodyId wheel = world.add(ballOf(2, 0.01, {arm, 0, 0}));
+        JointDef def = jointAt(world, JointType::hinge, hook, wheel, Vec3::Zero());
+        def.free[0].motor = {3.0, 0.5 * (0.01 + 2 * arm * arm)};  // 0.5 rad/s^2
+        const JointId id = world.add(def);
+        run(world, 180);
+        EXPECT_NEAR(world.joint(id).speed, 1.5, 1e-4);
+        EXPECT_NEAR(world.joint(id).torque.z(), def.free[0].motor.strength, 1e-3);
+        run(world, 240);
+        EXPECT_NEAR(world.joint(id).speed, 3.0, 1e-6);
+        EXPECT_LT(world.joint(id).separation, 1e-5);
+    }
+}
+
+TEST(HingeMotor, OfSpeedZeroIsABrake) {
+    World world = support::weightless();
+    const BodyId hook = world.add(support::hook()), wheel = world.add(ballOf(1, 0.2, {0, 0, 0}));
+    JointDef def = jointAt(world, JointType::hinge, hook, wheel, Vec3::Zero());
+    def.free[0].motor.strength = 0.1;
+    const JointId id = world.add(def);
+    world.setVelocity(wheel, Vec3::Zero(), {0, 0, 1});
+    run(world, 60);
+    EXPECT_NEAR(world.joint(id).speed, 0.5, 1e-9);  // 1 - M t / I
+    run(world, 120);
+    EXPECT_NEAR(world.joint(id).speed, 0.0, 1e-12);
+    EXPECT_NEAR(world.joint(id).position, 1.0, 0.01);  // w^2 I / 2 M
+}
+
+/// Where a lift of 2 kg is after 2 s, by a motor of this strength.
+JointState lift(double strength, const Settings& settings = Settings::steady()) {
+    World world(settings);
+    const BodyId hook = world.add(support::hook()), cabin = world.add(ballOf(2, 0.1, {0, 0, 0}));
+    JointDef def = jointAt(world, JointType::slider, hook, cabin, {0.3, 0, 0}, {0, 1, 0});
+    def.free[0].motor = {0.5, strength};
+    const JointId id = world.add(def);
+    run(world, 120);
+    return world.joint(id);
+}
+
+TEST(SliderMotor, LiftsWhatItIsStrongEnoughFor) {
+    EXPECT_NEAR(lift(kUnlimited).position, 1.0, 1e-3);
+    EXPECT_NEAR(lift(kUnlimited).force.y(), 2 * kGravity, 1e-3);
+    EXPECT_NEAR(lift(2 * kGravity + 1).speed, 0.5, 1e-6);
+    const JointState slips = lift(2 * kGravity - 1);
+    EXPECT_NEAR(slips.speed, -0.5 * 2.0, 1e-6);  // (strength - m g) / m for 2 s
+    EXPECT_NEAR(slips.force.y(), 2 * kGravity - 1, 1e-6);
+}
+
+TEST(SliderMotor, IsTheSameByEveryMethod) {
+    for (const Method method : {Method::pgs, Method::pgsMatrix, Method::direct}) {
+        Settings settings = Settings::steady();
+        settings.method = method;
+        settings.sweeps = 60;
+        settings.tolerance = 1e-10;
+        for (const double strength : {2 * kGravity - 1, 2 * kGravity + 1, kUnlimited}) {
+            EXPECT_NEAR(lift(strength, settings).speed, lift(strength).speed, 1e-5);
+            EXPECT_NEAR(lift(strength, settings).position, lift(strength).position, 1e-3);
+        }
+    }
+}
+
+TEST(SliderMotor, WorksInThePresetOfTheSeeds) {
+    EXPECT_NEAR(lift(2 * kGravity + 1, Settings::seed()).speed, 0.5, 1e-2);
+}
+
+// A door closer: w = 2 pi hz about the hinge, for the whole inertia about it.
+TEST(HingeSpring, SwingsAtItsFrequency) {
+    World world = support::weightless();
+    const BodyId hook = world.add(support::hook());
+    const BodyId door = world.add(ballOf(5, 0.2, {0.8, 0, 0}));
+    JointDef def = jointAt(world, JointType::hinge, hook, door, Vec3::Zero());
+    def.free[0].spring = {2.0, 0.0};
+    def.free[0].rest = 0.3;
+    const JointId id = world.add(def);
+    const double dt = 1.0 / 480;
+    int crossings = 0;
+    double first = 0.0, last = 0.0;
+    while (crossings < 9) {
+        const double before = world.joint(id).position - 0.3, t = world.report().time;
+        world.step(dt);
+        const double after = world.joint(id).position - 0.3;
+        if ((before > 0) == (after > 0)) continue;
+        last = t + dt * before / (before - after);
+        if (crossings++ == 0) first = last;
+    }
+    EXPECT_NEAR((last - first) / 4, 0.5, 0.5 * 1e-3);
+}
+
+TEST(HingeSpring, HoldsEnergyThatCounts) {
+    World world = support::weightless();
+    const BodyId hook = world.add(support::hook()), arm = world.add(ballOf(2, 0.1, {1, 0, 0}));
+    JointDef def = jointAt(world, JointType::hinge, hook, arm, Vec3::Zero());
+    def.free[0].spring = {0.5, 0.0};
+    world.add(def);
+    world.setVelocity(arm, {0, 1, 0}, {0, 0, 1});
+    const double whole = world.energy().total();
+    EXPECT_NEAR(whole, 0.5 * (2 + 0.1), 1e-12);
+    double elastic = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        world.step(1.0 / 960);
+        elastic = larger(elastic, world.energy().elastic);
+        EXPECT_NEAR(world.energy().total(), whole, 0.01 * whole);
+    }
+    EXPECT_GT(elastic, 0.01);
+}
+
+TEST(Motor, KeepsAwakeWhatItTurns) {
+    Settings settings = Settings::steady();
+    settings.sleeping = true;
+    World world = support::weightless(settings);
+    const BodyId hook = world.add(support::hook()), table = world.add(ballOf(1, 0.1, {0, 0, 0}));
+    JointDef def = jointAt(world, JointType::hinge, hook, table, Vec3::Zero());
+    def.free[0].motor = {0.01, 1.0};
+    const JointId id = world.add(def);
+    run(world, 300);
+    EXPECT_NEAR(world.joint(id).position, 0.05, 1e-6);
+    world.setFreedom(id, 0, {});
+    run(world, 120);
+    EXPECT_TRUE(world.isAsleep(table));
+    Freedom faster;
+    faster.motor = {1.0, 1.0};
+    world.setFreedom(id, 0, faster);
+    run(world, 60);
+    EXPECT_NEAR(world.joint(id).speed, 1.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace engine
