@@ -39,6 +39,7 @@ Stage::Stage(const SceneDescription& description)
     for (const BodyDescription& body : scene.bodies) {
         if (body.path) onPaths_.push_back(static_cast<int>(bodies.size()));
         bodies.push_back(world.add(body.def));
+        drawn.push_back(drawnParts(body.def.shape));
     }
     ground = addGround(world);
     for (const JointDescription& joint : scene.joints)

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "demos/scene/description.h"
+#include "demos/snapshot/solids.h"
 #include "engine/world.h"
 
 namespace demos {
@@ -13,6 +14,7 @@ struct Stage {
     engine::BodyId ground;                  // the body that stands for 'world' in joints
     std::vector<engine::BodyId> bodies;     // by place in scene.bodies
     std::vector<engine::JointId> joints;    // by place in scene.joints
+    std::vector<std::vector<DrawnPart>> drawn;  // by place in scene.bodies
     std::vector<std::vector<Vec3>> trails;  // by place in scene.look.trails; one point per frame
 
     explicit Stage(const SceneDescription& description);

@@ -3,6 +3,7 @@
 
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/parts.h"
+#include "engine/shapes/hull.h"
 
 namespace demos {
 namespace {
@@ -15,24 +16,16 @@ render::Ground groundOf(const engine::Shape& plane, const engine::Pose& pose, in
     return {true, drawn(normal), static_cast<float>(normal.dot(pose.position)), id};
 }
 
-render::Solid solidOf(const engine::Shape& shape, const engine::Pose& pose,
-                      const render::Color& color, int id) {
-    render::Solid solid;
-    const float r = static_cast<float>(shape.radius);
-    if (shape.type == engine::ShapeType::box) {
-        solid.halfSize = drawn(shape.halfSize);
-    } else if (shape.type == engine::ShapeType::sphere) {
-        solid.shape = render::SolidShape::sphere;
-        solid.halfSize = {r, r, r};
-    } else {
-        solid.shape = render::SolidShape::capsule;
-        solid.halfSize = {r, static_cast<float>(shape.halfLength), r};
+/// A body's solids where it is at `pose`.
+void place(const std::vector<DrawnPart>& parts, const engine::Pose& pose,
+           const render::Color& color, int id, std::vector<render::Solid>& out) {
+    for (const DrawnPart& part : parts) {
+        render::Solid& solid = out.emplace_back(part.solid);
+        solid.position = drawn(pose.toWorld(part.place.position));
+        solid.rotation = (pose.rotation * part.place.rotation).cast<float>();
+        solid.color = color;
+        solid.id = id;
     }
-    solid.position = drawn(pose.position);
-    solid.rotation = pose.rotation.cast<float>();
-    solid.color = color;
-    solid.id = id;
-    return solid;
 }
 
 /// How far the farthest point of a body goes from one pose to another, about.
@@ -44,16 +37,28 @@ double wayBetween(const engine::Pose& a, const engine::Pose& b, double reach) {
 void addSolid(const Stage& stage, std::size_t i, render::Color color, render::Frame& frame) {
     const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
     if (def.sensor) color.a = kDensest;
-    (def.sensor ? frame.ghosts : frame.solids)
-        .push_back(solidOf(def.shape, stage.world.pose(stage.bodies[i]), color,
-                           static_cast<int>(i)));
+    place(stage.drawn[i], stage.world.pose(stage.bodies[i]), color, static_cast<int>(i),
+          def.sensor ? frame.ghosts : frame.solids);
 }
 
 }  // namespace
 
 double thicknessOf(const engine::Shape& shape) {
-    if (shape.type == engine::ShapeType::plane) return 0.0;
-    return shape.type == engine::ShapeType::box ? shape.halfSize.minCoeff() : shape.radius;
+    switch (shape.type) {
+        case engine::ShapeType::plane:
+        case engine::ShapeType::mesh: return 0.0;
+        case engine::ShapeType::box: return shape.halfSize.minCoeff();
+        case engine::ShapeType::cylinder: return std::min(shape.radius, shape.halfLength);
+        case engine::ShapeType::cone: return 0.5 * std::min(shape.radius, shape.halfLength);
+        case engine::ShapeType::hull: {
+            double least = reachOf(shape);
+            for (const engine::Hull::Face& face : shape.hull->faces)
+                least = std::min(least, face.offset);
+            return least;
+        }
+        case engine::ShapeType::compound: return 0.3 * reachOf(shape);  // it may be hollow there
+        default: return shape.radius;
+    }
 }
 
 void addBodies(const Moment& moment, render::Frame& frame) {
@@ -86,7 +91,7 @@ void addGhosts(const Moment& moment, render::Frame& frame) {
             render::Color color = colors[i];
             const float share = static_cast<float>(age + 1) / static_cast<float>(ghosts.size());
             color.a = kFaintest + share * (kDensest - kFaintest);
-            frame.ghosts.push_back(solidOf(shape, pose, color, static_cast<int>(i)));
+            place(stage.drawn[i], pose, color, static_cast<int>(i), frame.ghosts);
         }
 }
 

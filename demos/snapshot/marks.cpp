@@ -11,9 +11,7 @@ void addAxes(const engine::Shape& shape, const engine::Pose& pose, render::Frame
     const render::Color colors[] = {render::fromHex(0xd62728), render::fromHex(0x2f9e73),
                                     render::fromHex(0x1f77d0)};
     const double reach = reachOf(shape);
-    Vec3 half = Vec3::Constant(shape.radius);
-    if (shape.type == engine::ShapeType::box) half = shape.halfSize;
-    if (shape.type == engine::ShapeType::capsule) half.y() += shape.halfLength;
+    const Vec3 half = engine::boundsOf(shape, {}).high;
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 tip = (half[axis] + 0.33 * reach) * Vec3::Unit(axis);
         frame.arrows.push_back({drawn(pose.position), drawn(pose.toWorld(tip)), colors[axis],

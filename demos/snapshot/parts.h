@@ -21,7 +21,7 @@ inline render::Vec3 drawn(const Vec3& v) { return v.cast<float>(); }
 
 using engine::reachOf;
 
-/// m: from its centre to its nearest face; 0 for a plane.
+/// m: from its centre to its nearest face, about; 0 for a plane and a mesh.
 double thicknessOf(const engine::Shape& shape);
 
 void addBodies(const Moment& moment, render::Frame& frame);     // bodies.cpp
