@@ -43,19 +43,20 @@ struct Spring {
     bool isSoft() const { return hz > 0.0; }  // otherwise rigid
 };
 
+/// No limit, and a strength that is never too small.
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// Where a free coordinate has to stay: m or rad. Angles may go beyond a turn.
 struct Limits {
-    double low = -kUnlimited, high = kUnlimited;
-    bool any() const { return low > -kUnlimited || high < kUnlimited; }
+    double low = -kUnlimited, high = kUnlimited;  // at most `high`
+    bool any() const { return low > -kUnlimited || high < kUnlimited; }  // on either side
 };
 
 /// Brings a free coordinate to a speed, as far as its strength goes. With speed 0 it is a brake.
 struct Motor {
     double speed = 0.0;     // m/s or rad/s
     double strength = 0.0;  // N or N m at most; 0: no motor; kUnlimited: whatever it takes
-    bool isOn() const { return strength > 0.0; }
+    bool isOn() const { return strength > 0.0; }  // also a brake
 };
 
 /// What acts along a coordinate that a joint leaves free: nothing unless it is set.
@@ -65,7 +66,7 @@ struct Freedom {
     Motor motor;
     Spring spring;        // soft; pulls towards `rest`
     double rest = 0.0;    // m or rad
-    bool acts() const { return limits.any() || motor.isOn() || spring.isSoft(); }
+    bool acts() const { return limits.any() || motor.isOn() || spring.isSoft(); }  // if free
 };
 
 /// Everything about a joint that is given to World::add, which says what has to hold.
@@ -86,6 +87,7 @@ struct JointDef {
     double breakForce = kUnlimited;   // N and N m, of JointState: more, and the joint is removed
     double breakTorque = kUnlimited;  // at the end of the step (StepReport::broken)
 
+    /// Whether anything acts along one of its coordinates.
     bool acts() const {
         for (const Freedom& f : free)
             if (f.acts()) return true;

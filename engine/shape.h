@@ -16,7 +16,7 @@ enum class ShapeType { sphere, box, capsule, plane, cylinder, cone, hull, compou
 struct Hull;       // shapes/hull.h
 struct Mesh;       // shapes/mesh.h
 struct ShapePart;  // below
-using ShapeParts = std::vector<ShapePart>;
+using ShapeParts = std::vector<ShapePart>;  // of a compound
 
 /// Made by one of the functions below, which stop the program where a size is not positive.
 struct Shape {
@@ -29,9 +29,9 @@ struct Shape {
                                           // at the body's position; static bodies only
     Vec3 origin{0, 0, 0};                 // m; hull, compound: where the origin of the points it
                                           // was made of lies, from the centre of mass
-    std::shared_ptr<const Hull> hull;
-    std::shared_ptr<const ShapeParts> parts;
-    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Hull> hull;         // of a hull, about the centre of mass
+    std::shared_ptr<const ShapeParts> parts;  // of a compound, likewise
+    std::shared_ptr<const Mesh> mesh;         // of a mesh, in the axes it was given in
 
     /// `radius`: m.
     static Shape sphere(double radius);
@@ -59,7 +59,7 @@ struct Shape {
     static Shape heightField(int columns, int rows, double spacing,
                              std::span<const double> heights);
 
-    static constexpr int kMostCorners = 256;
+    static constexpr int kMostCorners = 256;  // of a hull
 };
 
 /// A piece of a compound, placed in the axes in which it is written down.

@@ -1,10 +1,12 @@
-/// Two bodies began to touch, or have parted.
+/// What World::touches tells.
 #pragma once
 #include "engine/body.h"
 
 namespace engine {
 
+/// Two bodies began to touch, or have parted.
 struct TouchEvent {
+    /// Which of the two.
     enum class Kind { begin, end };
     Kind kind = Kind::begin;
     BodyId a, b;                     // a < b

@@ -10,7 +10,7 @@ namespace render {
 
 inline constexpr int kNoSurface = -1;  // the sky
 inline constexpr int kFaceBits = 12;  // as number.glsl has it; surfaces are below 2^19
-inline constexpr int kFaces = 1 << kFaceBits;
+inline constexpr int kFaces = 1 << kFaceBits;  // that have numbers of their own
 
 /// Faces of a box: 0..5 for -x +x -y +y -z +z; of a cylinder or cone: 2 and 3 as a box's, 0 the
 /// side; of a mesh: its facet, modulo kFaces; of all else: 0.
@@ -18,14 +18,14 @@ inline std::int32_t packedSurface(int surface, int face) {
     return (surface << kFaceBits) + (face & (kFaces - 1));
 }
 inline int surfaceIn(std::int32_t packed) { return packed >> kFaceBits; }  // kNoSurface: the sky
-inline int faceIn(std::int32_t packed) { return packed & (kFaces - 1); }
+inline int faceIn(std::int32_t packed) { return packed & (kFaces - 1); }  // 0 to kFaces - 1
 
 /// Made by Renderer::surfaces.
 struct SurfaceMap {
     int width = 0, height = 0;  // pixels
     std::vector<std::int32_t> packed;  // row 0 on top; kNoSurface: the sky
-    int surface(int x, int y) const { return surfaceIn(at(x, y)); }
-    int face(int x, int y) const { return faceIn(at(x, y)); }
+    int surface(int x, int y) const { return surfaceIn(at(x, y)); }  // kNoSurface: the sky
+    int face(int x, int y) const { return faceIn(at(x, y)); }        // as packedSurface has it
     /// Both in one number; x and y have to be inside.
     std::int32_t at(int x, int y) const { return packed[static_cast<std::size_t>(y) * width + x]; }
 };

@@ -1,7 +1,6 @@
 // Rods between joined bodies, and the anchors.
-#include <algorithm>
-
 #include "demos/snapshot/parts.h"
+#include "engine/shapes/inside.h"
 #include "render/palette.h"
 
 namespace demos {
@@ -9,28 +8,11 @@ namespace {
 
 constexpr float kRodRadius = 0.025f;  // m
 
-/// Whether a point in body axes lies in the shape or on it.
-bool covers(const engine::Shape& shape, const Vec3& local) {
-    constexpr double kHair = 1e-6;  // m
-    switch (shape.type) {
-        case engine::ShapeType::sphere:
-            return local.norm() <= shape.radius + kHair;
-        case engine::ShapeType::box:
-            return ((local.cwiseAbs() - shape.halfSize).array() <= kHair).all();
-        case engine::ShapeType::capsule: {
-            const double y = std::clamp(local.y(), -shape.halfLength, shape.halfLength);
-            return (local - Vec3(0, y, 0)).norm() <= shape.radius + kHair;
-        }
-        case engine::ShapeType::plane:
-            return true;
-    }
-    return true;
-}
-
 /// The arm from a body's centre to an anchor that its shape does not reach.
 void addArm(const Stage& stage, engine::BodyId body, const Vec3& local, const Vec3& anchor,
             render::Frame& frame) {
-    if (body == stage.ground || covers(stage.world.def(body).shape, local)) return;
+    constexpr double kHair = 1e-6;  // m
+    if (body == stage.ground || engine::isInside(stage.world.def(body).shape, local, kHair)) return;
     frame.rods.push_back(
         {drawn(stage.world.pose(body).position), drawn(anchor), kRodRadius, render::jointColor()});
 }

@@ -11,6 +11,7 @@
 
 #include "engine/collision/pieces.h"
 #include "engine/shapes/hull.h"
+#include "engine/shapes/inside.h"
 
 namespace engine {
 namespace {
@@ -159,33 +160,11 @@ Hit enterMesh(const Mesh& mesh, const Way& way) {
     return first;
 }
 
-bool holds(const Shape& shape, const Vec3& p) {
-    const double r = shape.radius, h = shape.halfLength, across = p.x() * p.x() + p.z() * p.z();
-    switch (shape.type) {
-        case ShapeType::sphere: return p.squaredNorm() < r * r;
-        case ShapeType::box: return (p.cwiseAbs() - shape.halfSize).maxCoeff() < 0.0;
-        case ShapeType::capsule: {
-            const double beyond = larger(std::abs(p.y()) - h, 0.0);
-            return across + beyond * beyond < r * r;
-        }
-        case ShapeType::cylinder: return std::abs(p.y()) < h && across < r * r;
-        case ShapeType::cone: {
-            const double rim = r * (1.5 * h - p.y()) / (2.0 * h);
-            return p.y() > -0.5 * h && rim > 0.0 && across < rim * rim;
-        }
-        case ShapeType::hull:
-            for (const Hull::Face& face : shape.hull->faces)
-                if (face.normal.dot(p) >= face.offset) return false;
-            return true;
-        default: return false;  // compounds hold none of these
-    }
-}
-
 /// Who begins inside one of the parts is inside.
 Hit enterCompound(const ShapeParts& parts, const Way& way) {
     Hit first;
     for (const ShapePart& part : parts)
-        if (holds(part.shape, part.pose.toLocal(way.o))) return std::nullopt;
+        if (isInside(part.shape, part.pose.toLocal(way.o))) return std::nullopt;
     for (const ShapePart& part : parts)
         first = sooner(first, enterShape(part.shape, part.pose, way.o, way.o + way.d));
     return first;

@@ -60,7 +60,7 @@ TEST(Allocation, ASteadyStepWithForcesSensorsAndEventsMakesNone) {
 }
 
 TEST(Allocation, AStepOfAMachineMakesNone) {
-    World world = support::goldenMachine();
+    World world = support::goldenMachineThat(false);
     support::run(world, 120);
     const long before = allocations;
     support::run(world, 60);

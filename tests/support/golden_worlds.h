@@ -96,14 +96,16 @@ inline World goldenForces() {
 }
 
 /// A joint of every type, with limits, motors and springs, on a load that swings.
-inline World goldenMachine() {
+inline World goldenMachineThat(bool collides) {
     World world;
     const BodyId hook = world.add(support::hook());
     for (int i = 0; i < 13; ++i) {
         const double x = 3.0 * i;
         BodyDef def = body(Shape::box({0.6, 0.3, 0.4}), {x, 0, 0}, 2.0 + i);
         def.spin = {0.3, 0.2 * i, 1.0};
-        const BodyId box = world.add(def), load = world.add(body(Shape::sphere(0.2), {x, -1, 0.3}));
+        BodyDef ball = body(Shape::sphere(0.2), {x, -1, 0.3});
+        def.collide = ball.collide = collides;
+        const BodyId box = world.add(def), load = world.add(ball);
         JointDef joint = jointAt(world, static_cast<JointType>(i), hook, box, {x + 0.1, 0.4, 0},
                                  {0, 0, 1}, {0, 1, 0});
         joint.length = 0.5;
@@ -121,6 +123,8 @@ inline World goldenMachine() {
     }
     return world;
 }
+
+inline World goldenMachine() { return goldenMachineThat(true); }
 
 /// Cylinders, cones, hulls and compounds on hills of triangles.
 inline World goldenShapes() {
@@ -151,8 +155,8 @@ inline const std::array<GoldenWorld, 7>& goldenWorlds() {
         {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
         {"pyramid", goldenPyramid, 60, 0x52d5cd5112539786},
         {"forces", goldenForces, 300, 0x07e341464014756f},
-        {"machine", goldenMachine, 300, 0x0},
-        {"shapes", goldenShapes, 180, 0x0},
+        {"machine", goldenMachine, 300, 0x1b7f4770f824fa0b},
+        {"shapes", goldenShapes, 180, 0xdaadc0af0596cd83},
     }};
     return worlds;
 }
