@@ -57,7 +57,9 @@ Loops facesByQhull(std::span<const Vec3> points) {
                 faces.back().push_back(qh_pointid(qh, vertex->point));
             }
         }
-    qh_freeqhull(qh, qh_ALL);
+    int curlong = 0, totlong = 0;  // what is left of long memory: nothing
+    qh_freeqhull(qh, !qh_ALL);
+    qh_memfreeshort(qh, &curlong, &totlong);
     return faces;
 }
 
