@@ -41,7 +41,8 @@ TEST(Mesh, QueriesFindEveryTriangleThatMayTouch) {
 }
 
 TEST(Mesh, AHeightFieldLooksUp) {
-    for (const Mesh::Triangle& triangle : hills().mesh->triangles)
+    const Shape field = hills();
+    for (const Mesh::Triangle& triangle : field.mesh->triangles)
         EXPECT_GT(triangle.normal.y(), 0.0);
 }
 
