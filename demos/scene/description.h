@@ -31,20 +31,16 @@ struct BodyDescription {
     Place place, ignoresPlace;
 };
 
-/// The bodies of `def` by their place in `bodies`; -1: the world.
-struct ForceDescription {
-    engine::ForceDef def;
+/// The bodies of `def` by their place in `bodies`; -1: the world, its anchor in world axes.
+struct JointDescription {
+    std::string name;  // given, or "a-b" of its bodies
+    engine::JointDef def;
     Place place;
 };
 
-struct JointDescription {
-    std::string name;  // given, or "a-b" of its bodies
-    engine::JointType type = engine::JointType::ball;
-    int a = -1, b = -1;                       // place in `bodies`; -1: the world
-    Vec3 anchorA{0, 0, 0}, anchorB{0, 0, 0};  // body axes; of the world: world axes
-    Vec3 axis{0, 0, 1};                       // world axes
-    double length = 0.0;                      // m, distance joint
-    engine::Spring spring;
+/// The bodies of `def` likewise.
+struct ForceDescription {
+    engine::ForceDef def;
     Place place;
 };
 
@@ -120,6 +116,8 @@ struct Snapshot {
 struct SceneDescription {
     std::string name;  // built-in name or the file's stem
     std::string title;
+    std::string purpose;        // what it shows, a line for `impulse list`
+    std::string group;          // under which it is listed
     double seconds = 5.0;       // length of the film
     Vec3 gravity{0, -9.81, 0};  // m/s^2
     int hz = 60;                // physics steps a second

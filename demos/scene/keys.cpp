@@ -89,22 +89,41 @@ std::optional<std::string> Keys::text(std::string_view key) {
     return std::nullopt;
 }
 
-std::optional<Vec3> Keys::vector(std::string_view key, Range range) {
-    const Value* value = any(key);
-    if (!value) return std::nullopt;
-    if (value->kind != Value::Kind::array || value->items.size() != 3) {
-        wrong(*value, key, "three numbers [x, y, z]");
+std::optional<Vec3> Keys::checkedVector(const Value& value, std::string_view key, Range range) {
+    if (value.kind != Value::Kind::array || value.items.size() != 3) {
+        wrong(value, key, "three numbers [x, y, z]");
         return std::nullopt;
     }
     Vec3 v;
     bool good = true;
     for (int i = 0; i < 3; ++i) {
         const std::optional<double> x =
-            checked(value->items[static_cast<std::size_t>(i)], key, range);
+            checked(value.items[static_cast<std::size_t>(i)], key, range);
         good = good && x.has_value();
         v[i] = x.value_or(0.0);
     }
     return good ? std::optional<Vec3>(v) : std::nullopt;
+}
+
+std::optional<Vec3> Keys::vector(std::string_view key, Range range) {
+    const Value* value = any(key);
+    return value ? checkedVector(*value, key, range) : std::nullopt;
+}
+
+std::optional<std::vector<Vec3>> Keys::vectors(std::string_view key, Range range) {
+    const Value* value = any(key);
+    if (!value) return std::nullopt;
+    if (value->kind != Value::Kind::array) {
+        wrong(*value, key, "a list of points [[x, y, z], ...]");
+        return std::nullopt;
+    }
+    std::vector<Vec3> points;
+    for (const Value& item : value->items) {
+        const std::optional<Vec3> point = checkedVector(item, key, range);
+        if (!point) return std::nullopt;
+        points.push_back(*point);
+    }
+    return points;
 }
 
 std::optional<std::vector<std::string>> Keys::texts(std::string_view key) {

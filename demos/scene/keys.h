@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "demos/scene/toml_value.h"
@@ -21,6 +22,11 @@ public:
     /// `where`: what the table is called in messages: "[world]", "a [[body]]".
     Keys(const Value& table, std::string where, Complaints& complaints);
 
+    /// The keys of a table inside this one.
+    Keys inner(const Value& table, std::string where) const {
+        return {table, std::move(where), complaints_};
+    }
+
     /// Any value; null when not given.
     const Value* any(std::string_view key);
     bool has(std::string_view key) const { return table_.find(key) != nullptr; }
@@ -34,6 +40,8 @@ public:
     std::optional<Vec3> vector(std::string_view key, Range range);
     std::optional<std::vector<std::string>> texts(std::string_view key);
     std::optional<std::vector<double>> numbers(std::string_view key, Range range);
+    /// [[x, y, z], ...]
+    std::optional<std::vector<Vec3>> vectors(std::string_view key, Range range);
     /// One of the words; `later`: words of the format that this version lacks.
     std::optional<std::string> word(std::string_view key, const std::vector<std::string>& words,
                                     const std::vector<std::string>& later = {});
@@ -51,6 +59,7 @@ public:
 
 private:
     std::optional<double> checked(const Value& value, std::string_view key, Range range);
+    std::optional<Vec3> checkedVector(const Value& value, std::string_view key, Range range);
     void wrong(const Value& value, std::string_view key, const std::string& right);
 
     const Value& table_;  // where it is none, it has no keys

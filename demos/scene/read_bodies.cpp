@@ -61,14 +61,14 @@ public:
         : instance_(instance),
           materials_(materials),
           complaints_(complaints),
-          keys_(*instance.table, "a [[body]]", complaints) {
+          keys_(instance.keys("a [[body]]", complaints)) {
         body_.place = instance.table->place;
     }
 
     /// Without a name when it has none that can be used.
     BodyDescription read() {
         readName();
-        if (const std::optional<engine::Shape> shape = readShape(keys_, complaints_))
+        if (const std::optional<engine::Shape> shape = readShape(keys_))
             body_.def.shape = *shape, shapeKnown_ = true;
         readMaterial();
         readKind();
@@ -121,7 +121,7 @@ private:
         if (fixed) body_.def.kind = engine::BodyKind::fixed;
         if (kinematic) {
             body_.def.kind = engine::BodyKind::kinematic;
-            readKinematic(*kinematic, instance_, body_, complaints_);
+            readKinematic(keys_.inner(*kinematic, "kinematic"), instance_, body_);
         }
         if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::plane && !fixed)
             keys_.complain("shape", "a plane that is not fixed; write fixed = true");
@@ -214,7 +214,7 @@ bool checkName(const std::string& name, Place place, const char* what, Complaint
 Materials readMaterials(Keys& top, Complaints& complaints) {
     Materials materials;
     for (const Value* table : top.tables("material")) {
-        Keys keys(*table, "a [[material]]", complaints);
+        Keys keys = top.inner(*table, "a [[material]]");
         if (!keys.has("name"))
             keys.complain("name", "a [[material]] has no name; write name = \"wood\"");
         const std::string name = keys.text("name").value_or("");

@@ -28,7 +28,7 @@ public:
           numbers_(numbers),
           scene_(scene),
           complaints_(complaints),
-          keys_(*instance.table, "a [[force]]", complaints) {
+          keys_(instance.keys("a [[force]]", complaints)) {
         force_.place = instance.table->place;
     }
 
@@ -147,7 +147,7 @@ private:
     void readRegion(engine::Medium& medium) {
         const Value* table = keys_.any("within");
         if (!table) return;
-        Keys keys(*table, "within", complaints_);
+        Keys keys = keys_.inner(*table, "within");
         const std::optional<Vec3> low = keys.vector("from", kMeters);
         const std::optional<Vec3> high = keys.vector("to", kMeters);
         keys.done();

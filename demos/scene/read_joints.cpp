@@ -20,7 +20,7 @@ public:
           scene_(scene),
           complaints_(complaints),
           before_(complaints.count()),
-          keys_(*instance.table, "a [[joint]]", complaints) {
+          keys_(instance.keys("a [[joint]]", complaints)) {
         joint_.place = instance.table->place;
     }
 
@@ -37,6 +37,10 @@ public:
     }
 
 private:
+    engine::JointDef& def() { return joint_.def; }
+    int a() const { return joint_.def.a.index; }
+    int b() const { return joint_.def.b.index; }
+
     bool good() const { return complaints_.count() == before_; }
 
     void readType() {
@@ -49,7 +53,7 @@ private:
                        {"slider", "universal", "look-at", "axis", "six-dof"});
         if (!type) return;
         type_ = *type;
-        joint_.type = type_ == "ball"       ? engine::JointType::ball
+        def().type = type_ == "ball"       ? engine::JointType::ball
                       : type_ == "distance" ? engine::JointType::distance
                       : type_ == "hinge"    ? engine::JointType::hinge
                                             : engine::JointType::weld;
@@ -78,14 +82,14 @@ private:
 
     void readBodies() {
         const int before = complaints_.count();
-        joint_.a = readBody("a");
-        joint_.b = readBody("b");
+        def().a = {readBody("a")};
+        def().b = {readBody("b")};
         if (complaints_.count() > before) return;
-        if (joint_.a == joint_.b)
-            keys_.complain("b", "a joint of '" + nameOf(joint_.b) +
+        if (a() == b())
+            keys_.complain("b", "a joint of '" + nameOf(b()) +
                                     "' with itself; a and b should be two bodies");
-        else if (!isDynamic(joint_.a) && !isDynamic(joint_.b))
-            keys_.complain("b", "neither '" + nameOf(joint_.a) + "' nor '" + nameOf(joint_.b) +
+        else if (!isDynamic(a()) && !isDynamic(b()))
+            keys_.complain("b", "neither '" + nameOf(a()) + "' nor '" + nameOf(b()) +
                                     "' can be moved; one of a joint's bodies should be dynamic");
     }
 
@@ -95,7 +99,7 @@ private:
     }
 
     void readName() {
-        joint_.name = nameOf(joint_.a) + "-" + nameOf(joint_.b);
+        joint_.name = nameOf(a()) + "-" + nameOf(b());
         const std::optional<std::string> text = keys_.text("name");
         if (!text) return;
         const std::string name = instance_.named(*text);
@@ -127,28 +131,28 @@ private:
         }
         if (anchor) {
             const Vec3 point = instance_.point(*anchor);
-            joint_.anchorA = poseOf(joint_.a).toLocal(point);
-            joint_.anchorB = poseOf(joint_.b).toLocal(point);
+            def().anchorA = poseOf(a()).toLocal(point);
+            def().anchorB = poseOf(b()).toLocal(point);
         } else if (anchorA && anchorB) {
-            joint_.anchorA = local(joint_.a, *anchorA);
-            joint_.anchorB = local(joint_.b, *anchorB);
+            def().anchorA = local(a(), *anchorA);
+            def().anchorB = local(b(), *anchorB);
         }
     }
 
     void placeDistance(const std::optional<Vec3>& anchorA, const std::optional<Vec3>& anchorB) {
         if (keys_.has("anchor"))
             keys_.complain("anchor", "a distance joint has two ends: give anchor_a and anchor_b");
-        const char* worldEnd = joint_.a < 0 ? "anchor_a" : joint_.b < 0 ? "anchor_b" : nullptr;
+        const char* worldEnd = a() < 0 ? "anchor_a" : b() < 0 ? "anchor_b" : nullptr;
         if (good() && worldEnd && !keys_.has(worldEnd))
             keys_.complain("type", std::string("the world has no centre; give ") + worldEnd +
                                        ", a point of the world");
-        joint_.anchorA = local(joint_.a, anchorA.value_or(Vec3(0, 0, 0)));
-        joint_.anchorB = local(joint_.b, anchorB.value_or(Vec3(0, 0, 0)));
-        joint_.length =
-            (poseOf(joint_.b).toWorld(joint_.anchorB) - poseOf(joint_.a).toWorld(joint_.anchorA))
+        def().anchorA = local(a(), anchorA.value_or(Vec3(0, 0, 0)));
+        def().anchorB = local(b(), anchorB.value_or(Vec3(0, 0, 0)));
+        def().length =
+            (poseOf(b()).toWorld(def().anchorB) - poseOf(a()).toWorld(def().anchorA))
                 .norm();
-        if (good() && joint_.length < kShortest)
-            keys_.complain("type", "the ends of a distance joint are " + numberText(joint_.length) +
+        if (good() && def().length < kShortest)
+            keys_.complain("type", "the ends of a distance joint are " + numberText(def().length) +
                                        " m apart; they should be at least 0.001 m: or use a ball");
     }
 
@@ -160,7 +164,7 @@ private:
             keys_.complain("axis", "a " + type_ + " joint has no axis; leave it out");
         if (!axis) return;
         if (axis->norm() > 1e-6)
-            joint_.axis = instance_.direction(axis->normalized());
+            def().axis = instance_.direction(axis->normalized());
         else
             keys_.complain("axis", "axis is [0, 0, 0]; it should be a direction, like [0, 0, 1]");
     }
@@ -168,11 +172,11 @@ private:
     void readSpring() {
         const Value* table = keys_.any("spring");
         if (!table) return;
-        Keys keys(*table, "a spring", complaints_);
+        Keys keys = keys_.inner(*table, "a spring");
         if (!keys.has("hz"))
             keys.complain("hz", "a spring has no frequency; write spring = { hz = 2, damping = 0.5 }");
-        joint_.spring.hz = keys.number("hz", {1e-3, 1e3, "hz"}).value_or(1.0);
-        joint_.spring.damping = keys.number("damping", {0.0, 100.0}).value_or(0.0);
+        def().spring.hz = keys.number("hz", {1e-3, 1e3, "hz"}).value_or(1.0);
+        def().spring.damping = keys.number("damping", {0.0, 100.0}).value_or(0.0);
         keys.done();
     }
 

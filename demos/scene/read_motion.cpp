@@ -10,19 +10,9 @@ constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr Range kSpeed{-1e4, 1e4, "m/s"};
 constexpr Range kSpin{-1e4, 1e4, "rad/s"};
 
-std::optional<std::vector<Vec3>> readPoints(Keys& keys, Complaints& complaints) {
-    const Value* value = keys.any("path");
-    std::vector<Vec3> points;
-    for (const Value& item : value->items) {
-        Value one;  // a table with the key, so that the point is read like any other
-        one.place = item.place;
-        one.keys.push_back({"path", item.place});
-        one.items.push_back(item);
-        const auto point = Keys(one, "a path", complaints).vector("path", kMeters);
-        if (!point) return std::nullopt;
-        points.push_back(*point);
-    }
-    if (value->kind == Value::Kind::array && points.size() >= 2) return points;
+std::optional<std::vector<Vec3>> readPoints(Keys& keys) {
+    const std::optional<std::vector<Vec3>> points = keys.vectors("path", kMeters);
+    if (!points || points->size() >= 2) return points;
     keys.complain("path", "path should be at least two points, like [[0, 1, 0], [4, 1, 0]]");
     return std::nullopt;
 }
@@ -44,9 +34,8 @@ std::vector<double> readTimes(Keys& keys, std::size_t points) {
     return {};
 }
 
-std::optional<PointPath> readPointPath(Keys& keys, const Instance& instance,
-                                       Complaints& complaints) {
-    const auto points = readPoints(keys, complaints);
+std::optional<PointPath> readPointPath(Keys& keys, const Instance& instance) {
+    const auto points = readPoints(keys);
     PointPath path;
     path.loop = keys.truth("loop").value_or(false);
     path.smooth = keys.truth("smooth").value_or(false);
@@ -66,9 +55,7 @@ std::optional<PointPath> readPointPath(Keys& keys, const Instance& instance,
     return path;
 }
 
-std::optional<Orbit> readOrbit(const Value& table, const Instance& instance,
-                               Complaints& complaints) {
-    Keys keys(table, "an orbit", complaints);
+std::optional<Orbit> readOrbit(Keys keys, const Instance& instance) {
     if (!keys.has("centre") || !keys.has("deg_per_s"))
         keys.complain("centre", "an orbit should say about what and how fast; write "
                                 "orbit = { centre = [0, 1, 0], axis = [0, 1, 0], deg_per_s = 90 }");
@@ -89,13 +76,11 @@ std::optional<Orbit> readOrbit(const Value& table, const Instance& instance,
 
 }  // namespace
 
-void readKinematic(const Value& table, const Instance& instance, BodyDescription& body,
-                   Complaints& complaints) {
-    Keys keys(table, "kinematic", complaints);
+void readKinematic(Keys keys, const Instance& instance, BodyDescription& body) {
     const Value* orbit = keys.any("orbit");
     const bool path = keys.has("path");
-    if (path) body.path = readPointPath(keys, instance, complaints);
-    if (orbit) body.path = readOrbit(*orbit, instance, complaints);
+    if (path) body.path = readPointPath(keys, instance);
+    if (orbit) body.path = readOrbit(keys.inner(*orbit, "an orbit"), instance);
     if (path && orbit) keys.complain("orbit", "path and orbit in one body; give one of them");
     for (const char* key : {"velocity", "spin"})
         if (keys.has(key) && (orbit || (path && key == std::string("velocity")))) {

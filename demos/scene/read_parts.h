@@ -28,14 +28,13 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
                        SceneDescription& scene, Complaints& complaints);
 
 // read_motion.cpp
-void readKinematic(const Value& table, const Instance& instance, BodyDescription& body,
-                   Complaints& complaints);
+void readKinematic(Keys keys, const Instance& instance, BodyDescription& body);
 
 // read_groups.cpp
 void numberGroups(SceneDescription& scene, Complaints& complaints);
 
 // read_shape.cpp
-std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints);
+std::optional<engine::Shape> readShape(Keys& body);
 
 // read_joints.cpp
 void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbers,

@@ -7,10 +7,9 @@ namespace {
 
 constexpr Range kSize{1e-3, 1e3, "m"};
 
-std::optional<engine::Shape> readCapsule(const Value& table, Complaints& complaints) {
-    Keys keys(table, "a capsule", complaints);
+std::optional<engine::Shape> readCapsule(Keys keys) {
     for (const char* key : {"radius", "height"})
-        if (table.kind == Value::Kind::table && !keys.has(key))
+        if (!keys.has(key))
             keys.complain(key, std::string("a capsule has no ") + key +
                                    "; write capsule = { radius = 0.1, height = 0.5 }");
     const std::optional<double> radius = keys.number("radius", kSize);
@@ -40,7 +39,7 @@ std::optional<engine::Shape> readPlane(Keys& keys) {
 
 }  // namespace
 
-std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints) {
+std::optional<engine::Shape> readShape(Keys& body) {
     const Value* table = body.any("shape");
     if (!table) {
         body.complain("shape",
@@ -48,7 +47,7 @@ std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints) {
                       "capsule, plane");
         return std::nullopt;
     }
-    Keys keys(*table, "a shape", complaints);
+    Keys keys = body.inner(*table, "a shape");
     std::optional<engine::Shape> shape;
     int given = 0;
     for (const char* key : {"sphere", "box", "capsule", "plane"}) given += keys.has(key) ? 1 : 0;
@@ -56,14 +55,15 @@ std::optional<engine::Shape> readShape(Keys& body, Complaints& complaints) {
         shape = engine::Shape::sphere(*radius);
     if (const std::optional<Vec3> size = keys.vector("box", kSize))
         shape = engine::Shape::box(*size);
-    if (const Value* capsule = keys.any("capsule")) shape = readCapsule(*capsule, complaints);
+    if (const Value* capsule = keys.any("capsule")) 
+        shape = readCapsule(keys.inner(*capsule, "a capsule"));
     if (const std::optional<engine::Shape> plane = readPlane(keys)) shape = plane;
     keys.later({"cylinder", "hull", "mesh", "compound"});
     keys.done();
     const bool empty = table->kind == Value::Kind::table && table->keys.empty();
     if (given > 1 || empty) {
-        complaints.add(table->place, std::string(empty ? "an empty shape" : "two shapes in one") +
-                                         "; give one of sphere, box, capsule, plane");
+        body.complain("shape", std::string(empty ? "an empty shape" : "two shapes in one") +
+                                   "; give one of sphere, box, capsule, plane");
         return std::nullopt;
     }
     return shape;

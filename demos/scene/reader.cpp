@@ -29,6 +29,8 @@ void readTop(Keys& top, SceneDescription& scene) {
         format && !(format->kind == Value::Kind::integer && format->integer == 1))
         top.complain("format", "format is " + describe(*format) + "; this version reads format 1");
     scene.title = top.text("title").value_or(scene.name);
+    scene.purpose = top.text("purpose").value_or("");
+    scene.group = top.text("group").value_or("");
     scene.seconds = top.number("seconds", {0.01, 1e5, "s"}).value_or(scene.seconds);
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "demos/scene/toml_value.h"
+#include "demos/scene/keys.h"
 
 namespace demos {
 
@@ -31,6 +31,10 @@ struct Instance {
     Motion motion[2];       // of i, of j; the inner one first
     Vec3 jitter{0, 0, 0};   // m, for this instance alone
 
+    /// Its table, to be read.
+    Keys keys(std::string where, Complaints& complaints) const {
+        return {*table, std::move(where), complaints};
+    }
     /// {i} {i+1} {i-1} {j} ... replaced; outside of a [[repeat]] the text itself.
     std::string named(std::string_view text) const;
     Vec3 point(const Vec3& p) const;

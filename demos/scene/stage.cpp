@@ -12,22 +12,21 @@ engine::BodyId addGround(engine::World& world) {
     return world.add(def);
 }
 
+/// What the description numbers by its own bodies.
+engine::BodyId bodyOf(engine::BodyId id, const Stage& stage) {
+    return id.index < 0 ? stage.ground : stage.bodies[static_cast<std::size_t>(id.index)];
+}
+
 engine::JointDef jointDef(const JointDescription& joint, const Stage& stage) {
-    engine::JointDef def;
-    def.type = joint.type;
-    def.a = joint.a < 0 ? stage.ground : stage.bodies[joint.a];
-    def.b = joint.b < 0 ? stage.ground : stage.bodies[joint.b];
-    def.anchorA = joint.anchorA;
-    def.anchorB = joint.anchorB;
-    def.axis = joint.axis;
-    def.length = joint.length;
-    def.spring = joint.spring;
+    engine::JointDef def = joint.def;
+    def.a = bodyOf(joint.def.a, stage);
+    def.b = bodyOf(joint.def.b, stage);
     return def;
 }
 
 engine::ForceDef forceDef(const ForceDescription& force, const Stage& stage) {
     engine::ForceDef def = force.def;
-    for (engine::BodyId& id : def.on) id = id.index < 0 ? stage.ground : stage.bodies[id.index];
+    for (engine::BodyId& id : def.on) id = bodyOf(id, stage);
     return def;
 }
 
