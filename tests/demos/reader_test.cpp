@@ -86,11 +86,11 @@ TEST(Reader, PutsAnchorsInBodyAxes) {
              "quaternion = [0, 0, 0, 1]\n[[joint]]\ntype = 'ball'\na = 'world'\nb = 'ball'\n"
              "anchor = [1, 3, 0]\n[[joint]]\ntype = 'distance'\na = 'ball'\nb = 'world'\n"
              "anchor_b = [0, 5, 0]\n");
-    EXPECT_EQ(scene.joints[0].a, -1);
-    EXPECT_EQ(scene.joints[0].anchorA, Vec3(1, 3, 0));
-    EXPECT_NEAR((scene.joints[0].anchorB - Vec3(-1, -1, 0)).norm(), 0.0, 1e-15);
+    EXPECT_EQ(scene.joints[0].def.a.index, -1);
+    EXPECT_EQ(scene.joints[0].def.anchorA, Vec3(1, 3, 0));
+    EXPECT_NEAR((scene.joints[0].def.anchorB - Vec3(-1, -1, 0)).norm(), 0.0, 1e-15);
     EXPECT_EQ(scene.joints[0].name, "world-ball");
-    EXPECT_EQ(scene.joints[1].length, 3.0);
+    EXPECT_EQ(scene.joints[1].def.length, 3.0);
 }
 
 TEST(Reader, KeepsTheOrderOfTheFile) {
@@ -110,7 +110,7 @@ TEST(Repeat, MovesAndNames) {
     EXPECT_EQ(scene.bodies[2].def.pose.position, Vec3(7, 4, 0));
     ASSERT_EQ(scene.joints.size(), 2u);
     EXPECT_EQ(scene.joints[1].name, "a1-a2");
-    EXPECT_EQ(scene.joints[1].anchorA, Vec3(0.5, 1, 0));
+    EXPECT_EQ(scene.joints[1].def.anchorA, Vec3(0.5, 1, 0));
 }
 
 TEST(Repeat, NestsWithAShrinkingCount) {
