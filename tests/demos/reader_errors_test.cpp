@@ -170,8 +170,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"position", kBall + "velocity = [1, nan, 0]\n", "6:16", "velocity is nan"},
         BadScene{"restitution", kBall + "[[material]]\nname = 'm'\nrestitution = 1.5\n", "8:15",
                  "from 0 to 1"},
-        BadScene{"rolling later", kBall + "[[material]]\nname = 'm'\nrolling = 0.5\n", "8:1",
-                 "not available yet"}));
+        BadScene{"rolling", kBall + "[[material]]\nname = 'm'\nrolling = -0.5\n", "8:11",
+                 "rolling is -0.5; it should be a number from 0 to 10 m"}));
 
 const std::string kJoint = kFloor + kBall + "[[joint]]\n";  // line 10
 
