@@ -203,13 +203,26 @@ private:
         const std::optional<double> mass = keys_.number("mass", kMass);
         if (mass) body_.def.mass = mass;
         body_.def.inertia = readInertia(keys_);
-        if (!shapeKnown_ || mass || body_.def.kind != engine::BodyKind::dynamic) return;
+        if (!shapeKnown_ || body_.def.kind != engine::BodyKind::dynamic) return;
         const double own = engine::massOf(body_.def.shape, body_.def.material.density);
-        if (own < kMass.low || own > kMass.high)
+        checkInertia(mass.value_or(own));
+        if (!mass && (own < kMass.low || own > kMass.high))
             keys_.complain("shape", "its volume and a density of " +
                                         numberText(body_.def.material.density) + " kg/m^3 make " +
                                         numberText(own) +
                                         " kg; it should be from 1e-06 to 1e+09 kg: give a mass");
+    }
+
+    /// Of pebbles a mile apart rounding leaves nothing about the line through them.
+    void checkInertia(double mass) {
+        const engine::ShapeType type = body_.def.shape.type;
+        if (body_.def.inertia || type == engine::ShapeType::plane ||
+            type == engine::ShapeType::mesh)
+            return;
+        const Eigen::LLT<engine::Mat3> factor(engine::inertiaOf(body_.def.shape, mass));
+        if (factor.info() != Eigen::Success)
+            keys_.complain("shape", "its inertia is not positive definite, because it is so thin for "
+                                    "its length; give an inertia");
     }
 
     const Instance& instance_;
