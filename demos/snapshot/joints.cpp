@@ -23,6 +23,7 @@ void addRod(const Vec3& from, const Vec3& to, float radius, render::Frame& frame
 void addArm(const Stage& stage, engine::BodyId body, const Vec3& local, const Vec3& anchor,
             render::Frame& frame) {
     constexpr double kHair = 1e-6;  // m
+    if (local.isZero(kHair)) return;
     if (body == stage.ground || engine::isInside(stage.world.def(body).shape, local, kHair)) return;
     addRod(stage.world.pose(body).position, anchor, kRodRadius, frame);
 }
