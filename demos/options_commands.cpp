@@ -323,7 +323,8 @@ constexpr CommandText kCommands[] = {
     {Command::list,
      "list",
      "the built-in scenes",
-     {"impulse list", "impulse list stack", "impulse list stack --print > my.toml"}},
+     {"impulse list", "impulse list stack --print > my.toml",
+      "impulse list --schema > scene.schema.json"}},
     {Command::doctor,
      "doctor",
      "what this machine can do",
@@ -369,6 +370,8 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
                 ->type_name("SCENE")
                 ->expected(0, 1);
             app.add_flag("--print", options.print, "the scene file itself; default: off");
+            app.add_flag("--schema", options.schema,
+                         "the JSON Schema of scene files, for editors; default: off");
             app.add_flag("--json", options.json, "one JSON object a line; default: off");
             return;
         case Command::completion:

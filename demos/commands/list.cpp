@@ -6,6 +6,7 @@
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
 #include "demos/scene/reader.h"
+#include "demos/scene/schema.h"
 
 namespace demos {
 namespace {
@@ -61,6 +62,12 @@ void sayOne(const SceneDescription& scene) {
 }  // namespace
 
 Exit listCommand(const Options& options) {
+    if (options.schema) {
+        if (!options.scenes.empty() || options.print || options.json)
+            throw Stop(Exit::usage, "--schema stands alone, as in 'impulse list --schema'");
+        fmt::print("{}", sceneSchema());
+        return Exit::ok;
+    }
     if (options.scenes.empty()) {
         if (options.print)
             throw Stop(Exit::usage, "--print needs a scene, as in 'impulse list stack --print'");

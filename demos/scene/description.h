@@ -2,6 +2,7 @@
 /// in, [[repeat]] unrolled. See shared format 1; the reader makes it, the stage plays it.
 #pragma once
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +18,11 @@ namespace demos {
 using engine::Quat;
 using engine::Vec3;
 
-/// Where in the file something was written; line and column count from 1.
+/// Where something was written; line and column count from 1. Files are numbered in the order in
+/// which their tables are read: what is included comes before what includes it.
 struct Place {
     int line = 0, column = 0;
+    int file = 0;
 };
 
 struct BodyDescription {
@@ -115,6 +118,7 @@ struct Snapshot {
 
 struct SceneDescription {
     std::string name;  // built-in name or the file's stem
+    std::optional<std::filesystem::path> folder;  // of the file: where those it names are looked for
     std::string title;
     std::string purpose;        // what it shows, a line for `impulse list`
     std::string group;          // under which it is listed
