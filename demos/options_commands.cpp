@@ -393,6 +393,8 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
                 ->type_name("SCENE")
                 ->expected(0, kMostListed);
             app.add_flag("--print", options.print, "the scene file itself; default: off");
+            app.add_flag("--schema", options.schema,
+                         "the JSON Schema of scene files, for editors; default: off");
             addGallery(app, options, raw);
             addFeedback(app, options);
             return;

@@ -8,6 +8,7 @@
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
 #include "demos/scene/reader.h"
+#include "demos/scene/schema.h"
 
 namespace demos {
 namespace {
@@ -73,6 +74,12 @@ std::vector<SceneDescription> scenesByGroup() {
 }
 
 Exit listCommand(const Options& options) {
+    if (options.schema) {
+        if (!options.scenes.empty() || options.print || options.json || options.gallery)
+            throw Stop(Exit::usage, "--schema stands alone, as in 'impulse list --schema'");
+        fmt::print("{}", sceneSchema());
+        return Exit::ok;
+    }
     if (options.gallery) return galleryCommand(options);
     if (options.scenes.size() > 1)
         throw Stop(Exit::usage, "several scenes; list describes one, or --gallery draws them");

@@ -8,7 +8,6 @@
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
 #include "demos/film/text_hash.h"
-#include "demos/scene/builtin.h"
 #include "demos/scene/reader.h"
 #include "demos/stop.h"
 #include "demos/version.h"
@@ -71,12 +70,6 @@ std::string programText() {
         std::fclose(file);
     }
     return text;
-}
-
-std::string sceneText(const std::string& nameOrPath) {
-    for (const BuiltinScene& scene : builtinScenes())
-        if (scene.name == nameOrPath) return std::string(scene.text);
-    return readSceneFile(nameOrPath);
 }
 
 }  // namespace

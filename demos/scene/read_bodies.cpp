@@ -291,7 +291,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
         if (twice && instance.table != complainedOf)
             complaints.add(body.place,
                            "two bodies are called '" + body.name + "'; rename one" +
-                               (instance.depth > 0 ? ", in a [[repeat]] with {i}" : ""));
+                               (instance.isRepeated() ? ", in a [[repeat]] with {i}" : ""));
         if (complaints.count() > before) complainedOf = instance.table;
         scene.bodies.push_back(std::move(body));
     }
