@@ -222,8 +222,8 @@ private:
             return;
         const Eigen::LLT<engine::Mat3> factor(engine::inertiaOf(body_.def.shape, mass));
         if (factor.info() != Eigen::Success)
-            keys_.complain("shape", "its inertia is not positive definite, because it is so thin for "
-                                    "its length; give an inertia");
+            keys_.complain("shape", "its inertia is not positive definite, because it is so thin "
+                                    "for its length; give an inertia");
     }
 
     const Instance& instance_;
@@ -277,7 +277,7 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
 BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
                        SceneDescription& scene, Complaints& complaints) {
     BodyNumbers numbers;
-    ShapeFiles files{scene.folder, {}};
+    ShapeFiles files{scene.folder, {}, {}};
     const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         const int before = complaints.count();
@@ -295,6 +295,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
         if (complaints.count() > before) complainedOf = instance.table;
         scene.bodies.push_back(std::move(body));
     }
+    scene.contents = files.contents.value();
     return numbers;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "demos/scene/keys.h"
+#include "demos/text_hash.h"
 #include "engine/shape.h"
 
 namespace demos {
@@ -14,6 +15,7 @@ namespace demos {
 struct ShapeFiles {
     std::optional<std::filesystem::path> folder;  // that they are relative to; none: no files
     std::map<std::string, engine::Shape> known;   // by file, use, scale and turn
+    TextHash contents;                            // of what was read
 };
 
 /// What a shape needs to know besides its own keys.
@@ -29,7 +31,7 @@ std::optional<engine::Shape> readShapeTable(const Value& table, Keys keys, Shape
 std::optional<engine::Shape> readHull(Keys& keys, ShapeReading& reading);         // read_hull.cpp
 std::optional<engine::Shape> readMesh(Keys& keys, ShapeReading& reading);         // read_mesh.cpp
 std::optional<engine::Shape> readHeightField(Keys& keys, ShapeReading& reading);  // read_mesh.cpp
-std::optional<engine::Shape> readCompound(Keys& keys, ShapeReading& reading);     // read_compound.cpp
+std::optional<engine::Shape> readCompound(Keys& keys, ShapeReading& reading);  // read_compound.cpp
 
 /// `scale` and `turn_deg` of points and files: p -> R S p.
 struct Placing {
