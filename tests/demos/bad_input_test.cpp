@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
     Limits, BadInputs,
     testing::Values(BadInput{"joints",
                              tenThousand("joint = [" + kWeld + ", " + kWeld + ", " + kWeld + "]"),
-                             "8:140", "more than 20000 joints; make the scene or a count smaller"},
+                             "8:138", "more than 20000 joints; make the scene or a count smaller"},
                     BadInput{"forces", tenThousand("force = [" + kPush + ", " + kPush + "]"),
                              "8:10", "more than 10000 forces; make the scene or a count smaller"},
                     BadInput{"long name",
