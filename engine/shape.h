@@ -48,7 +48,8 @@ struct Shape {
     /// The convex hull of points (m). Nothing where they are flat to a ten-thousandth of their
     /// extent, are not all finite, or span more than kMostCorners corners.
     static std::optional<Shape> hullOf(std::span<const Vec3> points);
-    /// Of anything but planes and meshes; parts that overlap weigh twice there. At least one.
+    /// Of anything but planes and meshes; parts that overlap weigh there with both their densities.
+    /// At least one.
     static Shape compound(std::span<const ShapePart> parts);
     /// A surface for bodies that are not dynamic: it holds from the side from which its triangles
     /// are seen counter-clockwise. Those without an area are left out; at least one must stay.
@@ -66,6 +67,7 @@ struct Shape {
 struct ShapePart {
     Shape shape;
     Pose pose;
+    double density = 1.0;  // positive; times the body's own: 2 weighs twice as much as the rest
 };
 
 /// m: the farthest of its points from the centre of mass; 0 for a plane.

@@ -2,6 +2,7 @@
 /// in, [[repeat]] unrolled. See shared format 1; the reader makes it, the stage plays it.
 #pragma once
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -115,6 +116,7 @@ struct Snapshot {
 
 struct SceneDescription {
     std::string name;  // built-in name or the file's stem
+    std::optional<std::filesystem::path> folder;  // of the file: where those it names are looked for
     std::string title;
     std::string purpose;        // what it shows, a line for `impulse list`
     std::string group;          // under which it is listed

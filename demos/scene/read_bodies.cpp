@@ -4,6 +4,7 @@
 
 #include "demos/scene/nearest.h"
 #include "demos/scene/read_parts.h"
+#include "demos/scene/read_shape.h"
 #include "engine/base/trigonometry.h"
 #include "engine/shapes/mass.h"
 
@@ -38,7 +39,7 @@ std::optional<engine::Mat3> readInertia(Keys& keys) {
 }
 
 Quat readRotation(Keys& keys) {
-    const std::optional<Vec3> degrees = keys.vector("turn_deg", {-1e6, 1e6, "deg"});
+    const Quat turned = readTurn(keys);
     const auto q = keys.numbers("quaternion", {-1e3, 1e3});
     if (q && keys.has("turn_deg"))
         keys.complain("quaternion", "turn_deg and quaternion in one body; give one of them");
@@ -48,18 +49,17 @@ Quat readRotation(Keys& keys) {
         if (turn.norm() > 1e-6) return turn.normalized();
         keys.complain("quaternion", "quaternion should be four numbers [w, x, y, z], not all zero");
     }
-    if (!degrees) return Quat::Identity();
-    Vec3 angles;
-    for (int k = 0; k < 3; ++k) angles[k] = engine::radians((*degrees)[k]);
-    return engine::turnAboutXyz(angles);
+    return turned;
 }
 
 /// One body of the file, or of one turn of a [[repeat]].
 class BodyReader {
 public:
-    BodyReader(const Instance& instance, const Materials& materials, Complaints& complaints)
+    BodyReader(const Instance& instance, const Materials& materials, ShapeFiles& files,
+               Complaints& complaints)
         : instance_(instance),
           materials_(materials),
+          files_(files),
           complaints_(complaints),
           keys_(instance.keys("a [[body]]", complaints)) {
         body_.place = instance.table->place;
@@ -68,9 +68,9 @@ public:
     /// Without a name when it has none that can be used.
     BodyDescription read() {
         readName();
-        if (const std::optional<engine::Shape> shape = readShape(keys_))
-            body_.def.shape = *shape, shapeKnown_ = true;
         readMaterial();
+        readDensity();
+        readShape();
         readKind();
         readPose();
         readMotion();
@@ -113,6 +113,19 @@ private:
                                                       : suggestion(*name, names)));
     }
 
+    void readDensity() {
+        const std::optional<double> density = keys_.number("density", kDensity);
+        if (keys_.has("mass") && keys_.has("density"))
+            keys_.complain("density", "mass and density in one body; give one of them");
+        if (density) body_.def.material.density = *density;
+    }
+
+    void readShape() {
+        const auto shape = demos::readShape(keys_, body_.def.material.density, files_);
+        shapeKnown_ = shape.has_value();
+        if (shape) body_.def.shape = *shape;
+    }
+
     void readKind() {
         const bool fixed = keys_.truth("fixed").value_or(false);
         const Value* kinematic = keys_.any("kinematic");
@@ -125,6 +138,9 @@ private:
         }
         if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::plane && !fixed)
             keys_.complain("shape", "a plane that is not fixed; write fixed = true");
+        if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::mesh && !fixed && !kinematic)
+            keys_.complain("shape", "a mesh or height_field that can be moved; write fixed = true "
+                                    "or kinematic, or make it a hull");
         if (body_.def.kind == engine::BodyKind::dynamic) return;
         for (const char* key : {"velocity", "spin", "mass", "density", "inertia"})
             if (keys_.has(key))
@@ -146,6 +162,19 @@ private:
         if (body_.def.pose.position.cwiseAbs().maxCoeff() > kMeters.high)
             keys_.complain("at", "a [[repeat]] puts '" + body_.name +
                                      "' more than 100000 m from the origin; make its step smaller");
+        putCentreOfMass();
+    }
+
+    /// `at` and paths tell where the origin of a hull's points or a compound's parts is; the
+    /// engine's poses are of the centre of mass.
+    void putCentreOfMass() {
+        engine::Pose& pose = body_.def.pose;
+        pose.position -= pose.rotation * body_.def.shape.origin;
+        const double farthest = pose.position.cwiseAbs().maxCoeff();
+        if (farthest > kMeters.high && body_.def.shape.origin != Vec3::Zero())
+            keys_.complain("shape", "its centre of mass would be " + numberText(farthest) +
+                                        " m from the origin; it should be at most 100000 m: move "
+                                        "its points towards their own origin");
     }
 
     void readMotion() {
@@ -172,14 +201,10 @@ private:
 
     void readMass() {
         const std::optional<double> mass = keys_.number("mass", kMass);
-        const std::optional<double> density = keys_.number("density", kDensity);
-        if (keys_.has("mass") && keys_.has("density"))
-            keys_.complain("density", "mass and density in one body; give one of them");
         if (mass) body_.def.mass = mass;
-        if (density) body_.def.material.density = *density;
         body_.def.inertia = readInertia(keys_);
         if (!shapeKnown_ || mass || body_.def.kind != engine::BodyKind::dynamic) return;
-        const double own = body_.def.material.density * engine::volume(body_.def.shape);
+        const double own = engine::massOf(body_.def.shape, body_.def.material.density);
         if (own < kMass.low || own > kMass.high)
             keys_.complain("shape", "its volume and a density of " +
                                         numberText(body_.def.material.density) + " kg/m^3 make " +
@@ -189,6 +214,7 @@ private:
 
     const Instance& instance_;
     const Materials& materials_;
+    ShapeFiles& files_;
     Complaints& complaints_;
     Keys keys_;
     BodyDescription body_;
@@ -237,12 +263,13 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
 BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
                        SceneDescription& scene, Complaints& complaints) {
     BodyNumbers numbers;
+    ShapeFiles files{scene.folder, {}};
     const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         const int before = complaints.count();
         BodyDescription body;
         if (instance.table != complainedOf)
-            body = BodyReader(instance, materials, complaints).read();
+            body = BodyReader(instance, materials, files, complaints).read();
         else if (const Value* name = instance.table->find("name"))
             body.name = instance.named(name->text);  // so that joints find it
         const int number = static_cast<int>(scene.bodies.size());

@@ -209,9 +209,11 @@ private:
         return body < 0 ? engine::Pose{} : scene_.bodies[body].def.pose;
     }
 
+    /// From the origin of the body's shape, as written; its centre of mass when not given.
     Vec3 readAnchor(const char* key, int body) {
-        const Vec3 anchor = keys_.vector(key, kMeters).value_or(Vec3(0, 0, 0));
-        return body < 0 ? instance_.point(anchor) : anchor;
+        const std::optional<Vec3> anchor = keys_.vector(key, kMeters);
+        if (body < 0) return instance_.point(anchor.value_or(Vec3(0, 0, 0)));
+        return anchor ? Vec3(*anchor + scene_.bodies[body].def.shape.origin) : Vec3(0, 0, 0);
     }
 
     engine::SpringForce readSpring() {

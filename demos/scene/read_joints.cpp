@@ -2,14 +2,19 @@
 
 #include <set>
 
+#include "demos/scene/joint_kinds.h"
 #include "demos/scene/nearest.h"
+#include "demos/scene/read_freedom.h"
 #include "demos/scene/read_parts.h"
+#include "engine/base/trigonometry.h"
 
 namespace demos {
 namespace {
 
+using engine::JointType;
+
 constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr double kShortest = 1e-3;  // m, of a distance joint
+constexpr double kShortest = 1e-3;  // m, between the ends of a distance joint
 
 class JointReader {
 public:
@@ -26,12 +31,15 @@ public:
 
     JointDescription read() {
         readType();
+        if (!kind_) return joint_;
+        checkJointKeys(keys_, *kind_);
         readBodies();
         readName();
         readAnchors();
-        readAxis();
-        readSpring();
-        keys_.later({"limits", "limits_deg", "motor", "break_at"});
+        readAxes();
+        readCoordinates();
+        readBreaking();
+        readRest();
         keys_.done();
         return joint_;
     }
@@ -45,18 +53,12 @@ private:
 
     void readType() {
         if (!keys_.has("type"))
-            keys_.complain("type",
-                           "a [[joint]] has no type; write type = \"ball\", or distance, "
-                           "hinge, weld");
-        const std::optional<std::string> type =
-            keys_.word("type", {"ball", "distance", "hinge", "weld"},
-                       {"slider", "universal", "look-at", "axis", "six-dof"});
-        if (!type) return;
-        type_ = *type;
-        def().type = type_ == "ball"       ? engine::JointType::ball
-                      : type_ == "distance" ? engine::JointType::distance
-                      : type_ == "hinge"    ? engine::JointType::hinge
-                                            : engine::JointType::weld;
+            keys_.complain("type", "a [[joint]] has no type; write type = \"ball\", or " +
+                                       anyOf(jointKindNames()));
+        const std::optional<std::string> type = keys_.word("type", jointKindNames());
+        for (const JointKind& kind : jointKinds())
+            if (type == kind.name) kind_ = &kind;
+        if (kind_) def().type = kind_->type;
     }
 
     /// The place in scene.bodies; -1 for 'world' and for what is wrong.
@@ -110,16 +112,18 @@ private:
         return body < 0 ? engine::Pose{} : scene_.bodies[body].def.pose;
     }
 
-    /// In body axes; those of the world are moved by [[repeat]], like a body would be.
-    Vec3 local(int body, const Vec3& anchor) const {
-        return body < 0 ? instance_.point(anchor) : anchor;
+    /// From the origin of the body's shape, as written, to its centre of mass; points of the world
+    /// are moved by [[repeat]], like a body would be.
+    Vec3 local(int body, const Vec3& point) const {
+        return body < 0 ? instance_.point(point)
+                        : Vec3(point + scene_.bodies[body].def.shape.origin);
     }
 
     void readAnchors() {
         const std::optional<Vec3> anchor = keys_.vector("anchor", kMeters);
         const std::optional<Vec3> anchorA = keys_.vector("anchor_a", kMeters);
         const std::optional<Vec3> anchorB = keys_.vector("anchor_b", kMeters);
-        if (type_ == "distance") return placeDistance(anchorA, anchorB);
+        if (!kind_->has("anchor")) return placeEnds(anchorA, anchorB);
         const bool one = keys_.has("anchor");
         const bool two = keys_.has("anchor_a") && keys_.has("anchor_b");
         const bool any = keys_.has("anchor_a") || keys_.has("anchor_b");
@@ -139,45 +143,140 @@ private:
         }
     }
 
-    void placeDistance(const std::optional<Vec3>& anchorA, const std::optional<Vec3>& anchorB) {
-        if (keys_.has("anchor"))
-            keys_.complain("anchor", "a distance joint has two ends: give anchor_a and anchor_b");
+    /// Two points of their own; the centres of mass, where they are not given.
+    void placeEnds(const std::optional<Vec3>& anchorA, const std::optional<Vec3>& anchorB) {
         const char* worldEnd = a() < 0 ? "anchor_a" : b() < 0 ? "anchor_b" : nullptr;
-        if (good() && worldEnd && !keys_.has(worldEnd))
+        if (good() && worldEnd && kind_->has(worldEnd) && !keys_.has(worldEnd))
             keys_.complain("type", std::string("the world has no centre; give ") + worldEnd +
                                        ", a point of the world");
-        def().anchorA = local(a(), anchorA.value_or(Vec3(0, 0, 0)));
-        def().anchorB = local(b(), anchorB.value_or(Vec3(0, 0, 0)));
-        def().length =
-            (poseOf(b()).toWorld(def().anchorB) - poseOf(a()).toWorld(def().anchorA))
-                .norm();
-        if (good() && def().length < kShortest)
+        if (anchorA) def().anchorA = local(a(), *anchorA);
+        if (anchorB) def().anchorB = local(b(), *anchorB);
+    }
+
+    double endsApart() const {
+        const engine::JointDef& def = joint_.def;
+        return (poseOf(b()).toWorld(def.anchorB) - poseOf(a()).toWorld(def.anchorA)).norm();
+    }
+
+    void readDirection(const char* key, Vec3& direction) {
+        const std::optional<Vec3> given = keys_.vector(key, {-1e6, 1e6});
+        if (!given) return;
+        if (given->norm() > 1e-6)
+            direction = instance_.direction(given->normalized());
+        else
+            keys_.complain(key, std::string(key) + " is [0, 0, 0]; it should be a direction, like "
+                                                   "[0, 0, 1]");
+    }
+
+    void readAxes() {
+        readDirection("axis", def().axis);
+        readDirection("axis2", def().axis2);
+        if (!good() || !keys_.has("axis2")) return;
+        const bool across = def().type == JointType::universal || def().type == JointType::wheel;
+        if (across && std::abs(def().axis.dot(def().axis2)) > 1e-7)
+            keys_.complain("axis2", "axis2 of " + kind_->text() +
+                                        " should be at right angles to axis");
+    }
+
+    /// One of the free coordinates of the types that have one or two.
+    void readCoordinates() {
+        const bool isWay = def().type == JointType::distance || def().type == JointType::slider ||
+                           def().type == JointType::wheel || def().type == JointType::path;
+        const Way way = isWay ? Way::along : Way::about;
+        engine::Freedom &first = def().free[0], &second = def().free[1];
+        if (const auto limits = readLimits(keys_, isWay ? "limits" : "limits_deg", way))
+            first.limits = *limits;
+        if (const auto limits = readLimits(keys_, "limits2_deg", Way::about))
+            second.limits = *limits;
+        const bool spins = def().type == JointType::wheel;
+        if (const auto motor = readMotor(keys_, "motor", spins ? Way::about : way))
+            (spins ? second : first).motor = *motor;
+        if (const auto motor = readMotor(keys_, "motor2", Way::about)) second.motor = *motor;
+        if (const auto twist = readLimits(keys_, "twist_deg", Way::about)) first.limits = *twist;
+        if (const auto swing = keys_.number("swing_deg", {0.0, 180.0, "deg"}))
+            second.limits.high = engine::radians(*swing);
+        if (kind_->has("soft")) readRestingSpring(keys_, "spring", way, first);
+        def().spring = readSpring(keys_, kind_->has("soft") ? "soft" : "spring")
+                           .value_or(engine::Spring{});
+    }
+
+    void readBreaking() {
+        const Range newtons{1e-6, 1e12, "N"}, newtonMetres{1e-6, 1e12, "N m"};
+        def().breakForce = keys_.number("break_at", newtons).value_or(engine::kUnlimited);
+        def().breakTorque = keys_.number("break_torque", newtonMetres).value_or(engine::kUnlimited);
+    }
+
+    /// What one type alone has.
+    void readRest() {
+        const bool limited = keys_.has("twist_deg") || keys_.has("swing_deg");
+        if (def().type == JointType::ball && limited && !keys_.has("axis"))
+            keys_.complain("type", "twist and swing of which axis? write axis = [0, 1, 0]");
+        if (def().type == JointType::distance) readLength();
+        if (def().type == JointType::sixDof) readSixDof();
+        if (def().type == JointType::gear) readRatio();
+        if (def().type == JointType::path) readPath();
+        if (def().type == JointType::lookAt && good() && endsApart() < kShortest)
+            keys_.complain("type", "the ends of a look-at joint are in one place; they should be at "
+                                   "least 0.001 m apart: b looks from anchor_b at anchor_a");
+    }
+
+    void readLength() {
+        const auto length = keys_.number("length", {kShortest, 1e5, "m"});
+        def().length = length.value_or(endsApart());
+        if (def().free[0].limits.low < 0.0 && keys_.has("limits"))
+            keys_.complain("limits", "limits of a distance should not be below 0");
+        const bool held = def().spring.isSoft() || !def().acts();
+        if (good() && held && def().length < kShortest)
             keys_.complain("type", "the ends of a distance joint are " + numberText(def().length) +
                                        " m apart; they should be at least 0.001 m: or use a ball");
     }
 
-    void readAxis() {
-        const std::optional<Vec3> axis = keys_.vector("axis", {-1e6, 1e6});
-        if (type_ == "hinge" && !keys_.has("axis"))
-            keys_.complain("type", "a hinge has no axis; write axis = [0, 0, 1]");
-        if (!type_.empty() && type_ != "hinge" && keys_.has("axis"))
-            keys_.complain("axis", "a " + type_ + " joint has no axis; leave it out");
-        if (!axis) return;
-        if (axis->norm() > 1e-6)
-            def().axis = instance_.direction(axis->normalized());
-        else
-            keys_.complain("axis", "axis is [0, 0, 0]; it should be a direction, like [0, 0, 1]");
+    void readSixDof() {
+        constexpr const char* kNames[] = {"x", "y", "z", "rx", "ry", "rz"};
+        bool any = false;
+        for (std::size_t i = 0; i < 6; ++i) {
+            def().free[i] = readFreedom(keys_, kNames[i], i < 3 ? Way::along : Way::about);
+            any = any || def().free[i].locked || def().free[i].acts();
+        }
+        if (good() && !any)
+            keys_.complain("type", "a six-dof joint that leaves everything free; write x = "
+                                   "\"locked\", or y, z, rx, ry, rz");
+        if (keys_.has("axis") != keys_.has("axis2"))
+            keys_.complain(keys_.has("axis") ? "axis" : "axis2",
+                           "a six-dof joint has axis (its x) and axis2 (its y), or neither: the "
+                           "world's axes");
+        else if (good() && keys_.has("axis") && def().axis.cross(def().axis2).norm() < 1e-3)
+            keys_.complain("axis2", "axis2 should be across axis");
     }
 
-    void readSpring() {
-        const Value* table = keys_.any("spring");
-        if (!table) return;
-        Keys keys = keys_.inner(*table, "a spring");
-        if (!keys.has("hz"))
-            keys.complain("hz", "a spring has no frequency; write spring = { hz = 2, damping = 0.5 }");
-        def().spring.hz = keys.number("hz", {1e-3, 1e3, "hz"}).value_or(1.0);
-        def().spring.damping = keys.number("damping", {0.0, 100.0}).value_or(0.0);
-        keys.done();
+    void readRatio() {
+        def().ratio = keys_.number("ratio", {-1e4, 1e4}).value_or(1.0);
+        if (std::abs(def().ratio) >= 1e-4) return;
+        keys_.complain("ratio", "ratio is " + numberText(def().ratio) +
+                                    "; it should be from 0.0001 to 10000, or as much below 0");
+    }
+
+    void readPath() {
+        constexpr std::size_t kMostPoints = 1000;
+        def().closed = keys_.truth("closed").value_or(false);
+        const auto points = keys_.vectors("points", kMeters);
+        if (!points) return;
+        const std::size_t least = def().closed ? 3 : 2;
+        if (points->size() < least || points->size() > kMostPoints) {
+            keys_.complain("points", "points are " + std::to_string(points->size()) +
+                                         "; a path should have " + std::to_string(least) + " to " +
+                                         std::to_string(kMostPoints));
+            return;
+        }
+        for (const Vec3& point : *points) def().path.push_back(local(a(), point));
+        for (std::size_t i = def().closed ? 0 : 1; i < points->size(); ++i) {
+            const Vec3& before = i == 0 ? points->back() : (*points)[i - 1];
+            if (((*points)[i] - before).norm() >= kShortest) continue;
+            keys_.complain("points", "point " + std::to_string(i) + " of the path is where the one "
+                                     "before it is; they should be at least 0.001 m apart" +
+                                     (i == 0 ? ": leave the last one out" : ""));
+            return;
+        }
     }
 
     const Instance& instance_;
@@ -187,7 +286,7 @@ private:
     int before_;
     Keys keys_;
     JointDescription joint_;
-    std::string type_;
+    const JointKind* kind_ = nullptr;
 };
 
 }  // namespace

@@ -33,8 +33,9 @@ void readKinematic(Keys keys, const Instance& instance, BodyDescription& body);
 // read_groups.cpp
 void numberGroups(SceneDescription& scene, Complaints& complaints);
 
-// read_shape.cpp
-std::optional<engine::Shape> readShape(Keys& body);
+// read_shape.cpp; `density`: kg/m^3, of the body
+struct ShapeFiles;
+std::optional<engine::Shape> readShape(Keys& body, double density, ShapeFiles& files);
 
 // read_joints.cpp
 void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbers,

@@ -1,72 +1,163 @@
 // shape = { sphere = 0.5 } and its kin
 
+#include "demos/scene/read_shape.h"
+
 #include "demos/scene/read_parts.h"
+#include "engine/base/trigonometry.h"
 
 namespace demos {
 namespace {
 
+using engine::Shape;
+
 constexpr Range kSize{1e-3, 1e3, "m"};
 
-std::optional<engine::Shape> readCapsule(Keys keys) {
-    for (const char* key : {"radius", "height"})
-        if (!keys.has(key))
-            keys.complain(key, std::string("a capsule has no ") + key +
-                                   "; write capsule = { radius = 0.1, height = 0.5 }");
+std::optional<Shape> readSphere(Keys& keys, ShapeReading&) {
+    const std::optional<double> radius = keys.number("sphere", kSize);
+    return radius ? std::optional(Shape::sphere(*radius)) : std::nullopt;
+}
+
+std::optional<Shape> readBox(Keys& keys, ShapeReading&) {
+    const std::optional<Vec3> size = keys.vector("box", kSize);
+    return size ? std::optional(Shape::box(*size)) : std::nullopt;
+}
+
+struct Round {
+    double radius, height;  // m
+};
+
+/// Of { radius, height }.
+std::optional<Round> readRound(Keys& shape, const char* key) {
+    const std::string kind = key;
+    Keys keys = shape.inner(*shape.any(key), "a " + kind);
+    for (const char* size : {"radius", "height"})
+        if (!keys.has(size))
+            keys.complain(size, "a " + kind + " has no " + size + "; write " + kind +
+                                   " = { radius = 0.1, height = 0.5 }");
     const std::optional<double> radius = keys.number("radius", kSize);
     const std::optional<double> height = keys.number("height", kSize);
     keys.done();
     if (!radius || !height) return std::nullopt;
-    if (*height < 2.0 * *radius) {
-        keys.complain("height", "height is " + numberText(*height) +
-                                    "; from tip to tip it should be at least twice the radius, " +
-                                    numberText(2.0 * *radius));
-        return std::nullopt;
-    }
-    return engine::Shape::capsule(*radius, *height);
+    if (kind != "capsule" || *height >= 2.0 * *radius) return Round{*radius, *height};
+    keys.complain("height", "height is " + numberText(*height) +
+                                "; from tip to tip it should be at least twice the radius, " +
+                                numberText(2.0 * *radius));
+    return std::nullopt;
 }
 
-std::optional<engine::Shape> readPlane(Keys& keys) {
+std::optional<Shape> readCapsule(Keys& keys, ShapeReading&) {
+    const std::optional<Round> r = readRound(keys, "capsule");
+    return r ? std::optional(Shape::capsule(r->radius, r->height)) : std::nullopt;
+}
+
+std::optional<Shape> readCylinder(Keys& keys, ShapeReading&) {
+    const std::optional<Round> r = readRound(keys, "cylinder");
+    return r ? std::optional(Shape::cylinder(r->radius, r->height)) : std::nullopt;
+}
+
+std::optional<Shape> readCone(Keys& keys, ShapeReading&) {
+    const std::optional<Round> r = readRound(keys, "cone");
+    return r ? std::optional(Shape::cone(r->radius, r->height)) : std::nullopt;
+}
+
+std::optional<Shape> readPlane(Keys& keys, ShapeReading&) {
     const std::optional<Vec3> normal = keys.vector("plane", {-1e6, 1e6});
     if (!normal) return std::nullopt;
-    if (normal->norm() < 1e-6) {
-        keys.complain("plane",
-                      "plane is [0, 0, 0]; it should be the direction out of the solid, "
-                      "like [0, 1, 0]");
-        return std::nullopt;
-    }
-    return engine::Shape::plane(*normal);
+    if (normal->norm() >= 1e-6) return Shape::plane(*normal);
+    keys.complain("plane", "plane is [0, 0, 0]; it should be the direction out of the solid, "
+                           "like [0, 1, 0]");
+    return std::nullopt;
+}
+
+struct Kind {
+    const char* key;
+    std::optional<Shape> (*read)(Keys& keys, ShapeReading& reading);
+};
+
+constexpr Kind kKinds[] = {
+    {"sphere", readSphere},     {"box", readBox},     {"capsule", readCapsule},
+    {"cylinder", readCylinder}, {"cone", readCone},   {"plane", readPlane},
+    {"hull", readHull},         {"mesh", readMesh},   {"height_field", readHeightField},
+    {"compound", readCompound},
+};
+
+std::string kindNames() {
+    std::vector<std::string> names;
+    for (const Kind& kind : kKinds) names.emplace_back(kind.key);
+    return anyOf(names);
+}
+
+/// Points are scaled and turned; what has sizes and an orientation of its own is not.
+void refusePlacing(Keys& keys, const std::string& kind) {
+    for (const char* key : {"scale", "turn_deg"})
+        if (keys.any(key))
+            keys.complain(key, std::string(key) + " of a shape that is a " + kind +
+                                   "; it should be left out: only hull and mesh have it");
 }
 
 }  // namespace
 
-std::optional<engine::Shape> readShape(Keys& body) {
+engine::Quat readTurn(Keys& keys) {
+    const Vec3 degrees = keys.vector("turn_deg", {-1e6, 1e6, "deg"}).value_or(Vec3(0, 0, 0));
+    Vec3 angles;
+    for (int k = 0; k < 3; ++k) angles[k] = engine::radians(degrees[k]);
+    return engine::turnAboutXyz(angles);
+}
+
+Placing readPlacing(Keys& keys) {
+    constexpr Range kScale{1e-6, 1e6};
+    Placing placing;
+    const Value* scale = keys.any("scale");
+    if (scale && scale->kind == Value::Kind::array)
+        placing.scale = keys.vector("scale", kScale).value_or(placing.scale);
+    else if (scale)
+        placing.scale.setConstant(keys.number("scale", kScale).value_or(1.0));
+    placing.turn = readTurn(keys);
+    return placing;
+}
+
+bool placePoints(Keys& keys, const char* key, const std::string& of, const Placing& placing,
+                 std::vector<Vec3>& points) {
+    constexpr double kFarthest = 1e5;  // m
+    for (Vec3& p : points) {
+        p = placing.of(p);
+        if ((p.array().abs() <= kFarthest).all()) continue;  // false for what is no number too
+        keys.complain(key, of + " has a point (" + numberText(p.x()) + ", " + numberText(p.y()) +
+                               ", " + numberText(p.z()) +
+                               "); all should be within 100000 m: give a scale");
+        return false;
+    }
+    return true;
+}
+
+std::optional<Shape> readShapeTable(const Value& table, Keys keys, ShapeReading& reading) {
+    std::optional<Shape> shape;
+    int given = 0;
+    for (const Kind& kind : kKinds) {
+        if (!keys.any(kind.key)) continue;  // so that all of them are known
+        ++given;
+        shape = kind.read(keys, reading);
+        const std::string name = kind.key;
+        if (name != "hull" && name != "mesh") refusePlacing(keys, name);
+    }
+    keys.done();
+    if (given == 1) return shape;
+    if (given > 1)
+        keys.complain("", "two shapes in one; give one of " + kindNames());
+    else if (table.kind == Value::Kind::table && table.keys.empty())
+        keys.complain("", "an empty shape; give one of " + kindNames());
+    return std::nullopt;
+}
+
+std::optional<Shape> readShape(Keys& body, double density, ShapeFiles& files) {
     const Value* table = body.any("shape");
     if (!table) {
-        body.complain("shape",
-                      "a [[body]] has no shape; write shape = { sphere = 0.5 }, or box, "
-                      "capsule, plane");
+        body.complain("shape", "a [[body]] has no shape; write shape = { sphere = 0.5 }, or " +
+                                   kindNames());
         return std::nullopt;
     }
-    Keys keys = body.inner(*table, "a shape");
-    std::optional<engine::Shape> shape;
-    int given = 0;
-    for (const char* key : {"sphere", "box", "capsule", "plane"}) given += keys.has(key) ? 1 : 0;
-    if (const std::optional<double> radius = keys.number("sphere", kSize))
-        shape = engine::Shape::sphere(*radius);
-    if (const std::optional<Vec3> size = keys.vector("box", kSize))
-        shape = engine::Shape::box(*size);
-    if (const Value* capsule = keys.any("capsule")) 
-        shape = readCapsule(keys.inner(*capsule, "a capsule"));
-    if (const std::optional<engine::Shape> plane = readPlane(keys)) shape = plane;
-    keys.later({"cylinder", "hull", "mesh", "compound"});
-    keys.done();
-    const bool empty = table->kind == Value::Kind::table && table->keys.empty();
-    if (given > 1 || empty) {
-        body.complain("shape", std::string(empty ? "an empty shape" : "two shapes in one") +
-                                   "; give one of sphere, box, capsule, plane");
-        return std::nullopt;
-    }
-    return shape;
+    ShapeReading reading{density, files};
+    return readShapeTable(*table, body.inner(*table, "a shape"), reading);
 }
 
 }  // namespace demos

@@ -35,9 +35,10 @@ void readTop(Keys& top, SceneDescription& scene) {
 }
 
 SceneDescription readDocument(const Value& document, const std::string& sceneName,
-                              Complaints& complaints) {
+                              const std::optional<fs::path>& folder, Complaints& complaints) {
     SceneDescription scene;
     scene.name = sceneName;
+    scene.folder = folder;
     Keys top(document, "a scene", complaints);
     readTop(top, scene);
     readWorld(top, scene, complaints);
@@ -83,14 +84,15 @@ SceneError::SceneError(std::vector<std::string> lines)
 
 SceneDescription readScene(std::string_view text, const std::string& fileName,
                            const std::string& sceneName,
-                           const std::vector<std::string>& overrides) {
+                           const std::vector<std::string>& overrides,
+                           const std::optional<fs::path>& folder) {
     Complaints complaints(fileName, overrides);
     if (text.size() > kMostBytes) fail(fileName + ": larger than 8 MiB");
     Value document = parseToml(text, complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
     if (document.place.line < 1) document.place = {1, 1};
     applyOverrides(overrides, document, complaints);
-    SceneDescription scene = readDocument(document, sceneName, complaints);
+    SceneDescription scene = readDocument(document, sceneName, folder, complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
     return scene;
 }
@@ -125,7 +127,8 @@ SceneDescription loadScene(const std::string& nameOrPath,
     std::error_code error;
     const bool isPath = nameOrPath.find('/') != std::string::npos || path.extension() == ".toml";
     if (!isPath && !fs::exists(path, error)) failUnknown(nameOrPath);
-    return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides);
+    return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides,
+                     path.parent_path());
 }
 
 }  // namespace demos

@@ -21,10 +21,12 @@ private:
     std::vector<std::string> lines_;
 };
 
-/// `overrides`: "world.hz=240", set before anything is read, as if the file had said so.
+/// `overrides`: "world.hz=240", set before anything is read, as if the file had said so. `folder`:
+/// of the files that the scene names; without one it may name none.
 SceneDescription readScene(std::string_view text, const std::string& fileName,
                            const std::string& sceneName,
-                           const std::vector<std::string>& overrides = {});
+                           const std::vector<std::string>& overrides = {},
+                           const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 /// A regular file of at most 8 MiB, or an error (SceneError) that says what it is instead.
 std::string readSceneFile(const std::filesystem::path& path);

@@ -59,7 +59,10 @@ void Stage::followPaths() {
     const double next = static_cast<double>(steps_ + 1) / scene.hz;
     for (const int i : onPaths_) {
         const BodyDescription& body = scene.bodies[i];
-        const engine::Pose target = poseAt(*body.path, body.def.pose, next);
+        const Vec3& origin = body.def.shape.origin;  // which the path leads
+        const engine::Pose &centre = body.def.pose, start{centre.toWorld(origin), centre.rotation};
+        engine::Pose target = poseAt(*body.path, start, next);
+        target.position -= target.rotation * origin;
         const Twist twist = twistBetween(world.pose(bodies[i]), target, dt());
         world.setVelocity(bodies[i], twist.velocity, twist.spin);
     }

@@ -12,6 +12,7 @@ constexpr float kRodRadius = 0.025f;  // m
 void addArm(const Stage& stage, engine::BodyId body, const Vec3& local, const Vec3& anchor,
             render::Frame& frame) {
     constexpr double kHair = 1e-6;  // m
+    if (local.isZero(kHair)) return;
     if (body == stage.ground || engine::isInside(stage.world.def(body).shape, local, kHair)) return;
     frame.rods.push_back(
         {drawn(stage.world.pose(body).position), drawn(anchor), kRodRadius, render::jointColor()});

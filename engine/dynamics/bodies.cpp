@@ -9,7 +9,7 @@ namespace {
 BodyMass massOf(const BodyDef& def) {
     if (def.kind != BodyKind::dynamic) return {};
     BodyMass m;
-    m.mass = def.mass ? *def.mass : def.material.density * volume(def.shape);
+    m.mass = def.mass ? *def.mass : massOf(def.shape, def.material.density);
     ENGINE_CHECK(m.mass > 0.0, "a dynamic body needs a positive mass");
     m.inertia = def.inertia ? *def.inertia : inertiaOf(def.shape, m.mass);
     const Eigen::LLT<Mat3> factor(m.inertia);

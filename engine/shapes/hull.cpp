@@ -23,20 +23,6 @@ int farthest(std::span<const Vec3> points, Distance distance) {
     return best;
 }
 
-bool isFlat(std::span<const Vec3> points) {
-    const Vec3 a = points[farthest(points, [&](const Vec3& p) { return (p - points[0]).norm(); })];
-    const Vec3 b = points[farthest(points, [&](const Vec3& p) { return (p - a).norm(); })];
-    const double extent = (b - a).norm();
-    if (extent <= 0.0) return true;
-    const Vec3 along = (b - a) / extent;
-    const auto aside = [&](const Vec3& p) { return (p - a).cross(along).norm(); };
-    const Vec3 c = points[farthest(points, aside)];
-    if (aside(c) < kFlat * extent) return true;
-    const Vec3 across = along.cross(c - a).normalized();
-    const auto above = [&](const Vec3& p) { return std::abs(across.dot(p - a)); };
-    return above(points[farthest(points, above)]) < kFlat * extent;
-}
-
 using Loops = std::vector<std::vector<int>>;  // the points of every face, in no order
 
 Loops facesByQhull(std::span<const Vec3> points) {
@@ -97,6 +83,20 @@ void findPlane(Hull::Face& face, std::span<const Vec3> corners) {
 }
 
 }  // namespace
+
+bool isFlat(std::span<const Vec3> points) {
+    const Vec3 a = points[farthest(points, [&](const Vec3& p) { return (p - points[0]).norm(); })];
+    const Vec3 b = points[farthest(points, [&](const Vec3& p) { return (p - a).norm(); })];
+    const double extent = (b - a).norm();
+    if (extent <= 0.0) return true;
+    const Vec3 along = (b - a) / extent;
+    const auto aside = [&](const Vec3& p) { return (p - a).cross(along).norm(); };
+    const Vec3 c = points[farthest(points, aside)];
+    if (aside(c) < kFlat * extent) return true;
+    const Vec3 across = along.cross(c - a).normalized();
+    const auto above = [&](const Vec3& p) { return std::abs(across.dot(p - a)); };
+    return above(points[farthest(points, above)]) < kFlat * extent;
+}
 
 std::optional<Hull> convexHull(std::span<const Vec3> points) {
     for (const Vec3& p : points)

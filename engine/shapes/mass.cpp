@@ -40,6 +40,12 @@ Mat3 fromSecond(const Mat3& second) {
     return second.trace() * Mat3::Identity() - second;
 }
 
+double volumeOf(const ShapeParts& parts) {
+    double sum = 0.0;
+    for (const ShapePart& part : parts) sum += volume(part.shape);
+    return sum;
+}
+
 VolumeIntegrals integralsOf(const Shape& shape) {
     if (shape.type == ShapeType::hull) return integralsOf(*shape.hull);
     if (shape.type == ShapeType::compound) return integralsOf(*shape.parts);
@@ -72,9 +78,11 @@ VolumeIntegrals integralsOf(std::span<const ShapePart> parts) {
     for (const ShapePart& part : parts) {
         const VolumeIntegrals own = integralsOf(part.shape);
         const Vec3 p = part.pose.position;
-        sum.volume += own.volume;
-        sum.first += own.volume * p;
-        sum.second += inWorldAxes(own.second, part.pose.rotation) + own.volume * p * p.transpose();
+        const double weight = part.density * own.volume;
+        sum.volume += weight;
+        sum.first += weight * p;
+        sum.second += part.density * inWorldAxes(own.second, part.pose.rotation) +
+                      weight * p * p.transpose();
     }
     return sum;
 }
@@ -88,11 +96,16 @@ double volume(const Shape& shape) {
         case ShapeType::cylinder: return kPi * r * r * 2.0 * shape.halfLength;
         case ShapeType::cone: return kPi * r * r * 2.0 * shape.halfLength / 3.0;
         case ShapeType::hull: return integralsOf(*shape.hull).volume;
-        case ShapeType::compound: return integralsOf(*shape.parts).volume;
+        case ShapeType::compound: return volumeOf(*shape.parts);
         case ShapeType::plane:
         case ShapeType::mesh: return 0.0;
     }
     return 0.0;
+}
+
+double massOf(const Shape& shape, double density) {
+    const bool mixed = shape.type == ShapeType::compound;
+    return density * (mixed ? integralsOf(*shape.parts).volume : volume(shape));
 }
 
 Mat3 inertiaOf(const Shape& shape, double mass) {

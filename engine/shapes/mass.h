@@ -8,7 +8,11 @@ namespace engine {
 /// m^3; 0 for a plane and a mesh.
 double volume(const Shape& shape);
 
-/// kg m^2 about the centre of mass, in body axes, of a homogeneous body.
+/// kg; `density` (kg/m^3) is that of a homogeneous body, and of a compound's parts of density 1.
+double massOf(const Shape& shape, double density);
+
+/// kg m^2 about the centre of mass, in body axes, of a homogeneous body, or of a compound's parts
+/// with their densities.
 ///   sphere    2/5 m r^2
 ///   box       m/12 (b^2 + c^2) about the edge a
 ///   capsule   a cylinder and two half spheres, whose centroids lie 3/8 r beyond its ends
@@ -19,6 +23,7 @@ Mat3 inertiaOf(const Shape& shape, double mass);
 
 /// int dV (m^3), int x dV (m^4), int x x^T dV (m^5). A hull as the sum of tetrahedra (0, a, b, c):
 ///   V = a.(b x c) / 6,   V (a + b + c) / 4,   V/20 (a a^T + b b^T + c c^T + s s^T), s = a + b + c
+/// Parts count as often as they are dense.
 struct VolumeIntegrals {
     double volume = 0.0;
     Vec3 first = Vec3::Zero();

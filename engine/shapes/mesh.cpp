@@ -8,7 +8,6 @@ namespace {
 
 constexpr int kInLeaf = 2;              // triangles
 constexpr double kSharp = 0.999;        // cosine: edges bent by less than 2.6 degrees are flat
-constexpr double kLeastArea = 1e-12;    // m^2
 
 bool isBefore(const Vec3& a, const Vec3& b) {
     for (int i = 0; i < 3; ++i)

@@ -8,6 +8,8 @@
 
 namespace engine {
 
+constexpr double kLeastArea = 1e-12;  // m^2: triangles of less are left out
+
 struct Mesh {
     struct Triangle {
         std::array<int, 3> corners;        // counter-clockwise from the side that holds

@@ -91,14 +91,16 @@ Shape Shape::compound(std::span<const ShapePart> parts) {
         const ShapeType type = part.shape.type;
         ENGINE_CHECK(type != ShapeType::plane && type != ShapeType::mesh,
                      "a compound holds no planes and no meshes");
+        ENGINE_CHECK(part.density > 0.0, "a part of a compound needs a positive density");
         const Quat turn = part.pose.rotation.normalized();
         if (type != ShapeType::compound) {
-            placed->push_back({part.shape, {part.pose.position, turn}});
+            placed->push_back({part.shape, {part.pose.position, turn}, part.density});
             continue;
         }
         for (const ShapePart& inner : *part.shape.parts)
             placed->push_back({inner.shape,
-                               {part.pose.toWorld(inner.pose.position), turn * inner.pose.rotation}});
+                               {part.pose.toWorld(inner.pose.position), turn * inner.pose.rotation},
+                               part.density * inner.density});
     }
     const VolumeIntegrals sum = integralsOf(*placed);
     const Vec3 centre = sum.first / sum.volume;

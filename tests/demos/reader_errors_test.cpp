@@ -151,8 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"capsule",
                  "[[body]]\nname = 'a'\nshape = { capsule = { radius = 1, height = 1 } }\n", "4:35",
                  "at least twice the radius, 2"},
-        BadScene{"later shape", "[[body]]\nname = 'a'\nshape = { cylinder = 1 }\n", "4:11",
-                 "'cylinder' in a shape is not available yet"},
+        BadScene{"a cylinder that is a number", "[[body]]\nname = 'a'\nshape = { cylinder = 1 }\n",
+                 "4:22", "a cylinder is 1; it should be a table"},
         BadScene{"moving plane", "[[body]]\nname = 'a'\nshape = { plane = [0, 1, 0] }\n", "4:1",
                  "write fixed = true"},
         BadScene{"normal 0", "[[body]]\nname = 'a'\nshape = { plane = [0, 0, 0] }\nfixed = true\n",
@@ -179,8 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
     Joints, BadScenes,
     testing::Values(
         BadScene{"no type", kJoint + "a = 'world'\nb = 'ball'\n", "10:1", "has no type"},
-        BadScene{"later", kJoint + "type = 'slider'\na = 'world'\nb = 'ball'\n", "11:8",
-                 "not available yet; use ball, distance, hinge or weld"},
+        BadScene{"type", kJoint + "type = 'slidr'\na = 'world'\nb = 'ball'\n", "11:8",
+                 "wheel or path; did you mean 'slider'?"},
         BadScene{"no body", kJoint + "type = 'ball'\na = 'world'\nb = 'bal'\nanchor = [0, 0, 0]\n",
                  "13:1", "no body is called 'bal'; did you mean 'ball'?"},
         BadScene{"itself", kJoint + "type = 'ball'\na = 'ball'\nb = 'ball'\nanchor = [0, 0, 0]\n",
@@ -197,10 +197,10 @@ INSTANTIATE_TEST_SUITE_P(
                  kJoint + "type = 'hinge'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n"
                           "axis = [0, 0, 0]\n",
                  "15:1", "should be a direction"},
-        BadScene{"axis of a ball",
-                 kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\n"
+        BadScene{"axis of a weld",
+                 kJoint + "type = 'weld'\na = 'world'\nb = 'ball'\n"
                           "anchor = [0, 0, 0]\naxis = [0, 0, 1]\n",
-                 "15:1", "a ball joint has no axis"},
+                 "15:1", "a weld joint has no axis; leave it out, or make it ball, hinge"},
         BadScene{"length 0",
                  kJoint + "type = 'distance'\na = 'world'\nb = 'ball'\n"
                           "anchor_a = [0, 2, 0]\n",
@@ -211,10 +211,10 @@ INSTANTIATE_TEST_SUITE_P(
                  kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n"
                           "spring = { damping = 1 }\n",
                  "15:10", "has no frequency"},
-        BadScene{"limits",
+        BadScene{"strength",
                  kJoint + "type = 'ball'\na = 'world'\nb = 'ball'\nanchor = [0, 0, 0]\n"
-                          "break_at = 3\n",
-                 "15:1", "not available yet"}));
+                          "break_at = 0\n",
+                 "15:12", "break_at is 0; it should be a number from"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Films, BadScenes,

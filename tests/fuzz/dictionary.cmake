@@ -1,6 +1,6 @@
 # cmake -DOUT=scene.dict -DDIR=demos/scene -P dictionary.cmake
 # The format's words for the fuzzer: what is in quotes in the files that read it, and TOML's own.
-file(GLOB files ${DIR}/read_*.cpp ${DIR}/repeat.cpp ${DIR}/reader.cpp)
+file(GLOB files ${DIR}/read_*.cpp ${DIR}/repeat.cpp ${DIR}/reader.cpp ${DIR}/joint_kinds.cpp)
 set(words "")
 foreach(file ${files})
   file(STRINGS ${file} lines REGEX "\"[a-z][a-z_-]*\"")

@@ -70,6 +70,24 @@ TEST(Mass, VolumeAndInertiaAreTheIntegrals) {
     }
 }
 
+/// A dumbbell: I = I_1 + I_2 + m d^2 each, about where the two masses balance.
+TEST(Mass, PartsWeighAsTheyAreDense) {
+    const ShapePart parts[] = {{Shape::sphere(0.5), {{-1, 0, 0}, Quat::Identity()}, 3.0},
+                               {Shape::sphere(0.5), {{2, 0, 0}, Quat::Identity()}}};
+    const double ball = 200.0 * volume(Shape::sphere(0.5));
+    const Shape dumbbell = Shape::compound(parts);
+    EXPECT_NEAR(massOf(dumbbell, 200.0), 4.0 * ball, 1e-10);
+    EXPECT_NEAR(volume(dumbbell), 2.0 * volume(Shape::sphere(0.5)), 1e-15);
+    EXPECT_NEAR((dumbbell.origin - Vec3(0.25, 0, 0)).norm(), 0.0, 1e-15);
+    const double along = 4.0 * ball * 0.4 * 0.25;  // 2/5 m r^2
+    const double across = along + 3.0 * ball * 0.75 * 0.75 + ball * 2.25 * 2.25;
+    const Vec3 expected(along, across, across);
+    EXPECT_LT((inertiaOf(dumbbell, 4.0 * ball) - Mat3(expected.asDiagonal())).norm(), 1e-10);
+    // As a part it keeps what its own parts are.
+    const ShapePart whole[] = {{dumbbell, {{0, 0, 0}, Quat::Identity()}, 2.0}};
+    EXPECT_NEAR(massOf(Shape::compound(whole), 100.0), 4.0 * ball, 1e-10);
+}
+
 // mission 4: box 1 x 2 x 4 m, 12 kg
 TEST(Mass, WorldInertiaIsRIR) {
     BodyDef def = support::body(Shape::box({1, 2, 4}), Vec3::Zero(), 12.0);

@@ -1,0 +1,78 @@
+#include "demos/scene/mesh_file.h"
+
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+
+namespace demos {
+
+namespace fs = std::filesystem;
+
+std::string readWholeFile(const fs::path& path) {
+    constexpr std::uintmax_t kMostBytes = 64u << 20;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) throw MeshFileError("there is no such file");
+    // Opening a FIFO waits, and /dev/zero never ends: neither is tried.
+    if (status.type() != fs::file_type::regular)
+        throw MeshFileError("is not a regular file; it should be one");
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) throw MeshFileError("cannot be read: " + error.message());
+    if (size > kMostBytes)
+        throw MeshFileError("is " + std::to_string(size) + " bytes; it should be at most 64 MiB");
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (!file || file.gcount() != static_cast<std::streamsize>(size))
+        throw MeshFileError("cannot be read; check its permissions");
+    return bytes;
+}
+
+TriangleMesh readMeshFile(const fs::path& path) {
+    const std::string ending = path.extension().string();
+    if (ending == ".obj") return objMesh(readWholeFile(path));
+    if (ending == ".gltf") return gltfMesh(readWholeFile(path), path.parent_path());
+    if (ending == ".glb") return glbMesh(readWholeFile(path), path.parent_path());
+    throw MeshFileError("its name ends in '" + ending + "'; it should end in .obj, .gltf or .glb");
+}
+
+namespace {
+
+/// What makes two shapes from files the same one.
+std::string nameOf(const char* key, const fs::path& path, const Placing& placing) {
+    std::string name = key + ("\n" + path.string());
+    for (int k = 0; k < 3; ++k) name += "\n" + numberText(placing.scale[k]);
+    for (int k = 0; k < 4; ++k) name += "\n" + numberText(placing.turn.coeffs()[k]);
+    return name;
+}
+
+}  // namespace
+
+std::optional<engine::Shape> readShapeFile(
+    Keys& keys, const char* key, const Placing& placing, ShapeFiles& files,
+    const std::function<std::optional<engine::Shape>(const std::string&, const TriangleMesh&)>&
+        make) {
+    const std::optional<std::string> file = keys.text(key);
+    if (!file) return std::nullopt;
+    if (!files.folder) {
+        keys.complain(key, "'" + *file + "' cannot be looked for, because the scene is no file "
+                           "itself; write the points instead");
+        return std::nullopt;
+    }
+    const fs::path path = *files.folder / *file;
+    const std::string name = nameOf(key, path, placing);
+    if (const auto known = files.known.find(name); known != files.known.end())
+        return known->second;
+    try {
+        TriangleMesh mesh = readMeshFile(path);
+        if (!placePoints(keys, key, *file, placing, mesh.corners)) return std::nullopt;
+        const std::optional<engine::Shape> shape = make(*file, mesh);
+        if (shape) files.known.emplace(name, *shape);
+        return shape;
+    } catch (const MeshFileError& error) {
+        keys.complain(key, *file + ": " + error.what());
+        return std::nullopt;
+    }
+}
+
+}  // namespace demos

@@ -1,0 +1,148 @@
+// Wavefront OBJ. tinyobjloader knows how faces are cut into triangles; it takes a word for 0 and any
+// number for a corner's, so it is given lines that were checked, and the coordinates are ours: no
+// bit depends on its arithmetic.
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#define TINYOBJLOADER_USE_DOUBLE  // as libtinyobjloader_double is built; its .pc does not say so
+#include <tiny_obj_loader.h>
+
+#include "demos/scene/mesh_file.h"
+
+namespace demos {
+namespace {
+
+constexpr std::size_t kMostSides = 256;  // of a face: the work grows with their cube
+
+class ObjLines {
+public:
+    explicit ObjLines(std::string_view text) {
+        while (!text.empty()) {
+            const std::size_t end = text.find_first_of("\r\n");
+            ++number_;
+            take(text.substr(0, end));
+            if (end == std::string_view::npos) break;
+            text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+        }
+        for (const Face& face : faces_) write(face);
+    }
+
+    const std::vector<engine::Vec3>& corners() const { return corners_; }
+    /// The lines "v x y z" and "f 1 2 3" alone.
+    const std::string& text() const { return text_; }
+    std::size_t triangles() const { return triangles_; }
+
+private:
+    struct Face {
+        int line;
+        std::vector<int> corners;
+    };
+
+    [[noreturn]] static void fail(int line, const std::string& what) {
+        throw MeshFileError("line " + std::to_string(line) + ": " + what);
+    }
+
+    void take(std::string_view line) {
+        std::vector<std::string_view> words;
+        for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
+            const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+            words.push_back(line.substr(at, end - at));
+            at = line.find_first_not_of(" \t", end);
+        }
+        if (words.empty()) return;
+        if (words[0] == "v") takeCorner(words);
+        if (words[0] == "f") takeFace(words);
+    }
+
+    double coordinate(std::string_view word) const {
+        const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
+        double value = 0.0;
+        const char* end = digits.data() + digits.size();
+        const auto read = std::from_chars(digits.data(), end, value);
+        if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
+            fail(number_, "'" + std::string(word) + "' should be a finite number");
+        return value;
+    }
+
+    void takeCorner(const std::vector<std::string_view>& words) {
+        if (words.size() < 4)
+            fail(number_, std::to_string(words.size() - 1) +
+                              " coordinates; a corner should have three");
+        engine::Vec3 corner;
+        text_ += "v";
+        for (int k = 0; k < 3; ++k) {
+            const std::string_view word = words[static_cast<std::size_t>(k) + 1];
+            corner[k] = coordinate(word);
+            (text_ += ' ') += word;
+        }
+        text_ += '\n';
+        corners_.push_back(corner);
+    }
+
+    /// "7", "7/1", "7//3", "-1": the corner's number from 1, or back from the last one so far.
+    int reference(std::string_view word) const {
+        int number = 0;
+        const char* end = word.data() + word.size();
+        const auto read = std::from_chars(word.data(), end, number);
+        if (read.ec != std::errc() || (read.ptr != end && *read.ptr != '/') || number == 0)
+            fail(number_, "'" + std::string(word) +
+                              "' should be a corner's number, from 1, or from -1 backwards");
+        return number > 0 ? number : static_cast<int>(corners_.size()) + 1 + number;
+    }
+
+    void takeFace(const std::vector<std::string_view>& words) {
+        const std::size_t sides = words.size() - 1;
+        if (sides < 3 || sides > kMostSides)
+            fail(number_, "a face of " + std::to_string(sides) +
+                              " corners; it should have 3 to " + std::to_string(kMostSides));
+        Face face{number_, {}};
+        for (std::size_t i = 1; i < words.size(); ++i) face.corners.push_back(reference(words[i]));
+        faces_.push_back(std::move(face));
+        triangles_ += sides - 2;
+    }
+
+    void write(const Face& face) {
+        text_ += 'f';
+        for (const int corner : face.corners) {
+            if (corner < 1 || corner > static_cast<int>(corners_.size()))
+                fail(face.line, "corner " + std::to_string(corner) + "; the file has corners 1 to " +
+                                    std::to_string(corners_.size()));
+            (text_ += ' ') += std::to_string(corner);
+        }
+        text_ += '\n';
+    }
+
+    int number_ = 0;
+    std::vector<engine::Vec3> corners_;
+    std::vector<Face> faces_;
+    std::size_t triangles_ = 0;
+    std::string text_;
+};
+
+}  // namespace
+
+TriangleMesh objMesh(const std::string& text) {
+    const ObjLines lines(text);
+    std::istringstream stream(lines.text());
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::string warning, error;
+    // Without a reader of materials it opens no other file.
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr, true))
+        throw MeshFileError("is no OBJ file: " + error);
+    TriangleMesh mesh{lines.corners(), {}};
+    for (const tinyobj::shape_t& shape : shapes)
+        for (std::size_t i = 0; i + 2 < shape.mesh.indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) { return shape.mesh.indices[i + k].vertex_index; };
+            mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+        }
+    if (mesh.triangles.size() != lines.triangles())
+        throw MeshFileError("not all of its faces can be cut into triangles; they should be flat and "
+                            "not cross themselves");
+    return mesh;
+}
+
+}  // namespace demos

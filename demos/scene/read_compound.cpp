@@ -1,0 +1,55 @@
+// compound = [{ shape = { ... }, at = [...], turn_deg = [...], density = ... }, ...]
+
+#include "demos/scene/read_parts.h"
+#include "demos/scene/read_shape.h"
+
+namespace demos {
+namespace {
+
+using engine::Shape;
+using engine::ShapePart;
+using engine::ShapeType;
+
+constexpr Range kMeters{-1e5, 1e5, "m"};
+constexpr std::size_t kMostParts = 1000;
+
+/// `at` is where the part's own origin lies, from that of the compound.
+std::optional<ShapePart> readPart(Keys keys, ShapeReading& reading) {
+    const Vec3 at = keys.vector("at", kMeters).value_or(Vec3(0, 0, 0));
+    const Quat turn = readTurn(keys);
+    const auto density = keys.number("density", {1e-3, 1e6, "kg/m^3"});
+    const Value* table = keys.any("shape");
+    if (!table) keys.complain("", "a part has no shape; write { shape = { sphere = 0.5 } }");
+    std::optional<Shape> shape;
+    ShapeReading own{density.value_or(reading.density), reading.files};
+    if (table) shape = readShapeTable(*table, keys.inner(*table, "a shape"), own);
+    keys.done();
+    if (!shape) return std::nullopt;
+    if (shape->type == ShapeType::plane || shape->type == ShapeType::mesh) {
+        keys.complain("shape", std::string("a part that is a ") +
+                                   (shape->type == ShapeType::plane ? "plane" : "mesh") +
+                                   "; parts should be solids: sphere, box, capsule, cylinder, "
+                                   "cone, hull or compound");
+        return std::nullopt;
+    }
+    return ShapePart{*shape, {at - turn * shape->origin, turn}, own.density / reading.density};
+}
+
+}  // namespace
+
+std::optional<Shape> readCompound(Keys& keys, ShapeReading& reading) {
+    const std::vector<const Value*> tables = keys.tables("compound");
+    const bool list = keys.any("compound")->kind == Value::Kind::array;
+    if (list && (tables.empty() || tables.size() > kMostParts))
+        keys.complain("compound", "compound is " + std::to_string(tables.size()) +
+                                      " parts; it should be 1 to " + std::to_string(kMostParts));
+    if (tables.size() > kMostParts) return std::nullopt;
+    std::vector<ShapePart> parts;
+    for (const Value* table : tables)
+        if (const auto part = readPart(keys.inner(*table, "a part"), reading))
+            parts.push_back(*part);
+    if (parts.empty() || parts.size() < tables.size()) return std::nullopt;
+    return Shape::compound(parts);
+}
+
+}  // namespace demos
