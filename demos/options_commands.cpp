@@ -168,11 +168,11 @@ void addSim(CLI::App& app, Options& options, RawOptions& raw) {
     };
     table("--csv", options.csv, "a row a step: energies (J), contacts, penetration (m), residual");
     table("--bodies", options.bodies, "a row a step and body: position (m), rotation, velocities");
-    table("--joints", options.joints, "a row a step and joint: separation (m), force (N)");
+    table("--joints", options.joints, "a row a step and joint: separation (m), force (N), position");
     table("--contacts", options.contacts, "a row a contact point: where, normal, impulse (N s)");
     table("--sweeps", options.sweeps, "a row a sweep: residual (m/s), change (N s)");
     table("--events", options.events,
-          "JSON: begin and end of contacts: where, speed (m/s), impulse (N s)");
+          "JSON: contacts that begin and end, joints that break");
     app.add_flag("--exact", options.exact,
                  "with --sweeps: the distance to the direct solution; slow; default: off");
     app.add_option("--every", options.every, "rows of every Nth step only; default: 1")

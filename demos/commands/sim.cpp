@@ -27,7 +27,7 @@ struct Tables {
               options.csv,
               "time,energy,kinetic,potential,contacts,penetration_max,separation_max,residual"),
           bodies(options.bodies, "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"),
-          joints(options.joints, "time,joint,separation,force,torque"),
+          joints(options.joints, "time,joint,separation,force,torque,position,speed,broken"),
           contacts(options.contacts, "time,a,b,x,y,z,nx,ny,nz,penetration,impulse,friction"),
           sweeps(options.sweeps, options.exact ? "time,sweep,residual,delta,distance"
                                                : "time,sweep,residual,delta") {}
@@ -63,6 +63,7 @@ void addJoints(const Stage& stage, double time, Table& table) {
         const engine::JointState joint = stage.world.joint(stage.joints[i]);
         table.cell(time).cell(stage.scene.joints[i].name).cell(joint.separation);
         table.cell(joint.force.norm()).cell(joint.torque.norm());
+        table.cell(joint.position).cell(joint.speed).cell(joint.broken ? 1 : 0);
         table.endRow();
     }
 }

@@ -144,7 +144,7 @@ std::string contactsJson(const FilmPlan& plan, int frame, const Stage& stage,
 }
 
 std::string eventsJson(const FilmPlan& plan, int frame, const Stage& stage,
-                       const std::vector<engine::TouchEvent>& events) {
+                       const StageEvents& events) {
     Json json = begun(plan, frame);
     json["events"] = Json::parse(eventsJson(events, stage));
     return dumped(json);

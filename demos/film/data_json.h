@@ -14,7 +14,7 @@ std::string posesJson(const FilmPlan& plan, int frame, const Stage& stage);
 std::string contactsJson(const FilmPlan& plan, int frame, const Stage& stage,
                          const std::vector<ContactEvent>& events);
 std::string eventsJson(const FilmPlan& plan, int frame, const Stage& stage,
-                       const std::vector<engine::TouchEvent>& events);
+                       const StageEvents& events);
 
 /// passes.json: files, units and meanings of every pass, and the bodies by their numbers.
 /// `pattern`: of the pictures' names.

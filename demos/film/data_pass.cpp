@@ -34,11 +34,12 @@ constexpr PassText kPasses[] = {
      "and friction on b over the step. event: begin or persist, whether the pair of bodies touched "
      "in the step before; end: it did and does not any more. Touching: penetration >= 0, or an "
      "impulse > 0"},
-    {Pass::events, "events", ".json", "JSON", "m, m/s, N s",
+    {Pass::events, "events", ".json", "JSON", "m, m/s, N s, N, N m",
      "begin and end of every contact since the frame before, in the order of steps and pairs: "
      "position amid the touching points, unit normal from a to b; begin: the speed at which the "
      "two approached and the impulse of that step; end: the impulse since it began. sensor: one of "
-     "the two is a sensor, which gets no impulse"},
+     "the two is a sensor, which gets no impulse. break: a joint that carried more than it bears and "
+     "is gone: position where it held b, force (N) and torque (N m, about there) on b in that step"},
 };
 
 }  // namespace

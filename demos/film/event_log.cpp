@@ -1,5 +1,6 @@
 #include "demos/film/event_log.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace demos {
@@ -25,22 +26,56 @@ Json jsonOf(const engine::TouchEvent& event, const Stage& stage) {
     return json;
 }
 
+Json jsonOf(const JointBreak& event, const Stage& stage) {
+    const JointDescription& joint = stage.scene.joints[static_cast<std::size_t>(event.joint)];
+    Json json;
+    json["event"] = "break";
+    json["step"] = event.step;
+    json["time"] = event.time;
+    json["joint"] = joint.name;
+    const engine::JointState state = stage.world.joint(stage.joints[event.joint]);
+    json["a"] = stage.nameOf(state.def.a);
+    json["b"] = stage.nameOf(state.def.b);
+    json["position"] = listOf(event.position);
+    json["force"] = listOf(event.force);
+    json["torque"] = listOf(event.torque);
+    return json;
+}
+
+JointBreak breakOf(engine::JointId id, const Stage& stage) {
+    const engine::JointState state = stage.world.joint(id);
+    const engine::StepReport& report = stage.world.report();
+    return {report.step, report.time, id.index, state.worldB, state.force, state.torque};
+}
+
 }  // namespace
 
 void EventLog::look(const Stage& stage) {
-    if (steps_ > 0 && seen_++ % steps_ == 0) events_.clear();
+    if (steps_ > 0 && seen_++ % steps_ == 0) events_ = {};
     const auto touches = stage.world.touches();
-    events_.insert(events_.end(), touches.begin(), touches.end());
+    events_.touches.insert(events_.touches.end(), touches.begin(), touches.end());
+    for (const engine::JointId id : stage.world.report().broken)
+        events_.breaks.push_back(breakOf(id, stage));
 }
 
 /// A line each, so that a text tool finds them.
-std::string eventsJson(const std::vector<engine::TouchEvent>& events, const Stage& stage) {
+std::string eventsJson(const StageEvents& events, const Stage& stage) {
     std::string text = "[";
-    for (const engine::TouchEvent& event : events) {
-        text += &event == events.data() ? "\n " : ",\n ";
-        text += jsonOf(event, stage).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto add = [&](const Json& json) {
+        text += text.size() == 1 ? "\n " : ",\n ";
+        text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    };
+    std::size_t broken = 0;
+    const auto addBreaksBefore = [&](long long step) {
+        for (; broken < events.breaks.size() && events.breaks[broken].step < step; ++broken)
+            add(jsonOf(events.breaks[broken], stage));
+    };
+    for (const engine::TouchEvent& event : events.touches) {
+        addBreaksBefore(event.step);
+        add(jsonOf(event, stage));
     }
-    return text + (events.empty() ? "]" : "\n]");
+    addBreaksBefore(std::numeric_limits<long long>::max());
+    return text + (events.size() == 0 ? "]" : "\n]");
 }
 
 }  // namespace demos

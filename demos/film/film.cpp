@@ -14,7 +14,7 @@
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
-#include "demos/film/text_hash.h"
+#include "demos/text_hash.h"
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 #include "demos/version.h"

@@ -7,7 +7,7 @@
 
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
-#include "demos/film/text_hash.h"
+#include "demos/text_hash.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/reader.h"
 #include "demos/stop.h"
@@ -152,6 +152,7 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     for (const std::string& name : options.show) hash.add(name);
     for (const Pass pass : plan.passes) hash.add(textOf(pass).name);
     for (const Panel& panel : plan.panels) {
+        hash.add(std::to_string(panel.scene.contents));
         for (const std::string& name : panel.scene.look.show) hash.add(name);
         hash.add(panel.settings);
         hash.add(panel.overlays.theme);

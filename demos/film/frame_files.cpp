@@ -11,7 +11,7 @@
 
 #include "demos/film/data_json.h"
 #include "demos/film/outputs.h"
-#include "demos/film/text_hash.h"
+#include "demos/text_hash.h"
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 #include "render/encode/file.h"

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <system_error>
 
 namespace demos {
@@ -46,6 +47,11 @@ std::string nameOf(const char* key, const fs::path& path, const Placing& placing
     return name;
 }
 
+template <class Item>
+std::span<const std::uint8_t> bytesOf(const std::vector<Item>& items) {
+    return {reinterpret_cast<const std::uint8_t*>(items.data()), items.size() * sizeof(Item)};
+}
+
 }  // namespace
 
 std::optional<engine::Shape> readShapeFile(
@@ -65,6 +71,8 @@ std::optional<engine::Shape> readShapeFile(
         return known->second;
     try {
         TriangleMesh mesh = readMeshFile(path);
+        files.contents.add(bytesOf(mesh.corners));
+        files.contents.add(bytesOf(mesh.triangles));
         if (!placePoints(keys, key, *file, placing, mesh.corners)) return std::nullopt;
         const std::optional<engine::Shape> shape = make(*file, mesh);
         if (shape) files.known.emplace(name, *shape);

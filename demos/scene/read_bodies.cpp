@@ -203,13 +203,26 @@ private:
         const std::optional<double> mass = keys_.number("mass", kMass);
         if (mass) body_.def.mass = mass;
         body_.def.inertia = readInertia(keys_);
-        if (!shapeKnown_ || mass || body_.def.kind != engine::BodyKind::dynamic) return;
+        if (!shapeKnown_ || body_.def.kind != engine::BodyKind::dynamic) return;
         const double own = engine::massOf(body_.def.shape, body_.def.material.density);
-        if (own < kMass.low || own > kMass.high)
+        checkInertia(mass.value_or(own));
+        if (!mass && (own < kMass.low || own > kMass.high))
             keys_.complain("shape", "its volume and a density of " +
                                         numberText(body_.def.material.density) + " kg/m^3 make " +
                                         numberText(own) +
                                         " kg; it should be from 1e-06 to 1e+09 kg: give a mass");
+    }
+
+    /// Of pebbles a mile apart rounding leaves nothing about the line through them.
+    void checkInertia(double mass) {
+        const engine::ShapeType type = body_.def.shape.type;
+        if (body_.def.inertia || type == engine::ShapeType::plane ||
+            type == engine::ShapeType::mesh)
+            return;
+        const Eigen::LLT<engine::Mat3> factor(engine::inertiaOf(body_.def.shape, mass));
+        if (factor.info() != Eigen::Success)
+            keys_.complain("shape", "its inertia is not positive definite, because it is so thin for "
+                                    "its length; give an inertia");
     }
 
     const Instance& instance_;
@@ -263,7 +276,7 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
 BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
                        SceneDescription& scene, Complaints& complaints) {
     BodyNumbers numbers;
-    ShapeFiles files{scene.folder, {}};
+    ShapeFiles files{scene.folder, {}, {}};
     const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         const int before = complaints.count();
@@ -281,6 +294,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
         if (complaints.count() > before) complainedOf = instance.table;
         scene.bodies.push_back(std::move(body));
     }
+    scene.contents = files.contents.value();
     return numbers;
 }
 

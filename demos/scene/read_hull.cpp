@@ -32,10 +32,13 @@ bool checkPoints(Keys& keys, const std::string& of, const std::vector<Vec3>& poi
 std::optional<Shape> hullOf(Keys& keys, const std::string& of, const std::vector<Vec3>& points) {
     if (!checkPoints(keys, of, points)) return std::nullopt;
     std::optional<Shape> shape = Shape::hullOf(points);
-    if (!shape)
+    if (shape) return shape;
+    if (points.size() > Shape::kMostCorners)
         keys.complain("hull", of + " has more than " + std::to_string(Shape::kMostCorners) +
                                   " corners; it should be simpler, or a compound of several");
-    return shape;
+    else
+        keys.complain("hull", of + " is too nearly flat; its points should be farther from one plane");
+    return std::nullopt;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "demos/scene/keys.h"
+#include "demos/text_hash.h"
 #include "engine/shape.h"
 
 namespace demos {
@@ -14,6 +15,7 @@ namespace demos {
 struct ShapeFiles {
     std::optional<std::filesystem::path> folder;  // that they are relative to; none: no files
     std::map<std::string, engine::Shape> known;   // by file, use, scale and turn
+    TextHash contents;                            // of what was read
 };
 
 /// What a shape needs to know besides its own keys.

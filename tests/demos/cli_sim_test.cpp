@@ -94,8 +94,10 @@ TEST_F(Sim, SweepsAndJointsHaveTheirColumns) {
         run(folder.path(), {"sim", "pendulum", "--joints", "-", "--seconds", "0.1", "--no-expect"});
     const auto joints = rowsOf(ended.out);
     ASSERT_GT(joints.size(), 1u);
-    EXPECT_EQ(joints.at(0).size(), 5u);
-    EXPECT_EQ(joints.at(1).size(), 5u);
+    EXPECT_EQ(joints.at(0).size(), 8u);
+    EXPECT_EQ(joints.at(1).size(), 8u);
+    EXPECT_EQ(joints.at(0)[7], "broken");
+    EXPECT_EQ(joints.at(1)[7], "0");
 }
 
 TEST_F(Sim, TheHashIsTheSameInEveryRunAndOfTheStep) {

@@ -134,6 +134,11 @@ TEST_F(MeshFiles, ManyBodiesShareAFile) {
         "a.toml", "a", {}, folder_.path());
     EXPECT_EQ(scene.bodies[0].def.shape.hull, scene.bodies[2].def.shape.hull);
     EXPECT_NE(scene.bodies[0].def.shape.hull, scene.bodies[3].def.shape.hull);
+    // So that a film is not gone on with after a file was changed.
+    const std::uint64_t before = read("hull = 'rock.obj'", "").contents;
+    EXPECT_EQ(read("hull = 'rock.obj'", "").contents, before);
+    write("rock.obj", "v 0 0 -1\n" + kTetrahedron);
+    EXPECT_NE(read("hull = 'rock.obj'", "").contents, before);
 }
 
 TEST_F(MeshFiles, AreLookedForBesideTheScene) {

@@ -176,6 +176,9 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
         {"compound = [{ shape = { sphere = 1 }, density = 0 }]", "", "density is 0"},
         {"compound = [{ shape = { sphere = 1 }, mass = 1 }]", "", "unknown key 'mass' in a part"},
         {kCorners, "density = 0.001\nat = [1e5, 0, 0]\n", "its centre of mass would be"},
+        {"compound = [{ shape = { sphere = 0.001 }, at = [-9e4, -9e4, 0] }, "
+         "{ shape = { sphere = 0.001 }, at = [9e4, 9e4, 0] }]", "mass = 1\n",
+         "its inertia is not positive definite"},
         {"hull = 'rock.obj'", "", "'rock.obj' cannot be looked for, because the scene is no file"},
     };
     for (const Bad& b : bad) {
