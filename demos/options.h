@@ -81,6 +81,8 @@ struct Options {
 
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself
+    bool gallery = false;  // list: a picture of all
+    bool schema = false;   // list: the JSON Schema of scene files
     bool benchFilm = false;  // bench: time drawing instead of steps
     bool phases = false;   // bench: and every phase of the loop
     std::string against;   // bench: an earlier run's JSON lines

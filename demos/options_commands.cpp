@@ -323,7 +323,8 @@ constexpr CommandText kCommands[] = {
     {Command::list,
      "list",
      "the built-in scenes",
-     {"impulse list", "impulse list stack", "impulse list stack --print > my.toml"}},
+     {"impulse list", "impulse list stack --print > my.toml",
+      "impulse list --gallery -o scenes.png"}},
     {Command::doctor,
      "doctor",
      "what this machine can do",
@@ -339,6 +340,28 @@ constexpr CommandText kCommands[] = {
      {"impulse completion bash", "source <(impulse completion bash)",
       "impulse completion bash > ~/.local/share/bash-completion/completions/impulse"}},
 };
+
+constexpr int kMostListed = 1000;
+
+void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
+    CLI::Option* gallery = app.add_flag("--gallery", options.gallery,
+                                        "a picture with one frame of each scene; default: off");
+    app.add_option("-o,--output", options.outputs,
+                   "of the gallery: a .png or - ; default: output/gallery.png")
+        ->type_name("FILE")
+        ->expected(1)
+        ->needs(gallery);
+    app.add_option("--size", raw.size, "of the gallery: pixels of one frame; default: 480x270")
+        ->type_name("WxH")
+        ->needs(gallery);
+    app.add_option("--columns", options.columns,
+                   "of the gallery: frames in a row; default: 0, up to six, and all rows alike")
+        ->type_name("N")
+        ->needs(gallery);
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace what another run has written; default: off")
+        ->needs(gallery);
+}
 
 }  // namespace
 
@@ -365,11 +388,15 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
         case Command::doctor:
             return addFeedback(app, options);
         case Command::list:
-            app.add_option("scene", options.scenes, "a scene to describe; default: all")
+            app.add_option("scene", options.scenes,
+                           "a scene to describe, or those of a gallery; default: all")
                 ->type_name("SCENE")
-                ->expected(0, 1);
+                ->expected(0, kMostListed);
             app.add_flag("--print", options.print, "the scene file itself; default: off");
-            app.add_flag("--json", options.json, "one JSON object a line; default: off");
+            app.add_flag("--schema", options.schema,
+                         "the JSON Schema of scene files, for editors; default: off");
+            addGallery(app, options, raw);
+            addFeedback(app, options);
             return;
         case Command::completion:
             app.add_option("shell", options.shell, "bash; default: bash")->type_name("SHELL");

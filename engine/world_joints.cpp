@@ -156,6 +156,8 @@ JointState stateOf(const WorldState& s, const Joint& joint) {
     const Pose &a = s.bodies.poses[joint.def.a.index], &b = s.bodies.poses[joint.def.b.index];
     state.worldA = a.toWorld(joint.def.anchorA);
     state.worldB = b.toWorld(joint.def.anchorB);
+    state.worldAxis = a.rotation * joint.axisA;
+    state.worldAxis2 = b.rotation * joint.axis2B;
     const JointRows<double> free = coordinatesOf(joint, a, b);
     for (int i = 0; i < free.count; ++i) {
         state.positions[i] = free.error[i];

@@ -35,9 +35,11 @@ void rescaleImpulses(WorldState& s, double dt) {
     if (h != before) {
         const double scale = h / before;
         for (std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.asleep})
-            for (Contact& contact : *contacts)
+            for (Contact& contact : *contacts) {
+                contact.rollingMoment *= scale;
                 for (ContactPoint& point : contact.points)
                     point.impulse *= scale, point.friction *= scale;
+            }
         for (Joint& joint : s.joints)
             if (isAsleep(joint, s.bodies))
                 scaleImpulses(joint, scale);

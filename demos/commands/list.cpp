@@ -1,14 +1,22 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "demos/commands/commands.h"
 #include "demos/film/progress.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
 #include "demos/scene/reader.h"
+#include "demos/scene/schema.h"
 
 namespace demos {
 namespace {
+
+SceneDescription described(const BuiltinScene& scene) {
+    const std::string name(scene.name);
+    return readScene(scene.text, name, name);
+}
 
 const BuiltinScene& builtin(const std::string& name) {
     std::vector<std::string> names;
@@ -20,33 +28,29 @@ const BuiltinScene& builtin(const std::string& name) {
                                         suggestion(name, names)));
 }
 
-SceneDescription described(const BuiltinScene& scene) {
-    const std::string name(scene.name);
-    return readScene(scene.text, name, name);
-}
-
 void sayJson(const SceneDescription& scene) {
-    fmt::print(R"({{"scene":{},"title":{},"seconds":{},"bodies":{},"joints":{},"hz":{}}})"
+    fmt::print(R"({{"scene":{},"group":{},"title":{},"purpose":{},"seconds":{},"bodies":{},)"
+               R"("joints":{},"hz":{}}})"
                "\n",
-               jsonString(scene.name), jsonString(scene.title), numberText(scene.seconds),
-               scene.bodies.size(), scene.joints.size(), scene.hz);
+               jsonString(scene.name), jsonString(scene.group), jsonString(scene.title),
+               jsonString(scene.purpose), numberText(scene.seconds), scene.bodies.size(),
+               scene.joints.size(), scene.hz);
 }
 
-void sayAll(bool json) {
-    for (const BuiltinScene& builtinScene : builtinScenes()) {
-        const SceneDescription scene = described(builtinScene);
-        if (json)
-            sayJson(scene);
-        else
-            fmt::print("{:18} {:5} bodies {:4} joints {:5.3g} s  {}\n", scene.name,
-                       scene.bodies.size(), scene.joints.size(), scene.seconds,
-                       printable(scene.title));
+void sayGroups() {
+    std::string group;
+    for (const SceneDescription& scene : scenesByGroup()) {
+        if (scene.group != group)
+            fmt::print("{}{}\n", group.empty() ? "" : "\n", printable(scene.group));
+        group = scene.group;
+        fmt::print("  {:18} {}\n", scene.name, printable(scene.purpose));
     }
-    if (!json) fmt::print("next: impulse render NAME, or impulse list NAME --print > my.toml\n");
+    fmt::print("\nnext: impulse render NAME, impulse list NAME, or impulse list --gallery\n");
 }
 
 void sayOne(const SceneDescription& scene) {
     fmt::print("{}: {}\n", scene.name, printable(scene.title));
+    fmt::print("{}: {}\n", printable(scene.group), printable(scene.purpose));
     fmt::print("length   {:g} s, {} steps a second, solver {}\n", scene.seconds, scene.hz,
                scene.preset);
     fmt::print("bodies   {}\njoints   {}\n", scene.bodies.size(), scene.joints.size());
@@ -60,11 +64,30 @@ void sayOne(const SceneDescription& scene) {
 
 }  // namespace
 
+std::vector<SceneDescription> scenesByGroup() {
+    std::vector<SceneDescription> scenes;
+    for (const BuiltinScene& scene : builtinScenes()) scenes.push_back(described(scene));
+    std::stable_sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) {
+        return a.group < b.group;  // by name within a group, as they come
+    });
+    return scenes;
+}
+
 Exit listCommand(const Options& options) {
+    if (options.schema) {
+        if (!options.scenes.empty() || options.print || options.json || options.gallery)
+            throw Stop(Exit::usage, "--schema stands alone, as in 'impulse list --schema'");
+        fmt::print("{}", sceneSchema());
+        return Exit::ok;
+    }
+    if (options.gallery) return galleryCommand(options);
+    if (options.scenes.size() > 1)
+        throw Stop(Exit::usage, "several scenes; list describes one, or --gallery draws them");
     if (options.scenes.empty()) {
         if (options.print)
             throw Stop(Exit::usage, "--print needs a scene, as in 'impulse list stack --print'");
-        sayAll(options.json);
+        if (!options.json) sayGroups();
+        else for (const SceneDescription& scene : scenesByGroup()) sayJson(scene);
         return Exit::ok;
     }
     const BuiltinScene& scene = builtin(options.scene());

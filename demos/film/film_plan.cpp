@@ -7,10 +7,9 @@
 
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
-#include "demos/text_hash.h"
-#include "demos/scene/builtin.h"
 #include "demos/scene/reader.h"
 #include "demos/stop.h"
+#include "demos/text_hash.h"
 #include "demos/version.h"
 
 namespace demos {
@@ -71,12 +70,6 @@ std::string programText() {
         std::fclose(file);
     }
     return text;
-}
-
-std::string sceneText(const std::string& nameOrPath) {
-    for (const BuiltinScene& scene : builtinScenes())
-        if (scene.name == nameOrPath) return std::string(scene.text);
-    return readSceneFile(nameOrPath);
 }
 
 }  // namespace

@@ -55,18 +55,30 @@ std::string numberText(double value) {
     return std::string(buffer, end.ptr);
 }
 
-Complaints::Complaints(std::string fileName, std::vector<std::string> options)
-    : fileName_(std::move(fileName)), options_(std::move(options)) {}
+Complaints::Complaints(std::vector<std::string> options) : options_(std::move(options)) {}
+
+int Complaints::addFile(std::string name) {
+    files_.push_back(std::move(name));
+    return static_cast<int>(files_.size()) - 1;
+}
 
 void Complaints::add(Place place, std::string what) {
     complaints_.push_back({place, std::move(what)});
 }
 
+void Complaints::addAll(const Complaints& of, int file) {
+    for (Complaint complaint : of.complaints_) {
+        complaint.place.file = file;
+        complaints_.push_back(std::move(complaint));
+    }
+}
+
 std::string Complaints::lineOf(const Complaint& complaint) const {
     const Place& place = complaint.place;
     if (place.line > 0)
-        return printable(fileName_ + ":" + std::to_string(place.line) + ":" +
-                         std::to_string(place.column) + ": " + complaint.what);
+        return printable(files_[static_cast<std::size_t>(place.file)] + ":" +
+                         std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
+                         complaint.what);
     const std::size_t option = static_cast<std::size_t>(place.column) - 1;
     return printable("--set " + options_[option] + ": " + complaint.what);
 }
@@ -74,7 +86,9 @@ std::string Complaints::lineOf(const Complaint& complaint) const {
 std::vector<std::string> Complaints::lines() const {
     std::vector<Complaint> sorted = complaints_;
     std::stable_sort(sorted.begin(), sorted.end(), [](const Complaint& a, const Complaint& b) {
-        return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+        const bool fileA = a.place.line > 0, fileB = b.place.line > 0;
+        return std::tie(fileA, a.place.file, a.place.line, a.place.column) <
+               std::tie(fileB, b.place.file, b.place.line, b.place.column);
     });
     std::vector<std::string> all;
     for (const Complaint& complaint : sorted) {

@@ -17,12 +17,17 @@ std::string numberText(double value);
 class Complaints {
 public:
     /// `options`: the texts after --set. What the k-th of them (from 1) says is at Place{0, k}.
-    Complaints(std::string fileName, std::vector<std::string> options);
+    explicit Complaints(std::vector<std::string> options = {});
+
+    /// The number of the file in places.
+    int addFile(std::string name);
 
     /// `what`: one sentence: what is wrong, its value, what would be right.
     void add(Place place, std::string what);
+    /// Of a file that was read on its own.
+    void addAll(const Complaints& of, int file);
     int count() const { return static_cast<int>(complaints_.size()); }
-    /// `file:line:column: what`, in the order of the file, options first; at most 20 and a
+    /// `file:line:column: what`, in the order of the files, options first; at most 20 and a
     /// summary of the rest.
     std::vector<std::string> lines() const;
 
@@ -33,8 +38,7 @@ private:
     };
     std::string lineOf(const Complaint& complaint) const;
 
-    std::string fileName_;
-    std::vector<std::string> options_;
+    std::vector<std::string> files_, options_;
     std::vector<Complaint> complaints_;
 };
 

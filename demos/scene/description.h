@@ -18,9 +18,11 @@ namespace demos {
 using engine::Quat;
 using engine::Vec3;
 
-/// Where in the file something was written; line and column count from 1.
+/// Where something was written; line and column count from 1. Files are numbered in the order in
+/// which their tables are read: what is included comes before what includes it.
 struct Place {
     int line = 0, column = 0;
+    int file = 0;
 };
 
 struct BodyDescription {

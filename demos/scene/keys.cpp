@@ -14,6 +14,16 @@ std::string rangeText(const Range& range, const char* kind) {
            (*range.unit ? std::string(" ") + range.unit : "");
 }
 
+std::string wholeText(const Range& range) {
+    return "a whole number from " + std::to_string(static_cast<std::int64_t>(range.low)) + " to " +
+           std::to_string(static_cast<std::int64_t>(range.high)) +
+           (*range.unit ? std::string(" ") + range.unit : "");
+}
+
+bool holds(const std::vector<std::string_view>& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 }  // namespace
 
 std::string anyOf(const std::vector<std::string>& words) {
@@ -23,15 +33,41 @@ std::string anyOf(const std::vector<std::string>& words) {
     return list;
 }
 
-Keys::Keys(const Value& table, std::string where, Complaints& complaints)
-    : table_(table), where_(std::move(where)), complaints_(complaints) {
+Keys::Keys(const Value& table, std::string where, Complaints& complaints, const Scope& scope)
+    : table_(table), where_(std::move(where)), complaints_(complaints), scope_(&scope) {
     if (table.kind != Value::Kind::table)
         complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table");
 }
 
+Keys Keys::inner(const Value& table, std::string where) const {
+    if (scope_->catalog)
+        for (std::size_t i = 0; i < table_.keys.size(); ++i) {
+            const std::vector<Value>& list = table_.items[i].items;
+            const bool isItem = std::any_of(list.begin(), list.end(),
+                                            [&](const Value& item) { return &item == &table; });
+            if (&table != &table_.items[i] && !isItem) continue;
+            const auto kind = isItem ? Form::Kind::tables : Form::Kind::table;
+            scope_->catalog->ask(where_, table_.keys[i].name, {kind, {}, {}, where}, true);
+        }
+    return {table, std::move(where), complaints_, *scope_};
+}
+
 const Value* Keys::any(std::string_view key) {
-    known_.push_back(key);
+    if (scope_->catalog && !takesOthers_) scope_->catalog->ask(where_, key, has(key));
+    if (!holds(known_, key)) known_.push_back(key);
     return table_.find(key);
+}
+
+const Value* Keys::ask(std::string_view key, const Form& form) {
+    if (scope_->catalog && !takesOthers_) scope_->catalog->ask(where_, key, form, has(key));
+    if (!holds(known_, key)) known_.push_back(key);
+    return table_.find(key);
+}
+
+const std::vector<Key>& Keys::others(Range range) {
+    takesOthers_ = true;
+    if (scope_->catalog) scope_->catalog->askOthers(where_, {Form::Kind::number, range});
+    return table_.keys;
 }
 
 Place Keys::placeOf(std::string_view key) const {
@@ -45,36 +81,57 @@ void Keys::complain(std::string_view key, const std::string& what) {
     if (!told) complaints_.add(placeOf(key), what);
 }
 
-void Keys::wrong(const Value& value, std::string_view key, const std::string& right) {
-    complaints_.add(value.place,
-                    std::string(key) + " is " + describe(value) + "; it should be " + right);
+void Keys::wrong(const Value& value, std::string_view key, const std::string& right,
+                 std::optional<double> computed) {
+    const std::string result = computed && !value.isNumber() ? " = " + numberText(*computed) : "";
+    complaints_.add(value.place, std::string(key) + " is " + describe(value) + result +
+                                     "; it should be " + right);
+}
+
+std::optional<double> Keys::numberIn(const Value& value, std::string_view key, bool& told) {
+    if (value.isNumber()) return value.real;
+    if (value.kind != Value::Kind::text) return std::nullopt;
+    const Evaluated result = scope_->expressions->evaluate(value.text, scope_->turns);
+    told = !result.value;
+    if (told)
+        complaints_.add(value.place,
+                        std::string(key) + " is " + describe(value) + ": " + result.wrong);
+    return result.value;
 }
 
 std::optional<double> Keys::checked(const Value& value, std::string_view key, Range range) {
-    if (value.isNumber() && std::isfinite(value.real) && value.real >= range.low &&
-        value.real <= range.high)
-        return value.real + 0.0;  // -0 becomes +0
-    wrong(value, key, rangeText(range, "a number"));
+    bool told = false;
+    const std::optional<double> x = numberIn(value, key, told);
+    if (x && std::isfinite(*x) && *x >= range.low && *x <= range.high)
+        return *x + 0.0;  // -0 becomes +0
+    if (!told) wrong(value, key, rangeText(range, "a number"), x);
     return std::nullopt;
 }
 
 std::optional<double> Keys::number(std::string_view key, Range range) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::number, range});
     return value ? checked(*value, key, range) : std::nullopt;
 }
 
-std::optional<int> Keys::whole(std::string_view key, Range range) {
-    const Value* value = any(key);
+std::optional<std::int64_t> Keys::large(std::string_view key, Range range) {
+    const Value* value = ask(key, {Form::Kind::whole, range});
     if (!value) return std::nullopt;
-    if (value->kind == Value::Kind::integer && value->real >= range.low &&
-        value->real <= range.high)
-        return static_cast<int>(value->integer);
-    wrong(*value, key, rangeText(range, "a whole number"));
+    bool told = false;
+    const std::optional<double> x = numberIn(*value, key, told);
+    // 60.0 is no whole number of the file, but what is computed has no other kind.
+    const bool whole = value->kind != Value::Kind::real && x && *x == std::floor(*x);
+    if (whole && *x >= range.low && *x <= range.high) return static_cast<std::int64_t>(*x);
+    if (!told) wrong(*value, key, wholeText(range), x);
     return std::nullopt;
 }
 
+std::optional<int> Keys::whole(std::string_view key, Range range) {
+    const std::optional<std::int64_t> x = large(key, range);
+    return x ? std::optional(static_cast<int>(*x)) : std::nullopt;
+}
+
 std::optional<bool> Keys::truth(std::string_view key) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::truth, {}});
     if (!value) return std::nullopt;
     if (value->kind == Value::Kind::boolean) return value->boolean;
     wrong(*value, key, "true or false");
@@ -82,7 +139,7 @@ std::optional<bool> Keys::truth(std::string_view key) {
 }
 
 std::optional<std::string> Keys::text(std::string_view key) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::text, {}});
     if (!value) return std::nullopt;
     if (value->kind == Value::Kind::text) return value->text;
     wrong(*value, key, "a text in quotes");
@@ -106,12 +163,12 @@ std::optional<Vec3> Keys::checkedVector(const Value& value, std::string_view key
 }
 
 std::optional<Vec3> Keys::vector(std::string_view key, Range range) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::vector, range});
     return value ? checkedVector(*value, key, range) : std::nullopt;
 }
 
 std::optional<std::vector<Vec3>> Keys::vectors(std::string_view key, Range range) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::vectors, range});
     if (!value) return std::nullopt;
     if (value->kind != Value::Kind::array) {
         wrong(*value, key, "a list of points [[x, y, z], ...]");
@@ -127,7 +184,7 @@ std::optional<std::vector<Vec3>> Keys::vectors(std::string_view key, Range range
 }
 
 std::optional<std::vector<std::string>> Keys::texts(std::string_view key) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::texts, {}});
     if (!value) return std::nullopt;
     if (value->kind == Value::Kind::text) return std::vector<std::string>{value->text};
     std::vector<std::string> list;
@@ -142,7 +199,7 @@ std::optional<std::vector<std::string>> Keys::texts(std::string_view key) {
 }
 
 std::optional<std::vector<double>> Keys::numbers(std::string_view key, Range range) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::numbers, range});
     if (!value) return std::nullopt;
     if (value->kind != Value::Kind::array) {
         wrong(*value, key, "a list of numbers");
@@ -156,7 +213,7 @@ std::optional<std::vector<double>> Keys::numbers(std::string_view key, Range ran
 
 std::optional<std::string> Keys::word(std::string_view key, const std::vector<std::string>& words,
                                       const std::vector<std::string>& later) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::word, {}, words});
     if (!value) return std::nullopt;
     if (value->kind == Value::Kind::text) {
         if (std::find(words.begin(), words.end(), value->text) != words.end()) return value->text;
@@ -173,7 +230,7 @@ std::optional<std::string> Keys::word(std::string_view key, const std::vector<st
 }
 
 std::optional<unsigned> Keys::color(std::string_view key) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::color, {}});
     if (!value) return std::nullopt;
     const std::string& text = value->text;
     if (value->kind == Value::Kind::text && text.size() == 7 && text[0] == '#' &&
@@ -184,7 +241,7 @@ std::optional<unsigned> Keys::color(std::string_view key) {
 }
 
 std::vector<const Value*> Keys::tables(std::string_view key) {
-    const Value* value = any(key);
+    const Value* value = ask(key, {Form::Kind::tables, {}});
     if (!value) return {};
     if (value->kind == Value::Kind::table) return {value};
     std::vector<const Value*> list;
@@ -199,9 +256,8 @@ void Keys::later(std::initializer_list<std::string_view> keys) {
 }
 
 void Keys::done() {
-    const auto holds = [](const std::vector<std::string_view>& list, const std::string& name) {
-        return std::find(list.begin(), list.end(), name) != list.end();
-    };
+    constexpr int kMostSuggestions = 100;  // of a file of nothing but unknown keys
+    int unknown = 0;
     for (const Key& key : table_.keys) {
         if (holds(known_, key.name)) continue;
         if (holds(later_, key.name)) {
@@ -209,9 +265,10 @@ void Keys::done() {
                                            " is not available yet; leave it out");
             continue;
         }
-        const std::vector<std::string> names(known_.begin(), known_.end());
-        complaints_.add(
-            key.place, "unknown key '" + key.name + "' in " + where_ + suggestion(key.name, names));
+        std::string what = "unknown key '" + key.name + "' in " + where_;
+        if (++unknown <= kMostSuggestions)
+            what += suggestion(key.name, {known_.begin(), known_.end()});
+        complaints_.add(key.place, what);
     }
 }
 

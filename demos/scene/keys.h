@@ -8,24 +8,19 @@
 #include <utility>
 #include <vector>
 
+#include "demos/scene/scope.h"
 #include "demos/scene/toml_value.h"
 
 namespace demos {
 
-struct Range {
-    double low, high;
-    const char* unit = "";
-};
-
+/// Wherever a number is asked for, a text is an expression.
 class Keys {
 public:
-    /// `where`: what the table is called in messages: "[world]", "a [[body]]".
-    Keys(const Value& table, std::string where, Complaints& complaints);
+    /// `where`: what the table is called in messages: "[world]", "a [[body]]". `scope` is kept.
+    Keys(const Value& table, std::string where, Complaints& complaints, const Scope& scope);
 
-    /// The keys of a table inside this one.
-    Keys inner(const Value& table, std::string where) const {
-        return {table, std::move(where), complaints_};
-    }
+    /// The keys of a table inside this one, or of a list inside this one.
+    Keys inner(const Value& table, std::string where) const;
 
     /// Any value; null when not given.
     const Value* any(std::string_view key);
@@ -35,6 +30,8 @@ public:
 
     std::optional<double> number(std::string_view key, Range range);
     std::optional<int> whole(std::string_view key, Range range);
+    /// The same for what an int cannot hold; at most 2^53 either way.
+    std::optional<std::int64_t> large(std::string_view key, Range range);
     std::optional<bool> truth(std::string_view key);
     std::optional<std::string> text(std::string_view key);
     std::optional<Vec3> vector(std::string_view key, Range range);
@@ -50,6 +47,9 @@ public:
     /// The tables of [[key]], or the table that is not in a list.
     std::vector<const Value*> tables(std::string_view key);
 
+    /// All keys that are given, whatever they are called; each of them is a number.
+    const std::vector<Key>& others(Range range);
+
     /// Keys of the format that this version lacks.
     void later(std::initializer_list<std::string_view> keys);
     /// Complains of the keys that nobody asked for.
@@ -58,14 +58,20 @@ public:
     void complain(std::string_view key, const std::string& what);
 
 private:
+    const Value* ask(std::string_view key, const Form& form);
+    /// Written, or computed; without a complaint nothing only where it is no text.
+    std::optional<double> numberIn(const Value& value, std::string_view key, bool& told);
     std::optional<double> checked(const Value& value, std::string_view key, Range range);
     std::optional<Vec3> checkedVector(const Value& value, std::string_view key, Range range);
-    void wrong(const Value& value, std::string_view key, const std::string& right);
+    void wrong(const Value& value, std::string_view key, const std::string& right,
+               std::optional<double> computed = {});
 
     const Value& table_;  // where it is none, it has no keys
     std::string where_;
     Complaints& complaints_;
+    const Scope* scope_;
     std::vector<std::string_view> known_, later_;
+    bool takesOthers_ = false;
 };
 
 /// "a, b or c"

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <utility>
 
+#include "demos/scene/nearest.h"
+
 namespace demos {
 namespace {
 
@@ -10,13 +12,33 @@ constexpr std::size_t kDeepest = 16;
 
 std::vector<std::string> parts(std::string_view path) {
     std::vector<std::string> list(1);
+    bool quoted = false;
     for (const char c : path) {
-        if (c == '.')
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == '.' && !quoted)
             list.emplace_back();
         else if (c != ' ')
             list.back() += c;
     }
     return list;
+}
+
+bool isCalled(const Value& table, const std::string& name) {
+    const Value* own = table.find("name");
+    return own && own->text == name;
+}
+
+/// Itself, or what a [[repeat]] holds.
+bool holdsCalled(const Value& item, const std::string& name) {
+    if (isCalled(item, name)) return true;
+    for (const char* key : {"body", "joint", "force"})
+        if (const Value* inner = item.find(key)) {
+            if (isCalled(*inner, name)) return true;
+            for (const Value& one : inner->items)
+                if (isCalled(one, name)) return true;
+        }
+    return false;
 }
 
 /// Of a list: the item with this number, or this name; null when there is none.
@@ -27,8 +49,20 @@ Value* itemOf(Value& list, const std::string& part) {
     if (read.ec == std::errc() && read.ptr == end)
         return number < list.items.size() ? &list.items[number] : nullptr;
     for (Value& item : list.items)
-        if (const Value* name = item.find("name"); name && name->text == part) return &item;
+        if (holdsCalled(item, part)) return &item;
     return nullptr;
+}
+
+/// What --set cannot do, and why; empty where it can.
+std::string whyNot(const std::vector<std::string>& path, const Value& document) {
+    if (path[0] == "include") return "files are included before --set; name them in the scene";
+    if (path[0] != "values" || path.size() < 2) return "";
+    const Value* values = document.find("values");
+    if (values && values->find(path[1])) return "";
+    std::vector<std::string> names;
+    if (values)
+        for (const Key& key : values->keys) names.push_back(key.name);
+    return "the scene has no value '" + path[1] + "'" + suggestion(path[1], names);
 }
 
 Value* memberOf(Value& table, const std::string& part, Place place) {
@@ -47,6 +81,10 @@ void apply(const std::string& text, Place place, Value& document, Complaints& co
     for (const std::string& part : path) good = good && !part.empty();
     if (!good) {
         complaints.add(place, "should be KEY=VALUE, like world.hz=240");
+        return;
+    }
+    if (const std::string wrong = whyNot(path, document); !wrong.empty()) {
+        complaints.add(place, wrong);
         return;
     }
     Value* at = &document;

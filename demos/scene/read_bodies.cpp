@@ -14,6 +14,7 @@ namespace {
 constexpr Range kMass{1e-6, 1e9, "kg"};
 constexpr Range kDensity{1e-3, 1e6, "kg/m^3"};
 constexpr Range kMeters{-1e5, 1e5, "m"};
+constexpr Range kRolling{0.0, 10.0, "m"};
 constexpr Range kSpeed{-1e4, 1e4, "m/s"};
 constexpr Range kSpin{-1e4, 1e4, "rad/s"};
 
@@ -77,7 +78,7 @@ public:
         readMass();
         readMeetings();
         if (const std::optional<unsigned> color = keys_.color("colour")) body_.color = color;
-        keys_.later({"rolling", "break_at"});
+        keys_.later({"break_at"});
         keys_.done();
         return body_;
     }
@@ -262,8 +263,8 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
         m.material.friction = keys.number("friction", {0.0, 100.0}).value_or(m.material.friction);
         m.material.restitution =
             keys.number("restitution", {0.0, 1.0}).value_or(m.material.restitution);
+        m.material.rolling = keys.number("rolling", kRolling).value_or(m.material.rolling);
         m.color = keys.color("colour");
-        keys.later({"rolling"});
         keys.done();
         if (!keys.has("name") || !checkName(name, keys.placeOf("name"), "name", complaints))
             continue;
@@ -290,7 +291,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
         if (twice && instance.table != complainedOf)
             complaints.add(body.place,
                            "two bodies are called '" + body.name + "'; rename one" +
-                               (instance.depth > 0 ? ", in a [[repeat]] with {i}" : ""));
+                               (instance.isRepeated() ? ", in a [[repeat]] with {i}" : ""));
         if (complaints.count() > before) complainedOf = instance.table;
         scene.bodies.push_back(std::move(body));
     }

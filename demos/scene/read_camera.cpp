@@ -60,9 +60,8 @@ void readTime(Keys& keys, double seconds, CameraKey& key, bool first) {
     set(key.at, at);
 }
 
-CameraKey readKey(const Value& table, const CameraKey& before, bool first, double seconds,
-                  Complaints& complaints) {
-    Keys keys(table, "a key of the camera", complaints);
+CameraKey readKey(const Value& table, Keys keys, const CameraKey& before, bool first,
+                  double seconds) {
     if (table.kind != Value::Kind::table) return before;
     CameraKey key = before;
     readTime(keys, seconds, key, first);
@@ -77,11 +76,12 @@ CameraKey readKey(const Value& table, const CameraKey& before, bool first, doubl
     return key;
 }
 
-void readKeys(Keys& keys, SceneDescription& scene, Complaints& complaints) {
+void readKeys(Keys& keys, SceneDescription& scene) {
     CameraDescription& camera = scene.camera;
     CameraKey last{0.0, camera.from, camera.lookAt, camera.fovDegrees};
     for (const Value* table : keys.tables("keys")) {
-        last = readKey(*table, last, camera.keys.empty(), scene.seconds, complaints);
+        last = readKey(*table, keys.inner(*table, "a key of the camera"), last, camera.keys.empty(),
+                       scene.seconds);
         camera.keys.push_back(last);
     }
 }
@@ -98,7 +98,7 @@ void readLens(Keys& keys, const BodyNumbers& numbers, SceneDescription& scene) {
     set(camera.aperture, keys.number("aperture", {0.0, 10.0, "m"}));
     const Value* focus = keys.any("focus");
     if (focus && focus->kind == Value::Kind::text) {
-        camera.focusBody = focus->text;
+        set(camera.focusBody, keys.text("focus"));
         checkBody(keys, "focus", camera.focusBody, numbers, scene);
     } else if (focus && focus->isNumber()) {
         set(camera.focus, keys.number("focus", {0.01, 1e5, "m"}));
@@ -110,11 +110,10 @@ void readLens(Keys& keys, const BodyNumbers& numbers, SceneDescription& scene) {
 
 }  // namespace
 
-void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
-                Complaints& complaints) {
+void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene) {
     const Value* table = top.any("camera");
     if (!table) return;
-    Keys keys(*table, "[camera]", complaints);
+    Keys keys = top.inner(*table, "[camera]");
     CameraDescription& camera = scene.camera;
     set(camera.from, keys.vector("from", kMeters));
     set(camera.lookAt, keys.vector("look_at", kMeters));
@@ -127,7 +126,7 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
         keys.complain("follow_lag", "follow_lag is of a camera that follows; write follow = too");
     checkView(keys, camera.lookAt - camera.from);
     readLens(keys, numbers, scene);
-    readKeys(keys, scene, complaints);
+    readKeys(keys, scene);
     keys.done();
 }
 

@@ -24,9 +24,9 @@ const std::vector<std::pair<std::string, What>>& kinds() {
 
 class ExpectationReader {
 public:
-    ExpectationReader(const Value& table, const SceneDescription& scene, Complaints& complaints)
-        : scene_(scene), keys_(table, "an [[expect]]", complaints) {
-        e_.place = table.place;
+    ExpectationReader(Keys keys, const SceneDescription& scene)
+        : scene_(scene), keys_(std::move(keys)) {
+        e_.place = keys_.place();
     }
 
     Expectation read() {
@@ -115,9 +115,10 @@ private:
 
 }  // namespace
 
-void readExpectations(Keys& top, SceneDescription& scene, Complaints& complaints) {
+void readExpectations(Keys& top, SceneDescription& scene) {
     for (const Value* table : top.tables("expect"))
-        scene.expectations.push_back(ExpectationReader(*table, scene, complaints).read());
+        scene.expectations.push_back(
+            ExpectationReader(top.inner(*table, "an [[expect]]"), scene).read());
 }
 
 }  // namespace demos

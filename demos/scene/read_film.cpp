@@ -1,6 +1,7 @@
 // [look], [[section]] and [snapshot]
 
 #include <algorithm>
+#include <cmath>
 
 #include "demos/overlays.h"
 #include "demos/report/measures.h"
@@ -31,8 +32,7 @@ std::optional<std::string> readPoster(Keys& keys, double seconds) {
     return time ? std::optional(numberText(*time)) : std::nullopt;
 }
 
-Section readSection(const Value& table, const SceneDescription& scene, Complaints& complaints) {
-    Keys keys(table, "a [[section]]", complaints);
+Section readSection(Keys keys, const SceneDescription& scene) {
     Section section;
     set(section.at, keys.number("at", {0.0, scene.seconds, "s"}));
     set(section.name, keys.text("name"));
@@ -48,10 +48,10 @@ Section readSection(const Value& table, const SceneDescription& scene, Complaint
 
 }  // namespace
 
-void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
+void readLook(Keys& top, SceneDescription& scene) {
     const Value* table = top.any("look");
     if (!table) return;
-    Keys keys(*table, "[look]", complaints);
+    Keys keys = top.inner(*table, "[look]");
     set(scene.look.theme, keys.word("theme", themeNames()));
     for (const std::string& name : keys.texts("show").value_or(std::vector<std::string>{})) {
         scene.look.show.push_back(name);
@@ -73,29 +73,26 @@ void readLook(Keys& top, SceneDescription& scene, Complaints& complaints) {
     keys.done();
 }
 
-void readSections(Keys& top, SceneDescription& scene, Complaints& complaints) {
+void readSections(Keys& top, SceneDescription& scene) {
     for (const Value* table : top.tables("section"))
-        scene.sections.push_back(readSection(*table, scene, complaints));
+        scene.sections.push_back(readSection(top.inner(*table, "a [[section]]"), scene));
     std::stable_sort(scene.sections.begin(), scene.sections.end(),
                      [](const Section& a, const Section& b) { return a.at < b.at; });
 }
 
-void readSnapshot(Keys& top, SceneDescription& scene, Complaints& complaints) {
+void readSnapshot(Keys& top, SceneDescription& scene) {
     const Value* table = top.any("snapshot");
     if (!table) return;
-    Keys keys(*table, "[snapshot]", complaints);
+    Keys keys = top.inner(*table, "[snapshot]");
     set(scene.snapshot.times, keys.numbers("times", {0.0, scene.seconds, "s"}));
     constexpr Range kPixels{1.0, 16384.0, "pixels"};
-    if (const Value* size = keys.any("size")) {
-        const auto whole = [](const Value& v) { return v.kind == Value::Kind::integer; };
-        const auto numbers = keys.numbers("size", kPixels);
-        if (numbers && numbers->size() == 2 &&
-            std::all_of(size->items.begin(), size->items.end(), whole)) {
-            scene.snapshot.width = static_cast<int>((*numbers)[0]);
-            scene.snapshot.height = static_cast<int>((*numbers)[1]);
-        } else if (numbers) {
-            keys.complain("size", "size should be two whole numbers [width, height] of pixels");
-        }
+    const auto isWhole = [](double pixels) { return pixels == std::floor(pixels); };
+    const auto size = keys.numbers("size", kPixels);
+    if (size && size->size() == 2 && std::all_of(size->begin(), size->end(), isWhole)) {
+        scene.snapshot.width = static_cast<int>((*size)[0]);
+        scene.snapshot.height = static_cast<int>((*size)[1]);
+    } else if (size) {
+        keys.complain("size", "size should be two whole numbers [width, height] of pixels");
     }
     keys.done();
 }

@@ -18,9 +18,12 @@ struct MaterialDescription {
 using Materials = std::map<std::string, MaterialDescription>;
 using BodyNumbers = std::map<std::string, int>;  // place in scene.bodies by name
 
+// read_values.cpp
+void readValues(Keys& top, Expressions& expressions, Complaints& complaints);
+
 // read_settings.cpp
-void readWorld(Keys& top, SceneDescription& scene, Complaints& complaints);
-void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints);
+void readWorld(Keys& top, SceneDescription& scene);
+void readSolver(Keys& top, SceneDescription& scene);
 
 // read_bodies.cpp
 Materials readMaterials(Keys& top, Complaints& complaints);
@@ -46,16 +49,15 @@ void readForces(const std::vector<Instance>& instances, const BodyNumbers& numbe
                 SceneDescription& scene, Complaints& complaints);
 
 // read_camera.cpp
-void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene,
-                Complaints& complaints);
+void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene);
 
 // read_film.cpp
-void readLook(Keys& top, SceneDescription& scene, Complaints& complaints);
-void readSections(Keys& top, SceneDescription& scene, Complaints& complaints);
-void readSnapshot(Keys& top, SceneDescription& scene, Complaints& complaints);
+void readLook(Keys& top, SceneDescription& scene);
+void readSections(Keys& top, SceneDescription& scene);
+void readSnapshot(Keys& top, SceneDescription& scene);
 
 // read_expectations.cpp
-void readExpectations(Keys& top, SceneDescription& scene, Complaints& complaints);
+void readExpectations(Keys& top, SceneDescription& scene);
 
 /// `[A-Za-z0-9_.{}+-]{1,64}`, or a complaint.
 bool checkName(const std::string& name, Place place, const char* what, Complaints& complaints);

@@ -68,28 +68,23 @@ void readCorrections(Keys& keys, engine::Settings& s) {
 
 }  // namespace
 
-void readWorld(Keys& top, SceneDescription& scene, Complaints& complaints) {
+void readWorld(Keys& top, SceneDescription& scene) {
     const Value* table = top.any("world");
     if (!table) return;
-    Keys keys(*table, "[world]", complaints);
+    Keys keys = top.inner(*table, "[world]");
     set(scene.gravity, keys.vector("gravity", {-1e4, 1e4, "m/s^2"}));
     set(scene.hz, keys.whole("hz", {10, 100'000, "steps a second"}));
     constexpr double kLargest = 9007199254740992.0;  // 2^53: exact in every reader of TOML
-    if (const Value* seed = keys.any("seed")) {
-        if (seed->kind == Value::Kind::integer && seed->integer >= 0 && seed->real <= kLargest)
-            scene.seed = static_cast<std::uint64_t>(seed->integer);
-        else
-            complaints.add(seed->place, "seed is " + describe(*seed) +
-                                            "; it should be a whole number from 0 to 2^53");
-    }
+    if (const auto seed = keys.large("seed", {0, kLargest}))
+        scene.seed = static_cast<std::uint64_t>(*seed);
     keys.done();
 }
 
-void readSolver(Keys& top, SceneDescription& scene, Complaints& complaints) {
+void readSolver(Keys& top, SceneDescription& scene) {
     scene.settings = engine::Settings::steady();
     const Value* table = top.any("solver");
     if (!table) return;
-    Keys keys(*table, "[solver]", complaints);
+    Keys keys = top.inner(*table, "[solver]");
     engine::Settings s = presetOf(keys, scene);
     readMethod(keys, s);
     readSweeps(keys, s);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "demos/scene/builtin.h"
+#include "demos/scene/include.h"
 #include "demos/scene/nearest.h"
 #include "demos/scene/overrides.h"
 #include "demos/scene/read_parts.h"
@@ -14,52 +15,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostBytes = 8u << 20;
-
 std::string joined(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
     return text;
 }
 
-void readTop(Keys& top, SceneDescription& scene) {
-    if (!top.has("format"))
+void readFormat(Keys& top) {
+    const Value* format = top.any("format");
+    if (!format)
         top.complain("format", "the scene has no format; begin it with format = 1");
-    if (const Value* format = top.any("format");
-        format && !(format->kind == Value::Kind::integer && format->integer == 1))
+    else if (format->kind == Value::Kind::integer && format->integer == 1)
+        top.whole("format", {1, 1});
+    else
         top.complain("format", "format is " + describe(*format) + "; this version reads format 1");
+}
+
+void readTop(Keys& top, SceneDescription& scene) {
+    top.texts("include");  // was read before anything else
     scene.title = top.text("title").value_or(scene.name);
     scene.purpose = top.text("purpose").value_or("");
     scene.group = top.text("group").value_or("");
     scene.seconds = top.number("seconds", {0.01, 1e5, "s"}).value_or(scene.seconds);
 }
 
-SceneDescription readDocument(const Value& document, const std::string& sceneName,
-                              const std::optional<fs::path>& folder, Complaints& complaints) {
+SceneDescription describeScene(const Value& document, const std::string& sceneName,
+                               const std::optional<fs::path>& folder, const Scope& scope,
+                               Complaints& complaints) {
     SceneDescription scene;
     scene.name = sceneName;
     scene.folder = folder;
-    Keys top(document, "a scene", complaints);
+    Keys top(document, "a scene", complaints, scope);
+    readFormat(top);
+    readValues(top, *scope.expressions, complaints);
     readTop(top, scene);
-    readWorld(top, scene, complaints);
-    readSolver(top, scene, complaints);
+    readWorld(top, scene);
+    readSolver(top, scene);
     const Materials materials = readMaterials(top, complaints);
-    const Instances instances = unroll(top.tables("body"), top.tables("joint"),
-                                       top.tables("force"), top.tables("repeat"), scene.seed,
-                                       complaints);
+    const Repeatable tables{top.tables("body"), top.tables("joint"), top.tables("force"),
+                            top.tables("repeat")};
+    const Instances instances = unroll(tables, scene.seed, scope, complaints);
     const BodyNumbers numbers = readBodies(instances.bodies, materials, scene, complaints);
     numberGroups(scene, complaints);
     readJoints(instances.joints, numbers, scene, complaints);
     readForces(instances.forces, numbers, scene, complaints);
     if (complaints.count() == 0 && scene.bodies.empty())
-        complaints.add({1, 1}, "the scene has no body; write a [[body]]");
-    readCamera(top, numbers, scene, complaints);
-    readLook(top, scene, complaints);
-    readSections(top, scene, complaints);
-    readExpectations(top, scene, complaints);
-    readSnapshot(top, scene, complaints);
+        complaints.add(document.place, "the scene has no body; write a [[body]]");
+    readCamera(top, numbers, scene);
+    readLook(top, scene);
+    readSections(top, scene);
+    readExpectations(top, scene);
+    readSnapshot(top, scene);
     top.done();
     return scene;
+}
+
+/// Where a text of this name would be; nothing without a folder.
+std::optional<fs::path> pathOf(const std::string& fileName, const std::optional<fs::path>& folder) {
+    return folder ? std::optional(*folder / fs::path(fileName).filename()) : std::nullopt;
 }
 
 const BuiltinScene* findBuiltin(const std::string& name) {
@@ -83,18 +96,27 @@ SceneError::SceneError(std::vector<std::string> lines)
     : std::runtime_error(joined(lines)), lines_(std::move(lines)) {}
 
 SceneDescription readScene(std::string_view text, const std::string& fileName,
-                           const std::string& sceneName,
-                           const std::vector<std::string>& overrides,
+                           const std::string& sceneName, const std::vector<std::string>& overrides,
                            const std::optional<fs::path>& folder) {
-    Complaints complaints(fileName, overrides);
-    if (text.size() > kMostBytes) fail(fileName + ": larger than 8 MiB");
-    Value document = parseToml(text, complaints);
+    Complaints complaints(overrides);
+    if (text.size() > kMostSceneBytes) fail(fileName + ": larger than 8 MiB");
+    Document document = readDocument(text, fileName, pathOf(fileName, folder), complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
-    if (document.place.line < 1) document.place = {1, 1};
-    applyOverrides(overrides, document, complaints);
-    SceneDescription scene = readDocument(document, sceneName, folder, complaints);
+    applyOverrides(overrides, document.table, complaints);
+    Expressions expressions;
+    const Scope scope{&expressions, {}, nullptr};
+    SceneDescription scene = describeScene(document.table, sceneName, folder, scope, complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
     return scene;
+}
+
+std::vector<std::string> catalogScene(std::string_view text, const std::string& name,
+                                      Catalog& catalog) {
+    Complaints complaints;
+    const Document document = readDocument(text, name, std::nullopt, complaints);
+    Expressions expressions;
+    describeScene(document.table, name, std::nullopt, {&expressions, {}, &catalog}, complaints);
+    return complaints.lines();
 }
 
 std::string readSceneFile(const fs::path& path) {
@@ -109,7 +131,7 @@ std::string readSceneFile(const fs::path& path) {
         fail(name + ": is not a regular file; it should be a scene file");
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(name + ": cannot be read: " + error.message());
-    if (size > kMostBytes)
+    if (size > kMostSceneBytes)
         fail(name + ": is " + std::to_string(size) + " bytes; it should be at most 8 MiB");
     std::ifstream file(path, std::ios::binary);
     std::string text(static_cast<std::size_t>(size), '\0');
@@ -129,6 +151,12 @@ SceneDescription loadScene(const std::string& nameOrPath,
     if (!isPath && !fs::exists(path, error)) failUnknown(nameOrPath);
     return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides,
                      path.parent_path());
+}
+
+std::string sceneText(const std::string& nameOrPath) {
+    if (const BuiltinScene* scene = findBuiltin(nameOrPath)) return std::string(scene->text);
+    Complaints ignored;
+    return readDocument(readSceneFile(nameOrPath), nameOrPath, fs::path(nameOrPath), ignored).text;
 }
 
 }  // namespace demos

@@ -10,6 +10,8 @@
 
 namespace demos {
 
+class Catalog;
+
 /// All that is wrong with one scene, a line each: `file:line:column: what, value, what would be
 /// right`, in the order of the file. Control bytes are escaped.
 class SceneError : public std::runtime_error {
@@ -34,5 +36,12 @@ std::string readSceneFile(const std::filesystem::path& path);
 /// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
 SceneDescription loadScene(const std::string& nameOrPath,
                            const std::vector<std::string>& overrides = {});
+
+/// The text of a scene that loads, with that of all files it includes.
+std::string sceneText(const std::string& nameOrPath);
+
+/// What the reader asks of which table while it reads such a text, and its complaints.
+std::vector<std::string> catalogScene(std::string_view text, const std::string& name,
+                                      Catalog& catalog);
 
 }  // namespace demos

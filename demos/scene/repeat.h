@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "demos/scene/keys.h"
+#include "demos/scene/split_mix.h"
 
 namespace demos {
 
@@ -26,16 +27,17 @@ struct Motion {
 
 struct Instance {
     const Value* table = nullptr;
-    int depth = 0;          // 0: not in a [[repeat]]; 1: i counts; 2: i and j
-    int index[2] = {0, 0};  // i, j
-    Motion motion[2];       // of i, of j; the inner one first
-    Vec3 jitter{0, 0, 0};   // m, for this instance alone
+    Scope scope;                    // which turn of which [[repeat]]
+    Motion motion[kDeepestRepeat];  // of i, j, k; the innermost first
+    Vec3 jitter{0, 0, 0};           // m, for this instance alone
 
-    /// Its table, to be read.
+    /// Its table, to be read. The instance has to stay.
     Keys keys(std::string where, Complaints& complaints) const {
-        return {*table, std::move(where), complaints};
+        return {*table, std::move(where), complaints, scope};
     }
-    /// {i} {i+1} {i-1} {j} ... replaced; outside of a [[repeat]] the text itself.
+    bool isRepeated() const { return scope.turns.depth > 0; }
+    /// In a [[repeat]] what is in braces, an expression, is replaced by its whole number: {i} {i+1}
+    /// {2*i+j}. What has none stays.
     std::string named(std::string_view text) const;
     Vec3 point(const Vec3& p) const;
     Quat rotation(const Quat& q) const;
@@ -46,24 +48,13 @@ struct Instances {
     std::vector<Instance> bodies, joints, forces;
 };
 
-/// All [[body]], [[joint]], [[force]] and [[repeat]] tables of the scene in the order of the file,
-/// up to the limits. `seed`: of the jitter.
-Instances unroll(const std::vector<const Value*>& bodies, const std::vector<const Value*>& joints,
-                 const std::vector<const Value*>& forces,
-                 const std::vector<const Value*>& repeats, std::uint64_t seed,
-                 Complaints& complaints);
-
-/// Steele, Lea, Flood 2014: 64 bits in, 64 well-mixed bits out. (The standard library's
-/// distributions differ from one library to the next.)
-class SplitMix64 {
-public:
-    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next();
-    /// In [-1, 1), 53 bits.
-    double signedUnit();
-
-private:
-    std::uint64_t state_;
+/// The tables of a scene that may be in a [[repeat]], and those.
+struct Repeatable {
+    std::vector<const Value*> bodies, joints, forces, repeats;
 };
+
+/// All of them in the order of the file, up to the limits. `seed`: of the jitter.
+Instances unroll(const Repeatable& tables, std::uint64_t seed, const Scope& scope,
+                 Complaints& complaints);
 
 }  // namespace demos

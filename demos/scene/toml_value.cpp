@@ -123,7 +123,7 @@ Value parseToml(std::string_view text, Complaints& complaints) {
 }
 
 Value parseTomlValue(std::string_view text, Place place) {
-    Complaints ignored("", {});
+    Complaints ignored;
     const std::string line = "value = " + std::string(text);
     Value table = parseToml(line, ignored);
     Value value;

@@ -28,6 +28,8 @@ void addBodies(const Moment& moment, render::Frame& frame);     // bodies.cpp
 void addGhosts(const Moment& moment, render::Frame& frame);     // bodies.cpp
 void addBodyMarks(const Moment& moment, render::Frame& frame);  // marks.cpp: axes, com, bounds, ids
 void addJoints(const Moment& moment, render::Frame& frame);     // joints.cpp
+void addJointMarks(const Stage& stage, const engine::JointState& joint,
+                   render::Frame& frame);                       // joint_marks.cpp
 void addTrails(const Moment& moment, render::Frame& frame);     // trails.cpp
 void addContacts(const Moment& moment, render::Frame& frame);   // contacts.cpp
 void addNudges(const Moment& moment, render::Frame& frame);     // contacts.cpp

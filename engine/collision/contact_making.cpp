@@ -36,6 +36,7 @@ Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& man
         contact.seenFromA = seenFrom(bodies.poses[pair.a], bodies.poses[pair.b]);
     contact.friction = std::sqrt(a.friction * b.friction);
     contact.restitution = larger(a.restitution, b.restitution);
+    contact.rolling = larger(a.rolling, b.rolling);
     contact.count = manifold.count;
     for (int i = 0; i < manifold.count; ++i) {
         const ManifoldPoint& point = manifold.points[i];

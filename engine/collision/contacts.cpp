@@ -110,6 +110,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
 
 void carryImpulses(const Contact& from, Contact& to) {
     to.depth = from.depth;
+    to.rollingMoment = from.rollingMoment;
     bool taken[Contact::kMaxPoints] = {}, found[Contact::kMaxPoints] = {};
     const auto carry = [&](int i, int j) {
         to.points[i].impulse = from.points[j].impulse;

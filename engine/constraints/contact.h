@@ -20,6 +20,8 @@ struct Contact {
     Vec3 normal = Vec3::UnitY();    // unit, from a to b
     double friction = 0.0;          // mu of the two surfaces together
     double restitution = 0.0;       // e of the two surfaces together
+    double rolling = 0.0;           // rho of the two surfaces together, m
+    Vec3 rollingMoment = Vec3::Zero();  // N m s on b, of one sub-step
     double depth = 1e9;             // m, how far down it is for the order of a sweep; not yet known
     Vec3 normalA = Vec3::UnitY();   // the normal in a's axes, and b as seen from a, when it was found
     Pose seenFromA{Vec3::Constant(1e9), Quat::Identity()};

@@ -5,14 +5,12 @@
 /// is held for one step, so it is zero here.
 /// Friction acts along two tangents t1, t2 with the same arms; its impulse is held in the cone
 ///   |lambda_t| <= mu lambda_n
-/// on accumulated values. It is solved as a 2-vector: the impulse that stops the slip where the cone
-/// has room for it, else a step against the slip, cut to the cone. The step is one number times the
-/// slip, so that a sliding body is braked straight backwards; cutting the stopping impulse instead,
-/// which K_t has turned, brakes a box 13 % too little and depends on the direction.
+/// on accumulated values (cone.h).
 /// (First seed, 'Constraint function' and 'The algorithm'; Catto, GDC 2006 and 2009.)
 #pragma once
 #include <array>
 
+#include "engine/constraints/cone.h"
 #include "engine/constraints/contact.h"
 #include "engine/constraints/normal_block.h"
 
@@ -23,8 +21,7 @@ namespace engine {
 template <class Real>
 struct ContactRow {
     Vec3T<Real> armA = Vec3T<Real>::Zero(), armB = Vec3T<Real>::Zero();  // m, to the point
-    Mat2T<Real> frictionMass = Mat2T<Real>::Zero();    // K_t^-1 = (J_t M^-1 J_t^T)^-1
-    Real slideMass = Real(0);                          // 1 / largest eigenvalue of K_t
+    ConeMass<Real> frictionMass;                       // along t1 and t2
     Real bias = Real(0);                               // b in J v + b >= 0, m/s
     Real lambda = Real(0);                             // N s, accumulated along n
     Vec2T<Real> friction = Vec2T<Real>::Zero();        // N s, accumulated along t1, t2
@@ -41,10 +38,13 @@ struct ContactConstraint {
     int count = 0;
     Real friction = Real(0);     // mu
     Real restitution = Real(0);  // e
+    Real rolling = Real(0);      // rho, m
     Vec3T<Real> n = Vec3T<Real>::Zero(), t1 = Vec3T<Real>::Zero(), t2 = Vec3T<Real>::Zero();
     InverseMass<Real> massA, massB;
     NormalBlock<Real> block;
     std::array<ContactRow<Real>, Contact::kMaxPoints> rows;
+    ConeMass<Real> rollingMass;                         // of turns about t1 and t2
+    Vec2T<Real> rollingMoment = Vec2T<Real>::Zero();    // N m s on b, accumulated about t1, t2
 };
 
 /// Where a contact's points are, in world axes relative to the bodies' centres of mass.
@@ -92,15 +92,11 @@ void applyAt(const ContactConstraint<Real>& c, const ContactRow<Real>& row,
     applyImpulse<Real>(c, impulse, row.armA.cross(impulse), row.armB.cross(impulse), a, b);
 }
 
-/// K_t^-1 and the step for sliding, of two tangent rows; no mass, no friction.
+/// The row of the turn of b over a about a direction; see constraints/rolling.h.
 template <class Real>
-void setFrictionMass(const Row<Real>& s, const Row<Real>& t, ContactRow<Real>& row) {
-    const Real ss = s.k, tt = t.k, st = coupling(s, t);
-    const Real determinant = ss * tt - st * st;
-    if (determinant <= Real(0)) return;
-    row.frictionMass << tt / determinant, -st / determinant, -st / determinant, ss / determinant;
-    const Real half = Real(0.5) * (ss - tt);
-    row.slideMass = Real(1) / (Real(0.5) * (ss + tt) + std::sqrt(half * half + st * st));
+Row<Real> rowOfTurn(const ContactConstraint<Real>& c, const Vec3T<Real>& direction) {
+    return makeRow({Vec3T<Real>(Vec3T<Real>::Zero()), Vec3T<Real>(-direction), direction}, c.massA,
+                   c.massB);
 }
 
 /// Arms, effective masses and the block of one contact. `points` may be written by hand: the solver
@@ -115,6 +111,7 @@ ContactConstraint<Real> makeContactConstraint(const Contact& contact,
     c.massA = massA, c.massB = massB;
     c.friction = static_cast<Real>(contact.friction);
     c.restitution = static_cast<Real>(contact.restitution);
+    c.rolling = static_cast<Real>(contact.rolling);
     c.n = contact.normal.template cast<Real>();
     tangents(c.n, c.t1, c.t2);
     Row<Real> normals[Contact::kMaxPoints];
@@ -123,13 +120,17 @@ ContactConstraint<Real> makeContactConstraint(const Contact& contact,
         row.armA = points[i].armA, row.armB = points[i].armB;
         row.gapAtStart = row.separation = points[i].separation;
         normals[i] = rowAlong(c, i, c.n);
-        setFrictionMass(rowAlong(c, i, c.t1), rowAlong(c, i, c.t2), row);
+        row.frictionMass = coneMass(rowAlong(c, i, c.t1), rowAlong(c, i, c.t2));
         row.lambda = static_cast<Real>(contact.points[i].impulse);
         const Vec3T<Real> friction = contact.points[i].friction.template cast<Real>();
         row.friction << friction.dot(c.t1), friction.dot(c.t2);
     }
     c.block = makeNormalBlock<Real>(c.count,
                                     [&](int i) -> const Row<Real>& { return normals[i]; });
+    if (c.rolling <= Real(0)) return c;
+    c.rollingMass = coneMass(rowOfTurn(c, c.t1), rowOfTurn(c, c.t2));
+    const Vec3T<Real> moment = contact.rollingMoment.template cast<Real>();
+    c.rollingMoment << moment.dot(c.t1), moment.dot(c.t2);
     return c;
 }
 
@@ -143,10 +144,10 @@ struct Correction {
         velocity = larger(velocity, std::abs(dv));
         impulse += std::abs(dLambda);
     }
-    /// Of friction: the slip that its change makes, at most.
-    void add(const ContactRow<Real>& row, const Vec2T<Real>& change) {
+    /// Of two rows in a cone: the slip that their change makes, at most.
+    void add(const ConeMass<Real>& mass, const Vec2T<Real>& change) {
         const Real most = larger(std::abs(change[0]), std::abs(change[1]));
-        if (row.slideMass > Real(0)) velocity = larger(velocity, most / row.slideMass);
+        if (mass.slide > Real(0)) velocity = larger(velocity, most / mass.slide);
         impulse += std::abs(change[0]) + std::abs(change[1]);
     }
 };
@@ -199,18 +200,6 @@ void solveNormalsTogether(ContactConstraint<Real>& c, Velocity<Real>& a, Velocit
     applyImpulse<Real>(c, sum * c.n, leverA.cross(c.n), leverB.cross(c.n), a, b);
 }
 
-/// The cone, as described on top: where `before` goes, for the slip (m/s) that it leaves.
-template <class Real>
-Vec2T<Real> frictionInCone(const ContactRow<Real>& row, const Vec2T<Real>& before,
-                           const Vec2T<Real>& slip, Real limit) {
-    Vec2T<Real> wanted = before - row.frictionMass * slip;
-    if (wanted.squaredNorm() <= limit * limit) return wanted;
-    wanted = before - row.slideMass * slip;
-    const Real square = wanted.squaredNorm();
-    if (square > limit * limit) wanted *= limit / std::sqrt(square);
-    return wanted;
-}
-
 template <class Real>
 void solveFriction(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b,
                    Correction<Real>& correction) {
@@ -220,10 +209,10 @@ void solveFriction(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>
         const Vec2T<Real> slip(c.t1.dot(between), c.t2.dot(between));
         const Vec2T<Real> before = row.friction;
         const Real limit = c.friction * (row.lambda + row.bounce);
-        row.friction = frictionInCone(row, before, slip, limit);
+        row.friction = solveInCone(row.frictionMass, before, slip, limit);
         const Vec2T<Real> change = row.friction - before;
         applyAt<Real>(c, row, change[0] * c.t1 + change[1] * c.t2, a, b);
-        correction.add(row, change);
+        correction.add(row.frictionMass, change);
     }
 }
 

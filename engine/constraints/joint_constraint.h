@@ -81,14 +81,14 @@ struct JointConstraint {
     int a = -1, b = -1;
     int count = 0;
     int joint = -1;      // its number in the world
-    bool fitsTree = true;
     bool inTree = false; // solved with its tree, not in the sweep
     std::array<Row<Real>, 6> rows;
     std::array<Real, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;
     bool pointAtOnce = false;  // the first three rows, a point's, are solved as one
     Mat3T<Real> pointMass = Mat3T<Real>::Zero();     // (J M^-1 J^T)^-1 of these three
-    bool asBlock = false;      // a type after weld: where points are blocks, it is one as a whole
+    bool asBlock = false;      // a type after weld: where points are blocks, it is one as a whole,
+                               // and no part of a tree
     bool allAtOnce = false;    // and is solved so
     Eigen::Matrix<Real, 6, 6> mass = Eigen::Matrix<Real, 6, 6>::Zero();  // likewise of all
     Vec3T<Real> totalImpulse = Vec3T<Real>::Zero();  // N s on b, over the whole step

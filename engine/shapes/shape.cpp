@@ -6,13 +6,22 @@
 #include "engine/shapes/mesh.h"
 
 namespace engine {
+namespace {
+
+/// About the local y.
+Shape roundShape(ShapeType type, double radius, double halfLength) {
+    Shape s;
+    s.type = type;
+    s.radius = radius;
+    s.halfLength = halfLength;
+    return s;
+}
+
+}  // namespace
 
 Shape Shape::sphere(double radius) {
     ENGINE_CHECK(radius > 0.0, "a sphere needs a positive radius");
-    Shape s;
-    s.type = ShapeType::sphere;
-    s.radius = radius;
-    return s;
+    return roundShape(ShapeType::sphere, radius, 0.0);
 }
 
 Shape Shape::box(const Vec3& size) {
@@ -26,11 +35,7 @@ Shape Shape::box(const Vec3& size) {
 Shape Shape::capsule(double radius, double height) {
     ENGINE_CHECK(radius > 0.0 && height >= 2.0 * radius,
                  "a capsule needs a positive radius and a height of at least twice that");
-    Shape s;
-    s.type = ShapeType::capsule;
-    s.radius = radius;
-    s.halfLength = 0.5 * height - radius;
-    return s;
+    return roundShape(ShapeType::capsule, radius, 0.5 * height - radius);
 }
 
 Shape Shape::plane(const Vec3& normal) {
@@ -44,20 +49,12 @@ Shape Shape::plane(const Vec3& normal) {
 
 Shape Shape::cylinder(double radius, double height) {
     ENGINE_CHECK(radius > 0.0 && height > 0.0, "a cylinder needs a positive radius and height");
-    Shape s;
-    s.type = ShapeType::cylinder;
-    s.radius = radius;
-    s.halfLength = 0.5 * height;
-    return s;
+    return roundShape(ShapeType::cylinder, radius, 0.5 * height);
 }
 
 Shape Shape::cone(double radius, double height) {
     ENGINE_CHECK(radius > 0.0 && height > 0.0, "a cone needs a positive radius and height");
-    Shape s;
-    s.type = ShapeType::cone;
-    s.radius = radius;
-    s.halfLength = 0.5 * height;
-    return s;
+    return roundShape(ShapeType::cone, radius, 0.5 * height);
 }
 
 std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {

@@ -167,7 +167,7 @@ private:
                 if (pulls || sinks) wrong.push_back(i);
             } else if (row.kind == RowKind::hold) {
                 if (active_[i] ? beyondStrength(i) : givesWay(i)) wrong.push_back(i);
-            } else if (row.kind == RowKind::slide) {
+            } else if (row.kind == RowKind::cone) {
                 if (active_[i] && beyondCone(i)) wrong.push_back(i);
                 ++i;
             }
@@ -186,12 +186,12 @@ private:
     bool beyondCone(int i) const {
         const double pull =
             std::sqrt(g_.force[i] * g_.force[i] + g_.force[i + 1] * g_.force[i + 1]);
-        return a_(i, i) * (pull - larger(g_.frictionLimit(i), 0.0)) > tolerance_;
+        return a_(i, i) * (pull - larger(g_.coneLimit(i), 0.0)) > tolerance_;
     }
 
     void flip(int i) {
         active_[i] = !active_[i];
-        if (g_.rows[i].kind == RowKind::slide) {
+        if (g_.rows[i].kind == RowKind::cone) {
             active_[i + 1] = active_[i];
             if (!active_[i]) hold(i, {g_.force[i], g_.force[i + 1]});
         } else if (!active_[i] && g_.rows[i].kind == RowKind::hold) {
@@ -201,9 +201,9 @@ private:
         }
     }
 
-    /// A sliding point's friction, cut to its cone.
+    /// What slides or rolls, cut to its cone.
     void hold(int i, Vec2 force) {
-        const double limit = larger(g_.frictionLimit(i), 0.0);
+        const double limit = larger(g_.coneLimit(i), 0.0);
         if (force.norm() > limit) force *= limit / force.norm();
         g_.force[i] = force[0], g_.force[i + 1] = force[1];
     }
@@ -214,7 +214,7 @@ private:
             double moved = 0.0;
             bool sticks = false;
             for (int i = 0; i < g_.count(); ++i) {
-                if (g_.rows[i].kind != RowKind::slide) continue;
+                if (g_.rows[i].kind != RowKind::cone) continue;
                 if (!active_[i] && a_(i, i) > 0.0) moved = larger(moved, turnFriction(i, sticks));
                 ++i;
             }
@@ -226,13 +226,13 @@ private:
         return false;
     }
 
-    /// One step of a sliding point's friction; sets `sticks` and takes it in where it need not
+    /// One step of the force against a slip; sets `sticks` and takes it in where it need not
     /// slide.
     double turnFriction(int i, bool& sticks) {
         const Vec2 before(g_.force[i], g_.force[i + 1]);
-        const double limit = larger(g_.frictionLimit(i), 0.0);
+        const double limit = larger(g_.coneLimit(i), 0.0);
         const Vec2 after =
-            frictionInCone<double>(*g_.rows[i].contact, before, {slack(i), slack(i + 1)}, limit);
+            solveInCone<double>(*g_.rows[i].mass, before, {slack(i), slack(i + 1)}, limit);
         if (after.norm() < limit * (1.0 - 1e-9)) {
             active_[i] = active_[i + 1] = true;
             sticks = true;
@@ -244,7 +244,7 @@ private:
     GlobalRows<double>& g_;
     Matrix a_;
     Vector wanted_;
-    std::vector<char> active_;  // held at slack 0; of a slide row: sticking
+    std::vector<char> active_;  // held at slack 0; of a cone row: sticking
     double tolerance_ = 0.0;    // m/s^2
     DirectReport report_;
     std::vector<int> redundant_;

@@ -1,7 +1,7 @@
 #include "engine/solver/drives.h"
 
-#include "engine/dynamics/rotation.h"
 #include "engine/solver/block_factors.h"
+#include "engine/solver/joint_nudges.h"
 #include "engine/solver/nudges.h"
 
 namespace engine {
@@ -58,13 +58,6 @@ Row<double> freeRow(const HeldRows& held, const Jacobian<double>& j, const Inver
     return row;
 }
 
-void move(int body, const Velocity<double>& way, Bodies& bodies) {
-    if (bodies.inverseMasses[body].linear == 0.0) return;
-    Pose& pose = bodies.poses[body];
-    pose.position += way.linear;
-    pose.rotation = cayley(way.angular, pose.rotation);
-}
-
 void nudgeRow(const Joint& joint, DriveRow<double> row, Bodies& bodies, const Settings& settings) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows<double> free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
@@ -77,8 +70,8 @@ void nudgeRow(const Joint& joint, DriveRow<double> row, Bodies& bodies, const Se
     const double c = clamped(settings.nudgeFactor * row.error, -kMostNudge, kMostNudge);
     Velocity<double> wayA, wayB;  // m, rad
     apply(along, -row.sign * c / along.k, wayA, wayB);
-    move(a, wayA, bodies);
-    move(b, wayB, bodies);
+    moveBy(wayA, a, bodies);
+    moveBy(wayB, b, bodies);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "engine/solver/global_rows.h"
 
+#include "engine/constraints/rolling.h"
+
 namespace engine {
 namespace {
 
@@ -43,19 +45,32 @@ public:
             const ContactRow<Real>& point = contact.rows[i];
             GlobalRow<Real> row{rowAlong(contact, i, contact.n), contact.a, contact.b,
                                 RowKind::push};
-            row.contact = &point;
             add(row, point.bias, point.lambda);
         }
         for (int i = 0; i < contact.count; ++i) {
             const ContactRow<Real>& point = contact.rows[i];
             for (int t = 0; t < 2; ++t) {
                 GlobalRow<Real> row{rowAlong(contact, i, t == 0 ? contact.t1 : contact.t2), contact.a,
-                                    contact.b, RowKind::slide};
-                row.contact = &point;
-                row.normal = first + i;
+                                    contact.b, RowKind::cone};
+                row.mass = &point.frictionMass;
+                row.normal = first + i, row.normals = 1;
                 row.mu = contact.friction;
+                row.bounce = point.bounce;
                 add(row, Real(0), point.friction[t]);
             }
+        }
+        if (contact.rolling > Real(0)) addRolling(contact, first);
+    }
+
+    void addRolling(const ContactConstraint<Real>& contact, int firstNormal) {
+        for (int t = 0; t < 2; ++t) {
+            GlobalRow<Real> row{rowOfTurn(contact, t == 0 ? contact.t1 : contact.t2), contact.a,
+                                contact.b, RowKind::cone};
+            row.mass = &contact.rollingMass;
+            row.normal = firstNormal, row.normals = contact.count;
+            row.mu = contact.rolling;
+            for (int i = 0; i < contact.count; ++i) row.bounce += contact.rows[i].bounce;
+            add(row, Real(0), contact.rollingMoment[t]);
         }
     }
 
@@ -107,6 +122,9 @@ void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Veloc
             for (int t = 0; t < 2; ++t) contact.rows[k].friction[t] = g.h * g.force[i++];
         for (int k = 0; k < contact.count; ++k)
             applyAt<Real>(contact, contact.rows[k], impulseOf(contact, contact.rows[k]), a, b);
+        if (contact.rolling <= Real(0)) continue;
+        for (int t = 0; t < 2; ++t) contact.rollingMoment[t] = g.h * g.force[i++];
+        applyRolling<Real>(contact, contact.rollingMoment, a, b);
     }
 }
 

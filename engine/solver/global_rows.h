@@ -9,9 +9,10 @@
 
 namespace engine {
 
-/// free: any lambda. push: lambda >= 0. hold: |lambda| <= most, a motor's strength. slide: this row
-/// and the next are one contact point's two tangents, |(lambda_1, lambda_2)| <= mu lambda_normal.
-enum class RowKind { free, push, hold, slide };
+/// free: any lambda. push: lambda >= 0. hold: |lambda| <= most, a motor's strength. cone: this row
+/// and the next are two tangents of a contact, for slip or for turns, |(lambda_1, lambda_2)| <= mu times
+/// the sum of the normal forces that hold them.
+enum class RowKind { free, push, hold, cone };
 
 template <class Real>
 struct GlobalRow {
@@ -20,9 +21,10 @@ struct GlobalRow {
     RowKind kind = RowKind::free;
     Real softness = Real(0);                    // added to A's diagonal, 1/kg
     Real most = Real(0);                        // hold, N (N m)
-    const ContactRow<Real>* contact = nullptr;  // slide: the point it belongs to
-    int normal = -1;                            // slide: the row that holds it
-    Real mu = Real(0);                          // slide
+    const ConeMass<Real>* mass = nullptr;       // cone
+    int normal = -1, normals = 0;               // cone: the first row that holds it, and how many do
+    Real mu = Real(0);                          // cone; m where it is turns that are held
+    Real bounce = Real(0);                      // cone: N s, along those from the impact pass
     int joint = -1;                             // its place in the constraints' joints, or -1
 
     Real diagonal() const { return row.k + softness; }
@@ -36,10 +38,12 @@ struct GlobalRows {
     Real h = Real(0);          // s
 
     int count() const { return static_cast<int>(rows.size()); }
-    /// The largest friction force of a slide row and its partner, N.
-    Real frictionLimit(int i) const {
+    /// The largest force of a cone row and its partner, N (N m).
+    Real coneLimit(int i) const {
         const GlobalRow<Real>& row = rows[i];
-        return row.mu * (force[row.normal] + row.contact->bounce / h);
+        Real load = Real(0);
+        for (int k = 0; k < row.normals; ++k) load += force[row.normal + k];
+        return row.mu * (load + row.bounce / h);
     }
 };
 
@@ -58,7 +62,7 @@ void addAlongRows(const GlobalRows<Real>& g, std::span<const Real> lambda,
 template <class Real>
 void takeForces(const GlobalRows<Real>& g, Constraints<Real>& c, std::span<Velocity<Real>> v);
 
-/// A force within the row's bounds; of any kind but slide.
+/// A force within the row's bounds; of any kind but cone.
 template <class Real>
 Real held(const GlobalRow<Real>& row, Real force) {
     if (row.kind == RowKind::push) return larger(force, Real(0));
@@ -78,12 +82,12 @@ SweepReport sweepRows(GlobalRows<Real>& g, Residual residual, Moved moved) {
     };
     for (int i = 0; i < g.count(); ++i) {
         const GlobalRow<Real>& row = g.rows[i];
-        if (row.kind == RowKind::slide) {
-            const Vec2T<Real> force = frictionInCone<Real>(
-                *row.contact, {g.force[i], g.force[i + 1]},
-                Vec2T<Real>(-residual(i), -residual(i + 1)), g.frictionLimit(i));
+        if (row.kind == RowKind::cone) {
+            const Vec2T<Real> force = solveInCone<Real>(
+                *row.mass, {g.force[i], g.force[i + 1]},
+                Vec2T<Real>(-residual(i), -residual(i + 1)), g.coneLimit(i));
             const Real first = change(i, force[0]), second = change(i + 1, force[1]);
-            correction.add(*row.contact, g.h * Vec2T<Real>(first, second));
+            correction.add(*row.mass, g.h * Vec2T<Real>(first, second));
             ++i;
         } else if (row.diagonal() > Real(0)) {
             const Real left = residual(i) - row.softness * g.force[i];

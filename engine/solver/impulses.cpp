@@ -1,5 +1,6 @@
 #include "engine/solver/impulses.h"
 
+#include "engine/constraints/rolling.h"
 #include "engine/solver/block_factors.h"
 #include "engine/solver/drives.h"
 #include "engine/solver/exact_velocities.h"
@@ -115,6 +116,7 @@ void sweepContact(ContactConstraint<Real>& contact, std::span<Velocity<Real>> v,
     else
         solveNormals(contact, settings.accumulate, a, b, correction);
     solveFriction(contact, a, b, correction);
+    solveRolling(contact, a, b, correction);
 }
 
 }  // namespace
@@ -145,13 +147,18 @@ void warmStart(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings
         }
     }
     warmStartDrives(c, keep, v);
-    for (ContactConstraint<Real>& contact : c.contacts)
+    for (ContactConstraint<Real>& contact : c.contacts) {
+        Velocity<Real>&a = v[contact.a], &b = v[contact.b];
         for (int i = 0; i < contact.count; ++i) {
             ContactRow<Real>& row = contact.rows[i];
             row.lambda *= keep;
             row.friction *= keep;
-            applyAt<Real>(contact, row, impulseOf(contact, row), v[contact.a], v[contact.b]);
+            applyAt<Real>(contact, row, impulseOf(contact, row), a, b);
         }
+        if (contact.rolling <= Real(0)) continue;
+        contact.rollingMoment *= keep;
+        applyRolling<Real>(contact, contact.rollingMoment, a, b);
+    }
 }
 
 template <class Real>

@@ -50,7 +50,7 @@ std::vector<int> choose(Joints joints, Masses masses, Trees& trees, std::vector<
     std::vector<int> chosen, degree(masses.size(), 0);
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
         JointConstraint<double>& joint = joints[i];
-        if (joint.inTree || joint.spring.isSoft() || !joint.fitsTree) continue;
+        if (joint.inTree || joint.spring.isSoft() || joint.asBlock) continue;
         bool fits = true;
         for (const int body : {joint.a, joint.b})
             fits = fits && (!moves(masses, body) || degree[body] < kMostJointsOfABody);

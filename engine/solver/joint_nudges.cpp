@@ -9,13 +9,6 @@
 namespace engine {
 namespace {
 
-void move(int body, const Velocity<double>& way, Bodies& bodies) {
-    if (bodies.inverseMasses[body].linear == 0.0) return;
-    Pose& pose = bodies.poses[body];
-    pose.position += way.linear;
-    pose.rotation = cayley(way.angular, pose.rotation);
-}
-
 /// A joint outside the trees: row after row, the others' errors following to first order.
 void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
     if (joint.def.spring.isSoft()) return;
@@ -33,11 +26,18 @@ void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
         apply(made[i], lambda, wayA, wayB);
         for (int k = i + 1; k < rows.count; ++k) rows.error[k] += coupling(made[i], made[k]) * lambda;
     }
-    move(a, wayA, bodies);
-    move(b, wayB, bodies);
+    moveBy(wayA, a, bodies);
+    moveBy(wayB, b, bodies);
 }
 
 }  // namespace
+
+void moveBy(const Velocity<double>& way, int body, Bodies& bodies) {
+    if (bodies.inverseMasses[body].linear == 0.0) return;
+    Pose& pose = bodies.poses[body];
+    pose.position += way.linear;
+    pose.rotation = cayley(way.angular, pose.rotation);
+}
 
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h) {

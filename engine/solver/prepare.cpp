@@ -100,12 +100,15 @@ void storeImpulses(const Solver& solver, std::span<Contact> contacts) {
         solver.wide.store(contacts);
         return;
     }
-    for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
+        const ContactConstraint<double>& c = solver.constraints.contacts[k];
+        contacts[k].rollingMoment = c.rollingMoment[0] * c.t1 + c.rollingMoment[1] * c.t2;
         for (int i = 0; i < contacts[k].count; ++i) {
             const PointImpulses got = impulsesOf(solver, k, i);
             contacts[k].points[i].impulse = got.normal;
             contacts[k].points[i].friction = got.friction;
         }
+    }
 }
 
 }  // namespace engine

@@ -20,7 +20,6 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         joint.count = rowCount(def);
         joint.spring = def.spring;
         joint.asBlock = def.type > JointType::weld;
-        joint.fitsTree = !joint.asBlock;
         joint.lambda = joints[i].lambda;
         list.push_back(joint);
     }

@@ -29,11 +29,18 @@ struct WidePoint {
     float bounce[8];           // N s, from the impact pass of this sub-step
 };
 
-/// Friction at one point alone, for manifolds that slip: read when one does.
-struct WideSlide {
-    float stop[3][8];          // K_t^-1: 11, 12, 22
-    float mass[8];             // 1 / largest eigenvalue of K_t
+/// Two rows across each other: constraints/cone.h.
+struct WideCone {
+    float stop[3][8];          // K^-1: 11, 12, 22
+    float mass[8];             // 1 / largest eigenvalue of K
     float k[8];                // that eigenvalue
+};
+
+/// Rolling resistance: constraints/rolling.h. Read where there is any.
+struct WideRolling {
+    float turn[2][8];          // rad/s about t1, t2, before solving
+    float moment[2][8];        // N m s
+    WideCone cone;
 };
 
 struct alignas(32) ContactBatch {
@@ -53,8 +60,10 @@ struct alignas(32) ContactBatch {
     float coupling[9][8];      // what impulses along n change of the slip, row after row
     float twistK[6][8];        // J M^-1 J^T of s_1, s_2, w_n
     float twistMass[6][8];     // its inverse; without w_n where there is one point only
+    float rolling[8];          // rho, m
     WidePoint point[kPoints];
-    WideSlide slide[kPoints];
+    WideCone slide[kPoints];   // friction at one point alone, for manifolds that slip
+    WideRolling roll;
 };
 
 /// What a batch keeps besides, read a few times a step instead of in every sweep.

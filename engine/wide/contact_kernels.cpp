@@ -6,6 +6,7 @@
 #include "engine/wide/normal_lanes.h"
 #include "engine/wide/pair_lanes.h"
 #include "engine/wide/prepare_lanes.h"
+#include "engine/wide/rolling_lanes.h"
 
 namespace engine::ENGINE_LANES {
 namespace {
@@ -54,6 +55,7 @@ void setBiases(ContactBatch& c, ContactRecord& record, const WideVelocity* v,
     const Lanes restitution = Lanes::load(record.restitution);
     motion.across.x.store(c.slip[0]), motion.across.y.store(c.slip[1]);
     motion.across.z.store(c.slip[2]);
+    motion.along.y.store(c.roll.turn[0]), motion.along.z.store(c.roll.turn[1]);
     for (int i = 0; i < kPoints; ++i) {
         const Lanes separation = Lanes::load(record.separation[i]);
         Lanes bias = where(separation < -slop,
@@ -108,7 +110,13 @@ void warmStart(ContactBatch& c, WideVelocity* v, const WideStep& step) {
         lambda[i].store(point.lambda), f1.store(point.friction[0]), f2.store(point.friction[1]);
         across = across + Lanes3{f1, f2, Lanes::load(point.x) * f2 - Lanes::load(point.y) * f1};
     }
-    pair.apply({together(c, lambda), across}, v);
+    Motion6 impulse{together(c, lambda), across};
+    if (resistsRolling(c)) {
+        const Lanes2 moment{keep * Lanes::load(c.roll.moment[0]), keep * Lanes::load(c.roll.moment[1])};
+        moment.x.store(c.roll.moment[0]), moment.y.store(c.roll.moment[1]);
+        impulse.along = impulse.along + onlyMoment(moment).along;
+    }
+    pair.apply(impulse, v);
 }
 
 void book(const ContactBatch& c, ContactRecord& record) {
@@ -180,6 +188,7 @@ ENGINE_INLINE void sweepOne(ContactBatch& c, WideVelocity* v, Corrections& worst
         impulse.across = FrictionLanes(c).solve(c.point, slip, worst);
     }
     pair.apply(impulse, v);
+    if (resistsRolling(c)) solveRolling(c, v, worst);
 }
 
 void sweep(ContactBatch* batches, int count, WideVelocity* v, WideSums& sums) {

@@ -6,14 +6,10 @@
 /// If every f_i is inside its cone, that is the solution. Else the manifold slips, and point after point
 /// is solved alone (constraints/contact_constraint.h).
 #pragma once
+#include "engine/wide/cone_lanes.h"
 #include "engine/wide/pair_lanes.h"
 
 namespace engine::ENGINE_LANES {
-
-/// Largest |velocity correction| (m/s) and sum of |change of lambda| (N s) so far.
-struct Corrections {
-    Lanes velocity = Lanes(0.0f), impulse = Lanes(0.0f);
-};
 
 class FrictionLanes {
 public:
@@ -84,26 +80,17 @@ private:
         return wanted - total_;
     }
 
-    /// frictionInCone of the points of the lanes that slip, one after the other.
+    /// The points of the lanes that slip, one after the other.
     ENGINE_INLINE Lanes3 slide(const Mask& slips, Lanes3 slip, Corrections& worst) {
         const Symmetric3 k = load6(c_.twistK);
         Lanes3 sum = Lanes(0.0f) * slip;
         for (int i = 0; i < 4; ++i) {
-            const WideSlide& point = c_.slide[i];
+            const WideCone& point = c_.slide[i];
             const Lanes s1 = slip.x - y_[i] * slip.z, s2 = slip.y + x_[i] * slip.z;
             const Lanes &f1 = before1_[i], &f2 = before2_[i];
-            const Lanes k12 = Lanes::load(point.stop[1]), square = limit_[i] * limit_[i];
-            const Lanes stop1 = f1 - (Lanes::load(point.stop[0]) * s1 + k12 * s2);
-            const Lanes stop2 = f2 - (k12 * s1 + Lanes::load(point.stop[2]) * s2);
-            const Mask stops = stop1 * stop1 + stop2 * stop2 <= square;
-            const Lanes mass = Lanes::load(point.mass);
-            const Lanes step1 = f1 - mass * s1, step2 = f2 - mass * s2;
-            const Lanes length = step1 * step1 + step2 * step2;
-            const Mask outside = square < length;
-            const Lanes cut = select(
-                outside, limit_[i] / squareRoot(select(outside, length, Lanes(1.0f))), Lanes(1.0f));
-            after1_[i] = select(slips, select(stops, stop1, cut * step1), after1_[i]);
-            after2_[i] = select(slips, select(stops, stop2, cut * step2), after2_[i]);
+            const Lanes2 after = solveInCone(point, {f1, f2}, {s1, s2}, limit_[i]);
+            after1_[i] = select(slips, after.x, after1_[i]);
+            after2_[i] = select(slips, after.y, after2_[i]);
             const Lanes d1 = where(slips, after1_[i] - f1), d2 = where(slips, after2_[i] - f2);
             const Lanes most = larger(absolute(d1), absolute(d2));
             worst.velocity = larger(worst.velocity, most * Lanes::load(point.k));

@@ -121,6 +121,7 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     set6(c.turnA, lane, bodies.inverseMasses[contact.a].angular);
     set6(c.turnB, lane, bodies.inverseMasses[contact.b].angular);
     c.mu[lane] = static_cast<float>(contact.friction);
+    c.rolling[lane] = static_cast<float>(contact.rolling);
     record.restitution[lane] = static_cast<float>(contact.restitution);
     ManifoldFrame frame;
     for (int i = 0; i < contact.count; ++i) {
@@ -132,6 +133,8 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     set3(c.n, lane, contact.normal), set3(c.t1, lane, frame.t1), set3(c.t2, lane, frame.t2);
     set3(c.centre, lane, frame.centre);
     c.reach[lane] = static_cast<float>(frame.reach);
+    c.roll.moment[0][lane] = static_cast<float>(contact.rollingMoment.dot(frame.t1));
+    c.roll.moment[1][lane] = static_cast<float>(contact.rollingMoment.dot(frame.t2));
     for (int i = 0; i < ContactBatch::kPoints; ++i)
         i < contact.count ? fillPoint(batch, lane, i, contact.points[i], frame)
                           : fillNoPoint(batch, lane, i);
@@ -167,7 +170,8 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
     c.writeA[lane] = c.writeB[lane] = wasteOf(zeros, overlap_.halfOf(batch));
     set3(c.n, lane, Vec3::UnitX()), set3(c.t1, lane, Vec3::UnitY()), set3(c.t2, lane, Vec3::UnitZ());
     set3(c.centre, lane, Vec3::Zero()), set3(c.offset, lane, Vec3::Zero());
-    c.massA[lane] = c.massB[lane] = c.mu[lane] = c.reach[lane] = 0.0f;
+    c.massA[lane] = c.massB[lane] = c.mu[lane] = c.rolling[lane] = c.reach[lane] = 0.0f;
+    c.roll.moment[0][lane] = c.roll.moment[1][lane] = 0.0f;
     records_[batch].restitution[lane] = 0.0f;
     set6(c.turnA, lane, Mat3::Zero()), set6(c.turnB, lane, Mat3::Zero());
     for (int i = 0; i < ContactBatch::kPoints; ++i) fillNoPoint(batch, lane, i);
@@ -289,6 +293,8 @@ void WideContacts::store(int k, Contact& contact) const {
     const int lane = place_[k] % 8;
     const ContactBatch& c = batches_[place_[k] / 8];
     const Vec3 t1 = get3(c.t1, lane), t2 = get3(c.t2, lane);
+    contact.rollingMoment = static_cast<double>(c.roll.moment[0][lane]) * t1 +
+                            static_cast<double>(c.roll.moment[1][lane]) * t2;
     for (int i = 0; i < contact.count; ++i) {
         const WidePoint& point = c.point[i];
         contact.points[i].impulse = static_cast<double>(point.lambda[lane]);

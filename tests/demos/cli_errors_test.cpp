@@ -112,6 +112,10 @@ INSTANTIATE_TEST_SUITE_P(
         {"FieldOfView", {"render", "stack", "--set", "camera.fov_deg=0"}, 3, "1 to 170"},
         {"StepsNone", {"render", "stack", "--set", "world.hz=0"}, 3, "10 to 100000"},
         {"Escapes", {"sim", "\x1b[31mred"}, 3, "\\x1b"},
+        {"SchemaOfAScene", {"list", "stack", "--schema"}, 2, "--schema stands alone"},
+        {"SetOfNoValue", {"sim", "stack", "--set", "values.x=1"}, 3, "no value 'x'"},
+        {"SetOfAnExpression", {"sim", "stack", "--set", "seconds=1/0"}, 3, "a division by zero"},
+        {"SetOfAnInclude", {"sim", "stack", "--set", "include=a"}, 3, "before --set"},
     }),
     [](const testing::TestParamInfo<Bad>& row) { return std::string(row.param.name); });
 
@@ -178,6 +182,42 @@ TEST(BadScenePath, WhatIsNoFileIsToldSo) {
         EXPECT_EQ(ended.code, 3) << path;
         EXPECT_EQ(ended.errorLines(), 1) << ended.err;
     }
+}
+
+TEST(SetOption, IsTakenByEveryCommandThatPlaysAScene) {
+    const TemporaryFolder folder;
+    const std::vector<std::vector<std::string>> commands{
+        {"render", "stack"},
+        {"still", "stack"},
+        {"strip", "stack"},
+        {"sim", "stack"},
+        {"plot", "stack"},
+        {"bench", "stack"},
+        {"compare", "stack", "--vary", "solver.nudges=0,4"},
+        {"sweep", "stack", "--over", "solver.sweeps=1,2"}};
+    for (std::vector<std::string> command : commands) {
+        command.insert(command.end(), {"--set", "world.hzz=3"});
+        const Ended ended = run(folder.path(), command);
+        EXPECT_EQ(ended.code, 3) << command[0] << "\n" << ended.err;
+        EXPECT_NE(ended.err.find("--set world.hzz=3: unknown key 'hzz' in [world]; did you mean "
+                                 "'hz'?"),
+                  std::string::npos)
+            << command[0] << "\n"
+            << ended.err;
+    }
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(IncludedFile, IsToldByItsOwnName) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "parts");
+    write(folder / "main.toml", "include = [\"parts/floor.toml\"]\n" + kBall);
+    write(folder / "parts/floor.toml", "format = 1\nsecods = 3\n");
+    const Ended ended = run(folder.path(), {"sim", "main.toml"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    EXPECT_TRUE(ended.err.starts_with("impulse: parts/floor.toml:2:1: unknown key 'secods'"))
+        << ended.err;
 }
 
 TEST(Errors, NoEscapeBytesReachTheTerminal) {

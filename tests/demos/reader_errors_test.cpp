@@ -33,19 +33,21 @@ TEST_P(BadScenes, AreToldWithTheirPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Top, BadScenes,
-    testing::Values(
-        BadScene{"unknown key", "secods = 3\n" + kBall, "2:1",
-                 "unknown key 'secods' in a scene; did you mean 'seconds'?"},
-        BadScene{"wrong type", "seconds = \"3\"\n" + kBall, "2:11",
-                 "seconds is the text \"3\"; it should be a number from 0.01 to 100000 s"},
-        BadScene{"not a number", "seconds = nan\n" + kBall, "2:11", "seconds is nan"},
-        BadScene{"infinite", "seconds = inf\n" + kBall, "2:11", "seconds is inf"},
-        BadScene{"not TOML", "seconds = = 3\n", "2:11", "not TOML"},
-        BadScene{"cut in a number", "seconds = 3.", "2:13", "not TOML"},
-        BadScene{"key twice", "title = 'a'\ntitle = 'b'\n", "3:9", "not TOML"},
-        BadScene{"no body", "title = 'a'\n", "1:1", "the scene has no body"},
-        BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
-                 "hz is a table; it should be a whole number from 10 to 100000"}));
+    testing::Values(BadScene{"unknown key", "secods = 3\n" + kBall, "2:1",
+                             "unknown key 'secods' in a scene; did you mean 'seconds'?"},
+                    BadScene{"wrong type", "seconds = true\n" + kBall, "2:11",
+                             "seconds is true; it should be a number from 0.01 to 100000 s"},
+                    BadScene{
+                        "text", "seconds = \"five\"\n" + kBall, "2:11",
+                        "seconds is the text \"five\": there is no value 'five'; known are: pi"},
+                    BadScene{"not a number", "seconds = nan\n" + kBall, "2:11", "seconds is nan"},
+                    BadScene{"infinite", "seconds = inf\n" + kBall, "2:11", "seconds is inf"},
+                    BadScene{"not TOML", "seconds = = 3\n", "2:11", "not TOML"},
+                    BadScene{"cut in a number", "seconds = 3.", "2:13", "not TOML"},
+                    BadScene{"key twice", "title = 'a'\ntitle = 'b'\n", "3:9", "not TOML"},
+                    BadScene{"no body", "title = 'a'\n", "1:1", "the scene has no body"},
+                    BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
+                             "hz is a table; it should be a whole number from 10 to 100000"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Settings, BadScenes,
@@ -170,8 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"position", kBall + "velocity = [1, nan, 0]\n", "6:16", "velocity is nan"},
         BadScene{"restitution", kBall + "[[material]]\nname = 'm'\nrestitution = 1.5\n", "8:15",
                  "from 0 to 1"},
-        BadScene{"rolling later", kBall + "[[material]]\nname = 'm'\nrolling = 0.5\n", "8:1",
-                 "not available yet"}));
+        BadScene{"rolling", kBall + "[[material]]\nname = 'm'\nrolling = -0.5\n", "8:11",
+                 "rolling is -0.5; it should be a number from 0 to 10 m"}));
 
 const std::string kJoint = kFloor + kBall + "[[joint]]\n";  // line 10
 
@@ -296,10 +298,14 @@ INSTANTIATE_TEST_SUITE_P(
                  "[[repeat]]\ncount = 10000\n[[repeat.repeat]]\ncount = 10000\n"
                  "body = { name = 'a{i}.{j}', shape = { sphere = 1 } }\n",
                  "6:8", "more than 10000 bodies"},
-        BadScene{"three deep",
+        BadScene{"four deep",
                  "[[repeat]]\ncount = 1\n[[repeat.repeat]]\ncount = 1\n[[repeat.repeat.repeat]]\n"
-                 "count = 1\n",
-                 "6:17", "there are i and j"}));
+                 "count = 1\n[[repeat.repeat.repeat.repeat]]\ncount = 1\n",
+                 "8:24", "three [[repeat]]s in each other hold no fourth"},
+        BadScene{"turns of nothing",
+                 "[[repeat]]\ncount = 10000\n[[repeat.repeat]]\ncount = 10000\n"
+                 "[[repeat.repeat.repeat]]\ncount = '0 * i'\nbody = { name = 'a' }\n",
+                 "4:1", "more than 100000 turns of [[repeat]]s"}));
 
 TEST(Reader, TellsSeveralErrorsInTheOrderOfTheFile) {
     const std::vector<std::string> lines =

@@ -38,7 +38,7 @@ TEST(Reader, TakesLettersBeyondAsciiInTextsAndComments) {
 
 TEST(Reader, ReadsABodyInFull) {
     const SceneDescription scene = read(
-        "[[material]]\nname = 'm'\ndensity = 600\nfriction = 0.1\nrestitution = 0.2\n"
+        "[[material]]\nname = 'm'\ndensity = 600\nfriction = 0.1\nrestitution = 0.2\nrolling = 0.03\n"
         "colour = '#0a0B0c'\n" +
         kBall +
         "turn_deg = [0, 0, 90]\nvelocity = [1, 2, 3]\nspin = [4, 5, 6]\nmass = 7\n"
@@ -49,6 +49,7 @@ TEST(Reader, ReadsABodyInFull) {
     EXPECT_EQ(body.def.mass, 7.0);
     EXPECT_EQ((*body.def.inertia)(2, 1), 0.3);
     EXPECT_EQ(body.def.material.friction, 0.1);
+    EXPECT_EQ(body.def.material.rolling, 0.03);
     EXPECT_EQ(body.color, 0x0a0b0cu);
     EXPECT_NEAR((body.def.pose.rotation * Vec3(1, 0, 0) - Vec3(0, 1, 0)).norm(), 0.0, 1e-15);
 }

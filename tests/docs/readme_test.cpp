@@ -1,48 +1,17 @@
 // The README says what the program says: scenes, commands, links.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <regex>
-#include <set>
-#include <sstream>
+#include "tests/docs/texts.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string textOf(const fs::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-std::string outputOf(const std::string& arguments) {
-    FILE* pipe = popen((std::string(IMPULSE_BINARY) + " " + arguments + " 2>&1").c_str(), "r");
-    std::string text;
-    std::array<char, 4096> piece;
-    while (const std::size_t n = std::fread(piece.data(), 1, piece.size(), pipe))
-        text.append(piece.data(), n);
-    pclose(pipe);
-    return text;
-}
-
-std::set<std::string> matches(const std::string& text, const std::string& pattern) {
-    std::set<std::string> result;
-    const std::regex expression(pattern);
-    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
-        result.insert((*i)[1]);
-    return result;
-}
+using namespace docs;
 
 const std::string kReadme = textOf(fs::path(IMPULSE_SOURCE_DIR) / "README.md");
 
 TEST(Readme, NamesEveryBuiltInSceneAndNoOther) {
     const std::set<std::string> listed =
-        matches(outputOf("list"), R"((?:^|\n)([a-z][a-z-]*) +\d+ bod)");
+        matches(outputOf("list --json"), R"re("scene":"([a-z-]+)")re");
     EXPECT_GE(listed.size(), 34u);
     EXPECT_EQ(matches(kReadme, R"(\n\| `([a-z-]+)` \|)"), listed);
 }
@@ -87,7 +56,7 @@ TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
 
 TEST(Readme, ItsLinksLeadSomewhere) {
     for (const char* file : {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
-                             "tests/README.md"}) {
+                             "demos/scene/README.md", "tests/README.md"}) {
         const fs::path path = fs::path(IMPULSE_SOURCE_DIR) / file;
         for (const std::string& link : matches(textOf(path), R"(\]\(([^)#:]+)\))"))
             EXPECT_TRUE(fs::exists(path.parent_path() / link)) << file << ": " << link;

@@ -38,7 +38,7 @@ TEST_P(Golden, TheTrajectoryIsTheSameWithTheInstructionsThatEveryProcessorHas) {
     expectGolden(support::goldenWorlds()[GetParam()], settings);
 }
 
-INSTANTIATE_TEST_SUITE_P(Worlds, Golden, testing::Range(0, 7), [](const auto& one) {
+INSTANTIATE_TEST_SUITE_P(Worlds, Golden, testing::Range(0, 8), [](const auto& one) {
     return std::string(support::goldenWorlds()[one.param].name);
 });
 

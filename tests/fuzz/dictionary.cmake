@@ -1,6 +1,7 @@
 # cmake -DOUT=scene.dict -DDIR=demos/scene -P dictionary.cmake
 # The format's words for the fuzzer: what is in quotes in the files that read it, and TOML's own.
-file(GLOB files ${DIR}/read_*.cpp ${DIR}/repeat.cpp ${DIR}/reader.cpp ${DIR}/joint_kinds.cpp)
+file(GLOB files ${DIR}/read_*.cpp ${DIR}/repeat.cpp ${DIR}/reader.cpp ${DIR}/joint_kinds.cpp
+     ${DIR}/expression.cpp)
 set(words "")
 foreach(file ${files})
   file(STRINGS ${file} lines REGEX "\"[a-z][a-z_-]*\"")
@@ -24,6 +25,11 @@ file(WRITE ${OUT} "${text}
 \"{i}\"
 \"{i+1}\"
 \"{j}\"
+\"{2*i+j}\"
+\"i * tau / n\"
+\"hash(i)\"
+\"values\"
+\"include\"
 \"inf\"
 \"nan\"
 \"1e999\"

@@ -148,8 +148,26 @@ inline World goldenShapes() {
     return world;
 }
 
-inline const std::array<GoldenWorld, 7>& goldenWorlds() {
-    static const std::array<GoldenWorld, 7> worlds{{
+/// Balls, capsules and cylinders that roll down a slope onto a floor and resist it, each differently.
+inline World goldenRolling() {
+    World world;
+    world.add(floorPlane());
+    world.add(fixed(Shape::plane({0.3, 1, 0}), {0, 1, 0}));
+    const Shape shapes[] = {Shape::sphere(0.25), Shape::capsule(0.2, 0.7),
+                            Shape::cylinder(0.25, 0.5)};
+    Random random(5);
+    for (int i = 0; i < 30; ++i) {
+        BodyDef def = body(shapes[i % 3], {0.8 * (i % 6) - 4.0, 3.5, 0.8 * (i / 6) - 2.0}, 2.0);
+        def.pose.rotation = random.rotation();
+        def.material.rolling = 0.002 * (i % 5);
+        def.material.restitution = i % 2 == 0 ? 0.3 : 0.0;
+        world.add(def);
+    }
+    return world;
+}
+
+inline const std::array<GoldenWorld, 8>& goldenWorlds() {
+    static const std::array<GoldenWorld, 8> worlds{{
         {"stack", goldenStack, 300, 0x47c791b2da072290},
         {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
         {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
@@ -157,6 +175,7 @@ inline const std::array<GoldenWorld, 7>& goldenWorlds() {
         {"forces", goldenForces, 300, 0x07e341464014756f},
         {"machine", goldenMachine, 300, 0x1b7f4770f824fa0b},
         {"shapes", goldenShapes, 180, 0xdaadc0af0596cd83},
+        {"rolling", goldenRolling, 300, 0x3f34fe343889fb2a},
     }};
     return worlds;
 }

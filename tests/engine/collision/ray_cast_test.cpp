@@ -5,42 +5,11 @@
 #include <random>
 
 #include "engine/base/trigonometry.h"
-#include "engine/shapes/hull.h"
+#include "engine/shapes/inside.h"
 #include "engine/world.h"
 
 namespace engine {
 namespace {
-
-bool isInside(const Shape& shape, const Pose& pose, const Vec3& point) {
-    const Vec3 p = pose.toLocal(point);
-    switch (shape.type) {
-        case ShapeType::sphere: return p.norm() < shape.radius;
-        case ShapeType::box: return (p.cwiseAbs() - shape.halfSize).maxCoeff() < 0.0;
-        case ShapeType::plane: return p.dot(shape.normal) < 0.0;
-        case ShapeType::capsule: {
-            const double beyond = std::max(std::abs(p.y()) - shape.halfLength, 0.0);
-            return Vec3(p.x(), beyond, p.z()).norm() < shape.radius;
-        }
-        case ShapeType::cylinder:
-            return std::abs(p.y()) < shape.halfLength &&
-                   Vec3(p.x(), 0, p.z()).norm() < shape.radius;
-        case ShapeType::cone: {
-            const double below = (1.5 * shape.halfLength - p.y()) / (2.0 * shape.halfLength);
-            return p.y() > -0.5 * shape.halfLength &&
-                   Vec3(p.x(), 0, p.z()).norm() < shape.radius * below;
-        }
-        case ShapeType::hull:
-            return std::ranges::all_of(shape.hull->faces, [&](const Hull::Face& face) {
-                return face.normal.dot(p) < face.offset;
-            });
-        case ShapeType::compound:
-            return std::ranges::any_of(*shape.parts, [&](const ShapePart& part) {
-                return isInside(part.shape, part.pose, p);
-            });
-        case ShapeType::mesh: break;
-    }
-    return false;
-}
 
 constexpr int kSteps = 20000;
 
@@ -48,7 +17,7 @@ constexpr int kSteps = 20000;
 double walk(const Shape& shape, const Pose& pose, const Vec3& from, const Vec3& to) {
     for (int i = 0; i <= kSteps; ++i) {
         const double t = static_cast<double>(i) / kSteps;
-        if (isInside(shape, pose, from + t * (to - from))) return t;
+        if (isInside(shape, pose.toLocal(from + t * (to - from)))) return t;
     }
     return 2.0;
 }
@@ -75,7 +44,7 @@ TEST(RayCast, EntersWhereAWalkAlongItGetsInside) {
         int hits = 0, misses = 0;
         for (int i = 0; i < 200; ++i) {
             const Vec3 from = point(), to = point();
-            if (isInside(shape, pose, from)) {
+            if (isInside(shape, pose.toLocal(from))) {
                 EXPECT_FALSE(enterShape(shape, pose, from, to)) << i;
                 continue;
             }
@@ -88,8 +57,8 @@ TEST(RayCast, EntersWhereAWalkAlongItGetsInside) {
             const Vec3 at = from + hit->fraction * (to - from);
             EXPECT_NEAR(hit->normal.norm(), 1.0, 1e-12);
             EXPECT_LE(hit->normal.dot(to - from), 0.0);
-            EXPECT_FALSE(isInside(shape, pose, at + 1e-6 * hit->normal));
-            EXPECT_TRUE(isInside(shape, pose, at - 1e-6 * hit->normal));
+            EXPECT_FALSE(isInside(shape, pose.toLocal(at + 1e-6 * hit->normal)));
+            EXPECT_TRUE(isInside(shape, pose.toLocal(at - 1e-6 * hit->normal)));
         }
         EXPECT_GT(hits, 8) << static_cast<int>(shape.type);
         EXPECT_GT(misses, 8) << static_cast<int>(shape.type);

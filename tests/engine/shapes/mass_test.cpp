@@ -6,30 +6,11 @@
 
 #include "engine/base/trigonometry.h"
 #include "engine/dynamics/bodies.h"
-#include "engine/shapes/hull.h"
+#include "engine/shapes/inside.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
 namespace {
-
-bool inside(const Shape& s, const Vec3& p) {
-    const double across = std::sqrt(p.x() * p.x() + p.z() * p.z()), h = s.halfLength;
-    if (s.type == ShapeType::cylinder) return across <= s.radius && std::abs(p.y()) <= h;
-    if (s.type == ShapeType::cone)
-        return p.y() >= -0.5 * h && across <= s.radius * (1.5 * h - p.y()) / (2.0 * h);
-    if (s.type == ShapeType::hull)
-        return std::ranges::all_of(s.hull->faces, [&](const Hull::Face& face) {
-            return face.normal.dot(p) <= face.offset;
-        });
-    if (s.type == ShapeType::compound)
-        return std::ranges::any_of(*s.parts, [&](const ShapePart& part) {
-            return inside(part.shape, part.pose.toLocal(p));
-        });
-    if (s.type == ShapeType::sphere) return p.norm() <= s.radius;
-    if (s.type == ShapeType::box) return (p.cwiseAbs().array() <= s.halfSize.array()).all();
-    const Vec3 onCore(0, clamped(p.y(), -s.halfLength, s.halfLength), 0);
-    return (p - onCore).norm() <= s.radius;
-}
 
 /// Volume and inertia of unit density, summed over a fine grid that fits the shape's bounds.
 void sum(const Shape& s, const Vec3& reach, double& volumeSum, Mat3& inertiaSum) {
@@ -41,7 +22,7 @@ void sum(const Shape& s, const Vec3& reach, double& volumeSum, Mat3& inertiaSum)
         for (int j = 0; j < kCells; ++j)
             for (int k = 0; k < kCells; ++k) {
                 const Vec3 p = Vec3(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(cell) - reach;
-                if (!inside(s, p)) continue;
+                if (!isInside(s, p)) continue;
                 volumeSum += cell.prod();
                 inertiaSum +=
                     cell.prod() * (p.squaredNorm() * Mat3::Identity() - p * p.transpose());

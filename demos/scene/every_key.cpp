@@ -1,0 +1,275 @@
+#include "demos/scene/every_key.h"
+
+namespace demos {
+namespace {
+
+constexpr const char* kBodies = R"(
+[[body]]
+name = "floor"
+shape = { plane = [0, 1, 0] }
+fixed = true
+[[body]]
+name = "ball"
+shape = { sphere = 0.5 }
+at = [0, 2, 0]
+[[body]]
+name = "crate"
+shape = { box = [1, 1, 1] }
+at = [3, 2, 0]
+)";
+
+// A row a variant: what one type of a table takes and another does not.
+constexpr KeyExample kExamples[] = {
+    {"top", R"(
+include = []
+title = "a"
+purpose = "b"
+group = "c"
+[values]
+radius = 0.5
+)"},
+    {"settings", R"(
+[world]
+gravity = [0, -9.81, 0]
+hz = 60
+seed = 1
+[solver]
+preset = "steady"
+type = "impulses"
+sweeps = 30
+min_sweeps = 2
+tolerance = 0.002
+substeps = 4
+max_substeps = 8
+nudges = 0
+baumgarte = 0.1
+slop = 0.0005
+order = "gravity"
+joints = "direct"
+block = true
+lanes = true
+warm_start = true
+accumulate = true
+threads = 1
+sleeping = true
+sleep_after = 0.5
+)"},
+    {"material", R"(
+[[material]]
+name = "wood"
+density = 600
+friction = 0.5
+restitution = 0.1
+colour = "#c89b6c"
+)"},
+    {"body", R"(
+[[body]]
+name = "full"
+shape = { capsule = { radius = 0.1, height = 0.5 } }
+material = "wood"
+at = [0, 5, 0]
+turn_deg = [0, 0, 30]
+velocity = [0, 0, 0]
+spin = [0, 0, 0]
+mass = 1
+inertia = [1, 1, 1]
+colour = "#c89b6c"
+sensor = true
+group = "full"
+ignores = ["full"]
+[[body]]
+name = "other"
+shape = { sphere = 0.1 }
+at = [0, 7, 0]
+quaternion = [1, 0, 0, 0]
+density = 600
+[[material]]
+name = "wood"
+)"},
+    {"kinematic", R"(
+[[body]]
+name = "told"
+shape = { sphere = 0.1 }
+kinematic = { velocity = [0, 0, 0], spin = [0, 0, 0] }
+[[body]]
+name = "on-a-path"
+shape = { sphere = 0.1 }
+kinematic = { path = [[0, 9, 0], [0, 9, 1], [0, 9, 0]], times = [0, 1, 2], loop = true, smooth = true }
+[[body]]
+name = "on-an-orbit"
+shape = { sphere = 0.1 }
+at = [9, 9, 0]
+kinematic = { orbit = { centre = [0, 9, 0], axis = [0, 1, 0], deg_per_s = 60, turn = true } }
+)"},
+    {"repeat", R"(
+[[repeat]]
+count = 1
+step = [1, 0, 0]
+turn_step_deg = [0, 0, 0]
+about = [0, 0, 0]
+jitter = [0, 0, 0]
+body = { name = "a{i}", shape = { sphere = 0.1 } }
+joint = { type = "ball", a = "world", b = "ball", anchor = [0, 3, 0] }
+force = { type = "constant", force = [0, 0, 0] }
+[[repeat.repeat]]
+count = 1
+count_step = 0
+body = { name = "b{i}.{j}", shape = { sphere = 0.1 } }
+)"},
+    {"joint", R"(
+[[joint]]
+type = "ball"
+name = "full"
+a = "world"
+b = "ball"
+anchor = [0, 3, 0]
+spring = { hz = 2, damping = 0.5 }
+[[joint]]
+type = "hinge"
+a = "ball"
+b = "crate"
+anchor_a = [1, 0, 0]
+anchor_b = [-1, 0, 0]
+axis = [0, 0, 1]
+)"},
+    {"wind", R"(
+[[force]]
+type = "wind"
+name = "breeze"
+on = ["ball"]
+from = 0
+until = 1
+velocity = [3, 0, 0]
+density = 1.2
+drag = 0.5
+within = { from = [-1, -1, -1], to = [1, 1, 1] }
+)"},
+    {"medium, drag", R"(
+[[force]]
+type = "medium"
+density = 1000
+level = 0
+[[force]]
+type = "drag"
+linear = 0.1
+angular = 0.1
+)"},
+    {"gravity", R"(
+[[force]]
+type = "point-gravity"
+at = [0, 0, 0]
+strength = 10
+softening = 0.1
+[[force]]
+type = "n-body-gravity"
+constant = 1
+softening = 0.1
+)"},
+    {"spring", R"(
+[[force]]
+type = "spring"
+a = "ball"
+b = "world"
+anchor_a = [0, 0, 0]
+anchor_b = [0, 5, 0]
+length = 1
+stiffness = 100
+damping = 1
+)"},
+    {"constant", R"(
+[[force]]
+type = "constant"
+force = [1, 0, 0]
+torque = [0, 1, 0]
+at = [0, 0, 0]
+turn = true
+)"},
+    {"airfoil", R"(
+[[force]]
+type = "airfoil"
+area = 0.5
+at = [0, 0, 0]
+chord = [1, 0, 0]
+normal = [0, 1, 0]
+density = 1.2
+velocity = [0, 0, 0]
+lift_slope = 6
+stall_deg = 15
+drag = 0.01
+plate_drag = 2
+aspect = 6
+)"},
+    {"camera", R"(
+[camera]
+from = [8, 5, 14]
+look_at = [0, 4, 0]
+fov_deg = 35
+orbit_deg_per_s = 0
+follow = "ball"
+follow_lag = 0.5
+aperture = 0.1
+focus = "ball"
+keys = [{ at = 1, from = [4, 2, 9], look_at = [0, 2, 0], fov_deg = 30, ease = "out" }]
+)"},
+    {"focus", R"(
+[camera]
+focus = 3
+)"},
+    {"look", R"(
+[look]
+theme = "studio"
+show = ["contacts"]
+colour_by = "body"
+colour_max = 1
+ghost_every = 0.25
+plot = "energy"
+trails = ["ball"]
+[snapshot]
+times = [0, 1]
+size = [64, 36]
+)"},
+    {"section", R"(
+[[section]]
+at = 0
+name = "start"
+caption = "c"
+notes = "n"
+poster = "last"
+slow = 0.5
+pause = false
+loop = false
+[[section]]
+at = 1
+poster = 1
+)"},
+    {"expect", R"(
+[[expect]]
+what = "speed"
+of = ["ball"]
+above = -1
+below = 100
+after = 0
+until = 1
+why = "w"
+[[expect]]
+what = "speed"
+near = 0
+within = 100
+[[expect]]
+what = "position"
+of = "ball"
+near = [0, 0, 0]
+within = 100
+)"},
+};
+
+}  // namespace
+
+std::span<const KeyExample> everyKey() { return kExamples; }
+
+std::string sceneOf(const KeyExample& example) {
+    // As long as a film may be: times go up to its end.
+    return std::string("format = 1\nseconds = 100000") + example.text + kBodies;
+}
+
+}  // namespace demos

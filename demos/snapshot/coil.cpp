@@ -1,0 +1,43 @@
+#include "demos/snapshot/coil.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/palette.h"
+
+namespace demos {
+namespace {
+
+constexpr int kTurns = 9, kPerTurn = 10;
+constexpr float kStraight = 0.12f;  // of the length, at either end
+constexpr float kWide = 0.09f;      // of the length at rest: the coil's radius
+constexpr float kThick = 0.15f;     // of that radius: the wire's
+
+}  // namespace
+
+void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int id,
+             render::Frame& frame) {
+    const render::Vec3 way = to - from;
+    const float length = way.norm();
+    if (length <= 0.0f) return;
+    const render::Vec3 along = way / length;
+    const render::Vec3 across =
+        along.cross(std::abs(along.y()) < 0.9f ? render::Vec3::UnitY() : render::Vec3::UnitX())
+            .normalized();
+    const render::Vec3 third = along.cross(across);
+    const float radius = std::clamp(kWide * rest, 0.02f, 0.2f);
+    render::Vec3 last = from;
+    const auto go = [&](const render::Vec3& next) {
+        frame.rods.push_back({last, next, kThick * radius, render::jointColor(), id});
+        last = next;
+    };
+    for (int i = 0; i <= kTurns * kPerTurn; ++i) {
+        const float share = static_cast<float>(i) / (kTurns * kPerTurn);
+        const float angle = 6.28318530718f * kTurns * share;
+        go(from + (kStraight + (1.0f - 2.0f * kStraight) * share) * way +
+           radius * (std::cos(angle) * across + std::sin(angle) * third));
+    }
+    go(to);
+}
+
+}  // namespace demos

@@ -1,0 +1,11 @@
+/// A spring as a coil of rods, so that one sees how far it is drawn out.
+#pragma once
+#include "render/frame.h"
+
+namespace demos {
+
+/// `rest`: m, its length without load; it sets how wide the coil is.
+void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int id,
+             render::Frame& frame);
+
+}  // namespace demos

@@ -1,0 +1,43 @@
+/// Rolling resistance: a moment against the turn of one surface over the other. The load of a soft
+/// surface acts by rho ahead of where the bodies would touch, and its moment is rho times the load:
+///   s = t . (w_b - w_a), for t1 and t2 across the normal     rad/s
+///   J = [0, -t, 0, t]
+///   |lambda| <= rho sum lambda_n                             N m s
+/// A ball that rolls comes to rest, and lies still on a slope with tan(angle) < rho / r. The turn about
+/// the normal is the business of friction.
+#pragma once
+#include "engine/constraints/contact_constraint.h"
+
+namespace engine {
+
+/// What the rolling of a contact can be held with, N m s.
+template <class Real>
+Real rollingLimit(const ContactConstraint<Real>& c) {
+    Real load = Real(0);
+    for (int i = 0; i < c.count; ++i) load += c.rows[i].lambda + c.rows[i].bounce;
+    return c.rolling * load;
+}
+
+/// The angular impulse on b, and its opposite on a.
+template <class Real>
+void applyRolling(const ContactConstraint<Real>& c, const Vec2T<Real>& moment, Velocity<Real>& a,
+                  Velocity<Real>& b) {
+    const Vec3T<Real> turn = moment[0] * c.t1 + moment[1] * c.t2;
+    a.angular -= c.massA.angular * turn;
+    b.angular += c.massB.angular * turn;
+}
+
+template <class Real>
+void solveRolling(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b,
+                  Correction<Real>& correction) {
+    if (c.rolling <= Real(0)) return;
+    const Vec3T<Real> turn = b.angular - a.angular;
+    const Vec2T<Real> before = c.rollingMoment;
+    c.rollingMoment = solveInCone<Real>(c.rollingMass, before, {c.t1.dot(turn), c.t2.dot(turn)},
+                                        rollingLimit(c));
+    const Vec2T<Real> change = c.rollingMoment - before;
+    applyRolling<Real>(c, change, a, b);
+    correction.add(c.rollingMass, change);
+}
+
+}  // namespace engine

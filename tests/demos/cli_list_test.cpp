@@ -1,0 +1,83 @@
+// impulse list: groups, one scene, the gallery.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "render/encode/png_read.h"
+#include "tests/demos/program.h"
+
+namespace demos::test {
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<nlohmann::json> listedScenes() {
+    const TemporaryFolder folder;
+    std::vector<nlohmann::json> scenes;
+    for (const std::string& line : linesOf(run(folder.path(), {"list", "--json"}).out))
+        scenes.push_back(nlohmann::json::parse(line));
+    return scenes;
+}
+
+TEST(List, EverySceneHasAGroupAndAPurposeOfOneLine) {
+    const std::vector<nlohmann::json> scenes = listedScenes();
+    EXPECT_GE(scenes.size(), 14u);
+    for (const nlohmann::json& scene : scenes) {
+        EXPECT_FALSE(scene["group"].get<std::string>().empty()) << scene["scene"];
+        const std::string purpose = scene["purpose"];
+        EXPECT_GE(purpose.size(), 10u) << scene["scene"];
+        EXPECT_LE(purpose.size(), 80u) << scene["scene"];
+        EXPECT_EQ(purpose.find('\n'), std::string::npos) << scene["scene"];
+    }
+}
+
+TEST(List, ShowsEveryGroupOnceWithItsScenesBelow) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> lines = linesOf(run(folder.path(), {"list"}).out);
+    for (const nlohmann::json& scene : listedScenes()) {
+        const std::string group = scene["group"], name = scene["scene"];
+        EXPECT_EQ(std::count(lines.begin(), lines.end(), group), 1) << group;
+        auto line = std::find(lines.begin(), lines.end(), group);
+        while (line != lines.end() && !line->starts_with("  " + name + " ") && !line->empty()) ++line;
+        ASSERT_TRUE(line != lines.end() && !line->empty()) << name << " is not under " << group;
+        EXPECT_TRUE(line->ends_with(scene["purpose"].get<std::string>())) << name;
+    }
+}
+
+TEST(List, AGalleryHoldsAPictureOfEachScene) {
+    const TemporaryFolder folder;
+    write(folder.path() / "ball.toml", kBall);
+    const Ended ended = run(folder.path(), {"list", "--gallery", "pendulum", "ball.toml", "stack",
+                                            "--size", "64x36", "--columns", "2"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const std::string png = contentOf(folder.path() / "output/gallery.png");
+    const render::Image image = render::decodePng(
+        {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+    EXPECT_GE(image.width, 2 * 64);
+    EXPECT_LT(image.width, 3 * 64);
+    EXPECT_GE(image.height, 2 * 36);
+    // In the middle of the first tile is the sky, which the paper is not.
+    EXPECT_NE(std::vector<int>(image.at(34, 6), image.at(34, 6) + 3),
+              std::vector<int>(image.at(0, 0), image.at(0, 0) + 3));
+    EXPECT_EQ(run(folder.path(), {"list", "--gallery", "pendulum"}).code, 5) << "would overwrite";
+}
+
+TEST(List, SaysWhatIsWrong) {
+    const TemporaryFolder folder;
+    const auto errorOf = [&](const std::vector<std::string>& arguments) {
+        const Ended ended = run(folder.path(), arguments);
+        EXPECT_EQ(ended.code, 2);
+        EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+        return ended.err;
+    };
+    EXPECT_NE(errorOf({"list", "stack", "wall"}).find("list describes one"), std::string::npos);
+    EXPECT_NE(errorOf({"list", "--gallery", "-o", "a.jpg"}).find("ends in .png"), std::string::npos);
+    EXPECT_NE(errorOf({"list", "--columns", "3"}).find("--gallery"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace demos::test

@@ -1,0 +1,150 @@
+// [values], expressions in place of numbers, [[repeat]] three deep, and --set of all of them.
+
+#include <gtest/gtest.h>
+
+#include "tests/demos/reading.h"
+
+namespace demos::test {
+namespace {
+
+/// A ball with one more line.
+std::string ball(const std::string& line) { return kBall + line + "\n"; }
+
+TEST(Values, StandInAnyNumber) {
+    const SceneDescription scene = read(
+        "seconds = '2 * span'\n[values]\nspan = 1.5\nrate = '40 * span'\n[world]\nhz = 'rate'\n"
+        "seed = 'rate + 1'\n[snapshot]\ntimes = [0, 'span']\nsize = ['4 * rate', 100]\n" +
+        ball("mass = 'span ^ 2'\nvelocity = ['-span', 0, 1]"));
+    EXPECT_EQ(scene.seconds, 3.0);
+    EXPECT_EQ(scene.hz, 60);
+    EXPECT_EQ(scene.seed, 61u);
+    EXPECT_EQ(scene.snapshot.times, (std::vector<double>{0.0, 1.5}));
+    EXPECT_EQ(scene.snapshot.width, 240);
+    EXPECT_EQ(scene.bodies[0].def.mass, 2.25);
+    EXPECT_EQ(scene.bodies[0].def.velocity, Vec3(-1.5, 0, 1));
+}
+
+TEST(Values, AreSetBeforeWhatIsMadeOfThem) {
+    const std::string text =
+        "[values]\nradius = 0.5\nwide = '4 * radius'\n" + ball("mass = 'wide'");
+    EXPECT_EQ(read(text).bodies[0].def.mass, 2.0);
+    EXPECT_EQ(read(text, {"values.radius=0.75"}).bodies[0].def.mass, 3.0);
+    EXPECT_EQ(read(text, {"values.radius=1/8"}).bodies[0].def.mass, 0.5);
+    EXPECT_EQ(read(text, {"body.ball.mass=3*wide"}).bodies[0].def.mass, 6.0);
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + text, {"values.radios=1"}),
+                      "--set values.radios=1: ", "no value 'radios'; did you mean 'radius'?"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + text, {"values.radius=wide"}),
+                      "--set values.radius=wide: ", "there is no value 'wide'"));
+}
+
+TEST(Values, AreOfEarlierOnesOnly) {
+    const auto lines = errorsOf("format = 1\n[values]\na = 'b'\nb = 1\n" + ball("mass = 'a'"));
+    ASSERT_EQ(lines.size(), 1u) << listed(lines);
+    EXPECT_TRUE(tells(lines, "a.toml:3:5: ", "there is no value 'b'"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\na = 'a'\n" + kBall),
+                      "a.toml:3:5: ", "there is no value 'a'"));
+}
+
+TEST(Values, HaveNamesOfTheirOwn) {
+    EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\npi = 3\n" + kBall),
+                      "a.toml:3:1: ", "a value is called 'pi': so expressions call a constant"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\nA = 3\n" + kBall),
+                      "a.toml:3:1: ", "a value is called 'A': it should be 1 to 32 of a-z 0-9 _"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\nvalues = 3\n" + kBall),
+                      "a.toml:2:10: ", "[values] is 3; it should be a table"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\na = [1]\n" + kBall),
+                      "a.toml:3:5: ", "a is a list of 1; it should be a number"));
+    std::string many = "format = 1\n[values]\n";
+    for (int i = 0; i < 1001; ++i) {
+        many += 'v';
+        many += std::to_string(i);
+        many += " = 1\n";
+    }
+    EXPECT_TRUE(tells(errorsOf(many + kBall), "a.toml:1003:1: ", "more than 1000 values"));
+}
+
+TEST(Values, ThatAreWrongAreToldWithWhatTheyAre) {
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + ball("mass = '1 - 2'")), "a.toml:6:8: ",
+                      "mass is the text \"1 - 2\" = -1; it should be a number from 1e-06"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n[world]\nhz = '100 / 3'\n" + kBall), "a.toml:3:6: ",
+                      "it should be a whole number from 10 to 100000 steps a second"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + ball("mass = '1 / 0'")),
+                      "a.toml:6:8: ", "mass is the text \"1 / 0\": a division by zero"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + ball("velocity = [0, 'x', 0]")),
+                      "a.toml:6:16: ", "velocity is the text \"x\": there is no value 'x'"));
+}
+
+TEST(RepeatExpressions, PutBodiesOnACircle) {
+    const SceneDescription scene = read(
+        "[values]\nradius = 3\n[[repeat]]\ncount = 4\nbody = { name = 'a{i}', shape = { sphere = "
+        "'0.1 * (i + 1)' }, at = ['radius * cos(i * tau / n)', '0.5 + i', "
+        "'radius * sin(i * tau / n)'], turn_deg = [0, '90 * i', 0] }\n");
+    ASSERT_EQ(scene.bodies.size(), 4u);
+    EXPECT_NEAR((scene.bodies[1].def.pose.position - Vec3(0, 1.5, 3)).norm(), 0.0, 1e-15);
+    EXPECT_NEAR((scene.bodies[2].def.pose.position - Vec3(-3, 2.5, 0)).norm(), 0.0, 1e-15);
+    EXPECT_EQ(scene.bodies[3].def.shape.radius, 0.4);
+    const Vec3 turned = scene.bodies[1].def.pose.rotation * Vec3(1, 0, 0);
+    EXPECT_NEAR((turned - Vec3(0, 0, -1)).norm(), 0.0, 1e-15);
+}
+
+const std::string kThreeDeep =
+    "[[repeat]]\ncount = 2\nstep = [10, 0, 0]\n[[repeat.repeat]]\ncount = 'i + 1'\n"
+    "step = [0, 10, 0]\n[[repeat.repeat.repeat]]\ncount = 'j + 2'\nstep = [0, 0, '1 + i']\n"
+    "body = { name = 'b{i}.{j}.{k}.{100*i+10*j+k}', shape = { sphere = 0.1 }, "
+    "at = ['ni', 'nj', 'nk + n'] }\n";
+
+TEST(RepeatExpressions, NestThreeDeep) {
+    const SceneDescription scene = read(kThreeDeep);
+    ASSERT_EQ(scene.bodies.size(), 7u);  // i = 0: 2; i = 1: 2 + 3
+    EXPECT_EQ(scene.bodies[0].name, "b0.0.0.0");
+    EXPECT_EQ(scene.bodies[6].name, "b1.1.2.112");
+    EXPECT_EQ(scene.bodies[6].def.pose.position, Vec3(2 + 10, 2 + 10, 3 + 3 + 4));
+}
+
+TEST(RepeatExpressions, MayHaveNoTurns) {
+    const SceneDescription scene = read(kBall +
+                                        "[[repeat]]\ncount = 3\n[[repeat.repeat]]\ncount = 'i'\n"
+                                        "body = { name = 'a{i}.{j}', shape = { sphere = 0.1 } }\n");
+    EXPECT_EQ(scene.bodies.size(), 4u);  // the ball, then 0 + 1 + 2
+    EXPECT_TRUE(tells(
+        errorsOf("format = 1\n" + kBall + "[[repeat]]\ncount = '1 - 2'\nbody = { name = 'a' }\n"),
+        "a.toml:7:9: ", "count is the text \"1 - 2\" = -1; it should be a whole"));
+}
+
+TEST(RepeatExpressions, InNamesAreWholeOrStay) {
+    const SceneDescription scene = read(
+        "[[repeat]]\ncount = 2\nbody = { name = 'a{2*i}{i-0.5}{x}', shape = { sphere = 0.1 } }\n");
+    EXPECT_EQ(scene.bodies[0].name, "a0{i-0.5}{x}");
+    EXPECT_EQ(scene.bodies[1].name, "a2{i-0.5}{x}");
+}
+
+TEST(RepeatExpressions, AreToldOnce) {
+    const auto lines = errorsOf(
+        "format = 1\n[[repeat]]\ncount = 50\nbody = { name = 'a{i}', shape = { sphere = 'i' } }\n");
+    ASSERT_EQ(lines.size(), 1u) << listed(lines);
+    EXPECT_TRUE(tells(lines, "a.toml:4:44: ", "sphere is the text \"i\" = 0; it should be"));
+}
+
+TEST(SetOption, ReachesIntoRepeatsByNumberAndByName) {
+    const auto count = [](const std::string& option) {
+        return read(kThreeDeep, {option}).bodies.size();
+    };
+    EXPECT_EQ(count("repeat.0.count=1"), 2u);
+    EXPECT_EQ(count("repeat.0.repeat.0.count=1"), 4u);
+    const std::string boxes =
+        "[[repeat]]\ncount = 2\nbody = { name = 'a{i}.x', shape = { sphere = 0.1 } }\n" + kBall;
+    EXPECT_EQ(read(boxes, {"repeat.\"a{i}.x\".count=3"}).bodies.size(), 4u);
+    EXPECT_EQ(read(boxes, {"repeat.0.body.shape.sphere=0.2"}).bodies[1].def.shape.radius, 0.2);
+    EXPECT_EQ(read(boxes, {"repeat.0.body.mass=i + 1"}).bodies[1].def.mass, 2.0);
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + boxes, {"repeat.0.cont=3"}),
+                      "--set repeat.0.cont=3: ",
+                      "unknown key 'cont' in a [[repeat]]; did you "
+                      "mean 'count'?"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + boxes, {"repeat.1.count=3"}),
+                      "--set repeat.1.count=3: ", "there is no '1' in this scene"));
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + boxes, {"include=\"a.toml\""}),
+                      "--set include=", "files are included before --set"));
+}
+
+}  // namespace
+}  // namespace demos::test

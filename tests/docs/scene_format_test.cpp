@@ -1,0 +1,72 @@
+// demos/scene/README.md says what the reader says, and the schema knows every key of its source.
+#include <gtest/gtest.h>
+
+#include "tests/docs/texts.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace docs;
+
+const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "scene";
+const std::string kText = textOf(kFolder / "README.md");
+
+/// The text's scene as a file.
+class SceneReadme : public testing::Test {
+protected:
+    void SetUp() override {
+        const std::size_t begin = kText.find("```toml\n") + 8;
+        std::ofstream(folder_ / "a.toml") << kText.substr(begin, kText.find("```", begin) - begin);
+    }
+
+    std::string sim(const std::string& options) {
+        return outputOf("sim '" + (folder_ / "a.toml").string() + "' " + options);
+    }
+
+    support::TemporaryFolder folder_;
+};
+
+TEST_F(SceneReadme, ItsSceneKeepsItsContract) {
+    const std::string out = sim("--hash");
+    EXPECT_NE(out.find("ok      drift of ball below 2 m"), std::string::npos) << out;
+    EXPECT_EQ(out.find("impulse: "), std::string::npos) << out;
+}
+
+TEST_F(SceneReadme, ItsOptionsAreTaken) {
+    const std::set<std::string> options = matches(kText, R"(`(--set [^`K]+)`)");
+    EXPECT_GE(options.size(), 6u);
+    for (const std::string& option : options) {
+        const std::string out = sim("--no-expect --seconds 0.1 --hash " + option);
+        EXPECT_EQ(out.find("impulse: "), std::string::npos) << option << "\n" << out;
+        EXPECT_NE(out.find("state"), std::string::npos) << option << "\n" << out;
+    }
+}
+
+TEST_F(SceneReadme, NamesEveryFunctionAndNoOther) {
+    const std::size_t row = kText.find("| functions | `") + 15;
+    const std::string list = kText.substr(row, kText.find('`', row) - row);
+    const std::string source = textOf(kFolder / "expression.cpp");
+    EXPECT_EQ(matches(list, "([a-z0-9]+)"), matches(source, R"(DefineFun\("([a-z0-9]+)\")"));
+    EXPECT_GE(matches(list, "([a-z0-9]+)").size(), 15u);
+}
+
+TEST_F(SceneReadme, NamesFilesThatAreThere) {
+    for (const std::string& file : matches(kText, R"(`([a-z_]+\.cpp)`)"))
+        EXPECT_TRUE(fs::exists(kFolder / file)) << file;
+}
+
+TEST(SceneSchema, KnowsEveryKeyThatTheReaderAsksFor) {
+    const std::string schema = outputOf("list --schema");
+    std::set<std::string> keys;
+    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+        if (file.path().extension() == ".cpp")
+            keys.merge(matches(textOf(file.path()),
+                               R"((?:any|number|whole|large|truth|text|vector|texts|numbers)"
+                               R"(|vectors|word|color|tables|required)\("([a-z_]+)\")"));
+    EXPECT_GE(keys.size(), 90u);
+    for (const std::string& key : keys)
+        EXPECT_NE(schema.find("\"" + key + "\": "), std::string::npos)
+            << key << ": give it in demos/scene/every_key.cpp";
+}
+
+}  // namespace

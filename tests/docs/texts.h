@@ -1,0 +1,43 @@
+/// Texts of the repository and of the program, and what stands in them.
+#pragma once
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace docs {
+
+namespace fs = std::filesystem;
+
+inline std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// Both streams of the program.
+inline std::string outputOf(const std::string& arguments) {
+    FILE* pipe = popen((std::string(IMPULSE_BINARY) + " " + arguments + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> piece;
+    while (const std::size_t n = std::fread(piece.data(), 1, piece.size(), pipe))
+        text.append(piece.data(), n);
+    pclose(pipe);
+    return text;
+}
+
+/// What the first group of the pattern matches.
+inline std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+    std::set<std::string> result;
+    const std::regex expression(pattern);
+    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+        result.insert((*i)[1]);
+    return result;
+}
+
+}  // namespace docs
