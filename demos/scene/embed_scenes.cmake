@@ -1,12 +1,12 @@
 # cmake -DOUT=builtin.cpp -DDIR=demos/scenes -P embed_scenes.cmake
 # Every *.toml of DIR as text in one source file, sorted by name. A compiler takes a literal of
 # 64 KiB at most (C++ [implimits]), so the text is cut in pieces that are put together again.
-file(GLOB files ${DIR}/*.toml)
-list(SORT files)
+file(GLOB names RELATIVE ${DIR} ${DIR}/*.toml)
+list(TRANSFORM names REPLACE "\\.toml$" "")  # before sorting: "-" comes before "."
+list(SORT names)
 set(rows "")
-foreach(file ${files})
-  get_filename_component(name ${file} NAME_WE)
-  file(READ ${file} text)
+foreach(name ${names})
+  file(READ ${DIR}/${name}.toml text)
   set(pieces "")
   string(LENGTH "${text}" length)
   set(at 0)

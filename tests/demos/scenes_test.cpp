@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "demos/scene/builtin.h"
 #include "demos/scene/expect.h"
@@ -17,6 +19,10 @@ std::vector<std::string> names() {
     for (const BuiltinScene& scene : builtinScenes()) list.emplace_back(scene.name);
     return list;
 }
+
+const std::vector<std::string> kGroups = {
+    "stacks", "chains and pendulums", "machines", "friction and restitution",
+    "forces", "solver",               "many bodies"};
 
 class BuiltinScenes : public testing::TestWithParam<std::string> {};
 
@@ -37,6 +43,9 @@ TEST_P(BuiltinScenes, KeepTheirContract) {
 TEST_P(BuiltinScenes, AreFitToBeShown) {
     const SceneDescription scene = loadScene(GetParam());
     EXPECT_FALSE(scene.title.empty());
+    EXPECT_FALSE(scene.purpose.empty());
+    EXPECT_LT(scene.purpose.size(), 80u);  // a line of the list
+    EXPECT_EQ(std::count(kGroups.begin(), kGroups.end(), scene.group), 1) << scene.group;
     EXPECT_GE(scene.seconds, 5.0);
     EXPECT_LE(scene.seconds, 10.0);
     EXPECT_FALSE(scene.sections.empty());
@@ -54,7 +63,17 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltinScenes, testing::ValuesIn(names()),
 TEST(BuiltinSceneList, IsSortedAndComplete) {
     const std::vector<std::string> list = names();
     EXPECT_TRUE(std::is_sorted(list.begin(), list.end()));
-    EXPECT_GE(list.size(), 10u);
+    EXPECT_GE(list.size(), 34u);
+}
+
+TEST(BuiltinSceneList, HasSomethingOfEveryGroup) {
+    std::set<std::string> groups, purposes;
+    for (const std::string& name : names()) {
+        const SceneDescription scene = loadScene(name);
+        groups.insert(scene.group);
+        EXPECT_TRUE(purposes.insert(scene.purpose).second) << name << ": " << scene.purpose;
+    }
+    EXPECT_EQ(groups, std::set<std::string>(kGroups.begin(), kGroups.end()));
 }
 
 }  // namespace
