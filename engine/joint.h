@@ -36,11 +36,23 @@ struct JointId {
     auto operator<=>(const JointId&) const = default;
 };
 
-/// Makes a joint soft (constraints/soft.h).
+/// Makes a joint soft (constraints/soft.h): by how the masses it joins swing, or, where hz is 0, by
+/// numbers of its own.
 struct Spring {
-    double hz = 0.0;       // frequency of the masses it joins, along a row; 0: rigid
-    double damping = 0.0;  // ratio: 0 swings on, 1 just does not overshoot
-    bool isSoft() const { return hz > 0.0; }  // otherwise rigid
+    double hz = 0.0;          // frequency of the masses it joins, along a row
+    double damping = 0.0;     // ratio: 0 swings on, 1 just does not overshoot
+    double stiffness = 0.0;   // k, N/m; about an axis N m/rad
+    double resistance = 0.0;  // c, N s/m; about an axis N m s/rad. Alone: a damper
+    bool isSoft() const { return hz > 0.0 || stiffness > 0.0 || resistance > 0.0; }  // else rigid
+    /// k, of a row whose inverse effective mass is `inverseMass` (1/kg, or 1/(kg m^2)).
+    double stiffnessOf(double inverseMass) const {
+        const double w = 6.283185307179586 * hz;
+        return hz > 0.0 ? w * w / inverseMass : stiffness;
+    }
+    /// c, likewise.
+    double resistanceOf(double inverseMass) const {
+        return hz > 0.0 ? 2.0 * damping * (6.283185307179586 * hz) / inverseMass : resistance;
+    }
 };
 
 /// No limit, and a strength that is never too small.

@@ -49,8 +49,10 @@ struct Shape {
     /// extent, are not all finite, or span more than kMostCorners corners.
     static std::optional<Shape> hullOf(std::span<const Vec3> points);
     /// Of anything but planes and meshes; parts that overlap weigh there with both their densities.
-    /// At least one.
-    static Shape compound(std::span<const ShapePart> parts);
+    /// At least one. `centre`: the centre of mass (m) where it is another one; the body then gives
+    /// its mass and its inertia.
+    static Shape compound(std::span<const ShapePart> parts,
+                          const std::optional<Vec3>& centre = std::nullopt);
     /// A surface for bodies that are not dynamic: it holds from the side from which its triangles
     /// are seen counter-clockwise. Those without an area are left out; at least one must stay.
     static Shape meshOf(std::span<const Vec3> corners,

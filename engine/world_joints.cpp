@@ -28,6 +28,13 @@ int coordinateCount(JointType type) {
     return 0;
 }
 
+constexpr const char* kNoNegativeSpring =
+    "a spring has no negative frequency, damping, stiffness or resistance";
+
+bool isSound(const Spring& s) {
+    return s.hz >= 0.0 && s.damping >= 0.0 && s.stiffness >= 0.0 && s.resistance >= 0.0;
+}
+
 bool areAcross(const Vec3& a, const Vec3& b) {
     return std::abs(a.dot(b)) < 1e-6 * a.norm() * b.norm();
 }
@@ -92,8 +99,7 @@ void checkFreedom(JointType type, int coordinate, const Freedom& f) {
                  "only a sixDof locks coordinates, and then nothing else acts along them");
     ENGINE_CHECK(f.limits.low <= f.limits.high, "a lower limit is not above the upper one");
     ENGINE_CHECK(f.motor.strength >= 0.0, "a motor has no negative strength; turn its speed");
-    ENGINE_CHECK(f.spring.hz >= 0.0 && f.spring.damping >= 0.0,
-                 "a spring has no negative frequency or damping");
+    ENGINE_CHECK(isSound(f.spring), kNoNegativeSpring);
 }
 
 void checkJoint(const WorldState& s, const JointDef& def) {
@@ -113,8 +119,7 @@ void checkJoint(const WorldState& s, const JointDef& def) {
                  "a path goes through two points or more");
     ENGINE_CHECK(def.breakForce > 0.0 && def.breakTorque > 0.0,
                  "a joint that breaks bears some force and torque first");
-    ENGINE_CHECK(def.spring.hz >= 0.0 && def.spring.damping >= 0.0,
-                 "a spring has no negative frequency or damping");
+    ENGINE_CHECK(isSound(def.spring), kNoNegativeSpring);
     for (int i = 0; i < 6; ++i) checkFreedom(def.type, i, def.free[i]);
 }
 

@@ -76,6 +76,8 @@ std::string programText() {
 
 SceneDescription sceneOf(const Options& options) {
     SceneDescription scene = loadScene(options.scene(), options.overrides);
+    if (!options.quiet)
+        for (const std::string& note : scene.notes) fmt::print(stderr, "impulse: {}\n", note);
     if (options.seconds) scene.seconds = *options.seconds;
     return scene;
 }
@@ -138,6 +140,7 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     hash.add(kVersion);
     hash.add(programText());
     hash.add(sceneText(options.scene()));
+    for (const std::string& file : plan.scene().files) hash.add(readSceneFile(file));
     for (const std::string& text : options.overrides) hash.add(text);
     hash.add(fmt::format("{}x{} {}x{} {} {} {} {} {}", plan.layout.width, plan.layout.height,
                          plan.picture.width, plan.picture.height, plan.picture.samples,

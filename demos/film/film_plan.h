@@ -43,7 +43,7 @@ struct FilmPlan {
     double timeOf(int frame) const { return static_cast<double>(frame) / fps; }  // s
 };
 
-/// The scene with --set and --seconds applied. Throws SceneError.
+/// The scene with --set and --seconds applied; its notes are told, unless quiet. Throws SceneError.
 SceneDescription sceneOf(const Options& options);
 
 /// Throws Stop (usage) where the frame rate does not divide the scene's steps a second, or the film

@@ -164,6 +164,7 @@ std::vector<Variant> variantsOf(const Options& options,
     std::vector<Variant> variants;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         Options own = options;
+        own.quiet = true;  // notes are told by now
         own.overrides.insert(own.overrides.end(), settings[i].begin(), settings[i].end());
         Variant variant;
         variant.settings = settings[i];

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "demos/mjcf/model_reader.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/include.h"
 #include "demos/scene/nearest.h"
@@ -147,14 +148,18 @@ SceneDescription loadScene(const std::string& nameOrPath,
         return readScene(scene->text, nameOrPath + ".toml", nameOrPath, overrides);
     const fs::path path(nameOrPath);
     std::error_code error;
-    const bool isPath = nameOrPath.find('/') != std::string::npos || path.extension() == ".toml";
+    const bool isModel = path.extension() == ".xml";
+    const bool isPath = nameOrPath.find('/') != std::string::npos || isModel ||
+                        path.extension() == ".toml";
     if (!isPath && !fs::exists(path, error)) failUnknown(nameOrPath);
+    if (isModel) return mjcf::loadModel(path, overrides);
     return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides,
                      path.parent_path());
 }
 
 std::string sceneText(const std::string& nameOrPath) {
     if (const BuiltinScene* scene = findBuiltin(nameOrPath)) return std::string(scene->text);
+    if (fs::path(nameOrPath).extension() == ".xml") return readSceneFile(nameOrPath);
     Complaints ignored;
     return readDocument(readSceneFile(nameOrPath), nameOrPath, fs::path(nameOrPath), ignored).text;
 }

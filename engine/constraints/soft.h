@@ -3,7 +3,7 @@
 ///   lambda = h f  gives     J v1 + (beta / h) C + gamma lambda = 0
 ///   gamma = 1 / (h (c + h k)),   beta = h k / (c + h k)
 ///   k = m w^2,  c = 2 m zeta w,  w = 2 pi hz,  m = 1 / K       k and c suit the masses that the
-///   row moves
+///   row moves, unless the spring has its own
 /// It is the implicit-Euler spring to round-off: stable at any stiffness, a little too well damped.
 /// (Catto, GDC 2011, 'Soft Constraints'; Smith, Open Dynamics Engine, 'ERP and CFM'.)
 #pragma once
@@ -22,8 +22,9 @@ struct SoftRow {
 template <class Real>
 SoftRow<Real> softRow(const Spring& spring, Real k, Real error, Real h) {
     if (k <= Real(0)) return {};
-    const Real w = static_cast<Real>(6.283185307179586 * spring.hz);
-    const Real stiffness = w * w / k, damping = Real(2) * static_cast<Real>(spring.damping) * w / k;
+    const auto inverseMass = static_cast<double>(k);
+    const Real stiffness = static_cast<Real>(spring.stiffnessOf(inverseMass));
+    const Real damping = static_cast<Real>(spring.resistanceOf(inverseMass));
     const Real softness = Real(1) / (h * (damping + h * stiffness));
     return {softness, error * h * stiffness * softness};
 }

@@ -81,7 +81,7 @@ std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
     return s;
 }
 
-Shape Shape::compound(std::span<const ShapePart> parts) {
+Shape Shape::compound(std::span<const ShapePart> parts, const std::optional<Vec3>& given) {
     ENGINE_CHECK(!parts.empty(), "a compound needs a part");
     auto placed = std::make_shared<ShapeParts>();
     for (const ShapePart& part : parts) {
@@ -100,7 +100,7 @@ Shape Shape::compound(std::span<const ShapePart> parts) {
                                part.density * inner.density});
     }
     const VolumeIntegrals sum = integralsOf(*placed);
-    const Vec3 centre = sum.first / sum.volume;
+    const Vec3 centre = given ? *given : Vec3(sum.first / sum.volume);
     for (ShapePart& part : *placed) part.pose.position -= centre;
     Shape s;
     s.type = ShapeType::compound;

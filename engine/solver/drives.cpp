@@ -165,10 +165,10 @@ double driveEnergy(const Joint& joint, const Bodies& bodies) {
     for (int i = 0; i < free.count; ++i) {
         const Freedom& f = joint.def.free[i];
         if (!f.spring.isSoft()) continue;
-        const double w = 6.283185307179586 * f.spring.hz, stretch = free.error[i] - f.rest;
+        const double stretch = free.error[i] - f.rest;
         const double k =
             freeRow(held, free.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        if (k > 0.0) energy += 0.5 * (w * w / k) * stretch * stretch;
+        if (k > 0.0) energy += 0.5 * f.spring.stiffnessOf(k) * stretch * stretch;
     }
     return energy;
 }

@@ -54,11 +54,10 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows<double> rows =
         rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
-    const double w = 6.283185307179586 * joint.def.spring.hz;
     for (int i = 0; i < rows.count; ++i) {
         const double k =
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        if (k > 0.0) energy += 0.5 * (w * w / k) * rows.error[i] * rows.error[i];
+        if (k > 0.0) energy += 0.5 * joint.def.spring.stiffnessOf(k) * rows.error[i] * rows.error[i];
     }
     return energy;
 }

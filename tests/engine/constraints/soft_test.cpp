@@ -52,6 +52,21 @@ INSTANTIATE_TEST_SUITE_P(Methods, SoftConstraint,
                          testing::Values(Method::impulses, Method::pgs, Method::pgsMatrix,
                                          Method::direct));
 
+TEST(SoftConstraint, TakesAStiffnessAndAResistanceOfItsOwn) {
+    // k and c of the masses' own frequency and ratio: the same motion
+    const double m = 3.0, w = 2.0 * M_PI * 2.0;
+    Spring own;
+    own.stiffness = m * w * w, own.resistance = 2.0 * m * 0.5 * w;
+    Oscillator a = oscillator({2.0, 0.5}, 0.3, Settings::steady());
+    Oscillator b = oscillator(own, 0.3, Settings::steady());
+    EXPECT_NEAR(b.world.energy().elastic, 0.5 * own.stiffness * 0.3 * 0.3, 1e-9);
+    support::run(a.world, 60);
+    support::run(b.world, 60);
+    EXPECT_NEAR(a.world.pose(a.mass).position.x(), b.world.pose(b.mass).position.x(), 1e-9);
+    EXPECT_TRUE(own.isSoft());
+    EXPECT_FALSE(Spring{}.isSoft());
+}
+
 TEST(SoftConstraint, SagsByGOverOmegaSquared) {
     Oscillator o = oscillator({2.0, 1.0}, 0.0, Settings::steady());
     o.world.setGravity({9.81, 0, 0});

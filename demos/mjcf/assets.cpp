@@ -1,0 +1,132 @@
+#include "demos/mjcf/assets.h"
+
+#include <cmath>
+
+#include "demos/mjcf/hulls.h"
+#include "demos/mjcf/mesh_file.h"
+#include "demos/scene/reader.h"
+
+namespace demos::mjcf {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Range kCoordinates{-1e6, 1e6};
+constexpr std::size_t kMostNumbers = 3'000'000;
+constexpr double kLargest = 1e4, kLeast = 1e-5;  // m
+
+class MeshReader {
+public:
+    MeshReader(Attributes attributes, const Rules& rules, const fs::path& folder,
+               const FileReader& read)
+        : attributes_(std::move(attributes)), rules_(rules), folder_(folder), read_(read) {}
+
+    std::string name() const {
+        if (attributes_.has("name")) return attributes_.text("name");
+        return fs::path(attributes_.text("file")).stem().string();
+    }
+
+    std::optional<engine::Shape> read() {
+        std::vector<Vec3> corners = attributes_.has("vertex") ? inlineCorners() : fileCorners();
+        if (corners.empty()) return std::nullopt;
+        place(corners);
+        Vec3 low = corners.front(), high = low;
+        for (const Vec3& corner : corners) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+        const double size = (high - low).maxCoeff();
+        const bool near = low.cwiseAbs().maxCoeff() < kLargest && high.cwiseAbs().maxCoeff() < kLargest;
+        std::optional<engine::Shape> hull;
+        if (size > kLeast && near) hull = hullOfAny(corners);
+        if (!hull)
+            attributes_.wrong("", "mesh '" + name() + "' has no convex hull; its corners should "
+                                  "not lie in one plane, and within 10000 m of its origin");
+        return hull;
+    }
+
+private:
+    std::vector<Vec3> inlineCorners() {
+        const auto numbers = attributes_.numbers("vertex", 12, kMostNumbers, kCoordinates);
+        if (!numbers) return {};
+        if (numbers->size() % 3 != 0) {
+            attributes_.wrong("vertex", "vertex has " + std::to_string(numbers->size()) +
+                                            " numbers; it should be three for each corner");
+            return {};
+        }
+        std::vector<Vec3> corners;
+        for (std::size_t i = 0; i < numbers->size(); i += 3)
+            corners.push_back({(*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]});
+        return corners;
+    }
+
+    std::vector<Vec3> fileCorners() {
+        const std::string file = attributes_.text("file");
+        if (file.empty() || fs::path(file).is_absolute()) {
+            attributes_.wrong("file", "a <mesh> should have vertex, or a file in the model's folder");
+            return {};
+        }
+        try {
+            const fs::path path = (folder_ / rules_.meshFolder / file).lexically_normal();
+            MeshCorners mesh = readMeshFile(file, read_(path));
+            if (mesh.wrong.empty()) return std::move(mesh.corners);
+            attributes_.wrong("file", file + ": " + mesh.wrong);
+        } catch (const SceneError& error) {
+            attributes_.wrong("file", error.what());
+        }
+        return {};
+    }
+
+    /// Scaled, then seen from refpos and refquat, then with y up.
+    void place(std::vector<Vec3>& corners) {
+        const Vec3 scale = attributes_.vector("scale", kCoordinates).value_or(Vec3(1, 1, 1));
+        const Vec3 from = attributes_.vector("refpos", kCoordinates).value_or(Vec3(0, 0, 0));
+        const auto q = attributes_.numbers("refquat", 4, 4, kCoordinates);
+        Quat turn = q ? Quat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : Quat::Identity();
+        if (turn.norm() < 1e-9) {
+            attributes_.wrong("refquat", "refquat is 0 0 0 0; it should be a rotation");
+            turn = Quat::Identity();
+        }
+        turn.normalize();
+        for (Vec3& corner : corners)
+            corner = yUp(Vec3(turn.conjugate() * (corner.cwiseProduct(scale) - from)));
+    }
+
+    Attributes attributes_;
+    const Rules& rules_;
+    const fs::path& folder_;
+    const FileReader& read_;
+};
+
+void readAsset(const Element& element, const Defaults& defaults, const Rules& rules,
+               const fs::path& folder, const FileReader& read, Remarks& remarks, Assets& assets) {
+    if (element.name == "material") {
+        Attributes attributes = defaults.of(element, "");
+        assets.colors[attributes.text("name")] = readColor(attributes);
+    } else if (element.name == "mesh") {
+        MeshReader reader(defaults.of(element, ""), rules, folder, read);
+        if (!assets.meshes.emplace(reader.name(), reader.read()).second)
+            remarks.wrong(element.spot, "two meshes are called '" + reader.name() + "'; rename one");
+    }
+}
+
+}  // namespace
+
+std::optional<unsigned> readColor(Attributes& attributes) {
+    const auto rgba = attributes.numbers("rgba", 4, 4, {0.0, 1.0});
+    if (!rgba) return std::nullopt;
+    unsigned color = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        color = color << 8 | static_cast<unsigned>(std::lround(255.0 * (*rgba)[i]));
+    return color;
+}
+
+Assets readAssets(const Element& root, const Defaults& defaults, const Rules& rules,
+                  const fs::path& folder, const FileReader& read, Remarks& remarks) {
+    Assets assets;
+    for (const Element& section : root.children) {
+        if (section.name != "asset") continue;
+        for (const Element& element : section.children)
+            readAsset(element, defaults, rules, folder, read, remarks, assets);
+    }
+    return assets;
+}
+
+}  // namespace demos::mjcf

@@ -1,0 +1,24 @@
+/// <asset>: meshes and the colours of materials, by name.
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+
+#include "demos/mjcf/compiler.h"
+#include "engine/shape.h"
+
+namespace demos::mjcf {
+
+struct Assets {
+    std::map<std::string, std::optional<engine::Shape>> meshes;  // hulls; none: told already
+    std::map<std::string, std::optional<unsigned>> colors;       // 0xRRGGBB of materials
+};
+
+/// The colour of rgba, or nothing; how transparent it is, is not had.
+std::optional<unsigned> readColor(Attributes& attributes);
+
+/// `folder`: the model's.
+Assets readAssets(const Element& root, const Defaults& defaults, const Rules& rules,
+                  const std::filesystem::path& folder, const FileReader& read, Remarks& remarks);
+
+}  // namespace demos::mjcf

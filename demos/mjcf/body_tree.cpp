@@ -1,0 +1,205 @@
+#include "demos/mjcf/body_tree.h"
+
+#include <algorithm>
+
+namespace demos::mjcf {
+namespace {
+
+constexpr std::size_t kMostBodies = 10'000;
+constexpr Range kMass{0.0, 1e9, "kg"};
+constexpr Range kInertia{-1e12, 1e12, "kg m^2"};
+
+class TreeBuilder {
+public:
+    explicit TreeBuilder(const Context& context) : context_(context) {}
+
+    BodyTree build(const Element& root) {
+        tree_.bodies["world"] = {};
+        for (const Element& element : root.children)
+            if (element.name == "worldbody") readChildren(element, {kWorld, {}}, "");
+        if (tree_.links.size() + tree_.fixed.size() > kMostBodies)
+            context_.remarks.wrong(root.spot, "more than 10000 bodies; a model should have less");
+        return std::move(tree_);
+    }
+
+private:
+    /// Of one <body>: what its <geom>s and its <inertial> weigh, in the axes of its link.
+    struct Weights {
+        std::vector<MassProperties> geoms;
+        std::optional<MassProperties> given;
+    };
+
+    void readChildren(const Element& around, const Whereabouts& at, const std::string& childclass) {
+        Weights weights;
+        readInside(around, at, at.pose, childclass, weights);
+        if (at.link != kWorld) weigh(around, weights, link(at.link));
+        for (const Element& child : around.children) readInner(child, at.link, at.pose, childclass);
+    }
+
+    Link& link(int number) { return tree_.links[static_cast<std::size_t>(number)]; }
+
+    /// The <geom>s and the <inertial> of a <body>, those in its <frame>s too.
+    void readInside(const Element& around, const Whereabouts& at, const Pose& pose,
+                    const std::string& childclass, Weights& weights) {
+        for (const Element& child : around.children) {
+            if (child.name == "geom") addGeom(child, at, pose, childclass, weights);
+            if (child.name == "inertial") weights.given = readInertial(child, at, pose);
+            if (child.name == "frame")
+                readInside(child, at, pose * poseOf(child),
+                           context_.defaults.childclass(child, childclass), weights);
+        }
+    }
+
+    /// The <body>s in a <body> or in its <frame>s.
+    void readInner(const Element& child, int around, const Pose& pose,
+                   const std::string& childclass) {
+        const std::string inside = context_.defaults.childclass(child, childclass);
+        if (child.name == "body") readBody(child, around, pose, inside);
+        if (child.name != "frame") return;
+        const Pose frame = pose * poseOf(child);
+        for (const Element& inner : child.children) readInner(inner, around, frame, inside);
+    }
+
+    Pose poseOf(const Element& element) const {
+        Attributes attributes = context_.defaults.of(element, "");
+        return readPose(attributes, context_.rules.angles);
+    }
+
+    void readBody(const Element& body, int around, const Pose& outer, const std::string& childclass) {
+        const Pose pose = outer * poseOf(body);
+        Whereabouts at{around, pose};
+        std::vector<JointElement> joints;
+        const bool isFree = readJoints(body, childclass, joints);
+        if (isFree && (around != kWorld || !joints.empty()))
+            context_.remarks.wrong(body.spot, "a free joint beside others, or inside a moving <body>; "
+                                              "it should be alone, in a <body> of <worldbody>");
+        if (isMocap(body))
+            joints.clear();
+        else if (isFree || !joints.empty())
+            at.link = addLink(body, around, pose, std::move(joints));
+        addName(body, at);
+        readChildren(body, at, childclass);
+    }
+
+    bool isMocap(const Element& body) const {
+        Attributes attributes = context_.defaults.of(body, "");
+        const bool mocap = attributes.truth("mocap").value_or(false);
+        if (mocap)
+            attributes.note("mocap", "a mocap <body> is moved by a program; it stands still here");
+        return mocap;
+    }
+
+    /// True: one of them is free.
+    bool readJoints(const Element& body, const std::string& childclass,
+                    std::vector<JointElement>& joints) const {
+        bool isFree = false;
+        for (const Element& child : body.children) {
+            if (child.name == "freejoint") isFree = true;
+            if (child.name != "joint") continue;
+            const bool free = context_.defaults.of(child, childclass).text("type") == "free";
+            if (free)
+                isFree = true;
+            else
+                joints.push_back({&child, childclass});
+        }
+        return isFree;
+    }
+
+    int addLink(const Element& body, int around, const Pose& pose,
+                std::vector<JointElement> joints) {
+        Link link;
+        const Attribute* name = body.find("name");
+        link.name = name ? name->value : "";
+        link.parent = around;
+        link.pose = pose;
+        link.joints = std::move(joints);
+        link.spot = body.spot;
+        for (const Element& child : body.children)
+            for (const char* maker : {"composite", "flexcomp", "replicate", "attach"})
+                if (child.name == maker) link.lacking = child.name;
+        tree_.links.push_back(std::move(link));
+        return static_cast<int>(tree_.links.size()) - 1;
+    }
+
+    void addName(const Element& body, const Whereabouts& at) {
+        const Attribute* name = body.find("name");
+        if (!name || name->value.empty()) return;
+        if (!tree_.bodies.emplace(name->value, at).second)
+            context_.remarks.wrong(name->spot, "two bodies are called '" + name->value +
+                                                   "'; rename one");
+    }
+
+    /// From the axes of `pose` to those of the link.
+    Pose inLink(const Whereabouts& at, const Pose& pose, const Pose& inner) {
+        const Pose world = pose * inner;
+        if (at.link == kWorld) return world;
+        const Pose& own = link(at.link).pose;
+        return {own.toLocal(world.position), (own.rotation.conjugate() * world.rotation).normalized()};
+    }
+
+    void addGeom(const Element& element, const Whereabouts& at, const Pose& pose,
+                 const std::string& childclass, Weights& weights) {
+        std::optional<Geom> geom = readGeom(element, childclass, context_);
+        if (!geom) return;
+        const Pose there = inLink(at, pose, {});
+        geom->pose = there * geom->pose;
+        geom->properties = placed(geom->properties, there);
+        if (at.link == kWorld) {
+            tree_.fixed.push_back(std::move(*geom));
+            return;
+        }
+        if (geom->shape.type == engine::ShapeType::plane)
+            return context_.remarks.wrong(geom->spot, "a plane in a <body> that moves; it should be "
+                                                      "in <worldbody>, or a box");
+        weights.geoms.push_back(geom->properties);
+        link(at.link).geoms.push_back(std::move(*geom));
+    }
+
+    std::optional<MassProperties> readInertial(const Element& element, const Whereabouts& at,
+                                               const Pose& pose) {
+        Attributes attributes = context_.defaults.of(element, "");
+        const Pose own = readPose(attributes, context_.rules.angles);
+        MassProperties given;
+        const std::optional<double> mass = attributes.number("mass", kMass);
+        if (!attributes.has("mass"))
+            attributes.wrong("", "an <inertial> has no mass; write mass=\"1\" (kg)");
+        given.mass = mass.value_or(0.0);
+        Mat3 inertia = Mat3::Zero();
+        const auto full = attributes.numbers("fullinertia", 6, 6, kInertia);
+        const std::optional<Vec3> diagonal = attributes.vector("diaginertia", kInertia);
+        if (diagonal) inertia.diagonal() = *diagonal;
+        if (full) {
+            const std::vector<double>& n = *full;  // xx yy zz xy xz yz
+            inertia << n[0], n[3], n[4], n[3], n[1], n[5], n[4], n[5], n[2];
+        }
+        if (!attributes.has("fullinertia") && !attributes.has("diaginertia"))
+            attributes.wrong("", "an <inertial> has no inertia; write diaginertia or fullinertia");
+        given.inertia = yUp(inertia);
+        return placed(given, inLink(at, pose, own));
+    }
+
+    /// <inertial> counts unless <compiler> says otherwise.
+    void weigh(const Element& body, const Weights& weights, Link& link) {
+        const std::string& rule = context_.rules.inertiaFromGeom;
+        if (weights.given && rule != "true") {
+            link.masses.push_back(*weights.given);
+            link.ownInertia = true;
+        } else if (rule == "false") {
+            context_.remarks.wrong(body.spot, "a <body> that moves has no <inertial>, and "
+                                              "inertiafromgeom is 'false'; write one");
+        } else {
+            link.masses.push_back(together(weights.geoms));
+        }
+    }
+
+    const Context& context_;
+    BodyTree tree_;
+};
+
+}  // namespace
+
+BodyTree readBodies(const Element& root, const Context& context) {
+    return TreeBuilder(context).build(root);
+}
+
+}  // namespace demos::mjcf

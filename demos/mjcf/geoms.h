@@ -1,0 +1,38 @@
+/// <geom>: shape, place, mass, friction and colour.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "demos/mjcf/assets.h"
+#include "demos/mjcf/mass_properties.h"
+
+namespace demos::mjcf {
+
+/// What a model's parts are read with.
+struct Context {
+    const Rules& rules;
+    const Defaults& defaults;
+    const Assets& assets;
+    Remarks& remarks;
+};
+
+struct Geom {
+    std::string name;           // empty where it has none
+    std::string type;           // its shape's word
+    engine::Shape shape;
+    Pose pose;                  // of the shape's centre, in the body's axes
+    MassProperties properties;  // likewise; of a plane none
+    bool ownMass = false;       // the mass is given, not by density
+    double friction = 1.0;
+    int contype = 1, conaffinity = 1;  // bits: who meets whom
+    std::optional<unsigned> color;     // 0xRRGGBB
+    Spot spot;
+
+    bool collides() const { return contype != 0 || conaffinity != 0; }
+};
+
+/// Nothing where it is left out, or wrong; that is told then.
+std::optional<Geom> readGeom(const Element& element, const std::string& childclass,
+                             const Context& context);
+
+}  // namespace demos::mjcf

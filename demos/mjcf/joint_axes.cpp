@@ -1,0 +1,100 @@
+#include "demos/mjcf/joint_axes.h"
+
+namespace demos::mjcf {
+namespace {
+
+constexpr Range kMeters{-1e5, 1e5, "m"};
+constexpr Range kDirection{-1e6, 1e6};
+constexpr Range kCoordinate{-1e5, 1e5};
+constexpr Range kStrength{0.0, 1e12};
+
+class JointReader {
+public:
+    JointReader(const JointElement& joint, const Context& context)
+        : attributes_(context.defaults.of(*joint.element, joint.childclass)), context_(context) {}
+
+    JointAxis read(const Pose& pose) {
+        joint_.spot = attributes_.spot();
+        joint_.name = attributes_.text("name");
+        readWord();
+        joint_.anchor = pose.toWorld(
+            yUp(attributes_.vector("pos", kMeters).value_or(Vec3(0, 0, 0))));
+        const Vec3 axis = attributes_.vector("axis", kDirection).value_or(Vec3(0, 0, 1));
+        if (axis.norm() > 1e-9)
+            joint_.axis = pose.rotation * yUp(Vec3(axis.normalized()));
+        else
+            attributes_.wrong("axis", "axis is 0 0 0; it should be a direction, like 0 0 1");
+        if (joint_.word == JointWord::ball)
+            tellOfBall();
+        else
+            readFreedom();
+        return joint_;
+    }
+
+private:
+    void readWord() {
+        const std::string word =
+            attributes_.word("type", {"hinge", "slide", "ball", "free"}).value_or("hinge");
+        joint_.word = word == "slide" ? JointWord::slide
+                      : word == "ball" ? JointWord::ball
+                                       : JointWord::hinge;
+    }
+
+    /// Of angles as <compiler> has them; of ways in m.
+    double inUnits(double value) const {
+        return joint_.word == JointWord::slide ? value : context_.rules.angles.radians(value);
+    }
+
+    double coordinate(const char* name) {
+        return inUnits(attributes_.number(name, kCoordinate).value_or(0.0));
+    }
+
+    bool isLimited() {
+        const auto limited = attributes_.word("limited", {"true", "false", "auto"});
+        const bool own = !limited || *limited == "auto";
+        if (own) return context_.rules.autoLimits && attributes_.has("range");
+        return *limited == "true";
+    }
+
+    /// MuJoCo's coordinate is `ref` where the file puts the bodies; ours is 0 there.
+    void readFreedom() {
+        engine::Freedom& freedom = joint_.freedom;
+        const double ref = coordinate("ref");
+        const auto range = attributes_.numbers("range", 2, 2, kCoordinate);
+        if (isLimited()) {
+            freedom.limits.low = inUnits(range ? (*range)[0] : 0.0) - ref;
+            freedom.limits.high = inUnits(range ? (*range)[1] : 0.0) - ref;
+            if (!(freedom.limits.low < freedom.limits.high)) {
+                attributes_.wrong("range", "a limited joint has no range; it should be two numbers, "
+                                           "the lower one first");
+                freedom.limits = {};
+            }
+        }
+        freedom.spring.stiffness = attributes_.number("stiffness", kStrength).value_or(0.0);
+        freedom.spring.resistance = attributes_.number("damping", kStrength).value_or(0.0);
+        freedom.rest = coordinate("springref") - ref;
+        freedom.motor.strength = attributes_.number("frictionloss", kStrength).value_or(0.0);
+    }
+
+    void tellOfBall() {
+        for (const char* name : {"stiffness", "damping", "frictionloss"})
+            if (attributes_.number(name, kStrength).value_or(0.0) > 0.0)
+                attributes_.note(name, std::string(name) +
+                                           " of a ball joint is not available; left out");
+        attributes_.numbers("range", 2, 2, kCoordinate);
+        if (isLimited())
+            attributes_.note("range", "range of a ball joint is not available; left out");
+    }
+
+    Attributes attributes_;
+    const Context& context_;
+    JointAxis joint_;
+};
+
+}  // namespace
+
+JointAxis readJoint(const JointElement& joint, const Pose& pose, const Context& context) {
+    return JointReader(joint, context).read(pose);
+}
+
+}  // namespace demos::mjcf

@@ -1,0 +1,92 @@
+#include "demos/mjcf/mesh_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+
+namespace demos::mjcf {
+namespace {
+
+constexpr double kFarthest = 1e6;  // in the file's own unit
+
+bool isUsable(const Vec3& corner) {
+    return corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
+std::string_view lineOff(std::string_view& text) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    return line;
+}
+
+/// Three numbers, or something that is not usable.
+Vec3 cornerIn(std::string_view text) {
+    Vec3 corner(0, 0, 0);
+    for (double& x : corner) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+        const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), x);
+        if (read.ec != std::errc()) return Vec3::Constant(2.0 * kFarthest);
+        text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+    }
+    return corner;
+}
+
+MeshCorners readObj(std::string_view text) {
+    MeshCorners mesh;
+    for (int line = 1; !text.empty(); ++line) {
+        const std::string_view words = lineOff(text);
+        if (!words.starts_with("v ") && !words.starts_with("v\t")) continue;
+        mesh.corners.push_back(cornerIn(words.substr(2)));
+        if (isUsable(mesh.corners.back())) continue;
+        mesh.wrong = "line " + std::to_string(line) + " should be 'v' and three numbers";
+        return mesh;
+    }
+    if (mesh.corners.empty()) mesh.wrong = "it has no corners; an OBJ file has lines 'v x y z'";
+    return mesh;
+}
+
+std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
+    std::uint32_t word = 0;  // little-endian, as the format has it
+    for (std::size_t i = 0; i < 4; ++i)
+        word |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+    return word;
+}
+
+/// 80 bytes of anything, the number of triangles, then 50 bytes each: normal, three corners, two more.
+MeshCorners readStl(std::string_view bytes) {
+    constexpr std::size_t kHead = 84, kTriangle = 50;
+    MeshCorners mesh;
+    const std::size_t count = bytes.size() >= kHead ? wordAt(bytes, 80) : 0;
+    if (count == 0 || bytes.size() != kHead + kTriangle * count) {
+        mesh.wrong = "its size is not that of a binary STL file of " + std::to_string(count) +
+                     " triangles; STL in text is not read";
+        return mesh;
+    }
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+        Vec3 corner;
+        for (std::size_t k = 0; k < 3; ++k)
+            corner[static_cast<int>(k)] = static_cast<double>(std::bit_cast<float>(
+                wordAt(bytes, kHead + kTriangle * (i / 3) + 12 + 12 * (i % 3) + 4 * k)));
+        mesh.corners.push_back(corner);
+        if (isUsable(corner)) continue;
+        mesh.wrong = "triangle " + std::to_string(i / 3 + 1) + " has a corner that is not finite";
+        return mesh;
+    }
+    return mesh;
+}
+
+}  // namespace
+
+MeshCorners readMeshFile(const std::string& name, std::string_view bytes) {
+    std::string ending = std::filesystem::path(name).extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (ending == ".obj") return readObj(bytes);
+    if (ending == ".stl") return readStl(bytes);
+    return {{}, "its format is not read; OBJ and binary STL are"};
+}
+
+}  // namespace demos::mjcf

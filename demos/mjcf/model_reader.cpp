@@ -1,0 +1,95 @@
+#include "demos/mjcf/model_reader.h"
+
+#include "demos/mjcf/equalities.h"
+#include "demos/mjcf/joints.h"
+#include "demos/mjcf/meetings.h"
+#include "demos/mjcf/view.h"
+#include "demos/mjcf/vocabulary.h"
+#include "demos/scene/expression.h"
+#include "demos/scene/overrides.h"
+#include "demos/scene/read_parts.h"
+#include "demos/scene/reader.h"
+
+namespace demos::mjcf {
+namespace {
+
+namespace fs = std::filesystem;
+
+void stopIfWrong(const Remarks& remarks) {
+    if (remarks.errors() > 0) throw SceneError(remarks.errorLines());
+}
+
+void build(const Element& root, const fs::path& folder, const FileReader& read, Remarks& remarks,
+           SceneDescription& scene) {
+    const Defaults defaults(root, remarks);
+    const Rules rules = readRules(root, defaults, scene, remarks);
+    const Assets assets = readAssets(root, defaults, rules, folder, read, remarks);
+    const Context context{rules, defaults, assets, remarks};
+    const BodyTree tree = readBodies(root, context);
+    const std::vector<int> places = addBodies(tree, context, scene);
+    stopIfWrong(remarks);  // joints ask for good bodies
+    Names jointNames;
+    addJoints(tree, places, context, scene, jointNames);
+    addEqualities(root, tree, places, context, scene, jointNames);
+    separate(root, tree, places, context, scene);
+    if (scene.bodies.empty()) remarks.wrong(root.spot, "the model has no <geom>; give it some");
+    scene.camera = readView(root, defaults, scene);
+    stopIfWrong(remarks);
+}
+
+/// --set, as if a scene file said so after the model.
+void applyOptions(const std::vector<std::string>& overrides, const std::string& fileName,
+                  SceneDescription& scene) {
+    Complaints complaints(overrides);
+    complaints.addFile(fileName);
+    Value document;
+    document.place = {1, 1};
+    applyOverrides(overrides, document, complaints);
+    BodyNumbers numbers;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        numbers[scene.bodies[i].name] = static_cast<int>(i);
+    Expressions expressions;
+    const Scope scope{&expressions, {}, nullptr};
+    Keys top(document, "a model", complaints, scope);
+    scene.title = top.text("title").value_or(scene.title);
+    scene.seconds = top.number("seconds", {0.01, 1e5, "s"}).value_or(scene.seconds);
+    readWorld(top, scene);
+    readSolver(top, scene);
+    readCamera(top, numbers, scene);
+    readLook(top, scene);
+    readSections(top, scene);
+    readExpectations(top, scene);
+    readSnapshot(top, scene);
+    top.done();
+    if (complaints.count() > 0) throw SceneError(complaints.lines());
+}
+
+}  // namespace
+
+SceneDescription readModel(const std::string& text, const std::string& fileName,
+                           const std::string& sceneName,
+                           const std::vector<std::string>& overrides, const FileReader& read) {
+    SceneDescription scene;
+    scene.name = scene.title = sceneName;
+    const FileReader noted = [&](const fs::path& path) {
+        scene.files.push_back(path.string());
+        return read(path);
+    };
+    Remarks remarks;
+    const Element root = readTree(text, fileName, noted, remarks);
+    stopIfWrong(remarks);
+    if (const Attribute* model = root.find("model"); model && !model->value.empty())
+        scene.title = printable(model->value.substr(0, 200));
+    checkWords(root, remarks);
+    build(root, fs::path(fileName).parent_path(), noted, remarks, scene);
+    scene.notes = remarks.noteLines();
+    applyOptions(overrides, fileName, scene);
+    return scene;
+}
+
+SceneDescription loadModel(const fs::path& path, const std::vector<std::string>& overrides) {
+    return readModel(readSceneFile(path), path.string(), path.stem().string(), overrides,
+                     [](const fs::path& file) { return readSceneFile(file); });
+}
+
+}  // namespace demos::mjcf

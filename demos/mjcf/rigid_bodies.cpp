@@ -1,0 +1,156 @@
+#include "demos/mjcf/rigid_bodies.h"
+
+#include <algorithm>
+
+namespace demos::mjcf {
+namespace {
+
+using engine::BodyKind;
+using engine::Shape;
+using engine::ShapePart;
+
+constexpr double kAsideShare = 1e-9;  // of its reach, that a centre of mass may lie off a shape's
+constexpr double kBallRadius = 0.02;  // m, what stands for a body without a geom
+
+/// The geoms that others meet; all, drawn only, where there are none.
+std::vector<const Geom*> solidOf(const Link& link) {
+    std::vector<const Geom*> solid;
+    for (const Geom& geom : link.geoms)
+        if (geom.collides()) solid.push_back(&geom);
+    if (solid.empty())
+        for (const Geom& geom : link.geoms) solid.push_back(&geom);
+    return solid;
+}
+
+class BodyMaker {
+public:
+    BodyMaker(const Context& context, SceneDescription& scene) : context_(context), scene_(scene) {}
+
+    void addFixed(const Geom& geom) {
+        BodyDescription body;
+        body.def.kind = BodyKind::fixed;
+        body.def.shape = geom.shape;
+        body.def.pose = geom.pose;
+        add(std::move(body), geom.name.empty() ? geom.type : geom.name, geom, geom.spot);
+    }
+
+    void addMoving(const Link& link) {
+        const MassProperties whole = together(link.masses);
+        if (!isMovable(whole))
+            context_.remarks.wrong(link.spot,
+                                   "a <body> with a joint has no mass to move, or no inertia (mass " +
+                                       numberText(whole.mass) +
+                                       " kg); it should have <geom>s, or an <inertial>" +
+                                       (link.lacking.empty()
+                                            ? ""
+                                            : ": its <" + link.lacking + "> is not available"));
+        BodyDescription body;
+        body.def.mass = whole.mass;
+        const std::vector<const Geom*> solid = solidOf(link);
+        if (solid.size() == 1 && isCentred(*solid.front(), whole))
+            takeShape(link, *solid.front(), whole, body.def);
+        else
+            takeParts(link, solid, whole, body.def);
+        tellOfHidden(link, solid);
+        Geom none;
+        none.contype = none.conaffinity = 0;
+        const Geom& first = solid.empty() ? none : *solid.front();
+        add(std::move(body), link.name.empty() ? "body" : link.name, first, link.spot);
+    }
+
+private:
+    static bool isCentred(const Geom& geom, const MassProperties& whole) {
+        return (geom.pose.position - whole.centre).norm() <=
+               kAsideShare * engine::reachOf(geom.shape);
+    }
+
+    /// In the axes of the shape itself.
+    static void takeShape(const Link& link, const Geom& geom, const MassProperties& whole,
+                          engine::BodyDef& def) {
+        def.shape = geom.shape;
+        def.pose = link.pose * geom.pose;
+        if (link.ownInertia || link.geoms.size() > 1)
+            def.inertia = placed(whole, {{0, 0, 0}, geom.pose.rotation.conjugate()}).inertia;
+    }
+
+    /// In the axes of the link, about its centre of mass.
+    static void takeParts(const Link& link, const std::vector<const Geom*>& solid,
+                          const MassProperties& whole, engine::BodyDef& def) {
+        std::vector<ShapePart> parts;
+        for (const Geom* geom : solid) parts.push_back({geom->shape, geom->pose});
+        def.shape = parts.empty() ? Shape::sphere(kBallRadius) : Shape::compound(parts, whole.centre);
+        def.pose = {link.pose.toWorld(whole.centre), link.pose.rotation};
+        def.inertia = whole.inertia;
+    }
+
+    void tellOfHidden(const Link& link, const std::vector<const Geom*>& solid) {
+        for (const Geom& geom : link.geoms) {
+            if (!geom.collides() && solid.front()->collides())
+                context_.remarks.note(geom.spot, "a <geom> that nothing meets, beside others that are "
+                                                 "met, is weighed and not drawn");
+            if (!geom.collides()) continue;
+            if (geom.friction != solid.front()->friction)
+                context_.remarks.note(geom.spot, "friction differs between the <geom>s of a body; that "
+                                                 "of its first holds for all");
+            if (geom.contype != solid.front()->contype ||
+                geom.conaffinity != solid.front()->conaffinity)
+                context_.remarks.note(geom.spot, "contype or conaffinity differ between the <geom>s of "
+                                                 "a body; those of its first hold for all");
+        }
+    }
+
+    void add(BodyDescription body, const std::string& name, const Geom& first, const Spot& spot) {
+        body.name = names_.next(name);
+        body.color = first.color;
+        body.place = body.ignoresPlace = spot.place;
+        body.def.material.friction = first.friction;
+        body.def.collide = first.collides() && context_.rules.contacts;
+        if (body.def.pose.position.cwiseAbs().maxCoeff() > 1e5)
+            context_.remarks.wrong(spot, "a body more than 100000 m from the origin; it should be nearer");
+        tellOfFriction(first, spot);
+        scene_.bodies.push_back(std::move(body));
+    }
+
+    void tellOfFriction(const Geom& geom, const Spot& spot) {
+        if (!geom.collides()) return;
+        if (friction_ && *friction_ != geom.friction)
+            context_.remarks.note(spot, "surfaces of different friction meet with the root of their "
+                                        "product, not with the larger one");
+        friction_ = geom.friction;
+    }
+
+    const Context& context_;
+    SceneDescription& scene_;
+    Names names_;
+    std::optional<double> friction_;  // of the body before
+};
+
+}  // namespace
+
+std::vector<int> addBodies(const BodyTree& tree, const Context& context, SceneDescription& scene) {
+    BodyMaker maker(context, scene);
+    for (const Geom& geom : tree.fixed) maker.addFixed(geom);
+    std::vector<int> places;
+    for (const Link& link : tree.links) {
+        places.push_back(static_cast<int>(scene.bodies.size()));
+        maker.addMoving(link);
+    }
+    return places;
+}
+
+std::string Names::next(const std::string& wanted) {
+    constexpr std::size_t kLongest = 56;  // of 64, so that a number fits
+    std::string name = wanted.empty() ? "body" : wanted.substr(0, kLongest);
+    for (char& c : name) {
+        const bool usual = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (!usual && std::string_view("_.{}+-").find(c) == std::string_view::npos) c = '_';
+    }
+    std::string numbered = name;
+    int& last = counts_[name];
+    while (last > 0 && counts_.contains(numbered)) numbered = name + "-" + std::to_string(++last);
+    last = std::max(last, 1);
+    counts_.emplace(numbered, 1);
+    return numbered;
+}
+
+}  // namespace demos::mjcf

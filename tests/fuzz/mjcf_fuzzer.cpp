@@ -1,0 +1,98 @@
+// Any bytes as a MuJoCo model, promises as in scene_fuzzer.cpp: refused in whole lines with a place
+// inside the text, or taken by the engine and finite after a step.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "demos/mjcf/model_reader.h"
+#include "demos/scene/builtin.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
+#include "demos/scene/stage.h"
+
+namespace demos {
+
+/// Texts are read here, not names.
+std::span<const BuiltinScene> builtinScenes() { return {}; }
+
+}  // namespace demos
+
+namespace {
+
+constexpr std::size_t kMostBodies = 64;  // of a world that is built, and of one that is stepped
+constexpr std::size_t kMostMoving = 8;
+
+void require(bool truth, const char* what, std::string_view value) {
+    if (truth) return;
+    std::fprintf(stderr, "%s: %.*s\n", what, static_cast<int>(value.size()), value.data());
+    std::abort();
+}
+
+/// Takes a number off the front; -1 where there is none.
+long numberAt(std::string_view& line) {
+    const std::size_t end = line.find(':');
+    if (end == 0 || end > 9) return -1;
+    long number = 0;
+    for (const char digit : line.substr(0, end)) {
+        if (digit < '0' || digit > '9') return -1;
+        number = 10 * number + (digit - '0');
+    }
+    line.remove_prefix(end + 1);
+    return number;
+}
+
+/// `a.xml:line:column: what`, of this text or of what it includes.
+void checkLine(const std::string& whole, long linesOfText) {
+    require(demos::printable(whole) == whole, "a byte that does not print", whole);
+    std::string_view line = whole;
+    if (line.starts_with("and ")) return;
+    const std::size_t file = line.find(".xml:");
+    require(file != std::string_view::npos, "a line without its file", whole);
+    const bool own = file == 1 && line[0] == 'a';
+    line.remove_prefix(file + 5);
+    if (!own) return;
+    const long row = numberAt(line), column = numberAt(line);
+    require(row >= 1 && row <= linesOfText + 1, "a line that is not in the text", whole);
+    require(column >= 1, "a column that is none", whole);
+    require(line.size() > 3 && line[0] == ' ', "a line of nothing", whole);
+}
+
+/// Every file that a model names is this mesh, or not there.
+std::string fileCalled(const std::filesystem::path& path) {
+    if (path.extension() == ".obj") return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    throw demos::SceneError({demos::printable(path.string()) + ": there is no such file"});
+}
+
+void checkWorld(demos::SceneDescription scene) {
+    if (scene.bodies.size() + scene.joints.size() > kMostBodies) return;
+    demos::Stage stage(scene);
+    if (scene.bodies.size() > kMostMoving || !stage.step()) return;
+    for (const engine::BodyId id : stage.bodies) {
+        const bool finite = stage.world.pose(id).position.allFinite() &&
+                            stage.world.velocity(id).allFinite() &&
+                            stage.world.spin(id).allFinite();
+        require(finite, "not finite after a step that went well", stage.nameOf(id));
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    const std::string text(reinterpret_cast<const char*>(bytes), size);
+    const long lines = std::count(text.begin(), text.end(), '\n') + 1;
+    try {
+        demos::SceneDescription scene = demos::mjcf::readModel(text, "a.xml", "a", {}, fileCalled);
+        for (const std::string& note : scene.notes) checkLine(note, lines);
+        checkWorld(std::move(scene));
+    } catch (const demos::SceneError& error) {
+        require(!error.lines().empty(), "refused without a word", text);
+        for (const std::string& line : error.lines()) checkLine(line, lines);
+    }
+    return 0;
+}
