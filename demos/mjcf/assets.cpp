@@ -33,12 +33,14 @@ public:
         Vec3 low = corners.front(), high = low;
         for (const Vec3& corner : corners) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
         const double size = (high - low).maxCoeff();
-        const bool near = low.cwiseAbs().maxCoeff() < kLargest && high.cwiseAbs().maxCoeff() < kLargest;
+        const bool near =
+            low.cwiseAbs().maxCoeff() < kLargest && high.cwiseAbs().maxCoeff() < kLargest;
         std::optional<engine::Shape> hull;
         if (size > kLeast && near) hull = hullOfAny(corners);
         if (!hull)
-            attributes_.wrong("", "mesh '" + name() + "' has no convex hull; its corners should "
-                                  "not lie in one plane, and within 10000 m of its origin");
+            attributes_.wrong("", "mesh '" + name() +
+                                      "' has no convex hull; its corners should "
+                                      "not lie in one plane, and within 10000 m of its origin");
         return hull;
     }
 
@@ -60,7 +62,8 @@ private:
     std::vector<Vec3> fileCorners() {
         const std::string file = attributes_.text("file");
         if (file.empty() || fs::path(file).is_absolute()) {
-            attributes_.wrong("file", "a <mesh> should have vertex, or a file in the model's folder");
+            attributes_.wrong("file",
+                              "a <mesh> should have vertex, or a file in the model's folder");
             return {};
         }
         try {
@@ -103,7 +106,8 @@ void readAsset(const Element& element, const Defaults& defaults, const Rules& ru
     } else if (element.name == "mesh") {
         MeshReader reader(defaults.of(element, ""), rules, folder, read);
         if (!assets.meshes.emplace(reader.name(), reader.read()).second)
-            remarks.wrong(element.spot, "two meshes are called '" + reader.name() + "'; rename one");
+            remarks.wrong(element.spot,
+                          "two meshes are called '" + reader.name() + "'; rename one");
     }
 }
 

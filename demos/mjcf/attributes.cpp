@@ -119,8 +119,8 @@ std::optional<std::string> Attributes::word(std::string_view name,
     const Attribute* found = find(name);
     if (!found) return std::nullopt;
     if (std::find(words.begin(), words.end(), found->value) != words.end()) return found->value;
-    wrong(name, std::string(name) + " is '" + found->value.substr(0, kShown) +
-                    "'; it should be " + anyOf(words));
+    wrong(name, std::string(name) + " is '" + found->value.substr(0, kShown) + "'; it should be " +
+                    anyOf(words));
     return std::nullopt;
 }
 

@@ -75,9 +75,7 @@ Mat3 yUp(const Mat3& inertia) {
     return turn * inertia * turn.transpose();
 }
 
-double AngleRules::radians(double angle) const {
-    return degrees ? engine::radians(angle) : angle;
-}
+double AngleRules::radians(double angle) const { return degrees ? engine::radians(angle) : angle; }
 
 Quat shortestTurn(const Vec3& from, const Vec3& to) {
     const Vec3 a = from.normalized(), b = to.normalized();

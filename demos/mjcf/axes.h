@@ -1,6 +1,6 @@
-/// MuJoCo's axes, z up, in this engine's, y up: (x, y, z) -> (x, z, -y). World axes and those of every
-/// body are turned alike, so that what lies along a body's z there lies along its y here, like capsules
-/// and cylinders do.
+/// MuJoCo's axes, z up, in this engine's, y up: (x, y, z) -> (x, z, -y). World axes and those of
+/// every body are turned alike, so that what lies along a body's z there lies along its y here,
+/// like capsules and cylinders do.
 #pragma once
 #include "demos/mjcf/attributes.h"
 
@@ -19,7 +19,8 @@ Mat3 yUp(const Mat3& inertia);
 /// How <compiler> has angles be written.
 struct AngleRules {
     bool degrees = true;
-    std::string eulerSequence = "xyz";  // small: about axes that turn along; large: about fixed ones
+    std::string eulerSequence =
+        "xyz";  // small: about axes that turn along; large: about fixed ones
 
     double radians(double angle) const;
 };

@@ -65,14 +65,16 @@ private:
         return readPose(attributes, context_.rules.angles);
     }
 
-    void readBody(const Element& body, int around, const Pose& outer, const std::string& childclass) {
+    void readBody(const Element& body, int around, const Pose& outer,
+                  const std::string& childclass) {
         const Pose pose = outer * poseOf(body);
         Whereabouts at{around, pose};
         std::vector<JointElement> joints;
         const bool isFree = readJoints(body, childclass, joints);
         if (isFree && (around != kWorld || !joints.empty()))
-            context_.remarks.wrong(body.spot, "a free joint beside others, or inside a moving <body>; "
-                                              "it should be alone, in a <body> of <worldbody>");
+            context_.remarks.wrong(body.spot,
+                                   "a free joint beside others, or inside a moving <body>; "
+                                   "it should be alone, in a <body> of <worldbody>");
         if (isMocap(body))
             joints.clear();
         else if (isFree || !joints.empty())
@@ -125,8 +127,8 @@ private:
         const Attribute* name = body.find("name");
         if (!name || name->value.empty()) return;
         if (!tree_.bodies.emplace(name->value, at).second)
-            context_.remarks.wrong(name->spot, "two bodies are called '" + name->value +
-                                                   "'; rename one");
+            context_.remarks.wrong(name->spot,
+                                   "two bodies are called '" + name->value + "'; rename one");
     }
 
     /// From the axes of `pose` to those of the link.
@@ -134,7 +136,8 @@ private:
         const Pose world = pose * inner;
         if (at.link == kWorld) return world;
         const Pose& own = link(at.link).pose;
-        return {own.toLocal(world.position), (own.rotation.conjugate() * world.rotation).normalized()};
+        return {own.toLocal(world.position),
+                (own.rotation.conjugate() * world.rotation).normalized()};
     }
 
     void addGeom(const Element& element, const Whereabouts& at, const Pose& pose,
@@ -149,8 +152,9 @@ private:
             return;
         }
         if (geom->shape.type == engine::ShapeType::plane)
-            return context_.remarks.wrong(geom->spot, "a plane in a <body> that moves; it should be "
-                                                      "in <worldbody>, or a box");
+            return context_.remarks.wrong(geom->spot,
+                                          "a plane in a <body> that moves; it should be "
+                                          "in <worldbody>, or a box");
         weights.geoms.push_back(geom->properties);
         link(at.link).geoms.push_back(std::move(*geom));
     }
@@ -185,8 +189,9 @@ private:
             link.masses.push_back(*weights.given);
             link.ownInertia = true;
         } else if (rule == "false") {
-            context_.remarks.wrong(body.spot, "a <body> that moves has no <inertial>, and "
-                                              "inertiafromgeom is 'false'; write one");
+            context_.remarks.wrong(body.spot,
+                                   "a <body> that moves has no <inertial>, and "
+                                   "inertiafromgeom is 'false'; write one");
         } else {
             link.masses.push_back(together(weights.geoms));
         }

@@ -1,5 +1,5 @@
-/// <worldbody>: the tree of <body>s as rigid links, all at their places in the world. A <body> without a
-/// joint is welded to the one around it and is a part of its link.
+/// <worldbody>: the tree of <body>s as rigid links, all at their places in the world. A <body>
+/// without a joint is welded to the one around it and is a part of its link.
 #pragma once
 #include <map>
 #include <string>
@@ -18,14 +18,14 @@ struct JointElement {
 constexpr int kWorld = -1;
 
 struct Link {
-    std::string name;    // of its <body>; may be empty
-    int parent = kWorld; // its number
-    Pose pose;           // of its <body>, world axes, y up
-    std::vector<Geom> geoms;               // in the axes of `pose`
-    std::vector<MassProperties> masses;    // likewise: one of each <body>
-    std::vector<JointElement> joints;      // none: it is free
-    bool ownInertia = false;               // by an <inertial>
-    std::string lacking;                   // an element that would give it mass and is not had
+    std::string name;                    // of its <body>; may be empty
+    int parent = kWorld;                 // its number
+    Pose pose;                           // of its <body>, world axes, y up
+    std::vector<Geom> geoms;             // in the axes of `pose`
+    std::vector<MassProperties> masses;  // likewise: one of each <body>
+    std::vector<JointElement> joints;    // none: it is free
+    bool ownInertia = false;             // by an <inertial>
+    std::string lacking;                 // an element that would give it mass and is not had
     Spot spot;
 };
 
@@ -37,7 +37,7 @@ struct Whereabouts {
 
 struct BodyTree {
     std::vector<Link> links;
-    std::vector<Geom> fixed;  // in world axes: what no joint lets move
+    std::vector<Geom> fixed;                    // in world axes: what no joint lets move
     std::map<std::string, Whereabouts> bodies;  // by name; "world" too
 };
 

@@ -30,12 +30,14 @@ void readCompiler(Attributes attributes, Rules& rules) {
         if (isSequence(sequence))
             rules.angles.eulerSequence = sequence;
         else
-            attributes.wrong("eulerseq", "eulerseq is '" + sequence.substr(0, 40) +
-                                             "'; it should be three of x, y, z, or three of X, Y, Z");
+            attributes.wrong("eulerseq",
+                             "eulerseq is '" + sequence.substr(0, 40) +
+                                 "'; it should be three of x, y, z, or three of X, Y, Z");
     }
     if (attributes.text("coordinate") == "global")
-        attributes.wrong("coordinate", "coordinate is 'global', which MuJoCo itself no longer reads; "
-                                       "it should be 'local': MuJoCo 2.3.3 converts such models");
+        attributes.wrong("coordinate",
+                         "coordinate is 'global', which MuJoCo itself no longer reads; "
+                         "it should be 'local': MuJoCo 2.3.3 converts such models");
     else
         attributes.word("coordinate", {"local"});
     rules.autoLimits = attributes.truth("autolimits").value_or(rules.autoLimits);
@@ -47,7 +49,8 @@ void readCompiler(Attributes attributes, Rules& rules) {
 
 void readFlags(Attributes attributes, Rules& rules) {
     const std::vector<std::string> words{"enable", "disable"};
-    if (const auto contact = attributes.word("contact", words)) rules.contacts = *contact == "enable";
+    if (const auto contact = attributes.word("contact", words))
+        rules.contacts = *contact == "enable";
     if (const auto gravity = attributes.word("gravity", words)) rules.weight = *gravity == "enable";
 }
 

@@ -7,11 +7,11 @@ namespace demos::mjcf {
 
 struct Rules {
     AngleRules angles;
-    bool autoLimits = true;       // a range is a limit, unless limited="false"
+    bool autoLimits = true;                // a range is a limit, unless limited="false"
     std::string inertiaFromGeom = "auto";  // auto: where a body has no <inertial>
-    std::string meshFolder;       // beside the model
-    bool contacts = true;         // <flag contact>
-    bool weight = true;           // <flag gravity>
+    std::string meshFolder;                // beside the model
+    bool contacts = true;                  // <flag contact>
+    bool weight = true;                    // <flag gravity>
 };
 
 /// Later <compiler>s and <option>s add to the earlier. Gravity and hz go to the scene.

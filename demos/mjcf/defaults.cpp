@@ -43,7 +43,8 @@ void Defaults::read(const Element& element, const std::string& name, const Class
         if (!inner || inner->value.empty())
             remarks_.wrong(child.spot, "an inner <default> has no class; write class=\"NAME\"");
         else if (classes_.contains(inner->value))
-            remarks_.wrong(inner->spot, "two classes are called '" + inner->value + "'; rename one");
+            remarks_.wrong(inner->spot,
+                           "two classes are called '" + inner->value + "'; rename one");
         else
             read(child, inner->value, own);
     }
@@ -53,8 +54,8 @@ std::string Defaults::known(const Attribute& name) const {
     if (classes_.contains(name.value)) return name.value;
     std::vector<std::string> names;
     for (const auto& [known, own] : classes_) names.push_back(known);
-    remarks_.wrong(name.spot,
-                   "no default class is called '" + name.value + "'" + suggestion(name.value, names));
+    remarks_.wrong(name.spot, "no default class is called '" + name.value + "'" +
+                                  suggestion(name.value, names));
     return main_;
 }
 

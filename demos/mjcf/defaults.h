@@ -13,8 +13,8 @@ public:
     /// Of the <default>s in `root`, which may lie in each other: an inner one begins as the outer.
     Defaults(const Element& root, Remarks& remarks);
 
-    /// The element with what its class says, or else `childclass` (of the <body>s around it), or else
-    /// the outermost class.
+    /// The element with what its class says, or else `childclass` (of the <body>s around it), or
+    /// else the outermost class.
     Attributes of(const Element& element, const std::string& childclass) const;
     /// As if it were called otherwise: <connect> and <weld> have the defaults of <equality>.
     Attributes of(const Element& element, const std::string& childclass,

@@ -58,8 +58,10 @@ private:
     Vec3 readAnchor(const Whereabouts& one) {
         if (isWeld()) return one.pose.position;
         if (!attributes_.has("anchor"))
-            attributes_.wrong("", "a <connect> has no anchor; write anchor=\"0 0 0\" (m, in the axes of "
-                                  "body1)");
+            attributes_.wrong(
+                "",
+                "a <connect> has no anchor; write anchor=\"0 0 0\" (m, in the axes of "
+                "body1)");
         return one.pose.toWorld(yUp(attributes_.vector("anchor", kMeters).value_or(Vec3(0, 0, 0))));
     }
 
@@ -68,7 +70,8 @@ private:
     }
 
     Pose poseOf(engine::BodyId body) const {
-        return body.index < 0 ? Pose{} : scene_.bodies[static_cast<std::size_t>(body.index)].def.pose;
+        return body.index < 0 ? Pose{}
+                              : scene_.bodies[static_cast<std::size_t>(body.index)].def.pose;
     }
 
     Attributes attributes_;

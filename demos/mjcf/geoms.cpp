@@ -34,15 +34,16 @@ public:
 
 private:
     std::string readType() {
-        static const std::vector<std::string> kTypes{"plane", "hfield", "sphere", "capsule",
-                                                     "ellipsoid", "cylinder", "box", "mesh", "sdf"};
+        static const std::vector<std::string> kTypes{
+            "plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf"};
         return attributes_.word("type", kTypes).value_or("sphere");
     }
 
     /// False where there is none.
     bool readShape() {
         if (geom_.type == "hfield" || geom_.type == "sdf") {
-            attributes_.note("type", "a <geom> of type " + geom_.type + " is not available; left out");
+            attributes_.note("type",
+                             "a <geom> of type " + geom_.type + " is not available; left out");
             return false;
         }
         geom_.pose = readPose(attributes_, context_.rules.angles);
@@ -144,13 +145,13 @@ private:
         if (const auto hull = hullOfAny(ellipsoidCorners(halfAxes)))
             takeHull(*hull);
         else
-            attributes_.wrong("size", "an ellipsoid should not be 10000 times as long as it is flat");
+            attributes_.wrong("size",
+                              "an ellipsoid should not be 10000 times as long as it is flat");
     }
 
     void readMass() {
         const std::optional<double> mass = attributes_.number("mass", {0.0, 1e9, "kg"});
-        const double density =
-            attributes_.number("density", {0.0, 1e7, "kg/m^3"}).value_or(1000.0);
+        const double density = attributes_.number("density", {0.0, 1e7, "kg/m^3"}).value_or(1000.0);
         const double volume = engine::volume(geom_.shape);
         geom_.ownMass = mass.has_value();
         MassProperties& own = geom_.properties;
@@ -159,9 +160,7 @@ private:
         own = placed(own, geom_.pose);
     }
 
-    int bits(const char* name) {
-        return attributes_.whole(name, {0.0, kLargestBits}).value_or(1);
-    }
+    int bits(const char* name) { return attributes_.whole(name, {0.0, kLargestBits}).value_or(1); }
 
     void readSurface() {
         if (const auto friction = attributes_.numbers("friction", 1, 3, {0.0, 1e4}))

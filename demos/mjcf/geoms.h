@@ -17,8 +17,8 @@ struct Context {
 };
 
 struct Geom {
-    std::string name;           // empty where it has none
-    std::string type;           // its shape's word
+    std::string name;  // empty where it has none
+    std::string type;  // its shape's word
     engine::Shape shape;
     Pose pose;                  // of the shape's centre, in the body's axes
     MassProperties properties;  // likewise; of a plane none

@@ -17,8 +17,8 @@ public:
         joint_.spot = attributes_.spot();
         joint_.name = attributes_.text("name");
         readWord();
-        joint_.anchor = pose.toWorld(
-            yUp(attributes_.vector("pos", kMeters).value_or(Vec3(0, 0, 0))));
+        joint_.anchor =
+            pose.toWorld(yUp(attributes_.vector("pos", kMeters).value_or(Vec3(0, 0, 0))));
         const Vec3 axis = attributes_.vector("axis", kDirection).value_or(Vec3(0, 0, 1));
         if (axis.norm() > 1e-9)
             joint_.axis = pose.rotation * yUp(Vec3(axis.normalized()));
@@ -35,7 +35,7 @@ private:
     void readWord() {
         const std::string word =
             attributes_.word("type", {"hinge", "slide", "ball", "free"}).value_or("hinge");
-        joint_.word = word == "slide" ? JointWord::slide
+        joint_.word = word == "slide"  ? JointWord::slide
                       : word == "ball" ? JointWord::ball
                                        : JointWord::hinge;
     }
@@ -65,8 +65,9 @@ private:
             freedom.limits.low = inUnits(range ? (*range)[0] : 0.0) - ref;
             freedom.limits.high = inUnits(range ? (*range)[1] : 0.0) - ref;
             if (!(freedom.limits.low < freedom.limits.high)) {
-                attributes_.wrong("range", "a limited joint has no range; it should be two numbers, "
-                                           "the lower one first");
+                attributes_.wrong("range",
+                                  "a limited joint has no range; it should be two numbers, "
+                                  "the lower one first");
                 freedom.limits = {};
             }
         }
@@ -79,8 +80,8 @@ private:
     void tellOfBall() {
         for (const char* name : {"stiffness", "damping", "frictionloss"})
             if (attributes_.number(name, kStrength).value_or(0.0) > 0.0)
-                attributes_.note(name, std::string(name) +
-                                           " of a ball joint is not available; left out");
+                attributes_.note(name,
+                                 std::string(name) + " of a ball joint is not available; left out");
         attributes_.numbers("range", 2, 2, kCoordinate);
         if (isLimited())
             attributes_.note("range", "range of a ball joint is not available; left out");

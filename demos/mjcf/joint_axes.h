@@ -10,8 +10,8 @@ enum class JointWord { hinge, slide, ball };
 struct JointAxis {
     std::string name;
     JointWord word = JointWord::hinge;
-    Vec3 anchor{0, 0, 0};  // m, world axes, y up
-    Vec3 axis{0, 1, 0};    // likewise, of length 1
+    Vec3 anchor{0, 0, 0};     // m, world axes, y up
+    Vec3 axis{0, 1, 0};       // likewise, of length 1
     engine::Freedom freedom;  // along the axis; the bodies' places in the file count as 0
     Spot spot;
 };

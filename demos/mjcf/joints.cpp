@@ -28,7 +28,7 @@ Freedom reversed(Freedom freedom) {
 /// Three axes at right angles, which joints add one after the other.
 class Frame {
 public:
-    /// The number of the axis that `axis` lies along, added if it is across all others; -1: neither.
+    /// The number of the axis that `axis` lies along, added if it is across all others; else -1.
     int place(const Vec3& axis) {
         for (int i = 0; i < count_; ++i)
             if (std::abs(axes_[i].dot(axis)) > 1.0 - 0.5 * kAcross * kAcross) return i;
@@ -129,7 +129,8 @@ private:
         const double apart = (high - low).norm();
         if (apart > kSamePoint)
             context_.remarks.note(spot(), "the hinges of a <body> are at different points, " +
-                                              numberText(std::round(1e6 * apart) / 1e6) + " m apart; here they are in the middle");
+                                              numberText(std::round(1e6 * apart) / 1e6) +
+                                              " m apart; here they are in the middle");
         return 0.5 * (low + high);
     }
 
@@ -168,9 +169,10 @@ private:
     }
 
     bool refuse(const std::string& why) {
-        context_.remarks.wrong(spot(), "the " + std::to_string(joints_.size()) +
-                                           " joints of this <body> cannot be one joint here (" + why +
-                                           "); put them in <body>s of their own, with some mass each");
+        context_.remarks.wrong(spot(),
+                               "the " + std::to_string(joints_.size()) +
+                                   " joints of this <body> cannot be one joint here (" + why +
+                                   "); put them in <body>s of their own, with some mass each");
         return false;
     }
 
@@ -182,9 +184,10 @@ private:
             free += def.free[i].locked ? 0 : 1;
         }
         if (acts || free == 2)
-            context_.remarks.note(spot(), "several hinges of a <body> are the turns about three axes of "
-                                          "one joint; ranges, springs and what is held are exact while "
-                                          "one of them is large");
+            context_.remarks.note(spot(),
+                                  "several hinges of a <body> are the turns about three axes of "
+                                  "one joint; ranges, springs and what is held are exact while "
+                                  "one of them is large");
     }
 
     const Context& context_;
@@ -216,7 +219,8 @@ void addJoints(const BodyTree& tree, const std::vector<int>& places, const Conte
                SceneDescription& scene, Names& names) {
     for (std::size_t i = 0; i < tree.links.size(); ++i) {
         const Link& link = tree.links[i];
-        const int around = link.parent == kWorld ? kWorld : places[static_cast<std::size_t>(link.parent)];
+        const int around =
+            link.parent == kWorld ? kWorld : places[static_cast<std::size_t>(link.parent)];
         if (!link.joints.empty()) addJoint(link, around, places[i], context, scene, names);
     }
 }

@@ -18,8 +18,8 @@ MassProperties together(std::span<const MassProperties> pieces) {
     if (whole.mass > 0.0) whole.centre /= whole.mass;
     for (const MassProperties& piece : pieces) {
         const Vec3 d = piece.centre - whole.centre;
-        whole.inertia += piece.inertia + piece.mass * (d.squaredNorm() * Mat3::Identity() -
-                                                       d * d.transpose());
+        whole.inertia +=
+            piece.inertia + piece.mass * (d.squaredNorm() * Mat3::Identity() - d * d.transpose());
     }
     return whole;
 }

@@ -7,9 +7,9 @@
 namespace demos::mjcf {
 
 struct MassProperties {
-    double mass = 0.0;               // kg
-    Vec3 centre = Vec3::Zero();      // m
-    Mat3 inertia = Mat3::Zero();     // kg m^2, about the centre
+    double mass = 0.0;            // kg
+    Vec3 centre = Vec3::Zero();   // m
+    Mat3 inertia = Mat3::Zero();  // kg m^2, about the centre
 };
 
 /// The same seen from outside: of a piece at `pose`.

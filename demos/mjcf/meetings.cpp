@@ -45,8 +45,9 @@ void ignoreByBits(const BodyTree& tree, SceneDescription& scene, const Context& 
     kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
     std::erase(kinds, MeetingBits{0, 0});  // meet nobody, which BodyDef::collide says
     if (kinds.size() > kMostKinds)
-        return context.remarks.wrong({}, "more than 1000 pairs of contype and conaffinity; there "
-                                         "should be less");
+        return context.remarks.wrong({},
+                                     "more than 1000 pairs of contype and conaffinity; there "
+                                     "should be less");
     for (std::size_t i = 0; i < bits.size(); ++i) {
         BodyDescription& body = scene.bodies[i];
         for (const MeetingBits& kind : kinds) {
@@ -74,8 +75,9 @@ public:
         const int a = linkOf(attributes, "body1"), b = linkOf(attributes, "body2");
         if (a == kNone || b == kNone || a == b) return;
         if (a == kWorld || b == kWorld)
-            return attributes.note("", "<exclude> with a <body> that stands still is not available; "
-                                       "left out");
+            return attributes.note("",
+                                   "<exclude> with a <body> that stands still is not available; "
+                                   "left out");
         BodyDescription& one = bodyOf(a);
         BodyDescription& other = bodyOf(b);
         const std::string group = "only-" + one.name;
@@ -121,8 +123,9 @@ void separate(const Element& root, const BodyTree& tree, const std::vector<int>&
     Complaints tooMany;
     numberGroups(scene, tooMany);
     if (tooMany.count() > 0)
-        context.remarks.wrong(root.spot, "more than 32 groups of bodies that pass through others, by "
-                                         "contype, conaffinity and <exclude>; there should be less");
+        context.remarks.wrong(root.spot,
+                              "more than 32 groups of bodies that pass through others, by "
+                              "contype, conaffinity and <exclude>; there should be less");
 }
 
 }  // namespace demos::mjcf

@@ -27,7 +27,8 @@ Vec3 cornerIn(std::string_view text) {
     Vec3 corner(0, 0, 0);
     for (double& x : corner) {
         text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-        const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), x);
+        const std::from_chars_result read =
+            std::from_chars(text.data(), text.data() + text.size(), x);
         if (read.ec != std::errc()) return Vec3::Constant(2.0 * kFarthest);
         text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
     }
@@ -55,7 +56,8 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
     return word;
 }
 
-/// 80 bytes of anything, the number of triangles, then 50 bytes each: normal, three corners, two more.
+/// 80 bytes of anything, the number of triangles, then 50 bytes each: normal, three corners, two
+/// more.
 MeshCorners readStl(std::string_view bytes) {
     constexpr std::size_t kHead = 84, kTriangle = 50;
     MeshCorners mesh;

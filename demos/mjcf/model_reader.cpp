@@ -67,8 +67,8 @@ void applyOptions(const std::vector<std::string>& overrides, const std::string& 
 }  // namespace
 
 SceneDescription readModel(const std::string& text, const std::string& fileName,
-                           const std::string& sceneName,
-                           const std::vector<std::string>& overrides, const FileReader& read) {
+                           const std::string& sceneName, const std::vector<std::string>& overrides,
+                           const FileReader& read) {
     SceneDescription scene;
     scene.name = scene.title = sceneName;
     const FileReader noted = [&](const fs::path& path) {

@@ -6,9 +6,7 @@
 namespace demos::mjcf {
 namespace {
 
-auto orderOf(const Spot& spot) {
-    return std::tuple(spot.file, spot.place.line, spot.place.column);
-}
+auto orderOf(const Spot& spot) { return std::tuple(spot.file, spot.place.line, spot.place.column); }
 
 }  // namespace
 

@@ -37,13 +37,11 @@ public:
     void addMoving(const Link& link) {
         const MassProperties whole = together(link.masses);
         if (!isMovable(whole))
-            context_.remarks.wrong(link.spot,
-                                   "a <body> with a joint has no mass to move, or no inertia (mass " +
-                                       numberText(whole.mass) +
-                                       " kg); it should have <geom>s, or an <inertial>" +
-                                       (link.lacking.empty()
-                                            ? ""
-                                            : ": its <" + link.lacking + "> is not available"));
+            context_.remarks.wrong(
+                link.spot,
+                "a <body> with a joint has no mass to move, or no inertia (mass " +
+                    numberText(whole.mass) + " kg); it should have <geom>s, or an <inertial>" +
+                    (link.lacking.empty() ? "" : ": its <" + link.lacking + "> is not available"));
         BodyDescription body;
         body.def.mass = whole.mass;
         const std::vector<const Geom*> solid = solidOf(link);
@@ -78,7 +76,8 @@ private:
                           const MassProperties& whole, engine::BodyDef& def) {
         std::vector<ShapePart> parts;
         for (const Geom* geom : solid) parts.push_back({geom->shape, geom->pose});
-        def.shape = parts.empty() ? Shape::sphere(kBallRadius) : Shape::compound(parts, whole.centre);
+        def.shape =
+            parts.empty() ? Shape::sphere(kBallRadius) : Shape::compound(parts, whole.centre);
         def.pose = {link.pose.toWorld(whole.centre), link.pose.rotation};
         def.inertia = whole.inertia;
     }
@@ -86,16 +85,19 @@ private:
     void tellOfHidden(const Link& link, const std::vector<const Geom*>& solid) {
         for (const Geom& geom : link.geoms) {
             if (!geom.collides() && solid.front()->collides())
-                context_.remarks.note(geom.spot, "a <geom> that nothing meets, beside others that are "
-                                                 "met, is weighed and not drawn");
+                context_.remarks.note(geom.spot,
+                                      "a <geom> that nothing meets, beside others that are "
+                                      "met, is weighed and not drawn");
             if (!geom.collides()) continue;
             if (geom.friction != solid.front()->friction)
-                context_.remarks.note(geom.spot, "friction differs between the <geom>s of a body; that "
-                                                 "of its first holds for all");
+                context_.remarks.note(geom.spot,
+                                      "friction differs between the <geom>s of a body; that "
+                                      "of its first holds for all");
             if (geom.contype != solid.front()->contype ||
                 geom.conaffinity != solid.front()->conaffinity)
-                context_.remarks.note(geom.spot, "contype or conaffinity differ between the <geom>s of "
-                                                 "a body; those of its first hold for all");
+                context_.remarks.note(geom.spot,
+                                      "contype or conaffinity differ between the <geom>s of "
+                                      "a body; those of its first hold for all");
         }
     }
 
@@ -106,7 +108,8 @@ private:
         body.def.material.friction = first.friction;
         body.def.collide = first.collides() && context_.rules.contacts;
         if (body.def.pose.position.cwiseAbs().maxCoeff() > 1e5)
-            context_.remarks.wrong(spot, "a body more than 100000 m from the origin; it should be nearer");
+            context_.remarks.wrong(
+                spot, "a body more than 100000 m from the origin; it should be nearer");
         tellOfFriction(first, spot);
         scene_.bodies.push_back(std::move(body));
     }
@@ -114,8 +117,9 @@ private:
     void tellOfFriction(const Geom& geom, const Spot& spot) {
         if (!geom.collides()) return;
         if (friction_ && *friction_ != geom.friction)
-            context_.remarks.note(spot, "surfaces of different friction meet with the root of their "
-                                        "product, not with the larger one");
+            context_.remarks.note(spot,
+                                  "surfaces of different friction meet with the root of their "
+                                  "product, not with the larger one");
         friction_ = geom.friction;
     }
 
@@ -142,7 +146,8 @@ std::string Names::next(const std::string& wanted) {
     constexpr std::size_t kLongest = 56;  // of 64, so that a number fits
     std::string name = wanted.empty() ? "body" : wanted.substr(0, kLongest);
     for (char& c : name) {
-        const bool usual = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        const bool usual =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
         if (!usual && std::string_view("_.{}+-").find(c) == std::string_view::npos) c = '_';
     }
     std::string numbered = name;

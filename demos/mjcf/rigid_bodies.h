@@ -8,8 +8,8 @@
 
 namespace demos::mjcf {
 
-/// What no joint lets move is a fixed body for each <geom>; a link is one body, its <geom>s a compound.
-/// Gives the links' places in scene.bodies.
+/// What no joint lets move is a fixed body for each <geom>; a link is one body, its <geom>s a
+/// compound. Gives the links' places in scene.bodies.
 std::vector<int> addBodies(const BodyTree& tree, const Context& context, SceneDescription& scene);
 
 /// Names for a scene's bodies or joints, each one once.

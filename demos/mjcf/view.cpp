@@ -9,7 +9,7 @@ namespace {
 constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr Range kExtent{1e-3, 1e5, "m"};
 constexpr double kLeastRadius = 0.02;  // m, of what is looked at
-constexpr double kRoom = 0.85;          // of its radius, which is generous, that has to be seen
+constexpr double kRoom = 0.85;         // of its radius, which is generous, that has to be seen
 
 struct Bounds {
     Vec3 low = Vec3::Constant(1e9), high = Vec3::Constant(-1e9);

@@ -4,7 +4,8 @@
 
 namespace demos::mjcf {
 
-/// From <statistic>, or from the bounds of what moves: three quarters from the front, a little above.
+/// From <statistic>, or from the bounds of what moves: three quarters from the front, a little
+/// above.
 CameraDescription readView(const Element& root, const Defaults& defaults,
                            const SceneDescription& scene);
 

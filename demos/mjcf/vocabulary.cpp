@@ -18,10 +18,10 @@ enum class Fate {
     lacking  // changes the motion: a note
 };
 
-/// Lists of words are parted by spaces. `lacking`: with the value that changes nothing after '=', its
-/// numbers parted by commas.
+/// Lists of words are parted by spaces. `lacking`: with the value that changes nothing after '=',
+/// its numbers parted by commas.
 struct Kind {
-    std::string_view in;    // the element around it; "*": of every kind of body
+    std::string_view in;  // the element around it; "*": of every kind of body
     std::string_view name;
     Fate fate = Fate::read;
     std::string_view read, silent, lacking;
@@ -225,14 +225,18 @@ private:
     void inside(const Element& child, const Kind& kind, const Element& around) {
         const bool empty = child.children.empty() && child.attributes.empty();
         switch (kind.fate) {
-            case Fate::read: return element(child, kind);
-            case Fate::silent: return;
-            case Fate::unseen: return remarks_.unseen(child.spot, child.name);
+            case Fate::read:
+                return element(child, kind);
+            case Fate::silent:
+                return;
+            case Fate::unseen:
+                return remarks_.unseen(child.spot, child.name);
             case Fate::lacking:
                 if (!empty)
-                    remarks_.note(child.spot, "<" + child.name + ">" +
-                                                  (around.name == "mujoco" ? "" : " in <" + around.name + ">") +
-                                                  " is not available; left out");
+                    remarks_.note(child.spot,
+                                  "<" + child.name + ">" +
+                                      (around.name == "mujoco" ? "" : " in <" + around.name + ">") +
+                                      " is not available; left out");
         }
     }
 
@@ -253,8 +257,8 @@ private:
             const std::size_t equals = std::min(word.find('='), word.size());
             known.push_back(word.substr(0, equals));
             if (known.back() != name) continue;
-            const bool changes = equals == word.size() ||
-                                 !saysTheSame(attribute.value, word.substr(equals + 1));
+            const bool changes =
+                equals == word.size() || !saysTheSame(attribute.value, word.substr(equals + 1));
             if (changes)
                 remarks_.note(attribute.spot,
                               "<" + element.name + " " + name + "> is not available; left out");

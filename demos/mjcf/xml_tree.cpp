@@ -89,7 +89,8 @@ Element TreeReader::convert(const pugi::xml_node& node, const File& file, int de
     if (++elements_ == kMostElements + 1)
         remarks_.wrong(element.spot, "more than 200000 elements; a model should have less");
     if (depth == kDeepest + 1)
-        remarks_.wrong(element.spot, "elements more than 64 deep in each other; they should be less");
+        remarks_.wrong(element.spot,
+                       "elements more than 64 deep in each other; they should be less");
     if (elements_ > kMostElements || depth > kDeepest) return element;
     addAttributes(node, file, element);
     addChildren(node, file, depth, element);
@@ -126,11 +127,11 @@ void TreeReader::include(const Element& element, int depth, std::vector<Element>
         return remarks_.wrong(name->spot, "file is '" + name->value +
                                               "'; it should be relative to the model's folder");
     if (std::find(included_.begin(), included_.end(), name->value) != included_.end())
-        return remarks_.wrong(name->spot, "'" + name->value +
-                                              "' is included twice; a model includes a file once");
+        return remarks_.wrong(
+            name->spot, "'" + name->value + "' is included twice; a model includes a file once");
     if (included_.size() == kMostFiles)
-        return remarks_.wrong(name->spot, "'" + name->value +
-                                              "' is the 65th file; a model should be of 64 at most");
+        return remarks_.wrong(
+            name->spot, "'" + name->value + "' is the 65th file; a model should be of 64 at most");
     included_.push_back(name->value);
     const std::string path = (folder_ / name->value).lexically_normal().string();
     try {

@@ -1,5 +1,5 @@
-/// A model's XML as plain data, each piece with its place, <include> carried out. (The only text that
-/// knows pugixml is xml_tree.cpp.)
+/// A model's XML as plain data, each piece with its place, <include> carried out. (The only text
+/// that knows pugixml is xml_tree.cpp.)
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -29,9 +29,9 @@ struct Element {
 /// The bytes of a file; throws SceneError.
 using FileReader = std::function<std::string(const std::filesystem::path&)>;
 
-/// The document's outermost element; what is no XML, or beyond the limits (depth 64, 200 000 elements,
-/// 64 files), is told. `include` names files beside the model's own. XML's entities of its own making
-/// are not known, so that none can grow.
+/// The document's outermost element; what is no XML, or beyond the limits (depth 64, 200 000
+/// elements, 64 files), is told. `include` names files beside the model's own. XML's entities of
+/// its own making are not known, so that none can grow.
 Element readTree(const std::string& text, const std::string& fileName, const FileReader& read,
                  Remarks& remarks);
 

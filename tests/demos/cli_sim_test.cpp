@@ -220,5 +220,24 @@ TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
     EXPECT_EQ(run(folder.path(), {"bench", "ball.toml", "--against", "none.json"}).code, 4);
 }
 
+TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
+    const TemporaryFolder folder;
+    write(folder / "arm.xml",
+          "<mujoco><worldbody><light/><body><joint axis='0 1 0' armature='1'/>"
+          "<geom type='capsule' size='0.1' fromto='0 0 0 1 0 0'/></body></worldbody></mujoco>");
+    const Ended ended = run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.err,
+              "impulse: arm.xml:1:20: <light>: for MuJoCo's own window and readings; left out\n"
+              "impulse: arm.xml:1:53: <joint armature> is not available; left out\n");
+    EXPECT_EQ(run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1", "--quiet"}).err, "");
+    write(folder / "bad.xml", "<mujoco><worldbody><geom sise='1'/></worldbody></mujoco>");
+    const Ended bad = run(folder.path(), {"sim", "bad.xml"});
+    EXPECT_EQ(bad.code, 3);
+    EXPECT_EQ(bad.err, "impulse: bad.xml:1:26: unknown attribute 'sise' of <geom>; did you mean "
+                       "'size'?\nimpulse: bad.xml:1:20: a <geom> of type sphere has no size; write "
+                       "size=\"0.1\" (m; half lengths)\n");
+}
+
 }  // namespace
 }  // namespace demos::test
