@@ -168,7 +168,7 @@ void addSim(CLI::App& app, Options& options, RawOptions& raw) {
     };
     table("--csv", options.csv, "a row a step: energies (J), contacts, penetration (m), residual");
     table("--bodies", options.bodies, "a row a step and body: position (m), rotation, velocities");
-    table("--joints", options.joints, "a row a step and joint: separation (m), force (N), position");
+    table("--joints", options.joints, "a row a step and joint: separation (m), force, position");
     table("--contacts", options.contacts, "a row a contact point: where, normal, impulse (N s)");
     table("--sweeps", options.sweeps, "a row a sweep: residual (m/s), change (N s)");
     table("--events", options.events,

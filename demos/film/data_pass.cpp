@@ -38,8 +38,9 @@ constexpr PassText kPasses[] = {
      "begin and end of every contact since the frame before, in the order of steps and pairs: "
      "position amid the touching points, unit normal from a to b; begin: the speed at which the "
      "two approached and the impulse of that step; end: the impulse since it began. sensor: one of "
-     "the two is a sensor, which gets no impulse. break: a joint that carried more than it bears and "
-     "is gone: position where it held b, force (N) and torque (N m, about there) on b in that step"},
+     "the two is a sensor, which gets no impulse. break: a joint that carried more than it bears "
+     "and is gone: position where it held b, force (N) and torque (N m, about there) on b, mean "
+     "over that step"},
 };
 
 }  // namespace

@@ -10,11 +10,11 @@ namespace demos {
 /// A joint carried more than it can bear, and was removed at the end of the step.
 struct JointBreak {
     long long step = 0;
-    double time = 0.0;              // s, at the end of that step
-    int joint = 0;                  // by place in scene.joints
-    Vec3 position = Vec3::Zero();   // m, where it held b
-    Vec3 force = Vec3::Zero();      // N, on b, mean over the step
-    Vec3 torque = Vec3::Zero();     // N m, likewise, about that place
+    double time = 0.0;             // s, at the end of that step
+    int joint = 0;                 // by place in scene.joints
+    Vec3 position = Vec3::Zero();  // m, where it held b
+    Vec3 force = Vec3::Zero();     // N, on b, mean over the step
+    Vec3 torque = Vec3::Zero();    // N m, likewise, about that place
 };
 
 /// Each in the order of steps.

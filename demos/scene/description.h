@@ -118,7 +118,7 @@ struct Snapshot {
 
 struct SceneDescription {
     std::string name;  // built-in name or the file's stem
-    std::optional<std::filesystem::path> folder;  // of the file: where those it names are looked for
+    std::optional<std::filesystem::path> folder;  // of the file: for those it names
     std::uint64_t contents = 0;  // hash of the points and triangles that came from such files
     std::string title;
     std::string purpose;        // what it shows, a line for `impulse list`

@@ -60,6 +60,7 @@ name = "wood"
 density = 600
 friction = 0.5
 restitution = 0.1
+rolling = 0.01
 colour = "#c89b6c"
 )"},
     {"body", R"(
@@ -116,21 +117,138 @@ count = 1
 count_step = 0
 body = { name = "b{i}.{j}", shape = { sphere = 0.1 } }
 )"},
-    {"joint", R"(
+    {"shapes", R"(
+[[body]]
+name = "cylinder"
+shape = { cylinder = { radius = 0.1, height = 0.5 } }
+[[body]]
+name = "cone"
+shape = { cone = { radius = 0.1, height = 0.5 } }
+[[body]]
+name = "hull"
+shape = { hull = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], scale = 0.5, turn_deg = [0, 0, 30] }
+[[body]]
+name = "mesh"
+fixed = true
+shape = { mesh = { points = [[0, 0, 0], [0, 0, 1], [1, 0, 0]], triangles = [[0, 1, 2]] }, scale = [1, 1, 2] }
+[[body]]
+name = "hills"
+fixed = true
+shape = { height_field = { columns = 2, rows = 2, spacing = 1, heights = [0, 0, 0, 1] } }
+[[body]]
+name = "compound"
+shape = { compound = [{ shape = { sphere = 0.1 }, at = [1, 0, 0], turn_deg = [0, 0, 0], density = 600 }, { shape = { sphere = 0.1 } }] }
+)"},
+    {"shapes from files", R"(
+[[body]]
+name = "hull"
+shape = { hull = "claw.obj" }
+[[body]]
+name = "mesh"
+fixed = true
+shape = { mesh = "hills.glb" }
+)",
+     true},
+    {"ball", R"(
 [[joint]]
 type = "ball"
 name = "full"
 a = "world"
 b = "ball"
 anchor = [0, 3, 0]
+axis = [0, 1, 0]
+twist_deg = [-10, 10]
+swing_deg = 45
+break_at = 100
+break_torque = 100
 spring = { hz = 2, damping = 0.5 }
+)"},
+    {"distance", R"(
+[[joint]]
+type = "distance"
+a = "ball"
+b = "crate"
+anchor_a = [0, 0, 0]
+anchor_b = [0, 0, 0]
+length = 3
+limits = [1, 4]
+motor = { speed = 1, max = 50 }
+)"},
+    {"hinge", R"(
 [[joint]]
 type = "hinge"
 a = "ball"
 b = "crate"
-anchor_a = [1, 0, 0]
-anchor_b = [-1, 0, 0]
+anchor = [1, 2, 0]
 axis = [0, 0, 1]
+limits_deg = [-45, 45]
+motor = { speed = 1, max = 50 }
+spring = { hz = 2, damping = 0.5, rest_deg = 10 }
+soft = { hz = 20, damping = 1 }
+)"},
+    {"slider", R"(
+[[joint]]
+type = "slider"
+a = "ball"
+b = "crate"
+anchor = [1, 2, 0]
+axis = [1, 0, 0]
+spring = { hz = 2, damping = 0.5, rest = 0.1 }
+)"},
+    {"universal", R"(
+[[joint]]
+type = "universal"
+a = "ball"
+b = "crate"
+anchor = [1, 2, 0]
+axis = [1, 0, 0]
+axis2 = [0, 1, 0]
+limits_deg = [-45, 45]
+limits2_deg = [-45, 45]
+motor = { speed = 1 }
+motor2 = { speed = 1 }
+)"},
+    {"six-dof", R"(
+[[joint]]
+type = "six-dof"
+a = "ball"
+b = "crate"
+anchor = [1, 2, 0]
+x = "locked"
+y = "free"
+z = { limits = [-1, 1], motor = { speed = 0, max = 1 }, spring = { hz = 1, rest = 0 } }
+rx = "locked"
+ry = "free"
+rz = { limits_deg = [-10, 10], motor = { speed = 0, max = 1 }, spring = { hz = 1, rest_deg = 0 } }
+)"},
+    {"coordinates", R"(
+[[joint]]
+type = "six-dof"
+a = "ball"
+b = "crate"
+anchor = [1, 2, 0]
+x = { limits = [-1, 1] }
+y = { limits = [-1, 1] }
+z = "locked"
+rx = { limits_deg = [-1, 1] }
+ry = { limits_deg = [-1, 1] }
+rz = "locked"
+)"},
+    {"gear", R"(
+[[joint]]
+type = "gear"
+a = "ball"
+b = "crate"
+axis = [1, 0, 0]
+ratio = -2
+)"},
+    {"path", R"(
+[[joint]]
+type = "path"
+a = "world"
+b = "ball"
+points = [[0, 2, 0], [1, 2, 0], [2, 3, 0]]
+closed = true
 )"},
     {"wind", R"(
 [[force]]

@@ -58,8 +58,7 @@ std::string unescaped(const std::string& uri) {
 
 std::uint32_t littleEndian(const unsigned char* bytes, std::size_t size) {
     std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i)
-        value |= static_cast<std::uint32_t>(bytes[i]) << (8 * i);
+    for (std::size_t i = 0; i < size; ++i) value |= static_cast<std::uint32_t>(bytes[i]) << (8 * i);
     return value;
 }
 
@@ -78,7 +77,8 @@ std::size_t wholeOf(const GltfJson& object, const char* key, std::optional<std::
     }
     if (found->is_number_unsigned() && found->get<std::uint64_t>() <= kMost)
         return found->get<std::size_t>();
-    throw MeshFileError(std::string("a '") + key + "' should be a whole number from 0 to 2147483647");
+    throw MeshFileError(std::string("a '") + key +
+                        "' should be a whole number from 0 to 2147483647");
 }
 
 const GltfJson& itemOf(const GltfJson& file, const char* key, std::size_t number) {
@@ -141,24 +141,22 @@ const std::string& GltfBuffers::buffer(std::size_t number) {
     return *bytes;
 }
 
-GltfBuffers::Elements GltfBuffers::elementsOf(std::size_t accessor, const char* type,
-                                              bool floats) {
+GltfBuffers::Elements GltfBuffers::elementsOf(std::size_t accessor, const char* type, bool floats) {
     const GltfJson& json = itemOf(file_, "accessors", accessor);
     const std::string name = numbered("accessor", accessor);
     if (json.contains("sparse"))
         throw MeshFileError(name + " is sparse, which is not supported; it should be written out");
     const auto given = json.find("type");
     const std::size_t component = wholeOf(json, "componentType", std::nullopt);
-    const bool known = floats ? component == kFloat
-                              : component == kUnsigned8 || component == kUnsigned16 ||
-                                    component == kUnsigned32;
+    const bool known =
+        floats ? component == kFloat
+               : component == kUnsigned8 || component == kUnsigned16 || component == kUnsigned32;
     if (given == json.end() || *given != type || !known)
-        throw MeshFileError(name + " should be " + type + " of " +
-                            (floats ? "floats (5126)"
-                                    : "unsigned bytes, shorts or ints (5121, 5123, 5125)"));
+        throw MeshFileError(
+            name + " should be " + type + " of " +
+            (floats ? "floats (5126)" : "unsigned bytes, shorts or ints (5121, 5123, 5125)"));
     const std::size_t count = wholeOf(json, "count", std::nullopt);
-    const GltfJson& view =
-        itemOf(file_, "bufferViews", wholeOf(json, "bufferView", std::nullopt));
+    const GltfJson& view = itemOf(file_, "bufferViews", wholeOf(json, "bufferView", std::nullopt));
     const std::string& bytes = buffer(wholeOf(view, "buffer", std::nullopt));
     const std::size_t size = sizeOf(component) * (floats ? 3 : 1);
     const std::size_t stride = wholeOf(view, "byteStride", size);
@@ -183,7 +181,8 @@ std::vector<engine::Vec3> GltfBuffers::positions(std::size_t accessor) {
         }
     for (const engine::Vec3& point : points)
         if (!point.allFinite())
-            throw MeshFileError(numbered("accessor", accessor) + " holds a number that is not finite");
+            throw MeshFileError(numbered("accessor", accessor) +
+                                " holds a number that is not finite");
     return points;
 }
 

@@ -173,8 +173,9 @@ std::optional<std::string> chunkAt(const std::string& bytes, std::size_t at, std
     if (at + 8 > bytes.size() || wordAt(bytes, at + 4) != type) return std::nullopt;
     const std::size_t length = wordAt(bytes, at);
     if (length > bytes.size() - at - 8)
-        throw MeshFileError("is cut off: a chunk of " + std::to_string(length) + " bytes, of which " +
-                            std::to_string(bytes.size() - at - 8) + " are there");
+        throw MeshFileError("is cut off: a chunk of " + std::to_string(length) +
+                            " bytes, of which " + std::to_string(bytes.size() - at - 8) +
+                            " are there");
     return bytes.substr(at + 8, length);
 }
 

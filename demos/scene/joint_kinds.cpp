@@ -10,28 +10,46 @@ namespace {
 using engine::JointType;
 
 const JointKind kKinds[] = {
-    {"ball", JointType::ball, {},
+    {"ball",
+     JointType::ball,
+     {},
      {"anchor", "anchor_a", "anchor_b", "axis", "twist_deg", "swing_deg", "spring"}},
-    {"distance", JointType::distance, {},
+    {"distance",
+     JointType::distance,
+     {},
      {"anchor_a", "anchor_b", "length", "limits", "motor", "spring"}},
-    {"hinge", JointType::hinge, {"axis"},
+    {"hinge",
+     JointType::hinge,
+     {"axis"},
      {"anchor", "anchor_a", "anchor_b", "limits_deg", "motor", "spring", "soft"}},
     {"weld", JointType::weld, {}, {"anchor", "anchor_a", "anchor_b", "spring"}},
-    {"slider", JointType::slider, {"axis"},
+    {"slider",
+     JointType::slider,
+     {"axis"},
      {"anchor", "anchor_a", "anchor_b", "limits", "motor", "spring", "soft"}},
-    {"universal", JointType::universal, {"axis", "axis2"},
+    {"universal",
+     JointType::universal,
+     {"axis", "axis2"},
      {"anchor", "anchor_a", "anchor_b", "limits_deg", "limits2_deg", "motor", "motor2", "spring"}},
-    {"constant-velocity", JointType::constantVelocity, {"axis"},
+    {"constant-velocity",
+     JointType::constantVelocity,
+     {"axis"},
      {"anchor", "anchor_a", "anchor_b", "axis2", "swing_deg", "spring"}},
     {"look-at", JointType::lookAt, {"axis"}, {"anchor_a", "anchor_b", "spring"}},
     {"axis", JointType::axis, {"axis"}, {"axis2", "limits_deg", "motor", "spring", "soft"}},
-    {"six-dof", JointType::sixDof, {},
+    {"six-dof",
+     JointType::sixDof,
+     {},
      {"anchor", "anchor_a", "anchor_b", "axis", "axis2", "x", "y", "z", "rx", "ry", "rz",
       "spring"}},
     {"gear", JointType::gear, {"axis", "ratio"}, {"axis2", "spring"}},
-    {"wheel", JointType::wheel, {"axis", "axis2"},
+    {"wheel",
+     JointType::wheel,
+     {"axis", "axis2"},
      {"anchor", "anchor_a", "anchor_b", "limits", "motor", "spring", "soft"}},
-    {"path", JointType::path, {"points"},
+    {"path",
+     JointType::path,
+     {"points"},
      {"anchor_b", "closed", "limits", "motor", "spring", "soft"}},
 };
 
@@ -62,14 +80,11 @@ std::string kindsWith(const std::string& key) {
 
 }  // namespace
 
-bool JointKind::has(const std::string& key) const {
-    return holds(needs, key) || holds(takes, key);
-}
+bool JointKind::has(const std::string& key) const { return holds(needs, key) || holds(takes, key); }
 
 std::string JointKind::text() const {
-    return (std::string("aeiou").find(name[0]) != std::string::npos && name != "universal"
-                ? "an "
-                : "a ") +
+    return (std::string("aeiou").find(name[0]) != std::string::npos && name != "universal" ? "an "
+                                                                                           : "a ") +
            name + " joint";
 }
 
@@ -84,8 +99,8 @@ std::vector<std::string> jointKindNames() {
 void checkJointKeys(Keys& keys, const JointKind& kind) {
     for (const std::string& key : kind.needs)
         if (!keys.has(key))
-            keys.complain("type", kind.text() + " has no " + key + "; write " + key + " = " +
-                                      exampleOf(key));
+            keys.complain(
+                "type", kind.text() + " has no " + key + "; write " + key + " = " + exampleOf(key));
     for (const JointKind& other : kKinds)
         for (const std::vector<std::string>* list : {&other.needs, &other.takes})
             for (const std::string& key : *list) {

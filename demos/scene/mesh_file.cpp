@@ -61,14 +61,14 @@ std::optional<engine::Shape> readShapeFile(
     const std::optional<std::string> file = keys.text(key);
     if (!file) return std::nullopt;
     if (!files.folder) {
-        keys.complain(key, "'" + *file + "' cannot be looked for, because the scene is no file "
-                           "itself; write the points instead");
+        keys.complain(key, "'" + *file +
+                               "' cannot be looked for, because the scene is no file "
+                               "itself; write the points instead");
         return std::nullopt;
     }
     const fs::path path = *files.folder / *file;
     const std::string name = nameOf(key, path, placing);
-    if (const auto known = files.known.find(name); known != files.known.end())
-        return known->second;
+    if (const auto known = files.known.find(name); known != files.known.end()) return known->second;
     try {
         TriangleMesh mesh = readMeshFile(path);
         files.contents.add(bytesOf(mesh.corners));

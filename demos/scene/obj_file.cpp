@@ -1,6 +1,6 @@
-// Wavefront OBJ. tinyobjloader knows how faces are cut into triangles; it takes a word for 0 and any
-// number for a corner's, so it is given lines that were checked, and the coordinates are ours: no
-// bit depends on its arithmetic.
+// Wavefront OBJ. tinyobjloader knows how faces are cut into triangles; it takes a word for 0 and
+// any number for a corner's, so it is given lines that were checked, and the coordinates are ours:
+// no bit depends on its arithmetic.
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -68,8 +68,8 @@ private:
 
     void takeCorner(const std::vector<std::string_view>& words) {
         if (words.size() < 4)
-            fail(number_, std::to_string(words.size() - 1) +
-                              " coordinates; a corner should have three");
+            fail(number_,
+                 std::to_string(words.size() - 1) + " coordinates; a corner should have three");
         engine::Vec3 corner;
         text_ += "v";
         for (int k = 0; k < 3; ++k) {
@@ -95,8 +95,8 @@ private:
     void takeFace(const std::vector<std::string_view>& words) {
         const std::size_t sides = words.size() - 1;
         if (sides < 3 || sides > kMostSides)
-            fail(number_, "a face of " + std::to_string(sides) +
-                              " corners; it should have 3 to " + std::to_string(kMostSides));
+            fail(number_, "a face of " + std::to_string(sides) + " corners; it should have 3 to " +
+                              std::to_string(kMostSides));
         Face face{number_, {}};
         for (std::size_t i = 1; i < words.size(); ++i) face.corners.push_back(reference(words[i]));
         faces_.push_back(std::move(face));
@@ -107,7 +107,8 @@ private:
         text_ += 'f';
         for (const int corner : face.corners) {
             if (corner < 1 || corner > static_cast<int>(corners_.size()))
-                fail(face.line, "corner " + std::to_string(corner) + "; the file has corners 1 to " +
+                fail(face.line, "corner " + std::to_string(corner) +
+                                    "; the file has corners 1 to " +
                                     std::to_string(corners_.size()));
             (text_ += ' ') += std::to_string(corner);
         }
@@ -131,17 +132,21 @@ TriangleMesh objMesh(const std::string& text) {
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
     // Without a reader of materials it opens no other file.
-    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr, true))
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr,
+                          true))
         throw MeshFileError("is no OBJ file: " + error);
     TriangleMesh mesh{lines.corners(), {}};
     for (const tinyobj::shape_t& shape : shapes)
         for (std::size_t i = 0; i + 2 < shape.mesh.indices.size(); i += 3) {
-            const auto corner = [&](std::size_t k) { return shape.mesh.indices[i + k].vertex_index; };
+            const auto corner = [&](std::size_t k) {
+                return shape.mesh.indices[i + k].vertex_index;
+            };
             mesh.triangles.push_back({corner(0), corner(1), corner(2)});
         }
     if (mesh.triangles.size() != lines.triangles())
-        throw MeshFileError("not all of its faces can be cut into triangles; they should be flat and "
-                            "not cross themselves");
+        throw MeshFileError(
+            "not all of its faces can be cut into triangles; they should be flat and "
+            "not cross themselves");
     return mesh;
 }
 

@@ -222,8 +222,8 @@ private:
             return;
         const Eigen::LLT<engine::Mat3> factor(engine::inertiaOf(body_.def.shape, mass));
         if (factor.info() != Eigen::Success)
-            keys_.complain("shape", "its inertia is not positive definite, because it is so thin for "
-                                    "its length; give an inertia");
+            keys_.complain("shape", "its inertia is not positive definite, because it is so thin "
+                                    "for its length; give an inertia");
     }
 
     const Instance& instance_;

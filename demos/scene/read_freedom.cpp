@@ -40,8 +40,7 @@ std::optional<engine::Motor> readMotor(Keys& keys, const char* key, Way way) {
         motor.complain("speed", std::string("a motor has no speed; write motor = { speed = 2, "
                                             "max = 50 } in ") +
                                     (turns ? "rad/s and N m" : "m/s and N"));
-    const double speed =
-        motor.number("speed", {-1e4, 1e4, turns ? "rad/s" : "m/s"}).value_or(0.0);
+    const double speed = motor.number("speed", {-1e4, 1e4, turns ? "rad/s" : "m/s"}).value_or(0.0);
     const std::optional<double> most = motor.number("max", {1e-9, 1e12, turns ? "N m" : "N"});
     motor.done();
     return engine::Motor{speed, most.value_or(engine::kUnlimited)};
@@ -73,9 +72,8 @@ engine::Freedom readFreedom(Keys& keys, const char* key, Way way) {
     const Value* value = keys.any(key);
     if (!value) return freedom;
     if (value->kind != Value::Kind::table) {
-        const auto word = value->kind == Value::Kind::text
-                              ? keys.word(key, {"free", "locked"})
-                              : std::optional<std::string>();
+        const auto word = value->kind == Value::Kind::text ? keys.word(key, {"free", "locked"})
+                                                           : std::optional<std::string>();
         if (value->kind != Value::Kind::text)
             keys.complain(key, std::string(key) + " is " + describe(*value) +
                                    "; it should be \"free\", \"locked\" or a table of limits, "

@@ -37,7 +37,8 @@ std::optional<Shape> hullOf(Keys& keys, const std::string& of, const std::vector
         keys.complain("hull", of + " has more than " + std::to_string(Shape::kMostCorners) +
                                   " corners; it should be simpler, or a compound of several");
     else
-        keys.complain("hull", of + " is too nearly flat; its points should be farther from one plane");
+        keys.complain("hull",
+                      of + " is too nearly flat; its points should be farther from one plane");
     return std::nullopt;
 }
 

@@ -88,8 +88,8 @@ private:
         def().b = {readBody("b")};
         if (complaints_.count() > before) return;
         if (a() == b())
-            keys_.complain("b", "a joint of '" + nameOf(b()) +
-                                    "' with itself; a and b should be two bodies");
+            keys_.complain(
+                "b", "a joint of '" + nameOf(b()) + "' with itself; a and b should be two bodies");
         else if (!isDynamic(a()) && !isDynamic(b()))
             keys_.complain("b", "neither '" + nameOf(a()) + "' nor '" + nameOf(b()) +
                                     "' can be moved; one of a joint's bodies should be dynamic");
@@ -164,8 +164,9 @@ private:
         if (given->norm() > 1e-6)
             direction = instance_.direction(given->normalized());
         else
-            keys_.complain(key, std::string(key) + " is [0, 0, 0]; it should be a direction, like "
-                                                   "[0, 0, 1]");
+            keys_.complain(key, std::string(key) +
+                                    " is [0, 0, 0]; it should be a direction, like "
+                                    "[0, 0, 1]");
     }
 
     void readAxes() {
@@ -174,8 +175,8 @@ private:
         if (!good() || !keys_.has("axis2")) return;
         const bool across = def().type == JointType::universal || def().type == JointType::wheel;
         if (across && std::abs(def().axis.dot(def().axis2)) > 1e-7)
-            keys_.complain("axis2", "axis2 of " + kind_->text() +
-                                        " should be at right angles to axis");
+            keys_.complain("axis2",
+                           "axis2 of " + kind_->text() + " should be at right angles to axis");
     }
 
     /// One of the free coordinates of the types that have one or two.
@@ -196,8 +197,8 @@ private:
         if (const auto swing = keys_.number("swing_deg", {0.0, 180.0, "deg"}))
             second.limits.high = engine::radians(*swing);
         if (kind_->has("soft")) readRestingSpring(keys_, "spring", way, first);
-        def().spring = readSpring(keys_, kind_->has("soft") ? "soft" : "spring")
-                           .value_or(engine::Spring{});
+        def().spring =
+            readSpring(keys_, kind_->has("soft") ? "soft" : "spring").value_or(engine::Spring{});
     }
 
     void readBreaking() {
@@ -216,8 +217,9 @@ private:
         if (def().type == JointType::gear) readRatio();
         if (def().type == JointType::path) readPath();
         if (def().type == JointType::lookAt && good() && endsApart() < kShortest)
-            keys_.complain("type", "the ends of a look-at joint are in one place; they should be at "
-                                   "least 0.001 m apart: b looks from anchor_b at anchor_a");
+            keys_.complain("type",
+                           "the ends of a look-at joint are in one place; they should be at "
+                           "least 0.001 m apart: b looks from anchor_b at anchor_a");
     }
 
     void readLength() {
@@ -239,8 +241,9 @@ private:
             any = any || def().free[i].locked || def().free[i].acts();
         }
         if (good() && !any)
-            keys_.complain("type", "a six-dof joint that leaves everything free; write x = "
-                                   "\"locked\", or y, z, rx, ry, rz");
+            keys_.complain("type",
+                           "a six-dof joint that leaves everything free; write x = "
+                           "\"locked\", or y, z, rx, ry, rz");
         if (keys_.has("axis") != keys_.has("axis2"))
             keys_.complain(keys_.has("axis") ? "axis" : "axis2",
                            "a six-dof joint has axis (its x) and axis2 (its y), or neither: the "
@@ -272,9 +275,10 @@ private:
         for (std::size_t i = def().closed ? 0 : 1; i < points->size(); ++i) {
             const Vec3& before = i == 0 ? points->back() : (*points)[i - 1];
             if (((*points)[i] - before).norm() >= kShortest) continue;
-            keys_.complain("points", "point " + std::to_string(i) + " of the path is where the one "
-                                     "before it is; they should be at least 0.001 m apart" +
-                                     (i == 0 ? ": leave the last one out" : ""));
+            keys_.complain("points", "point " + std::to_string(i) +
+                                         " of the path is where the one "
+                                         "before it is; they should be at least 0.001 m apart" +
+                                         (i == 0 ? ": leave the last one out" : ""));
             return;
         }
     }

@@ -29,8 +29,9 @@ std::optional<Shape> meshOf(Keys& keys, const std::string& of, const TriangleMes
         keys.complain("mesh", of + " has " + std::to_string(mesh.triangles.size()) +
                                   " triangles; it should have at most a million");
     else if (!hasAnArea(mesh))
-        keys.complain("mesh", "no triangle of " + of + " has an area; one or more should have "
-                              "1e-12 m^2");
+        keys.complain("mesh", "no triangle of " + of +
+                                  " has an area; one or more should have "
+                                  "1e-12 m^2");
     else
         return Shape::meshOf(mesh.corners, mesh.triangles);
     return std::nullopt;
@@ -103,10 +104,9 @@ std::optional<Shape> readHeightField(Keys& shape, ShapeReading&) {
     keys.done();
     if (!columns || !rows || !spacing || !heights) return std::nullopt;
     const auto needed = static_cast<std::size_t>(*columns) * static_cast<std::size_t>(*rows);
-    if (heights->size() == needed)
-        return Shape::heightField(*columns, *rows, *spacing, *heights);
-    keys.complain("heights", "heights are " + std::to_string(heights->size()) + "; they should be " +
-                                 std::to_string(needed) +
+    if (heights->size() == needed) return Shape::heightField(*columns, *rows, *spacing, *heights);
+    keys.complain("heights", "heights are " + std::to_string(heights->size()) +
+                                 "; they should be " + std::to_string(needed) +
                                  ", columns times rows, row after row, x running fastest");
     return std::nullopt;
 }

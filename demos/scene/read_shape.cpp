@@ -33,7 +33,7 @@ std::optional<Round> readRound(Keys& shape, const char* key) {
     for (const char* size : {"radius", "height"})
         if (!keys.has(size))
             keys.complain(size, "a " + kind + " has no " + size + "; write " + kind +
-                                   " = { radius = 0.1, height = 0.5 }");
+                                    " = { radius = 0.1, height = 0.5 }");
     const std::optional<double> radius = keys.number("radius", kSize);
     const std::optional<double> height = keys.number("height", kSize);
     keys.done();
@@ -64,8 +64,9 @@ std::optional<Shape> readPlane(Keys& keys, ShapeReading&) {
     const std::optional<Vec3> normal = keys.vector("plane", {-1e6, 1e6});
     if (!normal) return std::nullopt;
     if (normal->norm() >= 1e-6) return Shape::plane(*normal);
-    keys.complain("plane", "plane is [0, 0, 0]; it should be the direction out of the solid, "
-                           "like [0, 1, 0]");
+    keys.complain("plane",
+                  "plane is [0, 0, 0]; it should be the direction out of the solid, "
+                  "like [0, 1, 0]");
     return std::nullopt;
 }
 
@@ -75,9 +76,9 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"sphere", readSphere},     {"box", readBox},     {"capsule", readCapsule},
-    {"cylinder", readCylinder}, {"cone", readCone},   {"plane", readPlane},
-    {"hull", readHull},         {"mesh", readMesh},   {"height_field", readHeightField},
+    {"sphere", readSphere},     {"box", readBox},   {"capsule", readCapsule},
+    {"cylinder", readCylinder}, {"cone", readCone}, {"plane", readPlane},
+    {"hull", readHull},         {"mesh", readMesh}, {"height_field", readHeightField},
     {"compound", readCompound},
 };
 
@@ -152,8 +153,8 @@ std::optional<Shape> readShapeTable(const Value& table, Keys keys, ShapeReading&
 std::optional<Shape> readShape(Keys& body, double density, ShapeFiles& files) {
     const Value* table = body.any("shape");
     if (!table) {
-        body.complain("shape", "a [[body]] has no shape; write shape = { sphere = 0.5 }, or " +
-                                   kindNames());
+        body.complain("shape",
+                      "a [[body]] has no shape; write shape = { sphere = 0.5 }, or " + kindNames());
         return std::nullopt;
     }
     ShapeReading reading{density, files};

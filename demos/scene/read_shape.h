@@ -31,7 +31,7 @@ std::optional<engine::Shape> readShapeTable(const Value& table, Keys keys, Shape
 std::optional<engine::Shape> readHull(Keys& keys, ShapeReading& reading);         // read_hull.cpp
 std::optional<engine::Shape> readMesh(Keys& keys, ShapeReading& reading);         // read_mesh.cpp
 std::optional<engine::Shape> readHeightField(Keys& keys, ShapeReading& reading);  // read_mesh.cpp
-std::optional<engine::Shape> readCompound(Keys& keys, ShapeReading& reading);     // read_compound.cpp
+std::optional<engine::Shape> readCompound(Keys& keys, ShapeReading& reading);  // read_compound.cpp
 
 /// `scale` and `turn_deg` of points and files: p -> R S p.
 struct Placing {

@@ -13,6 +13,8 @@ public:
     explicit Scan(std::string_view text) : text_(text) {}
 
     std::optional<BeyondLimit> run() {
+        if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))
+            return beyond("UTF-16; save the file as UTF-8");
         while (at_ < text_.size()) {
             const char c = text_[at_];
             if (c == '#') {

@@ -14,7 +14,7 @@ struct BeyondLimit {
     std::string what;
 };
 
-/// Brackets 32 deep, keys of 32 parts, a million values; quoted text and comments do not count.
+/// No UTF-16, brackets 32 deep, keys of 32 parts, a million values; quoted text and comments do not count.
 /// Outside of them TOML is ASCII, and toml++ 3.3 has no defined behaviour where a letter beyond it
 /// follows a value (is_non_ascii_horizontal_whitespace, found by tests/fuzz).
 std::optional<BeyondLimit> beyondLimits(std::string_view text);

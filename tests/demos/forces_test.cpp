@@ -200,7 +200,8 @@ TEST(Events, OfASensorAndAFloorAsJson) {
         stage.step();
         log.look(stage), last.look(stage);
     }
-    ASSERT_EQ(log.events().touches.size(), 2u);  // into the gate, where the ball stays; onto the floor
+    // Into the gate, where the ball stays; onto the floor.
+    ASSERT_EQ(log.events().touches.size(), 2u);
     EXPECT_EQ(last.events().size(), 0u);
     const std::string json = eventsJson(log.events(), stage);
     EXPECT_EQ(json.find("[\n {\"event\":\"begin\",\"step\":"), 0u) << json;

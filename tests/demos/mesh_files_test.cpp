@@ -33,9 +33,10 @@ std::string triangleBytes() {
 const std::string kBase64 = "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAABAAIA";
 
 struct Gltf {
-    std::string buffer = R"({"uri":"data:application/octet-stream;base64,)" + kBase64 +
-                         R"(","byteLength":42})";
-    std::string views = R"({"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6})";
+    std::string buffer =
+        R"({"uri":"data:application/octet-stream;base64,)" + kBase64 + R"(","byteLength":42})";
+    std::string views =
+        R"({"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6})";
     std::string positions = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"})";
     std::string numbers = R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"})";
     std::string part = R"({"attributes":{"POSITION":0},"indices":1})";
@@ -101,8 +102,9 @@ TEST_F(MeshFiles, AnObjIsAHullOrAMesh) {
     EXPECT_EQ(mesh.mesh->corners[3], Vec3(0, 0, 1));
     Vec3 sum = Vec3::Zero();  // the faces of what is closed cancel: none is turned round
     for (const engine::Mesh::Triangle& t : mesh.mesh->triangles)
-        sum += 0.5 * (mesh.mesh->corners[t.corners[1]] - mesh.mesh->corners[t.corners[0]])
-                         .cross(mesh.mesh->corners[t.corners[2]] - mesh.mesh->corners[t.corners[0]]);
+        sum +=
+            0.5 * (mesh.mesh->corners[t.corners[1]] - mesh.mesh->corners[t.corners[0]])
+                      .cross(mesh.mesh->corners[t.corners[2]] - mesh.mesh->corners[t.corners[0]]);
     EXPECT_NEAR(sum.norm(), 0.0, 1e-15);
 }
 
@@ -129,7 +131,8 @@ TEST_F(MeshFiles, NumbersAreReadToTheLastBit) {
 TEST_F(MeshFiles, ManyBodiesShareAFile) {
     write("rock.obj", kTetrahedron);
     const SceneDescription scene = readScene(
-        "format = 1\n[[repeat]]\ncount = 3\nbody = { name = 'b{i}', shape = { hull = 'rock.obj' } }\n"
+        "format = 1\n[[repeat]]\ncount = 3\nbody = { name = 'b{i}', shape = { hull = 'rock.obj' } "
+        "}\n"
         "[[body]]\nname = 'large'\nshape = { hull = 'rock.obj', scale = 2 }\n",
         "a.toml", "a", {}, folder_.path());
     EXPECT_EQ(scene.bodies[0].def.shape.hull, scene.bodies[2].def.shape.hull);
@@ -157,7 +160,8 @@ TEST_F(MeshFiles, GltfInItsThreeForms) {
     file.buffer = R"({"byteLength":42})";
     write("all.glb", glb(file.text(), triangleBytes()));
     for (const char* name : {"data.gltf", "beside.gltf", "all.glb"}) {
-        const engine::Mesh mesh = *read(std::string("mesh = '") + name + "'").bodies[0].def.shape.mesh;
+        const engine::Mesh mesh =
+            *read(std::string("mesh = '") + name + "'").bodies[0].def.shape.mesh;
         ASSERT_EQ(mesh.triangles.size(), 1u) << name;
         EXPECT_EQ(mesh.corners[2], Vec3(2, 0, 0)) << name;
         EXPECT_EQ(mesh.triangles[0].normal, Vec3(0, 1, 0)) << name;
@@ -251,15 +255,14 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
         {with(&Gltf::part, R"({"attributes":{"POSITION":0},"mode":5})"),
          "a primitive of mode 5 is not supported; it should be 4, triangles"},
         {with(&Gltf::part, R"({"attributes":{"POSITION":0},"targets":[]})"), "morph targets"},
-        {with(&Gltf::part, R"({"attributes":{"POSITION":1}})"), "accessor 1 should be VEC3 of floats"},
+        {with(&Gltf::part, R"({"attributes":{"POSITION":1}})"),
+         "accessor 1 should be VEC3 of floats"},
         {with(&Gltf::part, R"({"attributes":{"POSITION":0},"indices":0})"),
          "accessor 0 should be SCALAR of unsigned"},
         {with(&Gltf::part, R"({"attributes":{"POSITION":"0"}})"), "a 'POSITION' should be a whole"},
-        {with(&Gltf::positions,
-              R"({"bufferView":0,"componentType":5126,"count":2,"type":"VEC3"})"),
+        {with(&Gltf::positions, R"({"bufferView":0,"componentType":5126,"count":2,"type":"VEC3"})"),
          "corner 2 of a primitive that has 2"},
-        {with(&Gltf::positions,
-              R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})"),
+        {with(&Gltf::positions, R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})"),
          "accessor 0 reaches beyond the end of its buffer"},
         {with(&Gltf::positions,
               R"({"bufferView":0,"componentType":5126,"count":2147483647,"type":"VEC3"})"),
@@ -269,8 +272,7 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
         {with(&Gltf::positions,
               R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":{}})"),
          "accessor 0 is sparse"},
-        {with(&Gltf::numbers,
-              R"({"bufferView":1,"componentType":5123,"count":2,"type":"SCALAR"})"),
+        {with(&Gltf::numbers, R"({"bufferView":1,"componentType":5123,"count":2,"type":"SCALAR"})"),
          "2 corner numbers make no triangles"},
         {with(&Gltf::views, R"({"buffer":0,"byteLength":36,"byteStride":4},{"buffer":0})"),
          "accessor 0 reaches beyond the end"},
@@ -290,7 +292,8 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
     };
     for (const auto& [text, message] : bad)
         EXPECT_NE(errorOf("bad.gltf", text).find(message), std::string::npos)
-            << text << "\n" << errorOf("bad.gltf", text) << "\nnot: " << message;
+            << text << "\n"
+            << errorOf("bad.gltf", text) << "\nnot: " << message;
 }
 
 TEST_F(MeshFiles, BrokenBinaryGltfFilesAreTold) {

@@ -62,8 +62,7 @@ TEST(ReaderJoints, OfEveryTypeHoldForASecond) {
     for (const Hung& h : hung()) {
         SCOPED_TRACE(h.type);
         Stage stage(read(joint(h.type, h.keys)));
-        ASSERT_EQ(stage.world.joint(stage.joints[0]).def.type,
-                  jointKinds()[number++].type);
+        ASSERT_EQ(stage.world.joint(stage.joints[0]).def.type, jointKinds()[number++].type);
         double worst = 0.0, reach = 0.0;
         for (int i = 0; i < 60; ++i) {
             ASSERT_TRUE(stage.step());
@@ -78,9 +77,10 @@ TEST(ReaderJoints, OfEveryTypeHoldForASecond) {
 
 TEST(ReaderJoints, ReadLimitsMotorAndSpring) {
     const JointDef hinge =
-        defOf("hinge", kAt + kAxis + "limits_deg = [-90, 720]\nmotor = { speed = 3, max = 50 }\n"
-                                     "spring = { hz = 2, damping = 0.5, rest_deg = 10 }\n"
-                                     "soft = { hz = 30 }\n");
+        defOf("hinge", kAt + kAxis +
+                           "limits_deg = [-90, 720]\nmotor = { speed = 3, max = 50 }\n"
+                           "spring = { hz = 2, damping = 0.5, rest_deg = 10 }\n"
+                           "soft = { hz = 30 }\n");
     EXPECT_NEAR(hinge.free[0].limits.low, -90.0 * kDegree, 1e-15);
     EXPECT_NEAR(hinge.free[0].limits.high, 720.0 * kDegree, 1e-14);
     EXPECT_EQ(hinge.free[0].motor.speed, 3.0);
@@ -90,10 +90,10 @@ TEST(ReaderJoints, ReadLimitsMotorAndSpring) {
     EXPECT_NEAR(hinge.free[0].rest, 10.0 * kDegree, 1e-15);
     EXPECT_EQ(hinge.spring.hz, 30.0);
 
-    const JointDef slider =
-        defOf("slider", kAt + kAxis + "limits = [-0.5, 1]\nmotor = { speed = -1 }\n"
-                                      "spring = { hz = 1, rest = 0.25 }\nbreak_at = 500\n"
-                                      "break_torque = 60\n");
+    const JointDef slider = defOf("slider", kAt + kAxis +
+                                                "limits = [-0.5, 1]\nmotor = { speed = -1 }\n"
+                                                "spring = { hz = 1, rest = 0.25 }\nbreak_at = 500\n"
+                                                "break_torque = 60\n");
     EXPECT_EQ(slider.free[0].limits.low, -0.5);
     EXPECT_EQ(slider.free[0].motor.strength, engine::kUnlimited);
     EXPECT_EQ(slider.free[0].rest, 0.25);
@@ -109,9 +109,10 @@ TEST(ReaderJoints, ReadTheTwoAnglesOfABallAndAUniversalJoint) {
     EXPECT_EQ(ball.free[1].limits.low, -engine::kUnlimited);
     EXPECT_NEAR(ball.free[1].limits.high, 30.0 * kDegree, 1e-15);
     const JointDef universal =
-        defOf("universal", kAt + kAxis + kAcross + "limits_deg = [-1, 2]\nlimits2_deg = [-3, 4]\n"
-                                                   "motor = { speed = 5 }\n"
-                                                   "motor2 = { speed = 6, max = 7 }\n");
+        defOf("universal", kAt + kAxis + kAcross +
+                               "limits_deg = [-1, 2]\nlimits2_deg = [-3, 4]\n"
+                               "motor = { speed = 5 }\n"
+                               "motor2 = { speed = 6, max = 7 }\n");
     EXPECT_NEAR(universal.free[0].limits.low, -1.0 * kDegree, 1e-15);
     EXPECT_NEAR(universal.free[1].limits.high, 4.0 * kDegree, 1e-15);
     EXPECT_EQ(universal.free[0].motor.speed, 5.0);
@@ -121,8 +122,9 @@ TEST(ReaderJoints, ReadTheTwoAnglesOfABallAndAUniversalJoint) {
 
 TEST(ReaderJoints, AWheelRidesOnItsSpringAndSpinsByItsMotor) {
     const JointDef wheel =
-        defOf("wheel", kAt + "axis = [0, 2, 0]\n" + kAcross + "limits = [-0.1, 0.2]\n"
-                             "spring = { hz = 3, damping = 0.4 }\nmotor = { speed = 8, max = 9 }\n");
+        defOf("wheel", kAt + "axis = [0, 2, 0]\n" + kAcross +
+                           "limits = [-0.1, 0.2]\n"
+                           "spring = { hz = 3, damping = 0.4 }\nmotor = { speed = 8, max = 9 }\n");
     EXPECT_EQ(wheel.axis, Vec3(0, 1, 0));
     EXPECT_EQ(wheel.free[0].limits.high, 0.2);
     EXPECT_EQ(wheel.free[0].spring.hz, 3.0);
@@ -132,10 +134,11 @@ TEST(ReaderJoints, AWheelRidesOnItsSpringAndSpinsByItsMotor) {
 }
 
 TEST(ReaderJoints, SixDofReadsEachCoordinate) {
-    const JointDef six = defOf(
-        "six-dof", kAt + "axis = [0, 1, 0]\naxis2 = [0, 0, 1]\nx = 'locked'\ny = 'free'\n"
-                         "z = { limits = [-1, 2], motor = { speed = 3 } }\nrx = 'locked'\n"
-                         "rz = { limits_deg = [-5, 5], spring = { hz = 4, rest_deg = 1 } }\n");
+    const JointDef six =
+        defOf("six-dof", kAt +
+                             "axis = [0, 1, 0]\naxis2 = [0, 0, 1]\nx = 'locked'\ny = 'free'\n"
+                             "z = { limits = [-1, 2], motor = { speed = 3 } }\nrx = 'locked'\n"
+                             "rz = { limits_deg = [-5, 5], spring = { hz = 4, rest_deg = 1 } }\n");
     EXPECT_TRUE(six.free[0].locked);
     EXPECT_FALSE(six.free[1].locked);
     EXPECT_FALSE(six.free[1].acts());
@@ -150,8 +153,9 @@ TEST(ReaderJoints, SixDofReadsEachCoordinate) {
 
 TEST(ReaderJoints, DistancesHaveALengthOfTheirOwn) {
     EXPECT_EQ(defOf("distance", "anchor_a = [1, 5, 0]\n").length, 3.0);
-    const JointDef rope = defOf("distance", "anchor_a = [1, 5, 0]\nlength = 2.5\n"
-                                            "limits = [0, 4]\nspring = { hz = 2 }\n");
+    const JointDef rope = defOf("distance",
+                                "anchor_a = [1, 5, 0]\nlength = 2.5\n"
+                                "limits = [0, 4]\nspring = { hz = 2 }\n");
     EXPECT_EQ(rope.length, 2.5);
     EXPECT_EQ(rope.free[0].limits.high, 4.0);
     EXPECT_EQ(rope.spring.hz, 2.0);
@@ -164,8 +168,9 @@ TEST(ReaderJoints, GearsAndPaths) {
     EXPECT_EQ(gear.ratio, -2.5);
     EXPECT_EQ(gear.axis2, Vec3(0, 0, 1));
     const JointDef path =
-        defOf("path", "points = [[1, 2, 0], [2, 2, 0], [2, 3, 0]]\nclosed = true\n"
-                      "limits = [0, 2]\nmotor = { speed = 1, max = 2 }\nanchor_b = [0.1, 0, 0]\n");
+        defOf("path",
+              "points = [[1, 2, 0], [2, 2, 0], [2, 3, 0]]\nclosed = true\n"
+              "limits = [0, 2]\nmotor = { speed = 1, max = 2 }\nanchor_b = [0.1, 0, 0]\n");
     EXPECT_TRUE(path.closed);
     EXPECT_EQ(path.path.at(2), Vec3(2, 3, 0));
     EXPECT_EQ(path.free[0].limits.high, 2.0);
@@ -176,7 +181,8 @@ TEST(ReaderJoints, GearsAndPaths) {
 /// Points of the world in a [[repeat]] are moved with it, those of a body are not.
 TEST(ReaderJoints, OfARepeatAreMoved) {
     const SceneDescription scene = read(
-        "[[repeat]]\ncount = 2\nstep = [3, 0, 0]\nbody = { name = 'b{i}', shape = { sphere = 0.1 } }\n"
+        "[[repeat]]\ncount = 2\nstep = [3, 0, 0]\nbody = { name = 'b{i}', shape = { sphere = 0.1 } "
+        "}\n"
         "joint = { type = 'path', a = 'world', b = 'b{i}', points = [[0, 0, 0], [1, 0, 0]] }\n");
     EXPECT_EQ(scene.joints.at(1).def.path.at(1), Vec3(4, 0, 0));
 }
@@ -204,8 +210,8 @@ TEST(ReaderJoints, ThatBreakAreTold) {
     const std::size_t broken = json.find("{\"event\":\"break\",\"step\":" + std::to_string(steps));
     ASSERT_NE(broken, std::string::npos) << json;
     EXPECT_LT(begin, broken) << json;
-    EXPECT_NE(json.find(R"("joint":"hook","a":"world","b":"box","position":[)"),
-              std::string::npos) << json;
+    EXPECT_NE(json.find(R"("joint":"hook","a":"world","b":"box","position":[)"), std::string::npos)
+        << json;
 }
 
 struct Bad {
@@ -219,8 +225,9 @@ TEST(ReaderJoints, ComplainOfWhatIsWrong) {
         {"weld", kAt + "limits = [0, 1]\n",
          "a weld joint has no limits; leave it out, or make it distance, slider, wheel or path"},
         {"slider", kAt + kAxis + "limits_deg = [0, 1]\n", "make it hinge, universal or axis"},
-        {"hinge", kAt + kAxis + "x = 'locked'\n", "a hinge joint has no x; leave it out, or make "
-                                                  "it six-dof"},
+        {"hinge", kAt + kAxis + "x = 'locked'\n",
+         "a hinge joint has no x; leave it out, or make "
+         "it six-dof"},
         {"axis", kAxis + "anchor = [0, 0, 0]\n", "an axis joint has no anchor"},
         {"slider", kAt, "a slider joint has no axis; write axis = [0, 0, 1]"},
         {"gear", kAxis, "a gear joint has no ratio; write ratio = -2"},
@@ -231,14 +238,16 @@ TEST(ReaderJoints, ComplainOfWhatIsWrong) {
         {"hinge", kAt + kAxis + "motor = { max = 3 }\n", "in rad/s and N m"},
         {"slider", kAt + kAxis + "motor = {}\n", "in m/s and N"},
         {"hinge", kAt + kAxis + "motor = { speed = 1, max = 0 }\n", "max is 0; it should be"},
-        {"hinge", kAt + kAxis + "spring = { hz = 1, rest = 1 }\n", "unknown key 'rest' in a spring"},
+        {"hinge", kAt + kAxis + "spring = { hz = 1, rest = 1 }\n",
+         "unknown key 'rest' in a spring"},
         {"hinge", kAt + kAxis + "spring = { rest_deg = 1 }\n", "a spring has no frequency"},
         {"ball", kAt + "swing_deg = 10\n", "twist and swing of which axis?"},
         {"ball", kAt + kAxis + "swing_deg = 200\n", "swing_deg is 200; it should be"},
         {"universal", kAt + kAxis + "axis2 = [0, 1, 1]\n",
          "axis2 of a universal joint should be at right angles to axis"},
         {"wheel", kAt + kAxis + "axis2 = [0, 0, 1]\n", "at right angles"},
-        {"look-at", "anchor_a = [1, 2, 0]\n" + kAxis, "the ends of a look-at joint are in one place"},
+        {"look-at", "anchor_a = [1, 2, 0]\n" + kAxis,
+         "the ends of a look-at joint are in one place"},
         {"look-at", kAxis, "the world has no centre; give anchor_a"},
         {"distance", "anchor_a = [1, 2, 0]\nlimits = [0, 1]\nspring = { hz = 1 }\n",
          "the ends of a distance joint are 0 m apart"},
@@ -248,8 +257,10 @@ TEST(ReaderJoints, ComplainOfWhatIsWrong) {
         {"six-dof", kAt + "x = 1\n", "x is 1; it should be \"free\", \"locked\" or a table"},
         {"six-dof", kAt + "x = { limits_deg = [0, 1] }\n",
          "unknown key 'limits_deg' in a coordinate; known are: limits, motor, spring"},
-        {"six-dof", kAt + kAxis + "x = 'locked'\n", "has axis (its x) and axis2 (its y), or neither"},
-        {"six-dof", kAt + kAxis + "axis2 = [0, 0, 1]\nx = 'locked'\n", "axis2 should be across axis"},
+        {"six-dof", kAt + kAxis + "x = 'locked'\n",
+         "has axis (its x) and axis2 (its y), or neither"},
+        {"six-dof", kAt + kAxis + "axis2 = [0, 0, 1]\nx = 'locked'\n",
+         "axis2 should be across axis"},
         {"gear", kAxis + "ratio = 0\n", "ratio is 0; it should be from 0.0001"},
         {"path", "points = [[0, 0, 0]]\n", "points are 1; a path should have 2 to 1000"},
         {"path", "closed = true\npoints = [[0, 0, 0], [1, 0, 0]]\n", "should have 3 to 1000"},

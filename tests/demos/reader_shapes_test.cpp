@@ -102,9 +102,11 @@ TEST(ReaderShapes, ACompoundWeighsItsPartsByTheirDensities) {
 }
 
 TEST(ReaderShapes, PartsOfACompoundLieByTheirOwnOrigins) {
-    const Shape shape = read1("compound = [{ shape = { " + kCorners + " }, at = [1, 0, 0] }, "
+    const Shape shape = read1("compound = [{ shape = { " + kCorners +
+                              " }, at = [1, 0, 0] }, "
                               "{ shape = { compound = [{ shape = { sphere = 0.5 }, "
-                              "at = [0, 0, 1] }] }, turn_deg = [0, 90, 0] }]").def.shape;
+                              "at = [0, 0, 1] }] }, turn_deg = [0, 90, 0] }]")
+                            .def.shape;
     const engine::ShapeParts& parts = *shape.parts;
     ASSERT_EQ(parts.size(), 2u);
     const auto written = [&](std::size_t i) { return Vec3(parts[i].pose.position - shape.origin); };
@@ -116,8 +118,9 @@ TEST(ReaderShapes, MeshesAndHeightFieldsHoldABall) {
     for (const std::string& ground :
          {kSquare, std::string("height_field = { columns = 3, rows = 2, spacing = 2, "
                                "heights = [0, 0, 0, 0, 0, 0] }")}) {
-        Stage stage(read("[[body]]\nname = 'ball'\nshape = { sphere = 0.2 }\nat = [0.5, 0.3, 0.5]\n" +
-                         body(ground, "fixed = true\n")));
+        Stage stage(
+            read("[[body]]\nname = 'ball'\nshape = { sphere = 0.2 }\nat = [0.5, 0.3, 0.5]\n" +
+                 body(ground, "fixed = true\n")));
         EXPECT_EQ(stage.scene.bodies[1].def.shape.type, ShapeType::mesh);
         EXPECT_FALSE(stage.drawn[1].empty());
         for (int i = 0; i < 60; ++i) ASSERT_TRUE(stage.step());
@@ -125,9 +128,26 @@ TEST(ReaderShapes, MeshesAndHeightFieldsHoldABall) {
     }
     const Shape field =
         read1("height_field = { columns = 3, rows = 2, spacing = 2, heights = [0, 1, 2, 3, 4, 5] }",
-              "fixed = true\n").def.shape;
+              "fixed = true\n")
+            .def.shape;
     EXPECT_EQ(field.mesh->corners[5], Vec3(2, 5, 1));
     EXPECT_EQ(field.mesh->triangles.size(), 4u);
+}
+
+TEST(ReaderShapes, AllButPlanesAreDrawnByTheirParts) {
+    const std::pair<std::string, std::size_t> shapes[] = {
+        {"sphere = 1", 1},
+        {"box = [1, 1, 1]", 1},
+        {"capsule = { radius = 0.1, height = 1 }", 1},
+        {"cylinder = { radius = 0.1, height = 1 }", 1},
+        {"cone = { radius = 0.1, height = 1 }", 1},
+        {"plane = [0, 1, 0]", 0},  // a ground is drawn by itself
+        {kCorners, 1},
+        {kSquare, 1},
+        {"compound = [{ shape = { sphere = 1 } }, { shape = { " + kCorners + " } }]", 2},
+    };
+    for (const auto& [shape, parts] : shapes)
+        EXPECT_EQ(Stage(read(body(shape, "fixed = true\n"))).drawn.at(0).size(), parts) << shape;
 }
 
 struct Bad {
@@ -143,8 +163,9 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
         {"box = [1, 1, 1], scale = 2", "", "scale of a shape that is a box; it should be left out"},
         {"sphere = 1, turn_deg = [0, 0, 1]", "", "turn_deg of a shape that is a sphere"},
         {"spere = 1", "", "unknown key 'spere' in a shape; did you mean 'sphere'?"},
-        {"", "", "an empty shape; give one of sphere, box, capsule, cylinder, cone, plane, hull, "
-                 "mesh, height_field or compound"},
+        {"", "",
+         "an empty shape; give one of sphere, box, capsule, cylinder, cone, plane, hull, "
+         "mesh, height_field or compound"},
         {"hull = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", "", "hull is flat, 3 points"},
         {"hull = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]", "",
          "hull is flat, 4 points; it should be four or more that are not in one plane"},
@@ -177,8 +198,8 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
         {"compound = [{ shape = { sphere = 1 }, mass = 1 }]", "", "unknown key 'mass' in a part"},
         {kCorners, "density = 0.001\nat = [1e5, 0, 0]\n", "its centre of mass would be"},
         {"compound = [{ shape = { sphere = 0.001 }, at = [-9e4, -9e4, 0] }, "
-         "{ shape = { sphere = 0.001 }, at = [9e4, 9e4, 0] }]", "mass = 1\n",
-         "its inertia is not positive definite"},
+         "{ shape = { sphere = 0.001 }, at = [9e4, 9e4, 0] }]",
+         "mass = 1\n", "its inertia is not positive definite"},
         {"hull = 'rock.obj'", "", "'rock.obj' cannot be looked for, because the scene is no file"},
     };
     for (const Bad& b : bad) {

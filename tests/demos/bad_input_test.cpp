@@ -1,0 +1,80 @@
+// What nobody means and somebody sends: every one is a line that says what would be right.
+
+#include <gtest/gtest.h>
+
+#include "tests/demos/reading.h"
+
+namespace demos::test {
+namespace {
+
+struct BadInput {
+    const char* what;
+    std::string text;  // the whole file
+    const char* place;
+    const char* message;
+};
+
+std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.what; }
+
+class BadInputs : public testing::TestWithParam<BadInput> {};
+
+TEST_P(BadInputs, AreOneLine) {
+    const BadInput& bad = GetParam();
+    const std::vector<std::string> lines = errorsOf(bad.text);
+    ASSERT_EQ(lines.size(), 1u) << listed(lines);
+    EXPECT_TRUE(tells(lines, std::string("a.toml:") + bad.place + ": ", bad.message))
+        << listed(lines);
+}
+
+const std::string kFormat = "format = 1\n";
+const std::string kScene = kFormat + kBall;  // the next line is 6
+
+/// Three joints, or two forces, in 10000 turns.
+std::string tenThousand(const std::string& what) {
+    return kScene + "[[repeat]]\ncount = 10000\n" + what + "\n";
+}
+
+const std::string kWeld = "{ type = 'weld', a = 'ball', b = 'world', anchor = [0, 0, 0] }";
+const std::string kPush = "{ type = 'constant', force = [1, 0, 0] }";
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BadInputs,
+    testing::Values(
+        BadInput{"empty", "", "1:1", "begin it with format = 1"},
+        BadInput{"NUL", std::string("format = 1\n\0", 12), "2:1", "not TOML"},
+        BadInput{"UTF-16", std::string("\xff\xfe[\0", 4), "1:1", "UTF-16; save the file as UTF-8"},
+        BadInput{"UTF-16, the other way", std::string("\xfe\xff\0[", 4), "1:1",
+                 "UTF-16; save the file as UTF-8"},
+        BadInput{"cut in a text", kFormat + "title = \"a", "2:11", "not TOML"},
+        BadInput{"beyond every number", "seconds = 1e999\n" + kScene, "1:16", "not TOML"},
+        BadInput{"beyond 64 bits", "seconds = 9999999999999999999\n" + kScene, "1:30", "not TOML"},
+        BadInput{"an expression without end", kScene + "mass = '" + std::string(5000, '(') + "'\n",
+                 "6:8", "5000 characters; it should be at most 200"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Limits, BadInputs,
+    testing::Values(BadInput{"joints",
+                             tenThousand("joint = [" + kWeld + ", " + kWeld + ", " + kWeld + "]"),
+                             "8:138", "more than 20000 joints; make the scene or a count smaller"},
+                    BadInput{"forces", tenThousand("force = [" + kPush + ", " + kPush + "]"),
+                             "8:10", "more than 10000 forces; make the scene or a count smaller"},
+                    BadInput{"long name",
+                             kFormat + "[[body]]\nname = '" + std::string(65, 'a') +
+                                 "'\nshape = { sphere = 1 }\n",
+                             "3:1", "it should be 1 to 64 of A-Z"},
+                    BadInput{"empty name",
+                             kFormat + "[[body]]\nname = ''\nshape = { sphere = 1 }\n", "3:1",
+                             "name is ''; it should be 1 to 64 of A-Z"},
+                    BadInput{"no mass", kScene + "mass = -1\n", "6:8",
+                             "mass is -1; it should be a number from 1e-06 to 1e+09 kg"},
+                    BadInput{"size", kFormat + "[[body]]\nname = 'a'\nshape = { sphere = 1001 }\n",
+                             "4:20", "sphere is 1001; it should be a number from 0.001 to 1000 m"},
+                    BadInput{"step", kScene + "[world]\nhz = 100001\n", "7:6",
+                             "it should be a whole number from 10 to 100000 steps a second"},
+                    BadInput{"picture", kScene + "[snapshot]\nsize = [0, 360]\n", "7:9",
+                             "it should be a number from 1 to 16384 pixels"},
+                    BadInput{"quaternion of three", kScene + "quaternion = [1, 0, 0]\n", "6:1",
+                             "quaternion should be four numbers"}));
+
+}  // namespace
+}  // namespace demos::test
