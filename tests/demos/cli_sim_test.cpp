@@ -219,7 +219,6 @@ TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
 }
 
 TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
-    const TemporaryFolder folder;
     write(folder / "arm.xml",
           "<mujoco><worldbody><light/><body><joint axis='0 1 0' armature='1'/>"
           "<geom type='capsule' size='0.1' fromto='0 0 0 1 0 0'/></body></worldbody></mujoco>");
