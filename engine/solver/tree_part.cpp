@@ -125,7 +125,9 @@ void TreePart<N>::factor(std::span<const InverseMass<double>> masses) {
 template <int N>
 void TreePart<N>::warmStart(double keep, std::span<Velocity<double>> v) {
     for (TreeJoint<N>& joint : joints_) {
-        const TreeRows<N> lambda = keep * joint.lambda;
+        // Of a rod that has turned: what is not along it any more no sweep would ever take back.
+        TreeRows<N> lambda = keep * joint.lambda;
+        project(joint, lambda);
         joint.lambda.setZero();
         if (keep != 0.0)
             apply(joint, lambda, 1.0, masses_[joint.ownA], masses_[joint.ownB], v[joint.a],
