@@ -228,14 +228,14 @@ TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.err,
               "impulse: arm.xml:1:20: <light>: for MuJoCo's own window and readings; left out\n"
-              "impulse: arm.xml:1:53: <joint armature> is not available; left out\n");
+              "impulse: arm.xml:1:54: <joint armature> is not available; left out\n");
     EXPECT_EQ(run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1", "--quiet"}).err, "");
     write(folder / "bad.xml", "<mujoco><worldbody><geom sise='1'/></worldbody></mujoco>");
     const Ended bad = run(folder.path(), {"sim", "bad.xml"});
     EXPECT_EQ(bad.code, 3);
-    EXPECT_EQ(bad.err, "impulse: bad.xml:1:26: unknown attribute 'sise' of <geom>; did you mean "
-                       "'size'?\nimpulse: bad.xml:1:20: a <geom> of type sphere has no size; write "
-                       "size=\"0.1\" (m; half lengths)\n");
+    EXPECT_EQ(bad.err, "impulse: bad.xml:1:20: a <geom> of type sphere has no size; write "
+                       "size=\"0.1\" (m; half lengths)\nimpulse: bad.xml:1:26: unknown attribute "
+                       "'sise' of <geom>; did you mean 'size'?\n");
 }
 
 }  // namespace
