@@ -129,5 +129,41 @@ TEST(Structures, DominoesAtTheirHeightFromEachOtherFallToo) {
     expectAllFallen(world);
 }
 
+/// Loops of rods: what one forest of joints cannot take is left to the next (solver/joint_forests.h).
+struct Net {
+    static constexpr int kSide = 8;
+    World world;
+    std::vector<BodyId> knots;
+
+    Net() {
+        for (int i = 0; i < kSide * kSide; ++i) {
+            BodyDef knot = body(Shape::sphere(0.05), {0.25 * (i % kSide), 5, 0.25 * (i / kSide)}, 0.1);
+            knot.collide = false;
+            knots.push_back(world.add(knot));
+        }
+        for (int i = 0; i < kSide * kSide; ++i) {
+            if (i % kSide + 1 < kSide) support::rod(world, knots[i], knots[i + 1]);
+            if (i + kSide < kSide * kSide) support::rod(world, knots[i], knots[i + kSide]);
+        }
+        for (const int corner : {0, kSide - 1}) {
+            const Vec3 at = world.pose(knots[corner]).position;
+            support::join(world, JointType::ball, world.add(support::hook(at)), knots[corner], at);
+        }
+    }
+};
+
+TEST(Net, OfRodsSwingsWithoutGainingEnergyOrComingApart) {
+    Net net;
+    const double start = net.world.energy().total();
+    double most = start, worst = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        ASSERT_TRUE(net.world.step(support::kStep)) << i;
+        most = larger(most, net.world.energy().total());
+        worst = larger(worst, net.world.report().worstSeparation);
+    }
+    EXPECT_LT(most, start + 0.05 * 6.4 * support::kGravity);  // as if all rose by 5 cm
+    EXPECT_LT(worst, 0.1);
+}
+
 }  // namespace
 }  // namespace engine
