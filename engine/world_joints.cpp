@@ -87,6 +87,19 @@ double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     return std::sqrt(sum);
 }
 
+/// Whether a joint of a tree is farther apart than the errors of a step make it, because something else
+/// cannot hold (solver/joint_forests.h). Once torn, until it is whole again.
+void findTorn(WorldState& s, Joint& joint) {
+    constexpr double kTorn = 0.02, kWhole = 0.002;  // of its arms
+    const JointDef& def = joint.def;
+    if (!joint.present || def.type > JointType::weld || def.spring.isSoft()) return;
+    const double arm = larger(larger(def.anchorA.norm(), def.anchorB.norm()), def.length);
+    const double miss = missOf(joint, s.bodies.poses[def.a.index], s.bodies.poses[def.b.index]);
+    const bool torn = miss > (joint.torn ? kWhole : kTorn) * larger(arm, 0.01);
+    s.treesStale = s.treesStale || torn != joint.torn;
+    joint.torn = torn;
+}
+
 }  // namespace
 
 void checkFreedom(JointType type, int coordinate, const Freedom& f) {
@@ -184,6 +197,7 @@ void followJoints(WorldState& s) {
         if (joint.present && (counts || joint.acts))
             followCoordinates(joint, s.bodies.poses[joint.def.a.index],
                               s.bodies.poses[joint.def.b.index]);
+        findTorn(s, joint);
     }
 }
 

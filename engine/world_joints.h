@@ -13,8 +13,8 @@ JointState stateOf(const WorldState& s, const Joint& joint);
 /// m; JointState::separation alone.
 double separationOf(const WorldState& s, const Joint& joint);
 
-/// At the end of a step: turns are counted, and joints that carried more than they can bear go.
-/// True: some have.
+/// At the end of a step: turns are counted, what is torn is found, and joints that carried more than
+/// they can bear go. True: some have.
 void followJoints(WorldState& s);
 bool breakJoints(WorldState& s);
 

@@ -19,6 +19,7 @@ struct Joint {
     std::vector<double> lengths;                          // path: m, from its start to every point
     double nearest = 0.0;                                 // path: parameter of the nearest point
     bool present = true, broken = false;
+    bool torn = false;                                    // by what cannot all hold
     bool acts = false;                                    // something does along a coordinate
     std::array<double, 6> position{};                     // of the coordinates, to count turns by
     std::array<double, 6> lambda{};                       // N s (N m s), of one sub-step
@@ -82,6 +83,7 @@ struct JointConstraint {
     int count = 0;
     int joint = -1;      // its number in the world
     bool inTree = false; // solved with its tree, not in the sweep
+    bool torn = false;   // see Joint
     std::array<Row<Real>, 6> rows;
     std::array<Real, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;

@@ -230,7 +230,7 @@ void BlockFactors<N>::solve(std::vector<Rows>& x, Give give) const {
                 for (int l = 0; l < N; ++l) z[j] -= link.block(l, j) * xi[l];
         }
         x[k] = z;
-        give(k, z);
+        give(k, x[k]);
     }
 }
 

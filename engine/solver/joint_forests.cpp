@@ -45,8 +45,24 @@ private:
     std::vector<char> held_;
 };
 
+/// Of every body, whether a joint is torn of all that hang together with it.
+std::vector<char> findTorn(Joints joints, Masses masses) {
+    std::vector<char> torn(masses.size(), 0);
+    const auto isTorn = [](const JointConstraint<double>& joint) { return joint.torn; };
+    if (std::none_of(joints.begin(), joints.end(), isTorn)) return torn;
+    DisjointSets sets;
+    sets.reset(static_cast<int>(masses.size()));
+    for (const JointConstraint<double>& joint : joints)
+        if (moves(masses, joint.a) && moves(masses, joint.b)) sets.join(joint.a, joint.b);
+    for (const JointConstraint<double>& joint : joints)
+        if (joint.torn) torn[sets.leaderOf(moves(masses, joint.a) ? joint.a : joint.b)] = 1;
+    for (int i = 0; i < static_cast<int>(masses.size()); ++i) torn[i] = torn[sets.leaderOf(i)];
+    return torn;
+}
+
 /// The joints of the next forest; `closes` tells which of them hold a tree a second time.
-std::vector<int> choose(Joints joints, Masses masses, Trees& trees, std::vector<char>& closes) {
+std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& torn, Trees& trees,
+                        std::vector<char>& closes) {
     std::vector<int> chosen, degree(masses.size(), 0);
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
         JointConstraint<double>& joint = joints[i];
@@ -58,6 +74,7 @@ std::vector<int> choose(Joints joints, Masses masses, Trees& trees, std::vector<
         if (!fits || (linksTwo && trees.of(joint.a) == trees.of(joint.b))) continue;
         closes[i] = linksTwo ? trees.isHeld(joint.a) && trees.isHeld(joint.b)
                              : trees.isHeld(moves(masses, joint.a) ? joint.a : joint.b);
+        if (closes[i] && torn[moves(masses, joint.a) ? joint.a : joint.b]) continue;
         joint.inTree = true;
         trees.link(joint);
         chosen.push_back(i);
@@ -170,10 +187,11 @@ void findWhole(Joints joints, Masses masses, Trees& trees, ForestPlan& plan) {
 std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
     std::vector<ForestPlan> plans;
     std::vector<char> closes(joints.size(), 0);
+    const std::vector<char> torn = findTorn(joints, masses);
     for (JointConstraint<double>& joint : joints) joint.inTree = false;
     for (int i = 0; i < kMostForests; ++i) {
         Trees trees(masses);
-        const std::vector<int> chosen = choose(joints, masses, trees, closes);
+        const std::vector<int> chosen = choose(joints, masses, torn, trees, closes);
         if (chosen.empty()) break;
         ForestPlan& plan = plans.emplace_back();
         addPlaces(joints, masses, chosen, plan);

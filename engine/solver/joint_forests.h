@@ -2,7 +2,9 @@
 ///
 /// The first forest takes every joint that closes no loop; the second takes what it can of the rest,
 /// and so on: the first forest of a cloth are its columns, the second its rows. What even the last
-/// one cannot take, and all soft joints, are left to the sweep.
+/// one cannot take, and all soft joints, are left to the sweep. Where joints are torn there is no
+/// exact solution, and a tree held twice would be thrown about in search of one: there what holds it a
+/// second time is left to the next forest, and either takes back a part of what the other asks for.
 ///
 /// In a forest joints of low degree go first, so that a chain costs time linear in its links and a
 /// tree hardly more; of equal ones those whose turn could come soonest, so that a chain is eaten

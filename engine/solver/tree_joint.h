@@ -131,19 +131,24 @@ Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
     return sum;
 }
 
-/// v += M^-1 J^T lambda, and the joint's books.
+/// The joint's books: a share of lambda.
 template <int N>
-inline void apply(TreeJoint<N>& joint, const TreeRows<N>& lambda, double booked,
+inline void book(TreeJoint<N>& joint, const TreeRows<N>& lambda, double share) {
+    joint.lambda += share * lambda;
+    joint.impulse += share * lambda.template head<3>();
+    if constexpr (N > 3) joint.torque += share * twistOf(joint, lambda);
+}
+
+/// v += M^-1 J^T lambda
+template <int N>
+inline void apply(const TreeJoint<N>& joint, const TreeRows<N>& lambda,
            const InverseMass<double>& massA, const InverseMass<double>& massB,
            Velocity<double>& a, Velocity<double>& b) {
     const Vec3 push = lambda.template head<3>();
     Vec3 turnA = joint.now.armA.cross(push), turnB = joint.now.armB.cross(push);
-    joint.lambda += booked * lambda;
-    joint.impulse += booked * push;
     if constexpr (N > 3) {
         const Vec3 twist = twistOf(joint, lambda);
         turnA += twist, turnB += twist;
-        joint.torque += booked * twist;
     }
     a.linear -= massA.linear * push;
     a.angular -= massA.angular * turnA;

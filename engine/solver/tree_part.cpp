@@ -74,6 +74,7 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest,
         const JointConstraint<double>& c = list[place.joint];
         TreeJoint<N>& joint = joints_.emplace_back(treeJoint<N>(place, c, joints[c.joint]));
         joint.tree = place.tree;
+        trees_[place.tree].closed = trees_[place.tree].closed || place.closes;
         joint.ownA = own(c.a, place.tree, ownPlaces);
         joint.ownB = own(c.b, place.tree, ownPlaces);
         anyWhole_ = anyWhole_ || trees_[place.tree].whole;
@@ -92,6 +93,7 @@ template <int N>
 void TreePart<N>::place(std::span<const Joint> joints, std::span<const Pose> poses) {
     for (TreeJoint<N>& joint : joints_)
         joint.now = geometryOf(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
+    for (Tree& tree : trees_) tree.before = -1.0;
 }
 
 template <int N>
@@ -129,9 +131,9 @@ void TreePart<N>::warmStart(double keep, std::span<Velocity<double>> v) {
         TreeRows<N> lambda = keep * joint.lambda;
         project(joint, lambda);
         joint.lambda.setZero();
-        if (keep != 0.0)
-            apply(joint, lambda, 1.0, masses_[joint.ownA], masses_[joint.ownB], v[joint.a],
-                  v[joint.b]);
+        if (keep == 0.0) continue;
+        book(joint, lambda, 1.0);
+        apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
     }
 }
 
@@ -148,21 +150,22 @@ void TreePart<N>::solveVelocities(double biasRate, bool wholeOnly, std::span<Vel
     factors_.solve(x_, [&](int k, TreeRows<N> lambda) {
         TreeJoint<N>& joint = joints_[k];
         project(joint, lambda);
-        apply(joint, lambda, 1.0, masses_[joint.ownA], masses_[joint.ownB], v[joint.a],
-              v[joint.b]);
+        book(joint, lambda, 1.0);
+        apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
         correction.add(0.0, lambda.cwiseAbs().sum());
     });
 }
 
 template <int N>
 void TreePart<N>::evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses) {
-    for (Tree& tree : trees_) tree.worst = tree.ratio = 0.0;
+    for (Tree& tree : trees_) tree.worst = tree.ratio = tree.sum = 0.0;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         const TreeJoint<N>& joint = joints_[k];
         x_[k] = -errorAlong(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
         const double worst = x_[k].cwiseAbs().maxCoeff();
         Tree& tree = trees_[joint.tree];
         tree.worst = larger(tree.worst, worst);
+        tree.sum += worst;
         tree.ratio = larger(tree.ratio, worst / joint.reach);
     }
 }
@@ -172,17 +175,50 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
     evaluateErrors(joints, bodies.poses);
     for (Tree& tree : trees_)
         tree.gain = tree.whole ? nudge.feedback * feedbackShare(tree.ratio) : 0.0;
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-        if (trees_[joints_[k].tree].worst > nudge.most)
-            x_[k] *= nudge.most / trees_[joints_[k].tree].worst;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+        const Tree& tree = trees_[joints_[k].tree];
+        if (tree.worst > nudge.most) x_[k] *= nudge.most / tree.worst;
+        if (isInVain(tree)) x_[k].setZero();
+    }
     for (Velocity<double>& moved : moved_) moved = {};
-    factors_.solve(x_, [&](int k, TreeRows<N> lambda) {
-        TreeJoint<N>& joint = joints_[k];
+    factors_.solve(x_, [&](int k, TreeRows<N>& lambda) {
+        const TreeJoint<N>& joint = joints_[k];
         project(joint, lambda);
-        apply(joint, lambda, trees_[joint.tree].gain, masses_[joint.ownA], masses_[joint.ownB],
-              moved_[joint.ownA], moved_[joint.ownB]);
+        apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], moved_[joint.ownA],
+              moved_[joint.ownB]);
     });
+    limitMoves();
+    for (Tree& tree : trees_) tree.before = tree.sum;
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+        book(joints_[k], x_[k], trees_[joints_[k].tree].gain);
     move(bodies);
+}
+
+template <int N>
+void TreePart<N>::limitMoves() {
+    constexpr double kFar = 4.0;  // times the sum of a tree's errors
+    for (Tree& tree : trees_) tree.farthest = 0.0;
+    const auto wayOf = [&](int member, const Vec3& arm) {
+        const Velocity<double>& moved = moved_[member];
+        return masses_[member].linear > 0.0 ? moved.linear.norm() + moved.angular.norm() * arm.norm()
+                                            : 0.0;
+    };
+    for (const TreeJoint<N>& joint : joints_) {
+        Tree& tree = trees_[joint.tree];
+        tree.farthest = larger(tree.farthest, larger(wayOf(joint.ownA, joint.now.armA),
+                                                     wayOf(joint.ownB, joint.now.armB)));
+    }
+    for (Tree& tree : trees_) {
+        const bool far = tree.closed && tree.farthest > kFar * tree.sum;
+        tree.share = far ? kFar * tree.sum / tree.farthest : 1.0;
+        if (far) tree.gain = 0.0;
+    }
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        const double share = trees_[members_[i].tree].share;
+        if (share == 1.0) continue;
+        moved_[i].linear *= share;
+        moved_[i].angular *= share;
+    }
 }
 
 template <int N>

@@ -44,9 +44,14 @@ public:
 private:
     struct Tree {
         bool whole = true;   // solved exactly as it stands
-        double worst = 0.0;  // largest |C|, m or rad
-        double ratio = 0.0;  // largest |C| / lever arm
-        double gain = 0.0;   // 1/s
+        double worst = 0.0;     // largest |C|, m or rad
+        double ratio = 0.0;     // largest |C| / lever arm
+        double sum = 0.0;       // of the largest |C| of its joints
+        double before = 0.0;    // the same at the nudge before; below 0: this is the first
+        bool closed = false;    // held twice
+        double gain = 0.0;      // 1/s
+        double farthest = 0.0;  // m, of what its nudge would move
+        double share = 1.0;     // of that, what it does move
     };
     struct Member {
         int body = -1;
@@ -55,6 +60,13 @@ private:
 
     int own(int body, int tree, std::vector<int>& places);
     void evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses);
+    /// A chain drawn straight between two posts has next to no way to give its errors a direction: the
+    /// linear solution goes round the world for them. It is cut to where it can be meant.
+    void limitMoves();
+    /// The nudge before this one, with the same J, has made such a tree's errors no smaller.
+    static bool isInVain(const Tree& tree) {
+        return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
+    }
     void move(Bodies& bodies) const;
 
     std::vector<TreeJoint<N>> joints_;  // in order of elimination

@@ -1,6 +1,7 @@
 // mission 28: constraints that contradict each other settle between what they want (second seed).
 #include <gtest/gtest.h>
 
+#include "engine/base/trigonometry.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -50,6 +51,66 @@ TEST(Contradiction, SettlesAtMinusBetaOverTwoLessBeta) {
         World world = tornBall(settings, 0.1);
         EXPECT_NEAR(restOf(world) / 0.1, -beta / (2.0 - beta), 1e-12) << beta;
     }
+}
+
+/// Eight links, straight from post to post: no slack, and next to no way to give an error a direction.
+struct TautChain {
+    World world;
+    BodyId right;
+    std::vector<JointId> joints;
+
+    explicit TautChain(const Settings& settings) : world(settings) {
+        BodyId last = world.add(support::hook({-2, 3, 0}));
+        for (int i = 0; i < 8; ++i) {
+            BodyDef link = support::body(Shape::capsule(0.09, 0.5), {0.5 * i - 1.75, 3, 0}, 10.0);
+            link.collide = false;
+            link.pose.rotation = turnAboutXyz({0, 0, radians(90.0)});
+            const BodyId next = world.add(link);
+            joints.push_back(support::join(world, JointType::ball, last, next, {0.5 * i - 2.0, 3, 0}));
+            last = next;
+        }
+        BodyDef post = support::hook({2, 3, 0});
+        post.kind = BodyKind::kinematic;
+        right = world.add(post);
+        joints.push_back(support::join(world, JointType::ball, last, right, {2, 3, 0}));
+    }
+    double separation() const {
+        double worst = 0.0;
+        for (const JointId joint : joints) worst = larger(worst, world.joint(joint).separation);
+        return worst;
+    }
+};
+
+TEST(TautChain, HangsBetweenItsPosts) {
+    for (const int nudges : {1, 30})
+        for (const int hz : {60, 240}) {
+            Settings settings = Settings::steady();
+            settings.nudges = nudges;
+            TautChain chain(settings);
+            for (int i = 0; i < 3 * hz; ++i) {
+                ASSERT_TRUE(chain.world.step(1.0 / hz)) << nudges << " nudges, step " << i;
+                ASSERT_LT(chain.separation(), 1e-4) << nudges << " nudges, step " << i;
+            }
+        }
+}
+
+// Half a metre too far for two seconds, then back: it comes apart by no more than it has to, about, and
+// mends.
+TEST(TautChain, DrawnOutComesApartAndMends) {
+    TautChain chain(Settings::steady());
+    support::run(chain.world, 60);
+    double worst = 0.0;
+    for (const double speed : {0.5, 0.0, -0.5, 0.0}) {
+        chain.world.setVelocity(chain.right, {speed, 0, 0}, Vec3::Zero());
+        for (int i = 0; i < 60; ++i) {
+            ASSERT_TRUE(chain.world.step(support::kStep)) << speed << ", step " << i;
+            worst = larger(worst, chain.separation());
+        }
+    }
+    EXPECT_GT(worst, 0.5 / 9);
+    EXPECT_LT(worst, 2.0);
+    support::run(chain.world, 60);
+    EXPECT_LT(chain.separation(), 0.01);
 }
 
 }  // namespace
