@@ -13,6 +13,7 @@ using engine::Shape;
 constexpr Range kSizes{0.0, 1e4, "m"};
 constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr double kLeastSize = 1e-5;  // m
+constexpr double kRolling = 1e-4;     // m, MuJoCo's own where condim is 6 and none is given
 constexpr double kLargestBits = 2147483647.0;
 
 class GeomReader {
@@ -162,9 +163,22 @@ private:
 
     int bits(const char* name) { return attributes_.whole(name, {0.0, kLargestBits}).value_or(1); }
 
+    /// condim 1: none; 3: sliding; 4: and torsion; 6: and rolling.
+    void readFriction() {
+        const int condim = attributes_.whole("condim", {1.0, 6.0}).value_or(3);
+        const std::vector<double> given =
+            attributes_.numbers("friction", 1, 3, {0.0, 1e4}).value_or(std::vector<double>{});
+        if (condim == 2 || condim == 5)
+            attributes_.wrong("condim", "condim is " + std::to_string(condim) +
+                                            "; it should be 1, 3, 4 or 6");
+        if (condim > 3) attributes_.note("condim", "friction against torsion is not had; left out");
+        if (!given.empty()) geom_.friction = given.front();
+        if (condim == 1) geom_.friction = 0.0;
+        if (condim == 6) geom_.rolling = given.size() > 2 ? given[2] : kRolling;
+    }
+
     void readSurface() {
-        if (const auto friction = attributes_.numbers("friction", 1, 3, {0.0, 1e4}))
-            geom_.friction = friction->front();
+        readFriction();
         geom_.contype = bits("contype");
         geom_.conaffinity = bits("conaffinity");
         const std::string material = attributes_.text("material");

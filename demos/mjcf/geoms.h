@@ -24,6 +24,7 @@ struct Geom {
     MassProperties properties;  // likewise; of a plane none
     bool ownMass = false;       // the mass is given, not by density
     double friction = 1.0;
+    double rolling = 0.0;       // m
     int contype = 1, conaffinity = 1;  // bits: who meets whom
     std::optional<unsigned> color;     // 0xRRGGBB
     Spot spot;

@@ -106,6 +106,7 @@ private:
         body.color = first.color;
         body.place = body.ignoresPlace = spot.place;
         body.def.material.friction = first.friction;
+        body.def.material.rolling = first.rolling;
         body.def.collide = first.collides() && context_.rules.contacts;
         if (body.def.pose.position.cwiseAbs().maxCoeff() > 1e5)
             context_.remarks.wrong(

@@ -77,10 +77,10 @@ constexpr std::array kKinds{
          "group user actuatorfrcrange actuatorfrclimited actuatorgravcomp",
          "springdamper=0,0 solreflimit solimplimit solreffriction solimpfriction margin=0 armature=0"},
     Kind{"default", "geom", Fate::read,
-         "type size fromto pos quat axisangle xyaxes zaxis euler contype conaffinity friction mass "
+         "type size fromto pos quat axisangle xyaxes zaxis euler contype conaffinity condim friction mass "
          "density rgba material mesh hfield",
          "group user",
-         "condim=3 priority=0 shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
+         "priority=0 shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
          "fluidshape=none fluidcoef"},
     Kind{"default", "equality", Fate::read, "active", "", "solref solimp"},
     Kind{"default", "site", Fate::silent, "", "", ""},
@@ -123,9 +123,9 @@ constexpr std::array kKinds{
     Kind{"body", "freejoint", Fate::read, "name", "group align", ""},
     Kind{"*", "geom", Fate::read,
          "name class type size fromto pos quat axisangle xyaxes zaxis euler contype conaffinity "
-         "friction mass density rgba material mesh hfield",
+         "condim friction mass density rgba material mesh hfield",
          "group user",
-         "condim=3 priority=0 shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
+         "priority=0 shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
          "fluidshape=none fluidcoef"},
     Kind{"*", "site", Fate::unseen, "", "", ""},
     Kind{"*", "camera", Fate::unseen, "", "", ""},

@@ -265,7 +265,7 @@ TEST(MujocoNotes, NameWhatChangesTheMotionAndIsNotHad) {
         "a.xml:2:9: <option wind> is not available; left out",
         "a.xml:4:7: <geom solref> is not available; left out",
         "a.xml:4:42: <joint armature> is not available; left out",
-        "a.xml:6:16: <geom condim> is not available; left out (2 places)",
+        "a.xml:6:16: friction against torsion is not had; left out (2 places)",
         "a.xml:7:7: a <geom> of type hfield is not available; left out",
         "a.xml:8:26: damping of a ball joint is not available; left out",
         "a.xml:8:38: range of a ball joint is not available; left out",

@@ -306,5 +306,18 @@ TEST(MujocoMeetings, FollowContypeAffinityAndExclude) {
                             "</worldbody>").bodies[0].def.collide);
 }
 
+TEST(Mujoco, CondimSaysWhichFrictionThereIs) {
+    const auto materialOf = [](const std::string& attributes) {
+        return readMujoco("<worldbody><geom size='1' " + attributes + "/></worldbody>")
+            .bodies.front()
+            .def.material;
+    };
+    EXPECT_EQ(materialOf("friction='0.3 0.1 0.02'").friction, 0.3);
+    EXPECT_EQ(materialOf("friction='0.3 0.1 0.02'").rolling, 0.0);
+    EXPECT_EQ(materialOf("friction='0.3 0.1 0.02' condim='6'").rolling, 0.02);
+    EXPECT_EQ(materialOf("condim='6'").rolling, 1e-4);
+    EXPECT_EQ(materialOf("friction='0.3' condim='1'").friction, 0.0);
+}
+
 }  // namespace
 }  // namespace demos::test
