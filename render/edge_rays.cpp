@@ -8,6 +8,7 @@
 
 #include <limits>
 
+#include "render/mesh_tree.h"
 #include "render/surface_map.h"
 
 namespace render {

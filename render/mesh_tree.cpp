@@ -85,12 +85,12 @@ public:
 
     FourTriangles find() {
         int waiting[kDeepest], count = 0;
-        if (!mesh_.tree.nodes.empty()) waiting[count++] = 0;
+        if (!mesh_.tree->nodes.empty()) waiting[count++] = 0;
         while (count > 0) {
             const int at = waiting[--count];
-            const MeshTree::Node& node = mesh_.tree.nodes[at];
+            const MeshTree::Node& node = mesh_.tree->nodes[at];
             if (!any(meets(node))) continue;
-            for (int i = node.first; i < node.first + node.count; ++i) tryOne(mesh_.tree.order[i]);
+            for (int i = node.first; i < node.first + node.count; ++i) tryOne(mesh_.tree->order[i]);
             if (node.count > 0) continue;
             const bool forward = rays_.along[node.axis][0] > 0.0f;  // the nearer one is next
             waiting[count++] = forward ? node.second : at + 1;

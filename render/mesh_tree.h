@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "render/four.h"
-#include "render/frame.h"
+#include "render/solid_mesh.h"
 
 namespace render {
-
-using MeshTriangles = std::vector<std::array<int, 3>>;  // vertices
 
 struct MeshTree {
     struct Node {
@@ -34,7 +32,6 @@ struct FourTriangles {
     FourInts triangle{};  // -1 there
 };
 
-struct SolidMesh;
 /// The nearest triangles that the rays meet from outside, in front of them (Moeller and Trumbore
 /// 1997). `facet`: of this one alone, as a SurfaceMap has it; -1: of all.
 FourTriangles nearestTriangles(const SolidMesh& mesh, const FourRays& rays, int facet = -1);

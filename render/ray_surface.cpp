@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/mesh_tree.h"
 #include "render/surface_map.h"
 
 namespace render {

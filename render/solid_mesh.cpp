@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "render/error.h"
+#include "render/mesh_tree.h"
 
 namespace render {
 namespace {
@@ -154,7 +155,7 @@ std::shared_ptr<const SolidMesh> makeMesh(std::vector<Vec3> vertices, MeshTriang
     findFacets(*mesh, edges == MeshEdges::all ? kFlat : kOneFacet);
     if (convex && edges == MeshEdges::all && mesh->facetCount <= kMostPlanes) findPlanes(*mesh);
     findBounds(*mesh);
-    mesh->tree = treeOf(mesh->vertices, mesh->triangles);
+    mesh->tree = std::make_shared<MeshTree>(treeOf(mesh->vertices, mesh->triangles));
     return mesh;
 }
 

@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "render/frame.h"
-#include "render/mesh_tree.h"
 
 namespace render {
+
+/// Three vertices each, by their places; counter-clockwise as seen from outside.
+using MeshTriangles = std::vector<std::array<int, 3>>;
+
+struct MeshTree;  // boxes around triangles, for rays; the renderer's own
 
 /// {x : normal . x = offset}
 struct MeshPlane {
@@ -22,20 +26,20 @@ enum class MeshEdges { all, sharp, none };
 /// Plain values, made by makeMesh and not changed afterwards: frames share it.
 struct SolidMesh {
     std::vector<Vec3> vertices;  // m, body axes
-    MeshTriangles triangles;     // counter-clockwise from outside; seen from there only
-    bool convex = false;
+    MeshTriangles triangles;     // seen from outside only
+    bool convex = false;         // a body; otherwise a surface
 
     // What drawing it and meeting it by rays take from that, by triangle.
     std::vector<Vec3> normals;               // unit
     std::vector<std::array<int, 3>> beyond;  // the triangle across edge i, from corner i to the
                                              // next one; -1: none
     std::vector<std::array<bool, 3>> crisp;  // whether that edge is seen as one
-    bool anyCrisp = false;
+    bool anyCrisp = false;                   // whether there is such an edge
     std::vector<int> facets;                 // its number in a SurfaceMap: what lies together and
                                              // is hardly bent
-    int facetCount = 0;
+    int facetCount = 0;                      // how many of these there are
     std::vector<MeshPlane> planes;  // by facet; of a convex mesh with all its edges, else none
-    MeshTree tree;
+    std::shared_ptr<const MeshTree> tree;    // of boxes around the triangles
     Vec3 halfSize{0, 0, 0};  // m, of the box around the origin that holds it
     float thinnest = 0.0f;   // m, half of the least of its sizes
 };

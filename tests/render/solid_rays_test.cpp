@@ -6,6 +6,7 @@
 
 #include "render/data_images.h"
 #include "render/edge_rays.h"
+#include "render/mesh_tree.h"
 #include "render/renderer.h"
 #include "tests/render/ray_walks.h"
 #include "tests/render/solids.h"
