@@ -6,6 +6,7 @@
 #include <new>
 
 #include "demos/commands/commands.h"
+#include "demos/own_files.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
 #include "render/error.h"
@@ -14,6 +15,7 @@ namespace demos {
 namespace {
 
 Exit perform(const Options& options) {
+    spareScenes(options);
     switch (options.command) {
         case Command::render:
             return renderCommand(options);

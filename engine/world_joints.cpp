@@ -215,6 +215,7 @@ bool breakJoints(WorldState& s) {
     s.report.broken.clear();
     for (std::size_t i = 0; i < s.joints.size(); ++i) {
         Joint& joint = s.joints[i];
+        if (!joint.present) joint.force = joint.torque = Vec3::Zero();  // since the step before
         const bool bears = joint.force.norm() <= joint.def.breakForce &&
                            joint.torque.norm() <= joint.def.breakTorque;
         if (!joint.present || bears) continue;

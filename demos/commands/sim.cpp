@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
@@ -17,6 +18,8 @@
 
 namespace demos {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// What one run writes, a row per step or more.
 struct Tables {
@@ -58,12 +61,20 @@ void addBodies(const Stage& stage, double time, Table& table) {
     }
 }
 
+/// The first coordinate that is free.
+std::size_t coordinateOf(const engine::JointDef& def) {
+    std::size_t i = 0;
+    while (i + 1 < def.free.size() && def.free[i].locked) ++i;
+    return i;
+}
+
 void addJoints(const Stage& stage, double time, Table& table) {
     for (std::size_t i = 0; i < stage.joints.size(); ++i) {
         const engine::JointState joint = stage.world.joint(stage.joints[i]);
         table.cell(time).cell(stage.scene.joints[i].name).cell(joint.separation);
         table.cell(joint.force.norm()).cell(joint.torque.norm());
-        table.cell(joint.position).cell(joint.speed).cell(joint.broken ? 1 : 0);
+        const std::size_t free = coordinateOf(joint.def);
+        table.cell(joint.positions[free]).cell(joint.speeds[free]).cell(joint.broken ? 1 : 0);
         table.endRow();
     }
 }
@@ -108,24 +119,19 @@ void writeAll(const Tables& tables, const Talk& talk) {
 
 /// True when standard output carries a table or the events.
 bool checkTargets(const Tables& tables, const Options& options) {
-    std::vector<std::string> seen;
-    for (const Table* table : tables.wanted()) {
-        if (std::find(seen.begin(), seen.end(), table->target()) != seen.end())
-            throw Stop(Exit::usage, fmt::format("two tables for '{}'; give each its own file",
-                                                printable(table->target())));
-        seen.push_back(table->target());
-    }
-    if (!options.events.empty()) {
-        if (std::find(seen.begin(), seen.end(), options.events) != seen.end())
-            throw Stop(Exit::usage, fmt::format("a table and the events for '{}'; give each its "
-                                                "own file",
-                                                printable(options.events)));
-        seen.push_back(options.events);
-    }
-    if (std::find(seen.begin(), seen.end(), options.plot) != seen.end())
-        throw Stop(Exit::usage, fmt::format("a table and the plot for '{}'; give each its own file",
-                                            printable(options.plot)));
+    std::vector<fs::path> seen;
+    const auto add = [&](const std::string& target, const char* what) {
+        std::error_code ignored;
+        const fs::path path = target == "-" ? fs::path("-") : fs::weakly_canonical(target, ignored);
+        if (std::find(seen.begin(), seen.end(), path) != seen.end())
+            throw Stop(Exit::usage, fmt::format("{} for '{}'; give each its own file", what,
+                                                printable(target)));
+        seen.push_back(path);
+    };
+    for (const Table* table : tables.wanted()) add(table->target(), "two tables");
+    if (!options.events.empty()) add(options.events, "a table and the events");
     const bool standard = std::find(seen.begin(), seen.end(), "-") != seen.end();
+    if (!options.plot.empty()) add(options.plot, "a table and the plot");
     if (standard && options.json)
         throw Stop(Exit::usage, "--json has standard output; write the table to a file");
     return standard;

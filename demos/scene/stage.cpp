@@ -1,5 +1,7 @@
 #include "demos/scene/stage.h"
 
+#include <map>
+
 namespace demos {
 namespace {
 
@@ -24,6 +26,25 @@ engine::JointDef jointDef(const JointDescription& joint, const Stage& stage) {
     return def;
 }
 
+/// Bodies that share a mesh or a hull share its picture, which is as large.
+class Drawings {
+public:
+    const std::vector<DrawnPart>& of(const engine::Shape& shape) {
+        const void* key = shape.mesh    ? static_cast<const void*>(shape.mesh.get())
+                          : shape.hull  ? static_cast<const void*>(shape.hull.get())
+                          : shape.parts ? static_cast<const void*>(shape.parts.get())
+                                        : nullptr;
+        if (!key) return own_ = drawnParts(shape);
+        const auto found = known_.find(key);
+        return found != known_.end() ? found->second
+                                     : known_.emplace(key, drawnParts(shape)).first->second;
+    }
+
+private:
+    std::vector<DrawnPart> own_;
+    std::map<const void*, std::vector<DrawnPart>> known_;  // never in the order of its keys
+};
+
 engine::ForceDef forceDef(const ForceDescription& force, const Stage& stage) {
     engine::ForceDef def = force.def;
     for (engine::BodyId& id : def.on) id = bodyOf(id, stage);
@@ -35,10 +56,11 @@ engine::ForceDef forceDef(const ForceDescription& force, const Stage& stage) {
 Stage::Stage(const SceneDescription& description)
     : scene(description), world(description.settings) {
     world.setGravity(scene.gravity);
+    Drawings drawings;
     for (const BodyDescription& body : scene.bodies) {
         if (body.path) onPaths_.push_back(static_cast<int>(bodies.size()));
         bodies.push_back(world.add(body.def));
-        drawn.push_back(drawnParts(body.def.shape));
+        drawn.push_back(drawings.of(body.def.shape));
     }
     ground = addGround(world);
     for (const JointDescription& joint : scene.joints)

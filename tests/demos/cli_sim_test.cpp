@@ -220,6 +220,59 @@ TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
     EXPECT_EQ(run(folder.path(), {"bench", "ball.toml", "--against", "none.json"}).code, 4);
 }
 
+TEST_F(Sim, DoesNotWriteOverItsScene) {
+    write(folder / "own.toml", kBall);
+    for (const char* option : {"--csv", "--bodies", "--events", "--plot"}) {
+        const Ended ended = run(folder.path(), {"sim", "own.toml", option, "./own.toml"});
+        EXPECT_EQ(ended.code, 2) << option;
+        EXPECT_EQ(ended.err, "impulse: './own.toml' is the scene itself; write to another file\n");
+    }
+    EXPECT_EQ(contentOf(folder / "own.toml"), kBall);
+    const Ended twice =
+        run(folder.path(), {"sim", "own.toml", "--csv", "a.csv", "--bodies", "./a.csv"});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_NE(twice.err.find("two tables for './a.csv'"), std::string::npos) << twice.err;
+}
+
+TEST_F(Sim, AJointsRowTellsItsFreeCoordinateAndNoForceOnceItIsBroken) {
+    write(folder / "joint.toml", R"(format = 1
+seconds = 1.0
+[[body]]
+name = "weight"
+shape = { sphere = 0.1 }
+at = [0, 5, 0]
+mass = 2
+[[joint]]
+name = "spring"
+type = "six-dof"
+a = "world"
+b = "weight"
+anchor = [0, 5, 0]
+x = "locked"
+z = "locked"
+y = { spring = { hz = 0.2, damping = 0.0 } }
+break_at = 5
+)");
+    const Ended ended = run(folder.path(), {"sim", "joint.toml", "--joints", "-", "--quiet"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    double lowest = 0.0, atBreak = 0.0, afterwards = -1.0;
+    std::istringstream lines(ended.out);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        std::vector<double> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(std::atof(cell.c_str()));
+        ASSERT_EQ(cells.size(), 8u);
+        lowest = std::min(lowest, cells[5]);
+        if (cells[7] == 1.0 && atBreak > 0.0) afterwards = cells[3];
+        if (cells[7] == 1.0 && atBreak == 0.0) atBreak = cells[3];
+    }
+    EXPECT_LT(lowest, -0.5);     // it falls along y, the second coordinate
+    EXPECT_GT(atBreak, 5.0);
+    EXPECT_EQ(afterwards, 0.0);
+}
+
 TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
     write(folder / "arm.xml",
           "<mujoco><worldbody><light/><body><joint axis='0 1 0' armature='1'/>"
