@@ -241,6 +241,14 @@ TEST(MujocoErrors, OfFilesNameTheFile) {
         << listed(lines);
 }
 
+TEST(MujocoErrors, OfContinuedLinesNameTheFirst) {
+    const std::vector<std::string> lines =
+        modelErrors("<mujoco><asset><mesh file='m.obj'/></asset></mujoco>",
+                    {{"m.obj", "v 1 \\\r\n2 3\nv 1 2 3\nv 1 \\\n x 3\n"}});
+    EXPECT_TRUE(tells(lines, "a.xml:1:22: ", "m.obj: line 4 should be 'v' and three numbers"))
+        << listed(lines);
+}
+
 TEST(MujocoErrors, AnIncludedFileHasItsOwnPlacesAndIsReadOnce) {
     const std::vector<std::string> lines =
         modelErrors("<mujoco>\n<include file='b.xml'/>\n<include file='b.xml'/></mujoco>",

@@ -136,9 +136,10 @@ TEST(RepeatExpressions, InNamesAreWhole) {
 
 TEST(RepeatExpressions, InNamesOfOtherBodiesAreToldThere) {
     const std::string repeat = "format = 1\n" + kBall + "[[repeat]]\ncount = 2\n";
-    const auto joint = errorsOf(repeat + "joint = { type = 'ball', a = 'world', b = 'ball{i/4}', "
-                                         "anchor = [0, 0, 0] }\nbody = []\n");
-    EXPECT_TRUE(tells(joint, "a.toml:8:41: ", "{i/4} in a name is 0.25; it should be whole"))
+    const auto joint = errorsOf(repeat + "joint = { type = 'ball', a = 'world', b = 'ball{(i+1)/4}', "
+                                         "anchor = [0, 0, 0] }\n");
+    ASSERT_EQ(joint.size(), 1u) << listed(joint);
+    EXPECT_TRUE(tells(joint, "a.toml:8:39: ", "{(i+1)/4} in a name is 0.25; it should be whole"))
         << listed(joint);
     const auto force =
         errorsOf(repeat + "force = { type = 'wind', velocity = [1, 0, 0], on = 'b{x}*' }\n");
