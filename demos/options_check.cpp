@@ -157,7 +157,8 @@ void checkOptions(Options& options, const RawOptions& raw) {
     if (options.exact && options.sweeps.empty())
         refuse("--exact belongs to --sweeps; name a file for them");
     for (const std::string& text : options.overrides)
-        if (text.find('=') == std::string::npos)
+        if (const std::size_t equals = text.find('=');
+            equals == std::string::npos || text.find_first_not_of(' ') == equals)
             refuse(fmt::format("--set '{}': must be KEY=VALUE, for example world.hz=240",
                                printable(text)));
     if (!raw.solver.empty()) options.overrides.push_back("solver.type=" + raw.solver);

@@ -8,6 +8,39 @@ namespace {
 constexpr std::size_t kMostBodies = 10'000;
 constexpr Range kMass{0.0, 1e9, "kg"};
 constexpr Range kInertia{-1e12, 1e12, "kg m^2"};
+constexpr double kRounded = 1e-6;  // of all, that principal moments may miss A + B >= C
+
+bool makesBodies(const std::string& element) {
+    constexpr std::string_view kMakers[] = {"composite", "flexcomp", "replicate", "attach"};
+    return std::find(std::begin(kMakers), std::end(kMakers), element) != std::end(kMakers);
+}
+
+/// By the three leading minors (Sylvester).
+bool isPositiveDefinite(const Mat3& m) {
+    const double second = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+    return m(0, 0) > 0.0 && second > 0.0 && m.determinant() > 0.0;
+}
+
+/// A + B >= C of the principal moments. With tr I / 2 - A = (B + C - A) / 2 and so on it says that
+/// tr I / 2 - I, the second moments of the mass, is nowhere negative.
+bool keepsTriangle(const Mat3& inertia) {
+    const double trace = inertia.trace();
+    if (trace <= 0.0) return true;
+    const Mat3 moments = (0.5 + kRounded) * Mat3::Identity() - inertia / trace;
+    return isPositiveDefinite(moments);
+}
+
+/// Complains of what no mass has; `name`: the attribute that says it.
+void checkInertia(Attributes& attributes, const char* name, const Mat3& inertia) {
+    const bool full = name == std::string_view("fullinertia");
+    const std::string is = std::string(name) + " is '" + attributes.text(name).substr(0, 64);
+    if (full && !isPositiveDefinite(inertia))
+        attributes.wrong(name, is + "'; it should be positive definite (xx yy zz xy xz yz)");
+    else if (!full && inertia.diagonal().minCoeff() < 0.0)
+        attributes.wrong(name, is + "'; it should not be negative");
+    else if (!keepsTriangle(inertia))
+        attributes.wrong(name, is + "'; no two of the moments should be less than the third");
+}
 
 class TreeBuilder {
 public:
@@ -42,12 +75,22 @@ private:
     void readInside(const Element& around, const Whereabouts& at, const Pose& pose,
                     const std::string& childclass, Weights& weights) {
         for (const Element& child : around.children) {
+            if (makesBodies(child.name)) noteLacking(child.name, at.link);
             if (child.name == "geom") addGeom(child, at, pose, childclass, weights);
             if (child.name == "inertial") weights.given = readInertial(child, at, pose);
             if (child.name == "frame")
                 readInside(child, at, pose * poseOf(child),
                            context_.defaults.childclass(child, childclass), weights);
         }
+    }
+
+    void noteLacking(const std::string& element, int number) {
+        tree_.lacking = element;
+        if (number != kWorld) link(number).lacking = element;
+    }
+
+    void refuse(int number) {
+        if (number != kWorld) link(number).refused = true;
     }
 
     /// The <body>s in a <body> or in its <frame>s.
@@ -70,8 +113,9 @@ private:
         const Pose pose = outer * poseOf(body);
         Whereabouts at{around, pose};
         std::vector<JointElement> joints;
-        const bool isFree = readJoints(body, childclass, joints);
-        if (isFree && (around != kWorld || !joints.empty()))
+        const int free = readJoints(body, childclass, joints);
+        const bool isFree = free > 0;
+        if (free > 1 || (isFree && (around != kWorld || !joints.empty())))
             context_.remarks.wrong(body.spot,
                                    "a free joint beside others, or inside a moving <body>; "
                                    "it should be alone, in a <body> of <worldbody>");
@@ -91,20 +135,19 @@ private:
         return mocap;
     }
 
-    /// True: one of them is free.
-    bool readJoints(const Element& body, const std::string& childclass,
-                    std::vector<JointElement>& joints) const {
-        bool isFree = false;
+    /// How many of them are free; those are not in `joints`.
+    int readJoints(const Element& body, const std::string& childclass,
+                   std::vector<JointElement>& joints) const {
+        int free = 0;
         for (const Element& child : body.children) {
-            if (child.name == "freejoint") isFree = true;
+            if (child.name == "freejoint") ++free;
             if (child.name != "joint") continue;
-            const bool free = context_.defaults.of(child, childclass).text("type") == "free";
-            if (free)
-                isFree = true;
+            if (context_.defaults.of(child, childclass).text("type") == "free")
+                ++free;
             else
                 joints.push_back({&child, childclass});
         }
-        return isFree;
+        return free;
     }
 
     int addLink(const Element& body, int around, const Pose& pose,
@@ -116,9 +159,6 @@ private:
         link.pose = pose;
         link.joints = std::move(joints);
         link.spot = body.spot;
-        for (const Element& child : body.children)
-            for (const char* maker : {"composite", "flexcomp", "replicate", "attach"})
-                if (child.name == maker) link.lacking = child.name;
         tree_.links.push_back(std::move(link));
         return static_cast<int>(tree_.links.size()) - 1;
     }
@@ -142,8 +182,14 @@ private:
 
     void addGeom(const Element& element, const Whereabouts& at, const Pose& pose,
                  const std::string& childclass, Weights& weights) {
+        const int before = context_.remarks.errors();
         std::optional<Geom> geom = readGeom(element, childclass, context_);
-        if (!geom) return;
+        if (!geom) {
+            // Of a mesh that is wrong its <asset> tells; other types are left out with a note.
+            const bool isMesh = context_.defaults.of(element, childclass).text("type") == "mesh";
+            if (isMesh || context_.remarks.errors() > before) refuse(at.link);
+            return;
+        }
         const Pose there = inLink(at, pose, {});
         geom->pose = there * geom->pose;
         geom->properties = placed(geom->properties, there);
@@ -151,16 +197,19 @@ private:
             tree_.fixed.push_back(std::move(*geom));
             return;
         }
-        if (geom->shape.type == engine::ShapeType::plane)
+        if (geom->shape.type == engine::ShapeType::plane) {
+            refuse(at.link);
             return context_.remarks.wrong(geom->spot,
                                           "a plane in a <body> that moves; it should be "
                                           "in <worldbody>, or a box");
+        }
         weights.geoms.push_back(geom->properties);
         link(at.link).geoms.push_back(std::move(*geom));
     }
 
     std::optional<MassProperties> readInertial(const Element& element, const Whereabouts& at,
                                                const Pose& pose) {
+        const int before = context_.remarks.errors();
         Attributes attributes = context_.defaults.of(element, "");
         const Pose own = readPose(attributes, context_.rules.angles);
         MassProperties given;
@@ -168,6 +217,13 @@ private:
         if (!attributes.has("mass"))
             attributes.wrong("", "an <inertial> has no mass; write mass=\"1\" (kg)");
         given.mass = mass.value_or(0.0);
+        given.inertia = yUp(readInertia(attributes, context_.rules.inertiaFromGeom != "true"));
+        if (context_.remarks.errors() > before) refuse(at.link);
+        return placed(given, inLink(at, pose, own));
+    }
+
+    /// kg m^2, in the axes of the file. `counts`: it is not replaced by that of the <geom>s.
+    static Mat3 readInertia(Attributes& attributes, bool counts) {
         Mat3 inertia = Mat3::Zero();
         const auto full = attributes.numbers("fullinertia", 6, 6, kInertia);
         const std::optional<Vec3> diagonal = attributes.vector("diaginertia", kInertia);
@@ -176,10 +232,11 @@ private:
             const std::vector<double>& n = *full;  // xx yy zz xy xz yz
             inertia << n[0], n[3], n[4], n[3], n[1], n[5], n[4], n[5], n[2];
         }
+        if (counts && (full || diagonal))
+            checkInertia(attributes, full ? "fullinertia" : "diaginertia", inertia);
         if (!attributes.has("fullinertia") && !attributes.has("diaginertia"))
             attributes.wrong("", "an <inertial> has no inertia; write diaginertia or fullinertia");
-        given.inertia = yUp(inertia);
-        return placed(given, inLink(at, pose, own));
+        return inertia;
     }
 
     /// <inertial> counts unless <compiler> says otherwise.

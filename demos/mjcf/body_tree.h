@@ -26,6 +26,7 @@ struct Link {
     std::vector<JointElement> joints;    // none: it is free
     bool ownInertia = false;             // by an <inertial>
     std::string lacking;                 // an element that would give it mass and is not had
+    bool refused = false;                // what of it is wrong is told: its mass is not known
     Spot spot;
 };
 
@@ -39,6 +40,7 @@ struct BodyTree {
     std::vector<Link> links;
     std::vector<Geom> fixed;                    // in world axes: what no joint lets move
     std::map<std::string, Whereabouts> bodies;  // by name; "world" too
+    std::string lacking;                        // an element that would make bodies and is not had
 };
 
 /// `root`, which has to outlive the tree: <mujoco>.

@@ -17,8 +17,19 @@ bool isUsable(const Vec3& corner) {
 }
 
 std::string_view lineOff(std::string_view& text) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+    std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+/// With those that a backslash at its end joins to it; `number` counts them.
+std::string wholeLineOff(std::string_view& text, int& number) {
+    std::string line(lineOff(text));
+    for (++number; line.ends_with('\\') && !line.starts_with('#') && !text.empty(); ++number) {
+        line.back() = ' ';
+        line += lineOff(text);
+    }
     return line;
 }
 
@@ -37,10 +48,11 @@ Vec3 cornerIn(std::string_view text) {
 
 MeshCorners readObj(std::string_view text) {
     MeshCorners mesh;
-    for (int line = 1; !text.empty(); ++line) {
-        const std::string_view words = lineOff(text);
+    for (int read = 0; !text.empty();) {
+        const int line = read + 1;
+        const std::string words = wholeLineOff(text, read);
         if (!words.starts_with("v ") && !words.starts_with("v\t")) continue;
-        mesh.corners.push_back(cornerIn(words.substr(2)));
+        mesh.corners.push_back(cornerIn(std::string_view(words).substr(2)));
         if (isUsable(mesh.corners.back())) continue;
         mesh.wrong = "line " + std::to_string(line) + " should be 'v' and three numbers";
         return mesh;

@@ -32,7 +32,11 @@ void build(const Element& root, const fs::path& folder, const FileReader& read, 
     addJoints(tree, places, context, scene, jointNames);
     addEqualities(root, tree, places, context, scene, jointNames);
     separate(root, tree, places, context, scene);
-    if (scene.bodies.empty()) remarks.wrong(root.spot, "the model has no <geom>; give it some");
+    if (scene.bodies.empty())
+        remarks.wrong(
+            root.spot,
+            "the model has no <geom>; give it some" +
+                (tree.lacking.empty() ? "" : ": its <" + tree.lacking + "> is not available"));
     scene.camera = readView(root, defaults, scene);
     stopIfWrong(remarks);
 }
@@ -88,8 +92,9 @@ SceneDescription readModel(const std::string& text, const std::string& fileName,
 }
 
 SceneDescription loadModel(const fs::path& path, const std::vector<std::string>& overrides) {
-    return readModel(readSceneFile(path), path.string(), path.stem().string(), overrides,
-                     [](const fs::path& file) { return readSceneFile(file); });
+    return readModel(
+        readSceneFile(path), path.string(), path.stem().string(), overrides,
+        [](const fs::path& file) { return readSceneFile(file, "a file of the model"); });
 }
 
 }  // namespace demos::mjcf

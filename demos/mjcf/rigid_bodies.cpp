@@ -36,7 +36,7 @@ public:
 
     void addMoving(const Link& link) {
         const MassProperties whole = together(link.masses);
-        if (!isMovable(whole))
+        if (!isMovable(whole) && !link.refused)
             context_.remarks.wrong(
                 link.spot,
                 "a <body> with a joint has no mass to move, or no inertia (mass " +

@@ -45,6 +45,14 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+std::string shown(std::string_view text) {
+    std::size_t length = 64;
+    if (text.size() <= length) return std::string(text);
+    // Back to where a character begins, so that no half of one is told.
+    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) --length;
+    return std::string(text.substr(0, length)) + "...";
+}
+
 std::string numberText(double value) {
     char buffer[32];
     const double size = value < 0.0 ? -value : value;

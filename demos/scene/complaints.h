@@ -11,6 +11,9 @@ namespace demos {
 /// Text that a terminal can be given: control bytes and what is not UTF-8 as \x1b.
 std::string printable(std::string_view text);
 
+/// What was written, for a message: its first 64 bytes, and "..." where there are more.
+std::string shown(std::string_view text);
+
 /// The shortest text that reads back to the same number.
 std::string numberText(double value);
 

@@ -194,6 +194,9 @@ std::string Expressions::checkName(std::string_view name, bool called, const Tur
     for (const Constant& constant : kConstants)
         if (name == constant.name) return "";
     if (values_.find(name) != values_.end()) return "";
+    if (later_.contains(name))
+        return "there is no value '" + std::string(name) +
+               "' yet; it comes later in [values] and should come first";
     return "there is no value '" + std::string(name) + "'" + suggestion(name, names(turns));
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,9 @@ public:
     /// A name that later expressions know. Empty, or why it cannot be one.
     std::string whyNoName(std::string_view name) const;
     void define(const std::string& name, double value);
+    /// Names that will be defined, for messages; each until it is withdrawn.
+    void announce(const std::string& name) { later_.insert(name); }
+    void withdraw(const std::string& name) { later_.erase(name); }
 
     /// At most 200 characters: numbers, names, + - * / ^ ( ) and commas.
     Evaluated evaluate(std::string_view text, const Turns& turns);
@@ -47,6 +51,7 @@ private:
     class Parser;
     std::unique_ptr<Parser> parser_;
     std::map<std::string, double, std::less<>> values_;
+    std::set<std::string, std::less<>> later_;
     double turns_[2 * kDeepestRepeat + 1] = {};  // i j k ni nj nk n
     int evaluated_ = 0;
 };

@@ -160,11 +160,14 @@ GltfBuffers::Elements GltfBuffers::elementsOf(std::size_t accessor, const char* 
     const std::string& bytes = buffer(wholeOf(view, "buffer", std::nullopt));
     const std::size_t size = sizeOf(component) * (floats ? 3 : 1);
     const std::size_t stride = wholeOf(view, "byteStride", size);
+    if (stride < size)
+        throw MeshFileError(name + " has a byteStride of " + std::to_string(stride) +
+                            "; byteStride should be " + std::to_string(size) + " or more");
     const std::size_t start = wholeOf(view, "byteOffset", 0);
     const std::size_t length = wholeOf(view, "byteLength", std::nullopt);
     const std::size_t offset = wholeOf(json, "byteOffset", 0);
     const std::size_t end = count == 0 ? 0 : offset + (count - 1) * stride + size;
-    if (stride < size || start + length > bytes.size() || end > length)
+    if (start + length > bytes.size() || end > length)
         throw MeshFileError(name + " reaches beyond the end of its buffer");
     const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
     return {count == 0 ? first : first + start + offset, count, stride, component};

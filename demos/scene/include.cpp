@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepest = 8;
 constexpr std::size_t kMostFiles = 64;
+constexpr std::size_t kLongestPath = 1000;
 
 bool isList(std::string_view key) {
     constexpr std::string_view kLists[] = {"material", "body",    "joint", "force",
@@ -203,6 +204,9 @@ private:
                    "list NAME --print'";
         if (text.empty() || text.find('\0') != std::string::npos)
             return "include is '" + text + "'; it should be a file, like \"parts/floor.toml\"";
+        if (text.size() > kLongestPath)
+            return "include is '" + shown(text) + "' of " + std::to_string(text.size()) +
+                   " characters; it should be at most " + std::to_string(kLongestPath);
         if (inside_.size() > kDeepest) return "files that include each other more than 8 deep";
         if (known_.size() >= kMostFiles) return "more than 64 files in a scene";
         return "";

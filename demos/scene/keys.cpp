@@ -265,7 +265,7 @@ void Keys::done() {
                                            " is not available yet; leave it out");
             continue;
         }
-        std::string what = "unknown key '" + key.name + "' in " + where_;
+        std::string what = "unknown key '" + shown(key.name) + "' in " + where_;
         if (++unknown <= kMostSuggestions)
             what += suggestion(key.name, {known_.begin(), known_.end()});
         complaints_.add(key.place, what);

@@ -66,6 +66,11 @@ std::optional<engine::Shape> readShapeFile(
                                "itself; write the points instead");
         return std::nullopt;
     }
+    if (file->empty()) {
+        keys.complain(key, std::string(key) +
+                               " is an empty name; it should be that of a file, like \"rock.obj\"");
+        return std::nullopt;
+    }
     const fs::path path = *files.folder / *file;
     const std::string name = nameOf(key, path, placing);
     if (const auto known = files.known.find(name); known != files.known.end()) return known->second;

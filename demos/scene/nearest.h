@@ -11,8 +11,8 @@ namespace demos {
 /// (Damerau-Levenshtein, each letter edited once).
 int editDistance(std::string_view a, std::string_view b);
 
-/// The first of the names closest to `word` within two edits (one, for words of up to three
-/// letters); empty when there is none.
+/// The first of the names closest to `word` within two edits (one, for words of two or three
+/// letters; none, for one letter); empty when there is none.
 std::string nearest(std::string_view word, std::span<const std::string> names);
 
 /// "; did you mean 'hz'?", or "; known are: gravity, hz, seed" (the first dozen).

@@ -19,13 +19,21 @@ constexpr std::size_t kMostSides = 256;  // of a face: the work grows with their
 class ObjLines {
 public:
     explicit ObjLines(std::string_view text) {
-        while (!text.empty()) {
-            const std::size_t end = text.find_first_of("\r\n");
-            ++number_;
-            take(text.substr(0, end));
-            if (end == std::string_view::npos) break;
-            text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+        std::string joined;  // of lines that end in a backslash
+        for (int lines = 1; !text.empty(); ++lines) {
+            const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+            const std::string_view line = text.substr(0, end);
+            text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : end < text.size()));
+            if (joined.empty()) number_ = lines;
+            const bool comment = joined.empty() && line.starts_with('#');
+            if (line.ends_with('\\') && !comment) {
+                (joined += line).back() = ' ';
+                continue;
+            }
+            take(joined.empty() ? line : joined += line);
+            joined.clear();
         }
+        take(joined);
         for (const Face& face : faces_) write(face);
     }
 
@@ -89,7 +97,11 @@ private:
         if (read.ec != std::errc() || (read.ptr != end && *read.ptr != '/') || number == 0)
             fail(number_, "'" + std::string(word) +
                               "' should be a corner's number, from 1, or from -1 backwards");
-        return number > 0 ? number : static_cast<int>(corners_.size()) + 1 + number;
+        const int known = static_cast<int>(corners_.size());
+        if (number < -known)
+            fail(number_, "corner " + std::to_string(number) + "; there are " +
+                              std::to_string(known) + " corners before it");
+        return number > 0 ? number : known + 1 + number;
     }
 
     void takeFace(const std::vector<std::string_view>& words) {
@@ -106,7 +118,7 @@ private:
     void write(const Face& face) {
         text_ += 'f';
         for (const int corner : face.corners) {
-            if (corner < 1 || corner > static_cast<int>(corners_.size()))
+            if (corner > static_cast<int>(corners_.size()))
                 fail(face.line, "corner " + std::to_string(corner) +
                                     "; the file has corners 1 to " +
                                     std::to_string(corners_.size()));

@@ -1,6 +1,8 @@
 #include "demos/scene/overrides.h"
 
+#include <algorithm>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 #include "demos/scene/nearest.h"
@@ -41,13 +43,18 @@ bool holdsCalled(const Value& item, const std::string& name) {
     return false;
 }
 
-/// Of a list: the item with this number, or this name; null when there is none.
-Value* itemOf(Value& list, const std::string& part) {
+std::optional<std::size_t> numberOf(const std::string& part) {
     std::size_t number = 0;
     const char* end = part.data() + part.size();
     const std::from_chars_result read = std::from_chars(part.data(), end, number);
-    if (read.ec == std::errc() && read.ptr == end)
-        return number < list.items.size() ? &list.items[number] : nullptr;
+    if (read.ec == std::errc() && read.ptr == end) return number;
+    return std::nullopt;
+}
+
+/// Of a list: the item with this number, or this name; null when there is none.
+Value* itemOf(Value& list, const std::string& part) {
+    if (const std::optional<std::size_t> number = numberOf(part))
+        return *number < list.items.size() ? &list.items[*number] : nullptr;
     for (Value& item : list.items)
         if (holdsCalled(item, part)) return &item;
     return nullptr;
@@ -62,7 +69,7 @@ std::string whyNot(const std::vector<std::string>& path, const Value& document) 
     std::vector<std::string> names;
     if (values)
         for (const Key& key : values->keys) names.push_back(key.name);
-    return "the scene has no value '" + path[1] + "'" + suggestion(path[1], names);
+    return "the scene has no value '" + shown(path[1]) + "'" + suggestion(path[1], names);
 }
 
 Value* memberOf(Value& table, const std::string& part, Place place) {
@@ -72,6 +79,40 @@ Value* memberOf(Value& table, const std::string& part, Place place) {
     table.keys.push_back({part, place});
     table.items.push_back(std::move(member));
     return &table.items.back();
+}
+
+/// What a path leads to, in a table with its key.
+struct Setting {
+    Value* value = nullptr;
+    Key* key = nullptr;
+};
+
+/// Tables are made where there are none; lists, whose items have numbers, are not. Complains, and
+/// gives no value, where the path leads nowhere.
+Setting settingAt(const std::vector<std::string>& path, Place place, Value& document,
+                  Complaints& complaints) {
+    Setting at{&document, nullptr};
+    for (auto part = path.begin(); part != path.end(); ++part) {
+        Value& around = *at.value;
+        at = {};
+        auto missing = part;
+        if (around.kind == Value::Kind::array) {
+            at.value = itemOf(around, *part);
+        } else if (around.kind == Value::Kind::table) {
+            const bool known = around.find(*part) != nullptr;
+            if (!known) missing = std::find_if(part, path.end(), numberOf);
+            if (known || missing == path.end()) {
+                at.value = memberOf(around, *part, place);
+                at.key = &around.keys[static_cast<std::size_t>(at.value - around.items.data())];
+            }
+        }
+        if (at.value) continue;
+        complaints.add(place, "there is no '" + shown(*missing) +
+                                  "' in this scene; a list takes a "
+                                  "number or the name of one of its tables");
+        return {};
+    }
+    return at;
 }
 
 void apply(const std::string& text, Place place, Value& document, Complaints& complaints) {
@@ -87,28 +128,10 @@ void apply(const std::string& text, Place place, Value& document, Complaints& co
         complaints.add(place, wrong);
         return;
     }
-    Value* at = &document;
-    Key* key = nullptr;
-    for (const std::string& part : path) {
-        if (at->kind == Value::Kind::array) {
-            at = itemOf(*at, part);
-            key = nullptr;
-        } else if (at->kind == Value::Kind::table) {
-            Value* parent = at;
-            at = memberOf(*at, part, place);
-            key = &parent->keys[static_cast<std::size_t>(at - parent->items.data())];
-        } else {
-            at = nullptr;
-        }
-        if (!at) {
-            complaints.add(place, "there is no '" + part +
-                                      "' in this scene; a list takes a "
-                                      "number or the name of one of its tables");
-            return;
-        }
-    }
-    *at = parseTomlValue(std::string_view(text).substr(equals + 1), place);
-    if (key) key->place = place;
+    const Setting setting = settingAt(path, place, document, complaints);
+    if (!setting.value) return;
+    *setting.value = parseTomlValue(std::string_view(text).substr(equals + 1), place);
+    if (setting.key) setting.key->place = place;
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ private:
         }
         const std::optional<std::string> text = keys_.text("name");
         if (!text) return;
-        const std::string name = instance_.named(*text);
+        const std::string name = instance_.named(*text, keys_, "name");
         if (name == "world")
             keys_.complain("name", "a body cannot be called 'world': so joints call what is fixed");
         else if (checkName(name, keys_.placeOf("name"), "name", complaints_))
@@ -137,17 +137,24 @@ private:
             body_.def.kind = engine::BodyKind::kinematic;
             readKinematic(keys_.inner(*kinematic, "kinematic"), instance_, body_);
         }
-        if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::plane && !fixed)
+        const bool plane = shapeKnown_ && body_.def.shape.type == engine::ShapeType::plane;
+        if (plane && !fixed)
             keys_.complain("shape", "a plane that is not fixed; write fixed = true");
-        if (shapeKnown_ && body_.def.shape.type == engine::ShapeType::mesh && !fixed && !kinematic)
-            keys_.complain("shape", "a mesh or height_field that can be moved; write fixed = true "
-                                    "or kinematic, or make it a hull");
-        if (body_.def.kind == engine::BodyKind::dynamic) return;
+        if (body_.def.kind == engine::BodyKind::dynamic) return checkMovable();
         for (const char* key : {"velocity", "spin", "mass", "density", "inertia"})
             if (keys_.has(key))
                 keys_.complain(key, std::string(key) + " of a body that is " +
                                         (fixed ? "fixed" : "kinematic") + "; leave it out" +
                                         (fixed ? "" : ": kinematic = { velocity, spin } moves it"));
+    }
+
+    void checkMovable() {
+        const engine::ShapeType type = body_.def.shape.type;
+        massless_ = type == engine::ShapeType::plane || type == engine::ShapeType::mesh;
+        if (shapeKnown_ && type == engine::ShapeType::mesh)
+            keys_.complain("shape",
+                           "a mesh or height_field that can be moved; write fixed = true "
+                           "or kinematic, or make it a hull");
     }
 
     void readPose() {
@@ -193,9 +200,9 @@ private:
         body_.groups = keys_.texts("group").value_or(std::vector<std::string>{});
         body_.ignores = keys_.texts("ignores").value_or(std::vector<std::string>{});
         body_.ignoresPlace = keys_.placeOf("ignores");
-        for (std::string& name : body_.ignores) name = instance_.named(name);
+        for (std::string& name : body_.ignores) name = instance_.named(name, keys_, "ignores");
         for (std::string& name : body_.groups) {
-            name = instance_.named(name);
+            name = instance_.named(name, keys_, "group");
             checkName(name, keys_.placeOf("group"), "group", complaints_);
         }
     }
@@ -204,7 +211,7 @@ private:
         const std::optional<double> mass = keys_.number("mass", kMass);
         if (mass) body_.def.mass = mass;
         body_.def.inertia = readInertia(keys_);
-        if (!shapeKnown_ || body_.def.kind != engine::BodyKind::dynamic) return;
+        if (!shapeKnown_ || massless_ || body_.def.kind != engine::BodyKind::dynamic) return;
         const double own = engine::massOf(body_.def.shape, body_.def.material.density);
         checkInertia(mass.value_or(own));
         if (!mass && (own < kMass.low || own > kMass.high))
@@ -216,10 +223,7 @@ private:
 
     /// Of pebbles a mile apart rounding leaves nothing about the line through them.
     void checkInertia(double mass) {
-        const engine::ShapeType type = body_.def.shape.type;
-        if (body_.def.inertia || type == engine::ShapeType::plane ||
-            type == engine::ShapeType::mesh)
-            return;
+        if (body_.def.inertia) return;
         const Eigen::LLT<engine::Mat3> factor(engine::inertiaOf(body_.def.shape, mass));
         if (factor.info() != Eigen::Success)
             keys_.complain("shape", "its inertia is not positive definite, because it is so thin "
@@ -233,6 +237,7 @@ private:
     Keys keys_;
     BodyDescription body_;
     bool shapeKnown_ = false;
+    bool massless_ = false;  // a plane or mesh that could be moved: an error, which is told
 };
 
 }  // namespace
@@ -281,11 +286,12 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
     const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         const int before = complaints.count();
+        std::string told;
         BodyDescription body;
         if (instance.table != complainedOf)
             body = BodyReader(instance, materials, files, complaints).read();
         else if (const Value* name = instance.table->find("name"))
-            body.name = instance.named(name->text);  // so that joints find it
+            body.name = instance.named(name->text, told);  // so that joints find it
         const int number = static_cast<int>(scene.bodies.size());
         const bool twice = !body.name.empty() && !numbers.insert({body.name, number}).second;
         if (twice && instance.table != complainedOf)

@@ -39,7 +39,8 @@ public:
         const std::optional<std::string> type = keys_.word("type", kTypes);
         if (!type) return force_;
         if (const auto name = keys_.text("name"))
-            checkName(instance_.named(*name), keys_.placeOf("name"), "name", complaints_);
+            checkName(instance_.named(*name, keys_, "name"), keys_.placeOf("name"), "name",
+                      complaints_);
         readTimes();
         type_ = *type;
         if (type_ == "spring") readEnds();
@@ -80,7 +81,9 @@ private:
     void readOn() {
         std::vector<std::string> patterns{"*"};
         if (const auto given = keys_.texts("on")) patterns = *given;
-        for (std::string& pattern : patterns) pattern = instance_.named(pattern);
+        const int before = complaints_.count();
+        for (std::string& pattern : patterns) pattern = instance_.named(pattern, keys_, "on");
+        if (complaints_.count() > before) return;
         for (const std::string& pattern : patterns) checkPattern(pattern);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
             const auto fits = [&](const std::string& pattern) {
@@ -115,7 +118,9 @@ private:
                                     " = \"NAME\" of a body, or \"world\"");
         const std::optional<std::string> text = keys_.text(key);
         if (!text) return -1;
-        const std::string name = instance_.named(*text);
+        const int before = complaints_.count();
+        const std::string name = instance_.named(*text, keys_, key);
+        if (complaints_.count() > before) return -1;
         const auto found = numbers_.find(name);
         if (found != numbers_.end()) return found->second;
         std::vector<std::string> names = bodyNames(scene_);

@@ -68,8 +68,9 @@ private:
                                     " = \"NAME\" of a body, or \"world\"");
         const std::optional<std::string> text = keys_.text(key);
         if (!text) return -1;
-        const std::string name = instance_.named(*text);
-        if (name == "world") return -1;
+        const int before = complaints_.count();
+        const std::string name = instance_.named(*text, keys_, key);
+        if (name == "world" || complaints_.count() > before) return -1;
         const auto found = numbers_.find(name);
         if (found != numbers_.end()) return found->second;
         std::vector<std::string> names = bodyNames(scene_);
@@ -104,7 +105,7 @@ private:
         joint_.name = nameOf(a()) + "-" + nameOf(b());
         const std::optional<std::string> text = keys_.text("name");
         if (!text) return;
-        const std::string name = instance_.named(*text);
+        const std::string name = instance_.named(*text, keys_, "name");
         if (checkName(name, keys_.placeOf("name"), "name", complaints_)) joint_.name = name;
     }
 

@@ -19,13 +19,16 @@ void readValues(Keys& top, Expressions& expressions, Complaints& complaints) {
         keys.complain(list[kMost].name, "more than 1000 values; leave some out");
         return;
     }
+    for (const Key& key : list) expressions.announce(key.name);
     for (const Key& key : list) {
-        const std::optional<double> value = keys.number(key.name, kAny);
+        expressions.withdraw(key.name);  // of itself it is not later
         const std::string wrong = expressions.whyNoName(key.name);
-        if (!wrong.empty())
-            complaints.add(key.place, "a value is called '" + key.name + "': " + wrong);
-        else  // known even if its number is wrong: that is told once
-            expressions.define(key.name, value.value_or(1.0));
+        if (!wrong.empty()) {
+            complaints.add(key.place, "a value is called '" + shown(key.name) + "': " + wrong);
+            continue;
+        }
+        // Known even if its number is wrong: that is told once.
+        expressions.define(key.name, keys.number(key.name, kAny).value_or(1.0));
     }
 }
 

@@ -120,16 +120,16 @@ std::vector<std::string> catalogScene(std::string_view text, const std::string& 
     return complaints.lines();
 }
 
-std::string readSceneFile(const fs::path& path) {
+std::string readSceneFile(const fs::path& path, const char* what) {
     const std::string name = path.string();
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) fail(name + ": there is no such file");
     if (status.type() == fs::file_type::directory)
-        fail(name + ": is a directory; it should be a scene file");
+        fail(name + ": is a directory; it should be " + what);
     // Opening a FIFO waits, and /dev/zero never ends: neither is tried.
     if (status.type() != fs::file_type::regular)
-        fail(name + ": is not a regular file; it should be a scene file");
+        fail(name + ": is not a regular file; it should be " + what);
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(name + ": cannot be read: " + error.message());
     if (size > kMostSceneBytes)

@@ -31,7 +31,7 @@ SceneDescription readScene(std::string_view text, const std::string& fileName,
                            const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 /// A regular file of at most 8 MiB, or an error (SceneError) that says what it is instead.
-std::string readSceneFile(const std::filesystem::path& path);
+std::string readSceneFile(const std::filesystem::path& path, const char* what = "a scene file");
 
 /// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
 SceneDescription loadScene(const std::string& nameOrPath,

@@ -45,6 +45,7 @@ Repeat readRepeat(const Value& table, const Scope& scope, Complaints& complaints
     // For pyramids: the inner count of the i-th outer turn is count + i count_step.
     if (depth > 0) r.countStep = keys.whole("count_step", {-kMostBodies, kMostBodies}).value_or(0);
     readMoves(keys, r);
+    const int before = complaints.count();
     r.bodies = keys.tables("body");
     r.joints = keys.tables("joint");
     r.forces = keys.tables("force");
@@ -54,7 +55,8 @@ Repeat readRepeat(const Value& table, const Scope& scope, Complaints& complaints
         keys.complain("repeat",
                       "three [[repeat]]s in each other hold no fourth: there are i, j "
                       "and k");
-    if (r.bodies.empty() && r.joints.empty() && r.forces.empty() && r.inner.empty())
+    const bool told = complaints.count() > before;  // that what it holds is wrong
+    if (!told && r.bodies.empty() && r.joints.empty() && r.forces.empty() && r.inner.empty())
         complaints.add(table.place,
                        "a [[repeat]] of nothing; give it a body, a joint, a force or a repeat");
     keys.done();
@@ -137,27 +139,46 @@ private:
     bool full_ = false;
 };
 
-std::optional<int> wholeOf(std::string_view text, const Scope& scope) {
+/// Of what is between braces; nothing, and why, where it is no whole number.
+std::optional<int> wholeOf(std::string_view text, const Scope& scope, std::string& wrong) {
+    constexpr double kLargest = 1e9;
     if (text == "i") return scope.turns.index[0];  // by far the most
-    const std::optional<double> x = scope.expressions->evaluate(text, scope.turns).value;
-    if (!x || *x != std::floor(*x) || std::fabs(*x) > 1e9) return std::nullopt;
-    return static_cast<int>(*x);
+    const Evaluated result = scope.expressions->evaluate(text, scope.turns);
+    const std::string where = "{" + shown(text) + "} in a name";
+    if (!result.value)
+        wrong = where + ": " + result.wrong;
+    else if (*result.value != std::floor(*result.value))
+        wrong = where + " is " + numberText(*result.value) + "; it should be whole";
+    else if (std::fabs(*result.value) > kLargest)
+        wrong =
+            where + " is " + numberText(*result.value) + "; it should be at most 1e9 either way";
+    else
+        return static_cast<int>(*result.value);
+    return std::nullopt;
 }
 
 }  // namespace
 
-std::string Instance::named(std::string_view text) const {
+std::string Instance::named(std::string_view text, std::string& wrong) const {
     std::string out;
     while (isRepeated()) {
         const std::size_t open = text.find('{');
         const std::size_t close = open == std::string_view::npos ? open : text.find('}', open);
         if (close == std::string_view::npos) break;
         out += text.substr(0, open);
-        const std::optional<int> number = wholeOf(text.substr(open + 1, close - open - 1), scope);
+        const std::optional<int> number =
+            wholeOf(text.substr(open + 1, close - open - 1), scope, wrong);
         out += number ? std::to_string(*number) : text.substr(open, close - open + 1);
         text.remove_prefix(close + 1);
     }
     return out += text;
+}
+
+std::string Instance::named(std::string_view text, Keys& keys, std::string_view key) const {
+    std::string wrong;
+    std::string name = named(text, wrong);
+    if (!wrong.empty()) keys.complain(key, wrong);
+    return name;
 }
 
 Vec3 Instance::point(const Vec3& p) const {

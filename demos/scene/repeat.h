@@ -37,8 +37,10 @@ struct Instance {
     }
     bool isRepeated() const { return scope.turns.depth > 0; }
     /// In a [[repeat]] what is in braces, an expression, is replaced by its whole number: {i} {i+1}
-    /// {2*i+j}. What has none stays.
-    std::string named(std::string_view text) const;
+    /// {2*i+j}. What has none stays, and `wrong` says why.
+    std::string named(std::string_view text, std::string& wrong) const;
+    /// The same of what `key` says; complains there.
+    std::string named(std::string_view text, Keys& keys, std::string_view key) const;
     Vec3 point(const Vec3& p) const;
     Quat rotation(const Quat& q) const;
     Vec3 direction(const Vec3& v) const;

@@ -58,6 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"StillEnding", {"still", "stack", "-o", "a.jpg"}, 2, ".png"},
         {"Every", {"sim", "stack", "--every", "0"}, 2, "must be 1"},
         {"SetWithoutValue", {"sim", "stack", "--set", "world.hz"}, 2, "KEY=VALUE"},
+        {"SetWithoutKey", {"sim", "stack", "--set", "=3"}, 2, "--set '=3': must be KEY=VALUE"},
         {"SetBadValue", {"sim", "stack", "--set", "world.hz=abc"}, 3, "world.hz=abc"},
         {"Solver", {"sim", "stack", "--solver", "magic"}, 3, "magic"},
         {"Ending", {"render", "stack", "-o", "a.avi"}, 2, "known are: .png"},

@@ -81,6 +81,13 @@ TEST_F(Include, ComplaintsNameTheFile) {
     EXPECT_TRUE(tells({lines[1]}, at("main.toml:3:1"), "did you mean 'seconds'?"));
 }
 
+TEST_F(Include, LongPathsAreToldByTheirBeginning) {
+    write("main.toml", "include = '" + std::string(5000, 'p') + "'\n" + kBall);
+    EXPECT_TRUE(tells(errors(), at("main.toml:2:11"),
+                      "include is '" + std::string(64, 'p') +
+                          "...' of 5000 characters; it should be at most 1000"));
+}
+
 TEST_F(Include, BadTomlInAnIncludedFileIsToldThere) {
     write("main.toml", "include = ['part.toml']\n" + kBall);
     write("part.toml", "x = = 1\n");

@@ -128,6 +128,18 @@ TEST_F(MeshFiles, NumbersAreReadToTheLastBit) {
     EXPECT_EQ(mesh.corners.at(0), Vec3(0.1, 1e-3, 123456.789012345678));
 }
 
+TEST_F(MeshFiles, ABackslashContinuesALine) {
+    const TriangleMesh mesh = objMesh(
+        "# no line goes on: \\\nv 0 \\\n0\\\r\n 0\nv 1 0 0\nv 0 1 0\nf \\\n1 2\\\n 3\nf 3 2 1\\");
+    ASSERT_EQ(mesh.corners.size(), 3u);
+    EXPECT_EQ(mesh.corners[0], Vec3(0, 0, 0));
+    ASSERT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_EQ(mesh.triangles[0], (std::array<int, 3>{0, 1, 2}));
+    // The place of what is wrong is where its line began.
+    EXPECT_NE(errorOf("bad.obj", "v 0 0 0\n\nv 1 \\\n2 \\\nx\nv 0 1 0\n").find("line 3: 'x' should be"),
+              std::string::npos);
+}
+
 TEST_F(MeshFiles, ManyBodiesShareAFile) {
     write("rock.obj", kTetrahedron);
     const SceneDescription scene = readScene(
@@ -194,7 +206,7 @@ TEST_F(MeshFiles, BrokenObjFilesAreTold) {
         {corners + "f 1 2 0\n", "'0' should be a corner's number"},
         {corners + "f 1 2 3x\n", "'3x' should be a corner's number"},
         {corners + "f 1 2 4\n", "line 4: corner 4; the file has corners 1 to 3"},
-        {corners + "f 1 2 -4\n", "line 4: corner 0; the file has corners 1 to 3"},
+        {corners + "f 1 2 -4\n", "line 4: corner -4; there are 3 corners before it"},
         {corners + "f 1 2 99999999999\n", "'99999999999' should be a corner's number"},
         {corners, "bad.obj has no triangles"},
         {corners + "f 1 2 2\n", "no triangle of bad.obj has an area"},
@@ -224,6 +236,8 @@ TEST_F(MeshFiles, FilesThatAreNoneAreTold) {
               std::string::npos);
     write("large.obj", "");
     std::filesystem::resize_file(folder_ / "large.obj", (64u << 20) + 1);
+    EXPECT_EQ(error(""),
+              "a.toml:4:11: mesh is an empty name; it should be that of a file, like \"rock.obj\"");
     EXPECT_NE(error("large.obj").find("is 67108865 bytes; it should be at most 64 MiB"),
               std::string::npos);
 }
@@ -275,7 +289,7 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
         {with(&Gltf::numbers, R"({"bufferView":1,"componentType":5123,"count":2,"type":"SCALAR"})"),
          "2 corner numbers make no triangles"},
         {with(&Gltf::views, R"({"buffer":0,"byteLength":36,"byteStride":4},{"buffer":0})"),
-         "accessor 0 reaches beyond the end"},
+         "accessor 0 has a byteStride of 4; byteStride should be 12 or more"},
         {with(&Gltf::views, R"({"buffer":0,"byteOffset":40,"byteLength":36},{"buffer":0})"),
          "accessor 0 reaches beyond the end"},
         {with(&Gltf::views, R"({"buffer":1,"byteLength":36})"), "there is no buffers 1"},

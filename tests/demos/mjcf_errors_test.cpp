@@ -1,7 +1,11 @@
 // What is wrong with a MuJoCo model is told with its place; what of it is not had is a note, never silence.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "tests/demos/mjcf_reading.h"
+#include "tests/support/temporary_folder.h"
 
 namespace demos::test {
 namespace {
@@ -60,7 +64,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "file is '/etc/passwd'; it should be relative to the model's folder"},
         BadModel{"include of what is not there", "<include file='b.xml'/>", "2:10",
                  "b.xml: there is no such file"},
-        BadModel{"no geom", "", "1:1", "the model has no <geom>; give it some"}));
+        BadModel{"no geom", "", "1:1", "the model has no <geom>; give it some"},
+        BadModel{"no geom but copies",
+                 "<worldbody><replicate count='2'><geom size='1'/></replicate></worldbody>", "1:1",
+                 "the model has no <geom>; give it some: its <replicate> is not available"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Words, BadModels,
@@ -157,6 +164,22 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"free inside", "<worldbody><body><joint/><geom size='1'/>\n<body><freejoint/>"
                                 "<geom size='1'/></body></body></worldbody>", "3:1",
                  "a free joint beside others, or inside a moving <body>"},
+        BadModel{"free twice", kFree + "<joint type='free'/><geom size='1'/>" + kEnd, "3:1",
+                 "a free joint beside others, or inside a moving <body>"},
+        BadModel{"free twice by name", kFree + "<freejoint/><geom size='1'/>" + kEnd, "3:1",
+                 "a free joint beside others, or inside a moving <body>"},
+        BadModel{"moments of no mass",
+                 kFree + "<inertial pos='0 0 0' mass='1' diaginertia='1 1 9'/>" + kEnd, "3:50",
+                 "diaginertia is '1 1 9'; no two of the moments should be less than the third"},
+        BadModel{"negative moments",
+                 kFree + "<inertial pos='0 0 0' mass='1' diaginertia='1 1 -1'/>" + kEnd, "3:50",
+                 "diaginertia is '1 1 -1'; it should not be negative"},
+        BadModel{"moments of no mass, turned",
+                 kFree + "<inertial pos='0 0 0' mass='1' fullinertia='5 5 1 4 0 0'/>" + kEnd, "3:50",
+                 "fullinertia is '5 5 1 4 0 0'; no two of the moments should be less than the third"},
+        BadModel{"inertia not positive",
+                 kFree + "<inertial pos='0 0 0' mass='1' fullinertia='1 1 1 2 0 0'/>" + kEnd, "3:50",
+                 "fullinertia is '1 1 1 2 0 0'; it should be positive definite (xx yy zz xy xz yz)"},
         BadModel{"far away", kFree + "<geom size='1' pos='9e4 0 0'/><body pos='9e4 0 0'>"
                                      "<joint/><geom size='1' pos='9e4 0 0'/></body>" + kEnd, "3:49",
                  "a body more than 100000 m from the origin; it should be nearer"}));
@@ -218,6 +241,14 @@ TEST(MujocoErrors, OfFilesNameTheFile) {
         << listed(lines);
 }
 
+TEST(MujocoErrors, OfContinuedLinesNameTheFirst) {
+    const std::vector<std::string> lines =
+        modelErrors("<mujoco><asset><mesh file='m.obj'/></asset></mujoco>",
+                    {{"m.obj", "v 1 \\\r\n2 3\nv 1 2 3\nv 1 \\\n x 3\n"}});
+    EXPECT_TRUE(tells(lines, "a.xml:1:22: ", "m.obj: line 4 should be 'v' and three numbers"))
+        << listed(lines);
+}
+
 TEST(MujocoErrors, AnIncludedFileHasItsOwnPlacesAndIsReadOnce) {
     const std::vector<std::string> lines =
         modelErrors("<mujoco>\n<include file='b.xml'/>\n<include file='b.xml'/></mujoco>",
@@ -233,6 +264,43 @@ TEST(MujocoErrors, AnIncludedFileHasItsOwnPlacesAndIsReadOnce) {
         modelErrors("<mujoco><include file='b.xml'/></mujoco>",
                     {{"b.xml", "<mujoco>\n<worldbody>\n<geom sise='1'/></worldbody></mujoco>"}});
     EXPECT_TRUE(tells(inside, "b.xml:3:7: ", "unknown attribute 'sise'")) << listed(inside);
+}
+
+TEST(MujocoErrors, OfAPartAreNotToldAgainOfTheMass) {
+    for (const char* part : {"<geom type='box' size='1'/>", "<geom type='plane' size='1 1 1'/>",
+                             "<geom type='mesh' mesh='none'/>",
+                             "<inertial pos='0 0 0' mass='1' fullinertia='1 1 1 2 0 0'/>",
+                             "<body><geom size='big'/></body>"}) {
+        const auto lines = modelErrors("<mujoco>\n" + kFree + part + kEnd + "</mujoco>");
+        EXPECT_EQ(lines.size(), 1u) << part << "\n" << listed(lines);
+        EXPECT_EQ(listed(lines).find("no mass to move"), std::string::npos) << part;
+    }
+    // What is left out with a note is no error, and the mass is.
+    EXPECT_TRUE(tells(modelErrors("<mujoco>\n" + kFree + "<geom type='hfield'/>" + kEnd + "</mujoco>"),
+                      "a.xml:3:1: ", "has no mass to move"));
+}
+
+TEST(MujocoErrors, AThinDiscIsNone) {  // A + B = C, written with six digits
+    for (const char* inertia : {"diaginertia='0.333333 0.166667 0.166667'", "diaginertia='2 1 1'",
+                                "fullinertia='1.5 1.5 1 0.5 0 0'"})
+        EXPECT_EQ(modelErrors("<mujoco>" + kFree + "<inertial pos='0 0 0' mass='1' " + inertia + "/>" +
+                              kEnd + "</mujoco>"),
+                  std::vector<std::string>{})
+            << inertia;
+}
+
+TEST(MujocoErrors, OfFoldersDoNotSpeakOfScenes) {
+    const support::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "m.obj");
+    std::ofstream(folder / "a.xml") << "<mujoco><asset><mesh file='m.obj'/></asset></mujoco>";
+    try {
+        loadScene((folder / "a.xml").string());
+        FAIL();
+    } catch (const SceneError& error) {
+        EXPECT_TRUE(tells(error.lines(), (folder / "a.xml:1:22: ").string(),
+                          "m.obj: is a directory; it should be a file of the model"))
+            << listed(error.lines());
+    }
 }
 
 TEST(MujocoErrors, AnotherRootIsTold) {

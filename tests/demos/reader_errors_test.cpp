@@ -316,6 +316,21 @@ TEST(Reader, TellsSeveralErrorsInTheOrderOfTheFile) {
     EXPECT_TRUE(lines[2].starts_with("a.toml:9:11: "));
 }
 
+/// What follows from it is not told beside it.
+TEST(Reader, TellsOneCauseOnce) {
+    const std::string cause[] = {
+        "[[body]]\nname = 'a'\nshape = { plane = [0, 1, 0] }\n",
+        "[[body]]\nname = 'a'\nshape = { mesh = { points = [[0, 0, 0], [1, 0, 0], [0, 0, 1]], "
+        "triangles = [[0, 1, 2]] } }\n",
+        "[[repeat]]\ncount = 1\n[[repeat.repeat]]\ncount = 1\n[[repeat.repeat.repeat]]\n"
+        "count = 1\n[[repeat.repeat.repeat.repeat]]\ncount = 1\n",
+        "[[repeat]]\ncount = 1\nbody = 3\n"};
+    for (const std::string& text : cause) {
+        const std::vector<std::string> lines = errorsOf("format = 1\n" + text);
+        EXPECT_EQ(lines.size(), 1u) << text << listed(lines);
+    }
+}
+
 TEST(Reader, TellsTwentyErrorsAndHowManyMore) {
     std::string text = "format = 1\n" + kBall;
     for (int i = 0; i < 30; ++i)
@@ -376,6 +391,8 @@ TEST(Reader, PrintsNoControlBytes) {
     ASSERT_FALSE(lines.empty());
     EXPECT_EQ(listed(lines).find('\x1b'), std::string::npos);
     EXPECT_NE(listed(lines).find("\\x1b[31m"), std::string::npos);
+    EXPECT_EQ(shown(std::string(64, 'a')), std::string(64, 'a'));
+    EXPECT_EQ(shown(std::string(63, 'a') + "\xc3\xa9"), std::string(63, 'a') + "...");
     EXPECT_EQ(printable("a\n\x7f\xc2\x9b\xff\xc3\xa9"), "a\\x0a\\x7f\\xc2\\x9b\\xff\xc3\xa9");
 }
 

@@ -207,6 +207,9 @@ TEST(Nearest, CountsSwapsAsOneEdit) {
     const std::vector<std::string> names = {"gravity", "hz"};
     EXPECT_EQ(nearest("gravty", names), "gravity");
     EXPECT_EQ(nearest("xyz", names), "");
+    EXPECT_EQ(nearest("h", names), "");  // one edit, but of its only letter
+    EXPECT_EQ(nearest("gz", names), "hz");
+    EXPECT_EQ(nearest("", names), "");
 }
 
 TEST(Patterns, TakeStars) {

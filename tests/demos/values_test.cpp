@@ -40,9 +40,10 @@ TEST(Values, AreSetBeforeWhatIsMadeOfThem) {
 TEST(Values, AreOfEarlierOnesOnly) {
     const auto lines = errorsOf("format = 1\n[values]\na = 'b'\nb = 1\n" + ball("mass = 'a'"));
     ASSERT_EQ(lines.size(), 1u) << listed(lines);
-    EXPECT_TRUE(tells(lines, "a.toml:3:5: ", "there is no value 'b'"));
+    EXPECT_TRUE(tells(lines, "a.toml:3:5: ",
+                      "there is no value 'b' yet; it comes later in [values] and should come first"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\na = 'a'\n" + kBall),
-                      "a.toml:3:5: ", "there is no value 'a'"));
+                      "a.toml:3:5: ", "there is no value 'a'; known are: pi"));
 }
 
 TEST(Values, HaveNamesOfTheirOwn) {
@@ -54,6 +55,11 @@ TEST(Values, HaveNamesOfTheirOwn) {
                       "a.toml:2:10: ", "[values] is 3; it should be a table"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\na = [1]\n" + kBall),
                       "a.toml:3:5: ", "a is a list of 1; it should be a number"));
+    const auto lines =
+        errorsOf("format = 1\n[values]\n" + std::string(5000, 'v') + " = 1\n" + kBall);
+    ASSERT_EQ(lines.size(), 1u) << listed(lines);
+    EXPECT_TRUE(tells(lines, "a.toml:3:1: ",
+                      "a value is called '" + std::string(64, 'v') + "...': it should be 1 to 32"));
     std::string many = "format = 1\n[values]\n";
     for (int i = 0; i < 1001; ++i) {
         many += 'v';
@@ -111,11 +117,34 @@ TEST(RepeatExpressions, MayHaveNoTurns) {
         "a.toml:7:9: ", "count is the text \"1 - 2\" = -1; it should be a whole"));
 }
 
-TEST(RepeatExpressions, InNamesAreWholeOrStay) {
-    const SceneDescription scene = read(
-        "[[repeat]]\ncount = 2\nbody = { name = 'a{2*i}{i-0.5}{x}', shape = { sphere = 0.1 } }\n");
-    EXPECT_EQ(scene.bodies[0].name, "a0{i-0.5}{x}");
-    EXPECT_EQ(scene.bodies[1].name, "a2{i-0.5}{x}");
+TEST(RepeatExpressions, InNamesAreWhole) {
+    const auto told = [](const std::string& name) {
+        const auto lines = errorsOf("format = 1\n[[repeat]]\ncount = 2\nbody = { name = '" + name +
+                                    "', shape = { sphere = 0.1 } }\n");
+        EXPECT_EQ(lines.size(), 1u) << listed(lines);
+        return lines;
+    };
+    EXPECT_TRUE(tells(told("a{q}"), "a.toml:4:10: ", "{q} in a name: there is no value 'q'"));
+    EXPECT_TRUE(tells(told("a{i}.{(i+1)/2}"), "a.toml:4:10: ",
+                      "{(i+1)/2} in a name is 0.5; it should be whole"));
+    EXPECT_TRUE(tells(told("a{}"), "a.toml:4:10: ", "{} in a name: an empty expression"));
+    EXPECT_TRUE(tells(told("a{j}"), "a.toml:4:10: ", "{j} in a name: j is of a [[repeat]]"));
+    EXPECT_TRUE(tells(told("a{i+1e10}"), "a.toml:4:10: ", "should be at most 1e9 either way"));
+    // Outside of a [[repeat]] braces are letters like others.
+    EXPECT_EQ(read("[[body]]\nname = 'a{q}'\nshape = { sphere = 1 }\n").bodies[0].name, "a{q}");
+}
+
+TEST(RepeatExpressions, InNamesOfOtherBodiesAreToldThere) {
+    const std::string repeat = "format = 1\n" + kBall + "[[repeat]]\ncount = 2\n";
+    const auto joint = errorsOf(repeat + "joint = { type = 'ball', a = 'world', b = 'ball{(i+1)/4}', "
+                                         "anchor = [0, 0, 0] }\n");
+    ASSERT_EQ(joint.size(), 1u) << listed(joint);
+    EXPECT_TRUE(tells(joint, "a.toml:8:39: ", "{(i+1)/4} in a name is 0.25; it should be whole"))
+        << listed(joint);
+    const auto force =
+        errorsOf(repeat + "force = { type = 'wind', velocity = [1, 0, 0], on = 'b{x}*' }\n");
+    ASSERT_EQ(force.size(), 1u) << listed(force);
+    EXPECT_TRUE(tells(force, "a.toml:8:48: ", "{x} in a name: there is no value 'x'"));
 }
 
 TEST(RepeatExpressions, AreToldOnce) {
@@ -142,6 +171,9 @@ TEST(SetOption, ReachesIntoRepeatsByNumberAndByName) {
                       "mean 'count'?"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n" + boxes, {"repeat.1.count=3"}),
                       "--set repeat.1.count=3: ", "there is no '1' in this scene"));
+    const auto none = errorsOf("format = 1\n" + kBall, {"repeat.0.count=5"});
+    ASSERT_EQ(none.size(), 1u) << listed(none);
+    EXPECT_TRUE(tells(none, "--set repeat.0.count=5: ", "there is no '0' in this scene; a list"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n" + boxes, {"include=\"a.toml\""}),
                       "--set include=", "files are included before --set"));
 }
