@@ -112,6 +112,7 @@ struct JointState {
     JointDef def;
     Vec3 worldA, worldB;         // m, the two anchors
     Vec3 worldAxis, worldAxis2;  // unit: `axis` as a carries it, axis2 as b does
+    Vec3 worldAxis2A;            // unit: axis2 as a carries it; with worldAxis, a sixDof's frame
     double separation = 0.0;     // m: |C| of the rows in metres, and what limits are missed by
     double position = 0.0;       // m or rad: coordinate 0; angles are counted over turns
     double speed = 0.0;          // m/s or rad/s, of it

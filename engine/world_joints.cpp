@@ -176,6 +176,7 @@ JointState stateOf(const WorldState& s, const Joint& joint) {
     state.worldB = b.toWorld(joint.def.anchorB);
     state.worldAxis = a.rotation * joint.axisA;
     state.worldAxis2 = b.rotation * joint.axis2B;
+    state.worldAxis2A = a.rotation * joint.axis2A;
     const JointRows<double> free = coordinatesOf(joint, a, b);
     for (int i = 0; i < free.count; ++i) {
         state.positions[i] = free.error[i];

@@ -90,6 +90,11 @@ render::Color scaleColor(double share) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), 1.0f};
 }
 
+render::Color axisColor(int axis) {
+    constexpr unsigned kColors[] = {0xd62728, 0x2f9e73, 0x1f77d0};
+    return render::fromHex(kColors[axis]);
+}
+
 std::vector<render::Color> scaleRamp() {
     std::vector<render::Color> ramp;
     for (const unsigned color : kViridis) ramp.push_back(render::fromHex(color));

@@ -18,6 +18,8 @@ std::vector<double> colorValues(const Stage& stage, const std::string& colorBy);
 /// Viridis (van der Walt and Smith 2015): evenly spaced to the eye, also to colour-blind ones.
 /// share: 0..1, clamped.
 render::Color scaleColor(double share);
+/// x red, y green, z blue.
+render::Color axisColor(int axis);
 /// From low to high, as many as it takes.
 std::vector<render::Color> scaleRamp();
 

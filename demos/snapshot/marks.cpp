@@ -1,4 +1,5 @@
 // What is drawn at every body: axes, centre of mass, bounding box, name.
+#include "demos/snapshot/colors.h"
 #include "demos/snapshot/parts.h"
 #include "engine/collision/bounds.h"
 #include "render/palette.h"
@@ -8,13 +9,11 @@ namespace {
 
 /// As long as half the body and a third of its reach.
 void addAxes(const engine::Shape& shape, const engine::Pose& pose, render::Frame& frame) {
-    const render::Color colors[] = {render::fromHex(0xd62728), render::fromHex(0x2f9e73),
-                                    render::fromHex(0x1f77d0)};
     const double reach = reachOf(shape);
     const Vec3 half = engine::boundsOf(shape, {}).high;
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 tip = (half[axis] + 0.33 * reach) * Vec3::Unit(axis);
-        frame.arrows.push_back({drawn(pose.position), drawn(pose.toWorld(tip)), colors[axis],
+        frame.arrows.push_back({drawn(pose.position), drawn(pose.toWorld(tip)), axisColor(axis),
                                 static_cast<float>(reach)});
     }
 }

@@ -1,0 +1,161 @@
+#include "demos/snapshot/joint_fans.h"
+
+#include "demos/snapshot/coil.h"
+#include "demos/snapshot/colors.h"
+#include "engine/base/trigonometry.h"
+#include "render/palette.h"
+
+namespace demos {
+namespace {
+
+using engine::JointState;
+using engine::kPi;
+using engine::larger;
+using engine::Limits;
+using engine::smaller;
+
+/// An angle about an axis, as it is drawn.
+struct Fan {
+    Vec3 at{0, 0, 0};     // m
+    Vec3 axis{0, 0, 1};   // unit
+    Vec3 zero{1, 0, 0};   // unit, across the axis: where the angle is 0. Fixed in a, as limits are
+    double angle = 0.0;   // rad, where b stands
+    double length = 0.0;  // m
+
+    Vec3 rim(double radians) const {
+        return at + length * (engine::turnAbout(axis, radians) * zero);
+    }
+};
+
+/// Across the axis, and fixed in the body that the axis is fixed in.
+Vec3 acrossIn(const Quat& body, const Vec3& axis) {
+    const Vec3 local = body.conjugate() * axis, across = local.cross(Vec3::UnitX());
+    return body * (across.norm() > 0.1 ? across : Vec3(local.cross(Vec3::UnitY()))).normalized();
+}
+
+void addHand(const Fan& fan, render::Frame& frame) {
+    addLine(fan.at, fan.rim(fan.angle), kArcPixels, render::normalColor(), frame);
+}
+
+/// The limits and what lies between.
+void addArc(const Fan& fan, const Limits& limits, render::Frame& frame) {
+    if (!limits.any()) return;
+    const double turn = 2.0 * kPi;  // more is drawn as the whole round
+    const double low = larger(limits.low, fan.angle - turn);
+    const double high = smaller(limits.high, fan.angle + turn);
+    constexpr int kSteps = 24;
+    const auto rim = [&](int i) { return fan.rim(low + (high - low) * i / kSteps); };
+    for (int i = 0; i < kSteps; ++i)
+        addLine(rim(i), rim(i + 1), kArcPixels, render::frictionColor(), frame);
+    for (const double limit : {limits.low, limits.high})
+        if (std::isfinite(limit))
+            addLine(fan.at, fan.rim(limit), kAxisPixels, render::frictionColor(), frame);
+}
+
+void addLimitedAngle(const Fan& fan, const Limits& limits, render::Frame& frame) {
+    if (!limits.any()) return;
+    addHand(fan, frame);
+    addArc(fan, limits, frame);
+}
+
+/// Directions at an angle of `swing` to the axis: a ring with four spokes; `zero` is across the
+/// axis.
+void addCone(const Fan& cone, double swing, render::Frame& frame) {
+    if (swing <= 0.0 || swing >= kPi) return;  // no direction is beyond
+    Fan ring = cone;
+    ring.at += engine::cosine(swing) * cone.length * cone.axis;
+    ring.length *= engine::sine(swing);
+    constexpr int kSteps = 48;
+    const auto rim = [&](int i) { return ring.rim(2.0 * kPi * i / kSteps); };
+    for (int i = 0; i < kSteps; ++i) {
+        addLine(rim(i), rim(i + 1), kArcPixels, render::frictionColor(), frame);
+        if (i % (kSteps / 4) == 0)
+            addLine(cone.at, rim(i), kAxisPixels, render::frictionColor(), frame);
+    }
+}
+
+/// From limit to limit along `way`, through where b is; ticks across where something stops it.
+void addLimitedWay(const JointState& joint, int coordinate, const Vec3& way, const Vec3& across,
+                   double size, render::Frame& frame) {
+    const Limits& limits = joint.def.free[coordinate].limits;
+    if (!limits.any()) return;
+    const double position = joint.positions[coordinate];
+    const auto at = [&](double x) { return Vec3(joint.worldB + (x - position) * way); };
+    addLine(at(larger(limits.low, smaller(position, 0.0) - size)),
+            at(smaller(limits.high, larger(position, 0.0) + size)), kArcPixels,
+            render::frictionColor(), frame);
+    const Vec3 tick = 0.1 * size * across;
+    for (const double limit : {limits.low, limits.high})
+        if (std::isfinite(limit))
+            addLine(at(limit) - tick, at(limit) + tick, kAxisPixels, render::frictionColor(),
+                    frame);
+}
+
+}  // namespace
+
+void addHingeAngle(const Stage& stage, const JointState& joint, double size, render::Frame& frame) {
+    const Vec3& axis = joint.worldAxis;
+    Fan fan{joint.worldB, axis, acrossIn(stage.world.pose(joint.def.a).rotation, axis),
+            joint.position, 0.8 * size};
+    Vec3 toCentre = stage.world.pose(joint.def.b).position - joint.worldB;
+    toCentre -= axis.dot(toCentre) * axis;
+    if (toCentre.norm() > 1e-3 * size)  // then the hand points there
+        fan.zero = engine::turnAbout(axis, -joint.position) * toCentre.normalized();
+    addHand(fan, frame);
+    addArc(fan, joint.def.free[0].limits, frame);
+}
+
+void addSwingAndTwist(const Stage& stage, const JointState& joint, double size,
+                      render::Frame& frame) {
+    const Limits &twist = joint.def.free[0].limits, &swing = joint.def.free[1].limits;
+    if (!twist.any() && !swing.any()) return;
+    const Vec3 &axis = joint.worldAxis, &at = joint.worldA;
+    const Fan fan{at, axis, acrossIn(stage.world.pose(joint.def.a).rotation, axis),
+                  joint.positions[0], size};
+    addLine(at, at + size * axis, kAxisPixels, render::jointColor(), frame);
+    addLine(at, at + size * joint.worldAxis2, kArcPixels, render::normalColor(), frame);
+    addCone(fan, swing.low, frame);
+    addCone(fan, swing.high, frame);
+    Fan twisted = fan;
+    twisted.length *= 0.5;  // inside the cone, of which it is no part
+    addLimitedAngle(twisted, twist, frame);
+}
+
+void addUniversalAngles(const JointState& joint, double size, render::Frame& frame) {
+    // The first angle is that of axis2 round `axis`; the second that of b's first pin round axis2,
+    // which starts at a's.
+    const Vec3 &axis = joint.worldAxis, &axis2 = joint.worldAxis2;
+    const Vec3 first = engine::turnAbout(axis, -joint.positions[0]) * axis2;
+    const Vec3 second = (axis - axis2.dot(axis) * axis2).normalized();
+    addLimitedAngle({joint.worldB, axis, first, joint.positions[0], 0.8 * size},
+                    joint.def.free[0].limits, frame);
+    addLimitedAngle({joint.worldB, axis2, second, joint.positions[1], 0.8 * size},
+                    joint.def.free[1].limits, frame);
+}
+
+void addSixDof(const JointState& joint, double size, render::Frame& frame) {
+    const Vec3 ways[] = {joint.worldAxis, joint.worldAxis2A,
+                         joint.worldAxis.cross(joint.worldAxis2A)};
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 &way = ways[i], &next = ways[(i + 1) % 3];
+        addLine(joint.worldA, joint.worldA + size * way, kAxisPixels, axisColor(i), frame);
+        addLimitedWay(joint, i, way, next, size, frame);
+        addLimitedAngle({joint.worldB, way, next, joint.positions[3 + i], 0.8 * size},
+                        joint.def.free[3 + i].limits, frame);
+    }
+}
+
+void addSuspension(const JointState& joint, double size, render::Frame& frame) {
+    addLimitedWay(joint, 0, joint.worldAxis, joint.worldAxis2, size, frame);
+    const engine::Freedom& way = joint.def.free[0];
+    if (!way.spring.isSoft()) return;
+    const double high = smaller(way.limits.high, larger(joint.position, 0.0) + size);
+    const Vec3 top = joint.worldB + (high - joint.position) * joint.worldAxis;
+    // Lines, which are seen through the wheel that the spring of most cars is drawn inside of.
+    render::Frame coil;
+    addCoil(drawn(top), drawn(joint.worldB), static_cast<float>(size), 0, coil);
+    for (const render::Rod& rod : coil.rods)
+        frame.lines.push_back({rod.from, rod.to, 1.5f, render::jointColor()});
+}
+
+}  // namespace demos
