@@ -74,6 +74,11 @@ void addCone(const Fan& cone, double swing, render::Frame& frame) {
     }
 }
 
+/// m: as far as a way goes; past where b is, where nothing stops it.
+double upperEnd(const Limits& limits, double position, double size) {
+    return std::isfinite(limits.high) ? limits.high : larger(position, 0.0) + size;
+}
+
 /// From limit to limit along `way`, through where b is; ticks across where something stops it.
 void addLimitedWay(const JointState& joint, int coordinate, const Vec3& way, const Vec3& across,
                    double size, render::Frame& frame) {
@@ -81,9 +86,8 @@ void addLimitedWay(const JointState& joint, int coordinate, const Vec3& way, con
     if (!limits.any()) return;
     const double position = joint.positions[coordinate];
     const auto at = [&](double x) { return Vec3(joint.worldB + (x - position) * way); };
-    addLine(at(larger(limits.low, smaller(position, 0.0) - size)),
-            at(smaller(limits.high, larger(position, 0.0) + size)), kArcPixels,
-            render::frictionColor(), frame);
+    addLine(at(std::isfinite(limits.low) ? limits.low : smaller(position, 0.0) - size),
+            at(upperEnd(limits, position, size)), kArcPixels, render::frictionColor(), frame);
     const Vec3 tick = 0.1 * size * across;
     for (const double limit : {limits.low, limits.high})
         if (std::isfinite(limit))
@@ -149,7 +153,7 @@ void addSuspension(const JointState& joint, double size, render::Frame& frame) {
     addLimitedWay(joint, 0, joint.worldAxis, joint.worldAxis2, size, frame);
     const engine::Freedom& way = joint.def.free[0];
     if (!way.spring.isSoft()) return;
-    const double high = smaller(way.limits.high, larger(joint.position, 0.0) + size);
+    const double high = upperEnd(way.limits, joint.position, size);
     const Vec3 top = joint.worldB + (high - joint.position) * joint.worldAxis;
     // Lines, which are seen through the wheel that the spring of most cars is drawn inside of.
     render::Frame coil;
