@@ -91,7 +91,9 @@ private:
         }
         const std::optional<std::string> text = keys_.text("name");
         if (!text) return;
+        const int before = complaints_.count();
         const std::string name = instance_.named(*text, keys_, "name");
+        if (complaints_.count() > before) return;
         if (name == "world")
             keys_.complain("name", "a body cannot be called 'world': so joints call what is fixed");
         else if (checkName(name, keys_.placeOf("name"), "name", complaints_))
@@ -202,8 +204,10 @@ private:
         body_.ignoresPlace = keys_.placeOf("ignores");
         for (std::string& name : body_.ignores) name = instance_.named(name, keys_, "ignores");
         for (std::string& name : body_.groups) {
+            const int before = complaints_.count();
             name = instance_.named(name, keys_, "group");
-            checkName(name, keys_.placeOf("group"), "group", complaints_);
+            if (complaints_.count() == before)
+                checkName(name, keys_.placeOf("group"), "group", complaints_);
         }
     }
 

@@ -38,9 +38,7 @@ public:
                                        anyOf({kTypes.begin() + 1, kTypes.end()}));
         const std::optional<std::string> type = keys_.word("type", kTypes);
         if (!type) return force_;
-        if (const auto name = keys_.text("name"))
-            checkName(instance_.named(*name, keys_, "name"), keys_.placeOf("name"), "name",
-                      complaints_);
+        readName();
         readTimes();
         type_ = *type;
         if (type_ == "spring") readEnds();
@@ -52,6 +50,15 @@ public:
 
 private:
     engine::ForceDef& def() { return force_.def; }
+
+    void readName() {
+        const std::optional<std::string> text = keys_.text("name");
+        if (!text) return;
+        const int before = complaints_.count();
+        const std::string name = instance_.named(*text, keys_, "name");
+        if (complaints_.count() == before)
+            checkName(name, keys_.placeOf("name"), "name", complaints_);
+    }
 
     void readTimes() {
         def().from = keys_.number("from", {0.0, 1e5, "s"}).value_or(def().from);

@@ -105,7 +105,9 @@ private:
         joint_.name = nameOf(a()) + "-" + nameOf(b());
         const std::optional<std::string> text = keys_.text("name");
         if (!text) return;
+        const int before = complaints_.count();
         const std::string name = instance_.named(*text, keys_, "name");
+        if (complaints_.count() > before) return;
         if (checkName(name, keys_.placeOf("name"), "name", complaints_)) joint_.name = name;
     }
 
