@@ -233,7 +233,7 @@ TEST(JointPicture, TheHandsOfAUniversalJointGoWithTheBody) {
     stage.world.setPose(ball, {Vec3(0, -2, 0), engine::turnAbout(Vec3::UnitZ(), 0.4)});
     const auto hands = linesOf(stage, isBlue);
     ASSERT_EQ(hands.size(), 1u);
-    const auto tip = Vec3(std::cos(0.4), std::sin(0.4), 0.0).cast<float>();
+    const render::Vec3 tip = Vec3(std::cos(0.4), std::sin(0.4), 0.0).cast<float>();
     EXPECT_LT((hands[0].to - (kBallAt + kFan * tip)).norm(), 1e-5f);
 }
 
