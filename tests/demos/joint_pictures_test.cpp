@@ -251,7 +251,7 @@ TEST(JointPicture, ASixDofShowsItsFrameAndWhatIsLimited) {
     const auto amber = linesOf(stage, isAmber);
     EXPECT_TRUE(anyEndsAt(amber, kBallAt + render::Vec3(0, 0, 1.5f)));
     EXPECT_LT((amber.front().from - (kBallAt + render::Vec3(0, 0, -0.5f))).norm(), 1e-6f);
-    const auto tip = Vec3(0.0, std::cos(0.5), std::sin(0.5)).cast<float>();
+    const render::Vec3 tip = Vec3(0.0, std::cos(0.5), std::sin(0.5)).cast<float>();
     EXPECT_TRUE(anyEndsAt(amber, kBallAt + kFan * tip));
 }
 
