@@ -129,12 +129,12 @@ TEST(MujocoMass, DensityMassAndWeldedBodiesAddUp) {
 
 TEST(MujocoMass, InertialCountsUnlessGeomsAreAskedFor) {
     const std::string body =
-        "<worldbody><body><freejoint/><inertial pos='0 0 0.5' mass='3' diaginertia='1 2 4'/>"
+        "<worldbody><body><freejoint/><inertial pos='0 0 0.5' mass='3' diaginertia='2 3 4'/>"
         "<geom type='sphere' size='0.1' mass='7'/></body></worldbody>";
     const engine::BodyDef own = readMujoco(body).bodies[0].def;
     EXPECT_EQ(*own.mass, 3.0);
     expectNear(own.pose.position, {0, 0.5, 0});
-    expectNear((*own.inertia).diagonal(), {1, 4, 2});
+    expectNear((*own.inertia).diagonal(), {2, 4, 3});
     const engine::BodyDef geoms =
         readMujoco("<compiler inertiafromgeom='true'/>" + body).bodies[0].def;
     EXPECT_EQ(*geoms.mass, 7.0);
