@@ -122,7 +122,9 @@ bool checkTargets(const Tables& tables, const Options& options) {
     std::vector<fs::path> seen;
     const auto add = [&](const std::string& target, const char* what) {
         std::error_code ignored;
-        const fs::path path = target == "-" ? fs::path("-") : fs::weakly_canonical(target, ignored);
+        const fs::path path =
+            target == "-" ? fs::path("-")
+                          : fs::weakly_canonical(fs::absolute(target, ignored), ignored);
         if (std::find(seen.begin(), seen.end(), path) != seen.end())
             throw Stop(Exit::usage, fmt::format("{} for '{}'; give each its own file", what,
                                                 printable(target)));
