@@ -111,9 +111,26 @@ struct Expectation {
     Place place;
 };
 
+/// How far a run may be from its baseline before its physics counts as changed.
+struct Tolerance {
+    double position = 1e-4;      // m
+    double angleDegrees = 0.01;  // deg
+    std::string why;             // of other numbers than these
+};
+
+/// How far a picture may be from its baseline: render::Gate.
+struct PictureGate {
+    int levels = 3;        // of 255
+    int windowPixels = 8;  // in any window of 16x16
+    double ssim = 0.90;    // of every block of 8x8
+    std::string why;       // of other numbers than these
+};
+
 struct Snapshot {
     std::vector<double> times;      // s
     int width = 640, height = 360;  // pixels
+    Tolerance tolerance;
+    PictureGate gate;
 };
 
 struct SceneDescription {

@@ -345,6 +345,8 @@ trails = ["ball"]
 [snapshot]
 times = [0, 1]
 size = [64, 36]
+tolerance = { position = 0.001, angle_deg = 0.1, why = "w" }
+gate = { levels = 3, window = 8, ssim = 0.9, why = "w" }
 )"},
     {"section", R"(
 [[section]]

@@ -1,7 +1,6 @@
-// [look], [[section]] and [snapshot]
+// [look] and [[section]]
 
 #include <algorithm>
-#include <cmath>
 
 #include "demos/overlays.h"
 #include "demos/report/measures.h"
@@ -78,23 +77,6 @@ void readSections(Keys& top, SceneDescription& scene) {
         scene.sections.push_back(readSection(top.inner(*table, "a [[section]]"), scene));
     std::stable_sort(scene.sections.begin(), scene.sections.end(),
                      [](const Section& a, const Section& b) { return a.at < b.at; });
-}
-
-void readSnapshot(Keys& top, SceneDescription& scene) {
-    const Value* table = top.any("snapshot");
-    if (!table) return;
-    Keys keys = top.inner(*table, "[snapshot]");
-    set(scene.snapshot.times, keys.numbers("times", {0.0, scene.seconds, "s"}));
-    constexpr Range kPixels{1.0, 16384.0, "pixels"};
-    const auto isWhole = [](double pixels) { return pixels == std::floor(pixels); };
-    const auto size = keys.numbers("size", kPixels);
-    if (size && size->size() == 2 && std::all_of(size->begin(), size->end(), isWhole)) {
-        scene.snapshot.width = static_cast<int>((*size)[0]);
-        scene.snapshot.height = static_cast<int>((*size)[1]);
-    } else if (size) {
-        keys.complain("size", "size should be two whole numbers [width, height] of pixels");
-    }
-    keys.done();
 }
 
 }  // namespace demos

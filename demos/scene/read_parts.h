@@ -54,6 +54,8 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene);
 // read_film.cpp
 void readLook(Keys& top, SceneDescription& scene);
 void readSections(Keys& top, SceneDescription& scene);
+
+// read_snapshot.cpp
 void readSnapshot(Keys& top, SceneDescription& scene);
 
 // read_expectations.cpp

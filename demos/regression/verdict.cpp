@@ -1,0 +1,69 @@
+#include "demos/regression/verdict.h"
+
+#include <algorithm>
+
+#include "demos/scene/complaints.h"
+
+namespace demos {
+
+int TestVerdict::count(SceneVerdict::State state) const {
+    return static_cast<int>(
+        std::count_if(scenes.begin(), scenes.end(),
+                      [state](const SceneVerdict& scene) { return scene.state == state; }));
+}
+
+bool TestVerdict::passed() const {
+    return count(SceneVerdict::State::failed) + count(SceneVerdict::State::error) == 0;
+}
+
+const char* nameOf(SceneVerdict::State state) {
+    switch (state) {
+        case SceneVerdict::State::passed:
+            return "passed";
+        case SceneVerdict::State::failed:
+            return "failed";
+        case SceneVerdict::State::added:
+            return "new";
+        case SceneVerdict::State::updated:
+            return "updated";
+        case SceneVerdict::State::error:
+            break;
+    }
+    return "error";
+}
+
+const char* nameOf(PictureVerdict::Kind kind) {
+    switch (kind) {
+        case PictureVerdict::Kind::same:
+            return "same";
+        case PictureVerdict::Kind::within:
+            return "within";
+        case PictureVerdict::Kind::changed:
+            return "changed";
+        case PictureVerdict::Kind::added:
+            return "new";
+        case PictureVerdict::Kind::broken:
+            break;
+    }
+    return "broken";
+}
+
+const char* nameOf(PhysicsVerdict::Kind kind) {
+    switch (kind) {
+        case PhysicsVerdict::Kind::unknown:
+            return "unknown";
+        case PhysicsVerdict::Kind::same:
+            return "same";
+        case PhysicsVerdict::Kind::bits:
+            return "bits";
+        case PhysicsVerdict::Kind::changed:
+            break;
+    }
+    return "changed";
+}
+
+std::string pictureName(const std::string& scene, double time) {
+    return scene + "@" + numberText(time);
+}
+
+}  // namespace demos

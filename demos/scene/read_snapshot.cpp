@@ -1,0 +1,74 @@
+// [snapshot]
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/scene/read_parts.h"
+
+namespace demos {
+namespace {
+
+template <class To, class From>
+void set(To& to, const std::optional<From>& from) {
+    if (from) to = *from;
+}
+
+/// Other numbers than those that were measured need a reason, which reports repeat.
+void readReason(Keys& keys, const char* of, std::string& why) {
+    set(why, keys.text("why"));
+    if (why.empty())
+        keys.complain("why", std::string("a ") + of + " needs a reason: why = \"...\"");
+    keys.done();
+}
+
+void readTolerance(Keys& snapshot, Tolerance& tolerance) {
+    const Value* table = snapshot.any("tolerance");
+    if (!table) return;
+    Keys keys = snapshot.inner(*table, "a tolerance");
+    set(tolerance.position, keys.number("position", {1e-9, 1e5, "m"}));
+    set(tolerance.angleDegrees, keys.number("angle_deg", {1e-6, 180.0, "deg"}));
+    readReason(keys, "tolerance", tolerance.why);
+}
+
+void readGate(Keys& snapshot, PictureGate& gate) {
+    const Value* table = snapshot.any("gate");
+    if (!table) return;
+    Keys keys = snapshot.inner(*table, "a gate");
+    set(gate.levels, keys.whole("levels", {0, 255, "of 255"}));
+    set(gate.windowPixels, keys.whole("window", {0, 256, "pixels of a 16x16 window"}));
+    set(gate.ssim, keys.number("ssim", {-1.0, 1.0}));
+    readReason(keys, "gate", gate.why);
+}
+
+void readSize(Keys& keys, Snapshot& snapshot) {
+    constexpr Range kPixels{1.0, 16384.0, "pixels"};
+    const auto isWhole = [](double pixels) { return pixels == std::floor(pixels); };
+    const auto size = keys.numbers("size", kPixels);
+    if (!size) return;
+    if (size->size() != 2 || !std::all_of(size->begin(), size->end(), isWhole))
+        return keys.complain("size", "size should be two whole numbers [width, height] of pixels");
+    snapshot.width = static_cast<int>((*size)[0]);
+    snapshot.height = static_cast<int>((*size)[1]);
+}
+
+/// Pictures are kept and approved by their times, so no two may be of one.
+void readTimes(Keys& keys, const SceneDescription& scene, std::vector<double>& times) {
+    set(times, keys.numbers("times", {0.0, scene.seconds, "s"}));
+    if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
+        keys.complain("times", "times should rise");
+}
+
+}  // namespace
+
+void readSnapshot(Keys& top, SceneDescription& scene) {
+    const Value* table = top.any("snapshot");
+    if (!table) return;
+    Keys keys = top.inner(*table, "[snapshot]");
+    readTimes(keys, scene, scene.snapshot.times);
+    readSize(keys, scene.snapshot);
+    readTolerance(keys, scene.snapshot.tolerance);
+    readGate(keys, scene.snapshot.gate);
+    keys.done();
+}
+
+}  // namespace demos
