@@ -15,6 +15,8 @@ enum class Command {
     plot,
     compare,
     sweep,
+    test,
+    approve,
     list,
     doctor,
     bench,
@@ -27,7 +29,7 @@ struct PictureSize {
 
 struct Options {
     Command command = Command::list;
-    std::vector<std::string> scenes;     // built-in names or paths; one, except for bench
+    std::vector<std::string> scenes;     // built-in names or paths; one, except for bench, test
     std::vector<std::string> overrides;  // "world.hz=240"
 
     // render, still; outputs, size and theme of plot too
@@ -78,6 +80,13 @@ struct Options {
     bool film = true;                      // compare: draw it
     bool strip = true;                     // compare: a plot below the pictures
     bool listOnly = false;                 // compare: the built-in ones
+
+    // test, approve
+    std::string baselines;               // a folder; empty = beside the scenes
+    std::string update;                  // missing, changed, all, none; empty = missing, or none
+    std::string results = "output/test"; // approve: of which test
+    bool cache = true;
+    bool all = false, prune = false;
 
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself

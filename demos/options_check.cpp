@@ -154,6 +154,8 @@ void checkOptions(Options& options, const RawOptions& raw) {
         for (const Measure& measure : measures()) names.emplace_back(measure.name);
         checkName("--measure", options.measure, names);
     }
+    if (!options.update.empty())
+        checkName("--update", options.update, {"missing", "changed", "all", "none"});
     if (options.exact && options.sweeps.empty())
         refuse("--exact belongs to --sweeps; name a file for them");
     for (const std::string& text : options.overrides)

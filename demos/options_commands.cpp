@@ -7,6 +7,8 @@
 namespace demos {
 namespace {
 
+constexpr int kMostScenes = 1000;
+
 void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("scene", options.scenes, "a built-in scene (impulse list) or a scene file")
         ->type_name("SCENE")
@@ -265,9 +267,55 @@ void addSweep(CLI::App& app, Options& options, RawOptions& raw) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void addTest(CLI::App& app, Options& options, RawOptions& raw) {
+    addSceneChoice(app, options, raw);
+    app.get_option("scene")
+        ->expected(0, kMostScenes)
+        ->required(false)
+        ->description("built-in scenes, scene files or folders of them; default: all built-in ones");
+    app.add_option("--baselines", options.baselines,
+                   "the folder of all NAME.snapshots; default: beside each scene file, and "
+                   "snapshots/ for built-in scenes")
+        ->type_name("DIR");
+    app.add_option("-o,--output", options.outputs,
+                   "a folder for the report and what was drawn; default: output/test")
+        ->type_name("DIR")
+        ->expected(1);
+    app.add_option("--update", options.update,
+                   "which baselines are written: missing, changed (and missing), all or none; "
+                   "default: missing, and none where CI=true; with none a missing one fails")
+        ->type_name("WHICH");
+    app.add_flag("--cache,!--no-cache", options.cache,
+                 "leave out what has passed and not changed since; default: on");
+    app.add_option("--size", raw.size,
+                   "pixels, 1..16384 a side; default: the scene's [snapshot] size")
+        ->type_name("WxH");
+    app.add_flag("--reproducible", options.reproducible,
+                 "the same pixels on every x86-64 processor, a third slower; default: off");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
+        ->type_name("N");
+    addFeedback(app, options);
+}
+
+void addApprove(CLI::App& app, Options& options) {
+    app.add_option("name", options.scenes,
+                   "a scene, one picture (NAME@TIME) or its physics (NAME@physics)")
+        ->type_name("NAME")
+        ->expected(0, kMostScenes);
+    app.add_flag("--all", options.all, "everything that the last test found different; default: off");
+    app.add_flag("--prune", options.prune,
+                 "remove baselines that no scene asks for any more; default: off");
+    app.add_option("--results", options.results, "the folder of impulse test; default: output/test")
+        ->type_name("DIR");
+    addFeedback(app, options);
+}
+
 void addBench(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
-    app.get_option("scene")->expected(0, 1000)->required(false);
+    app.get_option("scene")->expected(0, kMostScenes)->required(false);
     addSeconds(app, options);
     app.add_flag("--film", options.benchFilm,
                  "processor time of every stage of a frame, and frames/s, of the film as it would "
@@ -282,66 +330,6 @@ void addBench(CLI::App& app, Options& options, RawOptions& raw) {
         ->type_name("FILE");
     addFeedback(app, options);
 }
-
-constexpr CommandText kCommands[] = {
-    {Command::render,
-     "render",
-     "simulate and write a film: PNG frames, or a video",
-     {"impulse render stack", "impulse render stack -o stack.mp4 -q high",
-      "impulse render my.toml -o 'frames/{scene}_####.png' --show contacts,impulses"}},
-    {Command::still,
-     "still",
-     "draw one frame",
-     {"impulse still stack -t 2.0", "impulse still stack -f -1 -o last.png -q 4k",
-      "impulse still my.toml -t 0.5 --show impulses --theme print"}},
-    {Command::strip,
-     "strip",
-     "a row of moments as one picture, for paper or a slide",
-     {"impulse strip stack", "impulse strip wall -n 8 --columns 4 --theme print -o wall.png",
-      "impulse strip chain --times 0,0.5,1,2 --size 480x360"}},
-    {Command::sim,
-     "sim",
-     "physics only: tables, state hash, the scene's expectations",
-     {"impulse sim stack", "impulse sim stack --csv energy.csv --bodies bodies.csv --every 4",
-      "impulse sim my.toml --set solver.sweeps=4 --hash"}},
-    {Command::plot,
-     "plot",
-     "physics only: charts of energy, penetration, impulses, residuals",
-     {"impulse plot stack", "impulse plot stack -o stack.png --what energy,impulse --theme dark",
-      "impulse plot my.toml -o a.svg -o a.png --size 1920x1080 --set solver.sweeps=4"}},
-    {Command::compare,
-     "compare",
-     "one scene under two to four settings, side by side in one film, with a table",
-     {"impulse compare clamping", "impulse compare stack --vary solver.nudges=0,4 -o nudges.mp4",
-      "impulse compare chain --no-film --vary solver.type=impulses,pgs --set solver.preset=seed"}},
-    {Command::sweep,
-     "sweep",
-     "one setting over many values: a table, a plot, a grid of films",
-     {"impulse sweep chain --over solver.substeps=1..32:x2",
-      "impulse sweep stack --over solver.sweeps=1..20 --csv sweeps.csv --plot sweeps.svg",
-      "impulse sweep bridge --over world.hz=30,60,120,240 -o grid.mp4"}},
-    {Command::list,
-     "list",
-     "the built-in scenes",
-     {"impulse list", "impulse list stack --print > my.toml",
-      "impulse list --gallery -o scenes.png"}},
-    {Command::doctor,
-     "doctor",
-     "what this machine can do",
-     {"impulse doctor", "impulse doctor --json", "impulse doctor --quiet && impulse render stack"}},
-    {Command::bench,
-     "bench",
-     "time per step over the last 2 s of a scene, or per frame of its film",
-     {"impulse bench stack chain --json", "impulse bench wall --phases --against before.json",
-      "impulse bench wall --film -q film"}},
-    {Command::completion,
-     "completion",
-     "a completion script for a shell",
-     {"impulse completion bash", "source <(impulse completion bash)",
-      "impulse completion bash > ~/.local/share/bash-completion/completions/impulse"}},
-};
-
-constexpr int kMostListed = 1000;
 
 void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
     CLI::Option* gallery = app.add_flag("--gallery", options.gallery,
@@ -365,8 +353,6 @@ void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
 
 }  // namespace
 
-std::span<const CommandText> commandTexts() { return kCommands; }
-
 void addOptions(Command command, CLI::App& app, Options& options, RawOptions& raw) {
     switch (command) {
         case Command::render:
@@ -387,11 +373,15 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
             return addBench(app, options, raw);
         case Command::doctor:
             return addFeedback(app, options);
+        case Command::test:
+            return addTest(app, options, raw);
+        case Command::approve:
+            return addApprove(app, options);
         case Command::list:
             app.add_option("scene", options.scenes,
                            "a scene to describe, or those of a gallery; default: all")
                 ->type_name("SCENE")
-                ->expected(0, kMostListed);
+                ->expected(0, kMostScenes);
             app.add_flag("--print", options.print, "the scene file itself; default: off");
             app.add_flag("--schema", options.schema,
                          "the JSON Schema of scene files, for editors; default: off");

@@ -31,6 +31,10 @@ Exit perform(const Options& options) {
             return compareCommand(options);
         case Command::sweep:
             return sweepCommand(options);
+        case Command::test:
+            return testCommand(options);
+        case Command::approve:
+            return approveCommand(options);
         case Command::list:
             return listCommand(options);
         case Command::doctor:

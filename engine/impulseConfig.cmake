@@ -1,8 +1,9 @@
-# find_package(impulse [VERSION] [COMPONENTS engine render]): impulse::engine, impulse::render. Without
-# COMPONENTS: all that are installed.
+# find_package(impulse [VERSION] [COMPONENTS engine render program]): impulse::engine, impulse::render,
+# the program impulse::impulse with impulse_add_snapshot_test(). Without COMPONENTS: all that are
+# installed.
 include(CMakeFindDependencyMacro)
 set(impulse_installed "")
-foreach(component engine render)
+foreach(component engine render program)
   if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/impulse-${component}.cmake)
     list(APPEND impulse_installed ${component})
   endif()

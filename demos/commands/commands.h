@@ -13,6 +13,8 @@ Exit simCommand(const Options& options);
 Exit plotCommand(const Options& options);
 Exit compareCommand(const Options& options);
 Exit sweepCommand(const Options& options);
+Exit testCommand(const Options& options);
+Exit approveCommand(const Options& options);
 Exit listCommand(const Options& options);
 Exit galleryCommand(const Options& options);  // of list
 Exit doctorCommand(const Options& options);

@@ -92,7 +92,8 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.quality = quality.name;
     plan.fps = options.fps.value_or(quality.fps);
     // A picture of a given time falls on a step, whether or not a film would have a frame there.
-    const bool anyStep = (options.command == Command::still && options.time) ||
+    const bool anyStep = options.command == Command::test ||
+                         (options.command == Command::still && options.time) ||
                          (options.command == Command::strip && !options.times.empty());
     plan.stepsPerFrame =
         anyStep ? std::max(scene.hz / plan.fps, 1) : stepsPerFrame(scene.hz, plan.fps);
@@ -121,9 +122,9 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
 FilmPlan planFilm(const Options& options) {
     Panel panel;
     panel.scene = sceneOf(options);
-    // A row of moments (impulse strip) has no time for a plot's cursor.
-    const bool strip =
-        overlaysOf(panel.scene, options).plot && options.command != Command::strip;
+    // A row of moments (impulse strip) has no time for a plot's cursor, and a snapshot is of one.
+    const bool strip = overlaysOf(panel.scene, options).plot &&
+                       options.command != Command::strip && options.command != Command::test;
     FilmPlan plan = planFilm({std::move(panel)}, strip, options);
     if (strip) addStrip({playedChart(plan.scene())}, plan);
     return plan;

@@ -1,14 +1,10 @@
 #include "demos/film/frame_files.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 
+#include "demos/file_content.h"
 #include "demos/film/data_json.h"
 #include "demos/film/outputs.h"
 #include "demos/text_hash.h"
@@ -22,23 +18,6 @@ namespace demos {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An ordinary file's bytes, not through a symlink; empty when there is none.
-std::vector<std::uint8_t> contentOf(const fs::path& path) {
-    std::vector<std::uint8_t> bytes;
-    const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) return bytes;
-    struct stat info {};
-    if (fstat(file, &info) == 0 && S_ISREG(info.st_mode)) {
-        bytes.resize(static_cast<std::size_t>(info.st_size));
-        std::size_t at = 0;
-        for (ssize_t got; at < bytes.size(); at += static_cast<std::size_t>(got))
-            if ((got = read(file, bytes.data() + at, bytes.size() - at)) <= 0) break;
-        bytes.resize(at);
-    }
-    ::close(file);
-    return bytes;
-}
 
 std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
     TextHash hash;
@@ -80,7 +59,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     : plan_(plan), folder_(folder), record_(std::move(record)) {
     record_.frames.assign(static_cast<std::size_t>(plan.frames), {});
     makeFolder(folder_);
-    lock();
+    lock_.emplace(folder_);
     const std::vector<std::uint8_t> bytes = contentOf(recordName());
     const auto old = recordFromJson({bytes.begin(), bytes.end()});
     const bool same = old && old->pattern == record_.pattern;
@@ -99,22 +78,6 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     render::checkReplaceable(recordName());
     prepareData();
     close(false);
-}
-
-FrameFiles::~FrameFiles() {
-    if (lock_ >= 0) ::close(lock_);
-}
-
-/// On the folder itself, so that no file is left over.
-void FrameFiles::lock() {
-    lock_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ < 0)
-        throw render::Error(fmt::format("cannot open the folder '{}': {}",
-                                        printable(folder_.string()), render::describeError(errno)));
-    if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-    ::close(lock_);
-    lock_ = -1;
-    refuse(folder_, "is being written by another run; wait for it, or name another folder");
 }
 
 bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {

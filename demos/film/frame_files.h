@@ -1,10 +1,12 @@
 /// A numbered sequence of PNG files in a folder, and the run.json beside them.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "demos/film/film_plan.h"
+#include "demos/film/folder_lock.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/run_record.h"
 
@@ -18,7 +20,6 @@ public:
     /// another run's frames and `overwrite` is not set, or is being written by another process.
     FrameFiles(const FilmPlan& plan, const std::filesystem::path& folder, RunRecord record,
                bool overwrite);
-    ~FrameFiles();
     FrameFiles(const FrameFiles&) = delete;
     FrameFiles& operator=(const FrameFiles&) = delete;
 
@@ -34,7 +35,6 @@ public:
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
-    void lock();
     void prepareData() const;
     std::filesystem::path nameOf(int frame, Pass pass) const;
     std::uint64_t dataHash(int frame) const;
@@ -49,7 +49,7 @@ private:
     const FilmPlan& plan_;
     std::filesystem::path folder_;
     RunRecord record_;
-    int lock_ = -1;
+    std::optional<FolderLock> lock_;
     int kept_ = 0;
     int unrecorded_ = 0;
 };

@@ -17,23 +17,39 @@ struct CourseImpulse {
 /// After a step.
 struct CourseMoment {
     int step = 0;
-    std::vector<engine::Pose> poses;     // by place in Course::bodies; unit rotations with w >= 0
+    std::vector<engine::Pose> poses;     // by place in Course::bodies; unit rotations of either sign
     double energy = 0.0;                 // J, all of it
     double penetration = 0.0;            // m, the deepest
     double separation = 0.0;             // m, of the joint that is farthest apart
     std::vector<CourseImpulse> impulses; // by constraint, rising; of those that did anything
 };
 
+/// To what numbers were rounded when they were kept; 0: not at all.
+struct CourseResolution {
+    double position = 0.0;  // m
+    double rotation = 0.0;  // of a quaternion's four numbers
+    double impulse = 0.0;   // N s
+    double energy = 0.0;    // J
+};
+
 struct Course {
     int hz = 60;                           // steps a second
-    int every = 1;                         // steps from one moment to the next
+    int dense = kAll;                      // steps up to this one all have a moment; up to twice
+                                           // it every 2nd has, up to four times it every 4th, ...
     std::vector<std::string> bodies;       // names, by place in the scene
     std::vector<engine::Vec3> extents;     // m, half sides of a box about each, in its axes; 0: none
-    std::vector<std::string> constraints;  // "box8-box9" or a joint's name, in order of appearance
+    std::vector<std::string> constraints;  // "contact box8-box9", "joint hook", as they come up
     std::vector<std::uint32_t> hashes;     // of the state, half of its bits, by step from 0
-    std::vector<CourseMoment> moments;     // by step; 0 first, the last step last
+    std::vector<CourseMoment> moments;     // by step: 0 first, the last step last
+    CourseResolution resolution;
+    static constexpr int kAll = 1 << 30;
 
     double timeOf(int step) const { return static_cast<double>(step) / hz; }  // s
+    int lastStep() const { return static_cast<int>(hashes.size()) - 1; }
 };
+
+/// Whether a step has a moment in a course that is so dense; the last step has one besides. What
+/// goes wrong is wanted to the step where it begins, and later on only as well as the time so far.
+bool hasMoment(int step, int dense);
 
 }  // namespace demos

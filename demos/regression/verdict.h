@@ -34,7 +34,7 @@ struct PhysicsVerdict {
     Kind kind = Kind::unknown;
     int firstBits = -1;         // step that is the first to differ in its bits; -1: none
     int step = -1;              // first recorded step beyond a tolerance; -1: none
-    int every = 1;              // steps from one that was recorded to the next
+    int every = 1;              // steps from the recorded one before to that one
     std::string body, field;    // of that step, the farthest beyond: "box9", "y" or "turn"
     double difference = 0.0;    // actual - baseline, m; of a turn: deg
     std::string constraint;     // whose impulse differs most in or before that step; empty: none

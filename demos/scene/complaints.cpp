@@ -10,6 +10,13 @@ namespace {
 
 constexpr std::size_t kMostLines = 20;
 
+/// Whether these first two of several bytes are a longer spelling than need be, half of a pair of
+/// UTF-16, or beyond U+10FFFF.
+bool outsideUtf8(unsigned first, unsigned second) {
+    return (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
+           (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
+}
+
 /// Bytes of the UTF-8 character that begins here; 0 when it is none that may be printed.
 std::size_t characterLength(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -21,6 +28,9 @@ std::size_t characterLength(std::string_view text) {
         if ((byte(i) & 0xc0u) != 0x80u) return 0;
     // U+0080..U+009F are control characters too: U+009B begins an escape sequence.
     if (first == 0xc2 && byte(1) < 0xa0) return 0;
+    if (outsideUtf8(first, byte(1))) return 0;
+    // U+FFFE and U+FFFF are no characters; XML knows neither.
+    if (first == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe) return 0;
     return length;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "demos/base64.h"
 #include "demos/scene/mesh_file.h"
 
 namespace demos {
@@ -15,30 +16,6 @@ constexpr std::size_t kUnsigned8 = 5121, kUnsigned16 = 5123, kUnsigned32 = 5125,
 
 std::size_t sizeOf(std::size_t componentType) {
     return componentType == kUnsigned8 ? 1 : componentType == kUnsigned16 ? 2 : 4;
-}
-
-int digitOf(char c) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t at = kDigits.find(c);
-    return at == std::string_view::npos ? -1 : static_cast<int>(at);
-}
-
-/// Nothing where it is no base64.
-std::optional<std::string> decoded(std::string_view text) {
-    while (text.ends_with('=')) text.remove_suffix(1);
-    std::string bytes;
-    unsigned bits = 0, count = 0;
-    for (const char c : text) {
-        const int digit = digitOf(c);
-        if (digit < 0) return std::nullopt;
-        bits = (bits << 6 | static_cast<unsigned>(digit)) & 0xffffffu;
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 0xffu);
-    }
-    return bytes;
 }
 
 /// "my%20mesh.bin": as a file is called.
@@ -116,7 +93,7 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) const 
     const std::size_t at = text.find(kBase64);
     const auto bytes = at == std::string::npos
                            ? std::nullopt
-                           : decoded(std::string_view(text).substr(at + kBase64.size()));
+                           : fromBase64(std::string_view(text).substr(at + kBase64.size()));
     if (!bytes) throw MeshFileError(numbered("buffer", number) + ": a data uri should be base64");
     return *bytes;
 }

@@ -394,6 +394,15 @@ TEST(Reader, PrintsNoControlBytes) {
     EXPECT_EQ(shown(std::string(64, 'a')), std::string(64, 'a'));
     EXPECT_EQ(shown(std::string(63, 'a') + "\xc3\xa9"), std::string(63, 'a') + "...");
     EXPECT_EQ(printable("a\n\x7f\xc2\x9b\xff\xc3\xa9"), "a\\x0a\\x7f\\xc2\\x9b\\xff\xc3\xa9");
+    // A slash in two and three bytes, half of a pair, beyond the last character, U+FFFF.
+    EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");
+    EXPECT_EQ(printable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");
+    EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");
+    EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
+    EXPECT_EQ(printable("\xef\xbf\xbf"), "\\xef\\xbf\\xbf");
+    const std::string outermost =
+        "\xe0\xa0\x80\xed\x9f\xbf\xef\xbf\xbd\xf0\x90\x80\x80\xf4\x8f\xbf\xbf";
+    EXPECT_EQ(printable(outermost), outermost);
 }
 
 }  // namespace

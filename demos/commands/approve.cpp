@@ -1,0 +1,167 @@
+// impulse approve: what the last test has shown becomes the baseline.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "demos/commands/commands.h"
+#include "demos/file_content.h"
+#include "demos/film/folder_lock.h"
+#include "demos/film/progress.h"
+#include "demos/regression/accept.h"
+#include "demos/regression/baseline.h"
+#include "demos/regression/verdict_json.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/nearest.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a name on the command line means.
+struct Wish {
+    enum class What { all, physics, picture };
+    const SceneVerdict* scene = nullptr;
+    What what = What::all;
+    double time = 0.0;  // s
+};
+
+TestVerdict reportIn(const fs::path& results) {
+    const fs::path file = results / "report.json";
+    const std::vector<std::uint8_t> bytes = contentOf(file);
+    if (bytes.empty())
+        throw Stop(Exit::environment,
+                   fmt::format("there is no '{}'; run impulse test first, or name its folder with "
+                               "--results",
+                               printable(file.string())));
+    return testVerdictFrom({bytes.begin(), bytes.end()}, file.string());
+}
+
+bool differs(const SceneVerdict& scene) {
+    return scene.state == SceneVerdict::State::failed && !scene.pictures.empty() &&
+           std::any_of(scene.pictures.begin(), scene.pictures.end(),
+                       [](const PictureVerdict& picture) { return !picture.actual.empty(); });
+}
+
+void checkContract(const SceneVerdict& scene) {
+    for (const ExpectationResult& result : scene.expectations)
+        if (!result.passed)
+            throw Stop(Exit::failed,
+                       fmt::format("{}: the expectation '{}' failed, which no baseline can mend; "
+                                   "mend the scene or its [[expect]], and test again",
+                                   printable(scene.name), printable(result.text)));
+}
+
+class Approval {
+public:
+    explicit Approval(const Options& options)
+        : options_(options), talk_(options, false), results_(options.results) {}
+
+    Exit run() {
+        if (options_.scenes.empty() && !options_.all && !options_.prune)
+            throw Stop(Exit::usage, "approve what? name scenes or pictures (stack, stack@2.5), or "
+                                    "give --all or --prune");
+        verdict_ = reportIn(results_);
+        const FolderLock lock(results_);
+        for (const Wish& wish : wishes()) accept(wish);
+        if (options_.prune) prune();
+        talk_.json(fmt::format(R"({{"event":"done","accepted":{},"pruned":{}}})", accepted_, pruned_));
+        talk_.say(fmt::format("accepted {}, removed {}; next: {}", accepted_, pruned_,
+                              printable(verdict_.command)));
+        return Exit::ok;
+    }
+
+private:
+    /// All of them are understood before anything is written.
+    std::vector<Wish> wishes() const {
+        std::vector<Wish> wishes;
+        for (const std::string& name : options_.scenes) wishes.push_back(wishOf(name));
+        if (options_.all)
+            for (const SceneVerdict& scene : verdict_.scenes)
+                if (differs(scene)) wishes.push_back({&scene, Wish::What::all, 0.0});
+        for (const Wish& wish : wishes) checkContract(*wish.scene);
+        return wishes;
+    }
+
+    Wish wishOf(const std::string& name) const {
+        const std::size_t at = name.rfind('@');
+        const SceneVerdict& scene = sceneCalled(name.substr(0, at), name);
+        if (at == std::string::npos) return {&scene, Wish::What::all, 0.0};
+        if (name.substr(at + 1) == "physics") return {&scene, Wish::What::physics, 0.0};
+        for (const PictureVerdict& picture : scene.pictures)
+            if (pictureName(scene.name, picture.time) == name)
+                return {&scene, Wish::What::picture, picture.time};
+        std::vector<std::string> names{scene.name + "@physics"};
+        for (const PictureVerdict& picture : scene.pictures)
+            names.push_back(pictureName(scene.name, picture.time));
+        throw Stop(Exit::usage, fmt::format("the last test has no '{}'{}", printable(name),
+                                            suggestion(name, names)));
+    }
+
+    const SceneVerdict& sceneCalled(const std::string& scene, const std::string& name) const {
+        std::vector<std::string> names;
+        for (const SceneVerdict& known : verdict_.scenes) {
+            if (known.name == scene && !differs(known))
+                throw Stop(Exit::usage,
+                           fmt::format("'{}' has nothing to accept: it {} in the last test",
+                                       printable(name), nameOf(known.state)));
+            if (known.name == scene) return known;
+            names.push_back(known.name);
+        }
+        throw Stop(Exit::usage, fmt::format("the last test has no '{}'{}", printable(name),
+                                            suggestion(scene, names)));
+    }
+
+    void accept(const Wish& wish) try {
+        const fs::path shown = results_ / (wish.scene->name + kSnapshotsEnding);
+        const fs::path folder = wish.scene->folder;
+        if (wish.what == Wish::What::all) acceptAll(shown, folder);
+        if (wish.what == Wish::What::physics) acceptPhysics(shown, folder);
+        if (wish.what == Wish::What::picture) acceptPicture(shown, folder, wish.time);
+        ++accepted_;
+        const std::string what = wish.what == Wish::What::all       ? "all"
+                                 : wish.what == Wish::What::physics ? "physics"
+                                                                    : pictureFile(wish.time);
+        talk_.say(fmt::format("accepted {} ({}) in {}", printable(wish.scene->name), what,
+                              printable(folder.string())));
+    } catch (const BaselineError& error) {
+        throw Stop(Exit::environment, error.what());
+    }
+
+    void prune() {
+        for (const SceneVerdict& scene : verdict_.scenes)
+            for (const std::string& orphan : scene.orphans)
+                if (fs::path(orphan).filename() == orphan) remove(fs::path(scene.folder) / orphan);
+        for (const std::string& orphan : verdict_.orphans) pruneFolder(orphan);
+    }
+
+    /// Only what is a baseline's; anything else in it, and then the folder, stays.
+    void pruneFolder(const fs::path& folder) {
+        if (folder.extension() != kSnapshotsEnding) return;
+        for (const std::string& picture : orphansOf(folder, {})) remove(folder / picture);
+        remove(folder / kBaselineFile);
+        std::error_code ignored;
+        fs::remove(folder, ignored);
+    }
+
+    void remove(const fs::path& file) {
+        std::error_code problem;
+        if (!fs::remove(file, problem)) return;
+        ++pruned_;
+        talk_.say("removed " + printable(file.string()));
+    }
+
+    const Options& options_;
+    Talk talk_;
+    fs::path results_;
+    TestVerdict verdict_;
+    int accepted_ = 0, pruned_ = 0;
+};
+
+}  // namespace
+
+Exit approveCommand(const Options& options) { return Approval(options).run(); }
+
+}  // namespace demos

@@ -1,0 +1,181 @@
+// impulse test: pictures, states and expectations against their baselines.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "demos/commands/commands.h"
+#include "demos/film/folder_lock.h"
+#include "demos/film/frame_source.h"
+#include "demos/film/outputs.h"
+#include "demos/film/progress.h"
+#include "demos/film/signals.h"
+#include "demos/regression/baseline.h"
+#include "demos/regression/junit.h"
+#include "demos/regression/pass_cache.h"
+#include "demos/regression/process_pool.h"
+#include "demos/regression/scene_test.h"
+#include "demos/regression/tell.h"
+#include "demos/regression/verdict_json.h"
+#include "demos/scene/complaints.h"
+#include "render/driver_environment.h"
+#include "render/encode/file.h"
+#include "render/renderer.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The results may not take the place of the baselines: a test clears what it left before.
+void checkApart(const SceneChoice& choice, const fs::path& results) {
+    std::error_code ignored;
+    for (const ChosenScene& scene : choice.scenes) {
+        const fs::path shown = results / (scene.name + kSnapshotsEnding);
+        if (fs::weakly_canonical(fs::absolute(shown), ignored) ==
+            fs::weakly_canonical(fs::absolute(scene.folder), ignored))
+            throw Stop(Exit::usage,
+                       fmt::format("--output '{}' is where the baselines are; name another folder",
+                                   printable(results.string())));
+    }
+}
+
+/// The renderer's name, asked for in a process of its own: this one may not have a context.
+std::string rendererName(const Options& options) {
+    std::string name, problem;
+    const auto ask = [&options](int) -> std::string {
+        try {
+            render::RendererSettings settings;
+            settings.width = settings.height = 16;
+            settings.threads = 0;
+            settings.reproducible = options.reproducible;
+            settings.context = render::contextCalled(options.context);
+            return "+" + render::Renderer(settings).describe();
+        } catch (const std::exception& error) {
+            return std::string("-") + error.what();
+        }
+    };
+    runInProcesses(1, 1, ask, [&](int, const PoolResult& result) {
+        const bool good = result.ended && result.text.starts_with('+');
+        (good ? name : problem) = result.ended ? result.text.substr(1)
+                                               : "the process that asks for OpenGL " + result.text;
+    });
+    if (!problem.empty()) throw render::Error(problem);
+    return name;
+}
+
+/// Of a process that did not come to its end.
+SceneVerdict crashed(const ChosenScene& scene, const std::string& how) {
+    SceneVerdict verdict;
+    verdict.name = scene.name;
+    verdict.scene = scene.scene;
+    verdict.folder = scene.folder.string();
+    verdict.state = SceneVerdict::State::error;
+    verdict.problem = "the process that tested it " + how;
+    return verdict;
+}
+
+class Test {
+public:
+    explicit Test(const Options& options)
+        : options_(options),
+          talk_(options, false),
+          choice_(chooseScenes(options)),
+          results_(options.outputs.empty() ? "output/test" : options.outputs.front()),
+          cache_(results_ / "passed.json"),
+          run_{options, results_, updateOf(options), {}, options.cache ? &cache_ : nullptr} {
+        checkApart(choice_, results_);
+    }
+
+    Exit play() {
+        makeFolder(results_);
+        const FolderLock lock(results_);
+        for (const std::string& note : choice_.notes) talk_.mention(note);
+        watchSignals();
+        run_.renderer = rendererName(options_);
+        begin();
+        const int count = static_cast<int>(choice_.scenes.size());
+        runInProcesses(
+            count, workerCount(options_.jobs, count), [this](int i) { return tested(i); },
+            [this](int i, const PoolResult& result) { take(i, result); });
+        return finish();
+    }
+
+private:
+    void begin() {
+        verdict_.baselines = options_.baselines;
+        verdict_.renderer = run_.renderer;
+        verdict_.pixels = render::pixelClass(options_.reproducible);
+        verdict_.command = options_.commandLine;
+        verdict_.orphans = choice_.orphans;
+        talk_.json(fmt::format(R"({{"event":"start","scenes":{}}})", choice_.scenes.size()));
+    }
+
+    /// In the scene's own process.
+    std::string tested(int i) const {
+        const SceneTested tested = testScene(choice_.scenes[i], run_);
+        const Json json{{"verdict", jsonOf(tested.verdict)},
+                        {"fingerprint", hexText(tested.fingerprint)}};
+        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    void take(int i, const PoolResult& result) {
+        const ChosenScene& scene = choice_.scenes[i];
+        verdict_.scenes.push_back(crashed(scene, result.text));
+        SceneVerdict& verdict = verdict_.scenes.back();
+        cache_.remove(scene.name);
+        if (result.ended) {
+            const Json json = Json::parse(result.text);
+            verdict = sceneVerdictFrom(json.at("verdict"));
+            if (verdict.state == SceneVerdict::State::passed)
+                cache_.add(scene.name,
+                           std::stoull(json.at("fingerprint").get<std::string>(), nullptr, 16));
+        }
+        tell(verdict);
+    }
+
+    /// What failed is told with --quiet too, and where errors go.
+    void tell(const SceneVerdict& scene) const {
+        Json event = jsonOf(scene);
+        event["event"] = "scene";
+        talk_.json(event.dump(-1, ' ', false, Json::error_handler_t::replace));
+        const bool bad = scene.state == SceneVerdict::State::failed ||
+                         scene.state == SceneVerdict::State::error;
+        if (!bad) talk_.say(headline(scene));
+        if (bad) fmt::print(stderr, "{}\n", headline(scene));
+        for (const std::string& line : detailsOf(scene)) {
+            if (!bad) talk_.say("         " + line);
+            if (bad) fmt::print(stderr, "         {}\n", line);
+        }
+        std::fflush(stdout);
+    }
+
+    Exit finish() {
+        cache_.write();
+        render::writeFileAtomically(results_ / "report.json", jsonOf(verdict_));
+        render::writeFileAtomically(results_ / "junit.xml", junitXml(verdict_));
+        for (const std::string& orphan : verdict_.orphans)
+            talk_.say(fmt::format("{} is of no scene; impulse approve --prune removes it",
+                                  printable(orphan)));
+        talk_.say(summaryOf(verdict_));
+        talk_.say("wrote " + printable((results_ / "report.json").string()));
+        talk_.json(fmt::format(R"({{"event":"done","passed":{},"report":{}}})", verdict_.passed(),
+                               jsonString((results_ / "report.json").string())));
+        return verdict_.passed() ? Exit::ok : Exit::failed;
+    }
+
+    const Options& options_;
+    Talk talk_;
+    SceneChoice choice_;
+    fs::path results_;
+    PassCache cache_;
+    TestRun run_;
+    TestVerdict verdict_;
+};
+
+}  // namespace
+
+Exit testCommand(const Options& options) { return Test(options).play(); }
+
+}  // namespace demos

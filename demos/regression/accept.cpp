@@ -1,0 +1,89 @@
+#include "demos/regression/accept.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/file_content.h"
+#include "demos/film/outputs.h"
+#include "demos/regression/baseline.h"
+#include "demos/scene/complaints.h"
+#include "render/encode/file.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+Baseline baselineIn(const fs::path& folder, const char* otherwise) {
+    std::optional<Baseline> baseline = readBaseline(folder);
+    if (!baseline) throw BaselineError(printable(folder.string()) + otherwise);
+    return std::move(*baseline);
+}
+
+Baseline shownIn(const fs::path& folder) {
+    return baselineIn(folder, " holds nothing to accept; run impulse test again");
+}
+
+void write(const Baseline& baseline, const fs::path& folder) {
+    // Its course is a text already, so that no tolerance is asked for.
+    render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
+}
+
+BaselinePicture* pictureIn(Baseline& baseline, double time) {
+    for (BaselinePicture& picture : baseline.pictures)
+        if (picture.time == time) return &picture;
+    return nullptr;
+}
+
+void checkLike(const Baseline& shown, const Baseline& kept) {
+    if (shown.width != kept.width || shown.height != kept.height ||
+        shown.course.hz != kept.course.hz)
+        throw BaselineError(fmt::format("{}: the size of the pictures or the steps a second have "
+                                        "changed; accept all of it: impulse approve {}",
+                                        printable(shown.scene), printable(shown.scene)));
+}
+
+}  // namespace
+
+void acceptAll(const fs::path& shown, const fs::path& baseline) {
+    const Baseline now = shownIn(shown);
+    std::vector<std::vector<std::uint8_t>> files;  // all of them are read before one is written
+    for (const BaselinePicture& picture : now.pictures) files.push_back(readPicture(shown, picture));
+    const std::vector<std::uint8_t> json = contentOf(shown / kBaselineFile);
+    makeFolder(baseline);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        render::writeFileAtomically(baseline / pictureFile(now.pictures[i].time), files[i]);
+    render::writeFileAtomically(baseline / kBaselineFile, json);
+}
+
+void acceptPicture(const fs::path& shown, const fs::path& baseline, double time) {
+    Baseline now = shownIn(shown);
+    Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
+    checkLike(now, kept);
+    const BaselinePicture* picture = pictureIn(now, time);
+    if (!picture)
+        throw BaselineError(fmt::format("{} has no picture of {} s", printable(now.scene),
+                                        numberText(time)));
+    const std::vector<std::uint8_t> file = readPicture(shown, *picture);
+    if (BaselinePicture* old = pictureIn(kept, time))
+        *old = *picture;
+    else
+        kept.pictures.push_back(*picture);
+    std::sort(kept.pictures.begin(), kept.pictures.end(),
+              [](const BaselinePicture& a, const BaselinePicture& b) { return a.time < b.time; });
+    render::writeFileAtomically(baseline / pictureFile(time), file);
+    write(kept, baseline);
+}
+
+void acceptPhysics(const fs::path& shown, const fs::path& baseline) {
+    Baseline now = shownIn(shown);
+    Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
+    checkLike(now, kept);
+    for (BaselinePicture& picture : kept.pictures)
+        if (const BaselinePicture* own = pictureIn(now, picture.time)) picture.state = own->state;
+    now.pictures = kept.pictures;
+    write(now, baseline);
+}
+
+}  // namespace demos

@@ -1,0 +1,159 @@
+#include "demos/regression/baseline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "demos/base64.h"
+#include "demos/file_content.h"
+#include "demos/film/progress.h"
+#include "demos/regression/course_codec.h"
+#include "demos/scene/complaints.h"
+#include "demos/text_hash.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+constexpr std::size_t kMostCourse = 48 * 1024, kMostBody = 300;  // bytes of a course, and a body
+constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
+
+std::uint64_t hashOf(std::string_view text) {
+    TextHash hash;
+    hash.add(text);
+    return hash.value();
+}
+
+std::uint64_t fromHex(const std::string& text) {
+    std::uint64_t value = 0;
+    const auto got = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (got.ec != std::errc{} || got.ptr != text.data() + text.size())
+        throw std::invalid_argument(text);
+    return value;
+}
+
+std::string textOf(const Json& json) {
+    return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json picturesJson(const Baseline& baseline) {
+    Json pictures = Json::array();
+    for (const BaselinePicture& picture : baseline.pictures)
+        pictures.push_back({{"time", picture.time},
+                            {"state", hexText(picture.state)},
+                            {"png", hexText(picture.png)}});
+    return pictures;
+}
+
+std::string courseText(const Baseline& baseline, const Tolerance& tolerance) {
+    if (!baseline.courseText.empty()) return baseline.courseText;
+    const Course& course = baseline.course;
+    return toBase64(encodeCourse(course, resolutionOf(course, tolerance),
+                                 kMostCourse + kMostBody * course.bodies.size()));
+}
+
+Course courseFrom(const std::string& text) {
+    const std::optional<std::string> bytes = fromBase64(text);
+    if (!bytes) throw std::invalid_argument("base64");
+    std::optional<Course> course = decodeCourse(
+        {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+    if (!course) throw std::invalid_argument("course");
+    return std::move(*course);
+}
+
+Baseline contentOf(const Json& json) {
+    Baseline baseline;
+    json.at("scene").get_to(baseline.scene);
+    json.at("impulse").get_to(baseline.version);
+    json.at("renderer").get_to(baseline.renderer);
+    json.at("pixels").get_to(baseline.pixels);
+    json.at("size").at(0).get_to(baseline.width);
+    json.at("size").at(1).get_to(baseline.height);
+    for (const auto& [key, value] : json.at("settings").items())
+        baseline.settings.emplace_back(key, value.get<std::string>());
+    for (const Json& picture : json.at("pictures"))
+        baseline.pictures.push_back({picture.at("time").get<double>(),
+                                     fromHex(picture.at("state").get<std::string>()),
+                                     fromHex(picture.at("png").get<std::string>())});
+    json.at("course").get_to(baseline.courseText);
+    baseline.course = courseFrom(baseline.courseText);
+    return baseline;
+}
+
+}  // namespace
+
+std::string pictureFile(double time) { return "t" + numberText(time) + ".png"; }
+
+std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
+    Json json{{"format", kFormat},
+              {"impulse", baseline.version},
+              {"scene", baseline.scene},
+              {"renderer", baseline.renderer},
+              {"pixels", baseline.pixels},
+              {"size", {baseline.width, baseline.height}}};
+    Json& settings = json["settings"] = Json::object();
+    for (const auto& [key, value] : baseline.settings) settings[key] = value;
+    json["pictures"] = picturesJson(baseline);
+    json["course"] = courseText(baseline, tolerance);
+    json["seal"] = hexText(hashOf(textOf(json)));
+    return textOf(json) + "\n";
+}
+
+Baseline baselineFrom(const std::string& text, const std::string& name) try {
+    Json json = Json::parse(text);
+    if (const int format = json.at("format").get<int>(); format != kFormat)
+        throw BaselineError(fmt::format("{} is of format {}, and this impulse reads {}; {}", name,
+                                        format, kFormat,
+                                        format > kFormat ? "take a newer impulse"
+                                                         : "accept the scene again"));
+    const std::uint64_t seal = fromHex(json.at("seal").get<std::string>());
+    json.erase("seal");
+    if (seal != hashOf(textOf(json)))
+        throw BaselineError(name + " was edited: its seal does not fit what it says" + kAgain);
+    return contentOf(json);
+} catch (const BaselineError&) {
+    throw;
+} catch (const std::exception&) {
+    throw BaselineError(name + " is damaged, or no baseline of impulse test" + kAgain);
+}
+
+std::optional<Baseline> readBaseline(const fs::path& folder) {
+    const fs::path file = folder / kBaselineFile;
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(file, ignored))) return std::nullopt;
+    const std::vector<std::uint8_t> bytes = demos::contentOf(file);
+    return baselineFrom({bytes.begin(), bytes.end()}, printable(file.string()));
+}
+
+std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePicture& picture) {
+    const fs::path file = folder / pictureFile(picture.time);
+    std::vector<std::uint8_t> bytes = demos::contentOf(file);
+    if (bytes.empty())
+        throw BaselineError(printable(file.string()) + " is not there or empty" + kAgain);
+    TextHash hash;
+    hash.add(bytes);
+    if (hash.value() != picture.png)
+        throw BaselineError(printable(file.string()) + " is not the picture that " +
+                            kBaselineFile + " beside it is of: torn, or from elsewhere" + kAgain);
+    return bytes;
+}
+
+std::vector<std::string> orphansOf(const fs::path& folder, const std::vector<double>& times) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const auto isOf = [&name](double time) { return pictureFile(time) == name; };
+        if (name.ends_with(".png") && std::none_of(times.begin(), times.end(), isOf))
+            names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace demos

@@ -1,0 +1,156 @@
+#include "demos/regression/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/film/outputs.h"
+#include "demos/regression/divergence.h"
+#include "demos/regression/run_settings.h"
+#include "demos/scene/complaints.h"
+#include "demos/text_hash.h"
+#include "demos/version.h"
+#include "render/driver_environment.h"
+#include "render/encode/file.h"
+#include "render/encode/png.h"
+#include "render/encode/png_read.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+const BaselinePicture* pictureOf(const Baseline& baseline, double time) {
+    for (const BaselinePicture& picture : baseline.pictures)
+        if (picture.time == time) return &picture;
+    return nullptr;
+}
+
+/// Why nothing of it can be compared; empty where it can.
+std::string obstacle(const Baseline& baseline, const Actual& actual) {
+    const Baseline& now = actual.baseline;
+    if (baseline.course.hz != now.course.hz)
+        return fmt::format("the baseline was made with {} steps a second, the scene has {}; accept "
+                           "it with impulse test --update changed",
+                           baseline.course.hz, now.course.hz);
+    if (baseline.width != now.width || baseline.height != now.height)
+        return fmt::format("the baseline's pictures are {}x{}, those of the scene {}x{}; accept it "
+                           "with impulse test --update changed",
+                           baseline.width, baseline.height, now.width, now.height);
+    return {};
+}
+
+void breakAll(const std::string& problem, SceneVerdict& verdict) {
+    verdict.problem = problem;
+    for (PictureVerdict& picture : verdict.pictures) picture.kind = PictureVerdict::Kind::broken;
+}
+
+void judgePictures(const Take& take, const Actual& actual, const Baseline& baseline,
+                   const fs::path& folder, SceneVerdict& verdict) {
+    for (std::size_t i = 0; i < verdict.pictures.size(); ++i) {
+        PictureVerdict& picture = verdict.pictures[i];
+        const BaselinePicture* kept = pictureOf(baseline, picture.time);
+        if (!kept) continue;  // a time that was added to the list
+        picture.baseline = (folder / pictureFile(picture.time)).string();
+        picture.baselineState = kept->state;
+        try {
+            judgePicture(take.pictures[i].image, actual.png[i], readPicture(folder, *kept),
+                         verdict.snapshot.gate, picture);
+        } catch (const BaselineError& error) {
+            picture.kind = PictureVerdict::Kind::broken;
+            picture.problem = error.what();
+        }
+    }
+}
+
+bool isGood(const PictureVerdict& picture) {
+    return picture.kind == PictureVerdict::Kind::same ||
+           picture.kind == PictureVerdict::Kind::within;
+}
+
+SceneVerdict::State stateOf(const SceneVerdict& verdict) {
+    const bool kept = std::all_of(verdict.expectations.begin(), verdict.expectations.end(),
+                                  [](const ExpectationResult& r) { return r.passed; });
+    const bool seen = std::all_of(verdict.pictures.begin(), verdict.pictures.end(), isGood);
+    const bool moved = verdict.physics.kind == PhysicsVerdict::Kind::changed ||
+                       verdict.physics.kind == PhysicsVerdict::Kind::unknown;
+    return kept && seen && !moved && verdict.problem.empty() ? SceneVerdict::State::passed
+                                                             : SceneVerdict::State::failed;
+}
+
+}  // namespace
+
+Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene) {
+    Actual actual;
+    Baseline& baseline = actual.baseline;
+    baseline.scene = plan.name;
+    baseline.version = kVersion;
+    baseline.renderer = take.renderer;
+    baseline.pixels = render::pixelClass(plan.picture.reproducible);
+    baseline.width = plan.picture.width;
+    baseline.height = plan.picture.height;
+    baseline.settings = settingsOf(plan, scene, take.renderer);
+    baseline.course = take.course;
+    for (const TakenPicture& picture : take.pictures) {
+        TextHash hash;
+        hash.add(actual.png.emplace_back(render::encodePng(picture.image)));
+        baseline.pictures.push_back({picture.time, picture.state, hash.value()});
+    }
+    return actual;
+}
+
+void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& png,
+                  const std::vector<std::uint8_t>& baseline, const PictureGate& gate,
+                  PictureVerdict& verdict) try {
+    verdict.difference.sameSize = true;
+    verdict.kind = PictureVerdict::Kind::same;
+    if (png == baseline) return;
+    verdict.difference = render::compare(render::decodePng(baseline), actual, gate.levels);
+    const render::Gate limits{gate.levels, gate.windowPixels, gate.ssim, ""};
+    if (!verdict.difference.sameSize)
+        throw BaselineError("the picture has another size than its baseline.json says");
+    if (verdict.difference.differing == 0) return;
+    verdict.kind = render::samePicture(verdict.difference, limits) ? PictureVerdict::Kind::within
+                                                                   : PictureVerdict::Kind::changed;
+} catch (const render::Error& error) {
+    throw BaselineError(printable(verdict.baseline) + ": " + error.what());
+}
+
+void judge(const Take& take, const Actual& actual, const fs::path& folder, SceneVerdict& verdict) {
+    verdict.expectations = take.expectations;
+    for (const BaselinePicture& picture : actual.baseline.pictures)
+        verdict.pictures.push_back({picture.time, PictureVerdict::Kind::added, 0, picture.state, {},
+                                    {}, {}, {}});
+    std::vector<double> times;
+    for (const BaselinePicture& picture : actual.baseline.pictures) times.push_back(picture.time);
+    verdict.orphans = orphansOf(folder, times);
+    try {
+        const std::optional<Baseline> baseline = readBaseline(folder);
+        if (!baseline) {
+            verdict.state = SceneVerdict::State::added;
+            return;
+        }
+        verdict.settings = changesOf(baseline->settings, actual.baseline.settings);
+        const std::string problem = obstacle(*baseline, actual);
+        if (!problem.empty()) breakAll(problem, verdict);
+        if (problem.empty()) {
+            verdict.physics =
+                diverge(baseline->course, actual.baseline.course, verdict.snapshot.tolerance);
+            judgePictures(take, actual, *baseline, folder, verdict);
+        }
+    } catch (const BaselineError& error) {
+        breakAll(error.what(), verdict);
+    }
+    verdict.state = stateOf(verdict);
+}
+
+void writeBaseline(const Actual& actual, const Tolerance& tolerance, const fs::path& folder) {
+    makeFolder(folder);
+    for (std::size_t i = 0; i < actual.png.size(); ++i)
+        render::writeFileAtomically(folder / pictureFile(actual.baseline.pictures[i].time),
+                                    actual.png[i]);
+    render::writeFileAtomically(folder / kBaselineFile, jsonOf(actual.baseline, tolerance));
+}
+
+}  // namespace demos

@@ -1,0 +1,34 @@
+/// A run against its baseline.
+#pragma once
+#include <filesystem>
+
+#include "demos/regression/baseline.h"
+#include "demos/regression/take.h"
+#include "demos/regression/verdict.h"
+
+namespace demos {
+
+/// What a run has shown, with its pictures as files are: what is compared, kept and approved.
+struct Actual {
+    Baseline baseline;  // as it would be kept
+    std::vector<std::vector<std::uint8_t>> png;  // by place in baseline.pictures
+};
+
+Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene);
+
+/// Fills in physics, pictures, settings, expectations and the state they lead to. `folder`: of the
+/// baseline. What is wrong with it is told in the verdict, not thrown.
+void judge(const Take& take, const Actual& actual, const std::filesystem::path& folder,
+           SceneVerdict& verdict);
+
+/// A picture against the file of its baseline, by the scene's gate.
+void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& png,
+                  const std::vector<std::uint8_t>& baseline, const PictureGate& gate,
+                  PictureVerdict& verdict);
+
+/// Both files, pictures first: until baseline.json is there, a reader sees that it does not fit.
+/// Throws render::Error.
+void writeBaseline(const Actual& actual, const Tolerance& tolerance,
+                   const std::filesystem::path& folder);
+
+}  // namespace demos

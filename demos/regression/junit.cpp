@@ -1,0 +1,251 @@
+#include "demos/regression/junit.h"
+
+#include <fmt/format.h>
+
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "demos/scene/complaints.h"
+
+namespace demos {
+namespace {
+
+/// What is wrong with a case: one line, then more for those who look closer.
+struct Fault {
+    const char* type;
+    std::string message;
+    std::vector<std::string> details;
+};
+
+/// An element's attributes as they are counted while its cases are added.
+struct Counts {
+    int tests = 0, failures = 0, errors = 0, skipped = 0;
+
+    Counts& operator+=(const Counts& more) {
+        tests += more.tests;
+        failures += more.failures;
+        errors += more.errors;
+        skipped += more.skipped;
+        return *this;
+    }
+};
+
+void set(pugi::xml_node node, const char* name, const std::string& text) {
+    node.append_attribute(name) = printable(text).c_str();
+}
+
+void writeCounts(const Counts& counts, pugi::xml_node node) {
+    node.append_attribute("tests") = counts.tests;
+    node.append_attribute("failures") = counts.failures;
+    node.append_attribute("errors") = counts.errors;
+    node.append_attribute("skipped") = counts.skipped;
+}
+
+void writeLines(const std::vector<std::string>& lines, pugi::xml_node node) {
+    std::string text;
+    for (const std::string& line : lines)
+        text.append(text.empty() ? "" : "\n").append(printable(line));
+    node.append_child(pugi::node_pcdata).set_value(text.c_str());
+}
+
+/// The message is the first line of the text as well: GitLab reads no attribute.
+void writeFault(const Fault& fault, const char* element, pugi::xml_node testCase) {
+    pugi::xml_node node = testCase.append_child(element);
+    set(node, "message", fault.message);
+    set(node, "type", fault.type);
+    std::vector<std::string> lines{fault.message};
+    lines.insert(lines.end(), fault.details.begin(), fault.details.end());
+    writeLines(lines, node);
+}
+
+std::vector<std::string> settingLines(const std::vector<SettingChange>& settings) {
+    const auto shownValue = [](const std::string& value) { return value.empty() ? "none" : value; };
+    std::vector<std::string> lines;
+    for (const SettingChange& change : settings)
+        lines.push_back(fmt::format("setting {}: {}, of the baseline {}", change.key,
+                                    shownValue(change.actual), shownValue(change.baseline)));
+    return lines;
+}
+
+Fault faultOf(const ExpectationResult& result) {
+    Fault fault{"expectation",
+                fmt::format("measured {:.6g}{}{}", result.value, result.unit.empty() ? "" : " ",
+                            result.unit),
+                {}};
+    if (!result.why.empty()) fault.details.push_back("why: " + result.why);
+    return fault;
+}
+
+/// Of what has nothing to be compared with; `problem`: with the baseline, if there is one.
+std::string missing(const char* what, const std::string& problem) {
+    if (!problem.empty()) return problem;
+    return fmt::format("there is no baseline of {}", what);
+}
+
+Fault physicsFault(const SceneVerdict& scene) {
+    const std::vector<std::string>& lines = scene.physics.lines;
+    Fault fault{"physics", "another course than the baseline's", settingLines(scene.settings)};
+    if (scene.physics.kind == PhysicsVerdict::Kind::unknown) {
+        fault.message = missing("the physics", scene.problem);
+    } else if (!lines.empty()) {
+        fault.message = lines.front();
+        fault.details.insert(fault.details.begin(), lines.begin() + 1, lines.end());
+    }
+    return fault;
+}
+
+std::string differenceText(const render::Difference& difference, const PictureGate& gate) {
+    if (!difference.sameSize) return "another size than the baseline's";
+    return fmt::format(
+        "{} pixels differ, by {} of 255 at most; by more than {}: {} in the 16x16 pixels at "
+        "({}, {}), of which {} may; least SSIM {:.4f}, which has to reach {}",
+        difference.differing, difference.largest, gate.levels, difference.worstWindow,
+        difference.windowX, difference.windowY, gate.windowPixels, difference.worstSsim,
+        numberText(gate.ssim));
+}
+
+std::vector<std::string> fileLines(const PictureVerdict& picture) {
+    std::vector<std::string> lines;
+    if (!picture.baseline.empty()) lines.push_back("baseline: " + picture.baseline);
+    if (!picture.actual.empty()) lines.push_back("actual: " + picture.actual);
+    return lines;
+}
+
+Fault faultOf(const PictureVerdict& picture, const SceneVerdict& scene) {
+    Fault fault{"picture", picture.problem, fileLines(picture)};
+    if (picture.kind == PictureVerdict::Kind::changed)
+        fault.message = differenceText(picture.difference, scene.snapshot.gate);
+    else if (picture.problem.empty())
+        fault.message = missing("this picture", scene.problem);
+    if (picture.baselineState != 0 && picture.baselineState != picture.state)
+        fault.details.push_back("the world is in another state than in the baseline");
+    return fault;
+}
+
+bool differs(const PhysicsVerdict& physics) {
+    return physics.kind == PhysicsVerdict::Kind::changed ||
+           physics.kind == PhysicsVerdict::Kind::unknown;
+}
+
+bool differs(const PictureVerdict& picture) {
+    return picture.kind != PictureVerdict::Kind::same &&
+           picture.kind != PictureVerdict::Kind::within;
+}
+
+class SceneSuite {
+public:
+    SceneSuite(const SceneVerdict& scene, pugi::xml_node node) : scene_(scene), node_(node) {}
+
+    Counts write() {
+        set(node_, "name", scene_.name);
+        if (scene_.state == SceneVerdict::State::error)
+            addError();
+        else if (scene_.cached)
+            addSkipped();
+        else
+            addCases();
+        writeCounts(counts_, node_);
+        if (!scene_.orphans.empty()) writeOrphans();
+        return counts_;
+    }
+
+private:
+    void addCases() {
+        for (const ExpectationResult& result : scene_.expectations) add(result);
+        if (comparesPhysics()) addPhysics();
+        for (const PictureVerdict& picture : scene_.pictures) add(picture);
+    }
+
+    /// A scene without pictures has a contract and no baseline.
+    bool comparesPhysics() const {
+        return scene_.physics.kind != PhysicsVerdict::Kind::unknown || !scene_.pictures.empty();
+    }
+
+    void addSkipped() {
+        const std::string message = "nothing has changed since it passed";
+        pugi::xml_node reason = testCase(scene_.name).append_child("skipped");
+        set(reason, "message", message);
+        writeLines({message}, reason);
+        ++counts_.skipped;
+    }
+
+    void addError() {
+        writeFault({"scene", scene_.problem, {}}, "error", testCase(scene_.name));
+        ++counts_.errors;
+    }
+
+    void add(const ExpectationResult& result) {
+        const pugi::xml_node node = testCase("expect: " + result.text);
+        if (!result.passed) fail(faultOf(result), node);
+    }
+
+    void addPhysics() {
+        pugi::xml_node node = testCase(scene_.name + "@physics");
+        const PhysicsVerdict& physics = scene_.physics;
+        if (failed() && differs(physics))
+            fail(physicsFault(scene_), node);
+        else if (!physics.lines.empty())
+            writeLines(physics.lines, node.append_child("system-out"));
+    }
+
+    void add(const PictureVerdict& picture) {
+        pugi::xml_node node = testCase(pictureName(scene_.name, picture.time));
+        if (failed() && differs(picture)) {
+            fail(faultOf(picture, scene_), node);
+            if (!picture.actual.empty()) attach(picture.actual, node);
+        } else if (picture.kind == PictureVerdict::Kind::within) {
+            writeLines({differenceText(picture.difference, scene_.snapshot.gate)},
+                       node.append_child("system-out"));
+        }
+    }
+
+    /// GitLab and Jenkins show the file that a line of this form names.
+    static void attach(const std::string& file, pugi::xml_node node) {
+        writeLines({"[[ATTACHMENT|" + file + "]]"}, node.append_child("system-out"));
+    }
+
+    void writeOrphans() {
+        std::vector<std::string> lines;
+        for (const std::string& orphan : scene_.orphans)
+            lines.push_back("no listed time asks for " + orphan);
+        writeLines(lines, node_.append_child("system-out"));
+    }
+
+    pugi::xml_node testCase(const std::string& name) {
+        pugi::xml_node node = node_.append_child("testcase");
+        set(node, "classname", scene_.name);
+        set(node, "name", name);
+        if (scene_.scene != scene_.name) set(node, "file", scene_.scene);
+        ++counts_.tests;
+        return node;
+    }
+
+    void fail(const Fault& fault, pugi::xml_node node) {
+        writeFault(fault, "failure", node);
+        ++counts_.failures;
+    }
+
+    /// Of a scene that was added or updated nothing fails: its new baseline is the actual.
+    bool failed() const { return scene_.state == SceneVerdict::State::failed; }
+
+    const SceneVerdict& scene_;
+    pugi::xml_node node_;
+    Counts counts_;
+};
+
+}  // namespace
+
+std::string junitXml(const TestVerdict& verdict) {
+    pugi::xml_document document;
+    pugi::xml_node root = document.append_child("testsuites");
+    root.append_attribute("name") = "impulse";
+    Counts counts;
+    for (const SceneVerdict& scene : verdict.scenes)
+        counts += SceneSuite(scene, root.append_child("testsuite")).write();
+    writeCounts(counts, root);
+    std::ostringstream text;
+    document.save(text, " ");
+    return text.str();
+}
+
+}  // namespace demos

@@ -1,0 +1,45 @@
+#include "demos/regression/pass_cache.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "demos/file_content.h"
+#include "demos/film/progress.h"
+#include "render/encode/file.h"
+
+namespace demos {
+
+using Json = nlohmann::json;
+
+PassCache::PassCache(std::filesystem::path file) : file_(std::move(file)) {
+    const std::vector<std::uint8_t> bytes = contentOf(file_);
+    const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
+    if (!json.is_object()) return;
+    for (const auto& [scene, value] : json.items()) {
+        if (!value.is_string()) continue;
+        const std::string text = value.get<std::string>();
+        std::uint64_t fingerprint = 0;
+        const char* end = text.data() + text.size();
+        const auto got = std::from_chars(text.data(), end, fingerprint, 16);
+        if (got.ec == std::errc{} && got.ptr == end) passed_[scene] = fingerprint;
+    }
+}
+
+bool PassCache::has(const std::string& scene, std::uint64_t fingerprint) const {
+    const auto found = passed_.find(scene);
+    return found != passed_.end() && found->second == fingerprint;
+}
+
+void PassCache::add(const std::string& scene, std::uint64_t fingerprint) {
+    passed_[scene] = fingerprint;
+}
+
+void PassCache::remove(const std::string& scene) { passed_.erase(scene); }
+
+void PassCache::write() const {
+    Json json = Json::object();
+    for (const auto& [scene, fingerprint] : passed_) json[scene] = hexText(fingerprint);
+    render::writeFileAtomically(file_, json.dump(1) + "\n");
+}
+
+}  // namespace demos

@@ -1,0 +1,97 @@
+#include "demos/regression/run_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/film/progress.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
+#include "demos/text_hash.h"
+#include "demos/version.h"
+#include "render/driver_environment.h"
+
+namespace demos {
+namespace {
+
+std::string truth(bool value) { return value ? "true" : "false"; }
+
+std::string methodName(engine::Method method) {
+    static constexpr const char* kNames[] = {"impulses", "pgs", "pgs-matrix", "direct"};
+    return kNames[static_cast<int>(method)];
+}
+
+/// What the file and all it reads say; not how.
+std::string fileHash(const SceneDescription& scene, const std::string& name) {
+    TextHash hash;
+    hash.add(sceneText(name));
+    for (const std::string& file : scene.files) hash.add(readSceneFile(file));
+    hash.add(std::to_string(scene.contents));
+    return hexText(hash.value());
+}
+
+void addSolver(const engine::Settings& s, Settings& out) {
+    const auto add = [&out](const char* key, const std::string& value) {
+        out.emplace_back(std::string("solver.") + key, value);
+    };
+    add("type", methodName(s.method));
+    add("substeps", std::to_string(s.substeps));
+    add("sweeps", std::to_string(s.sweeps));
+    add("min_sweeps", std::to_string(s.minSweeps));
+    add("tolerance", numberText(s.tolerance));
+    add("nudges", std::to_string(s.nudges));
+    add("nudge_factor", numberText(s.nudgeFactor));
+    add("slop", numberText(s.slop));
+    add("baumgarte", numberText(s.baumgarte));
+    add("order", s.order == engine::Order::gravity ? "gravity" : "pairs");
+    add("block", truth(s.block));
+    add("joints", s.joints == engine::JointSolving::direct ? "direct" : "rows");
+    add("warm_start", truth(s.warmStart));
+    add("accumulate", truth(s.accumulate));
+    add("sleeping", truth(s.sleeping));
+}
+
+}  // namespace
+
+Settings settingsOf(const FilmPlan& plan, const std::string& scene, const std::string& renderer) {
+    const SceneDescription& s = plan.scene();
+    const Overlays& overlays = plan.panels.front().overlays;
+    Settings out;
+    out.emplace_back("impulse", kVersion);
+    out.emplace_back("scene file", fileHash(s, scene));
+    out.emplace_back("world.hz", std::to_string(s.hz));
+    out.emplace_back("world.gravity",
+                     fmt::format("{} {} {}", numberText(s.gravity.x()), numberText(s.gravity.y()),
+                                 numberText(s.gravity.z())));
+    out.emplace_back("world.seed", std::to_string(s.seed));
+    out.emplace_back("seconds", numberText(s.seconds));
+    out.emplace_back("solver.preset", s.preset);
+    addSolver(s.settings, out);
+    out.emplace_back("snapshot.size",
+                     fmt::format("{}x{}", plan.picture.width, plan.picture.height));
+    out.emplace_back("samples", std::to_string(plan.picture.samples));
+    out.emplace_back("look.theme", overlays.theme);
+    out.emplace_back("look.show", fmt::format("{}", fmt::join(s.look.show, " ")));
+    out.emplace_back("look.colour_by", overlays.colorBy);
+    out.emplace_back("renderer", renderer);
+    out.emplace_back("pixels", render::pixelClass(plan.picture.reproducible));
+    return out;
+}
+
+std::vector<SettingChange> changesOf(const Settings& baseline, const Settings& actual) {
+    const auto find = [](const Settings& in, const std::string& key) -> const std::string* {
+        for (const auto& [name, value] : in)
+            if (name == key) return &value;
+        return nullptr;
+    };
+    std::vector<SettingChange> changes;
+    for (const auto& [key, value] : actual) {
+        const std::string* was = find(baseline, key);
+        if (!was || *was != value) changes.push_back({key, was ? *was : "", value});
+    }
+    for (const auto& [key, value] : baseline)
+        if (!find(actual, key)) changes.push_back({key, value, ""});
+    return changes;
+}
+
+}  // namespace demos

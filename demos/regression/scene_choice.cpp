@@ -1,0 +1,124 @@
+#include "demos/regression/scene_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "demos/regression/baseline.h"
+#include "demos/scene/builtin.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isBuiltin(const std::string& name) {
+    const auto scenes = builtinScenes();
+    return std::any_of(scenes.begin(), scenes.end(),
+                       [&name](const BuiltinScene& scene) { return scene.name == name; });
+}
+
+/// The folder that holds a scene's NAME.snapshots.
+fs::path homeOf(const std::string& scene, const Options& options) {
+    if (!options.baselines.empty()) return options.baselines;
+    return isBuiltin(scene) ? fs::path("snapshots") : fs::path(scene).parent_path();
+}
+
+std::vector<fs::path> sorted(const fs::path& folder, const char* ending) {
+    std::vector<fs::path> paths;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ending) paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+/// A file without a format is a part that scenes include.
+bool hasFormat(const fs::path& file) {
+    const std::string text = "\n" + readSceneFile(file);
+    for (std::size_t at = 0; (at = text.find("\nformat", at)) != text.npos; ++at)
+        if (const std::size_t next = text.find_first_not_of(" \t", at + 7);
+            next != text.npos && text[next] == '=')
+            return true;
+    return false;
+}
+
+class Chooser {
+public:
+    explicit Chooser(const Options& options) : options_(options) {}
+
+    SceneChoice choose() {
+        for (const std::string& word : options_.scenes) add(word);
+        if (options_.scenes.empty())
+            for (const BuiltinScene& scene : builtinScenes()) addScene(std::string(scene.name));
+        findOrphans();
+        return std::move(choice_);
+    }
+
+private:
+    void add(const std::string& word) {
+        std::error_code ignored;
+        if (!isBuiltin(word) && fs::is_directory(word, ignored)) return addFolder(word);
+        whole_ = false;
+        loadScene(word, options_.overrides);  // what was named has to be one
+        addScene(word);
+    }
+
+    void addFolder(const fs::path& folder) {
+        const std::size_t before = choice_.scenes.size();
+        for (const fs::path& file : sorted(folder, ".toml")) {
+            if (hasFormat(file))
+                addScene(file.string());
+            else
+                choice_.notes.push_back(fmt::format(
+                    "{}: has no 'format = 1', so it is a part of other scenes; left out",
+                    printable(file.string())));
+        }
+        if (choice_.scenes.size() == before)
+            throw Stop(Exit::usage, fmt::format("'{}' holds no scene file (*.toml with format = 1)",
+                                                printable(folder.string())));
+    }
+
+    void addScene(const std::string& scene) {
+        const std::string name = isBuiltin(scene) ? scene : fs::path(scene).stem().string();
+        const auto [known, added] = names_.emplace(name, scene);
+        if (!added && known->second == scene) return;
+        if (!added)
+            throw Stop(Exit::usage,
+                       fmt::format("'{}' and '{}' are both called '{}'; test them one by one, with "
+                                   "a folder of results (-o) and of baselines each",
+                                   printable(known->second), printable(scene), printable(name)));
+        const fs::path home = homeOf(scene, options_);
+        homes_.insert(home);
+        choice_.scenes.push_back({scene, name, home / (name + kSnapshotsEnding)});
+    }
+
+    /// Only when whole folders were asked for: what else is there belongs to other scenes.
+    void findOrphans() {
+        if (!whole_) return;
+        for (const fs::path& home : homes_)
+            for (const fs::path& folder : sorted(home.empty() ? "." : home, kSnapshotsEnding)) {
+                std::error_code ignored;
+                if (!names_.count(folder.stem().string()) &&
+                    fs::exists(folder / kBaselineFile, ignored))
+                    choice_.orphans.push_back(folder.string());
+            }
+    }
+
+    const Options& options_;
+    SceneChoice choice_;
+    std::map<std::string, std::string> names_;
+    std::set<fs::path> homes_;
+    bool whole_ = true;
+};
+
+}  // namespace
+
+SceneChoice chooseScenes(const Options& options) { return Chooser(options).choose(); }
+
+}  // namespace demos

@@ -1,0 +1,171 @@
+#include "demos/regression/scene_test.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "demos/file_content.h"
+#include "demos/film/film_needs.h"
+#include "demos/film/film_plan.h"
+#include "demos/regression/accept.h"
+#include "demos/regression/judge.h"
+#include "demos/scene/reader.h"
+#include "demos/stop.h"
+#include "demos/text_hash.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+using State = SceneVerdict::State;
+
+/// The pictures of a test: of the scene's own size, drawn by one thread, since scenes share the
+/// processor.
+FilmPlan planOf(const ChosenScene& chosen, const Options& options) {
+    Options own = options;
+    own.scenes = {chosen.scene};
+    own.quiet = true;
+    if (!own.size) {
+        const Snapshot& snapshot = sceneOf(own).snapshot;
+        own.size = PictureSize{snapshot.width, snapshot.height};
+    }
+    FilmPlan plan = planFilm(own);
+    plan.picture.threads = 0;
+    checkNeeds(needsOf(plan, 1, {}), plan);
+    return plan;
+}
+
+std::uint64_t fingerprintOf(const ChosenScene& chosen, const FilmPlan& plan, const TestRun& run) {
+    Options own = run.options;
+    own.scenes = {chosen.scene};
+    TextHash hash;
+    hash.add(std::to_string(demos::fingerprintOf(plan, own)));
+    hash.add(run.renderer);
+    hash.add(contentOf(chosen.folder / kBaselineFile));
+    for (const double time : plan.scene().snapshot.times)
+        hash.add(contentOf(chosen.folder / pictureFile(time)));
+    for (const std::string& name : orphansOf(chosen.folder, plan.scene().snapshot.times))
+        hash.add(name);
+    return hash.value();
+}
+
+bool kept(const SceneVerdict& verdict) {
+    return std::all_of(verdict.expectations.begin(), verdict.expectations.end(),
+                       [](const ExpectationResult& result) { return result.passed; });
+}
+
+bool isAsItWas(const SceneVerdict& verdict) {
+    return verdict.physics.kind == PhysicsVerdict::Kind::same &&
+           std::all_of(verdict.pictures.begin(), verdict.pictures.end(), [](const auto& picture) {
+               return picture.kind == PictureVerdict::Kind::same;
+           });
+}
+
+/// Nothing but pictures of times that were added to the scene's list.
+bool onlyAdds(const SceneVerdict& verdict) {
+    return verdict.problem.empty() && verdict.physics.kind != PhysicsVerdict::Kind::changed &&
+           std::all_of(verdict.pictures.begin(), verdict.pictures.end(), [](const auto& picture) {
+               return picture.kind != PictureVerdict::Kind::changed &&
+                      picture.kind != PictureVerdict::Kind::broken;
+           });
+}
+
+void fail(SceneVerdict& verdict, const std::string& problem) {
+    verdict.state = State::failed;
+    verdict.problem = problem;
+}
+
+/// A scene that breaks its contract makes no baseline.
+void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
+    const bool missing = verdict.state == State::added;
+    if (!kept(verdict)) {
+        verdict.state = State::failed;
+        return;
+    }
+    if (missing && update == Update::none)
+        return fail(verdict, "there is no baseline, and --update is none; make one with impulse "
+                             "test --update missing, look at it and commit it");
+    if (missing) return acceptAll(shown, verdict.folder);
+    const bool all = update == Update::all && !isAsItWas(verdict);
+    if (all || (update == Update::changed && verdict.state == State::failed)) {
+        acceptAll(shown, verdict.folder);
+        verdict.state = State::updated;
+        return;
+    }
+    if (update != Update::missing || verdict.state != State::failed || !onlyAdds(verdict)) return;
+    for (const PictureVerdict& picture : verdict.pictures)
+        if (picture.kind == PictureVerdict::Kind::added)
+            acceptPicture(shown, verdict.folder, picture.time);
+    verdict.state = State::updated;
+}
+
+void play(const ChosenScene& chosen, const FilmPlan& plan, const TestRun& run,
+          SceneVerdict& verdict) {
+    const Take take = takeOf(plan);
+    if (take.pictures.empty()) {  // a contract only
+        verdict.expectations = take.expectations;
+        verdict.state = kept(verdict) ? State::passed : State::failed;
+        return;
+    }
+    const Actual actual = actualOf(take, plan, chosen.scene);
+    judge(take, actual, chosen.folder, verdict);
+    const fs::path shown = run.results / (chosen.name + kSnapshotsEnding);
+    if (verdict.state == State::passed && isAsItWas(verdict)) return;
+    writeBaseline(actual, verdict.snapshot.tolerance, shown);
+    for (PictureVerdict& picture : verdict.pictures)
+        picture.actual = (shown / pictureFile(picture.time)).string();
+    update(shown, run.update, verdict);
+}
+
+/// What an earlier test left; what is not ours stays.
+void removeShown(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> own;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name == kBaselineFile || (name.starts_with('t') && name.ends_with(".png")))
+            own.push_back(entry.path());
+    }
+    for (const fs::path& file : own) fs::remove(file, ignored);
+    fs::remove(folder, ignored);  // when it is empty
+}
+
+}  // namespace
+
+Update updateOf(const Options& options) {
+    const char* ci = std::getenv("CI");
+    if (options.update.empty())
+        return ci && std::string(ci) == "true" ? Update::none : Update::missing;
+    if (options.update == "none") return Update::none;
+    if (options.update == "missing") return Update::missing;
+    return options.update == "changed" ? Update::changed : Update::all;
+}
+
+SceneTested testScene(const ChosenScene& chosen, const TestRun& run) noexcept {
+    SceneTested tested;
+    SceneVerdict& verdict = tested.verdict;
+    try {
+        verdict.name = chosen.name;
+        verdict.scene = chosen.scene;
+        verdict.folder = chosen.folder.string();
+        removeShown(run.results / (chosen.name + kSnapshotsEnding));
+        const FilmPlan plan = planOf(chosen, run.options);
+        verdict.title = plan.scene().title;
+        verdict.snapshot = plan.scene().snapshot;
+        verdict.snapshot.width = plan.picture.width;
+        verdict.snapshot.height = plan.picture.height;
+        tested.fingerprint = fingerprintOf(chosen, plan, run);
+        verdict.cached = run.cache && run.cache->has(chosen.name, tested.fingerprint);
+        if (!verdict.cached) play(chosen, plan, run, verdict);
+    } catch (const SceneError& error) {
+        verdict.state = State::error;
+        verdict.problem = error.lines().front();
+    } catch (const std::exception& error) {
+        verdict.state = State::error;
+        verdict.problem = error.what();
+    }
+    return tested;
+}
+
+}  // namespace demos

@@ -1,0 +1,20 @@
+/// A test's verdict in lines for people.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/regression/verdict.h"
+
+namespace demos {
+
+/// "ok       stack  3 pictures, 2 expectations"
+std::string headline(const SceneVerdict& scene);
+
+/// What is wrong or worth knowing, physics first; nothing where all is as it was. Ends with what to
+/// do, for a scene that `approve` can help.
+std::vector<std::string> detailsOf(const SceneVerdict& scene);
+
+/// "47 scenes: 45 passed, 2 failed"
+std::string summaryOf(const TestVerdict& verdict);
+
+}  // namespace demos

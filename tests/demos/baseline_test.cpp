@@ -1,0 +1,245 @@
+// NAME.snapshots: written, read back, refused when it is not what it was, accepted in parts.
+#include "demos/regression/baseline.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "demos/regression/accept.h"
+#include "demos/regression/judge.h"
+#include "demos/regression/pass_cache.h"
+#include "demos/regression/process_pool.h"
+#include "demos/regression/run_settings.h"
+#include "demos/stop.h"
+#include "demos/text_hash.h"
+#include "render/encode/png.h"
+#include "tests/support/temporary_folder.h"
+
+namespace demos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using support::TemporaryFolder;
+
+render::Image picture(std::uint8_t level) {
+    return {8, 4, std::vector<std::uint8_t>(8 * 4 * 4, level)};
+}
+
+/// Two pictures; `y`: of its only body in the last of three steps.
+Actual shown(std::uint8_t level, double y) {
+    Actual actual;
+    Baseline& baseline = actual.baseline;
+    baseline.scene = "ball";
+    baseline.version = "0.1.0";
+    baseline.renderer = "llvmpipe";
+    baseline.pixels = "fma";
+    baseline.width = 8;
+    baseline.height = 4;
+    baseline.settings = {{"world.hz", "60"}, {"seconds", "0.05"}};
+    Course& course = baseline.course;
+    course.bodies = {"ball"};
+    course.extents = {Vec3(1, 1, 1)};
+    for (int step = 0; step <= 3; ++step) {
+        course.hashes.push_back(static_cast<std::uint32_t>(step * (y != 1.0 && step == 3 ? 9 : 1)));
+        engine::Pose pose;
+        pose.position.y() = step == 3 ? y : 1.0;
+        course.moments.push_back({step, {pose}, 5.0, 0.0, 0.0, {}});
+    }
+    for (const double time : {0.0, 0.05}) {
+        TextHash hash;
+        hash.add(actual.png.emplace_back(render::encodePng(picture(level))));
+        baseline.pictures.push_back({time, time > 0 && y != 1.0 ? 22u : 11u, hash.value()});
+    }
+    return actual;
+}
+
+std::string textOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What is said of a baseline whose JSON has `from` replaced by `to`.
+std::string complaintAbout(const std::string& from, const std::string& to) {
+    std::string text = jsonOf(shown(1, 1.0).baseline, {});
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    try {
+        baselineFrom(text, "b.json");
+    } catch (const BaselineError& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+TEST(Baselines, ComeBackAsTheyWere) {
+    const Baseline baseline = shown(1, 1.0).baseline;
+    const std::string text = jsonOf(baseline, {});
+    const Baseline back = baselineFrom(text, "b.json");
+    EXPECT_EQ(back.scene, "ball");
+    EXPECT_EQ(back.settings, baseline.settings);
+    ASSERT_EQ(back.pictures.size(), 2u);
+    EXPECT_EQ(back.pictures[1].time, 0.05);
+    EXPECT_EQ(back.pictures[1].png, baseline.pictures[1].png);
+    EXPECT_EQ(back.course.hashes, baseline.course.hashes);
+    EXPECT_EQ(jsonOf(back, {}), text);  // nothing is rounded twice
+}
+
+TEST(Baselines, SayWhenTheyWereEdited) {
+    EXPECT_NE(complaintAbout("\"world.hz\": \"60\"", "\"world.hz\": \"61\"").find("was edited"),
+              std::string::npos);
+    EXPECT_NE(complaintAbout("llvmpipe", "softpipe").find("was edited"), std::string::npos);
+    EXPECT_NE(complaintAbout("\"seal\"", "\"sale\"").find("is damaged"), std::string::npos);
+    EXPECT_NE(complaintAbout("\"format\": 1", "\"format\": 2").find("newer impulse"),
+              std::string::npos);
+    EXPECT_NE(complaintAbout("{", "[").find("is damaged"), std::string::npos);
+}
+
+TEST(Baselines, KnowTheirPictures) {
+    const TemporaryFolder folder;
+    const Actual actual = shown(1, 1.0);
+    writeBaseline(actual, {}, folder.path());
+    const std::optional<Baseline> baseline = readBaseline(folder.path());
+    ASSERT_TRUE(baseline.has_value());
+    EXPECT_EQ(readPicture(folder.path(), baseline->pictures[0]), actual.png[0]);
+    fs::resize_file(folder / "t0.png", 30);
+    EXPECT_THROW(readPicture(folder.path(), baseline->pictures[0]), BaselineError);
+    fs::remove(folder / "t0.png");
+    EXPECT_THROW(readPicture(folder.path(), baseline->pictures[0]), BaselineError);
+}
+
+TEST(Baselines, KnowWhatIsNotTheirs) {
+    const TemporaryFolder folder;
+    writeBaseline(shown(1, 1.0), {}, folder.path());
+    std::ofstream(folder / "t9.png") << "x";
+    std::ofstream(folder / "notes.txt") << "x";
+    EXPECT_EQ(orphansOf(folder.path(), {0.0, 0.05}), std::vector<std::string>{"t9.png"});
+    EXPECT_FALSE(readBaseline(folder / "none").has_value());
+}
+
+class Accepting : public testing::Test {
+protected:
+    Accepting() {
+        writeBaseline(shown(1, 1.0), {}, kept);
+        writeBaseline(shown(2, 1.5), {}, now);
+    }
+    Baseline baseline() const { return readBaseline(kept).value(); }
+    double lastY() const { return baseline().course.moments.back().poses[0].position.y(); }
+
+    TemporaryFolder folder;
+    fs::path kept = folder / "kept", now = folder / "now";
+};
+
+TEST_F(Accepting, AllCopiesTheFiles) {
+    acceptAll(now, kept);
+    for (const char* file : {"t0.png", "t0.05.png", "baseline.json"})
+        EXPECT_EQ(textOf(kept / file), textOf(now / file)) << file;
+}
+
+TEST_F(Accepting, OnePictureLeavesTheOtherAndThePhysics) {
+    acceptPicture(now, kept, 0.05);
+    EXPECT_EQ(textOf(kept / "t0.05.png"), textOf(now / "t0.05.png"));
+    EXPECT_NE(textOf(kept / "t0.png"), textOf(now / "t0.png"));
+    const Baseline after = baseline();
+    EXPECT_NO_THROW(readPicture(kept, after.pictures[0]));
+    EXPECT_NO_THROW(readPicture(kept, after.pictures[1]));
+    EXPECT_EQ(after.pictures[1].state, 22u);
+    EXPECT_NEAR(lastY(), 1.0, 1e-5);
+    EXPECT_THROW(acceptPicture(now, kept, 7.0), BaselineError);
+}
+
+TEST_F(Accepting, PhysicsLeavesThePictures) {
+    const std::string before = textOf(kept / "t0.png");
+    acceptPhysics(now, kept);
+    EXPECT_NEAR(lastY(), 1.5, 1e-5);
+    EXPECT_EQ(textOf(kept / "t0.png"), before);
+    EXPECT_NO_THROW(readPicture(kept, baseline().pictures[0]));
+    EXPECT_EQ(baseline().pictures[1].state, 22u);
+}
+
+TEST_F(Accepting, RefusesWhatWasChangedAfterTheTest) {
+    const std::string json = textOf(kept / "baseline.json"), png = textOf(kept / "t0.png");
+    std::ofstream(now / "t0.05.png") << "another picture";
+    EXPECT_THROW(acceptAll(now, kept), BaselineError);
+    EXPECT_THROW(acceptPicture(now, kept, 0.05), BaselineError);
+    EXPECT_THROW(acceptAll(folder / "none", kept), BaselineError);
+    EXPECT_EQ(textOf(kept / "baseline.json"), json);
+    EXPECT_EQ(textOf(kept / "t0.png"), png);
+}
+
+TEST(JudgePicture, HasItsThreeAnswers) {
+    const render::Image image = picture(100);
+    const std::vector<std::uint8_t> png = render::encodePng(image);
+    PictureVerdict verdict;
+    judgePicture(image, png, png, {}, verdict);
+    EXPECT_EQ(verdict.kind, PictureVerdict::Kind::same);
+    judgePicture(image, png, render::encodePng(picture(102)), {}, verdict);
+    EXPECT_EQ(verdict.kind, PictureVerdict::Kind::within);
+    judgePicture(image, png, render::encodePng(picture(110)), {}, verdict);
+    EXPECT_EQ(verdict.kind, PictureVerdict::Kind::changed);
+    const render::Image larger{8, 5, std::vector<std::uint8_t>(8 * 5 * 4, 100)};
+    EXPECT_THROW(judgePicture(image, png, render::encodePng(larger), {}, verdict), BaselineError);
+    std::vector<std::uint8_t> torn = png;
+    torn.pop_back();
+    EXPECT_THROW(judgePicture(image, png, torn, {}, verdict), BaselineError);
+}
+
+TEST(RunSettings, AreComparedKeyByKey) {
+    const auto changes = changesOf({{"a", "1"}, {"b", "2"}, {"c", "3"}}, {{"a", "1"}, {"c", "4"}, {"d", "5"}});
+    ASSERT_EQ(changes.size(), 3u);
+    EXPECT_EQ(changes[0].key, "c");
+    EXPECT_EQ(changes[0].baseline, "3");
+    EXPECT_EQ(changes[0].actual, "4");
+    EXPECT_EQ(changes[1].key, "d");
+    EXPECT_EQ(changes[2].key, "b");
+    EXPECT_EQ(changes[2].actual, "");
+}
+
+TEST(PassCaches, KeepWhatPassed) {
+    const TemporaryFolder folder;
+    PassCache cache(folder / "passed.json");
+    EXPECT_FALSE(cache.has("stack", 7));
+    cache.add("stack", 0xfedcba9876543210ull);
+    cache.add("wall", 2);
+    cache.remove("wall");
+    cache.write();
+    const PassCache again(folder / "passed.json");
+    EXPECT_TRUE(again.has("stack", 0xfedcba9876543210ull));
+    EXPECT_FALSE(again.has("stack", 7));
+    EXPECT_FALSE(again.has("wall", 2));
+    std::ofstream(folder / "passed.json") << R"({"stack": 3, "wall": "zz"})";
+    EXPECT_FALSE(PassCache(folder / "passed.json").has("stack", 3));
+}
+
+TEST(ProcessPools, GiveEveryAnswerInOrder) {
+    std::vector<std::string> answers;
+    runInProcesses(
+        7, 3, [](int i) { return std::string(static_cast<std::size_t>(100'000 * (7 - i)), 'a'); },
+        [&](int i, const PoolResult& result) {
+            EXPECT_TRUE(result.ended);
+            EXPECT_EQ(i, static_cast<int>(answers.size()));
+            answers.push_back(result.text);
+        });
+    ASSERT_EQ(answers.size(), 7u);
+    EXPECT_EQ(answers[6].size(), 100'000u);
+}
+
+TEST(ProcessPools, OutliveWhatCrashes) {
+    std::vector<PoolResult> results;
+    runInProcesses(
+        3, 2,
+        [](int i) -> std::string {
+            if (i == 1) raise(SIGKILL);
+            return "good";
+        },
+        [&](int, const PoolResult& result) { results.push_back(result); });
+    ASSERT_EQ(results.size(), 3u);
+    EXPECT_TRUE(results[0].ended);
+    EXPECT_FALSE(results[1].ended);
+    EXPECT_EQ(results[1].text.find("was ended by signal 9"), 0u) << results[1].text;
+    EXPECT_TRUE(results[2].ended);
+}
+
+}  // namespace
+}  // namespace demos::test

@@ -1,0 +1,327 @@
+// impulse test and impulse approve, as a user has them.
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "tests/demos/program.h"
+
+namespace demos::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A ball that falls on a box; small pictures.
+const std::string kScene = R"(format = 1
+title = "a ball on a box"
+seconds = 1.0
+[[body]]
+name = "floor"
+shape = { plane = [0, 1, 0] }
+fixed = true
+[[body]]
+name = "box"
+shape = { box = [2, 1, 2] }
+at = [0, 0.5, 0]
+[[body]]
+name = "ball"
+shape = { sphere = 0.5 }
+at = [0.1, 2, 0]
+[camera]
+from = [3, 2.5, 6]
+look_at = [0, 1, 0]
+[snapshot]
+times = [0.0, 0.5]
+size = [160, 90]
+[[expect]]
+what = "penetration"
+below = 0.05
+)";
+
+class Snapshots : public testing::Test {
+protected:
+    Snapshots() { write(folder / "ball.toml", kScene); }
+
+    /// Not as if in CI, wherever these tests run.
+    Ended impulse(std::vector<std::string> arguments, bool ci = false) {
+        Launch launch;
+        launch.folder = folder.path();
+        launch.arguments = std::move(arguments);
+        launch.beforeExec = [ci] { ci ? setenv("CI", "true", 1) : unsetenv("CI"); };
+        return run(launch);
+    }
+    Ended test(std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"test", "ball.toml"});
+        return impulse(more);
+    }
+    void change(const std::string& from, const std::string& to) {
+        std::string text = contentOf(folder / "ball.toml");
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        write(folder / "ball.toml", text.replace(at, from.size(), to));
+    }
+    Json scene() const {
+        return Json::parse(contentOf(folder / "output/test/report.json")).at("scenes").at(0);
+    }
+    std::string baseline(const std::string& file) const {
+        return contentOf(folder / "ball.snapshots" / file);
+    }
+    bool has(const std::string& file) const { return fs::exists(folder / file); }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Snapshots, AreMadeTheFirstTimeAndKeptTheSecond) {
+    const Ended first = test();
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_NE(first.out.find("new      ball  2 pictures, 1 expectation"), std::string::npos)
+        << first.out;
+    for (const char* file : {"baseline.json", "t0.png", "t0.5.png"})
+        EXPECT_TRUE(has(std::string("ball.snapshots/") + file)) << file;
+    const Ended second = test();
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_NE(second.out.find("ok       ball  2 pictures, 1 expectation\n"), std::string::npos)
+        << second.out;
+    EXPECT_FALSE(has("output/test/ball.snapshots"));
+}
+
+TEST_F(Snapshots, AreNotMadeInCi) {
+    const Ended ended = impulse({"test", "ball.toml"}, true);
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.err.find("there is no baseline, and --update is none"), std::string::npos)
+        << ended.err;
+    EXPECT_FALSE(has("ball.snapshots"));
+    EXPECT_EQ(impulse({"test", "ball.toml", "--update", "missing"}, true).code, 0);
+    EXPECT_EQ(impulse({"test", "ball.toml"}, true).code, 0);
+}
+
+TEST_F(Snapshots, TellPhysicsFromRendering) {
+    ASSERT_EQ(test().code, 0);
+    change("from = [3, 2.5, 6]", "from = [3, 2.6, 6]");
+    EXPECT_EQ(test().code, 1);
+    EXPECT_EQ(scene().at("physics").at("kind"), "same");
+    EXPECT_EQ(scene().at("pictures").at(0).at("kind"), "changed");
+
+    write(folder / "ball.toml", kScene);
+    change("at = [0.1, 2, 0]", "at = [0.1, 2.001, 0]");
+    const Ended moved = test();
+    EXPECT_EQ(moved.code, 1);
+    const Json physics = scene().at("physics");
+    EXPECT_EQ(physics.at("kind"), "changed");
+    EXPECT_EQ(physics.at("step"), 0);
+    EXPECT_EQ(physics.at("body"), "ball");
+    EXPECT_EQ(physics.at("field"), "y");
+    EXPECT_NEAR(physics.at("difference").get<double>(), 0.001, 2e-5);
+    EXPECT_NE(moved.err.find("step 0 (0 s): ball y differs by 1 mm"), std::string::npos)
+        << moved.err;
+    EXPECT_NE(moved.err.find("to accept it: impulse approve ball"), std::string::npos);
+}
+
+/// A body far behind the camera, moved by a metre: no picture shows it.
+TEST_F(Snapshots, ReportPhysicsThatNoPictureShows) {
+    change("[camera]", "[[body]]\nname = 'far'\nshape = { sphere = 0.5 }\nat = [0, 0.5, 90]\n[camera]");
+    ASSERT_EQ(test().code, 0);
+    change("at = [0, 0.5, 90]", "at = [0, 0.5, 91]");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(scene().at("pictures").at(0).at("kind"), "changed");
+    EXPECT_NE(scene().at("pictures").at(1).at("kind"), "changed");
+    EXPECT_EQ(scene().at("physics").at("body"), "far");
+}
+
+TEST_F(Snapshots, LetAHarmlessChangeOfBitsPass) {
+    ASSERT_EQ(test().code, 0);
+    change("at = [0.1, 2, 0]", "at = [0.1, 2.00000001, 0]");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(scene().at("physics").at("kind"), "bits");
+    EXPECT_NE(ended.out.find("the bits differ from step 0 on"), std::string::npos) << ended.out;
+}
+
+TEST_F(Snapshots, TakeTheSceneTolerances) {
+    ASSERT_EQ(test().code, 0);
+    change("at = [0.1, 2, 0]", "at = [0.1, 2.001, 0]");
+    change("size = [160, 90]",
+           "size = [160, 90]\ntolerance = { position = 0.1, angle_deg = 5, why = 'coarse' }\n"
+           "gate = { levels = 60, window = 200, ssim = 0.2, why = 'coarse' }");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(scene().at("snapshot").at("tolerance").at("why"), "coarse");
+}
+
+TEST_F(Snapshots, CheckTheContract) {
+    change("below = 0.05", "below = 1e-9");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.err.find("expectation failed: penetration"), std::string::npos) << ended.err;
+    EXPECT_FALSE(has("ball.snapshots"));  // no baseline of a broken contract
+    EXPECT_EQ(test({"--update", "all"}).code, 1);
+    EXPECT_FALSE(has("ball.snapshots"));
+    const Ended approved = impulse({"approve", "ball"});
+    EXPECT_EQ(approved.code, 1);
+    EXPECT_NE(approved.err.find("which no baseline can mend"), std::string::npos) << approved.err;
+}
+
+TEST_F(Snapshots, AreApprovedAsTheyWereSeen) {
+    ASSERT_EQ(test().code, 0);
+    change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");
+    ASSERT_EQ(test().code, 1);
+    const std::string shown = contentOf(folder / "output/test/ball.snapshots/t0.5.png");
+    const std::string before = baseline("t0.png");
+    ASSERT_EQ(impulse({"approve", "ball@0.5"}).code, 0);
+    EXPECT_EQ(baseline("t0.5.png"), shown);
+    EXPECT_EQ(baseline("t0.png"), before);
+    EXPECT_EQ(test().code, 1);  // one picture and the physics are still to be accepted
+    EXPECT_EQ(scene().at("pictures").at(1).at("kind"), "same");
+    ASSERT_EQ(impulse({"approve", "ball@physics"}).code, 0);
+    EXPECT_EQ(test().code, 1);
+    EXPECT_EQ(scene().at("physics").at("kind"), "same");
+    const Ended all = impulse({"approve", "--all"});
+    EXPECT_EQ(all.code, 0) << all.err;
+    EXPECT_NE(all.out.find("next: impulse test ball.toml"), std::string::npos) << all.out;
+    EXPECT_EQ(test().code, 0);
+}
+
+TEST_F(Snapshots, AreNotApprovedWhenTheyWereChangedAfterTheTest) {
+    ASSERT_EQ(test().code, 0);
+    change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");
+    ASSERT_EQ(test().code, 1);
+    write(folder / "output/test/ball.snapshots/t0.png", "no picture");
+    const std::string before = baseline("baseline.json");
+    const Ended ended = impulse({"approve", "ball"});
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    EXPECT_EQ(baseline("baseline.json"), before);
+}
+
+TEST_F(Snapshots, AreUpdatedAsAskedFor) {
+    ASSERT_EQ(test().code, 0);
+    change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");
+    EXPECT_EQ(test({"--update", "missing"}).code, 1);
+    EXPECT_EQ(test({"--update", "none"}).code, 1);
+    const Ended changed = test({"--update", "changed"});
+    EXPECT_EQ(changed.code, 0) << changed.err;
+    EXPECT_NE(changed.out.find("updated  ball"), std::string::npos) << changed.out;
+    EXPECT_EQ(test().code, 0);
+    change("times = [0.0, 0.5]", "times = [0.0, 0.5, 1.0]");
+    EXPECT_EQ(test({"--update", "none"}).code, 1);
+    const std::string before = baseline("t0.png");
+    EXPECT_EQ(test({"--update", "missing"}).code, 0);
+    EXPECT_TRUE(has("ball.snapshots/t1.png"));
+    EXPECT_EQ(baseline("t0.png"), before);
+    EXPECT_EQ(test({"--update", "none"}).code, 0);
+}
+
+TEST_F(Snapshots, LeaveOutWhatHasNotChanged) {
+    ASSERT_EQ(test().code, 0);
+    ASSERT_EQ(test().code, 0);
+    EXPECT_NE(test().out.find("ball  (as before)"), std::string::npos);
+    EXPECT_EQ(test({"--no-cache"}).out.find("(as before)"), std::string::npos);
+    fs::resize_file(folder / "ball.snapshots/t0.png", 100);
+    EXPECT_EQ(test().code, 1);  // a cache that hid this would be no help
+}
+
+TEST_F(Snapshots, ListAndPruneOrphans) {
+    ASSERT_EQ(impulse({"test", "."}).code, 0);
+    change("times = [0.0, 0.5]", "times = [0.0]");
+    fs::copy(folder / "ball.snapshots", folder / "old.snapshots");
+    write(folder / "old.snapshots/notes.txt", "mine");
+    const Ended ended = impulse({"test", "."});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("t0.5.png is of a time that the scene does not list"),
+              std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("old.snapshots is of no scene"), std::string::npos) << ended.out;
+    ASSERT_EQ(impulse({"approve", "--prune"}).code, 0);
+    EXPECT_FALSE(has("ball.snapshots/t0.5.png"));
+    EXPECT_TRUE(has("ball.snapshots/t0.png"));
+    EXPECT_FALSE(has("old.snapshots/baseline.json"));
+    EXPECT_TRUE(has("old.snapshots/notes.txt"));
+}
+
+TEST_F(Snapshots, OfOneSceneDoNotFailTheOthers) {
+    write(folder / "good.toml", kScene);
+    write(folder / "part.toml", "[[body]]\nname = 'a'\nshape = { sphere = 1 }\n");
+    ASSERT_EQ(impulse({"test", "."}).code, 0);
+    change("format = 1", "format = 1\nspeed = 3");
+    const Ended ended = impulse({"test", "."});
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.err.find("ERROR    ball"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("ball.toml:2:1: "), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("part.toml: has no 'format = 1'"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find("2 scenes: 1 passed, 1 error"), std::string::npos) << ended.out;
+}
+
+TEST_F(Snapshots, SayWhatIsWrongWithABaseline) {
+    ASSERT_EQ(test().code, 0);
+    const std::string json = baseline("baseline.json"), png = baseline("t0.png");
+    const auto tells = [&](const char* what) {
+        const Ended ended = test();
+        EXPECT_EQ(ended.code, 1);
+        EXPECT_NE(ended.err.find(what), std::string::npos) << what << "\n" << ended.err;
+    };
+    write(folder / "ball.snapshots/t0.png", png.substr(0, 200));
+    tells("t0.png is not the picture that baseline.json beside it is of");
+    write(folder / "ball.snapshots/t0.png", png);
+    write(folder / "ball.snapshots/baseline.json", json.substr(0, 300));
+    tells("baseline.json is damaged");
+    write(folder / "ball.snapshots/baseline.json",
+          std::regex_replace(json, std::regex("\"format\": 1"), "\"format\": 7"));
+    tells("baseline.json is of format 7, and this impulse reads 1; take a newer impulse");
+    write(folder / "ball.snapshots/baseline.json",
+          std::regex_replace(json, std::regex("\"seconds\": \"1\""), "\"seconds\": \"2\""));
+    tells("baseline.json was edited");
+    write(folder / "ball.snapshots/baseline.json", json);
+    change("seconds = 1.0", "seconds = 1.0\nworld = { hz = 120 }");
+    tells("60 steps a second, the scene has 120");
+    change("hz = 120", "hz = 60");
+    change("size = [160, 90]", "size = [160, 100]");
+    tells("the baseline's pictures are 160x90, those of the scene 160x100");
+}
+
+TEST_F(Snapshots, RefuseToWriteOverBaselines) {
+    ASSERT_EQ(test().code, 0);
+    const Ended ended = test({"-o", "."});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("is where the baselines are"), std::string::npos) << ended.err;
+    EXPECT_TRUE(has("ball.snapshots/t0.png"));
+}
+
+TEST_F(Snapshots, SpeakJson) {
+    const Ended ended = test({"--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    std::vector<Json> events;
+    std::istringstream lines(ended.out);
+    for (std::string line; std::getline(lines, line);) events.push_back(Json::parse(line));
+    ASSERT_EQ(events.size(), 3u);
+    EXPECT_EQ(events[1].at("event"), "scene");
+    EXPECT_EQ(events[1].at("name"), "ball");
+    EXPECT_EQ(events[2].at("passed"), true);
+}
+
+TEST_F(Snapshots, RefuseWhatCannotBeMeant) {
+    const auto refused = [&](std::vector<std::string> arguments, int code, const char* what) {
+        const Ended ended = impulse(std::move(arguments));
+        EXPECT_EQ(ended.code, code) << what;
+        EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+        EXPECT_NE(ended.err.find(what), std::string::npos) << ended.err;
+    };
+    fs::create_directories(folder / "empty");
+    fs::create_directories(folder / "other");
+    write(folder / "other/ball.toml", kScene);
+    refused({"test", "bal"}, 3, "no built-in scene and no file 'bal'");
+    refused({"test", "empty"}, 2, "holds no scene file");
+    refused({"test", "ball.toml", "other/ball.toml"}, 2, "are both called 'ball'");
+    refused({"test", "ball.toml", "--update", "every"}, 2, "known are: missing, changed");
+    refused({"approve", "ball"}, 4, "run impulse test first");
+    refused({"approve"}, 2, "approve what?");
+    ASSERT_EQ(test().code, 0);
+    refused({"approve", "ball"}, 2, "has nothing to accept");
+    refused({"approve", "bal"}, 2, "did you mean 'ball'");
+    change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");
+    ASSERT_EQ(test().code, 1);
+    refused({"approve", "ball@0.4"}, 2, "did you mean 'ball@0.5'");
+    write(folder / "output/test/report.json", "{}");
+    refused({"approve", "ball"}, 4, "is no report of impulse test");
+}
+
+}  // namespace
+}  // namespace demos::test

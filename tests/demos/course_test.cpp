@@ -1,0 +1,221 @@
+// What a run did: written down, made small, and compared.
+#include "demos/regression/course.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "demos/regression/course_codec.h"
+#include "demos/regression/course_recorder.h"
+#include "demos/regression/divergence.h"
+#include "tests/demos/reading.h"
+
+namespace demos::test {
+namespace {
+
+constexpr const char* kPile = R"(format = 1
+seconds = 1.0
+[[body]]
+name = "floor"
+shape = { plane = [0, 1, 0] }
+fixed = true
+[[repeat]]
+count = 4
+step = [0, 1.1, 0]
+body = { name = "box{i}", shape = { box = [1, 1, 1] }, at = [0, 0.6, 0], turn_deg = [0, 9, 2] }
+[[joint]]
+type = "ball"
+a = "world"
+b = "bob"
+anchor = [3, 4, 0]
+[[body]]
+name = "bob"
+shape = { sphere = 0.2 }
+at = [4, 4, 0]
+)";
+
+/// `change`: what is done to the stage after 20 steps.
+Course played(const std::function<void(Stage&)>& change = {}) {
+    const SceneDescription scene = readScene(kPile, "pile.toml", "pile");
+    Stage stage(scene);
+    const int steps = 60;
+    CourseRecorder recorder(stage, steps);
+    recorder.look(stage);
+    for (int step = 1; step <= steps; ++step) {
+        if (step == 21 && change) change(stage);
+        EXPECT_TRUE(stage.step());
+        recorder.look(stage);
+    }
+    return recorder.course();
+}
+
+void moveTop(Stage& stage, double by) {
+    engine::Pose pose = stage.world.pose(stage.bodies[4]);
+    pose.position.x() += by;
+    stage.world.setPose(stage.bodies[4], pose);
+}
+
+double farthest(const Course& a, const Course& b) {
+    double most = 0.0;
+    for (std::size_t k = 0; k < a.moments.size(); ++k)
+        for (std::size_t i = 0; i < a.bodies.size(); ++i)
+            most = std::max(most, (a.moments[k].poses[i].position - b.moments[k].poses[i].position)
+                                      .cwiseAbs()
+                                      .maxCoeff());
+    return most;
+}
+
+TEST(Course, HoldsEveryStepOfAShortRun) {
+    const Course course = played();
+    EXPECT_EQ(course.hashes.size(), 61u);
+    ASSERT_EQ(course.moments.size(), 61u);
+    EXPECT_EQ(course.moments.back().step, 60);
+    EXPECT_EQ(course.bodies, (std::vector<std::string>{"floor", "box0", "box1", "box2", "box3", "bob"}));
+    EXPECT_EQ(course.extents[1], Vec3(0.5, 0.5, 0.5));
+    EXPECT_EQ(course.extents[0], Vec3(0, 0, 0));
+}
+
+TEST(Course, KnowsWhatContactsAndJointsDid) {
+    const Course course = played();
+    std::map<std::string, double> last;
+    for (const CourseImpulse& impulse : course.moments.back().impulses)
+        last[course.constraints[impulse.constraint]] = impulse.value;
+    ASSERT_EQ(last.count("contact floor-box0"), 1u);
+    ASSERT_EQ(last.count("joint world-bob"), 1u);
+    // What lies on the floor weighs on it: four boxes of 1000 kg, g dt each step.
+    EXPECT_NEAR(last["contact floor-box0"], 4 * 1000 * 9.81 / 60, 0.05 * 4 * 1000 * 9.81 / 60);
+}
+
+TEST(Course, ComesBackWithinItsResolution) {
+    const Course course = played();
+    const Tolerance tolerance;
+    const CourseResolution resolution = resolutionOf(course, tolerance);
+    const auto bytes = encodeCourse(course, resolution, 1u << 20);
+    const std::optional<Course> back = decodeCourse(bytes);
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(back->hashes, course.hashes);
+    EXPECT_EQ(back->constraints, course.constraints);
+    ASSERT_EQ(back->moments.size(), course.moments.size());
+    EXPECT_LE(farthest(course, *back), 1.01 * resolution.position);
+    for (std::size_t k = 0; k < course.moments.size(); ++k) {
+        EXPECT_LE(std::abs(course.moments[k].energy - back->moments[k].energy),
+                  1.01 * resolution.energy);
+        for (std::size_t i = 0; i < course.bodies.size(); ++i)
+            EXPECT_LT(course.moments[k].poses[i].rotation.angularDistance(
+                          back->moments[k].poses[i].rotation),
+                      6 * resolution.rotation);
+        ASSERT_EQ(course.moments[k].impulses.size(), back->moments[k].impulses.size());
+        for (std::size_t i = 0; i < course.moments[k].impulses.size(); ++i)
+            EXPECT_NEAR(course.moments[k].impulses[i].value, back->moments[k].impulses[i].value,
+                        0.51 * resolution.impulse);
+    }
+    EXPECT_LT(bytes.size(), 61 * 6 * 7 * sizeof(double) / 8);  // an eighth of the poses alone
+}
+
+TEST(Course, GivesUpMomentsForSpaceLateOnesFirst) {
+    const Course course = played();
+    const auto bytes = encodeCourse(course, resolutionOf(course, {}), 1500);
+    EXPECT_LE(bytes.size(), 1500u);
+    const std::optional<Course> back = decodeCourse(bytes);
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(back->hashes.size(), 61u);
+    EXPECT_EQ(back->moments.front().step, 0);
+    EXPECT_EQ(back->moments.back().step, 60);
+    EXPECT_EQ(back->moments[1].step, 1);
+    EXPECT_LT(back->moments.size(), 61u);
+    for (std::size_t k = 2; k + 1 < back->moments.size(); ++k)  // but for the very last
+        EXPECT_GE(back->moments[k].step - back->moments[k - 1].step,
+                  back->moments[k - 1].step - back->moments[k - 2].step);
+}
+
+TEST(Course, RefusesBytesThatAreNone) {
+    const Course course = played();
+    const std::vector<std::uint8_t> good = encodeCourse(course, resolutionOf(course, {}), 1u << 20);
+    EXPECT_FALSE(decodeCourse({}).has_value());
+    for (std::size_t size = 0; size < good.size(); size += 97)
+        EXPECT_FALSE(decodeCourse(std::span(good).first(size)).has_value()) << size;
+    for (std::size_t at = 0; at < good.size(); at += 31) {  // zlib's checksum sees each
+        std::vector<std::uint8_t> bad = good;
+        bad[at] ^= 0x10;
+        EXPECT_FALSE(decodeCourse(bad).has_value()) << at;
+    }
+}
+
+TEST(Divergence, TheSameRunIsTheSame) {
+    const PhysicsVerdict verdict = diverge(played(), played(), {});
+    EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::same);
+    EXPECT_EQ(verdict.firstBits, -1);
+    EXPECT_TRUE(verdict.lines.empty());
+}
+
+TEST(Divergence, TellsTheFirstStepBodyFieldAndConstraint) {
+    const PhysicsVerdict verdict =
+        diverge(played(), played([](Stage& s) { moveTop(s, 0.002); }), {});
+    EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::changed);
+    EXPECT_EQ(verdict.firstBits, 21);
+    EXPECT_EQ(verdict.step, 21);
+    EXPECT_EQ(verdict.every, 1);
+    EXPECT_EQ(verdict.body, "box3");
+    EXPECT_EQ(verdict.field, "x");
+    EXPECT_NEAR(verdict.difference, 0.002, 2e-4);
+    EXPECT_EQ(verdict.constraint, "contact box2-box3");
+    EXPECT_NE(verdict.before, verdict.after);
+    ASSERT_FALSE(verdict.lines.empty());
+    EXPECT_EQ(verdict.lines[0].find("step 21 (0.35 s): box3 x differs by"), 0u) << verdict.lines[0];
+    EXPECT_NE(verdict.lines[0].find("contact box2-box3 lambda"), std::string::npos);
+    EXPECT_GT(verdict.used, 10.0);
+}
+
+TEST(Divergence, ABitIsNotAMillimetre) {
+    const auto nudged = played([](Stage& s) { moveTop(s, 1e-9); });
+    const PhysicsVerdict verdict = diverge(played(), nudged, {});
+    EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::bits);
+    EXPECT_EQ(verdict.firstBits, 21);
+    EXPECT_EQ(verdict.step, -1);
+    EXPECT_LT(verdict.used, 1.0);
+    ASSERT_EQ(verdict.lines.size(), 1u);
+    EXPECT_NE(verdict.lines[0].find("from step 21 on"), std::string::npos);
+    Tolerance fine;
+    fine.position = 1e-10;
+    EXPECT_EQ(diverge(played(), nudged, fine).kind, PhysicsVerdict::Kind::changed);
+}
+
+TEST(Divergence, SeesATurn) {
+    const auto turn = [](Stage& stage) {
+        engine::Pose pose = stage.world.pose(stage.bodies[4]);
+        pose.rotation = Quat(Eigen::AngleAxisd(0.01, Vec3::UnitY())) * pose.rotation;
+        stage.world.setPose(stage.bodies[4], pose);
+    };
+    const PhysicsVerdict verdict = diverge(played(), played(turn), {});
+    EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::changed);
+    EXPECT_EQ(verdict.body, "box3");
+    EXPECT_EQ(verdict.field, "turn");
+    EXPECT_NEAR(verdict.difference, 0.573, 0.05);
+}
+
+TEST(Divergence, WorksOnWhatABaselineKeeps) {
+    const Course course = played();
+    const std::optional<Course> kept =
+        decodeCourse(encodeCourse(course, resolutionOf(course, {}), 1u << 20));
+    ASSERT_TRUE(kept.has_value());
+    EXPECT_EQ(diverge(*kept, course, {}).kind, PhysicsVerdict::Kind::same);
+    const auto nudged = played([](Stage& s) { moveTop(s, 1e-9); });
+    EXPECT_EQ(diverge(*kept, nudged, {}).kind, PhysicsVerdict::Kind::bits);
+    const auto moved = diverge(*kept, played([](Stage& s) { moveTop(s, 0.001); }), {});
+    EXPECT_EQ(moved.kind, PhysicsVerdict::Kind::changed);
+    EXPECT_EQ(moved.step, 21);
+    EXPECT_EQ(moved.body, "box3");
+}
+
+TEST(Divergence, TellsBodiesThatCameAndWent) {
+    Course more = played(), less = more;
+    less.bodies[5] = "weight";
+    const PhysicsVerdict verdict = diverge(more, less, {});
+    EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::changed);
+    ASSERT_EQ(verdict.lines.size(), 2u);
+    EXPECT_EQ(verdict.lines[0], "body bob is gone");
+    EXPECT_EQ(verdict.lines[1], "body weight is new");
+}
+
+}  // namespace
+}  // namespace demos::test

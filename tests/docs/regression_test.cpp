@@ -1,0 +1,64 @@
+// demos/regression/README.md says what the program says.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "demos/scene/description.h"
+#include "tests/docs/texts.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace docs;
+
+const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "regression";
+const std::string kText = textOf(kFolder / "README.md");
+
+TEST(RegressionReadme, ItsTableIsRead) {
+    const support::TemporaryFolder folder;
+    const std::size_t begin = kText.find("```toml\n") + 8;
+    std::ofstream(folder / "a.toml")
+        << "format = 1\n" << kText.substr(begin, kText.find("```", begin) - begin)
+        << "[[body]]\nname = 'ball'\nshape = { sphere = 0.5 }\n";
+    const std::string out = outputOf("sim '" + (folder / "a.toml").string() + "' --hash");
+    EXPECT_NE(out.find("state"), std::string::npos) << out;
+    EXPECT_EQ(out.find("impulse: "), std::string::npos) << out;
+}
+
+TEST(RegressionReadme, NamesTheDefaultTolerances) {
+    const demos::Tolerance tolerance;
+    EXPECT_NE(kText.find(fmt::format("({} m and {} deg unless given)", tolerance.position,
+                                     tolerance.angleDegrees)),
+              std::string::npos)
+        << kText.substr(0, 2000);
+}
+
+TEST(RegressionReadme, ItsCommandsAndTheirOptionsExist) {
+    const std::set<std::string> lines = matches(kText, R"(\nimpulse ([a-z]+[^\n]*))");
+    EXPECT_GE(lines.size(), 5u);
+    for (const std::string& line : lines) {
+        const std::string command = line.substr(0, line.find(' '));
+        const std::string help = outputOf(command + " --help");
+        EXPECT_NE(help.find("impulse " + command), std::string::npos) << line;
+        for (const std::string& option : matches(line, R"( (--?[a-z-]+))"))
+            EXPECT_NE(help.find(option), std::string::npos) << line;
+    }
+}
+
+/// Every source of the folder once, by its name without an ending.
+TEST(RegressionReadme, NamesEveryFileAndNoOther) {
+    std::set<std::string> files;
+    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+        if (file.path().extension() == ".h") files.insert(file.path().stem().string());
+    const std::size_t table = kText.find("| file | what it does |");
+    ASSERT_NE(table, std::string::npos);
+    std::set<std::string> named;
+    for (const std::string& row : matches(kText.substr(table), R"(\n\| ([^|]+) \|)"))
+        named.merge(matches(row, "`([a-z_]+)`"));
+    for (const std::string& row : matches(kText.substr(table), R"(\n\| [^|]+ \| ([^\n]+))"))
+        for (const std::string& name : matches(row, "`([a-z_]+)`"))
+            if (files.count(name)) named.insert(name);
+    EXPECT_EQ(named, files);
+}
+
+}  // namespace
