@@ -38,7 +38,7 @@ struct Parser {
         app.get_formatter()->column_width(26);
         app.footer(
             "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
-            "1 expectation failed,\n2 usage, 3 scene file, 4 environment, 5 would overwrite, "
+            "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would overwrite, "
             "6 diverged, 130 interrupted.");
         for (const CommandText& text : commandTexts()) {
             CLI::App* sub = app.add_subcommand(text.name, text.purpose);

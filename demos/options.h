@@ -85,7 +85,7 @@ struct Options {
     std::string baselines;               // a folder; empty = beside the scenes
     std::string update;                  // missing, changed, all, none; empty = missing, or none
     std::string results = "output/test"; // approve: of which test
-    bool cache = true;
+    bool cache = true, selfTest = false;
     bool all = false, prune = false;
 
     bool quiet = false, json = false;

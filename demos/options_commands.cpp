@@ -287,6 +287,8 @@ void addTest(CLI::App& app, Options& options, RawOptions& raw) {
         ->type_name("WHICH");
     app.add_flag("--cache,!--no-cache", options.cache,
                  "leave out what has passed and not changed since; default: on");
+    app.add_flag("--self-test", options.selfTest,
+                 "damage every picture on purpose and tell what would be noticed; default: off");
     app.add_option("--size", raw.size,
                    "pixels, 1..16384 a side; default: the scene's [snapshot] size")
         ->type_name("WxH");

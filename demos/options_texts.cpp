@@ -46,7 +46,7 @@ constexpr CommandText kCommands[] = {
      "test",
      "pictures, states and expectations of scenes against their baselines",
      {"impulse test", "impulse test scenes/ --baselines snapshots -o results",
-      "impulse test my.toml --update changed"}},
+      "impulse test my.toml --self-test"}},
     {Command::approve,
      "approve",
      "take what a test drew as the new baseline",

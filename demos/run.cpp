@@ -32,7 +32,7 @@ Exit perform(const Options& options) {
         case Command::sweep:
             return sweepCommand(options);
         case Command::test:
-            return testCommand(options);
+            return options.selfTest ? selfTestCommand(options) : testCommand(options);
         case Command::approve:
             return approveCommand(options);
         case Command::list:

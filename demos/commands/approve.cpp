@@ -45,6 +45,19 @@ bool differs(const SceneVerdict& scene) {
                        [](const PictureVerdict& picture) { return !picture.actual.empty(); });
 }
 
+const char* whatBecameOf(const SceneVerdict& scene) {
+    switch (scene.state) {
+        case SceneVerdict::State::passed:
+            return "passed";
+        case SceneVerdict::State::added:
+            return "was new, and its baseline was written";
+        case SceneVerdict::State::updated:
+            return "was updated";
+        default:
+            return "could not be tested";
+    }
+}
+
 void checkContract(const SceneVerdict& scene) {
     for (const ExpectationResult& result : scene.expectations)
         if (!result.passed)
@@ -105,8 +118,8 @@ private:
         for (const SceneVerdict& known : verdict_.scenes) {
             if (known.name == scene && !differs(known))
                 throw Stop(Exit::usage,
-                           fmt::format("'{}' has nothing to accept: it {} in the last test",
-                                       printable(name), nameOf(known.state)));
+                           fmt::format("'{}' has nothing to accept: in the last test it {}",
+                                       printable(name), whatBecameOf(known)));
             if (known.name == scene) return known;
             names.push_back(known.name);
         }

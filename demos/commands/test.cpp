@@ -11,15 +11,14 @@
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
 #include "demos/regression/baseline.h"
-#include "demos/regression/junit.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/process_pool.h"
+#include "demos/regression/report_files.h"
 #include "demos/regression/scene_test.h"
 #include "demos/regression/tell.h"
 #include "demos/regression/verdict_json.h"
 #include "demos/scene/complaints.h"
 #include "render/driver_environment.h"
-#include "render/encode/file.h"
 #include "render/renderer.h"
 
 namespace demos {
@@ -96,9 +95,15 @@ public:
         run_.renderer = rendererName(options_);
         begin();
         const int count = static_cast<int>(choice_.scenes.size());
-        runInProcesses(
-            count, workerCount(options_.jobs, count), [this](int i) { return tested(i); },
-            [this](int i, const PoolResult& result) { take(i, result); });
+        try {
+            runInProcesses(
+                count, workerCount(options_.jobs, count), [this](int i) { return tested(i); },
+                [this](int i, const PoolResult& result) { take(i, result); });
+        } catch (const Stop& stop) {
+            cache_.write();  // what has passed need not be played again
+            throw Stop(stop.code(), fmt::format("{} scenes; to go on: {}", stop.what(),
+                                                options_.commandLine));
+        }
         return finish();
     }
 
@@ -153,16 +158,24 @@ private:
 
     Exit finish() {
         cache_.write();
-        render::writeFileAtomically(results_ / "report.json", jsonOf(verdict_));
-        render::writeFileAtomically(results_ / "junit.xml", junitXml(verdict_));
+        writeReport(verdict_, options_, results_);
+        const std::string page = (results_ / "report.html").string();
         for (const std::string& orphan : verdict_.orphans)
             talk_.say(fmt::format("{} is of no scene; impulse approve --prune removes it",
                                   printable(orphan)));
         talk_.say(summaryOf(verdict_));
-        talk_.say("wrote " + printable((results_ / "report.json").string()));
+        talk_.say("wrote " + printable(page) + ", report.json, junit.xml");
+        talk_.say(nextStep(page));
         talk_.json(fmt::format(R"({{"event":"done","passed":{},"report":{}}})", verdict_.passed(),
-                               jsonString((results_ / "report.json").string())));
+                               jsonString(page)));
         return verdict_.passed() ? Exit::ok : Exit::failed;
+    }
+
+    std::string nextStep(const std::string& page) const {
+        if (!verdict_.passed()) return "next: look at " + printable(page);
+        if (verdict_.count(SceneVerdict::State::added) > 0)
+            return "next: look at the new pictures, and commit them with their baseline.json";
+        return "next: impulse test --self-test tells which damage this would notice";
     }
 
     const Options& options_;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr std::size_t kMostCourse = 48 * 1024, kMostBody = 300;  // bytes of a course, and a body
+constexpr std::size_t kMostCourse = 32 * 1024, kMostBody = 200;  // bytes of a course, and a body
 constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
 
 std::uint64_t hashOf(std::string_view text) {
@@ -135,6 +135,10 @@ std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePict
     std::vector<std::uint8_t> bytes = demos::contentOf(file);
     if (bytes.empty())
         throw BaselineError(printable(file.string()) + " is not there or empty" + kAgain);
+    const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    if (text.starts_with("version https://git-lfs"))
+        throw BaselineError(printable(file.string()) +
+                            " is a pointer of Git LFS; fetch the file with git lfs pull");
     TextHash hash;
     hash.add(bytes);
     if (hash.value() != picture.png)

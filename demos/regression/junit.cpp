@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "demos/regression/tell.h"
 #include "demos/scene/complaints.h"
 
 namespace demos {
@@ -59,11 +60,9 @@ void writeFault(const Fault& fault, const char* element, pugi::xml_node testCase
 }
 
 std::vector<std::string> settingLines(const std::vector<SettingChange>& settings) {
-    const auto shownValue = [](const std::string& value) { return value.empty() ? "none" : value; };
     std::vector<std::string> lines;
     for (const SettingChange& change : settings)
-        lines.push_back(fmt::format("setting {}: {}, of the baseline {}", change.key,
-                                    shownValue(change.actual), shownValue(change.baseline)));
+        lines.push_back("made with another setting: " + settingText(change));
     return lines;
 }
 
@@ -92,16 +91,6 @@ Fault physicsFault(const SceneVerdict& scene) {
         fault.details.insert(fault.details.begin(), lines.begin() + 1, lines.end());
     }
     return fault;
-}
-
-std::string differenceText(const render::Difference& difference, const PictureGate& gate) {
-    if (!difference.sameSize) return "another size than the baseline's";
-    return fmt::format(
-        "{} pixels differ, by {} of 255 at most; by more than {}: {} in the 16x16 pixels at "
-        "({}, {}), of which {} may; least SSIM {:.4f}, which has to reach {}",
-        difference.differing, difference.largest, gate.levels, difference.worstWindow,
-        difference.windowX, difference.windowY, gate.windowPixels, difference.worstSsim,
-        numberText(gate.ssim));
 }
 
 std::vector<std::string> fileLines(const PictureVerdict& picture) {

@@ -20,22 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using State = SceneVerdict::State;
 
-/// The pictures of a test: of the scene's own size, drawn by one thread, since scenes share the
-/// processor.
-FilmPlan planOf(const ChosenScene& chosen, const Options& options) {
-    Options own = options;
-    own.scenes = {chosen.scene};
-    own.quiet = true;
-    if (!own.size) {
-        const Snapshot& snapshot = sceneOf(own).snapshot;
-        own.size = PictureSize{snapshot.width, snapshot.height};
-    }
-    FilmPlan plan = planFilm(own);
-    plan.picture.threads = 0;
-    checkNeeds(needsOf(plan, 1, {}), plan);
-    return plan;
-}
-
 std::uint64_t fingerprintOf(const ChosenScene& chosen, const FilmPlan& plan, const TestRun& run) {
     Options own = run.options;
     own.scenes = {chosen.scene};
@@ -133,6 +117,20 @@ void removeShown(const fs::path& folder) {
 
 }  // namespace
 
+FilmPlan planOfTest(const ChosenScene& chosen, const Options& options) {
+    Options own = options;
+    own.scenes = {chosen.scene};
+    own.quiet = true;
+    if (!own.size) {
+        const Snapshot& snapshot = sceneOf(own).snapshot;
+        own.size = PictureSize{snapshot.width, snapshot.height};
+    }
+    FilmPlan plan = planFilm(own);
+    plan.picture.threads = 0;
+    checkNeeds(needsOf(plan, 1, {}), plan);
+    return plan;
+}
+
 Update updateOf(const Options& options) {
     const char* ci = std::getenv("CI");
     if (options.update.empty())
@@ -150,7 +148,7 @@ SceneTested testScene(const ChosenScene& chosen, const TestRun& run) noexcept {
         verdict.scene = chosen.scene;
         verdict.folder = chosen.folder.string();
         removeShown(run.results / (chosen.name + kSnapshotsEnding));
-        const FilmPlan plan = planOf(chosen, run.options);
+        const FilmPlan plan = planOfTest(chosen, run.options);
         verdict.title = plan.scene().title;
         verdict.snapshot = plan.scene().snapshot;
         verdict.snapshot.width = plan.picture.width;

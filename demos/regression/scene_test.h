@@ -3,12 +3,17 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "demos/film/film_plan.h"
 #include "demos/options.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/scene_choice.h"
 #include "demos/regression/verdict.h"
 
 namespace demos {
+
+/// The pictures of a test: of the scene's own size, drawn by one thread, since scenes share the
+/// processor.
+FilmPlan planOfTest(const ChosenScene& chosen, const Options& options);
 
 /// Which baselines a test writes.
 enum class Update { none, missing, changed, all };

@@ -31,19 +31,11 @@ const char* wordOf(State state) {
     return "ERROR";
 }
 
-std::string measured(const PictureVerdict& picture, const PictureGate& gate) {
-    const render::Difference& d = picture.difference;
-    return fmt::format("{} pixels differ, by {} of 255 at most; the worst 16x16 window, at {},{}, has "
-                       "{} that differ by more than {} ({} may); least SSIM {:.3f} ({:.2f} needed)",
-                       d.differing, d.largest, d.windowX, d.windowY, d.worstWindow, gate.levels,
-                       gate.windowPixels, d.worstSsim, gate.ssim);
-}
-
 void addPicture(const SceneVerdict& scene, const PictureVerdict& picture,
                 std::vector<std::string>& lines) {
     const std::string name = "picture " + pictureName(scene.name, picture.time);
     if (picture.kind == PictureVerdict::Kind::changed)
-        lines.push_back(name + ": " + measured(picture, scene.snapshot.gate));
+        lines.push_back(name + ": " + differenceText(picture.difference, scene.snapshot.gate));
     if (picture.kind == PictureVerdict::Kind::broken && !picture.problem.empty())
         lines.push_back(name + ": " + picture.problem);
     if (picture.kind == PictureVerdict::Kind::added && scene.state == State::failed)
@@ -58,18 +50,10 @@ void addExpectations(const SceneVerdict& scene, std::vector<std::string>& lines)
                                         result.why.empty() ? "" : " (" + result.why + ")"));
 }
 
-/// The file itself says more than its hash.
-std::string changeText(const SettingChange& change) {
-    if (change.key == "scene file") return "the scene file";
-    const auto shownValue = [](const std::string& value) { return value.empty() ? "-" : value; };
-    return fmt::format("{} {} -> {}", change.key, shownValue(change.baseline),
-                       shownValue(change.actual));
-}
-
 void addSettings(const SceneVerdict& scene, std::vector<std::string>& lines) {
     if (scene.settings.empty()) return;
     std::vector<std::string> texts;
-    for (const SettingChange& change : scene.settings) texts.push_back(changeText(change));
+    for (const SettingChange& change : scene.settings) texts.push_back(settingText(change));
     lines.push_back(fmt::format("made with other settings: {}", fmt::join(texts, ", ")));
 }
 
@@ -81,6 +65,22 @@ bool canApprove(const SceneVerdict& scene) {
 }
 
 }  // namespace
+
+std::string differenceText(const render::Difference& d, const PictureGate& gate) {
+    return fmt::format(
+        "{} pixels differ, by {} of 255 at most; the worst 16x16 window, at {},{}, has "
+        "{} that differ by more than {} ({} may); least SSIM {:.3f} ({:.2f} needed)",
+        d.differing, d.largest, d.windowX, d.windowY, d.worstWindow, gate.levels, gate.windowPixels,
+        d.worstSsim, gate.ssim);
+}
+
+std::string settingText(const SettingChange& change) {
+    // The file itself says more than its hash.
+    if (change.key == "scene file") return "the scene file";
+    const auto shownValue = [](const std::string& value) { return value.empty() ? "-" : value; };
+    return fmt::format("{} {} -> {}", change.key, shownValue(change.baseline),
+                       shownValue(change.actual));
+}
 
 std::string headline(const SceneVerdict& scene) {
     std::string line = fmt::format("{:<8} {}", wordOf(scene.state), printable(scene.name));
@@ -101,8 +101,9 @@ std::vector<std::string> detailsOf(const SceneVerdict& scene) {
     addExpectations(scene, lines);
     if (wrong) addSettings(scene, lines);
     for (const std::string& orphan : scene.orphans)
-        lines.push_back(orphan + " is of a time that the scene does not list; impulse approve "
-                                 "--prune removes it");
+        lines.push_back(orphan +
+                        " is of a time that the scene does not list; impulse approve "
+                        "--prune removes it");
     if (canApprove(scene)) lines.push_back("to accept it: impulse approve " + scene.name);
     for (std::string& line : lines) line = printable(line);
     return lines;

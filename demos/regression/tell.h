@@ -7,6 +7,11 @@
 
 namespace demos {
 
+/// By how much a picture differs, and how much it may.
+std::string differenceText(const render::Difference& difference, const PictureGate& gate);
+/// "solver.sweeps 10 -> 12", baseline first; "-": none.
+std::string settingText(const SettingChange& change);
+
 /// "ok       stack  3 pictures, 2 expectations"
 std::string headline(const SceneVerdict& scene);
 

@@ -120,7 +120,7 @@ struct Tolerance {
 
 /// How far a picture may be from its baseline: render::Gate.
 struct PictureGate {
-    int levels = 3;        // of 255
+    int levels = 4;        // of 255
     int windowPixels = 8;  // in any window of 16x16
     double ssim = 0.90;    // of every block of 8x8
     std::string why;       // of other numbers than these

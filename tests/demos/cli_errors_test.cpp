@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"Escapes", {"sim", "\x1b[31mred"}, 3, "\\x1b"},
         {"SchemaOfAScene", {"list", "stack", "--schema"}, 2, "--schema stands alone"},
         {"SetOfNoValue", {"sim", "stack", "--set", "values.x=1"}, 3, "no value 'x'"},
-        {"SetOfAnExpression", {"sim", "stack", "--set", "seconds=1/0"}, 3, "a division by zero"},
+        {"SetOfAnExpression", {"sim", "stack", "--set", "camera.fov_deg=1/0"}, 3, "a division by zero"},
         {"SetOfAnInclude", {"sim", "stack", "--set", "include=a"}, 3, "before --set"},
     }),
     [](const testing::TestParamInfo<Bad>& row) { return std::string(row.param.name); });

@@ -260,6 +260,8 @@ TEST_F(Snapshots, SayWhatIsWrongWithABaseline) {
     };
     write(folder / "ball.snapshots/t0.png", png.substr(0, 200));
     tells("t0.png is not the picture that baseline.json beside it is of");
+    write(folder / "ball.snapshots/t0.png", "version https://git-lfs.github.com/spec/v1\noid");
+    tells("t0.png is a pointer of Git LFS; fetch the file with git lfs pull");
     write(folder / "ball.snapshots/t0.png", png);
     write(folder / "ball.snapshots/baseline.json", json.substr(0, 300));
     tells("baseline.json is damaged");
@@ -283,6 +285,22 @@ TEST_F(Snapshots, RefuseToWriteOverBaselines) {
     EXPECT_EQ(ended.code, 2);
     EXPECT_NE(ended.err.find("is where the baselines are"), std::string::npos) << ended.err;
     EXPECT_TRUE(has("ball.snapshots/t0.png"));
+}
+
+TEST_F(Snapshots, GoOnAfterAnInterruption) {
+    for (const char* name : {"a.toml", "b.toml", "c.toml"}) write(folder / name, kScene);
+    ASSERT_EQ(impulse({"test", "."}).code, 0);
+    ASSERT_EQ(impulse({"test", ".", "--no-cache"}).code, 0);
+    fs::remove(folder / "output/test/passed.json");
+    Launch launch;
+    launch.folder = folder.path();
+    launch.arguments = {"test", ".", "-j", "1"};
+    launch.awaited = "ok       a";
+    launch.signal = SIGINT;
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 130);
+    EXPECT_NE(ended.err.find("; to go on: impulse test . -j 1"), std::string::npos) << ended.err;
+    EXPECT_NE(impulse({"test", "."}).out.find("a  (as before)"), std::string::npos);
 }
 
 TEST_F(Snapshots, SpeakJson) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "demos/regression/mutants.h"
 #include "demos/scene/description.h"
 #include "tests/docs/texts.h"
 #include "tests/support/temporary_folder.h"
@@ -31,6 +32,25 @@ TEST(RegressionReadme, NamesTheDefaultTolerances) {
                                      tolerance.angleDegrees)),
               std::string::npos)
         << kText.substr(0, 2000);
+}
+
+TEST(RegressionReadme, NamesTheDefaultGate) {
+    const demos::PictureGate gate;
+    const std::string text = std::regex_replace(kText, std::regex("\n"), " ");
+    for (const std::string& words :
+         {fmt::format("16x16 pixels has more than {} that differ by more than {} levels",
+                      gate.windowPixels, gate.levels),
+          fmt::format("structural similarity (SSIM) of {} or more", gate.ssim)})
+        EXPECT_NE(text.find(words), std::string::npos) << words;
+}
+
+TEST(RegressionReadme, TellsOfEveryMutant) {
+    std::set<std::string> mutants;
+    for (const demos::Mutant& mutant : demos::mutants()) mutants.insert(mutant.name);
+    const std::size_t begin = kText.find("| damage |");
+    ASSERT_NE(begin, std::string::npos);
+    EXPECT_EQ(matches(kText.substr(begin, kText.find("\n\n", begin) - begin), "\n\\| `([^`]+)`"),
+              mutants);
 }
 
 TEST(RegressionReadme, ItsCommandsAndTheirOptionsExist) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace {
 
@@ -43,10 +45,10 @@ TEST(PictureDifference, CountsAndPlacesOnePixel) {
 
 TEST(PictureDifference, LevelsAreExceededNotReached) {
     const render::Image a = grey(16, 16);
-    EXPECT_EQ(render::compare(a, grey(16, 16, 103)).worstWindow, 0);
-    EXPECT_EQ(render::compare(a, grey(16, 16, 104)).worstWindow, 256);
+    EXPECT_EQ(render::compare(a, grey(16, 16, 103), 3).worstWindow, 0);
+    EXPECT_EQ(render::compare(a, grey(16, 16, 104), 3).worstWindow, 256);
     EXPECT_EQ(render::compare(a, grey(16, 16, 103), 2).worstWindow, 256);
-    EXPECT_EQ(render::compare(a, grey(16, 16, 103)).differing, 256);
+    EXPECT_EQ(render::compare(a, grey(16, 16, 103), 3).differing, 256);
 }
 
 TEST(PictureDifference, WindowsSlideOverEveryPosition) {
@@ -98,6 +100,68 @@ TEST(PictureDifference, ColourAloneFailsTheGate) {
     const render::Difference d = render::compare(a, b);
     EXPECT_GT(d.worstSsim, 0.99);
     EXPECT_FALSE(render::samePicture(d));
+}
+
+/// Every window counted pixel by pixel: what sums of areas have to agree with.
+int worstWindowOf(const render::Image& a, const render::Image& b, int levels) {
+    int worst = 0;
+    for (int top = 0; top == 0 || top + 16 <= a.height; ++top)
+        for (int left = 0; left == 0 || left + 16 <= a.width; ++left) {
+            int counted = 0;
+            for (int y = top; y < std::min(top + 16, a.height); ++y)
+                for (int x = left; x < std::min(left + 16, a.width); ++x) {
+                    bool over = false;
+                    for (int c = 0; c < 4; ++c)
+                        over = over || std::abs(a.at(x, y)[c] - b.at(x, y)[c]) > levels;
+                    counted += over;
+                }
+            worst = std::max(worst, counted);
+        }
+    return worst;
+}
+
+/// SSIM of one block by its definition: means first, then deviations from them.
+double ssimOf(const render::Image& a, const render::Image& b, int left, int top) {
+    const int right = std::min(left + 8, a.width), bottom = std::min(top + 8, a.height);
+    const double count = (right - left) * (bottom - top);
+    const auto sum = [&](auto value) {
+        double total = 0.0;
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) total += value(a.at(x, y), b.at(x, y));
+        return total / count;
+    };
+    const auto luma = [](const std::uint8_t* p) {
+        return 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+    };
+    const double meanA = sum([&](const auto* p, const auto*) { return luma(p); });
+    const double meanB = sum([&](const auto*, const auto* q) { return luma(q); });
+    const double covariance =
+        sum([&](const auto* p, const auto* q) { return (luma(p) - meanA) * (luma(q) - meanB); });
+    const double varianceA =
+        sum([&](const auto* p, const auto*) { return std::pow(luma(p) - meanA, 2); });
+    const double varianceB =
+        sum([&](const auto*, const auto* q) { return std::pow(luma(q) - meanB, 2); });
+    const double c1 = std::pow(0.01 * 255, 2), c2 = std::pow(0.03 * 255, 2);
+    return (2 * meanA * meanB + c1) * (2 * covariance + c2) /
+           ((meanA * meanA + meanB * meanB + c1) * (varianceA + varianceB + c2));
+}
+
+TEST(PictureDifference, AgreesWithItsDefinition) {
+    std::mt19937 dice(7);  // the same numbers everywhere, unlike a distribution's
+    for (const auto& [width, height] : {std::pair{61, 37}, {16, 16}, {8, 50}, {3, 3}, {40, 9}}) {
+        render::Image a = grey(width, height);
+        for (std::uint8_t& value : a.pixels) value = static_cast<std::uint8_t>(dice() % 256);
+        render::Image b = a;
+        for (std::uint8_t& value : b.pixels)
+            if (dice() % 9 == 0) value = static_cast<std::uint8_t>(value ^ (dice() % 16));
+        double worst = 1.0;
+        for (int y = 0; y < height; y += 8)
+            for (int x = 0; x < width; x += 8) worst = std::min(worst, ssimOf(a, b, x, y));
+        for (const int levels : {0, 4, 9})
+            EXPECT_EQ(render::compare(a, b, levels).worstWindow, worstWindowOf(a, b, levels))
+                << width << "x" << height << ", " << levels << " levels";
+        EXPECT_NEAR(render::compare(a, b).worstSsim, worst, 1e-9) << width << "x" << height;
+    }
 }
 
 TEST(PictureDifference, OfTwoSizesIsNeverTheSamePicture) {

@@ -1,0 +1,219 @@
+#include "demos/regression/mutants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "demos/film/framing.h"
+#include "demos/player.h"
+#include "demos/regression/divergence.h"
+#include "render/surface_map.h"
+
+namespace demos {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr float kSunTurn = static_cast<float>(5.0 * kDegree);
+constexpr float kColorShift = 0.05f;  // of 1: 13 levels of a body's own colour
+// 5 levels where it changes most: nobody sees it on one picture, and a true mistake, such as a
+// second sRGB curve, is ten times as large.
+constexpr double kGamma = 1.05;
+
+template <class Change>
+void changeBody(const Specimen& specimen, render::Frame& frame, Change change) {
+    for (render::Solid& solid : frame.solids)
+        if (solid.id == specimen.body) change(solid);
+}
+
+/// What joins it to others stays: only this body is at the wrong place.
+Sight moved(const Specimen& specimen, double distance) {
+    Sight sight = specimen.now;
+    if (specimen.body < 0) return sight;
+    const Vec3 way = distance * specimen.across;
+    sight.poses[static_cast<std::size_t>(specimen.body)].position += way;
+    changeBody(specimen, sight.frame,
+               [&way](render::Solid& solid) { solid.position += way.cast<float>(); });
+    return sight;
+}
+
+Sight movedLittle(const Specimen& specimen) { return moved(specimen, 0.001); }
+Sight movedMore(const Specimen& specimen) { return moved(specimen, 0.01); }
+
+Sight hidden(const Specimen& specimen) {
+    Sight sight = specimen.now;
+    std::erase_if(sight.frame.solids,
+                  [&](const render::Solid& solid) { return solid.id == specimen.body; });
+    return sight;
+}
+
+/// As if another's: red gains what blue loses, which SSIM of luma hardly sees.
+Sight recolored(const Specimen& specimen) {
+    Sight sight = specimen.now;
+    changeBody(specimen, sight.frame, [](render::Solid& solid) {
+        solid.color.r = std::min(solid.color.r + kColorShift, 1.0f);
+        solid.color.b = std::max(solid.color.b - kColorShift, 0.0f);
+    });
+    return sight;
+}
+
+/// About an axis square to the rays: all of the angle counts.
+Sight otherLight(const Specimen& specimen) {
+    Sight sight = specimen.now;
+    render::Vec3& sun = sight.frame.look.sunDirection;
+    sun = Eigen::AngleAxisf(kSunTurn, sun.unitOrthogonal()) * sun;
+    return sight;
+}
+
+Sight withoutShadow(const Specimen& specimen) {
+    Sight sight = specimen.now;
+    sight.frame.look.shadows = false;
+    return sight;
+}
+
+Sight late(const Specimen& specimen) { return specimen.late; }
+
+Sight brighter(const Specimen& specimen) {
+    Sight sight = specimen.now;
+    sight.gamma = kGamma;
+    return sight;
+}
+
+constexpr Mutant kMutants[] = {
+    {"1 mm", "the moving body that covers most of the picture is 1 mm to the right", movedLittle},
+    {"1 cm", "the same body is 1 cm to the right", movedMore},
+    {"hidden", "the same body is not drawn", hidden},
+    {"color", "the same body has 5 % more red and 5 % less blue", recolored},
+    {"light", "the sun has moved by 5 degrees", otherLight},
+    {"no shadow", "the sun casts no shadows", withoutShadow},
+    {"late", "the world is one step further", late},
+    {"gamma", "the whole picture is brighter, by a gamma of 1.05", brighter},
+};
+
+Sight sightOf(const Player& player, const FilmPlan& plan, double time) {
+    Sight sight{player.frame(time), {}};
+    fitCamera(plan.picture.width, plan.picture.height, sight.frame);
+    for (const engine::BodyId body : player.stage().bodies)
+        sight.poses.push_back(player.stage().world.pose(body));
+    return sight;
+}
+
+/// Leaves the player one step further. The late sight keeps the camera and the texts: only the
+/// world has gone on.
+Specimen specimenAt(double time, const FilmPlan& plan, Player& player, render::Renderer& renderer) {
+    Specimen specimen;
+    specimen.now = sightOf(player, plan, time);
+    const render::Frame& frame = specimen.now.frame;
+    specimen.body = mostSeenBody(player.stage(), frame, renderer.surfaces(frame));
+    const render::Camera& camera = frame.camera;
+    specimen.across = (camera.lookAt - camera.from).cross(camera.up).normalized().cast<double>();
+    player.step();
+    specimen.late = sightOf(player, plan, time);
+    return specimen;
+}
+
+render::Image drawn(const Sight& sight, render::Renderer& renderer) {
+    render::Image image = renderer.draw(sight.frame);
+    if (sight.gamma == 1.0) return image;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        if (i % 4 != 3)  // alpha stays
+            image.pixels[i] = static_cast<std::uint8_t>(
+                std::lround(255.0 * std::pow(image.pixels[i] / 255.0, 1.0 / sight.gamma)));
+    return image;
+}
+
+bool samePoses(const Sight& a, const Sight& b) {
+    return std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(),
+                      [](const engine::Pose& p, const engine::Pose& q) {
+                          return p.position == q.position &&
+                                 p.rotation.coeffs() == q.rotation.coeffs();
+                      });
+}
+
+/// As a run of one moment, for the comparison that tests use.
+Course courseOf(const Sight& sight, const SceneDescription& scene, std::uint32_t hash) {
+    Course course;
+    course.hz = scene.hz;
+    for (const BodyDescription& body : scene.bodies) course.bodies.push_back(body.name);
+    course.hashes = {hash};
+    course.moments.resize(1);
+    course.moments.front().poses = sight.poses;
+    return course;
+}
+
+bool beyond(const Sight& truth, const Sight& sight, const SceneDescription& scene) {
+    const PhysicsVerdict verdict =
+        diverge(courseOf(truth, scene, 0), courseOf(sight, scene, 1), scene.snapshot.tolerance);
+    return verdict.kind == PhysicsVerdict::Kind::changed;
+}
+
+MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const render::Image& truth,
+                     const SceneDescription& scene, render::Renderer& renderer) {
+    const PictureGate& limits = scene.snapshot.gate;
+    const render::Gate gate{limits.levels, limits.windowPixels, limits.ssim, ""};
+    const Sight sight = mutant.damaged(specimen);
+    MutantVerdict verdict;
+    verdict.mutant = &mutant;
+    verdict.difference = render::compare(truth, drawn(sight, renderer), gate.levels);
+    verdict.unchanged = samePoses(specimen.now, sight) && verdict.difference.differing == 0;
+    verdict.state = beyond(specimen.now, sight, scene);
+    verdict.picture = !render::samePicture(verdict.difference, gate);
+    return verdict;
+}
+
+}  // namespace
+
+std::span<const Mutant> mutants() { return kMutants; }
+
+int mostSeenBody(const Stage& stage, const render::Frame& frame, const render::SurfaceMap& map) {
+    std::vector<long> pixels(stage.bodies.size(), 0);
+    for (const std::int32_t packed : map.packed) {
+        const int surface = render::surfaceIn(packed);
+        if (surface < 0 || surface >= static_cast<int>(frame.solids.size())) continue;
+        ++pixels[static_cast<std::size_t>(frame.solids[surface].id)];
+    }
+    int most = -1;
+    for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
+        const bool moves = stage.world.def(stage.bodies[i]).kind != engine::BodyKind::fixed;
+        if (moves && (most < 0 || pixels[i] > pixels[most])) most = i;
+    }
+    return most;
+}
+
+std::vector<MutantVerdict> selfTest(const FilmPlan& plan, render::Renderer& renderer) {
+    Player player(plan.scene(), plan.panels.front().overlays);
+    std::vector<MutantVerdict> verdicts;
+    int played = 0;
+    for (const double time : plan.scene().snapshot.times) {
+        const int steps = static_cast<int>(std::lround(time * plan.scene().hz));
+        if (steps < played) continue;  // two times of one step
+        player.step(steps - played);
+        played = steps + 1;
+        const Specimen specimen = specimenAt(time, plan, player, renderer);
+        const render::Image truth = renderer.draw(specimen.now.frame);
+        for (const Mutant& mutant : mutants()) {
+            verdicts.push_back(judged(mutant, specimen, truth, plan.scene(), renderer));
+            verdicts.back().time = time;
+        }
+    }
+    return verdicts;
+}
+
+std::vector<MutantSummary> summaries(const std::vector<MutantVerdict>& verdicts) {
+    std::vector<MutantSummary> all;
+    for (const Mutant& mutant : mutants()) {
+        MutantSummary& summary = all.emplace_back();
+        summary.mutant = &mutant;
+        for (const MutantVerdict& verdict : verdicts) {
+            if (verdict.mutant != &mutant) continue;
+            ++summary.times;
+            summary.state += verdict.state;
+            summary.picture += verdict.picture;
+            summary.unchanged = summary.unchanged && verdict.unchanged;
+            summary.window = std::max(summary.window, verdict.difference.worstWindow);
+            summary.ssim = std::min(summary.ssim, verdict.difference.worstSsim);
+        }
+    }
+    return all;
+}
+
+}  // namespace demos

@@ -1,0 +1,77 @@
+// What the page shows. Its link says it all: #scene=stack&t=2.5&mode=7&w=1&at=300,200&film=1.2
+
+const report = JSON.parse(document.getElementById("data").textContent);
+
+const view = {
+  scene: 0,           // place in report.scenes
+  picture: 0,         // place in the scene's pictures
+  mode: 1,            // key of modes, viewer.js
+  worst: false,       // whether the worst window's box is drawn
+  at: null,           // [x, y] of the pixel that is looked at; null: none
+  loupe: false,
+  film: 0,            // s
+};
+
+const byId = (id) => document.getElementById(id);
+const sceneNow = () => report.scenes[view.scene];
+const pictureNow = () => sceneNow()?.pictures[view.picture];
+
+/// An element with attributes and children; text is always text, never markup.
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name === "onclick") element.addEventListener("click", value);
+    else if (value !== false) element.setAttribute(name, value === true ? "" : value);
+  }
+  element.append(...children.filter((child) => child !== null));
+  return element;
+}
+
+/// "t=2.5" is the picture nearest to that time, so a link written by hand need not be exact.
+function nearestPicture(scene, time) {
+  let best = 0;
+  scene.pictures.forEach((picture, i) => {
+    if (Math.abs(picture.time - time) < Math.abs(scene.pictures[best].time - time)) best = i;
+  });
+  return best;
+}
+
+function numberOf(text, fallback) {
+  const value = Number.parseFloat(text ?? "");
+  return Number.isFinite(value) ? value : fallback;
+}
+
+function readLink() {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const found = report.scenes.findIndex((scene) => scene.name === asked.get("scene"));
+  view.scene = found >= 0 ? found : firstScene();
+  const scene = sceneNow();
+  if (!scene) return;
+  view.picture = asked.has("t")
+    ? nearestPicture(scene, numberOf(asked.get("t"), 0)) : firstPicture(scene);
+  view.mode = Math.min(9, Math.max(1, Math.round(numberOf(asked.get("mode"), 1))));
+  view.worst = asked.get("w") === "1";
+  const at = (asked.get("at") ?? "").split(",").map(Number);
+  view.at = at.length === 2 && at.every(Number.isInteger) ? at : null;
+  view.loupe = view.at !== null;
+  view.film = numberOf(asked.get("film"), pictureNow()?.time ?? 0);
+  acceptNames(asked.getAll("accept"));
+}
+
+function writeLink() {
+  const scene = sceneNow();
+  if (!scene) return;
+  const link = new URLSearchParams({ scene: scene.name });
+  if (pictureNow()) link.set("t", pictureNow().time);
+  link.set("mode", view.mode);
+  if (view.worst) link.set("w", "1");
+  if (view.loupe && view.at) link.set("at", view.at.join(","));
+  if (view.film !== (pictureNow()?.time ?? 0)) link.set("film", view.film.toFixed(3));
+  for (const name of acceptedNames()) link.append("accept", name);
+  history.replaceState(null, "", "#" + link);
+}
+
+/// What differs comes before what does not.
+function firstPicture(scene) {
+  return Math.max(0, scene.pictures.findIndex((p) => p.kind !== "same" && p.kind !== "within"));
+}

@@ -1,0 +1,211 @@
+#include "demos/regression/report_film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace demos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int kMostMoments = 120, kFewestMoments = 24;
+constexpr long kPose = 6;                   // numbers: x, y, z and the rotation's
+constexpr long kExtent = 3;                 // numbers
+constexpr long kCurves = 4 * kMostMoments;  // numbers: step, energy, penetration, separation
+
+/// A body as the film shows it.
+struct FilmBody {
+    std::string name;
+    double way = 0.0;  // m, the farthest from its first place
+};
+
+bool hasBox(const Course& course, std::size_t body) {
+    return body < course.extents.size() && course.extents[body].any();
+}
+
+double farthest(const Course& course, std::size_t body) {
+    double way = 0.0;
+    for (const CourseMoment& moment : course.moments) {
+        const Vec3 moved =
+            moment.poses[body].position - course.moments.front().poses[body].position;
+        const auto turned = static_cast<double>(moment.poses[body].rotation.angularDistance(
+            course.moments.front().poses[body].rotation));
+        const double extent = static_cast<double>(course.extents[body].norm());
+        way = std::max(way, static_cast<double>(moved.norm()) + turned * extent);
+    }
+    return way;
+}
+
+/// Of both runs, by name: the bodies that matter, then those that move farthest.
+std::vector<FilmBody> rankedBodies(const ReportCourses& courses,
+                                   const std::set<std::string>& matter) {
+    std::map<std::string, double> ways;
+    for (const Course* course : {&courses.actual, &courses.baseline})
+        for (std::size_t i = 0; i < course->bodies.size() && !course->moments.empty(); ++i)
+            if (hasBox(*course, i)) {
+                double& way = ways[course->bodies[i]];
+                way = std::max(way, farthest(*course, i));
+            }
+    std::vector<FilmBody> bodies;
+    for (const auto& [name, way] : ways) bodies.push_back({name, way});
+    const auto rank = [&](const FilmBody& b) { return std::pair(matter.contains(b.name), b.way); };
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [&](const FilmBody& a, const FilmBody& b) { return rank(a) > rank(b); });
+    return bodies;
+}
+
+bool moves(const FilmBody& body) { return body.way > 1e-6; }
+
+/// For each of the runs, out of `numbers` for it.
+int momentsFor(const std::vector<FilmBody>& bodies, long numbers) {
+    const auto moving = std::count_if(bodies.begin(), bodies.end(), moves);
+    const long still = (static_cast<long>(bodies.size()) - moving) * (kPose + kExtent);
+    const long fit = (numbers - kCurves - still) / std::max(1L, kPose * static_cast<long>(moving));
+    return static_cast<int>(std::clamp<long>(fit, kFewestMoments, kMostMoments));
+}
+
+std::set<std::string> shownBodies(const std::vector<FilmBody>& bodies, int moments, long numbers) {
+    std::set<std::string> shown;
+    long left = numbers - kCurves;
+    for (const FilmBody& body : bodies) {
+        const long cost = kExtent + kPose * (moves(body) ? moments : 1);
+        if (cost > left) continue;
+        left -= cost;
+        shown.insert(body.name);
+    }
+    return shown;
+}
+
+/// Evenly over the run, its ends among them, and the moment of `step`.
+std::vector<std::size_t> thinned(const Course& course, int count, int step) {
+    std::set<std::size_t> kept;
+    const std::size_t last = course.moments.size() - 1;
+    for (int i = 0; i < count; ++i)
+        kept.insert(last * static_cast<std::size_t>(i) / static_cast<std::size_t>(count - 1));
+    for (std::size_t i = 0; i <= last; ++i)
+        if (course.moments[i].step == step) kept.insert(i);
+    return {kept.begin(), kept.end()};
+}
+
+double reach(const Course& course) {
+    double largest = 0.0;
+    for (const CourseMoment& moment : course.moments)
+        for (const engine::Pose& pose : moment.poses)
+            if (pose.position.allFinite())
+                largest =
+                    std::max(largest, static_cast<double>(pose.position.cwiseAbs().maxCoeff()));
+    return largest;
+}
+
+/// Three digits are what a curve shows.
+Json rounded(double value) {
+    return std::isfinite(value) ? Json(std::stod(fmt::format("{:.4g}", value))) : Json(nullptr);
+}
+
+long counted(double value, double unit) {
+    return std::isfinite(value) ? std::lround(value / unit) : 0;
+}
+
+void addPose(Json& numbers, const engine::Pose& pose, double unit) {
+    for (int i = 0; i < 3; ++i)
+        numbers.push_back(counted(static_cast<double>(pose.position[i]), unit));
+    const double sign = std::signbit(pose.rotation.w()) ? -1.0 : 1.0;
+    for (int i = 0; i < 3; ++i)
+        numbers.push_back(counted(sign * static_cast<double>(pose.rotation.coeffs()[i]), 1e-3));
+}
+
+/// One pose of a body that stays where it is.
+Json posesOf(const Course& course, std::size_t body, const std::vector<std::size_t>& kept,
+             double unit) {
+    Json numbers = Json::array(), first = Json::array();
+    bool same = true;
+    for (const std::size_t moment : kept) {
+        Json pose = Json::array();
+        addPose(pose, course.moments[moment].poses[body], unit);
+        if (numbers.empty()) first = pose;
+        same = same && pose == first;
+        numbers.insert(numbers.end(), pose.begin(), pose.end());
+    }
+    return same ? first : numbers;
+}
+
+void addBodies(Json& json, const Course& course, const std::set<std::string>& shown,
+               const std::vector<std::size_t>& kept, double unit) {
+    for (std::size_t i = 0; i < course.bodies.size(); ++i) {
+        if (!hasBox(course, i) || !shown.contains(course.bodies[i])) continue;
+        Json extent = Json::array();
+        for (int axis = 0; axis < 3; ++axis)
+            extent.push_back(rounded(static_cast<double>(course.extents[i][axis])));
+        json["bodies"].push_back({{"name", course.bodies[i]},
+                                  {"extent", extent},
+                                  {"poses", posesOf(course, i, kept, unit)}});
+    }
+}
+
+/// The deepest and the farthest since the moment before: a peak between two is not lost.
+void addCurves(Json& json, const Course& course, int step) {
+    for (const char* key : {"steps", "energy", "penetration", "separation"})
+        json[key] = Json::array();
+    std::size_t next = 0;
+    for (const std::size_t i : thinned(course, kMostMoments, step)) {
+        double penetration = 0.0, separation = 0.0;
+        for (; next <= i; ++next) {
+            penetration = std::max(penetration, course.moments[next].penetration);
+            separation = std::max(separation, course.moments[next].separation);
+        }
+        json["steps"].push_back(course.moments[i].step);
+        json["energy"].push_back(rounded(course.moments[i].energy));
+        json["penetration"].push_back(rounded(penetration));
+        json["separation"].push_back(rounded(separation));
+    }
+}
+
+struct Thinning {
+    std::set<std::string> bodies;
+    int moments = kMostMoments;
+    int step = -1;      // a moment that is kept
+    double unit = 1.0;  // m
+};
+
+Json courseJson(const Course& course, const Thinning& thinning) {
+    if (course.moments.empty()) return nullptr;
+    Json json{{"hz", course.hz}, {"all_bodies", course.bodies.size()}, {"bodies", Json::array()}};
+    addCurves(json, course, thinning.step);
+    const std::vector<std::size_t> kept = thinned(course, thinning.moments, thinning.step);
+    json["pose_steps"] = Json::array();
+    for (const std::size_t i : kept) json["pose_steps"].push_back(course.moments[i].step);
+    addBodies(json, course, thinning.bodies, kept, thinning.unit);
+    return json;
+}
+
+Json vectorJson(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+}  // namespace
+
+Json filmOf(const ReportCourses& courses, const PhysicsVerdict& physics, long numbers) {
+    const bool had = !courses.baseline.moments.empty(), has = !courses.actual.moments.empty();
+    if (!had && !has) return nullptr;
+    const bool same = had && has && physics.kind == PhysicsVerdict::Kind::same;
+    const long share = had && has && !same ? numbers / 2 : numbers;
+    const std::vector<FilmBody> bodies = rankedBodies(courses, {physics.body, courses.follow});
+    Thinning thinning;
+    thinning.moments = momentsFor(bodies, share);
+    thinning.bodies = shownBodies(bodies, thinning.moments, share);
+    thinning.step = physics.step;
+    const double farthestPlace = std::max(reach(courses.baseline), reach(courses.actual));
+    thinning.unit = std::max(farthestPlace, 1e-3) / 32767.0;
+    return {{"from", vectorJson(courses.cameraFrom)},
+            {"look_at", vectorJson(courses.cameraLookAt)},
+            {"fov_deg", courses.fovDegrees},
+            {"follow", courses.follow},
+            {"unit", thinning.unit},
+            {"same", same},
+            {"baseline", same ? Json(nullptr) : courseJson(courses.baseline, thinning)},
+            {"actual", courseJson(courses.actual, thinning)}};
+}
+
+}  // namespace demos

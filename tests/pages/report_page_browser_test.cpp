@@ -1,0 +1,291 @@
+// The report in a browser: every mode, the keys, the command, the colours on the screen, no
+// request.
+#include <cmath>
+
+#include "demos/regression/report_page.h"
+#include "render/difference.h"
+#include "tests/pages/browser.h"
+#include "tests/support/planted_report.h"
+
+namespace {
+
+using namespace demos;
+using support::Browser;
+using support::Opened;
+using Kind = PictureVerdict::Kind;
+using State = SceneVerdict::State;
+
+constexpr int kWidth = 320, kHeight = 180;            // pixels
+constexpr int kLeft = 200, kTop = 40, kSide = 40;     // of the square that differs
+constexpr std::uint8_t kGround = 100, kSquare = 220;  // levels
+
+/// Two scenes, "first" with two pictures that differ and physics, "second" without a baseline.
+class ReportInBrowser : public testing::Test {
+protected:
+    ReportInBrowser() {
+        render::Image before = support::flatImage(kWidth, kHeight, kGround), after = before;
+        support::paintSquare(after, kLeft, kTop, kSide, kSquare);
+        const std::string a = support::saved(folder_ / "a.png", before),
+                          b = support::saved(folder_ / "b.png", after);
+        SceneVerdict first = support::plantedScene("first", State::failed);
+        first.title = "<img src=http://127.0.0.1:9/title.png onerror=alert(1)>";
+        first.physics.kind = PhysicsVerdict::Kind::changed;
+        first.physics.step = 30;
+        first.physics.lines = {"step 30: body1 is too low"};
+        for (const double time : {0.5, 1.0}) {
+            first.pictures.push_back(support::plantedPicture(time, Kind::changed, a, b));
+            first.pictures.back().difference = render::compare(before, after);
+        }
+        SceneVerdict second = support::plantedScene("it's new", State::failed);
+        second.physics.kind = PhysicsVerdict::Kind::unknown;
+        second.pictures = {support::plantedPicture(2.0, Kind::added, "", b)};
+        verdict_.scenes = {first, second};
+        courses_.resize(1);
+        courses_[0].baseline = support::fallingBodies(3, 61, 1.0);
+        courses_[0].actual = support::fallingBodies(3, 61, 1.2);
+    }
+
+    std::string page(long bytes = 9'500'000) const {
+        return reportPage(verdict_, courses_, folder_.path(), bytes);
+    }
+    Opened open(const std::string& hash, const std::string& driver = "") const {
+        return browser_.open(page(), hash, driver);
+    }
+
+    support::TemporaryFolder folder_;
+    Browser browser_{folder_};
+    TestVerdict verdict_;
+    std::vector<ReportCourses> courses_;
+};
+
+/// Steps of a driver, each after the page has come to rest; what they tell comes into the DOM.
+std::string driver(const std::string& steps) {
+    return R"js(
+const told = document.createElement("pre");
+told.id = "told";
+document.body.append(told);
+const tell = (text) => { told.textContent += `[${text}]`; };
+const byId = (id) => document.getElementById(id);
+const rest = () => new Promise((go) => setTimeout(go, 60));
+const key = async (name, shiftKey = false) => {
+  document.body.dispatchEvent(new KeyboardEvent("keydown", { key: name, shiftKey, bubbles: true }));
+  await rest();
+};
+const link = async (hash) => { location.hash = hash; await rest(); };
+(async () => {
+  while (!document.body.dataset.ready) await rest();
+)js" + steps +
+           "})();";
+}
+
+std::string told(const Opened& opened) {
+    const std::string mark = "<pre id=\"told\">";
+    const std::size_t begin = opened.dom.find(mark);
+    if (begin == std::string::npos) return "nothing was told";
+    const std::size_t text = begin + mark.size();
+    return opened.dom.substr(text, opened.dom.find("</pre>", text) - text);
+}
+
+TEST_F(ReportInBrowser, DrawsEveryModeByLinkAndByKey) {
+    const Opened opened = open("", driver(R"js(
+  for (let mode = 1; mode <= 9; ++mode) {
+    await link(`scene=first&t=1&mode=${mode}`);
+    tell(document.body.dataset.drawn);
+  }
+  await link("scene=first&t=0.5");
+  for (const mode of "987654321") await key(mode);
+  tell(document.querySelector("#modes .on").textContent + " " + location.hash.includes("mode=1"));
+)js"));
+    std::string expected;
+    for (int mode = 1; mode <= 9; ++mode) expected += "[" + std::to_string(mode) + " first@1]";
+    EXPECT_EQ(told(opened), expected + "[1 Side by side true]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+    EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
+}
+
+TEST_F(ReportInBrowser, SaysPhysicsInWordsAndListsByState) {
+    const Opened opened = open("", driver(R"js(
+  tell([...document.querySelectorAll("#list details")].map((d) => d.dataset.group).join());
+  tell(byId("physics").textContent.slice(0, 25));
+  tell(document.querySelector("#head .title").textContent.slice(0, 9));
+  const words = byId("verdict"), pictures = byId("pictures");
+  tell(Boolean(words.compareDocumentPosition(pictures) & Node.DOCUMENT_POSITION_FOLLOWING));
+)js"));
+    EXPECT_EQ(told(opened), "[Changed,New][step 30: body1 is too low][&lt;img src=][true]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+}
+
+TEST_F(ReportInBrowser, TheCommandGrowsAsOneAccepts) {
+    const Opened opened = open("scene=first&t=0.5", driver(R"js(
+  const say = () => tell(byId("command").textContent.replace(/--results \S+/, "--results DIR"));
+  await key("a"); say();
+  await key("p"); say();
+  await key("j"); await key("a"); say();
+  await key("n"); await key("A", true); say();
+  await key("a"); say();
+  tell(new URLSearchParams(location.hash.slice(1)).getAll("accept").join());
+)js"));
+    const std::string command = "[impulse approve --results DIR ";
+    EXPECT_EQ(told(opened), command + "first@0.5]" + command + "first@physics first@0.5]" +
+                                command + "first]" + command + "first 'it'\\''s new']" + command +
+                                "first][first]");
+}
+
+TEST_F(ReportInBrowser, ABrokenContractCannotBeAccepted) {
+    verdict_.scenes[0].expectations.push_back({"drift below 1 m", 2.0, "m", false, "it stands"});
+    verdict_.scenes[1].settings.push_back({"world.hz", "60", "120"});
+    const Opened opened = open("scene=first&t=0.5", driver(R"js(
+  await key("a"); await key("p"); await key("A", true);
+  tell(byId("command").textContent.startsWith("impulse"));
+  tell(byId("expectations").open);
+  await key("n"); await key("a");  // the least that a scene without a baseline has
+  tell(byId("command").textContent.replace(/--results \S+/, "--results DIR"));
+)js"));
+    EXPECT_EQ(told(opened), "[false][true][impulse approve --results DIR 'it'\\''s new']");
+}
+
+TEST_F(ReportInBrowser, BlinksByHandAndDrawsBothRuns) {
+    const Opened opened = open("scene=first&t=1&mode=3", driver(R"js(
+  const middle = () => {
+    const canvas = byId("canvas"), zoom = canvas.height / 180;
+    const x = canvas.width / 2 + (220 - 160) * zoom, y = 60 * zoom;
+    return canvas.getContext("2d").getImageData(Math.round(x), Math.round(y), 1, 1).data[0];
+  };
+  await key("b");
+  const once = middle();
+  await key("b");
+  tell([once, middle()].sort().join());
+  const drawn = byId("film-canvas"), bytes = drawn.getContext("2d")
+    .getImageData(0, 0, drawn.width, drawn.height).data;
+  let blue = 0, orange = 0;
+  for (let i = 0; i < bytes.length; i += 4) {
+    if (bytes[i + 3] > 200 && bytes[i] > bytes[i + 2] + 80) ++orange;
+    if (bytes[i + 3] > 200 && bytes[i + 2] > bytes[i] + 80) ++blue;
+  }
+  tell(`${blue > 50} ${orange > 50}`);
+)js"));
+    EXPECT_EQ(told(opened), "[100,220][true true]");
+}
+
+TEST_F(ReportInBrowser, GoesToTheWorstWindowTheFirstStepAndThePixel) {
+    const Opened opened = open("scene=first&t=1&mode=8&at=210,50", driver(R"js(
+  tell([...document.querySelectorAll("#readout code")].map((c) => c.textContent.trim()).join());
+  tell(byId("loupe").hidden);
+  await key("w");
+  tell(location.hash.includes("w=1") + " " + byId("readout").textContent.endsWith("800 %"));
+  await key("d");
+  tell(byId("film-now").textContent);
+  await key(".");
+  tell(byId("film-now").textContent);
+  await key("?");
+  tell(byId("help").open);
+)js"));
+    EXPECT_EQ(told(opened),
+              "[210, 50,100 100 100,220 220 220,+120 +120 +120]"
+              "[false][true true][0.500 s, step 30][0.517 s, step 31][true]")
+        << told(opened);
+}
+
+struct Rect {
+    double left, top, width, height;  // pixels of the screenshot
+};
+
+Rect stageOf(const Opened& opened) {
+    std::istringstream numbers(told(opened).substr(1));
+    Rect rect{};
+    numbers >> rect.left >> rect.top >> rect.width >> rect.height;
+    return rect;
+}
+
+/// The browser makes its window higher for the screenshot, after the driver has run: the stage is
+/// given a height and a place that do not depend on the window's.
+const std::string kStage = driver(R"js(
+  byId("stage").style.height = "300px";
+  byId("scene").scrollTop = 0;
+  await rest();
+  const r = byId("canvas").getBoundingClientRect();
+  tell(`${r.left} ${r.top} ${r.width} ${r.height}`);
+)js");
+
+/// Of the screen where a pixel of the picture is, the picture fitted to the stage.
+const std::uint8_t* screenAt(const Opened& opened, double x, double y) {
+    const Rect stage = stageOf(opened);
+    const double zoom = std::min(stage.width / kWidth, stage.height / kHeight);
+    return opened.screenshot.at(
+        static_cast<int>(stage.left + stage.width / 2 + (x - 0.5 * kWidth) * zoom),
+        static_cast<int>(stage.top + stage.height / 2 + (y - 0.5 * kHeight) * zoom));
+}
+
+constexpr double kInX = kLeft + 0.5 * kSide, kInY = kTop + 0.5 * kSide;  // of the square
+constexpr double kOutX = 60, kOutY = 150;
+
+std::vector<int> colorAt(const Opened& opened, double x, double y) {
+    const std::uint8_t* pixel = screenAt(opened, x, y);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST_F(ReportInBrowser, TheHeatMapIsBrightWhereTheSquareIs) {
+    const Opened opened = open("scene=first&t=1&mode=7", kStage);
+    ASSERT_EQ(opened.screenshot.width, 1400);
+    // 100 and 220 are L* 42.37 and 87.77; green to blue is 203.3: (45.40 / 203.3)^0.7 = 0.350,
+    // which the knee makes 0.350 * 0.95 / 0.4 = 0.831, on the map {254, 202, 143}.
+    const std::vector<int> inside = colorAt(opened, kInX, kInY);
+    EXPECT_NEAR(inside[0], 254, 2);
+    EXPECT_NEAR(inside[1], 202, 2);
+    EXPECT_NEAR(inside[2], 143, 2);
+    EXPECT_EQ(colorAt(opened, kOutX, kOutY), (std::vector<int>{0, 0, 4}));
+    // Its first column is blurred to L* 77.96, 0.701 on the scale, and Sobel's gradient is 0.234:
+    // 0.701^(1 - sqrt(0.234 / sqrt 2)) = 0.810, a green of 195; without the edge it were 143.
+    EXPECT_NEAR(colorAt(opened, kLeft + 0.5, kInY)[1], 195, 4);
+}
+
+TEST_F(ReportInBrowser, DifferenceAndSignShowTheSquareAlone) {
+    const Opened red = open("scene=first&t=1&mode=5", kStage);
+    EXPECT_EQ(colorAt(red, kInX, kInY), (std::vector<int>{214, 32, 32}));
+    EXPECT_EQ(colorAt(red, kOutX, kOutY), (std::vector<int>{215, 215, 215}));
+    const Opened sign = open("scene=first&t=1&mode=6", kStage);
+    EXPECT_EQ(colorAt(sign, kInX, kInY), (std::vector<int>{255, 255, 255}));
+    EXPECT_EQ(colorAt(sign, kOutX, kOutY), (std::vector<int>{128, 128, 128}));
+}
+
+TEST_F(ReportInBrowser, TheSliderHasTheActualOnItsRight) {
+    const Opened opened = open("scene=first&t=1&mode=2", kStage);
+    EXPECT_EQ(colorAt(opened, kInX, kInY)[0], kSquare);
+    const Opened moved = open("scene=first&t=1&mode=2", kStage + R"js(
+for (let i = 0; i < 9; ++i)
+  document.body.dispatchEvent(new KeyboardEvent("keydown", { key: "]", bubbles: true }));
+)js");
+    EXPECT_EQ(colorAt(moved, kInX, kInY)[0], kGround);
+}
+
+TEST_F(ReportInBrowser, ShowsLinkedPicturesAndSaysSo) {
+    const Opened opened = browser_.open(page(0), "scene=first&t=1&mode=9", kStage);
+    EXPECT_EQ(colorAt(opened, kInX, kInY)[0], kSquare);
+    EXPECT_NE(opened.dom.find("2 pictures are linked, not embedded"), std::string::npos);
+    const Opened heat = browser_.open(page(0), "scene=first&t=1&mode=7",
+                                      driver("tell(document.body.dataset.drawn);"
+                                             "tell(byId('note').hidden);"));
+    EXPECT_EQ(told(heat), "[9 first@1][false]");
+}
+
+TEST_F(ReportInBrowser, SaysWhatIsMissing) {
+    std::filesystem::remove(folder_ / "a.png");
+    const Opened opened = open("scene=first&t=1&mode=7", driver("tell(byId('note').textContent);"));
+    EXPECT_EQ(told(opened), "[no baseline: nothing to compare with]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+}
+
+const std::string kAsks = "new Image().src = 'http://127.0.0.1:9/asked.png';";
+
+TEST_F(ReportInBrowser, NothingCanBeAskedForAndItWouldBeSeen) {
+    const Opened refused = open("", kAsks);
+    ASSERT_FALSE(refused.console.empty());
+    EXPECT_NE(refused.console.front().find("Content Security Policy"), std::string::npos);
+    EXPECT_TRUE(refused.requests.empty()) << refused.requests.front();
+    std::string without = page();
+    const std::size_t policy = without.find("Content-Security-Policy");
+    without.replace(policy, 3, "Non");
+    EXPECT_FALSE(browser_.open(without, "", kAsks).requests.empty());
+}
+
+}  // namespace
