@@ -15,6 +15,7 @@ enum class Command {
     plot,
     compare,
     sweep,
+    exports,  // export is a word of the language
     test,
     approve,
     list,
@@ -32,7 +33,7 @@ struct Options {
     std::vector<std::string> scenes;     // built-in names or paths; one, except for bench, test
     std::vector<std::string> overrides;  // "world.hz=240"
 
-    // render, still; outputs, size and theme of plot too
+    // render, still; outputs, size and theme of plot too, outputs and fps of export
     std::vector<std::string> outputs;  // patterns; empty = the default
     std::string quality = "medium";
     std::optional<PictureSize> size;
@@ -40,7 +41,7 @@ struct Options {
     std::optional<int> samples;
     std::optional<int> blur;        // moments a frame is the mean of
     std::optional<double> shutter;  // open for so much of a frame, 0..1
-    std::optional<double> seconds;  // length; also of sim, plot and bench
+    std::optional<double> seconds;  // length; also of sim, plot, export and bench
     std::vector<std::string> show;  // overlays, added to the scene's
     std::string theme;              // empty = the scene's
     std::string colorBy;            // empty = the scene's

@@ -31,6 +31,8 @@ Exit perform(const Options& options) {
             return compareCommand(options);
         case Command::sweep:
             return sweepCommand(options);
+        case Command::exports:
+            return exportCommand(options);
         case Command::test:
             return options.selfTest ? selfTestCommand(options) : testCommand(options);
         case Command::approve:

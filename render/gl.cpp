@@ -1,10 +1,10 @@
 #include "render/gl.h"
 
-#include <cmath>
 #include <sstream>
 
 #include "render/context_kinds.h"
 #include "render/error.h"
+#include "render/linear.h"
 #include "render/shaders.h"
 
 namespace render {
@@ -136,13 +136,6 @@ void setUniform(GLuint program, const char* name, const Vec3& value) {
 }
 void setUniform(GLuint program, const char* name, const Eigen::Matrix4f& value) {
     glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, value.data());
-}
-
-Vec3 linear(const Color& color) {
-    const auto decode = [](float s) {
-        return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-    };
-    return {decode(color.r), decode(color.g), decode(color.b)};
 }
 
 void setColorUniform(GLuint program, const char* name, const Color& color) {

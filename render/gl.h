@@ -65,9 +65,7 @@ void setUniform(GLuint program, const char* name, float value);
 void setUniform(GLuint program, const char* name, float x, float y);
 void setUniform(GLuint program, const char* name, const Vec3& value);
 void setUniform(GLuint program, const char* name, const Eigen::Matrix4f& value);
-/// sRGB to linear, in which light adds up.
 void setColorUniform(GLuint program, const char* name, const Color& color);
-Vec3 linear(const Color& color);
 
 /// Three corners without a buffer: a triangle that covers the picture.
 void drawFullScreen(GLuint emptyArray);

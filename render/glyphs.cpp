@@ -23,6 +23,27 @@
 #pragma GCC diagnostic pop
 
 namespace render {
+
+std::vector<int> codepoints(const std::string& text) {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i++]);
+        const int more = first < 0x80       ? 0
+                         : first >> 5 == 6  ? 1
+                         : first >> 4 == 14 ? 2
+                         : first >> 3 == 30 ? 3
+                                            : -1;
+        int code = more <= 0 ? first : first & (0x3f >> more);
+        bool whole = more >= 0;
+        for (int k = 0; k < more && whole; ++k) {
+            whole = i < text.size() && (static_cast<unsigned char>(text[i]) >> 6) == 2;
+            if (whole) code = code << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
+        }
+        result.push_back(whole && code >= 32 ? code : '?');
+    }
+    return result;
+}
+
 namespace {
 
 struct Bitmap {
@@ -92,27 +113,6 @@ private:
 Font& font() {
     static Font theFont;
     return theFont;
-}
-
-/// The code points of UTF-8; a broken byte becomes a question mark.
-std::vector<int> codepoints(const std::string& text) {
-    std::vector<int> result;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i++]);
-        const int more = first < 0x80       ? 0
-                         : first >> 5 == 6  ? 1
-                         : first >> 4 == 14 ? 2
-                         : first >> 3 == 30 ? 3
-                                            : -1;
-        int code = more <= 0 ? first : first & (0x3f >> more);
-        bool whole = more >= 0;
-        for (int k = 0; k < more && whole; ++k) {
-            whole = i < text.size() && (static_cast<unsigned char>(text[i]) >> 6) == 2;
-            if (whole) code = code << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
-        }
-        result.push_back(whole && code >= 32 ? code : '?');
-    }
-    return result;
 }
 
 /// Calls draw(code, glyph, x) for every glyph of a line, and returns where the line ends.

@@ -2,6 +2,7 @@
 /// ground. Both are made once for every letter and size.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "render/frame.h"
 #include "render/image.h"
@@ -12,6 +13,9 @@ constexpr int kSmallestText = 11;  // pixels of cap-to-descender height; smaller
 
 /// Width in pixels that a line of text takes at a cap-to-descender height of `pixels`.
 float textWidth(const std::string& text, float pixels);
+
+/// Of UTF-8; a broken byte, or one of control, is a question mark.
+std::vector<int> codepoints(const std::string& text);
 
 /// From the top of a line to its baseline: pixels.
 float textAscent(int pixels);

@@ -1,4 +1,4 @@
-/// Box, ball and bar as triangles, and the instances of a frame that are drawn with all meshes.
+/// The instances of a frame, and all meshes that they are drawn with.
 #pragma once
 #include <array>
 #include <memory>
@@ -8,11 +8,6 @@
 #include "render/solid_mesh.h"
 
 namespace render {
-
-std::vector<Vertex> boxMesh();
-/// Of so many corners around; a multiple of 4.
-std::vector<Vertex> ballMesh(int corners);
-std::vector<Vertex> barMesh();
 
 /// Corners around what is round, from small pictures of it to large ones: a third of a pixel off.
 inline constexpr std::array<int, 4> kBallCorners = {16, 28, 44, 64};

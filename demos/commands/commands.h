@@ -13,6 +13,7 @@ Exit simCommand(const Options& options);
 Exit plotCommand(const Options& options);
 Exit compareCommand(const Options& options);
 Exit sweepCommand(const Options& options);
+Exit exportCommand(const Options& options);
 Exit testCommand(const Options& options);
 Exit selfTestCommand(const Options& options);  // of test
 Exit approveCommand(const Options& options);

@@ -6,6 +6,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
+#include "demos/export/pose_table.h"
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
@@ -29,7 +30,7 @@ struct Tables {
         : energies(
               options.csv,
               "time,energy,kinetic,potential,contacts,penetration_max,separation_max,residual"),
-          bodies(options.bodies, "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"),
+          bodies(options.bodies, kPoseColumns),
           joints(options.joints, "time,joint,separation,force,torque,position,speed,broken"),
           contacts(options.contacts, "time,a,b,x,y,z,nx,ny,nz,penetration,impulse,friction"),
           sweeps(options.sweeps, options.exact ? "time,sweep,residual,delta,distance"
@@ -51,14 +52,8 @@ void addEnergies(const Stage& stage, double time, Table& table) {
 }
 
 void addBodies(const Stage& stage, double time, Table& table) {
-    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
-        const engine::Pose& pose = stage.world.pose(stage.bodies[i]);
-        const Quat& q = pose.rotation;
-        table.cell(time).cell(stage.scene.bodies[i].name).cells(pose.position);
-        table.cell(q.w()).cell(q.x()).cell(q.y()).cell(q.z());
-        table.cells(stage.world.velocity(stage.bodies[i])).cells(stage.world.spin(stage.bodies[i]));
-        table.endRow();
-    }
+    for (std::size_t i = 0; i < stage.bodies.size(); ++i)
+        addPoseRow(time, stage.scene.bodies[i].name, motionOf(stage, i), table);
 }
 
 /// The first coordinate that is free.
@@ -121,10 +116,7 @@ void writeAll(const Tables& tables, const Talk& talk) {
 bool checkTargets(const Tables& tables, const Options& options) {
     std::vector<fs::path> seen;
     const auto add = [&](const std::string& target, const char* what) {
-        std::error_code ignored;
-        const fs::path path =
-            target == "-" ? fs::path("-")
-                          : fs::weakly_canonical(fs::absolute(target, ignored), ignored);
+        const fs::path path = placeOf(target);
         if (std::find(seen.begin(), seen.end(), path) != seen.end())
             throw Stop(Exit::usage, fmt::format("{} for '{}'; give each its own file", what,
                                                 printable(target)));

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
 
 #include "demos/film/outputs.h"
 #include "demos/scene/complaints.h"
@@ -52,6 +51,12 @@ void writeResult(const std::string& target, std::span<const std::uint8_t> bytes)
     }
     makeFolder(std::filesystem::path(target).parent_path());
     render::writeFileAtomically(target, bytes);
+}
+
+std::filesystem::path placeOf(const std::string& target) {
+    if (target == "-") return target;
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target, ignored), ignored);
 }
 
 void checkFree(const std::string& target, bool overwrite) {

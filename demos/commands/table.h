@@ -1,6 +1,7 @@
 /// Tables of numbers, and where results go.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ public:
     }
     void endRow();
     long rows() const { return rows_; }
+    const std::string& text() const { return text_; }
     /// To its target, whole or not at all. Throws render::Error.
     void write() const;
 
@@ -35,6 +37,9 @@ private:
 
 /// A file (written whole or not at all, its folder made) or "-". Throws render::Error.
 void writeResult(const std::string& target, std::span<const std::uint8_t> bytes);
+
+/// The same for two names of one file, which need not be there; "-" stays as it is.
+std::filesystem::path placeOf(const std::string& target);
 
 /// Throws Stop (wouldOverwrite) when the file is there.
 void checkFree(const std::string& target, bool overwrite);

@@ -33,10 +33,9 @@ double wayBetween(const engine::Pose& a, const engine::Pose& b, double reach) {
     return (a.position - b.position).norm() + a.rotation.angularDistance(b.rotation) * reach;
 }
 
-/// A sensor lets through what is behind it.
 void addSolid(const Stage& stage, std::size_t i, render::Color color, render::Frame& frame) {
     const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
-    if (def.sensor) color.a = kDensest;
+    if (def.sensor) color.a = kSensorAlpha;
     place(stage.drawn[i], stage.world.pose(stage.bodies[i]), color, static_cast<int>(i),
           def.sensor ? frame.ghosts : frame.solids);
 }

@@ -8,7 +8,6 @@
 namespace demos {
 namespace {
 
-constexpr int kTurns = 9, kPerTurn = 10;
 constexpr float kStraight = 0.12f;  // of the length, at either end
 constexpr float kWide = 0.09f;      // of the length at rest: the coil's radius
 constexpr float kThick = 0.15f;     // of that radius: the wire's
@@ -31,9 +30,9 @@ void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int i
         frame.rods.push_back({last, next, kThick * radius, render::jointColor(), id});
         last = next;
     };
-    for (int i = 0; i <= kTurns * kPerTurn; ++i) {
-        const float share = static_cast<float>(i) / (kTurns * kPerTurn);
-        const float angle = 6.28318530718f * kTurns * share;
+    for (int i = 0; i <= kCoilTurns * kRodsPerTurn; ++i) {
+        const float share = static_cast<float>(i) / (kCoilTurns * kRodsPerTurn);
+        const float angle = 6.28318530718f * kCoilTurns * share;
         go(from + (kStraight + (1.0f - 2.0f * kStraight) * share) * way +
            radius * (std::cos(angle) * across + std::sin(angle) * third));
     }

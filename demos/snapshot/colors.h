@@ -11,6 +11,8 @@ namespace demos {
 
 struct History;
 
+inline constexpr float kSensorAlpha = 0.34f;  // a sensor lets through what is behind it
+
 /// By body: m/s for "speed"; N s for "impulse", the sum along the normals in the last step. Empty
 /// for colourings without a scale. Fixed bodies have the value -1.
 std::vector<double> colorValues(const Stage& stage, const std::string& colorBy);

@@ -193,6 +193,7 @@ TEST(SetOption, IsTakenByEveryCommandThatPlaysAScene) {
         {"strip", "stack"},
         {"sim", "stack"},
         {"plot", "stack"},
+        {"export", "stack"},
         {"bench", "stack"},
         {"compare", "stack", "--vary", "solver.nudges=0,4"},
         {"sweep", "stack", "--over", "solver.sweeps=1,2"}};

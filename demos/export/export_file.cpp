@@ -1,0 +1,84 @@
+#include "demos/export/export_file.h"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "demos/export/glb_scene.h"
+#include "demos/export/npz.h"
+#include "demos/export/pose_table.h"
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+constexpr std::pair<const char*, ExportKind> kEndings[] = {{".glb", ExportKind::glb},
+                                                           {".csv", ExportKind::csv},
+                                                           {".npz", ExportKind::npz},
+                                                           {".json", ExportKind::events}};
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(name), what));
+}
+
+ExportFile fileOf(const std::string& name) {
+    if (name.find('\0') != std::string::npos) refuse(name, "a name holds no NUL");
+    for (const auto& [ending, kind] : kEndings)
+        if (name.ends_with(ending)) return {kind, name};
+    refuse(name, "the ending says what is written; known are: .glb .csv .npz .json");
+}
+
+/// What a model is made of besides its own file.
+void spareSources(const std::string& name, const SceneDescription& scene) {
+    for (const std::string& source : scene.files) {
+        std::error_code neither;  // one of them is no file
+        if (std::filesystem::equivalent(name, source, neither))
+            refuse(name, "the scene reads this file; write to another one");
+    }
+}
+
+std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
+
+std::vector<std::uint8_t> contentOf(const ExportFile& file, const Stage& stage,
+                                    const Trajectory& trajectory) {
+    switch (file.kind) {
+        case ExportKind::glb:
+            return glbOf(stage, trajectory);
+        case ExportKind::csv:
+            return bytesOf(poseTable(file.name, stage, trajectory).text());
+        case ExportKind::npz:
+            return npzOf(stage, trajectory);
+        case ExportKind::events:
+            break;
+    }
+    return bytesOf(eventsJson(trajectory.events, stage) + "\n");
+}
+
+}  // namespace
+
+std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescription& scene) {
+    std::vector<std::string> names = options.outputs;
+    if (names.empty()) names = {"output/" + scene.name + ".glb"};
+    std::vector<ExportFile> files;
+    for (const std::string& name : names) {
+        const ExportFile file = fileOf(name);
+        for (const ExportFile& other : files)
+            if (placeOf(other.name) == placeOf(name))
+                refuse(name, "another --output goes there already");
+        spareSources(name, scene);
+        files.push_back(file);
+    }
+    for (const ExportFile& file : files) checkFree(file.name, options.overwrite);
+    return files;
+}
+
+std::size_t writeExport(const ExportFile& file, const Stage& stage, const Trajectory& trajectory) {
+    const std::vector<std::uint8_t> content = contentOf(file, stage, trajectory);
+    writeResult(file.name, content);
+    return content.size();
+}
+
+}  // namespace demos

@@ -1,0 +1,47 @@
+#include "demos/export/glb_meshes.h"
+
+#include <array>
+
+#include "render/linear.h"
+
+namespace demos {
+
+int GlbMeshes::materialOf(const render::Color& color) {
+    constexpr float kRoughness = 0.6f;  // between paint and plastic, as the renderer's light
+    const auto [place, isNew] = byColor_.try_emplace({color.r, color.g, color.b, color.a},
+                                                     static_cast<int>(materials_.size()));
+    if (!isNew) return place->second;
+    const render::Vec3 light = render::linear(color);
+    GlbJson& material = materials_.emplace_back();
+    material["pbrMetallicRoughness"] = {
+        {"baseColorFactor", {light.x(), light.y(), light.z(), color.a}},
+        {"metallicFactor", 0.0},
+        {"roughnessFactor", kRoughness}};
+    if (color.a < 1.0f) material["alphaMode"] = "BLEND";
+    return place->second;
+}
+
+const std::pair<int, GlbMeshes::Accessors>& GlbMeshes::shared(const Triangles& triangles) {
+    const auto known = shared_.find(triangles);
+    if (known != shared_.end()) return known->second;
+    const Accessors accessors{
+        buffer_.addPositions(triangles.positions), buffer_.addNormals(triangles.normals),
+        buffer_.addCorners(triangles.corners, triangles.positions.size() / 3)};
+    const auto number = static_cast<int>(shared_.size());
+    return shared_.emplace(triangles, std::pair(number, accessors)).first->second;
+}
+
+int GlbMeshes::meshOf(const Triangles& triangles, int material) {
+    const auto& [number, accessors] = shared(triangles);
+    const auto [place, isNew] =
+        byParts_.try_emplace({number, material}, static_cast<int>(meshes_.size()));
+    if (!isNew) return place->second;
+    GlbJson primitive;
+    primitive["attributes"] = {{"POSITION", accessors.positions}, {"NORMAL", accessors.normals}};
+    primitive["indices"] = accessors.corners;
+    primitive["material"] = material;
+    meshes_.push_back({{"primitives", GlbJson::array({std::move(primitive)})}});
+    return place->second;
+}
+
+}  // namespace demos

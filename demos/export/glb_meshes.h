@@ -1,0 +1,38 @@
+/// Materials and meshes of a .glb, each once: what has the same triangles shares them.
+#pragma once
+#include <map>
+#include <utility>
+
+#include "demos/export/glb_buffer.h"
+#include "demos/export/triangles.h"
+
+namespace demos {
+
+class GlbMeshes {
+public:
+    explicit GlbMeshes(GlbBuffer& buffer) : buffer_(buffer) {}
+
+    /// The number of a material; see-through where the colour is.
+    int materialOf(const render::Color& color);
+    /// The number of a mesh.
+    int meshOf(const Triangles& triangles, int material);
+
+    /// What a file's `materials` and `meshes` are.
+    const GlbJson& materials() const { return materials_; }
+    const GlbJson& meshes() const { return meshes_; }
+
+private:
+    /// The accessors of triangles.
+    struct Accessors {
+        int positions, normals, corners;
+    };
+    const std::pair<int, Accessors>& shared(const Triangles& triangles);
+
+    GlbBuffer& buffer_;
+    GlbJson materials_ = GlbJson::array(), meshes_ = GlbJson::array();
+    std::map<std::array<float, 4>, int> byColor_;
+    std::map<Triangles, std::pair<int, Accessors>> shared_;
+    std::map<std::pair<int, int>, int> byParts_;  // triangles and material
+};
+
+}  // namespace demos

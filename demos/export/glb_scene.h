@@ -1,0 +1,15 @@
+/// A run as binary glTF 2.0: metres, seconds, y up, as the engine has them.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "demos/export/trajectory.h"
+
+namespace demos {
+
+/// A node a body, with its name; grounds as squares of 40 m; the camera and the sun. Bodies and
+/// camera move as in the frames, straight from one to the next. Throws render::Error where it would
+/// have more than 4 GiB.
+std::vector<std::uint8_t> glbOf(const Stage& stage, const Trajectory& trajectory);
+
+}  // namespace demos

@@ -1,0 +1,13 @@
+/// A run as arrays for numpy: np.load(FILE) gives them by name.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "demos/export/trajectory.h"
+
+namespace demos {
+
+/// F frames, B bodies, C contact points of all frames. Throws render::Error as zipOf().
+std::vector<std::uint8_t> npzOf(const Stage& stage, const Trajectory& trajectory);
+
+}  // namespace demos

@@ -1,0 +1,16 @@
+/// Poses and velocities as a table, a row a time and body: of `impulse export` and `impulse sim`.
+#pragma once
+#include "demos/commands/table.h"
+#include "demos/export/trajectory.h"
+
+namespace demos {
+
+/// s; a name; m; a rotation as w x y z; m/s; rad/s.
+inline constexpr const char* kPoseColumns = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
+
+void addPoseRow(double time, const std::string& body, const BodyMotion& motion, Table& table);
+
+/// All frames of a run, for `target`.
+Table poseTable(const std::string& target, const Stage& stage, const Trajectory& trajectory);
+
+}  // namespace demos

@@ -1,0 +1,27 @@
+/// A drawn solid as triangles of shared vertices: what the renderer shows, for other programs.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "render/frame.h"
+
+namespace demos {
+
+struct Triangles {
+    std::vector<float> positions, normals;  // three a vertex; normals of length 1
+    std::vector<std::uint32_t> corners;     // three a triangle, counter-clockwise from outside
+
+    auto operator<=>(const Triangles&) const = default;
+};
+
+/// Of a solid divided by `scaleOf(solid)`: the same for all boxes, balls, cylinders and cones. A
+/// capsule and a mesh are in metres.
+Triangles trianglesOf(const render::Solid& solid);
+
+/// m along the solid's axes; 1 where only the shape itself will do.
+render::Vec3 scaleOf(const render::Solid& solid);
+
+/// From -1 to 1 in x and z, seen from above.
+Triangles squareTriangles();
+
+}  // namespace demos

@@ -1,0 +1,86 @@
+// APPNOTE.TXT of PKWARE, 4.3: every entry is a header and its deflated bytes; a directory repeats
+// the headers with their offsets, and a record at the end says where it is. libdeflate, which packs
+// the pictures, has what is hard about that; libzip would be one more dependency and as many lines.
+#include "demos/export/zip.h"
+
+#include <libdeflate.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Little-endian, `size` bytes.
+void put(Bytes& out, std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+std::uint32_t narrow(std::size_t value) {
+    if (value > std::numeric_limits<std::uint32_t>::max())
+        throw render::Error("an archive of more than 4 GiB; fewer frames (--fps, --seconds) fit");
+    return static_cast<std::uint32_t>(value);
+}
+
+Bytes deflated(const Bytes& bytes) {
+    constexpr int kLevel = 6;  // of 12, the library's default
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+        libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
+    if (!compressor) throw std::bad_alloc();
+    Bytes out(libdeflate_deflate_compress_bound(compressor.get(), bytes.size()));
+    out.resize(libdeflate_deflate_compress(compressor.get(), bytes.data(), bytes.size(), out.data(),
+                                           out.size()));
+    return out;
+}
+
+/// What an entry's header and its line in the directory have in common.
+Bytes describe(const ZipEntry& entry, std::size_t packedSize) {
+    constexpr std::uint32_t kVersion20 = 20, kUtf8 = 0x800, kDeflate = 8, kFirstOf1980 = 0x21;
+    Bytes out;
+    for (const std::uint32_t word : {kVersion20, kUtf8, kDeflate, 0u, kFirstOf1980})
+        put(out, word, 2);
+    put(out, libdeflate_crc32(0, entry.bytes.data(), entry.bytes.size()), 4);
+    put(out, narrow(packedSize), 4);
+    put(out, narrow(entry.bytes.size()), 4);
+    put(out, static_cast<std::uint32_t>(entry.name.size()), 2);
+    put(out, 0, 2);  // no extra fields
+    return out;
+}
+
+void append(Bytes& out, const auto& bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
+
+}  // namespace
+
+std::vector<std::uint8_t> zipOf(std::span<const ZipEntry> entries) {
+    Bytes out, directory;
+    for (const ZipEntry& entry : entries) {
+        const Bytes packed = deflated(entry.bytes), description = describe(entry, packed.size());
+        put(directory, 0x02014b50, 4);
+        put(directory, 20, 2);  // made by version 2.0, on DOS
+        append(directory, description);
+        for (const int size : {2, 2, 2, 4}) put(directory, 0, size);  // comment, disk, attributes
+        put(directory, narrow(out.size()), 4);
+        append(directory, entry.name);
+        put(out, 0x04034b50, 4);
+        append(out, description);
+        append(out, entry.name);
+        append(out, packed);
+    }
+    const std::size_t start = out.size(), count = entries.size();
+    append(out, directory);
+    put(out, 0x06054b50, 4);
+    for (const std::size_t word : {std::size_t{0}, std::size_t{0}, count, count})
+        put(out, static_cast<std::uint32_t>(word), 2);
+    put(out, narrow(directory.size()), 4);
+    put(out, narrow(start), 4);
+    put(out, 0, 2);  // no comment
+    return out;
+}
+
+}  // namespace demos

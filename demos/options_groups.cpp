@@ -1,0 +1,89 @@
+#include "demos/options_groups.h"
+
+#include "demos/overlays.h"
+
+namespace demos {
+
+void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw) {
+    app.add_option("scene", options.scenes, "a built-in scene (impulse list) or a scene file")
+        ->type_name("SCENE")
+        ->expected(1)
+        ->required();
+    app.add_option("--set", options.overrides,
+                   "a scene value, e.g. world.hz=240 or solver.sweeps=10; may be given again")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--solver", raw.solver,
+                   "the same as --set solver.type=NAME; default: the scene's")
+        ->type_name("NAME");
+}
+
+void addFeedback(CLI::App& app, Options& options) {
+    app.add_flag("--quiet", options.quiet, "print errors and asked-for results only; default: off");
+    app.add_flag("--json", options.json, "one JSON object a line on standard output; default: off");
+}
+
+void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
+    app.add_option("-q,--quality", options.quality,
+                   "draft 480x270 @15, low 854x480 @30, medium 1280x720 @30, high 1920x1080 @60, "
+                   "4k 3840x2160 @60, film 1280x720 @30 of 12 moments a frame; default: medium")
+        ->type_name("NAME");
+    app.add_option("--size", raw.size, "pixels, 1..16384 a side; default: the quality's")
+        ->type_name("WxH");
+    app.add_option("--fps", options.fps,
+                   "frames a second; the scene's steps a second must be a multiple; "
+                   "default: the quality's")
+        ->type_name("N");
+    app.add_option("--samples", options.samples,
+                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: the quality's")
+        ->type_name("N");
+    app.add_option("--blur", options.blur,
+                   "moments a frame is the mean of, 1..256: motion blur, soft shadows, "
+                   "anti-aliasing; default: the quality's, 1 or 16")
+        ->type_name("N");
+    app.add_option("--shutter", options.shutter,
+                   "with --blur: how much of a frame's time the shutter is open, 0..1; "
+                   "default: 0.5")
+        ->type_name("S");
+    app.add_option("--show", raw.show,
+                   "overlays, with commas: " + overlayList() + "; default: the scene's")
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app.add_option("--theme", options.theme,
+                   "studio, dark, print or transparent; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--colour-by,--color-by", options.colorBy,
+                   "what colours bodies: body, speed, impulse, island, group, material or id; "
+                   "default: the scene's")
+        ->type_name("NAME");
+    app.add_flag("--clean", options.clean, "no text in the picture; default: off");
+    app.add_flag("--reproducible", options.reproducible,
+                 "the same pixels on every x86-64 processor, a third slower; default: off");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace what another run has written; default: off");
+}
+
+void addSeconds(CLI::App& app, Options& options) {
+    app.add_option("--seconds", options.seconds, "length in s; default: the scene's")
+        ->type_name("S");
+}
+
+void addDelivery(CLI::App& app, Options& options, RawOptions& raw) {
+    app.add_option("--max-size", raw.maxSize,
+                   "bytes a film may have, e.g. 8M (K, M, G count in thousands); exactness, then "
+                   "frames, then size are given up for it; default: no limit")
+        ->type_name("BYTES");
+    app.add_option("--poster", options.poster,
+                   "one frame as a .png of its own, patterns as above; default: not written")
+        ->type_name("FILE");
+    app.add_option("--poster-time", options.posterTime,
+                   "which, in s; default: the scene's section.poster, else the middle of the film")
+        ->type_name("S");
+}
+
+}  // namespace demos

@@ -1,0 +1,15 @@
+/// Options that several commands take.
+#pragma once
+#include "demos/options_commands.h"
+
+namespace demos {
+
+/// The scene, and what changes its values.
+void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw);
+void addFeedback(CLI::App& app, Options& options);
+void addPicture(CLI::App& app, Options& options, RawOptions& raw);
+void addSeconds(CLI::App& app, Options& options);
+/// What a film is made for: a limit of a page or a chat, a picture to show before it plays.
+void addDelivery(CLI::App& app, Options& options, RawOptions& raw);
+
+}  // namespace demos

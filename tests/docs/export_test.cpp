@@ -1,0 +1,67 @@
+// demos/export/README.md says what the program writes.
+#include <gtest/gtest.h>
+
+#include "demos/export/npz.h"
+#include "demos/export/pose_table.h"
+#include "demos/scene/reader.h"
+#include "tests/docs/texts.h"
+
+namespace {
+
+using namespace docs;
+
+const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "export";
+const std::string kText = textOf(kFolder / "README.md");
+
+/// From the heading to the next one.
+std::string section(const std::string& heading) {
+    const std::size_t begin = kText.find("\n## " + heading + "\n");
+    if (begin == std::string::npos) return {};
+    return kText.substr(begin, kText.find("\n## ", begin + 1) - begin);
+}
+
+/// What stands in backquotes in the first cell of every row.
+std::set<std::string> firstCells(const std::string& text) {
+    std::set<std::string> names;
+    for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))
+        names.merge(matches(cell, "`([^`]+)`"));
+    return names;
+}
+
+TEST(ExportReadme, ItsCommandsExist) {
+    const std::set<std::string> lines = matches(kText, R"(\nimpulse ([a-z]+[^\n]*))");
+    EXPECT_EQ(lines.size(), 3u);
+    const std::string help = outputOf("export --help");
+    for (const std::string& line : lines)
+        for (const std::string& option : matches(line, R"( (--?[a-z-]+))"))
+            EXPECT_NE(help.find(option), std::string::npos) << line;
+}
+
+TEST(ExportReadme, NamesEveryEndingAndNoOther) {
+    const std::string line = outputOf("export stack -o a.usd");
+    EXPECT_EQ(firstCells(kText.substr(0, kText.find("\n## "))),
+              matches(line.substr(line.find("known are")), R"((\.[a-z]+))"));
+}
+
+TEST(ExportReadme, NamesEveryColumnAndNoOther) {
+    EXPECT_EQ(firstCells(section(".csv")), matches(demos::kPoseColumns, "([a-z]+)"));
+}
+
+TEST(ExportReadme, NamesEveryArrayAndNoOther) {
+    const demos::SceneDescription scene = demos::readScene(
+        "format = 1\n[[body]]\nname = 'b'\nshape = { sphere = 1 }\nat = [0, 0, 0]\n", "a", "a");
+    const std::vector<std::uint8_t> bytes = demos::npzOf(demos::Stage(scene), {});
+    const std::set<std::string> written =
+        matches(std::string(bytes.begin(), bytes.end()), R"(([a-z_]+)\.npy)");
+    EXPECT_EQ(firstCells(section(".npz")), written);
+    EXPECT_EQ(written.size(), 15u);
+}
+
+TEST(ExportReadme, NamesEveryFileAndNoOther) {
+    std::set<std::string> files;
+    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+        if (file.path().extension() == ".h") files.insert(file.path().stem().string());
+    EXPECT_EQ(firstCells(section("Where what is")), files);
+}
+
+}  // namespace
