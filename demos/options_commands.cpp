@@ -135,7 +135,8 @@ void addExport(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("-o,--output", options.outputs,
                    ".glb: bodies, colours and camera with their motion; .csv: poses, a row a frame "
                    "and body, columns of 'sim --bodies'; .npz: the same, energies and contacts as "
-                   "arrays for numpy; .json: the events of 'sim --events'; may be given again; "
+                   "arrays for numpy; .json: the events of 'sim --events'; .html: a page to look at the "
+                   "run from all sides, without a network; may be given again; "
                    "default: output/<scene>.glb")
         ->type_name("FILE")
         ->expected(1)

@@ -45,7 +45,7 @@ constexpr CommandText kCommands[] = {
     {Command::exports,
      "export",
      "how the bodies move, for other programs: glTF, CSV, numpy, events",
-     {"impulse export wall -o wall.glb", "impulse export stack -o stack.csv -o stack.npz --fps 60",
+     {"impulse export wall -o wall.glb -o replay.html", "impulse export stack -o stack.csv -o stack.npz --fps 60",
       "impulse export my.toml -o events.json --seconds 2"}},
     {Command::test,
      "test",

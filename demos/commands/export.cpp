@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/table.h"
 #include "demos/export/export_file.h"
+#include "demos/export/recording.h"
+#include "demos/export/replay_page.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
@@ -34,9 +38,9 @@ void checkLength(const FilmPlan& plan) {
 /// One run from time 0 to the end of the film.
 class Exporting {
 public:
-    Exporting(const Options& options, const FilmPlan& plan)
+    Exporting(const Options& options, const FilmPlan& plan, std::vector<ExportFile> files)
         : options_(options),
-          files_(exportFilesOf(options, plan.scene())),
+          files_(std::move(files)),
           talk_(options, false),
           player_(plan.scene(), plan.panels.front().overlays),
           recorder_(plan.stepsPerFrame, plan.panels.front().overlays) {
@@ -44,7 +48,7 @@ public:
         if (std::any_of(files_.begin(), files_.end(), isEvents)) player_.watchTouches();
     }
 
-    Exit play() {
+    void play() {
         watchSignals();
         const Stage& stage = player_.stage();
         const long steps = std::max(std::lround(stage.scene.seconds * stage.scene.hz), 1L);
@@ -56,8 +60,6 @@ public:
         writeAll();
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps,
                                hexText(stage.world.hash())));
-        talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
-        return Exit::ok;
     }
 
 private:
@@ -100,12 +102,38 @@ private:
     TrajectoryRecorder recorder_;
 };
 
+/// What is a page of its own takes more from a run than the files do, and plays it itself.
+void writeReplays(const FilmPlan& plan, const std::vector<ExportFile>& files, const Talk& talk) {
+    const Recording recording = recordingOf(plan);
+    const ReplayPage page = replayPage(recording);
+    for (const ExportFile& file : files) {
+        writeResult(file.name, {reinterpret_cast<const std::uint8_t*>(page.html.data()),
+                                page.html.size()});
+        talk.say(fmt::format("wrote {} ({} frames, {} kB)", printable(file.name),
+                             recording.frames.size(), page.html.size() / 1000));
+        talk.json(fmt::format(
+            R"({{"event":"export","file":{},"frames":{},"bodies":{},"bytes":{}}})",
+            jsonString(file.name), recording.frames.size(), recording.bodies.size(),
+            page.html.size()));
+    }
+    if (!page.left.empty()) talk.mention(page.left);
+    if (!recording.trouble.empty()) throw Stop(Exit::diverged, recording.trouble);
+}
+
 }  // namespace
 
 Exit exportCommand(const Options& options) {
     const FilmPlan plan = planOf(options);
     checkLength(plan);
-    return Exporting(options, plan).play();
+    const Talk talk(options, false);
+    std::vector<ExportFile> files = exportFilesOf(options, plan.scene()), replays;
+    const auto isReplay = [](const ExportFile& file) { return file.kind == ExportKind::replay; };
+    std::copy_if(files.begin(), files.end(), std::back_inserter(replays), isReplay);
+    std::erase_if(files, isReplay);
+    if (!replays.empty()) writeReplays(plan, replays, talk);
+    if (!files.empty()) Exporting(options, plan, std::move(files)).play();
+    talk.say(fmt::format("next: impulse render {}", printable(options.scene())));
+    return Exit::ok;
 }
 
 }  // namespace demos

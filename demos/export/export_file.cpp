@@ -18,7 +18,8 @@ namespace {
 constexpr std::pair<const char*, ExportKind> kEndings[] = {{".glb", ExportKind::glb},
                                                            {".csv", ExportKind::csv},
                                                            {".npz", ExportKind::npz},
-                                                           {".json", ExportKind::events}};
+                                                           {".json", ExportKind::events},
+                                                           {".html", ExportKind::replay}};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(name), what));
@@ -28,7 +29,7 @@ ExportFile fileOf(const std::string& name) {
     if (name.find('\0') != std::string::npos) refuse(name, "a name holds no NUL");
     for (const auto& [ending, kind] : kEndings)
         if (name.ends_with(ending)) return {kind, name};
-    refuse(name, "the ending says what is written; known are: .glb .csv .npz .json");
+    refuse(name, "the ending says what is written; known are: .glb .csv .npz .json .html");
 }
 
 /// What a model is made of besides its own file.
@@ -51,7 +52,7 @@ std::vector<std::uint8_t> contentOf(const ExportFile& file, const Stage& stage,
             return bytesOf(poseTable(file.name, stage, trajectory).text());
         case ExportKind::npz:
             return npzOf(stage, trajectory);
-        case ExportKind::events:
+        default:
             break;
     }
     return bytesOf(eventsJson(trajectory.events, stage) + "\n");

@@ -9,7 +9,7 @@
 
 namespace demos {
 
-enum class ExportKind { glb, csv, npz, events };
+enum class ExportKind { glb, csv, npz, events, replay };
 
 struct ExportFile {
     ExportKind kind = ExportKind::glb;
@@ -20,7 +20,7 @@ struct ExportFile {
 /// cannot be written, or twice to one place.
 std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescription& scene);
 
-/// Whole or not at all; returns its size in bytes. Throws render::Error.
+/// Whole or not at all; returns its size in bytes. Of all but a replay. Throws render::Error.
 std::size_t writeExport(const ExportFile& file, const Stage& stage, const Trajectory& trajectory);
 
 }  // namespace demos

@@ -1,12 +1,12 @@
 #include "demos/regression/report_film.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+
+#include "demos/page/rounded.h"
 
 namespace demos {
 namespace {
@@ -102,8 +102,8 @@ double reach(const Course& course) {
 }
 
 /// Three digits are what a curve shows.
-Json rounded(double value) {
-    return std::isfinite(value) ? Json(std::stod(fmt::format("{:.4g}", value))) : Json(nullptr);
+Json shortOf(double value) {
+    return std::isfinite(value) ? Json(rounded(value, 4)) : Json(nullptr);
 }
 
 long counted(double value, double unit) {
@@ -139,7 +139,7 @@ void addBodies(Json& json, const Course& course, const std::set<std::string>& sh
         if (!hasBox(course, i) || !shown.contains(course.bodies[i])) continue;
         Json extent = Json::array();
         for (int axis = 0; axis < 3; ++axis)
-            extent.push_back(rounded(static_cast<double>(course.extents[i][axis])));
+            extent.push_back(shortOf(static_cast<double>(course.extents[i][axis])));
         json["bodies"].push_back({{"name", course.bodies[i]},
                                   {"extent", extent},
                                   {"poses", posesOf(course, i, kept, unit)}});
@@ -158,9 +158,9 @@ void addCurves(Json& json, const Course& course, int step) {
             separation = std::max(separation, course.moments[next].separation);
         }
         json["steps"].push_back(course.moments[i].step);
-        json["energy"].push_back(rounded(course.moments[i].energy));
-        json["penetration"].push_back(rounded(penetration));
-        json["separation"].push_back(rounded(separation));
+        json["energy"].push_back(shortOf(course.moments[i].energy));
+        json["penetration"].push_back(shortOf(penetration));
+        json["separation"].push_back(shortOf(separation));
     }
 }
 

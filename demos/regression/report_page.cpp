@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "demos/regression/page_text.h"
+#include "demos/page/page_text.h"
+#include "demos/page/script_safe.h"
 #include "demos/regression/report_film.h"
 #include "demos/regression/report_images.h"
 #include "demos/regression/verdict_json.h"
@@ -12,18 +13,6 @@ namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Inside <script> only "</script" and "<!--" mean anything to HTML, and JSON has no `<` outside of
-/// its strings, where \u003c says the same. All else that is not ASCII is escaped too (U+2028).
-std::string scriptSafe(const Json& json) {
-    std::string safe;
-    for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
-        if (c == '<')
-            safe += "\\u003c";
-        else
-            safe += c;
-    return safe;
-}
 
 void addFilms(Json& page, const TestVerdict& verdict, const std::vector<ReportCourses>& courses) {
     const std::size_t count = std::min(courses.size(), verdict.scenes.size());
@@ -54,11 +43,12 @@ std::string reportPage(const TestVerdict& verdict, const std::vector<ReportCours
             page["scenes"][i]["pictures"][k]["name"] =
                 pictureName(verdict.scenes[i].name, verdict.scenes[i].pictures[k].time);
     addFilms(page, verdict, courses);
-    const std::string head = pageTextBeforeData(), tail = pageTextAfterData();
+    const PageText text = reportPageText();
     const std::string textAlone = scriptSafe(page);
-    const long left = bytes - static_cast<long>(head.size() + textAlone.size() + tail.size());
+    const long left =
+        bytes - static_cast<long>(text.before.size() + textAlone.size() + text.after.size());
     addImages(page, verdict, folder, left);
-    return head + scriptSafe(page) + tail;
+    return text.before + scriptSafe(page) + text.after;
 }
 
 }  // namespace demos

@@ -68,7 +68,7 @@ TEST_F(Export, NumpyReadsWhatSimSays) {
 }
 
 TEST_F(Export, IsTheSameFileEveryTime) {
-    const std::vector<std::string> names = {"a.glb", "a.npz", "a.csv", "a.json"};
+    const std::vector<std::string> names = {"a.glb", "a.npz", "a.csv", "a.json", "a.html"};
     std::vector<std::string> arguments;
     for (const std::string& name : names) arguments.insert(arguments.end(), {"-o", name});
     EXPECT_EQ(exported(arguments).code, 0);
@@ -110,7 +110,7 @@ struct BadExport {
 
 TEST_F(Export, BadOptionsAreOneLineAndLeaveNothing) {
     const std::vector<BadExport> rows = {
-        {"ending", {"-o", "a.usd"}, 2, "known are: .glb .csv .npz .json"},
+        {"ending", {"-o", "a.usd"}, 2, "known are: .glb .csv .npz .json .html"},
         {"no ending", {"-o", "a"}, 2, "the ending says what is written"},
         {"standard output", {"-o", "-"}, 2, "the ending says what is written"},
         {"empty", {"-o", ""}, 2, "give it a value"},
@@ -209,7 +209,7 @@ TEST(ExportHelp, ShowsThreeExamplesFirstAndIsCompleted) {
     const Ended ended = run(fs::temp_directory_path(), {"export", "--help"});
     EXPECT_EQ(ended.code, 0);
     EXPECT_TRUE(ended.out.starts_with("Examples:\n  impulse export ")) << ended.out;
-    for (const char* word : {".glb", ".csv", ".npz", ".json", "--fps", "--bodies", "--events"})
+    for (const char* word : {".glb", ".csv", ".npz", ".json", ".html", "--fps", "--bodies", "--events"})
         EXPECT_NE(ended.out.find(word), std::string::npos) << word;
     const Ended completion = run(fs::temp_directory_path(), {"completion", "bash"});
     EXPECT_NE(completion.out.find("export) words=\""), std::string::npos);

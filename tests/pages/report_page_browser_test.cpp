@@ -4,14 +4,17 @@
 
 #include "demos/regression/report_page.h"
 #include "render/difference.h"
-#include "tests/pages/browser.h"
+#include "tests/pages/driver.h"
 #include "tests/support/planted_report.h"
 
 namespace {
 
 using namespace demos;
 using support::Browser;
+using support::driver;
 using support::Opened;
+using support::Rect;
+using support::told;
 using Kind = PictureVerdict::Kind;
 using State = SceneVerdict::State;
 
@@ -57,34 +60,6 @@ protected:
     TestVerdict verdict_;
     std::vector<ReportCourses> courses_;
 };
-
-/// Steps of a driver, each after the page has come to rest; what they tell comes into the DOM.
-std::string driver(const std::string& steps) {
-    return R"js(
-const told = document.createElement("pre");
-told.id = "told";
-document.body.append(told);
-const tell = (text) => { told.textContent += `[${text}]`; };
-const byId = (id) => document.getElementById(id);
-const rest = () => new Promise((go) => setTimeout(go, 60));
-const key = async (name, shiftKey = false) => {
-  document.body.dispatchEvent(new KeyboardEvent("keydown", { key: name, shiftKey, bubbles: true }));
-  await rest();
-};
-const link = async (hash) => { location.hash = hash; await rest(); };
-(async () => {
-  while (!document.body.dataset.ready) await rest();
-)js" + steps +
-           "})();";
-}
-
-std::string told(const Opened& opened) {
-    const std::string mark = "<pre id=\"told\">";
-    const std::size_t begin = opened.dom.find(mark);
-    if (begin == std::string::npos) return "nothing was told";
-    const std::size_t text = begin + mark.size();
-    return opened.dom.substr(text, opened.dom.find("</pre>", text) - text);
-}
 
 TEST_F(ReportInBrowser, DrawsEveryModeByLinkAndByKey) {
     const Opened opened = open("", driver(R"js(
@@ -186,17 +161,6 @@ TEST_F(ReportInBrowser, GoesToTheWorstWindowTheFirstStepAndThePixel) {
         << told(opened);
 }
 
-struct Rect {
-    double left, top, width, height;  // pixels of the screenshot
-};
-
-Rect stageOf(const Opened& opened) {
-    std::istringstream numbers(told(opened).substr(1));
-    Rect rect{};
-    numbers >> rect.left >> rect.top >> rect.width >> rect.height;
-    return rect;
-}
-
 /// The browser makes its window higher for the screenshot, after the driver has run: the stage is
 /// given a height and a place that do not depend on the window's.
 const std::string kStage = driver(R"js(
@@ -209,7 +173,7 @@ const std::string kStage = driver(R"js(
 
 /// Of the screen where a pixel of the picture is, the picture fitted to the stage.
 const std::uint8_t* screenAt(const Opened& opened, double x, double y) {
-    const Rect stage = stageOf(opened);
+    const Rect stage = support::toldRect(opened);
     const double zoom = std::min(stage.width / kWidth, stage.height / kHeight);
     return opened.screenshot.at(
         static_cast<int>(stage.left + stage.width / 2 + (x - 0.5 * kWidth) * zoom),

@@ -1,12 +1,12 @@
-# cmake -DOUT=page_text.cpp -DDIR=demos/regression/page -P embed_page.cmake
+# cmake -DOUT=report_page_text.cpp -DDIR=demos/regression/page -DPAGE=report -DSCRIPTS=a,b,c
+#       -P embed_page.cmake
 # report.html with report.css and the scripts put in where it says @style@ and @script@, as text
-# before and after @data@. Names in the order in which the scripts build on each other. A compiler
-# takes a literal of 64 KiB at most (C++ [implimits]), so the text is cut in pieces.
+# before and after @data@: reportPageText(). Scripts in the order in which they build on each other.
+# A compiler takes a literal of 64 KiB at most (C++ [implimits]), so the text is cut in pieces.
 cmake_policy(VERSION 3.25)  # "@style@" is text, no variable
-set(scripts state images text accept list verdict pictures difference heat viewer pointer loupe
-    curves film keys start)
-file(READ ${DIR}/report.html page)
-file(READ ${DIR}/report.css style)
+string(REPLACE "," ";" scripts "${SCRIPTS}")
+file(READ ${DIR}/${PAGE}.html page)
+file(READ ${DIR}/${PAGE}.css style)
 set(script "")
 foreach(name ${scripts})
   file(READ ${DIR}/${name}.js text)
@@ -33,24 +33,19 @@ math(EXPR mark "${mark} + 6")
 string(SUBSTRING "${page}" ${mark} -1 tail)
 pieces_of("${head}" head)
 pieces_of("${tail}" tail)
-file(WRITE ${OUT} "// Made by embed_page.cmake of demos/regression/page; change those.
-#include \"demos/regression/page_text.h\"
+file(WRITE ${OUT} "// Made by embed_page.cmake of the page's sources; change those.
+#include \"demos/page/page_text.h\"
 
 namespace demos {
 
-std::string pageTextBeforeData() {
-    std::string text;
+PageText ${PAGE}PageText() {
+    PageText text;
     for (const char* piece : {${head}
                              \"\"})
-        text += piece;
-    return text;
-}
-
-std::string pageTextAfterData() {
-    std::string text;
+        text.before += piece;
     for (const char* piece : {${tail}
                              \"\"})
-        text += piece;
+        text.after += piece;
     return text;
 }
 

@@ -1,0 +1,98 @@
+// Where the picture is seen from: the scene's camera, until a reader moves it.
+
+function sceneCamera() {
+  const { cameras } = data, frame = frameNow(), cameraOf = (number) => cameras[Math.min(number, cameras.length - 1)];
+  const a = cameraOf(frame), b = cameraOf(frame + 1), share = a.shot === b.shot ? view.time - frame : 0;
+  return { from: between(a.from, b.from, share), at: between(a.at, b.at, share), fov: a.fov + share * (b.fov - a.fov) };
+}
+
+const cameraNow = () => view.camera ?? sceneCamera();
+
+/// The reader's own camera, which begins where the scene's is.
+function ownCamera() {
+  view.camera ??= sceneCamera();
+  return view.camera;
+}
+
+/// Matrices and axes of a camera, for a picture of this shape (width over height).
+function sightOf(camera, aspect) {
+  const back = unit(minus(camera.from, camera.at)), distance = norm(minus(camera.from, camera.at));
+  const right = unit(Math.abs(back[1]) > 0.9999 ? [1, 0, 0] : cross([0, 1, 0], back)), up = cross(back, right);
+  const tangent = Math.tan(camera.fov * Math.PI / 360), nearest = Math.max(0.02 * distance, 0.01);
+  const farthest = 150 * Math.max(distance, 4), depth = nearest - farthest;
+  const projection = [1 / (tangent * aspect), 0, 0, 0, 0, 1 / tangent, 0, 0,
+    0, 0, (farthest + nearest) / depth, -1, 0, 0, 2 * farthest * nearest / depth, 0];
+  const worldToClip = multiplied(projection, eyeMatrix(camera.from, right, up, back));
+  return { eye: camera.from, at: camera.at, right, up, back, distance, tangent, aspect, worldToClip };
+}
+
+/// Places in the picture, CSS pixels, and the depth (m; 0 or less: behind).
+function project(sight, [x, y, z], width, height) {
+  const m = sight.worldToClip, w = m[3] * x + m[7] * y + m[11] * z + m[15];
+  const clip = [0, 1].map((row) => (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]) / w);
+  return [(0.5 + 0.5 * clip[0]) * width, (0.5 - 0.5 * clip[1]) * height, w];
+}
+
+/// Radians about the vertical and about the horizon, round what it looks at.
+function orbit(turn, rise) {
+  const camera = ownCamera(), way = minus(camera.from, camera.at), length = norm(way);
+  const height = Math.asin(Math.max(-1, Math.min(1, way[1] / length)));
+  const angle = Math.atan2(way[0], way[2]) + turn;
+  const raised = Math.max(-1.55, Math.min(1.55, height + rise)), flat = Math.cos(raised) * length;
+  camera.from = plus(camera.at, [flat * Math.sin(angle), length * Math.sin(raised), flat * Math.cos(angle)]);
+  changed();
+}
+
+/// As far as so many pixels of the picture, where it looks.
+function pan(x, y) {
+  const camera = ownCamera(), sight = sightOf(camera, 1);
+  const pixel = 2 * sight.tangent * sight.distance / canvas.clientHeight;
+  const way = plus(times(-x * pixel, sight.right), times(y * pixel, sight.up));
+  camera.from = plus(camera.from, way);
+  camera.at = plus(camera.at, way);
+  changed();
+}
+
+/// Nearer by a factor below 1.
+function zoom(factor) {
+  const camera = ownCamera(), way = minus(camera.from, camera.at);
+  const length = Math.max(0.02, Math.min(5000, norm(way) * factor));
+  camera.from = plus(camera.at, times(length, unit(way)));
+  changed();
+}
+
+function resetCamera() {
+  view.camera = null;
+  view.follow = false;
+  changed();
+}
+
+let followed = null;  // m, where the body was that the camera goes with
+
+/// Moves on with its body.
+function followBody() {
+  if (!view.follow || view.body < 0) {
+    followed = null;
+    return;
+  }
+  const place = poses[view.body].at, camera = ownCamera();
+  if (followed) {
+    const way = minus(place, followed);
+    camera.from = plus(camera.from, way);
+    camera.at = plus(camera.at, way);
+  }
+  followed = place;
+}
+
+/// The camera turns to the body that was chosen and goes with it, or no longer.
+function toggleFollow() {
+  if (view.body < 0) return;
+  view.follow = !view.follow;
+  followed = null;
+  if (view.follow) {
+    const camera = ownCamera(), way = minus(poses[view.body].at, camera.at);
+    camera.from = plus(camera.from, way);
+    camera.at = plus(camera.at, way);
+  }
+  changed();
+}

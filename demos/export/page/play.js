@@ -1,0 +1,129 @@
+// Time, and pictures when something has changed.
+
+let wanted = null, before = 0;  // what was asked for a picture; ms, of the last one
+
+/// A browser that shows nothing of the page gives no animation frames; a timer comes instead.
+function changed() {
+  wanted ??= { frame: requestAnimationFrame(show), timer: setTimeout(show, 120) };
+  if (!view.playing) delete document.body.dataset.ready;  // until what is shown is what was asked for
+}
+
+function advance(now) {
+  if (!view.playing) return;
+  const way = Math.min(now - before, 100) / 1000 * data.fps * view.speed;
+  view.time += way;
+  if (view.time < lastFrame) return;
+  if (view.loop) view.time %= Math.max(lastFrame, 1);
+  else {
+    view.time = lastFrame;
+    view.playing = false;
+  }
+}
+
+function fitCanvas() {
+  const width = Math.round(canvas.clientWidth * devicePixelRatio), height = Math.round(canvas.clientHeight * devicePixelRatio);
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+  return canvas.clientWidth / Math.max(canvas.clientHeight, 1);
+}
+
+function drawPicture(sight) {
+  placeSolids();
+  placeBars(sight);
+  placeMarks(sight);
+  gl.enable(gl.DEPTH_TEST);
+  gl.enable(gl.CULL_FACE);
+  const light = lightOf(sight, drawShadows(sight));
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.viewport(0, 0, canvas.width, canvas.height);
+  gl.clear(gl.DEPTH_BUFFER_BIT);
+  gl.bindTexture(gl.TEXTURE_2D, shadow.map);
+  drawSolids(light, "opaque");
+  use(programs.solid, { ...light, thinnest: 0, chosen: 0, lineStrength: 0, lineWidth: 1 });
+  bars.draw();
+  for (const ground of data.grounds) drawGround(ground, sight, light);
+  drawSky(sight);
+  gl.enable(gl.BLEND);
+  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+  gl.depthMask(false);
+  drawSolids(light, "clear");
+  gl.depthMask(true);
+  gl.disable(gl.BLEND);
+  drawMarks(sight);
+}
+
+function drawSolids(light, which) {
+  const look = lookNow(), wide = 1.3 * canvas.height / 720 * Math.sqrt(look.lines);
+  const lines = { lineWidth: Math.max(1, wide), lineStrength: Math.min(0.42 * look.lines, 1) };
+  for (const kind of kinds) {
+    use(programs.solid, { ...light, ...lines, thinnest: kind.thinnest, chosen: 0 });
+    kind[which].draw();
+  }
+}
+
+function show() {
+  const now = performance.now();
+  cancelAnimationFrame(wanted.frame);
+  clearTimeout(wanted.timer);
+  wanted = null;
+  advance(now);
+  before = now;
+  movePoses();
+  followBody();
+  const sight = sightOf(cameraNow(), fitCanvas());
+  drawPicture(sight);
+  showWords(sight);
+  showToggles();
+  drawCurves();
+  document.body.dataset.ready = "1";
+  if (view.playing) changed();
+  else linkSoon();
+}
+
+let linkTimer = 0;
+
+/// Browsers allow only so many changes of an address in a while.
+function linkSoon() {
+  clearTimeout(linkTimer);
+  linkTimer = setTimeout(writeLink, 150);
+}
+
+function seek(frame) {
+  view.time = clampFrame(frame);
+  changed();
+}
+
+function stepFrames(count) {
+  view.playing = false;
+  seek(frameNow() + count);
+}
+
+function togglePlay() {
+  view.playing = !view.playing;
+  if (view.playing && view.time >= lastFrame) view.time = 0;
+  before = performance.now();
+  changed();
+}
+
+function changeSpeed(by) {
+  const place = kSpeeds.indexOf(view.speed) + by;
+  view.speed = kSpeeds[Math.max(0, Math.min(kSpeeds.length - 1, place))];
+  changed();
+}
+
+function toggleLoop() {
+  view.loop = !view.loop;
+  changed();
+}
+
+function listenToPlay() {
+  byId("play").addEventListener("click", togglePlay);
+  byId("back").addEventListener("click", () => stepFrames(-1));
+  byId("forth").addEventListener("click", () => stepFrames(1));
+  byId("loop").addEventListener("click", toggleLoop);
+  byId("time").addEventListener("input", (event) => seek(Number(event.target.value)));
+  byId("speed").addEventListener("change", (event) => {
+    view.speed = Number(event.target.value);
+    changed();
+  });
+}

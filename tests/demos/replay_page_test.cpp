@@ -1,0 +1,252 @@
+// replay.html as text: its numbers, read as the page's script reads them, are the run's; nothing
+// breaks out of its data; what is too large is thinned, and said.
+#include "demos/export/replay_page.h"
+#include "demos/page/rounded.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "demos/base64.h"
+#include "demos/export/replay_codec.h"
+#include "demos/player.h"
+#include "demos/regression/packed.h"
+#include "tests/demos/reading.h"
+#include "tests/support/planted_recording.h"
+
+namespace {
+
+using namespace demos;
+using Json = nlohmann::json;
+using support::plantedPose;
+using support::plantedRecording;
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+Json dataOf(const ReplayPage& page) {
+    const std::string mark = "id=\"data\">";
+    const std::size_t begin = page.html.find(mark) + mark.size();
+    return Json::parse(page.html.substr(begin, page.html.find("</script>", begin) - begin));
+}
+
+double degreesBetween(const engine::Quat& a, const engine::Quat& b) {
+    return a.normalized().angularDistance(b.normalized()) * 180.0 / std::numbers::pi;
+}
+
+TEST(ReplayCodec, ARangeIsOffByHalfAWordAtMost) {
+    const WordRange range{-15.0, 30.0};
+    for (int i = 0; i <= 100'000; ++i) {
+        const double value = -15.0 + 30.0 * i / 100'000.0;
+        EXPECT_LE(std::abs(range.valueOf(range.wordOf(value)) - value), 30.0 / 131070.0 + 1e-12);
+    }
+    EXPECT_EQ((WordRange{2.5, 0.0}.valueOf(WordRange{2.5, 0.0}.wordOf(2.5))), 2.5);
+}
+
+/// Half turns, which have a largest number of 0 and equal ones, and many between.
+TEST(ReplayCodec, ARotationIsOffByAHundredthOfADegreeAtMost) {
+    double worst = 0.0;
+    for (int x = -4; x <= 4; ++x)
+        for (int y = -4; y <= 4; ++y)
+            for (int z = -4; z <= 4; ++z)
+                for (int w = -4; w <= 4; ++w) {
+                    if (x == 0 && y == 0 && z == 0 && w == 0) continue;
+                    const engine::Quat q = engine::Quat(w, x + 0.013, y, z - 0.021).normalized();
+                    worst = std::max(worst, degreesBetween(rotationOf(wordsOf(q)), q));
+                }
+    EXPECT_LT(worst, 0.01);
+    EXPECT_GT(worst, 0.0);
+}
+
+TEST(ReplayCodec, ADirectionIsOffByADegreeAtMost) {
+    double least = 1.0;
+    for (int i = 0; i < 2000; ++i) {
+        const double y = 1.0 - (i + 0.5) / 1000.0, angle = 2.39996 * i, r = std::sqrt(1.0 - y * y);
+        const engine::Vec3 d(r * std::cos(angle), y, r * std::sin(angle));
+        least = std::min(least, d.dot(directionOf(directionWord(d))));
+    }
+    EXPECT_GT(least, std::cos(std::numbers::pi / 180.0));
+}
+
+/// What page/decode.js makes of a text of columns.
+std::vector<std::uint16_t> wordsIn(const std::string& text, std::size_t length) {
+    const std::string packedText = fromBase64(text).value();
+    const std::vector<std::uint8_t> bytes =
+        unpacked({reinterpret_cast<const std::uint8_t*>(packedText.data()), packedText.size()},
+                 100'000'000)
+            .value();
+    std::vector<std::uint16_t> words(bytes.size() / 2);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const int before = i % length == 0 ? 0 : words[i - 1];
+        words[i] = static_cast<std::uint16_t>(before + bytes[i] + 256 * bytes[words.size() + i]);
+    }
+    return words;
+}
+
+WordRange rangeIn(const Json& range) { return {range[0], range[1]}; }
+
+TEST(ReplayPage, HoldsWhereBodiesAreToHalfAMillimetreAndAHundredthOfADegree) {
+    constexpr std::size_t kBodies = 3, kFrames = 90, kColumns = 7;
+    const Recording recording = plantedRecording(kBodies, kFrames, 0);
+    const Json data = dataOf(replayPage(recording));
+    const std::vector<std::uint16_t> words = wordsIn(data["tracks"], kFrames);
+    ASSERT_EQ(words.size(), kBodies * kColumns * kFrames);
+    for (std::size_t body = 0; body < kBodies; ++body)
+        for (std::size_t frame = 0; frame < kFrames; ++frame) {
+            const auto word = [&](std::size_t column) {
+                return words[(kColumns * body + column) * kFrames + frame];
+            };
+            const Json& ranges = data["bodies"][body]["ranges"];
+            const engine::Pose& pose = recording.frames[frame].poses[body];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(rangeIn(ranges[axis]).valueOf(word(axis)),
+                            pose.position[static_cast<Eigen::Index>(axis)], 5e-4);
+            EXPECT_NEAR(rangeIn(ranges[3]).valueOf(word(3)), recording.frames[frame].speeds[body],
+                        1e-4);
+            EXPECT_LT(degreesBetween(rotationOf({word(4), word(5), word(6)}), pose.rotation), 0.01);
+        }
+}
+
+TEST(ReplayPage, HoldsTheContactsOfEveryFrame) {
+    const Recording recording = plantedRecording(2, 20, 5);
+    const Json contacts = dataOf(replayPage(recording))["contacts"];
+    EXPECT_EQ(contacts["counts"][0], 0);
+    EXPECT_EQ(contacts["counts"][19], 5);
+    const std::size_t total = 19 * 5;
+    const std::vector<std::uint16_t> words = wordsIn(contacts["words"], total);
+    ASSERT_EQ(words.size(), 7 * total);
+    const RecordedContact& last = recording.frames[19].contacts[4];
+    const auto word = [&](std::size_t column) { return words[(column + 1) * total - 1]; };
+    const auto value = [&](std::size_t column) {
+        return rangeIn(contacts["ranges"][column]).valueOf(word(column));
+    };
+    EXPECT_LT((engine::Vec3(value(0), value(1), value(2)) - last.position).norm(), 1e-4);
+    EXPECT_NEAR(value(3), last.impulse, 1e-4);
+    EXPECT_LT((value(4) * directionOf(word(6)) - last.friction).norm(), 0.005);
+    EXPECT_LT((directionOf(word(5)) - last.normal).norm(), 0.02);
+}
+
+TEST(ReplayPage, ABodyThatStaysIsToldOnce) {
+    Recording recording = plantedRecording(2, 50, 0);
+    for (RecordedFrame& frame : recording.frames) frame.poses[1] = plantedPose(1, 0.0);
+    const Json data = dataOf(replayPage(recording));
+    EXPECT_TRUE(data["bodies"][0].contains("ranges"));
+    EXPECT_FALSE(data["bodies"][1].contains("ranges"));
+    EXPECT_NEAR(data["bodies"][1]["at"][0].get<double>(), plantedPose(1, 0.0).position.x(), 1e-4);
+    EXPECT_EQ(wordsIn(data["tracks"], 50).size(), 7u * 50u);
+}
+
+TEST(ReplayPage, NothingBreaksOutOfItsData) {
+    const std::string hostile =
+        "</script><script>alert(1)</script><!-- \xe2\x80\xa8 ]]> \" \\ \x01";
+    Recording recording = plantedRecording(1, 2, 1);
+    const std::string harmless = replayPage(recording).html;
+    recording.name = recording.title = recording.bodies[0].name = hostile;
+    recording.sections = {{0.0, hostile, hostile, hostile, hostile, 1.0, false, false}};
+    recording.joints.push_back({hostile, 0, -1, {0, 0, 0}, {0, 0, 0}, 2});
+    const ReplayPage page = replayPage(recording);
+    for (const char* word : {"<script", "</script", "<!--", "\xe2\x80\xa8"})
+        EXPECT_EQ(count(page.html, word), count(harmless, word)) << word;
+    EXPECT_EQ(count(harmless, "<script"), 2);
+    EXPECT_EQ(dataOf(page)["bodies"][0]["name"], hostile);
+}
+
+TEST(Rounded, ToDigitsWhateverItsSize) {
+    EXPECT_EQ(rounded(1.23456789, 4), 1.235);
+    EXPECT_EQ(rounded(-1.23456789e-310, 3), -1.23e-310);  // subnormal
+    EXPECT_EQ(rounded(98765.4, 2), 99000.0);
+    EXPECT_EQ(rounded(0.0, 6), 0.0);
+    EXPECT_TRUE(std::isinf(rounded(HUGE_VAL, 6)));
+}
+
+TEST(ReplayPage, HasNoAddressAndForbidsAllButItsOwn) {
+    const std::string html = replayPage(plantedRecording(1, 2, 0)).html;
+    EXPECT_EQ(count(html, "http:"), 0);
+    EXPECT_EQ(count(html, "https:"), 0);
+    EXPECT_EQ(count(html, " src="), 0);
+    EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(ReplayPage, TenBodiesAndThreeHundredFramesTakeAMegabyteAtMost) {
+    const ReplayPage page = replayPage(plantedRecording(10, 300, 40));
+    EXPECT_LE(page.html.size(), 1'000'000u);
+    EXPECT_EQ(page.left, "");
+}
+
+/// The strongest contacts stay.
+TEST(ReplayPage, ALargeRunIsThinnedAndSaysSo) {
+    const Recording recording = plantedRecording(10, 120, 400);
+    const std::size_t whole = replayPage(recording).html.size();
+    const ReplayPage fewer = replayPage(recording, whole * 3 / 4);
+    EXPECT_LE(fewer.html.size(), whole * 3 / 4);
+    const Json data = dataOf(fewer);
+    EXPECT_EQ(data["frames"], 120);
+    const Json& contacts = data["contacts"];
+    const auto kept = contacts["counts"][60].get<std::size_t>();
+    EXPECT_EQ(fewer.left,
+              "large run: the " + std::to_string(kept) + " strongest contacts of a frame only");
+    EXPECT_EQ(data["left"], fewer.left);
+    std::vector<double> impulses;
+    for (const RecordedContact& contact : recording.frames[60].contacts)
+        impulses.push_back(contact.impulse);
+    std::sort(impulses.rbegin(), impulses.rend());
+    ASSERT_LT(kept, impulses.size());
+    EXPECT_NEAR(rangeIn(contacts["ranges"][3]).low, impulses[kept], 0.02);
+}
+
+TEST(ReplayPage, NothingIsThinnedBelowTwoFrames) {
+    const ReplayPage page = replayPage(plantedRecording(10, 120, 400), 1);
+    const Json data = dataOf(page);
+    EXPECT_EQ(data["frames"], 2);
+    EXPECT_NEAR(data["fps"].get<double>(), 30.0 / 64, 1e-5);
+    EXPECT_EQ(page.left, "large run: the 64 strongest contacts of a frame, every 64th frame only");
+}
+
+FilmPlan planOf(const SceneDescription& scene, int frames) {
+    FilmPlan plan;
+    plan.panels.push_back({scene, {}, ""});
+    plan.name = scene.name;
+    plan.frames = frames;
+    return plan;
+}
+
+TEST(RecordingOf, IsWhatAPlayerShowsFrameByFrame) {
+    const SceneDescription scene = test::read(test::kFloor + test::kBall);
+    const Recording recording = recordingOf(planOf(scene, 150));
+    ASSERT_EQ(recording.frames.size(), 151u);
+    Player player(scene, {});
+    player.step(20 * 2);
+    const engine::Pose& pose = player.stage().world.pose(player.stage().bodies[1]);
+    EXPECT_EQ(recording.frames[20].poses[1].position, pose.position);
+    EXPECT_EQ(recording.grounds.size(), 1u);
+    EXPECT_TRUE(recording.frames[0].contacts.empty());
+    EXPECT_EQ(recording.frames[150].contacts.size(), 1u);
+}
+
+/// Bars hang on bodies here and are found anew for every picture there.
+TEST(RecordingOf, BarsAreWhereTheRendererDrawsThem) {
+    for (const char* name : {"chain", "ragdoll", "scissor-lift", "newtons-cradle"}) {
+        const SceneDescription scene = loadScene(name, {});
+        const Recording recording = recordingOf(planOf(scene, 1));
+        Player player(scene, {});
+        player.step(2);
+        const std::vector<render::Rod> rods = player.frame(0.0).rods;
+        ASSERT_EQ(recording.bars.size(), rods.size()) << name;
+        const auto place = [&](int body, const Vec3& local) {
+            return body < 0 ? local : recording.frames[1].poses[body].toWorld(local);
+        };
+        for (std::size_t i = 0; i < rods.size(); ++i) {
+            const RecordedBar& bar = recording.bars[i];
+            EXPECT_LT((place(bar.a, bar.atA).cast<float>() - rods[i].from).norm(), 1e-4f) << name;
+            EXPECT_LT((place(bar.b, bar.atB).cast<float>() - rods[i].to).norm(), 1e-4f) << name;
+        }
+    }
+}
+
+}  // namespace

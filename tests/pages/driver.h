@@ -1,0 +1,48 @@
+/// Scripts that use a page as a reader would, and what they tell.
+#pragma once
+#include "tests/pages/browser.h"
+
+namespace support {
+
+/// Steps of a driver, each after the page has come to rest; what they tell comes into the DOM.
+inline std::string driver(const std::string& steps) {
+    return R"js(
+const told = document.createElement("pre");
+told.id = "told";
+document.body.append(told);
+const tell = (text) => { told.textContent += `[${text}]`; };
+const byId = (id) => document.getElementById(id);
+const rest = async () => {
+  do await new Promise((go) => setTimeout(go, 60)); while (!document.body.dataset.ready);
+};
+const key = async (name, shiftKey = false) => {
+  document.body.dispatchEvent(new KeyboardEvent("keydown", { key: name, shiftKey, bubbles: true }));
+  await rest();
+};
+const link = async (hash) => { location.hash = hash; await rest(); };
+(async () => {
+  await rest();
+)js" + steps +
+           "})();";
+}
+
+inline std::string told(const Opened& opened) {
+    const std::string mark = "<pre id=\"told\">";
+    const std::size_t begin = opened.dom.find(mark);
+    if (begin == std::string::npos) return "nothing was told";
+    const std::size_t text = begin + mark.size();
+    return opened.dom.substr(text, opened.dom.find("</pre>", text) - text);
+}
+
+struct Rect {
+    double left, top, width, height;  // pixels of the screenshot
+};
+
+inline Rect toldRect(const Opened& opened) {
+    std::istringstream numbers(told(opened).substr(1));
+    Rect rect{};
+    numbers >> rect.left >> rect.top >> rect.width >> rect.height;
+    return rect;
+}
+
+}  // namespace support

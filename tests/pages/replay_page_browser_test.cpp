@@ -1,0 +1,236 @@
+// replay.html in a browser: bodies where the camera has them, arrows, curves, keys, no request.
+#include <algorithm>
+#include <cmath>
+
+#include "demos/export/replay_page.h"
+#include "render/camera.h"
+#include "tests/pages/driver.h"
+#include "tests/support/planted_recording.h"
+
+namespace {
+
+using namespace demos;
+using support::driver;
+using support::Opened;
+using support::Rect;
+using support::told;
+
+constexpr int kFrames = 61;  // two seconds
+
+/// A red ball that goes from x = -3 to 3 (m), pushed to the left by a contact from the second frame
+/// on, and a blue one that stays above it.
+class ReplayInBrowser : public testing::Test {
+protected:
+    ReplayInBrowser() {
+        recording_ = support::plantedRecording(2, kFrames, 1);
+        recording_.bodies[0].name = "<img src=http://127.0.0.1:9/name.png>";
+        recording_.bodies[1].color = {0.1f, 0.2f, 0.9f, 1.0f};
+        recording_.grounds = {{true, {0, 1, 0}, -1.0f, 0}};
+        recording_.sections = {{0.0, "first", "It starts", "", "", 1.0, false, false},
+                               {1.0, "second", "Half way", "", "", 1.0, false, false}};
+        for (int i = 0; i < kFrames; ++i) {
+            RecordedFrame& frame = recording_.frames[i];
+            frame.poses[0] = {placeAt(i), engine::Quat::Identity()};
+            frame.poses[1] = {{0, 3, 0}, engine::Quat::Identity()};
+            frame.speeds = {3.0, 0.0};
+            frame.camera.from = {0, 2, 14};
+            frame.camera.lookAt = {0, 1, 0};
+            for (RecordedContact& contact : frame.contacts)
+                contact = {placeAt(i), {-1, 0, 0}, 2.0, {0, 0, 0}};
+        }
+    }
+
+    static Vec3 placeAt(int frame) { return {-3.0 + 0.1 * frame, 0.0, 0.0}; }
+
+    Opened open(const std::string& hash, const std::string& script = "") const {
+        return browser_.open(replayPage(recording_).html, hash, script);
+    }
+
+    /// Of the screen, where a place (m) of the world is.
+    std::vector<int> colorOf(const Opened& opened, const Vec3& place) const {
+        const Rect picture = support::toldRect(opened);
+        const auto width = static_cast<int>(picture.width),
+                   height = static_cast<int>(picture.height);
+        const render::View view = render::makeView(
+            recording_.frames[0].camera, static_cast<float>(picture.width / picture.height));
+        const render::Projected at = render::project(view, place.cast<float>(), width, height);
+        const std::uint8_t* pixel =
+            opened.screenshot.at(static_cast<int>(picture.left + static_cast<double>(at.x)),
+                                 static_cast<int>(picture.top + static_cast<double>(at.y)));
+        return {pixel[0], pixel[1], pixel[2]};
+    }
+
+    support::TemporaryFolder folder_;
+    support::Browser browser_{folder_};
+    Recording recording_;
+};
+
+/// The browser makes its window higher for the screenshot, after the driver has run: the page is
+/// given a height that does not depend on the window's, nor on what is told.
+std::string still(const std::string& steps = "") {
+    return driver(steps + R"js(
+  const style = document.createElement("style");
+  style.textContent = "#told { position: fixed; bottom: 0; }";
+  document.head.append(style);
+  document.documentElement.style.height = document.body.style.height = "800px";
+  await rest();
+  const r = byId("picture").getBoundingClientRect();
+  tell(`${r.left} ${r.top} ${r.width} ${r.height}`);
+)js");
+}
+
+bool isRed(const std::vector<int>& color) { return color[0] > 100 && color[0] > 3 * color[2]; }
+bool isBlue(const std::vector<int>& color) { return color[2] > 100 && color[2] > 3 * color[0]; }
+
+/// Pixels of one colour, which nothing lights.
+int countOf(const Opened& opened, int r, int g, int b) {
+    int found = 0;
+    for (int y = 0; y < opened.screenshot.height; ++y)
+        for (int x = 0; x < opened.screenshot.width; ++x) {
+            const std::uint8_t* pixel = opened.screenshot.at(x, y);
+            found += std::abs(pixel[0] - r) < 3 && std::abs(pixel[1] - g) < 3 &&
+                     std::abs(pixel[2] - b) < 3;
+        }
+    return found;
+}
+
+TEST_F(ReplayInBrowser, DrawsBodiesWhereTheCameraHasThem) {
+    for (const int frame : {0, 30, 60}) {
+        const Opened opened = open("t=" + std::to_string(frame / 30.0), still());
+        for (const int other : {0, 30, 60})
+            EXPECT_EQ(isRed(colorOf(opened, placeAt(other))), other == frame) << frame << other;
+        EXPECT_TRUE(isBlue(colorOf(opened, {0, 3, 0})));
+        EXPECT_TRUE(isBlue(colorOf(opened, {0.4, 3, 0})));
+        EXPECT_FALSE(isBlue(colorOf(opened, {0.6, 3, 0})));
+        EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+        EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
+    }
+}
+
+/// Grey, and darker where the sun does not reach it: half a metre above the ground, in the sun's
+/// way from (0.45, 0.75, 0.5), the ball's shadow is 0.6 m to the left and 2/3 m behind it.
+TEST_F(ReplayInBrowser, BodiesThrowShadows) {
+    const Opened opened = open("t=0", still());
+    const std::vector<int> shade = colorOf(opened, {-3.6, -1, -0.67}),
+                           light = colorOf(opened, {-2.0, -1, 0.9});
+    EXPECT_LT(shade[0] + 30, light[0]);
+    EXPECT_LT(std::abs(light[0] - light[2]), 25);
+}
+
+TEST_F(ReplayInBrowser, ArrowsAndDotsComeByLinkAndByKey) {
+    const Opened without = open("t=1&show=", still());
+    const Opened with = open("t=1&show=contacts,impulses", still());
+    const Opened pressed = open("t=1&show=", still("await key('i'); await key('c');"));
+    const Opened before = open("t=0&show=contacts,impulses", still());
+    // The arrow's red and the dot's pink; the legend has some of both.
+    for (const Opened* opened : {&with, &pressed}) {
+        EXPECT_GT(countOf(*opened, 0xd6, 0x27, 0x28), countOf(before, 0xd6, 0x27, 0x28) + 100);
+        EXPECT_GT(countOf(*opened, 0xe0, 0x21, 0x8a), 30);
+        EXPECT_NE(opened->dom.find("impulse 1 N s"), std::string::npos);
+    }
+    EXPECT_LT(countOf(without, 0xd6, 0x27, 0x28), 20);  // the ball's edge
+    EXPECT_EQ(countOf(without, 0xe0, 0x21, 0x8a), 0);
+    EXPECT_NE(before.dom.find("0 contacts that push"), std::string::npos);
+}
+
+TEST_F(ReplayInBrowser, DrawsItsCurves) {
+    const Opened opened = open("t=1", still());
+    EXPECT_GT(countOf(opened, 0xcf, 0x64, 0x08), 500);  // kinetic energy, penetration
+    EXPECT_GT(countOf(opened, 0x2b, 0x6f, 0xb8), 200);  // potential energy
+    const Opened hidden = open("t=1&curves=0", still());
+    EXPECT_LT(countOf(hidden, 0x2b, 0x6f, 0xb8), 20);
+}
+
+TEST_F(ReplayInBrowser, StepsScrubsAndPlays) {
+    const Opened opened = open("t=1", driver(R"js(
+  const now = () => tell(byId("now").textContent);
+  now();
+  await key("ArrowRight"); now();
+  await key("ArrowLeft", true); now();
+  tell(byId("caption").textContent);
+  await key("PageDown"); now();
+  tell(byId("caption").textContent);
+  await key("End"); now();
+  byId("time").value = 15;
+  byId("time").dispatchEvent(new Event("input"));
+  await rest(); now();
+  await key(" ");
+  while (byId("now").textContent === "0.500 s") await rest();
+  await key(" ");
+  const paused = byId("now").textContent;
+  await new Promise((go) => setTimeout(go, 500));
+  tell(byId("now").textContent === paused);
+  await link("t=1.5"); now();
+  tell(document.querySelectorAll("#marks button").length);
+)js"));
+    EXPECT_EQ(told(opened),
+              "[1.000 s][1.033 s][0.700 s][It starts][1.000 s][Half way][2.000 s][0.500 s][true]"
+              "[1.500 s][2]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+}
+
+TEST_F(ReplayInBrowser, NamesMeasuresAndFollowsTheBodyUnderThePointer) {
+    const Opened opened = open("t=1", driver(R"js(
+  const picture = byId("picture"), r = picture.getBoundingClientRect();
+  const point = (type, x, y) => picture.dispatchEvent(new PointerEvent(type, {
+    clientX: r.left + x, clientY: r.top + y, pointerId: 1, pointerType: "mouse", bubbles: true }));
+  picture.setPointerCapture = () => {};
+  const tall = r.height / 2 / Math.tan(35 * Math.PI / 360) / Math.hypot(14, 1);  // pixels a metre
+  const blue = [r.width / 2, r.height / 2 - 2 * tall];
+  point("pointermove", ...blue); tell(byId("hover").textContent);
+  point("pointermove", 5, 5); tell(byId("hover").hidden);
+  point("pointerdown", ...blue); point("pointerup", ...blue);
+  await rest();
+  tell(byId("info").textContent);
+  await key("f");
+  await new Promise((go) => setTimeout(go, 300));
+  const asked = new URLSearchParams(location.hash.slice(1));
+  tell(asked.get("body") + asked.get("follow"));
+  tell(asked.get("camera").split(",").slice(3, 6).join());
+  await key("r");
+  await new Promise((go) => setTimeout(go, 300));
+  tell(location.hash.includes("camera"));
+  const hostile = "<img src=http://127.0.0.1:9/name.png>";
+  await link("t=1&show=names&body=" + encodeURIComponent(hostile));
+  tell(byId("info").querySelector("h2").textContent.slice(0, 8));
+  tell(byId("labels").children.length);
+)js"));
+    EXPECT_EQ(told(opened),
+              "[ball1][true][ball1position0.000, 3.000, 0.000 mspeed0.000 m/smass2 kg][ball11]"
+              "[0,3,0][false][&lt;img src][2]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+    EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
+}
+
+TEST_F(ReplayInBrowser, OrbitsPansAndZooms) {
+    const Opened opened = open("t=1", driver(R"js(
+  const camera = async () => {
+    await new Promise((go) => setTimeout(go, 300));
+    return new URLSearchParams(location.hash.slice(1)).get("camera").split(",").map(Number);
+  };
+  const away = (c) => Math.hypot(c[0] - c[3], c[1] - c[4], c[2] - c[5]);
+  await key("d"); await key("w");
+  const orbited = await camera();
+  tell(orbited[0] > 0.5 && orbited[1] > 2.5 && Math.abs(away(orbited) - Math.hypot(14, 1)) < 0.01);
+  await key("D", true);
+  const panned = await camera();
+  tell(panned[3] > 0.1 && Math.abs(away(panned) - away(orbited)) < 0.01);
+  byId("picture").dispatchEvent(new WheelEvent("wheel", { deltaY: -300, cancelable: true }));
+  tell(away(await camera()) < 0.7 * away(panned));
+  await key("?");
+  tell(byId("help").open);
+)js"));
+    EXPECT_EQ(told(opened), "[true][true][true][true]");
+}
+
+TEST_F(ReplayInBrowser, SaysWhyItShowsNothing) {
+    const std::string page = replayPage(recording_).html;
+    const std::string without = "HTMLCanvasElement.prototype.getContext = () => null;";
+    std::string blind = page;
+    blind.insert(blind.rfind("<script>"), "<script>" + without + "</script>");
+    const Opened opened = browser_.open(blind, "", "");
+    EXPECT_NE(opened.dom.find("has no WebGL 2"), std::string::npos);
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+}
+
+}  // namespace
