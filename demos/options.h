@@ -16,6 +16,9 @@ enum class Command {
     compare,
     sweep,
     exports,  // export is a word of the language
+    slides,
+    watch,
+    gallery,
     test,
     approve,
     list,
@@ -88,6 +91,17 @@ struct Options {
     std::string results = "output/test"; // approve: of which test
     bool cache = true, selfTest = false;
     bool all = false, prune = false;
+
+    // still, strip, plot, compare, sweep: figures for papers
+    std::optional<double> width;  // mm on paper
+    int dpi = 300;                // pixels an inch, with a width
+    std::string caption;          // a file; empty = beside the figure where that has a width
+
+    // watch
+    bool once = false;  // one draft, then the end
+
+    // gallery
+    bool films = true;
 
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself

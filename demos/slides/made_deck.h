@@ -1,0 +1,50 @@
+/// A deck with everything played, drawn and counted: what is left is to write it down.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demos/slides/deck.h"
+
+namespace demos {
+
+/// A still, a strip or charts.
+struct MadePicture {
+    std::vector<std::uint8_t> png;
+    std::string svg;  // the same as lines and text; empty of what is drawn in pixels
+    PictureSize size;  // pixels
+    std::string says;  // for who cannot see it: one line
+};
+
+struct MadeFilm {
+    std::filesystem::path file;  // an .mp4 in the folder of the making; empty: no ffmpeg
+    int frames = 0;
+    int fps = 30;             // of the film as it plays
+    double first = 0.0;       // s of the run, at the first frame
+    double secondsAFrame = 0.0;  // s of the run
+    MadePicture poster;
+};
+
+/// Cells as text, numbers with their units.
+struct MadeTable {
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;  // as many cells as the head
+};
+
+struct MadeSlide {
+    Slide slide;  // its numbers filled in: no @{...} is left
+    std::optional<MadeFilm> film;
+    std::vector<MadePicture> pictures;  // still or strip, then charts
+    std::vector<MadeTable> tables;
+    std::string command;  // that makes the picture alone: "impulse compare nudges ..."; or empty
+};
+
+struct MadeDeck {
+    Deck deck;
+    std::vector<MadeSlide> slides;
+    std::vector<std::string> remarks;  // what is not had, and why: a line each
+};
+
+}  // namespace demos
