@@ -16,7 +16,7 @@ namespace demos {
 
 /// What a slide shows of its runs.
 enum class Exhibit {
-    none,   // words alone
+    none,   // words, charts and tables alone
     film,   // from..until; of several runs side by side
     still,  // one moment
     strip   // several moments in a row

@@ -1,0 +1,21 @@
+/// From a deck file's text to a Deck. Strict, as scene files are: what is not understood, and what
+/// names a scene, section, body or key that is not there, is an error with its place.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "demos/scene/reader.h"
+#include "demos/slides/deck.h"
+
+namespace demos {
+
+/// Whether the word is a path to a TOML file with [[slide]] in it; false for scenes' names and
+/// whatever cannot be read.
+bool isDeckFile(const std::string& nameOrPath);
+
+/// Throws SceneError with every complaint as `file:line:column: what`.
+Deck readDeck(std::string_view text, const std::filesystem::path& file);
+Deck loadDeck(const std::filesystem::path& file);
+
+}  // namespace demos
