@@ -80,9 +80,8 @@ public:
 
     MadeDeck make() {
         for (Act& act : acts_)
-            at(act.made.slide, making_, [&] {
-                act.facts->fill(act.made, deck_.theme, !making_.options.reproducible);
-            });
+            at(act.made.slide, making_,
+               [&] { act.facts->fill(act.made, deck_.theme, !making_.options.reproducible); });
         Progress progress(making_.options, frames_, 0);
         try {
             for (Act& act : acts_) at(act.made.slide, making_, [&] { draw(act, progress); });

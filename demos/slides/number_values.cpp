@@ -23,13 +23,13 @@ std::string written(const NumberName& name) {
 }
 
 [[noreturn]] void refuse(const NumberName& name, const std::string& what) {
-    throw Stop(Exit::scene,
-               fmt::format("@{{{}}}: {}", printable(written(name)), printable(what)));
+    throw Stop(Exit::scene, fmt::format("@{{{}}}: {}", printable(written(name)), printable(what)));
 }
 
 [[noreturn]] void refuseField(const NumberName& name) {
-    refuse(name, "there is no such number; body.NAME.height, joint.NAME.force, contacts.impulse, "
-                 "run.time and measures are some");
+    refuse(name,
+           "there is no such number; body.NAME.height, joint.NAME.force, contacts.impulse, "
+           "run.time and measures are some");
 }
 
 /// A number on its way to text.
@@ -104,8 +104,7 @@ std::string runValue(const NumberName& name, const RunNumbers& run, const Writer
     const RunMoment& moment = run.moment;
     if (name.field == "time") return write(moment.measures.time, "s");
     if (name.field == "steps") return write(static_cast<double>(moment.report.step), "");
-    if (name.field == "sweeps")
-        return write(static_cast<double>(moment.report.sweeps.size()), "");
+    if (name.field == "sweeps") return write(static_cast<double>(moment.report.sweeps.size()), "");
     if (name.field == "energy") return write(moment.measures.energy.total(), "J");
     if (name.field != "hash") refuseField(name);
     const std::string hash = hexText(moment.hash);

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-constexpr double kMostCounted = 1e15;  // whole numbers that a double holds, about
+constexpr double kMostCounted = 1e15;            // whole numbers that a double holds, about
 constexpr int kLeastPower = -3, kMostPower = 3;  // of 1000: nano, giga
 
 struct Prefix {
@@ -99,8 +99,7 @@ std::string notFiniteText(double value, NumberSetting setting) {
 
 }  // namespace
 
-std::string quantityText(double value, const std::string& unit, int digits,
-                         NumberSetting setting) {
+std::string quantityText(double value, const std::string& unit, int digits, NumberSetting setting) {
     if (!std::isfinite(value)) return notFiniteText(value, setting);
     if (unit.empty() && value == std::floor(value) && std::abs(value) < kMostCounted)
         return fixedText(value, 0);

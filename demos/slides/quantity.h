@@ -10,8 +10,8 @@ namespace demos {
 enum class NumberSetting { text, formula };
 
 /// "1.27 mm", "264.8 kJ", "12 deg"; `1.27\,\mathrm{mm}`. Metres, m/s, J, N and N s get a prefix
-/// where they are 1000 or more, or below 0.1. `digits`: significant, without trailing zeros; a whole
-/// number without a unit is a count and keeps all of its digits.
+/// where they are 1000 or more, or below 0.1. `digits`: significant, without trailing zeros; a
+/// whole number without a unit is a count and keeps all of its digits.
 std::string quantityText(double value, const std::string& unit, int digits, NumberSetting setting);
 
 /// "(-0.32, 0.24, 3) m/s": as exact as its largest part is.

@@ -22,9 +22,8 @@ void SlideFacts::askNumber(const NumberName& name) {
     const std::size_t count = cast_.variants.size();
     const auto run = static_cast<std::size_t>(name.run - 1);
     if (run >= count)
-        throw Stop(Exit::scene,
-                   fmt::format("a number of run {}; the slide has {} {}", name.run, count,
-                               count == 1 ? "run" : "runs"));
+        throw Stop(Exit::scene, fmt::format("a number of run {}; the slide has {} {}", name.run,
+                                            count, count == 1 ? "run" : "runs"));
     askMoment(run);
     if (name.group == "expect") runs_.askExpectations(keyOf(run), cast_.variants[run].scene);
 }

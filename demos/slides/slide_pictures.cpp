@@ -65,9 +65,9 @@ MadeFilm madeFilm(const SlidePlan& plan, const std::filesystem::path& file, cons
     std::optional<render::VideoWriter> writer;
     const auto begin = [&] {
         if (moving)
-            writer.emplace(file, render::VideoSource{plan.film.layout.width,
-                                                     plan.film.layout.height, film.fps, false,
-                                                     std::max(film.fps / kKeyFramesASecond, 1)});
+            writer.emplace(
+                file, render::VideoSource{plan.film.layout.width, plan.film.layout.height, film.fps,
+                                          false, std::max(film.fps / kKeyFramesASecond, 1)});
     };
     drawFrames(plan, studio, begin, [&](const DrawnFrame& drawn) {
         if (moving) writer->add(drawn.image);
@@ -82,9 +82,11 @@ MadeFilm madeFilm(const SlidePlan& plan, const std::filesystem::path& file, cons
 
 MadePicture madeStill(const SlidePlan& plan, const Studio& studio) {
     MadePicture picture;
-    drawFrames(plan, studio, [] {}, [&](const DrawnFrame& drawn) {
-        picture = pictureOf(drawn.image, saysAt(plan, drawn.frame));
-    });
+    drawFrames(
+        plan, studio, [] {},
+        [&](const DrawnFrame& drawn) {
+            picture = pictureOf(drawn.image, saysAt(plan, drawn.frame));
+        });
     return picture;
 }
 
@@ -94,12 +96,14 @@ MadePicture madeStrip(const SlidePlan& plan, const Studio& studio) {
                                            {film.layout.width, film.layout.height}, true);
     render::Image paper = stripPaper(layout, film);
     int moment = 0;
-    drawFrames(plan, studio, [] {}, [&](const DrawnFrame& drawn) {
-        placeMoment(layout, moment++, drawn.image, plan.timeOf(drawn.frame), film, paper);
-    });
-    return pictureOf(paper, fmt::format("{}, {} moments from {:.6g} s to {:.6g} s", namesOf(film),
-                                        moment, plan.timeOf(plan.frames.front()),
-                                        plan.timeOf(plan.frames.back())));
+    drawFrames(
+        plan, studio, [] {},
+        [&](const DrawnFrame& drawn) {
+            placeMoment(layout, moment++, drawn.image, plan.timeOf(drawn.frame), film, paper);
+        });
+    return pictureOf(
+        paper, fmt::format("{}, {} moments from {:.6g} s to {:.6g} s", namesOf(film), moment,
+                           plan.timeOf(plan.frames.front()), plan.timeOf(plan.frames.back())));
 }
 
 }  // namespace demos

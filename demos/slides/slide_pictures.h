@@ -10,8 +10,8 @@ namespace demos {
 
 /// With what everything is drawn.
 struct Studio {
-    int jobs = 0;           // drawing processes at most; 0: one a core
-    Progress& progress;     // advances a frame a frame
+    int jobs = 0;        // drawing processes at most; 0: one a core
+    Progress& progress;  // advances a frame a frame
 };
 
 /// Where the plan has all frames of a film they go to `file`, whole or not at all; the poster comes

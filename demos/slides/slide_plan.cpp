@@ -77,7 +77,8 @@ SlidePlan momentsOf(const Slide& slide, const Cast& cast, Options options) {
     const std::vector<double> times = momentTimes(slide, untilOf(slide, cast.variants.front()));
     if (slide.exhibit == Exhibit::strip) {
         const PictureSize whole = *options.size;
-        options.size = PictureSize{std::max(whole.width / 4 * 2, 2), std::max(whole.height / 4 * 2, 2)};
+        options.size =
+            PictureSize{std::max(whole.width / 4 * 2, 2), std::max(whole.height / 4 * 2, 2)};
     }
     SlidePlan plan;
     plan.film = planMoments(slide, cast, options, times);
@@ -85,6 +86,7 @@ SlidePlan momentsOf(const Slide& slide, const Cast& cast, Options options) {
     plan.film.stepsPerFrame = 1;
     for (const double time : times)
         plan.frames.push_back(static_cast<int>(std::lround(time * plan.film.fps)));
+    plan.frames.erase(std::unique(plan.frames.begin(), plan.frames.end()), plan.frames.end());
     plan.film.frames = plan.frames.back() + 1;
     return plan;
 }
