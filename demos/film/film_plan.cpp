@@ -17,19 +17,6 @@ namespace {
 
 constexpr int kMostFrames = 1'000'000;
 
-/// The frame rates up to 240 that divide `hz`, the six nearest to `wanted`.
-std::string goodRates(int hz, int wanted) {
-    std::vector<int> rates;
-    for (int fps = 1; fps <= std::min(hz, 240); ++fps)
-        if (hz % fps == 0) rates.push_back(fps);
-    std::stable_sort(rates.begin(), rates.end(), [wanted](int a, int b) {
-        return std::abs(a - wanted) < std::abs(b - wanted);
-    });
-    rates.resize(std::min<std::size_t>(rates.size(), 6));
-    std::sort(rates.begin(), rates.end());
-    return fmt::format("{}", fmt::join(rates, " "));
-}
-
 int stepsPerFrame(int hz, int fps) {
     if (hz % fps != 0)
         throw Stop(Exit::usage,
@@ -73,6 +60,19 @@ std::string programText() {
 }
 
 }  // namespace
+
+std::string goodRates(int hz, int wanted) {
+    constexpr int kMost = 240;
+    std::vector<int> rates;
+    for (int fps = 1; fps <= std::min(hz, kMost); ++fps)
+        if (hz % fps == 0) rates.push_back(fps);
+    std::stable_sort(rates.begin(), rates.end(), [wanted](int a, int b) {
+        return std::abs(a - wanted) < std::abs(b - wanted);
+    });
+    rates.resize(std::min<std::size_t>(rates.size(), 6));
+    std::sort(rates.begin(), rates.end());
+    return fmt::format("{}", fmt::join(rates, " "));
+}
 
 SceneDescription sceneOf(const Options& options) {
     SceneDescription scene = loadScene(options.scene(), options.overrides);
@@ -141,7 +141,8 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     hash.add(kVersion);
     hash.add(programText());
     hash.add(sceneText(options.scene()));
-    for (const std::string& file : plan.scene().files) hash.add(readSceneFile(file));
+    for (const std::string& file : plan.scene().files)
+        hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));
     for (const std::string& text : options.overrides) hash.add(text);
     hash.add(fmt::format("{}x{} {}x{} {} {} {} {} {}", plan.layout.width, plan.layout.height,
                          plan.picture.width, plan.picture.height, plan.picture.samples,

@@ -43,6 +43,9 @@ struct FilmPlan {
     double timeOf(int frame) const { return static_cast<double>(frame) / fps; }  // s
 };
 
+/// The frame rates that divide a scene's steps a second, the six nearest to `wanted`: "20 30 60".
+std::string goodRates(int hz, int wanted);
+
 /// The scene with --set and --seconds applied; its notes are told, unless quiet. Throws SceneError.
 SceneDescription sceneOf(const Options& options);
 

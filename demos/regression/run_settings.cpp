@@ -25,7 +25,8 @@ std::string methodName(engine::Method method) {
 std::string fileHash(const SceneDescription& scene, const std::string& name) {
     TextHash hash;
     hash.add(sceneText(name));
-    for (const std::string& file : scene.files) hash.add(readSceneFile(file));
+    for (const std::string& file : scene.files)
+        hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));
     hash.add(std::to_string(scene.contents));
     return hexText(hash.value());
 }

@@ -80,6 +80,10 @@ int Complaints::addFile(std::string name) {
     return static_cast<int>(files_.size()) - 1;
 }
 
+std::string Complaints::fileOf(Place place) const {
+    return place.line > 0 ? files_[static_cast<std::size_t>(place.file)] : "";
+}
+
 void Complaints::add(Place place, std::string what) {
     complaints_.push_back({place, std::move(what)});
 }

@@ -24,6 +24,8 @@ public:
 
     /// The number of the file in places.
     int addFile(std::string name);
+    /// Empty where the place is an option.
+    std::string fileOf(Place place) const;
 
     /// `what`: one sentence: what is wrong, its value, what would be right.
     void add(Place place, std::string what);

@@ -80,11 +80,20 @@ struct LookDescription {
     std::string plot = "energy";      // of the overlay 'plot': a chart's name
 };
 
+/// A chapter of the film, and a slide of its own. What is written as CommonMark or LaTeX is kept as
+/// it is: who makes slides of it checks it, and says where it stands.
 struct Section {
     double at = 0.0;  // s
     std::string name, caption, notes, poster;
     double slow = 1.0;
     bool pause = false, loop = false;
+    std::string title, text;            // CommonMark; notes too
+    std::vector<std::string> formulas;  // LaTeX
+    std::vector<std::string> plots;     // of measureNames()
+    bool measures = false, expectations = false;  // tables
+    std::string file;                   // as complaints call it
+    Place place, titlePlace, textPlace, notesPlace;
+    std::vector<Place> formulaPlaces;
 };
 
 /// A line of the scene's physics contract.
@@ -155,7 +164,7 @@ struct SceneDescription {
     std::vector<Expectation> expectations;
     Snapshot snapshot;
     std::vector<std::string> notes;  // what of a model of other making is not had, a line each
-    std::vector<std::string> files;  // that were read besides the scene's own
+    std::vector<std::string> files;  // that were read besides the scene's own: included, meshes, buffers
 };
 
 }  // namespace demos

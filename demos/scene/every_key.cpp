@@ -358,9 +358,15 @@ poster = "last"
 slow = 0.5
 pause = false
 loop = false
+title = "t"
+text = "t"
+formula = ["a", "b"]
+plot = ["energy"]
+table = ["measures", "expectations"]
 [[section]]
 at = 1
 poster = 1
+formula = "a"
 )"},
     {"expect", R"(
 [[expect]]

@@ -73,7 +73,7 @@ GltfBuffers::GltfBuffers(const GltfJson& file, std::filesystem::path folder,
     if (list != file_.end() && list->is_array()) loaded_.resize(list->size());
 }
 
-std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) const {
+std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) {
     const auto uri = buffer.find("uri");
     if (uri == buffer.end()) {
         if (number == 0 && chunk_) return *chunk_;
@@ -84,6 +84,7 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) const 
     if (!text.starts_with("data:")) {
         const std::string name = unescaped(text);
         try {
+            paths_.push_back((folder_ / name).string());
             return readWholeFile(folder_ / name);
         } catch (const MeshFileError& error) {
             throw MeshFileError("its buffer " + name + ": " + error.what());

@@ -31,6 +31,8 @@ public:
     std::vector<engine::Vec3> positions(std::size_t accessor);
     /// The numbers of an accessor: unsigned, of 8, 16 or 32 bits.
     std::vector<std::uint32_t> numbers(std::size_t accessor);
+    /// Files that were read so far.
+    const std::vector<std::string>& paths() const { return paths_; }
 
 private:
     struct Elements {
@@ -40,7 +42,7 @@ private:
     };
     Elements elementsOf(std::size_t accessor, const char* type, bool floats);
     const std::string& buffer(std::size_t number);
-    std::string load(const GltfJson& buffer, std::size_t number) const;
+    std::string load(const GltfJson& buffer, std::size_t number);
     void keep(std::size_t number, std::string bytes);
 
     const GltfJson& file_;
@@ -48,6 +50,7 @@ private:
     std::optional<std::string> chunk_;
     std::vector<std::optional<std::string>> loaded_;
     std::size_t bytes_ = 0;  // of them all
+    std::vector<std::string> paths_;
 };
 
 }  // namespace demos

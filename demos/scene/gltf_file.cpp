@@ -81,6 +81,7 @@ public:
             if (node.contains("mesh")) takeMesh(wholeOf(node, "mesh", std::nullopt), place);
             takeChildren(node, "children", place);
         }
+        mesh_.buffers = buffers_.paths();
         return std::move(mesh_);
     }
 

@@ -187,6 +187,7 @@ private:
         try {
             const std::string text = readSceneFile(path);
             if (document_.text.size() + text.size() <= kMostSceneBytes) {
+                document_.files.push_back(path.string());
                 Value table = file(text, path.string(), path);
                 dropOwn(table);
                 return table;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "demos/scene/toml_value.h"
 
@@ -18,6 +19,7 @@ constexpr std::uintmax_t kMostSceneBytes = 8u << 20;  // of all files of a scene
 struct Document {
     Value table;
     std::string text;  // of all files
+    std::vector<std::string> files;  // that were included
 };
 
 /// `path`: where the text is from, and what `include` is relative to; nothing where it is from no

@@ -1,5 +1,6 @@
 #include "demos/scene/mesh_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <span>
@@ -52,6 +53,15 @@ std::span<const std::uint8_t> bytesOf(const std::vector<Item>& items) {
     return {reinterpret_cast<const std::uint8_t*>(items.data()), items.size() * sizeof(Item)};
 }
 
+/// Each once: a file may be read for several shapes.
+void notePaths(const fs::path& path, const TriangleMesh& mesh, std::vector<std::string>& paths) {
+    std::vector<std::string> read = mesh.buffers;
+    read.insert(read.begin(), path.string());
+    for (std::string& one : read)
+        if (std::find(paths.begin(), paths.end(), one) == paths.end())
+            paths.push_back(std::move(one));
+}
+
 }  // namespace
 
 std::optional<engine::Shape> readShapeFile(
@@ -78,6 +88,7 @@ std::optional<engine::Shape> readShapeFile(
         TriangleMesh mesh = readMeshFile(path);
         files.contents.add(bytesOf(mesh.corners));
         files.contents.add(bytesOf(mesh.triangles));
+        notePaths(path, mesh, files.paths);
         if (!placePoints(keys, key, *file, placing, mesh.corners)) return std::nullopt;
         const std::optional<engine::Shape> shape = make(*file, mesh);
         if (shape) files.known.emplace(name, *shape);

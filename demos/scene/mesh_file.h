@@ -14,6 +14,7 @@ namespace demos {
 struct TriangleMesh {
     std::vector<engine::Vec3> corners;          // as the file has them
     std::vector<std::array<int, 3>> triangles;  // each number is that of a corner
+    std::vector<std::string> buffers = {};      // files that were read besides the mesh's own
 };
 
 /// What is wrong with a file, and what would be right.

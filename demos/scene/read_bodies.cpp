@@ -286,7 +286,7 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
 BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& materials,
                        SceneDescription& scene, Complaints& complaints) {
     BodyNumbers numbers;
-    ShapeFiles files{scene.folder, {}, {}};
+    ShapeFiles files{scene.folder, {}};
     const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         const int before = complaints.count();
@@ -306,6 +306,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
         scene.bodies.push_back(std::move(body));
     }
     scene.contents = files.contents.value();
+    scene.files = std::move(files.paths);
     return numbers;
 }
 

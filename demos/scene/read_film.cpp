@@ -17,10 +17,12 @@ void set(To& to, const std::optional<From>& from) {
     if (from) to = *from;
 }
 
-void checkOverlay(Keys& keys, const std::string& name) {
-    const std::vector<std::string>& names = overlayNames();
+/// `what`: "overlay", "chart", ...
+void checkWord(Keys& keys, std::string_view key, const std::string& what, const std::string& name,
+               const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) == names.end())
-        keys.complain("show", "no overlay is called '" + name + "'" + suggestion(name, names));
+        keys.complain(key, "no " + what + " is called '" + shown(name) + "'" +
+                               suggestion(name, names));
 }
 
 /// "first", "last", or a time.
@@ -29,6 +31,35 @@ std::optional<std::string> readPoster(Keys& keys, double seconds) {
     if (!value || !value->isNumber()) return keys.word("poster", {"first", "last"});
     const std::optional<double> time = keys.number("poster", {0.0, seconds, "s"});
     return time ? std::optional(numberText(*time)) : std::nullopt;
+}
+
+Place placeOf(Keys& keys, std::string_view key) {
+    const Value* value = keys.any(key);
+    return value ? value->place : Place{};
+}
+
+/// What the section's slide shows besides the film.
+void readSlide(Keys& keys, Section& section) {
+    section.place = keys.place();
+    section.titlePlace = placeOf(keys, "title");
+    section.textPlace = placeOf(keys, "text");
+    section.notesPlace = placeOf(keys, "notes");
+    set(section.title, keys.text("title"));
+    set(section.text, keys.text("text"));
+    set(section.formulas, keys.texts("formula"));
+    if (const Value* formula = keys.any("formula"); formula && !section.formulas.empty()) {
+        if (formula->kind == Value::Kind::text) section.formulaPlaces = {formula->place};
+        for (const Value& item : formula->items) section.formulaPlaces.push_back(item.place);
+    }
+    for (const std::string& name : keys.texts("plot").value_or(std::vector<std::string>{})) {
+        section.plots.push_back(name);
+        checkWord(keys, "plot", "chart", name, measureNames());
+    }
+    for (const std::string& name : keys.texts("table").value_or(std::vector<std::string>{})) {
+        section.measures = section.measures || name == "measures";
+        section.expectations = section.expectations || name == "expectations";
+        checkWord(keys, "table", "table", name, tableNames());
+    }
 }
 
 Section readSection(Keys keys, const SceneDescription& scene) {
@@ -41,11 +72,17 @@ Section readSection(Keys keys, const SceneDescription& scene) {
     set(section.slow, keys.number("slow", {0.001, 1000.0}));
     set(section.pause, keys.truth("pause"));
     set(section.loop, keys.truth("loop"));
+    readSlide(keys, section);
     keys.done();
     return section;
 }
 
 }  // namespace
+
+const std::vector<std::string>& tableNames() {
+    static const std::vector<std::string> names = {"measures", "expectations"};
+    return names;
+}
 
 void readLook(Keys& top, SceneDescription& scene) {
     const Value* table = top.any("look");
@@ -54,7 +91,7 @@ void readLook(Keys& top, SceneDescription& scene) {
     set(scene.look.theme, keys.word("theme", themeNames()));
     for (const std::string& name : keys.texts("show").value_or(std::vector<std::string>{})) {
         scene.look.show.push_back(name);
-        checkOverlay(keys, name);
+        checkWord(keys, "show", "overlay", name, overlayNames());
     }
     set(scene.look.colorBy, keys.word("colour_by", colorings()));
     constexpr Range kScale{1e-9, 1e9, "m/s or N s"};

@@ -55,6 +55,9 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene);
 void readLook(Keys& top, SceneDescription& scene);
 void readSections(Keys& top, SceneDescription& scene);
 
+/// Tables of a slide: measures, expectations.
+const std::vector<std::string>& tableNames();
+
 // read_snapshot.cpp
 void readSnapshot(Keys& top, SceneDescription& scene);
 

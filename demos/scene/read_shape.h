@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "demos/scene/keys.h"
 #include "demos/text_hash.h"
@@ -15,7 +16,8 @@ namespace demos {
 struct ShapeFiles {
     std::optional<std::filesystem::path> folder;  // that they are relative to; none: no files
     std::map<std::string, engine::Shape> known;   // by file, use, scale and turn
-    TextHash contents;                            // of what was read
+    TextHash contents = {};                       // of what was read
+    std::vector<std::string> paths = {};          // that were read
 };
 
 /// What a shape needs to know besides its own keys.

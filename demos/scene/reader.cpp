@@ -108,6 +108,8 @@ SceneDescription readScene(std::string_view text, const std::string& fileName,
     const Scope scope{&expressions, {}, nullptr};
     SceneDescription scene = describeScene(document.table, sceneName, folder, scope, complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
+    scene.files.insert(scene.files.begin(), document.files.begin(), document.files.end());
+    for (Section& section : scene.sections) section.file = complaints.fileOf(section.place);
     return scene;
 }
 
@@ -120,7 +122,7 @@ std::vector<std::string> catalogScene(std::string_view text, const std::string& 
     return complaints.lines();
 }
 
-std::string readSceneFile(const fs::path& path, const char* what) {
+std::string readSceneFile(const fs::path& path, const char* what, std::uintmax_t most) {
     const std::string name = path.string();
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -132,8 +134,9 @@ std::string readSceneFile(const fs::path& path, const char* what) {
         fail(name + ": is not a regular file; it should be " + what);
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(name + ": cannot be read: " + error.message());
-    if (size > kMostSceneBytes)
-        fail(name + ": is " + std::to_string(size) + " bytes; it should be at most 8 MiB");
+    if (size > most)
+        fail(name + ": is " + std::to_string(size) + " bytes; it should be at most " +
+             std::to_string(most >> 20) + " MiB");
     std::ifstream file(path, std::ios::binary);
     std::string text(static_cast<std::size_t>(size), '\0');
     file.read(text.data(), static_cast<std::streamsize>(size));

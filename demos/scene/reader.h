@@ -30,8 +30,12 @@ SceneDescription readScene(std::string_view text, const std::string& fileName,
                            const std::vector<std::string>& overrides = {},
                            const std::optional<std::filesystem::path>& folder = std::nullopt);
 
-/// A regular file of at most 8 MiB, or an error (SceneError) that says what it is instead.
-std::string readSceneFile(const std::filesystem::path& path, const char* what = "a scene file");
+constexpr std::uintmax_t kMostPartBytes = 64u << 20;  // of a mesh, say
+
+/// A regular file of at most so many bytes, 8 MiB unless given, or an error (SceneError) that says
+/// what it is instead.
+std::string readSceneFile(const std::filesystem::path& path, const char* what = "a scene file",
+                          std::uintmax_t most = 8u << 20);
 
 /// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
 SceneDescription loadScene(const std::string& nameOrPath,

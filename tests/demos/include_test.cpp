@@ -40,6 +40,18 @@ protected:
     support::TemporaryFolder folder_;
 };
 
+TEST_F(Include, TheSceneNamesTheFilesInTheOrderOfReading) {
+    write("main.toml", "include = ['parts/a.toml', 'b.toml']\n" + kBall + kFloor);
+    write("parts/a.toml", "include = '../b.toml'\n");
+    write("b.toml", "[[section]]\nat = 1\nname = 'of b'\n");
+    const SceneDescription scene = load();
+    EXPECT_EQ(scene.files, (std::vector<std::string>{(folder_ / "parts/a.toml").string(),
+                                                     (folder_ / "b.toml").string()}));
+    ASSERT_EQ(scene.sections.size(), 1u);
+    EXPECT_EQ(scene.sections[0].file, (folder_ / "b.toml").string());
+    EXPECT_EQ(scene.sections[0].place.line, 2);
+}
+
 TEST_F(Include, ListsAppendTablesMergeAndTheIncluderWins) {
     write("main.toml",
           "include = ['parts/floor.toml', 'parts/look.toml']\ntitle = 'main'\n"

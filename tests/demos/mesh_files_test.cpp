@@ -195,6 +195,23 @@ TEST_F(MeshFiles, GltfNodesPlaceTheirMeshes) {
     EXPECT_EQ(mesh.triangles[1], (std::array<int, 3>{3, 5, 4}));  // mirrored: turned round again
 }
 
+/// What no output may take the place of: each file once, a buffer beside its glTF too.
+TEST_F(MeshFiles, TheSceneNamesEveryFileThatItReads) {
+    write("rock.obj", kTetrahedron);
+    Gltf file;
+    file.buffer = R"({"uri":"my%20bytes.bin","byteLength":42})";
+    write("a.gltf", file.text());
+    write("my bytes.bin", triangleBytes());
+    const SceneDescription scene = readScene(
+        "format = 1\n[[body]]\nname = 'a'\nshape = { hull = 'rock.obj' }\n[[body]]\nname = 'b'\n"
+        "shape = { hull = 'rock.obj', scale = 2 }\nat = [9, 0, 0]\n[[body]]\nname = 'c'\n"
+        "fixed = true\nshape = { mesh = 'a.gltf' }\nat = [0, 9, 0]\n",
+        "s.toml", "s", {}, folder_.path());
+    EXPECT_EQ(scene.files, (std::vector<std::string>{(folder_ / "rock.obj").string(),
+                                                     (folder_ / "a.gltf").string(),
+                                                     (folder_ / "my bytes.bin").string()}));
+}
+
 TEST_F(MeshFiles, BrokenObjFilesAreTold) {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const std::pair<std::string, const char*> bad[] = {
