@@ -64,6 +64,20 @@ std::string plainOf(const std::string& commonMark) {
     return trimmed(result);
 }
 
+std::string commonMarkOf(const std::string& plain) {
+    const MarkupTree document(cmark_node_new(CMARK_NODE_DOCUMENT));
+    cmark_node* paragraph = cmark_node_new(CMARK_NODE_PARAGRAPH);
+    cmark_node_append_child(document.get(), paragraph);
+    cmark_node_append_child(paragraph, textNode(plain));
+    const std::unique_ptr<char, decltype(&std::free)> text(
+        cmark_render_commonmark(document.get(), CMARK_OPT_DEFAULT, 0), std::free);
+    std::string result;
+    for (const char* c = text.get(); *c; ++c)
+        result += (*c == '$' || *c == '@' ? "\\" : "") + std::string(1, *c);
+    while (result.ends_with('\n')) result.pop_back();
+    return result;
+}
+
 std::string htmlEscaped(const std::string& text) {
     std::string result;
     for (const char c : text) {

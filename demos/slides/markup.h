@@ -18,6 +18,9 @@ std::string latexInlineOf(const std::string& commonMark);
 
 std::string plainOf(const std::string& commonMark);  // one line for titles and alt texts: no marks
 
+/// What says these very words: nothing in them is a mark, a formula or a number (numbers.h).
+std::string commonMarkOf(const std::string& plain);
+
 std::string htmlEscaped(const std::string& text);
 std::string latexEscaped(const std::string& text);  // (latex.cpp)
 /// Lines in a typewriter's letters, spaces kept; good in any frame, not in a fragile one only.

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "demos/scene/catalog.h"
 #include "demos/scene/reader.h"
 #include "demos/slides/deck.h"
 
@@ -17,5 +18,8 @@ bool isDeckFile(const std::string& nameOrPath);
 /// Throws SceneError with every complaint as `file:line:column: what`.
 Deck readDeck(std::string_view text, const std::filesystem::path& file);
 Deck loadDeck(const std::filesystem::path& file);
+
+/// What the reader asks of which table while it reads such a text, whatever is wrong with it.
+Catalog catalogDeck(std::string_view text);
 
 }  // namespace demos

@@ -1,0 +1,25 @@
+/// What is wrong with a slide's words, told before anything is played: formulas that KaTeX refuses,
+/// numbers that the slide's runs do not have, bytes that no page takes.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/scene/complaints.h"
+#include "demos/slides/written.h"
+
+namespace demos {
+
+constexpr std::size_t kMostWords = 16u << 10;  // bytes of a text
+
+/// CommonMark. `runs`: whose numbers may be named, in their order.
+void checkWords(const std::string& words, const Written& written,
+                const std::vector<SceneDescription>& runs, Complaints& complaints);
+
+/// LaTeX, which may hold numbers as well.
+void checkFormula(const std::string& tex, const Written& written,
+                  const std::vector<SceneDescription>& runs, Complaints& complaints);
+
+/// As it is, without formulas and numbers.
+void checkPlain(const std::string& text, const Written& written, Complaints& complaints);
+
+}  // namespace demos

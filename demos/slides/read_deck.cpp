@@ -1,0 +1,161 @@
+#include "demos/slides/read_deck.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/scene/builtin.h"
+#include "demos/scene/expression.h"
+#include "demos/scene/keys.h"
+#include "demos/slides/check_words.h"
+#include "demos/slides/read_slide.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostSlides = 200;
+constexpr int kMostFps = 240;
+
+template <class To, class From>
+void set(To& to, const std::optional<From>& from) {
+    if (from) to = *from;
+}
+
+void readFormat(Keys& top) {
+    const Value* format = top.any("format");
+    if (!format)
+        top.complain("format", "the deck has no format; begin it with format = 1");
+    else if (format->kind == Value::Kind::integer && format->integer == 1)
+        top.whole("format", {1, 1});
+    else
+        top.complain("format", "format is " + describe(*format) + "; this version reads format 1");
+}
+
+void readSize(Keys& top, PictureSize& size) {
+    const auto pixels = top.numbers("size", {64.0, 8192.0, "pixels"});
+    if (!pixels) return;
+    // Films have half as many pixels of colour each way.
+    const auto isEven = [](double x) { return x == 2.0 * std::floor(0.5 * x); };
+    if (pixels->size() != 2 || !std::all_of(pixels->begin(), pixels->end(), isEven))
+        return top.complain("size",
+                            "size should be two even whole numbers [width, height] of pixels");
+    size = {static_cast<int>((*pixels)[0]), static_cast<int>((*pixels)[1])};
+}
+
+class DeckReader {
+public:
+    DeckReader(std::string_view text, const fs::path& file, Complaints& complaints)
+        : folder_(file.parent_path()),
+          complaints_(complaints),
+          reading_{folder_, text, std::nullopt, complaints, SectionFiles(complaints)} {
+        deck_.name = file.stem().string();
+        deck_.files = {file};
+    }
+
+    Deck read(const Value& document, const Scope& scope) {
+        Keys top(document, "a deck", complaints_, scope);
+        readFormat(top);
+        readWords(top);
+        set(deck_.theme, top.word("theme", {"studio", "dark", "print"}));
+        readSize(top, deck_.size);
+        reading_.fps = top.whole("fps", {1, kMostFps, "frames a second"});
+        set(deck_.fps, reading_.fps);
+        readOpening(top);
+        readSlides(top);
+        top.done();
+        for (fs::path& path : reading_.files) deck_.files.push_back(std::move(path));
+        return std::move(deck_);
+    }
+
+private:
+    void readLine(Keys& top, const char* key, std::string& to) {
+        const std::optional<std::string> line = top.text(key);
+        if (!line) return;
+        to = *line;
+        checkWords(to, {top.any(key)->place, reading_.source}, {}, complaints_);
+    }
+
+    void readWords(Keys& top) {
+        readLine(top, "title", deck_.title);
+        if (!top.has("title"))
+            top.complain("title", "the deck has no title; write title = \"...\"");
+        readLine(top, "subtitle", deck_.subtitle);
+        readLine(top, "author", deck_.author);
+        readLine(top, "date", deck_.date);
+    }
+
+    /// A table of what it shows, or whether there is one.
+    void readOpening(Keys& top) {
+        const Value* opening = top.any("opening");
+        Slide slide;
+        if (opening && opening->kind != Value::Kind::table) {
+            const std::optional<bool> wanted = top.truth("opening");
+            if (wanted && !*wanted) return;
+        } else if (opening) {
+            slide = readSlide(top.inner(*opening, "[opening]"), true, reading_);
+        }
+        slide.opening = true;
+        slide.title = deck_.title;
+        deck_.slides.push_back(std::move(slide));
+    }
+
+    void readSlides(Keys& top) {
+        const std::vector<const Value*> tables = top.tables("slide");
+        if (tables.empty() && !top.has("slide"))
+            top.complain("slide", "the deck has no slide; write a [[slide]]");
+        if (tables.size() > kMostSlides)
+            return top.complain("slide", std::to_string(tables.size()) +
+                                             " slides; a deck has at most " +
+                                             std::to_string(kMostSlides));
+        for (const Value* table : tables)
+            deck_.slides.push_back(readSlide(top.inner(*table, "a [[slide]]"), false, reading_));
+        for (std::size_t i = 0; i < deck_.slides.size(); ++i)
+            deck_.slides[i].id =
+                slideId(static_cast<int>(i) + 1, deck_.slides.size(), deck_.slides[i].title);
+    }
+
+    fs::path folder_;
+    Complaints& complaints_;
+    DeckReading reading_;
+    Deck deck_;
+};
+
+}  // namespace
+
+bool isDeckFile(const std::string& nameOrPath) {
+    for (const BuiltinScene& scene : builtinScenes())
+        if (scene.name == nameOrPath) return false;
+    if (fs::path(nameOrPath).extension() != ".toml") return false;
+    try {
+        Complaints ignored;
+        return parseToml(readSceneFile(nameOrPath), ignored).find("slide") != nullptr;
+    } catch (const SceneError&) {
+        return false;
+    }
+}
+
+Deck readDeck(std::string_view text, const fs::path& file) {
+    Complaints complaints;
+    complaints.addFile(file.string());
+    const Value document = parseToml(text, complaints);
+    if (complaints.count() > 0) throw SceneError(complaints.lines());
+    Expressions expressions;
+    Deck deck = DeckReader(text, file, complaints).read(document, {&expressions, {}, nullptr});
+    if (complaints.count() > 0) throw SceneError(complaints.lines());
+    return deck;
+}
+
+Catalog catalogDeck(std::string_view text) {
+    Complaints complaints;
+    complaints.addFile("deck.toml");
+    const Value document = parseToml(text, complaints);
+    Catalog catalog;
+    Expressions expressions;
+    DeckReader(text, "deck.toml", complaints).read(document, {&expressions, {}, &catalog});
+    return catalog;
+}
+
+Deck loadDeck(const fs::path& file) { return readDeck(readSceneFile(file, "a deck"), file); }
+
+}  // namespace demos

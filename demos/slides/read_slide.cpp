@@ -1,0 +1,278 @@
+#include "demos/slides/read_slide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/film/film_plan.h"
+#include "demos/overlays.h"
+#include "demos/report/measures.h"
+#include "demos/report/summary.h"
+#include "demos/scene/nearest.h"
+#include "demos/scene/read_parts.h"
+#include "demos/slides/check_words.h"
+#include "demos/slides/markup.h"
+#include "demos/slides/slide_runs.h"
+
+namespace demos {
+namespace {
+
+constexpr int kMostMoments = 12;
+
+template <class To, class From>
+void set(To& to, const std::optional<From>& from) {
+    if (from) to = *from;
+}
+
+std::vector<std::string> measureWords() {
+    std::vector<std::string> names;
+    for (const Measure& measure : measures()) names.emplace_back(measure.name);
+    return names;
+}
+
+class SlideReader {
+public:
+    SlideReader(Keys& keys, bool opening, DeckReading& reading)
+        : keys_(keys), reading_(reading), opening_(opening), cast_(readRuns(keys, reading.folder)) {
+        slide_.opening = opening;
+        slide_.place = keys.place();
+        slide_.runs = cast_.runs;
+    }
+
+    Slide read() {
+        if (!cast_.point.empty()) slide_.caption = commonMarkOf(cast_.point);
+        readSection();
+        readWords();
+        readExhibit();
+        readTimes();
+        readPlay();
+        readLists();
+        needRuns();
+        checkRate();
+        noteFiles();
+        keys_.done();
+        return std::move(slide_);
+    }
+
+private:
+    /// Whether it names some; isRead(): and they could be read.
+    bool hasRuns() const { return keys_.has("scene") || keys_.has("compare"); }
+    bool isRead() const { return !cast_.scenes.empty(); }
+
+    /// s: of the shortest run.
+    double end() const {
+        double seconds = 1e5;
+        for (const SceneDescription& scene : cast_.scenes)
+            seconds = std::min(seconds, scene.seconds);
+        return seconds;
+    }
+
+    void readSection() {
+        const std::optional<std::string> name = keys_.text("section");
+        if (!name) return;
+        for (const char* key : {"from", "until", "compare"})
+            if (keys_.has(key))
+                keys_.complain(key,
+                               "a section says from when to when, and of which scene; leave "
+                               "out " +
+                                   std::string(key) + ", or section");
+        if (!isRead()) return;
+        const SceneDescription& scene = cast_.scenes.front();
+        std::vector<std::string> names;
+        for (const Section& section : scene.sections) {
+            if (!section.name.empty()) names.push_back(section.name);
+            if (section.name != *name) continue;
+            takeSection(scene, section, slide_.runs.several(), slide_);
+            return checkSection(section, cast_.scenes, keys_.placeOf("section"), reading_.sections,
+                                reading_.complaints);
+        }
+        keys_.complain("section", "'" + scene.name + "' has no section '" + shown(*name) + "'" +
+                                      (names.empty() ? "; it has none" : suggestion(*name, names)));
+    }
+
+    Written writtenAt(const Value& value) const { return {value.place, reading_.source}; }
+
+    void readText(const char* key, std::string& to) {
+        const std::optional<std::string> text = keys_.text(key);
+        if (!text) return;
+        to = *text;
+        if (hasRuns() && !isRead()) return;  // complained of, and so would be every number
+        checkWords(to, writtenAt(*keys_.any(key)), cast_.scenes, reading_.complaints);
+    }
+
+    void readWords() {
+        if (!opening_) readText("title", slide_.title);
+        readText("text", slide_.text);
+        readText("caption", slide_.caption);
+        readText("notes", slide_.notes);
+        readFormulas();
+        if (const std::optional<std::string> code = keys_.text("code")) {
+            slide_.code = *code;
+            checkPlain(*code, writtenAt(*keys_.any("code")), reading_.complaints);
+        }
+    }
+
+    void readFormulas() {
+        const std::optional<std::vector<std::string>> formulas = keys_.texts("formula");
+        if (!formulas) return;
+        slide_.formulas = *formulas;
+        if (hasRuns() && !isRead()) return;
+        const Value& value = *keys_.any("formula");
+        for (std::size_t i = 0; i < formulas->size(); ++i)
+            checkFormula((*formulas)[i], writtenAt(value.items.empty() ? value : value.items[i]),
+                         cast_.scenes, reading_.complaints);
+    }
+
+    void readExhibit() {
+        slide_.exhibit = hasRuns() ? Exhibit::film : Exhibit::none;
+        const std::vector<std::string> words = {"none", "film", "still", "strip"};
+        if (const std::optional<std::string> word = keys_.word("picture", words))
+            slide_.exhibit =
+                static_cast<Exhibit>(std::find(words.begin(), words.end(), *word) - words.begin());
+        if (keys_.has("at") && slide_.exhibit != Exhibit::still)
+            keys_.complain("at",
+                           "at is the time of a still; write picture = \"still\", or from and "
+                           "until for a film");
+        if (keys_.has("moments") && slide_.exhibit != Exhibit::strip)
+            keys_.complain("moments", "moments are those of a strip; write picture = \"strip\"");
+        if (slide_.exhibit != Exhibit::film)
+            for (const char* key : {"slow", "pause", "loop"})
+                if (keys_.has(key))
+                    keys_.complain(key, std::string(key) +
+                                            " is of a film, which is not shown here; "
+                                            "leave it out");
+        set(slide_.moments, keys_.whole("moments", {1, kMostMoments}));
+    }
+
+    /// A time of the run; a complaint says when that ends.
+    void readTime(const char* key, std::optional<double>& to) {
+        const std::optional<double> time = keys_.number(key, {0.0, 1e5, "s"});
+        if (!time) return;
+        to = time;
+        if (isRead() && *time > end())
+            keys_.complain(key, std::string(key) + " is " + numberText(*time) +
+                                    " s; the run ends at " + numberText(end()) + " s");
+    }
+
+    void readTimes() {
+        std::optional<double> from;
+        readTime("from", from);
+        readTime("until", slide_.until);
+        readTime("at", slide_.at);
+        set(slide_.from, from);
+        if (slide_.until && *slide_.until <= slide_.from)
+            keys_.complain("until", "until is " + numberText(*slide_.until) +
+                                        " s; it should be later than from, " +
+                                        numberText(slide_.from) + " s");
+        else if (isRead() && from && *from >= end() && !slide_.until)
+            keys_.complain("from", "from is " + numberText(*from) + " s; the run ends then");
+    }
+
+    void readPoster() {
+        const Value* value = keys_.any("poster");
+        if (!value) return;
+        if (!value->isNumber()) return set(slide_.poster, keys_.word("poster", {"first", "last"}));
+        const double until = slide_.until.value_or(end());
+        if (const auto time = keys_.number("poster", {slide_.from, until, "s"}))
+            slide_.poster = numberText(*time);
+    }
+
+    void readPlay() {
+        set(slide_.slow, keys_.number("slow", {0.001, 1000.0}));
+        set(slide_.pause, keys_.truth("pause"));
+        set(slide_.loop, keys_.truth("loop"));
+        readPoster();
+        set(slide_.colorBy, keys_.word("colour_by", colorings()));
+    }
+
+    std::vector<std::string> readNames(const char* key, const char* what,
+                                       const std::vector<std::string>& known) {
+        const std::vector<std::string> names =
+            keys_.texts(key).value_or(std::vector<std::string>{});
+        for (const std::string& name : names)
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                keys_.complain(key, "no " + std::string(what) + " is called '" + shown(name) + "'" +
+                                        suggestion(name, known));
+        return names;
+    }
+
+    void readLists() {
+        const bool several = slide_.runs.several();
+        slide_.show = readNames("show", "overlay", overlayNames());
+        const std::vector<std::string> plots =
+            readNames("plot", several ? "measure of several runs" : "chart of one run",
+                      several ? measureWords() : measureNames());
+        if (keys_.has("plot")) slide_.plots = plots;
+        const std::vector<std::string> tables = readNames("table", "table", tableNames());
+        const auto names = [&](const char* table) {
+            return std::find(tables.begin(), tables.end(), table) != tables.end();
+        };
+        if (!keys_.has("table")) return;
+        slide_.measures = names("measures");
+        slide_.expectations = names("expectations");
+    }
+
+    void needRuns() {
+        if (hasRuns()) return;
+        for (const char* key : {"section", "picture", "from", "until", "poster", "show",
+                                "colour_by", "plot", "table"})
+            if (keys_.has(key))
+                keys_.complain(key, std::string(key) + " is of a run; name a scene or compare");
+    }
+
+    /// A film's frames fall on steps.
+    void checkRate() {
+        if (!reading_.fps || slide_.exhibit != Exhibit::film) return;
+        for (const SceneDescription& scene : cast_.scenes) {
+            if (scene.hz % *reading_.fps == 0) continue;
+            return keys_.complain(
+                keys_.has("scene") ? "scene" : "compare",
+                fmt::format("fps of the deck is {}: '{}' steps {} times a second, which must be a "
+                            "multiple; good: {}",
+                            *reading_.fps, scene.name, scene.hz,
+                            goodRates(scene.hz, *reading_.fps)));
+        }
+    }
+
+    void noteFiles() {
+        const auto note = [&](const std::filesystem::path& path) {
+            std::vector<std::filesystem::path>& files = reading_.files;
+            if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(path);
+        };
+        if (slide_.runs.scene.find('/') != std::string::npos ||
+            std::filesystem::path(slide_.runs.scene).has_extension())
+            note(slide_.runs.scene);
+        for (const SceneDescription& scene : cast_.scenes)
+            for (const std::string& file : scene.files) note(file);
+    }
+
+    Keys& keys_;
+    DeckReading& reading_;
+    bool opening_;
+    ReadRuns cast_;
+    Slide slide_;
+};
+
+}  // namespace
+
+Slide readSlide(Keys keys, bool opening, DeckReading& reading) {
+    return SlideReader(keys, opening, reading).read();
+}
+
+std::string slideId(int number, std::size_t count, const std::string& title) {
+    constexpr std::size_t kLongest = 40;
+    std::string words;
+    for (const char c : plainOf(title)) {
+        const bool capital = c >= 'A' && c <= 'Z';
+        const bool letter = capital || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (letter)
+            words += static_cast<char>(capital ? c - 'A' + 'a' : c);
+        else if (!words.empty() && words.back() != '-')
+            words += '-';
+    }
+    words.resize(std::min(words.size(), kLongest));
+    while (words.ends_with('-')) words.pop_back();
+    return fmt::format("{:0{}}{}{}", number, count > 99 ? 3 : 2, words.empty() ? "" : "-", words);
+}
+
+}  // namespace demos

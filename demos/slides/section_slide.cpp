@@ -1,0 +1,67 @@
+#include "demos/slides/section_slide.h"
+
+#include "demos/scene/builtin.h"
+#include "demos/scene/reader.h"
+#include "demos/slides/check_words.h"
+#include "demos/slides/markup.h"
+
+namespace demos {
+namespace {
+
+std::string textOf(const std::string& file) {
+    for (const BuiltinScene& scene : builtinScenes())
+        if (std::string(scene.name) + ".toml" == file) return std::string(scene.text);
+    try {
+        return readSceneFile(file);
+    } catch (const SceneError&) {
+        return {};  // it was there when the scene was read: places are those of the quotes then
+    }
+}
+
+}  // namespace
+
+const SectionFiles::File& SectionFiles::of(const std::string& name) {
+    const auto known = files_.find(name);
+    if (known != files_.end()) return known->second;
+    return files_.emplace(name, File{complaints_.addFile(name), textOf(name)}).first->second;
+}
+
+void takeSection(const SceneDescription& scene, const Section& section, bool several,
+                 Slide& slide) {
+    slide.title = section.title;
+    slide.text = section.text;
+    slide.formulas = section.formulas;
+    slide.caption = commonMarkOf(section.caption);
+    slide.notes = section.notes;
+    slide.from = section.at;
+    for (const Section& later : scene.sections)
+        if (later.at > section.at && (!slide.until || later.at < *slide.until))
+            slide.until = later.at;
+    slide.slow = section.slow;
+    slide.pause = section.pause;
+    slide.loop = section.loop;
+    if (!section.poster.empty()) slide.poster = section.poster;
+    if (!several) slide.plots = section.plots;
+    slide.measures = section.measures;
+    slide.expectations = section.expectations;
+}
+
+void checkSection(const Section& section, const std::vector<SceneDescription>& runs,
+                  Place otherwise, SectionFiles& files, Complaints& complaints) {
+    const auto written = [&](Place place) {
+        if (section.file.empty() || place.line < 1) return Written{otherwise, {}};
+        const SectionFiles::File& file = files.of(section.file);
+        place.file = file.number;
+        return Written{place, file.text};
+    };
+    if (!section.title.empty())
+        checkWords(section.title, written(section.titlePlace), runs, complaints);
+    if (!section.text.empty())
+        checkWords(section.text, written(section.textPlace), runs, complaints);
+    if (!section.notes.empty())
+        checkWords(section.notes, written(section.notesPlace), runs, complaints);
+    for (std::size_t i = 0; i < section.formulas.size(); ++i)
+        checkFormula(section.formulas[i], written(section.formulaPlaces[i]), runs, complaints);
+}
+
+}  // namespace demos

@@ -1,0 +1,432 @@
+// Deck files: what is read, and what is told of those that are wrong.
+
+#include "demos/slides/deck.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "demos/slides/deck_of_scenes.h"
+#include "demos/slides/read_deck.h"
+#include "demos/slides/read_slide.h"
+#include "tests/demos/reading.h"
+#include "tests/support/temporary_folder.h"
+
+namespace demos::test {
+namespace {
+
+using List = std::vector<std::string>;
+
+/// `slides` begins at line 3.
+Deck deck(const std::string& slides) {
+    return readDeck("format = 1\ntitle = 'A deck'\n" + slides, "deck.toml");
+}
+
+List deckErrors(const std::string& slides) {
+    try {
+        deck(slides);
+    } catch (const SceneError& error) {
+        return error.lines();
+    }
+    return {};
+}
+
+/// Of the slide's keys, which begin at line 4; the first complaint.
+std::string wrong(const std::string& keys) {
+    const List lines = deckErrors("[[slide]]\n" + keys);
+    return lines.empty() ? "" : lines.front();
+}
+
+TEST(Deck, HasItsDefaults) {
+    const Deck read = deck("[[slide]]\ntitle = 'One'\n");
+    EXPECT_EQ(read.name, "deck");
+    EXPECT_EQ(read.title, "A deck");
+    EXPECT_EQ(read.theme, "studio");
+    EXPECT_EQ(read.fps, 30);
+    EXPECT_EQ(read.size.width, 1280);
+    EXPECT_EQ(read.files, std::vector<std::filesystem::path>{"deck.toml"});
+    ASSERT_EQ(read.slides.size(), 2u);
+    EXPECT_TRUE(read.slides[0].opening);
+    EXPECT_EQ(read.slides[0].id, "01-a-deck");
+    EXPECT_EQ(read.slides[1].id, "02-one");
+    EXPECT_EQ(read.slides[1].exhibit, Exhibit::none);
+    EXPECT_FALSE(read.slides[1].runs.any());
+    EXPECT_EQ(deck("opening = false\n[[slide]]\n").slides.size(), 1u);
+    EXPECT_EQ(deck("opening = true\n[[slide]]\n").slides.size(), 2u);
+}
+
+TEST(Deck, SaysWhatItsSlidesSay) {
+    const Deck read = deck(
+        "subtitle = 's'\nauthor = 'a'\ndate = 'd'\ntheme = 'print'\nsize = [640, 360]\nfps = 20\n"
+        "[opening]\nscene = 'pendulum'\npicture = 'still'\nat = 1\n"
+        "[[slide]]\ntitle = 'T'\ntext = 'x $y$ @{drift}'\nformula = 'z'\ncode = 'c'\n"
+        "caption = 'p'\nnotes = 'n'\nscene = 'stack'\nfrom = 0.5\nuntil = 2\n"
+        "set = ['solver.sweeps=4']\nshow = ['impulses']\ncolour_by = 'speed'\nslow = 0.5\n"
+        "pause = true\nloop = true\nposter = 1\nplot = ['residual', 'energy']\n"
+        "table = ['measures', 'expectations']\n");
+    EXPECT_EQ(read.subtitle + read.author + read.date + read.theme, "sadprint");
+    EXPECT_EQ(read.size.height, 360);
+    EXPECT_EQ(read.fps, 20);
+    EXPECT_EQ(read.slides[0].exhibit, Exhibit::still);
+    EXPECT_EQ(read.slides[0].at, 1.0);
+    EXPECT_EQ(read.slides[0].title, "A deck");
+    const Slide& slide = read.slides[1];
+    EXPECT_EQ(slide.title + slide.text + slide.code + slide.caption + slide.notes,
+              "Tx $y$ @{drift}cpn");
+    EXPECT_EQ(slide.formulas, List{"z"});
+    EXPECT_EQ(slide.runs.scene, "stack");
+    EXPECT_EQ(slide.runs.settings, List{"solver.sweeps=4"});
+    EXPECT_FALSE(slide.runs.several());
+    EXPECT_EQ(slide.exhibit, Exhibit::film);
+    EXPECT_EQ(slide.from, 0.5);
+    EXPECT_EQ(slide.until, 2.0);
+    EXPECT_EQ(slide.show, List{"impulses"});
+    EXPECT_EQ(slide.colorBy, "speed");
+    EXPECT_EQ(slide.slow, 0.5);
+    EXPECT_TRUE(slide.pause && slide.loop && slide.measures && slide.expectations);
+    EXPECT_EQ(slide.poster, "1");
+    EXPECT_EQ(slide.plots, (List{"residual", "energy"}));
+    EXPECT_EQ(slide.place.line, 13);
+}
+
+TEST(Deck, ComparesRuns) {
+    const Deck read = deck(
+        "[[slide]]\ncompare = 'nudges'\ntext = '@{2.speed}'\nplot = 'speed'\n"
+        "[[slide]]\nscene = 'stack'\nvary = 'solver.sweeps=1,4'\n"
+        "[[slide]]\nscene = 'stack'\ncase = ['a: solver.sweeps=1', 'b: solver.sweeps=2']\n"
+        "[[slide]]\nscene = 'stack'\nover = 'solver.sweeps=1..4:x2'\ntext = '@{3.speed}'\n");
+    EXPECT_EQ(read.slides[1].runs.comparison, "nudges");
+    EXPECT_EQ(read.slides[1].caption,
+              "Baumgarte's correction becomes velocity and throws the ball up; nudges do not");
+    EXPECT_EQ(read.slides[2].runs.vary, List{"solver.sweeps=1,4"});
+    EXPECT_EQ(read.slides[3].runs.cases.size(), 2u);
+    EXPECT_EQ(read.slides[4].runs.over, "solver.sweeps=1..4:x2");
+}
+
+TEST(Deck, RefusesWhatItDoesNotKnow) {
+    EXPECT_EQ(deckErrors("subtitel = 's'\n[[slide]]\n"),
+              List{"deck.toml:3:1: unknown key 'subtitel' in a deck; did you mean 'subtitle'?"});
+    EXPECT_EQ(wrong("titel = 'a'\n"),
+              "deck.toml:4:1: unknown key 'titel' in a [[slide]]; did you mean 'title'?");
+    EXPECT_EQ(wrong("scene = 'stak'\n"),
+              "deck.toml:4:1: there is no built-in scene 'stak'; did you mean 'stack'?");
+    EXPECT_EQ(wrong("scene = 'none/a.toml'\n"),
+              "deck.toml:4:1: the scene: none/a.toml: there is no such file");
+    EXPECT_EQ(wrong("scene = 'stack'\nsection = 'impct'\n"),
+              "deck.toml:5:1: 'stack' has no section 'impct'; did you mean 'impact'?");
+    EXPECT_EQ(wrong("compare = 'nudge'\n"),
+              "deck.toml:4:1: no comparison is called 'nudge'; did you mean 'nudges'?");
+    EXPECT_EQ(wrong("scene = 'stack'\nshow = ['impulse']\n"),
+              "deck.toml:5:1: no overlay is called 'impulse'; did you mean 'impulses'?");
+    EXPECT_EQ(wrong("scene = 'stack'\nplot = 'enrgy'\n"),
+              "deck.toml:5:1: no chart of one run is called 'enrgy'; did you mean 'energy'?");
+    EXPECT_EQ(wrong("compare = 'pgs'\nplot = ['contacts']\n"),
+              "deck.toml:5:1: no measure of several runs is called 'contacts'; known are: drift, "
+              "speed, penetration, separation, energy, residual, sweeps, ms");
+    EXPECT_EQ(wrong("scene = 'stack'\ntable = 'measure'\n"),
+              "deck.toml:5:1: no table is called 'measure'; did you mean 'measures'?");
+    EXPECT_EQ(wrong("scene = 'stack'\npicture = 'stil'\n"),
+              "deck.toml:5:11: picture is the text \"stil\"; it should be none, film, still or "
+              "strip; did you mean 'still'?");
+    EXPECT_EQ(wrong("scene = 'stack'\nset = ['solver.sweps=4']\n"),
+              "deck.toml:5:1: set solver.sweps=4: unknown key 'sweps' in [solver]; did you mean "
+              "'sweeps'?");
+    EXPECT_EQ(wrong("scene = 'stack'\nvary = 'solver.sweeps'\n"),
+              "deck.toml:5:1: vary 'solver.sweeps': must be KEY=VALUE,VALUE..., for example "
+              "solver.sweeps=1,4,16");
+    EXPECT_EQ(deckErrors("theme = 'transparent'\n[[slide]]\n").front(),
+              "deck.toml:3:9: theme is the text \"transparent\"; it should be studio, dark or "
+              "print");
+}
+
+TEST(Deck, RefusesWhatContradicts) {
+    EXPECT_EQ(
+        wrong("scene = 'stack'\nsection = 'impact'\nfrom = 1\n"),
+        "deck.toml:6:1: a section says from when to when, and of which scene; leave out from, "
+        "or section");
+    EXPECT_EQ(wrong("compare = 'nudges'\nscene = 'stack'\n"),
+              "deck.toml:5:1: a comparison has a scene and cases of its own; leave out scene, or "
+              "compare");
+    EXPECT_EQ(wrong("scene = 'stack'\nvary = 'solver.sweeps=1,2'\ncase = 'solver.sweeps=1'\n"),
+              "deck.toml:6:1: vary and case cannot be given together; use one of them");
+    EXPECT_EQ(wrong("set = 'solver.sweeps=1'\n"), "deck.toml:4:1: set is of a run; name a scene");
+    EXPECT_EQ(wrong("plot = 'energy'\n"),
+              "deck.toml:4:1: plot is of a run; name a scene or compare");
+    EXPECT_EQ(wrong("scene = 'stack'\nat = 1\n"),
+              "deck.toml:5:1: at is the time of a still; write picture = \"still\", or from and "
+              "until for a film");
+    EXPECT_EQ(wrong("scene = 'stack'\nmoments = 3\n"),
+              "deck.toml:5:1: moments are those of a strip; write picture = \"strip\"");
+    EXPECT_EQ(wrong("scene = 'stack'\npicture = 'still'\nloop = true\n"),
+              "deck.toml:6:1: loop is of a film, which is not shown here; leave it out");
+}
+
+TEST(Deck, KnowsWhenARunEnds) {
+    EXPECT_EQ(wrong("scene = 'stack'\nuntil = 99\n"),
+              "deck.toml:5:1: until is 99 s; the run ends at 7 s");
+    EXPECT_EQ(wrong("scene = 'stack'\npicture = 'still'\nat = 7.1\n"),
+              "deck.toml:6:1: at is 7.1 s; the run ends at 7 s");
+    EXPECT_EQ(wrong("compare = 'nudges'\nuntil = 2.5\n"),
+              "deck.toml:5:1: until is 2.5 s; the run ends at 2 s");
+    EXPECT_EQ(wrong("scene = 'stack'\nfrom = 7\n"),
+              "deck.toml:5:1: from is 7 s; the run ends then");
+    EXPECT_EQ(
+        wrong("scene = 'stack'\nset = 'seconds=2'\n"),
+        "deck.toml:5:1: with these settings: stack.toml:47:6: at is 2.9; it should be a number "
+        "from 0 to 2 s");
+    EXPECT_EQ(wrong("scene = 'stack'\nfrom = 2\nuntil = 2\n"),
+              "deck.toml:6:1: until is 2 s; it should be later than from, 2 s");
+    EXPECT_EQ(wrong("scene = 'stack'\nfrom = 2\nposter = 1\n"),
+              "deck.toml:6:10: poster is 1; it should be a number from 2 to 7 s");
+}
+
+TEST(Deck, RefusesNonsenseSizesAndRates) {
+    for (const char* size : {"[640]", "[640, 361]", "[0, 360]", "[640, 99999]", "[640.5, 360]"})
+        EXPECT_EQ(deckErrors("size = " + std::string(size) + "\n[[slide]]\n").size(), 1u) << size;
+    EXPECT_EQ(
+        deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\n"),
+        List{"deck.toml:5:1: fps of the deck is 25: 'stack' steps 60 times a second, which must "
+             "be a multiple; good: 6 10 12 15 20 30"});
+    EXPECT_EQ(deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\npicture = 'still'\n"), List{});
+    EXPECT_EQ(deckErrors("fps = 0\n[[slide]]\n"),
+              List{"deck.toml:3:7: fps is 0; it should be a whole number from 1 to 240 frames a "
+                   "second"});
+}
+
+TEST(Deck, HasATitleAndSlides) {
+    try {
+        readDeck("format = 2\n", "a.toml");
+        ADD_FAILURE();
+    } catch (const SceneError& error) {
+        EXPECT_EQ(error.lines(), (List{"a.toml:1:1: format is 2; this version reads format 1",
+                                       "a.toml:1:1: the deck has no title; write title = \"...\"",
+                                       "a.toml:1:1: the deck has no slide; write a [[slide]]"}));
+    }
+    std::string many;
+    for (int i = 0; i < 201; ++i) many += "[[slide]]\n";
+    EXPECT_EQ(deckErrors(many), List{"deck.toml:3:3: 201 slides; a deck has at most 200"});
+}
+
+TEST(Deck, TellsWhereAFormulaIsWrong) {
+    EXPECT_EQ(wrong("text = '''\none\ntwo $x^1^2$\n'''\n"),
+              "deck.toml:6:9: formula: Double superscript");
+    EXPECT_EQ(wrong("text = \"\\u00e4 \\\"$\\\\lambda \\\\foo$\"\n"),
+              "deck.toml:4:28: formula: Undefined control sequence: \\foo");
+    EXPECT_EQ(wrong("text = \"\"\"\\\n   a \\\n\n   $a_1_2$\"\"\"\n"),
+              "deck.toml:7:8: formula: Double subscript");
+    EXPECT_EQ(wrong("formula = ['a', 'b & c']\n"),
+              "deck.toml:4:20: formula: Expected 'EOF', got '&'");
+    EXPECT_EQ(wrong("formula = 'a^b^c'\n"), "deck.toml:4:15: formula: Double superscript");
+    EXPECT_EQ(wrong("title = \"$\\\\href{http://a}{b}$\"\n"),
+              "deck.toml:4:11: formula: \\href is not allowed in a slide");
+}
+
+TEST(Deck, TellsWhichNumbersItsRunsDoNotHave) {
+    const std::string stack = "scene = 'stack'\n";
+    EXPECT_EQ(wrong(stack + "text = 'a @{body.bx3.speed}'\n").substr(0, 87),
+              "deck.toml:5:11: no body of 'stack' is called 'bx3'; did you mean 'box3'?");
+    EXPECT_EQ(wrong(stack + "text = '@{joint.a.force}'\n"),
+              "deck.toml:5:9: no joint of 'stack' is called 'a'");
+    EXPECT_EQ(wrong(stack + "text = '@{2.drift}'\n"),
+              "deck.toml:5:9: there is no run 2; the slide has 1");
+    EXPECT_EQ(wrong(stack + "caption = '@{expect.99}'\n"),
+              "deck.toml:5:12: 'stack' has 4 [[expect]]; there is no expectation 99");
+    EXPECT_EQ(wrong(stack + "formula = 'v = @{penetraton}'\n"),
+              "deck.toml:5:16: no number is called 'penetraton'; did you mean 'penetration'?");
+    EXPECT_EQ(wrong("notes = '@{drift}'\n"),
+              "deck.toml:4:10: nothing is played here that has numbers; name a scene");
+    EXPECT_EQ(wrong(stack + "text = '$x = @{run.time}$ and $y$'\n"), "");
+}
+
+TEST(Deck, SurvivesAnything) {
+    EXPECT_EQ(wrong("text = '" + std::string(17000, 'x') + "'\n"),
+              "deck.toml:4:9: the text has 17000 bytes; it should have at most 16384");
+    EXPECT_EQ(wrong("text = \"a\\u0000b\"\n"), "deck.toml:4:10: a control byte; take it out");
+    EXPECT_EQ(wrong("code = \"a\\u001bb\"\n"), "deck.toml:4:10: a control byte; take it out");
+    EXPECT_NE(wrong("text = 'a\xff'\n"), "");
+    for (const std::string& text :
+         {std::string(1 << 20, '['), std::string(1 << 20, '\0'), std::string("format"),
+          std::string(""), std::string("slide = 3"), std::string("opening = 3\nslide = [1, 'a']"),
+          std::string(9 << 20, ' ')})
+        EXPECT_THROW(readDeck(text, "a.toml"), SceneError) << text.substr(0, 20);
+}
+
+class DeckFiles : public testing::Test {
+protected:
+    void write(const std::string& name, const std::string& text) {
+        std::filesystem::create_directories((folder_ / name).parent_path());
+        std::ofstream(folder_ / name, std::ios::binary) << "format = 1\n" << text;
+    }
+    std::string path(const std::string& name) { return (folder_ / name).string(); }
+    std::string error(const std::string& name) {
+        try {
+            loadDeck(folder_ / name);
+        } catch (const SceneError& error) {
+            return error.lines().front();
+        }
+        return "";
+    }
+
+    support::TemporaryFolder folder_;
+};
+
+const std::string kScene =
+    "title = 'fall: a ball'\npurpose = 'It *falls*'\nseconds = 3\n" + kFloor + kBall;
+const std::string kSections =
+    "[[section]]\nat = 0\nname = 'up'\ncaption = 'a * b * c $'\n"
+    "[[section]]\nat = 1\nname = 'down'\ntitle = 'It _falls_'\ntext = 'at @{body.ball.speed}'\n"
+    "formula = ['a', 'b']\nplot = 'energy'\ntable = 'expectations'\nslow = 0.5\npause = true\n"
+    "loop = true\nposter = 'first'\nnotes = 'n'\n"
+    "[[section]]\nat = 2\nname = 'end'\n";
+
+TEST_F(DeckFiles, NameScenesBesideThem) {
+    write("parts/floor.toml", kFloor);
+    write("parts/a.toml", "include = 'floor.toml'\n" + kBall);
+    write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'parts/a.toml'\n");
+    const Deck read = loadDeck(folder_ / "deck.toml");
+    EXPECT_EQ(read.slides[1].runs.scene, path("parts/a.toml"));
+    EXPECT_EQ(read.files, (std::vector<std::filesystem::path>{
+                              path("deck.toml"), path("parts/a.toml"), path("parts/floor.toml")}));
+    write("parts/a.toml", "hz = 3\n" + kBall);
+    EXPECT_EQ(error("deck.toml"), path("deck.toml") + ":4:1: the scene: " + path("parts/a.toml") +
+                                      ":2:1: unknown key 'hz' in a scene; known are: format, "
+                                      "values, include, title, purpose, group, seconds, world, "
+                                      "solver, material, body, joint ...");
+}
+
+TEST_F(DeckFiles, AreToldFromScenes) {
+    write("deck.toml", "title = 'T'\n[[slide]]\n");
+    write("scene.toml", kScene);
+    write("broken.toml", "[[slide\n");
+    EXPECT_TRUE(isDeckFile(path("deck.toml")));
+    for (const std::string& name : {path("scene.toml"), path("broken.toml"), path("none.toml"),
+                                    std::string("stack"), folder_.path().string()})
+        EXPECT_FALSE(isDeckFile(name)) << name;
+}
+
+TEST_F(DeckFiles, TakeSectionsAndSayOtherwiseWhereTheyWish) {
+    write("a.toml", kScene + kSections);
+    write("deck.toml",
+          "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'down'\n"
+          "[[slide]]\nscene = 'a.toml'\nsection = 'down'\ntitle = 'Mine'\nslow = 2\nloop = false\n"
+          "plot = []\ntable = []\nposter = 1.5\n"
+          "[[slide]]\nscene = 'a.toml'\nsection = 'up'\n[[slide]]\nscene = 'a.toml'\n"
+          "section = 'end'\n");
+    const Deck read = loadDeck(folder_ / "deck.toml");
+    const Slide& down = read.slides[1];
+    EXPECT_EQ(down.title + "|" + down.text + "|" + down.notes + "|" + down.poster,
+              "It _falls_|at @{body.ball.speed}|n|first");
+    EXPECT_EQ(down.from, 1.0);
+    EXPECT_EQ(down.until, 2.0);
+    EXPECT_EQ(down.slow, 0.5);
+    EXPECT_TRUE(down.pause && down.loop && down.expectations);
+    EXPECT_EQ(down.plots, List{"energy"});
+    EXPECT_EQ(down.formulas, (List{"a", "b"}));
+    const Slide& mine = read.slides[2];
+    EXPECT_EQ(mine.title + "|" + mine.text + "|" + mine.poster, "Mine|at @{body.ball.speed}|1.5");
+    EXPECT_EQ(mine.slow, 2.0);
+    EXPECT_FALSE(mine.loop || mine.expectations);
+    EXPECT_TRUE(mine.plots.empty());
+    EXPECT_EQ(read.slides[3].caption, "a \\* b \\* c \\$");
+    EXPECT_EQ(read.slides[3].until, 1.0);
+    EXPECT_FALSE(read.slides[4].until);
+}
+
+TEST_F(DeckFiles, TellOfASectionInTheFileOfItsScene) {
+    write("a.toml", kScene + "[[section]]\nname = 'one'\nformula = ['a', 'b^c^d']\n");
+    write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'one'\n");
+    EXPECT_EQ(error("deck.toml"), path("a.toml") + ":15:21: formula: Double superscript");
+    Options options;
+    options.scenes = {path("a.toml")};
+    options.quiet = true;
+    try {
+        deckOfScenes(options);
+        ADD_FAILURE() << "taken";
+    } catch (const SceneError& found) {
+        EXPECT_EQ(found.lines(), List{path("a.toml") + ":15:21: formula: Double superscript"});
+    }
+}
+
+TEST_F(DeckFiles, MayBeMadeOfAScene) {
+    write("a.toml", kScene + kSections + "[[expect]]\nwhat = 'speed'\nbelow = 100\nwhy = 'w'\n");
+    Options options;
+    options.scenes = {path("a.toml")};
+    options.overrides = {"world.hz=120"};
+    options.quiet = true;
+    const Deck read = deckOfScenes(options);
+    EXPECT_EQ(read.name, "a");
+    EXPECT_EQ(read.title, "fall: a ball");
+    EXPECT_EQ(read.files, std::vector<std::filesystem::path>{path("a.toml")});
+    ASSERT_EQ(read.slides.size(), 4u);
+    EXPECT_EQ(read.slides[0].title, "Fall: up");
+    EXPECT_EQ(read.slides[0].id, "01-fall-up");
+    EXPECT_EQ(read.slides[0].runs.settings, List{"world.hz=120"});
+    EXPECT_EQ(read.slides[1].title, "It _falls_");
+    EXPECT_EQ(read.slides[1].until, 2.0);
+    EXPECT_EQ(read.slides[2].from, 2.0);
+    const Slide& numbers = read.slides[3];
+    EXPECT_EQ(numbers.title, "Fall in numbers");
+    EXPECT_EQ(numbers.exhibit, Exhibit::none);
+    EXPECT_TRUE(numbers.expectations);
+    EXPECT_EQ(numbers.plots, (List{"energy", "penetration"}));
+}
+
+TEST_F(DeckFiles, MadeOfASceneEndWithIt) {
+    write("a.toml", kScene + kSections);
+    Options options;
+    options.scenes = {path("a.toml")};
+    options.seconds = 1.5;
+    options.quiet = true;
+    const Deck read = deckOfScenes(options);
+    ASSERT_EQ(read.slides.size(), 3u);
+    EXPECT_EQ(read.slides[0].until, 1.0);
+    EXPECT_EQ(read.slides[1].title, "It _falls_");
+    EXPECT_EQ(read.slides[1].until, 1.5);
+    EXPECT_EQ(read.slides[2].until, 1.5);
+    EXPECT_EQ(read.slides[1].runs.settings, List{});
+}
+
+TEST_F(DeckFiles, MadeOfSeveralScenesBeginWithWhatTheyAre) {
+    write("a.toml", kScene);
+    Options options;
+    options.scenes = {path("a.toml"), "pendulum", "stack"};
+    options.theme = "dark";
+    options.quiet = true;
+    const Deck read = deckOfScenes(options);
+    EXPECT_EQ(read.title, "Fall, Pendulum and " + read.slides.back().title.substr(
+                                                      0, read.slides.back().title.rfind(" in ")));
+    EXPECT_EQ(read.theme, "dark");
+    ASSERT_TRUE(read.slides[0].opening);
+    EXPECT_TRUE(read.slides[0].text.starts_with(
+        "- **Fall**: It \\*falls\\*\n- **Pendulum**: The period of a rod released from level, "
+        "against the elliptic integral\n- **"))
+        << read.slides[0].text;
+    EXPECT_EQ(read.slides[1].title, "fall: a ball");
+    EXPECT_EQ(read.slides[1].caption, "It \\*falls\\*");
+    EXPECT_EQ(read.slides[1].exhibit, Exhibit::film);
+}
+
+TEST(Deck, OfEveryBuiltInSceneCanBeMade) {
+    Options options;
+    options.quiet = true;
+    options.scenes = {"stack", "chain", "ferry", "ragdoll", "trampoline"};
+    EXPECT_GE(deckOfScenes(options).slides.size(), 11u);
+}
+
+TEST(Deck, NamesItsSlides) {
+    EXPECT_EQ(slideId(3, 20, "Clamp the *total*: $\\lambda \\geq 0$!"),
+              "03-clamp-the-total-lambda-geq-0");
+    EXPECT_EQ(slideId(7, 100, ""), "007");
+    EXPECT_EQ(slideId(1, 9, "\u00c4rger / ../x"), "01-rger-x");
+    EXPECT_EQ(slideId(1, 9, std::string(99, 'a')).size(), 43u);
+}
+
+TEST(Deck, TheTalkIsRead) {
+    const Deck talk = loadDeck(std::filesystem::path(IMPULSE_SOURCE_DIR) /
+                               "demos/decks/sequential-impulses.toml");
+    EXPECT_GE(talk.slides.size(), 20u);
+    EXPECT_EQ(talk.slides[0].title, "Sequential impulses");
+}
+
+}  // namespace
+}  // namespace demos::test

@@ -1,0 +1,90 @@
+// demos/slides/README.md says what the reader of decks takes.
+#include <gtest/gtest.h>
+
+#include "demos/report/summary.h"
+#include "demos/slides/numbers.h"
+#include "demos/slides/read_deck.h"
+#include "tests/docs/texts.h"
+
+namespace {
+
+using namespace docs;
+
+const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "slides";
+const std::string kText = textOf(kFolder / "README.md");
+
+/// From the heading to the next one.
+std::string section(const std::string& heading) {
+    const std::size_t begin = kText.find("\n## " + heading + "\n");
+    if (begin == std::string::npos) return {};
+    return kText.substr(begin, kText.find("\n## ", begin + 1) - begin);
+}
+
+/// What stands in backquotes in the first cell of every row.
+std::set<std::string> firstCells(const std::string& text) {
+    std::set<std::string> names;
+    for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))
+        names.merge(matches(cell, "`([^`]+)`"));
+    return names;
+}
+
+/// The keys that the reader asks for in a table, as complaints call it.
+std::set<std::string> asked(const std::string& table) {
+    const demos::Catalog catalog =
+        demos::catalogDeck("format = 1\ntitle = 't'\n[opening]\n[[slide]]\nscene = 'stack'\n");
+    std::set<std::string> names;
+    for (const demos::AskedTable& one : catalog.tables())
+        if (one.name == table)
+            for (const demos::AskedKey& key : one.keys) names.insert(key.name);
+    return names;
+}
+
+TEST(SlidesReadme, NamesEveryKeyOfADeckAndNoOther) {
+    EXPECT_EQ(firstCells(section("The deck")), asked("a deck"));
+    EXPECT_EQ(asked("a deck").size(), 10u);
+}
+
+TEST(SlidesReadme, NamesEveryKeyOfASlideAndNoOther) {
+    EXPECT_EQ(firstCells(section("A slide")), asked("a [[slide]]"));
+    EXPECT_EQ(asked("a [[slide]]").size(), 26u);
+    std::set<std::string> opening = asked("a [[slide]]");
+    opening.erase("title");
+    EXPECT_EQ(asked("[opening]"), opening);
+}
+
+TEST(SlidesReadme, ItsDeckIsRead) {
+    const std::size_t begin = kText.find("```toml\n") + 8;
+    const demos::Deck deck =
+        demos::readDeck(kText.substr(begin, kText.find("```", begin) - begin), "deck.toml");
+    EXPECT_EQ(deck.slides.size(), 4u);
+}
+
+TEST(SlidesReadme, ItsNumbersAreRead) {
+    const std::set<std::string> numbers = firstCells(section("Words"));
+    EXPECT_EQ(numbers.size(), 7u);
+    for (const std::string& number : numbers)
+        EXPECT_EQ(demos::numberedText(number).numbers.size(), 1u) << number;
+    for (const demos::Measure& measure : demos::measures())
+        EXPECT_NE(section("Words").find("`" + std::string(measure.name) + "`"), std::string::npos)
+            << measure.name;
+    for (const auto& [group, thing] : {std::pair("body.x.", "body"),
+                                       {"joint.x.", "joint"},
+                                       {"contacts.", "contacts"},
+                                       {"run.", "run"}}) {
+        const std::set<std::string> row = matches(
+            section("Words"), "\\| `@\\{" + std::string(thing) + "\\.[^|]* \\| ([^|]+) \\|");
+        ASSERT_EQ(row.size(), 1u) << thing;
+        for (const std::string& field : matches(*row.begin(), "`([a-z]+)`"))
+            EXPECT_NO_THROW(demos::numberedText("@{" + std::string(group) + field + "}"));
+    }
+}
+
+/// Every header of the folder once.
+TEST(SlidesReadme, NamesEveryFileAndNoOther) {
+    std::set<std::string> files;
+    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+        if (file.path().extension() == ".h") files.insert(file.path().stem().string());
+    EXPECT_EQ(firstCells(section("Where what is")), files);
+}
+
+}  // namespace
