@@ -25,6 +25,7 @@ struct Overlays {
     std::string colorBy = "body";  // one of colorings()
     double colorMax = 0.0;         // the scale's end; 0: the largest so far
     double ghostEvery = 0.25;      // s
+    double pixelsPerPoint = 0.0;   // of letters and lines on paper; 0: by the picture's size
 };
 
 /// Every name that --show takes.
