@@ -33,6 +33,9 @@ const std::vector<std::string>& overlayNames();
 /// "contacts normals ...", for help.
 std::string overlayList();
 
+/// Whether the named one is on; false for a name that is not known.
+bool isOn(const Overlays& overlays, const std::string& name);
+
 /// Switches the named ones on; false for a name that is not known.
 bool switchOn(Overlays& overlays, const std::string& name);
 
