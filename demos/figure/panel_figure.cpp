@@ -126,8 +126,7 @@ PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart
         lines = std::max(lines, static_cast<int>(figure.labels.back().size()));
     }
     figure.layout = figureLayout(count, columns, ratio, figure.paper, lines);
-    if (chart) figure.chart = chartSize(2, figure.paper, std::nullopt);
-    figure.chart.height /= 2;
+    if (chart) figure.chart = chartBelow(figure.paper);
     figure.height = figure.layout.height + figure.chart.height;
     checkLayout(wholeOf(figure), figure.paper);
     Options own = options;

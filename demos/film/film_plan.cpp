@@ -105,6 +105,9 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.frames = frameCount(scene.seconds, plan.fps);
     const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
+    if (strip && options.width)
+        plan.layout =
+            layoutWithStrip(size.width, size.height, chartBelow(paperOf(options)).height);
     plan.picture.width = plan.layout.panels.front().width;
     plan.picture.height = plan.layout.panels.front().height;
     const bool parted = strip || plan.panels.size() > 1;

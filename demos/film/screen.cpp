@@ -73,7 +73,7 @@ render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) 
     render::Image whole = emptyPicture(plan);
     const Area& at = plan.layout.panels.front();
     place(panel, at.x, at.y, whole);
-    drawBorder(at, whole);
+    if (!plan.alpha()) drawBorder(at, whole);
     placeStrip(plan, time, whole);
     return whole;
 }

@@ -54,7 +54,8 @@ private:
 
     void drawTitles(const Chart& chart, const Plot& plot) {
         const float room = width_ - 2.0f * page_.margin;
-        add(fitted(printable(chart.title), page_.title, room), {page_.margin, plot.titleBase},
+        const auto fit = page_.onPaper ? fittedTitle : fitted;  // a caption has the rest
+        add(fit(printable(chart.title), page_.title, room), {page_.margin, plot.titleBase},
             Anchor::start, page_.title, inks_.ink);
         add(fitted(plot.yText, page_.text, room), {page_.margin, plot.yTitleBase}, Anchor::start,
             page_.text, inks_.muted);
@@ -168,6 +169,11 @@ PictureSize chartSize(std::size_t count, const Paper& paper, std::optional<Pictu
     const double charts = static_cast<double>(std::max<std::size_t>(count, 1));
     const double each = std::max((charts > 1 ? 9.0 / 32.0 : 9.0 / 16.0) * paper.width, kLeast);
     return figureSize(paper, {paper.pixels(), paper.pixelsOf(charts * each)});
+}
+
+PictureSize chartBelow(const Paper& paper) {
+    const PictureSize two = chartSize(2, paper, std::nullopt);
+    return {two.width, two.height / 2};
 }
 
 Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,

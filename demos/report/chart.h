@@ -32,6 +32,9 @@ PictureSize chartSize(std::size_t count);
 /// The same for paper, high enough for its type; `ratio`: of the whole page, where one is asked for.
 PictureSize chartSize(std::size_t count, const Paper& paper, std::optional<PictureSize> ratio);
 
+/// Of one chart below pictures.
+PictureSize chartBelow(const Paper& paper);
+
 /// The charts below each other, sharing the width. `theme`: one of themeNames(); transparent ones
 /// have no ground. `paper`: decides about type and lines; those for a screen go by the size.
 std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,

@@ -148,6 +148,7 @@ Page emptyPage(float width, float height, const Paper& paper) {
         page.text = static_cast<float>(letterPixels(kLabelPoints, scale));
         page.title = static_cast<float>(letterPixels(kTitlePoints, scale));
         page.leastLabel = page.text;
+        page.onPaper = true;
     } else {
         page.unit = std::min(width / 1280.0f, height / 240.0f);
         page.text = std::max(std::round(20.0f * page.unit), kSmallestText);

@@ -81,9 +81,7 @@ int inkHeight(const render::Image& image, int left, int right, int top, int bott
     return last - first + 1;
 }
 
-/// "t = 0.00 s" below a picture, and "0", "1", ... and "time (s)" below a chart: the height of "t",
-/// the highest in the first, against that of "(", the highest in the second, drawn by one font at
-/// one size.
+/// The digits of "t = 0.00 s" below a picture, and those below a chart's axis, whatever the width.
 TEST_F(Figure, LettersOfAStripAndOfAChartAreOfOneSize) {
     for (const char* width : {"60mm", "120mm"}) {
         ASSERT_EQ(impulse({"strip", "ball.toml", "--times", "0", "--width", width, "--dpi", "300",
@@ -92,16 +90,15 @@ TEST_F(Figure, LettersOfAStripAndOfAChartAreOfOneSize) {
                   0);
         const render::Image strip = picture("strip.png");
         const int below = strip.width * 40 / 160 + 2;
-        // digits and 't' stand on one baseline; the tallest is a digit
         const int label = inkHeight(strip, 0, strip.width, below, strip.height);
-        EXPECT_NEAR(label, 25, 1) << width;  // a digit of 8 pt: 0.742 em of 33.3 pixels
+        EXPECT_NEAR(label, 25, 1) << width;  // a digit of 8 pt: 0.742 em of 33.3 pixels, and rims
         ASSERT_EQ(impulse({"plot", "ball.toml", "--what", "contacts", "--width", width, "--dpi",
                            "300", "-o", "chart.png", "--overwrite"})
                       .code,
                   0);
         const render::Image chart = picture("chart.png");
-        // the ticks' row: to the left of "time (s)", whose bracket is higher
-        const int digits = inkHeight(chart, 0, chart.width / 2, chart.height - 75, chart.height);
+        // the ticks' row, below their marks and to the left of "time (s)", whose bracket is higher
+        const int digits = inkHeight(chart, 0, chart.width / 2, chart.height - 65, chart.height);
         EXPECT_NEAR(digits, label, 1) << width;
     }
 }

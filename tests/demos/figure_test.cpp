@@ -93,6 +93,18 @@ TEST(FigureChart, HasOneSizeOfLettersInEveryPicture) {
                 EXPECT_EQ(label.pixels, label.text == "t" ? 44.0f : 39.0f) << label.text;
 }
 
+TEST(FigureChart, LeavesAsidesOfATitleToTheCaption) {
+    std::vector<Chart> charts = crowdedChart(1);
+    charts[0].title = "chain: residual sweep by sweep, hardest sub-step (t = 7.633 s)";
+    const auto title = [&](const Paper& paper) {
+        return drawingOf(charts, {1004, 565}, "print", paper).labels.front().text;
+    };
+    EXPECT_EQ(title(kColumn), "chain: residual sweep by sweep");
+    EXPECT_EQ(title({}), charts[0].title);
+    charts[0].title = "a title of many words without an aside that has no room in a column";
+    EXPECT_TRUE(title(kColumn).ends_with("…"));
+}
+
 TEST(FigureChart, DrawsCurvesOfFourFifthsOfAPoint) {
     for (const int dpi : {150, 300, 600}) {
         const Paper paper{85.0, dpi};
