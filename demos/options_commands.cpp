@@ -57,6 +57,7 @@ void addStrip(CLI::App& app, Options& options, RawOptions& raw) {
     app.get_option("--size")->description(
         "pixels of one picture, 1..16384 a side; default: half of the quality's");
     app.get_option("--clean")->description("no times below the pictures; default: off");
+    addFigure(app, options, raw);
     addFeedback(app, options);
 }
 
@@ -75,6 +76,7 @@ void addStill(CLI::App& app, Options& options, RawOptions& raw) {
         ->expected(1);
     addSeconds(app, options);
     addPicture(app, options, raw);
+    addFigure(app, options, raw);
     addFeedback(app, options);
 }
 
@@ -124,8 +126,13 @@ void addPlot(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("--size", raw.size,
                    "pixels, 1..16384 a side; default: 1280 wide, 360 high a chart, 720 at least")
         ->type_name("WxH");
-    app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
+    app.add_option("--theme", options.theme,
+                   "studio, dark, print or transparent; default: the scene's")
         ->type_name("NAME");
+    addFigure(app, options, raw);
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace a figure and its caption; a plot without a caption is always replaced; "
+                 "default: off");
     addSeconds(app, options);
     addFeedback(app, options);
 }
@@ -149,11 +156,15 @@ void addExport(CLI::App& app, Options& options, RawOptions& raw) {
     addFeedback(app, options);
 }
 
-/// Several runs of one scene, as a table and as a film.
+/// Several runs of one scene, as a table, as a film and as a figure.
 void addRuns(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     addSeconds(app, options);
     addPicture(app, options, raw);
+    addFigure(app, options, raw);
+    app.add_option("-t,--time", options.time,
+                   "with --width: of the figure, in s; default: the end")
+        ->type_name("S");
     app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
         ->type_name("N");
     app.add_option("--measure", options.measure,
@@ -177,7 +188,11 @@ void addCompare(CLI::App& app, Options& options, RawOptions& raw) {
         ->type_name("CASE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("-o,--output", options.outputs, "as for render; default: output/<scene>-compare")
+    app.add_option("--plot", options.plot,
+                   "the measure over time alone, as .svg or .png; default: not drawn")
+        ->type_name("FILE");
+    app.add_option("-o,--output", options.outputs,
+                   "as for render, with --width one .png; default: output/<scene>-compare")
         ->type_name("OUT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -197,7 +212,8 @@ void addSweep(CLI::App& app, Options& options, RawOptions& raw) {
                    "the measures over the values, as .svg or .png; default: not drawn")
         ->type_name("FILE");
     app.add_option("-o,--output", options.outputs,
-                   "a grid of up to 16 of the runs as a film, as for render; default: none")
+                   "a grid of up to 16 of the runs as a film, as for render, with --width as one "
+                   ".png; default: none")
         ->type_name("OUT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include "demos/commands/commands.h"
-#include "demos/commands/table.h"
+#include "demos/figure/figure_file.h"
+#include "demos/figure/figure_grid.h"
+#include "demos/figure/moments_figure.h"
 #include "demos/film/exposure.h"
+#include "demos/film/film_needs.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/film_strip.h"
 #include "demos/film/outputs.h"
@@ -13,7 +16,7 @@
 #include "demos/film/quality.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
-#include "render/encode/png.h"
+#include "render/overlay.h"
 #include "render/renderer.h"
 
 namespace demos {
@@ -21,10 +24,25 @@ namespace {
 
 constexpr double kMostSteps = 1e8;
 
-/// The scene's own text would stand in every picture, six times the same.
-FilmPlan planStrip(Options options) {
+/// The pictures' size, or on paper their ratio.
+PictureSize pictureSize(const Options& options) {
     const Quality& quality = qualityOf(options.quality);
-    if (!options.size) options.size = PictureSize{quality.width / 2, quality.height / 2};
+    return options.size.value_or(PictureSize{quality.width / 2, quality.height / 2});
+}
+
+StripLayout layoutOf(const Options& options) {
+    const int moments =
+        options.times.empty() ? options.moments : static_cast<int>(options.times.size());
+    const Paper paper = paperOf(options);
+    if (!paper.given())
+        return stripLayout(moments, options.columns, pictureSize(options), !options.clean);
+    return figureLayout(moments, options.columns, pictureSize(options), paper,
+                        options.clean ? 0 : 1);
+}
+
+/// The scene's own text would stand in every picture, six times the same.
+FilmPlan planStrip(Options options, PictureSize picture) {
+    options.size = picture;
     FilmPlan plan = planFilm(options);
     const auto asked = [&](const char* name) {
         return std::find(options.show.begin(), options.show.end(), name) != options.show.end();
@@ -74,12 +92,28 @@ std::string targetOf(const FilmPlan& plan, const Options& options) {
     return name;
 }
 
-render::Image drawStrip(const FilmPlan& plan, const StripLayout& layout,
-                        const std::vector<int>& steps) {
+/// Letters on paper do not shrink; where there is no room for all, the time says enough.
+void label(const StripLayout& layout, int moment, double time, const render::Color& ink,
+           render::Image& paper) {
+    if (layout.label == 0) return;
+    const std::string whole = fmt::format("t = {:.2f} s", time);
+    const float room = static_cast<float>(layout.picture.width + layout.gap);
+    const bool fits = render::textWidth(whole, static_cast<float>(layout.label)) <= room;
+    placeLines(layout, moment, {fits ? whole : fmt::format("{:.2f} s", time)},
+               render::Anchor::middle, ink, paper);
+}
+
+struct Strip {
+    render::Image image;
+    std::vector<Shot> shots;
+};
+
+Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vector<int>& steps,
+                const Paper& paper) {
     const Inks inks = inksOf(plan.panels.front().overlays.theme);
     render::Color ground = inks.ground;
     if (plan.alpha()) ground.a = 0.0f;
-    render::Image paper = stripPaper(layout, ground);
+    Strip strip{stripPaper(layout, ground), {}};
     Player player(plan.scene(), plan.panels.front().overlays);
     render::Renderer renderer(plan.picture);
     int played = 0;
@@ -87,28 +121,38 @@ render::Image drawStrip(const FilmPlan& plan, const StripLayout& layout,
         const double time = static_cast<double>(steps[i]) / plan.scene().hz;
         const auto seen = playTo(time, steps[i] - played, plan, player);
         played = steps[i];
-        placeMoment(layout, static_cast<int>(i), exposed(seen, plan, renderer),
-                    fmt::format("t = {:.2f} s", time), inks.ink, paper);
+        const int moment = static_cast<int>(i);
+        const render::Image picture = exposed(seen, plan, renderer);
+        strip.shots.push_back(shotOf(player, plan, seen.back(), paper));
+        if (paper.given()) {
+            placePicture(layout, moment, picture, strip.image);
+            label(layout, moment, time, inks.ink, strip.image);
+        } else {
+            placeMoment(layout, moment, picture, fmt::format("t = {:.2f} s", time), inks.ink,
+                        strip.image);
+        }
     }
-    return paper;
+    return strip;
 }
 
 }  // namespace
 
 Exit stripCommand(const Options& options) {
-    const FilmPlan plan = planStrip(options);
+    const Paper paper = paperOf(options);
+    const StripLayout layout = layoutOf(options);
+    const FilmPlan plan = planStrip(options, layout.picture);
     const std::vector<int> steps = stepsOf(plan, options);
-    const StripLayout layout =
-        stripLayout(static_cast<int>(steps.size()), options.columns,
-                    {plan.picture.width, plan.picture.height}, !options.clean);
     const std::string target = targetOf(plan, options);
-    checkFree(target, options.overwrite);
-    writeResult(target, render::encodePng(drawStrip(plan, layout, steps)));
+    checkFigure({target}, options);
+    if (paper.given()) checkNeeds(needsOf(plan, 1, {}), plan);
+    const Strip strip = drawStrip(plan, layout, steps, paper);
+    writeMoments({target, paper, plan, strip.shots}, strip.image, options);
     const Talk talk(options, target == "-");
     talk.json(fmt::format(R"({{"event":"done","file":{},"moments":{},"size":[{},{}]}})",
                           jsonString(target), layout.moments, layout.width, layout.height));
     talk.say(fmt::format("wrote {} ({} moments, {}x{})", printable(target), layout.moments,
                          layout.width, layout.height));
+    tellCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {} -o film.mp4", printable(options.scene())));
     return Exit::ok;
 }

@@ -57,7 +57,7 @@ TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
 TEST(Readme, ItsLinksLeadSomewhere) {
     for (const char* file :
          {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
-          "demos/scene/README.md", "demos/export/README.md", "demos/regression/README.md", "demos/regression/in-ci.md",
+          "demos/scene/README.md", "demos/export/README.md", "demos/figure/README.md", "demos/regression/README.md", "demos/regression/in-ci.md",
           "tests/README.md"}) {
         const fs::path path = fs::path(IMPULSE_SOURCE_DIR) / file;
         for (const std::string& link : matches(textOf(path), R"(\]\(([^)#:]+)\))"))
