@@ -174,7 +174,7 @@ Page pageOf(const std::vector<Chart>& charts, PictureSize size, float type) {
         left = std::max(left, widest(page.plots[i].y.texts, page.text) + 0.6f * page.text);
         right = std::max(right, rightRoom(page.plots[i], page));
     }
-    right = std::min(right, 0.3f * width);
+    right = std::min(right, (type > 1.0f ? 0.4f : 0.3f) * width);
     for (std::size_t i = 0; i < charts.size(); ++i) {
         Plot& plot = page.plots[i];
         plot.left = std::round(page.margin + left);
