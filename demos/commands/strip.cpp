@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "demos/commands/commands.h"
 #include "demos/figure/figure_file.h"
 #include "demos/figure/figure_grid.h"
@@ -14,6 +11,7 @@
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
 #include "demos/film/quality.h"
+#include "demos/film/strip_plan.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
 #include "render/overlay.h"
@@ -21,8 +19,6 @@
 
 namespace demos {
 namespace {
-
-constexpr double kMostSteps = 1e8;
 
 /// The pictures' size, or on paper their ratio.
 PictureSize pictureSize(const Options& options) {
@@ -40,45 +36,9 @@ StripLayout layoutOf(const Options& options) {
                         options.clean ? 0 : 1);
 }
 
-/// The scene's own text would stand in every picture, six times the same.
-FilmPlan planStrip(Options options, PictureSize picture) {
-    options.size = picture;
-    FilmPlan plan = planFilm(options);
-    const auto asked = [&](const char* name) {
-        return std::find(options.show.begin(), options.show.end(), name) != options.show.end();
-    };
-    for (Panel& panel : plan.panels) {
-        panel.overlays.text = asked("caption");
-        panel.overlays.stats = asked("stats");
-    }
-    return plan;
-}
-
-/// After how many steps each picture is taken; rising.
-std::vector<int> stepsOf(const FilmPlan& plan, const Options& options) {
-    std::vector<int> steps;
-    for (const double time : options.times) {
-        if (time * plan.scene().hz > kMostSteps)
-            throw Stop(Exit::usage,
-                       fmt::format("--times {}: is more than {:.0f} steps away", time, kMostSteps));
-        steps.push_back(static_cast<int>(std::lround(time * plan.scene().hz)));
-        if (steps.size() > 1 && steps.back() == steps[steps.size() - 2])
-            throw Stop(Exit::usage, fmt::format("--times {}: falls on the same step as the time "
-                                                "before it; a step is {:.3g} s",
-                                                time, 1.0 / plan.scene().hz));
-    }
-    if (!steps.empty()) return steps;
-    if (options.moments > plan.frames)
-        throw Stop(Exit::usage, fmt::format("--moments {}: the film has {} frames; ask for fewer "
-                                            "moments or more --fps",
-                                            options.moments, plan.frames));
-    const double last = plan.frames - 1;
-    for (int i = 0; i < options.moments; ++i) {
-        const double share =
-            options.moments > 1 ? static_cast<double>(i) / (options.moments - 1) : 0.5;
-        steps.push_back(static_cast<int>(std::lround(share * last)) * plan.stepsPerFrame);
-    }
-    return steps;
+FilmPlan planOf(Options options, const StripLayout& layout) {
+    options.size = layout.picture;
+    return planStrip(options);
 }
 
 std::string targetOf(const FilmPlan& plan, const Options& options) {
@@ -110,10 +70,8 @@ struct Strip {
 
 Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vector<int>& steps,
                 const Paper& paper) {
-    const Inks inks = inksOf(plan.panels.front().overlays.theme);
-    render::Color ground = inks.ground;
-    if (plan.alpha()) ground.a = 0.0f;
-    Strip strip{stripPaper(layout, ground), {}};
+    Strip strip{stripPaper(layout, plan), {}};
+    const render::Color ink = inksOf(plan.panels.front().overlays.theme).ink;
     Player player(plan.scene(), plan.panels.front().overlays);
     render::Renderer renderer(plan.picture);
     int played = 0;
@@ -126,10 +84,9 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
         strip.shots.push_back(shotOf(player, plan, seen.back(), paper));
         if (paper.given()) {
             placePicture(layout, moment, picture, strip.image);
-            label(layout, moment, time, inks.ink, strip.image);
+            label(layout, moment, time, ink, strip.image);
         } else {
-            placeMoment(layout, moment, picture, fmt::format("t = {:.2f} s", time), inks.ink,
-                        strip.image);
+            placeMoment(layout, moment, picture, time, plan, strip.image);
         }
     }
     return strip;
@@ -140,8 +97,8 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
 Exit stripCommand(const Options& options) {
     const Paper paper = paperOf(options);
     const StripLayout layout = layoutOf(options);
-    const FilmPlan plan = planStrip(options, layout.picture);
-    const std::vector<int> steps = stepsOf(plan, options);
+    const FilmPlan plan = planOf(options, layout);
+    const std::vector<int> steps = stripSteps(plan, options);
     const std::string target = targetOf(plan, options);
     checkFigure({target}, options);
     if (paper.given()) checkNeeds(needsOf(plan, 1, {}), plan);

@@ -10,6 +10,7 @@ namespace demos {
 struct Paper {
     double width = 0.0;  // mm; 0: the picture is for a screen
     int dpi = 300;       // pixels an inch
+    double type = 1.0;   // on a screen: letters and lines of charts so many times as large
 
     bool given() const { return width > 0.0; }
     /// 0 for a screen.

@@ -150,7 +150,7 @@ Page emptyPage(float width, float height, const Paper& paper) {
         page.leastLabel = page.text;
         page.onPaper = true;
     } else {
-        page.unit = std::min(width / 1280.0f, height / 240.0f);
+        page.unit = static_cast<float>(paper.type) * std::min(width / 1280.0f, height / 240.0f);
         page.text = std::max(std::round(20.0f * page.unit), kSmallestText);
         page.title = std::round(1.3f * page.text);
         page.leastLabel = std::max(std::round(0.7f * page.text), kSmallestText);
@@ -190,7 +190,7 @@ Page pageOf(const std::vector<Chart>& charts, PictureSize size, const Paper& pap
         left = std::max(left, widest(page.plots[i].y.texts, page.text) + 0.6f * page.text);
         right = std::max(right, rightRoom(page.plots[i], page));
     }
-    right = std::min(right, 0.3f * width);
+    right = std::min(right, (paper.type > 1.0 ? 0.4f : 0.3f) * width);
     for (std::size_t i = 0; i < charts.size(); ++i) {
         Plot& plot = page.plots[i];
         plot.left = std::round(page.margin + left);
