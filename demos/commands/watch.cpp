@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "demos/commands/commands.h"
+#include "demos/film/film_needs.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
 #include "demos/film/quality.h"
@@ -25,12 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool isBuiltin(const std::string& name) {
-    for (const BuiltinScene& scene : builtinScenes())
-        if (scene.name == name) return true;
-    return false;
-}
-
 std::string nameOf(const Options& options) { return fs::path(options.scene()).stem().string(); }
 
 DraftPlaces placesOf(const Options& options) {
@@ -44,25 +40,23 @@ DraftPlaces placesOf(const Options& options) {
 class Watching {
 public:
     explicit Watching(const Options& options)
-        : options_(options),
-          talk_(options, false),
-          isFile_(!isBuiltin(options.scene())),
-          drafts_(placesOf(options)) {
+        : options_(options), talk_(options, false), drafts_(placesOf(options)) {
         options_.quality = "draft";
     }
 
     Exit play() {
         watchSignals();
-        if (isFile_) files_.watch({options_.scene()});
         if (!drafts_.places().films)
             talk_.mention("ffmpeg is not installed: PNG frames and a strip; with it a film");
         if (options_.once) return makeDraft();
-        if (!isFile_)
+        if (isBuiltin(options_.scene()))
             throw Stop(Exit::usage,
                        fmt::format("'{0}' is built in and does not change; watch a file of yours "
                                    "(impulse list {0} --print > {0}.toml), or give --once",
                                    options_.scene()));
         if (!fs::exists(options_.scene())) loadScene(options_.scene());  // tells why not
+        files_.emplace();
+        files_->watch({options_.scene()});
         return goOn();
     }
 
@@ -74,9 +68,9 @@ private:
             if (first) tellWatched();
             std::fflush(stdout);
             // What an error names may be a file that is not known to be read.
-            const auto which = errors_.empty() ? FileWatch::Which::files
-                                               : FileWatch::Which::anyBeside;
-            if (!files_.wait(which)) return Exit::interrupted;
+            const auto which =
+                errors_.empty() ? FileWatch::Which::files : FileWatch::Which::anyBeside;
+            if (!files_->wait(which)) return Exit::interrupted;
         }
     }
 
@@ -106,12 +100,18 @@ private:
     Exit makeDraft() {
         const Options own = optionsOfDraft();
         const FilmPlan plan = planFilm(own);
+        std::vector<Output> films;
         if (drafts_.places().films)
-            checkOutputs({{OutputKind::film, {}, drafts_.places().film()}}, plan, true);
+            films.push_back({OutputKind::film, {}, drafts_.places().film()});
+        checkOutputs(films, plan, true);
+        checkNeeds(needsOf(plan, 1, films), plan);
         const Draft draft = drafts_.make(plan, own, [this] {
-            return interrupted() || (!options_.once && files_.hasNews(FileWatch::Which::files));
+            return interrupted() || (files_ && files_->hasNews(FileWatch::Which::files));
         });
-        if (!draft.whole) return Exit::interrupted;
+        return draft.whole ? tell(draft, plan) : Exit::interrupted;
+    }
+
+    Exit tell(const Draft& draft, const FilmPlan& plan) {
         errors_.clear();
         for (const std::string& line : draftLines(draft, plan, drafts_.places())) talk_.say(line);
         std::fflush(stdout);
@@ -125,7 +125,7 @@ private:
     /// The scene is read until all of its files are watched before they are read.
     Options optionsOfDraft() {
         SceneDescription scene = loadScene(options_.scene(), options_.overrides);
-        while (isFile_ && files_.watch(filesOf(scene)))
+        while (files_ && files_->watch(filesOf(scene)))
             scene = loadScene(options_.scene(), options_.overrides);
         read_ = scene.files.size();
         Options own = options_;
@@ -151,9 +151,8 @@ private:
 
     Options options_;
     Talk talk_;
-    bool isFile_;
     DraftMaker drafts_;
-    FileWatch files_;
+    std::optional<FileWatch> files_;   // not with --once
     std::vector<std::string> errors_;  // of the last attempt
     std::size_t read_ = 0;             // files besides the scene's own
 };

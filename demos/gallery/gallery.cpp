@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/file_content.h"
+#include "demos/film/film_needs.h"
 #include "demos/film/folder_lock.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/outputs.h"
@@ -37,9 +38,20 @@ std::string textOf(const Json& json) {
 
 /// As `impulse list`: by group, then as they were named; scenes without a group come first.
 void sortByGroup(std::vector<GalleryCard>& cards) {
-    std::stable_sort(cards.begin(), cards.end(), [](const auto& a, const auto& b) {
-        return a.group < b.group;
-    });
+    std::stable_sort(cards.begin(), cards.end(),
+                     [](const auto& a, const auto& b) { return a.group < b.group; });
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
+    throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(path.string()), what));
+}
+
+void refuseStranger(const fs::path& file, bool own) {
+    std::error_code ignored;
+    if (!own && fs::exists(fs::symlink_status(file, ignored)))
+        refuse(file,
+               "is there already, and no gallery.json tells that it is a gallery's; --overwrite "
+               "replaces it");
 }
 
 class Gallery {
@@ -76,8 +88,11 @@ private:
             return attempted([&] {
                 const Options own = optionsOfFilm(choices_[i], options_);
                 const FilmPlan plan = planFilm(own);
-                const fs::path film = record_.filmFile(choices_[i].name);
-                if (films_) checkOutputs({{OutputKind::film, {}, film}}, plan, true);
+                std::vector<Output> films;
+                if (films_)
+                    films.push_back({OutputKind::film, {}, record_.filmFile(choices_[i].name)});
+                checkOutputs(films, plan, true);
+                checkNeeds(needsOf(plan, jobsFor(choices_), films), plan);
                 return textOf(jsonOf(cardOf(choices_[i], plan, own, renderer_)));
             });
         };
@@ -90,30 +105,26 @@ private:
     /// Before anything is drawn.
     void checkOwn() const {
         if (options_.overwrite) return;
-        const auto refuse = [](const std::string& name, const std::string& what) {
-            throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(name), what));
-        };
-        const auto check = [&](const fs::path& file, bool own) {
-            std::error_code ignored;
-            if (!own && fs::exists(fs::symlink_status(file, ignored)))
-                refuse(file.string(),
-                       "is there already, and no gallery.json tells that it is a gallery's; "
-                       "--overwrite replaces it");
-        };
-        check(record_.pageFile(), record_.found());
-        check(record_.sheetFile(), record_.found());
-        const auto outdated = [this](const auto& card) { return record_.isOutdated(card); };
-        const auto count = std::count_if(cards_.begin(), cards_.end(), outdated);
-        if (count > 0)
-            refuse(folder_.string(),
-                   fmt::format("holds {} {} of another run (other settings, scene or program), the "
-                               "first is '{}'; --overwrite replaces what differs",
-                               count, count == 1 ? "scene" : "scenes",
-                               printable(std::find_if(cards_.begin(), cards_.end(), outdated)->name)));
+        refuseStranger(record_.pageFile(), record_.found());
+        refuseStranger(record_.sheetFile(), record_.found());
+        refuseOutdated();
         for (const GalleryChoice& choice : missing_) {
-            check(record_.posterFile(choice.name), record_.owns(choice.name));
-            if (films_) check(record_.filmFile(choice.name), record_.owns(choice.name));
+            const bool own = record_.owns(choice.name);
+            refuseStranger(record_.posterFile(choice.name), own);
+            if (films_) refuseStranger(record_.filmFile(choice.name), own);
         }
+    }
+
+    void refuseOutdated() const {
+        std::vector<std::string> names;
+        for (const GalleryCard& card : cards_)
+            if (record_.isOutdated(card)) names.push_back(card.name);
+        if (names.empty()) return;
+        refuse(folder_,
+               fmt::format("holds {} {} of another run (other settings, scene or program), "
+                           "the first is '{}'; --overwrite replaces what differs",
+                           names.size(), names.size() == 1 ? "scene" : "scenes",
+                           printable(names.front())));
     }
 
     void drawMissing() {
@@ -121,17 +132,19 @@ private:
         for (const GalleryChoice& choice : missing_) record_.add(choice.name, {});
         if (!missing_.empty()) record_.write();
         const std::size_t kept = cards_.size() - missing_.size();
-        talk_.json(fmt::format(R"({{"event":"start","scenes":{},"kept":{}}})", cards_.size(), kept));
+        talk_.json(
+            fmt::format(R"({{"event":"start","scenes":{},"kept":{}}})", cards_.size(), kept));
         const auto draw = [this](int i) { return attempted([&] { return drawn(missing_[i]); }); };
         try {
-            inProcesses(missing_, draw, [this](const GalleryChoice& choice, const std::string& text) {
-                take(choice.name, Json::parse(text));
-            });
+            inProcesses(missing_, draw,
+                        [this](const GalleryChoice& choice, const std::string& text) {
+                            take(choice.name, Json::parse(text));
+                        });
         } catch (const Stop& stop) {
             for (const GalleryChoice& choice : missing_)
                 render::sweepTemporaries(record_.filmFile(choice.name));
-            throw Stop(stop.code(), fmt::format("{} scenes; to go on: {}", stop.what(),
-                                                options_.commandLine));
+            throw Stop(stop.code(),
+                       fmt::format("{} scenes; to go on: {}", stop.what(), options_.commandLine));
         }
     }
 
@@ -139,9 +152,8 @@ private:
     std::string drawn(const GalleryChoice& choice) const {
         Options own = optionsOfFilm(choice, options_);
         own.quiet = true;  // its notes have been told
-        const GalleryEntry entry =
-            drawScene(planFilm(own), own, record_.posterFile(choice.name),
-                      films_ ? record_.filmFile(choice.name) : fs::path());
+        const GalleryEntry entry = drawScene(planFilm(own), own, record_.posterFile(choice.name),
+                                             films_ ? record_.filmFile(choice.name) : fs::path());
         return textOf({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
     }
 
@@ -152,8 +164,8 @@ private:
         };
         record_.add(name, {card.fingerprint, number("poster"), number("film")});
         record_.write();
-        talk_.say(fmt::format("  {:18} {:g} s, {} frames", printable(name), card.seconds,
-                              card.frames));
+        talk_.say(
+            fmt::format("  {:18} {:g} s, {} frames", printable(name), card.seconds, card.frames));
         talk_.json(textOf({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
         std::fflush(stdout);
     }
@@ -170,18 +182,18 @@ private:
         for (GalleryCard& card : cards_) card.film = films_;
         sortByGroup(cards_);
         writeSheet();
-        render::writeFileAtomically(record_.pageFile(),
-                                    galleryPage(cards_, {options_.commandLine, renderer_}));
+        render::writeFileAtomically(record_.pageFile(), galleryPage(cards_, renderer_));
         record_.command = options_.commandLine;
         record_.write();
         const std::string page = record_.pageFile().string();
-        talk_.json(textOf({{"event", "done"}, {"page", page}, {"scenes", cards_.size()},
+        talk_.json(textOf({{"event", "done"},
+                           {"page", page},
+                           {"scenes", cards_.size()},
                            {"failed", troubles_.count()}}));
-        talk_.say(fmt::format("wrote {} ({} scenes, {} drawn, {} kept{}), sheet.png",
-                              printable(page), cards_.size(),
-                              missing_.size() - (read - cards_.size()), read - missing_.size(),
-                              troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count())
-                                                    : ""));
+        talk_.say(fmt::format(
+            "wrote {} ({} scenes, {} drawn, {} kept{}), sheet.png", printable(page), cards_.size(),
+            missing_.size() - (read - cards_.size()), read - missing_.size(),
+            troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : ""));
         talk_.say(fmt::format("next: open {}", printable(page)));
     }
 
@@ -203,15 +215,18 @@ private:
         record_.sheet = inputs.value();
     }
 
+    int jobsFor(const std::vector<GalleryChoice>& choices) const {
+        return workerCount(options_.jobs, static_cast<int>(choices.size()));
+    }
+
     void inProcesses(const std::vector<GalleryChoice>& choices,
                      const std::function<std::string(int)>& work,
                      const std::function<void(const GalleryChoice&, const std::string&)>& take) {
         const int count = static_cast<int>(choices.size());
-        runInProcesses(count, workerCount(options_.jobs, count), work,
-                       [&](int i, const PoolResult& result) {
-                           std::string text;
-                           if (troubles_.take(choices[i], result, text)) take(choices[i], text);
-                       });
+        runInProcesses(count, jobsFor(choices), work, [&](int i, const PoolResult& result) {
+            std::string text;
+            if (troubles_.take(choices[i], result, text)) take(choices[i], text);
+        });
     }
 
     const Options& options_;

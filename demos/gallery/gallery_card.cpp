@@ -76,10 +76,10 @@ Json jsonOf(const GalleryCard& card) {
 
 GalleryCard cardFrom(const Json& json) {
     GalleryCard card;
-    for (const auto& [key, text] : {std::pair{"name", &card.name}, std::pair{"group", &card.group},
-                                    std::pair{"title", &card.title},
-                                    std::pair{"purpose", &card.purpose},
-                                    std::pair{"file", &card.file}})
+    for (const auto& [key, text] :
+         {std::pair{"name", &card.name}, std::pair{"group", &card.group},
+          std::pair{"title", &card.title}, std::pair{"purpose", &card.purpose},
+          std::pair{"file", &card.file}})
         *text = json.at(key).get<std::string>();
     for (const auto& [key, number] :
          {std::pair{"bodies", &card.bodies}, std::pair{"joints", &card.joints},

@@ -19,9 +19,8 @@ render::Image posterOf(const Screen& screen, const FilmPlan& plan, int frame,
     overlays.text = overlays.stats = false;
     const render::Frame shown = screen.frameWith(overlays, frame);
     const auto moments = static_cast<std::size_t>(plan.shutter.moments);
-    render::Image image = moments <= 1
-                              ? renderer.draw(shown)
-                              : renderer.draw(std::vector<render::Frame>(moments, shown));
+    render::Image image = moments <= 1 ? renderer.draw(shown)
+                                       : renderer.draw(std::vector<render::Frame>(moments, shown));
     return withStrip(std::move(image), plan, plan.timeOf(frame));
 }
 

@@ -13,28 +13,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json shownOf(const GalleryCard& card) {
-    return {{"name", card.name},
-            {"file", card.file},
-            {"group", card.group},
-            {"title", card.title},
-            {"purpose", card.purpose},
-            {"seconds", rounded(card.seconds, 6)},
-            {"bodies", card.bodies},
-            {"joints", card.joints},
-            {"hz", card.hz},
-            {"width", card.width},
-            {"height", card.height},
-            {"posterTime", rounded(card.posterTime, 6)},
+    return {{"name", card.name},       {"file", card.file},
+            {"group", card.group},     {"title", card.title},
+            {"purpose", card.purpose}, {"seconds", rounded(card.seconds, 6)},
+            {"bodies", card.bodies},   {"joints", card.joints},
+            {"hz", card.hz},           {"width", card.width},
+            {"height", card.height},   {"posterTime", rounded(card.posterTime, 6)},
             {"film", card.film}};
 }
 
 }  // namespace
 
-std::string galleryPage(const std::vector<GalleryCard>& cards, const GalleryMaking& making) {
-    Json page{{"version", kVersion},
-              {"command", making.command},
-              {"renderer", making.renderer},
-              {"scenes", Json::array()}};
+std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer) {
+    Json page{{"version", kVersion}, {"renderer", renderer}, {"scenes", Json::array()}};
     for (const GalleryCard& card : cards) page["scenes"].push_back(shownOf(card));
     const PageText text = galleryPageText();
     return text.before + scriptSafe(page) + text.after;

@@ -7,11 +7,8 @@
 
 namespace demos {
 
-struct GalleryMaking {
-    std::string command, renderer;
-};
-
-/// Links go to NAME.png and NAME.mp4 beside it; nothing else is asked for.
-std::string galleryPage(const std::vector<GalleryCard>& cards, const GalleryMaking& making);
+/// Links go to NAME.png and NAME.mp4 beside it; nothing else is asked for. `renderer`: as OpenGL
+/// names it. The command that made it is not told: a page is public, its folders are not.
+std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer);
 
 }  // namespace demos

@@ -11,8 +11,8 @@ namespace demos {
 
 /// Of one scene. Before its first picture is written it is here without hashes: its files are ours.
 struct GalleryEntry {
-    std::uint64_t fingerprint = 0;         // GalleryCard's
-    std::uint64_t poster = 0, film = 0;    // TextHash of the files; 0: not made
+    std::uint64_t fingerprint = 0;       // GalleryCard's
+    std::uint64_t poster = 0, film = 0;  // TextHash of the files; 0: not made
 };
 
 /// Scenes that a later command leaves out stay here, and their files where they are.

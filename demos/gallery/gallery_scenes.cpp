@@ -12,12 +12,6 @@
 namespace demos {
 namespace {
 
-bool isBuiltin(const std::string& word) {
-    const auto scenes = builtinScenes();
-    return std::any_of(scenes.begin(), scenes.end(),
-                       [&word](const BuiltinScene& scene) { return scene.name == word; });
-}
-
 class GalleryChooser {
 public:
     void add(const std::string& word) {
@@ -28,10 +22,10 @@ public:
         const auto known = std::find_if(choices_.begin(), choices_.end(), same);
         if (known != choices_.end() && known->scene == word) return;
         if (known != choices_.end())
-            throw Stop(Exit::usage, fmt::format("'{}' and '{}' would both be called '{}'; rename "
-                                                "one of the files",
-                                                printable(known->scene), printable(word),
-                                                printable(name)));
+            throw Stop(Exit::usage,
+                       fmt::format("'{}' and '{}' would both be called '{}'; rename "
+                                   "one of the files",
+                                   printable(known->scene), printable(word), printable(name)));
         if (name == "sheet")
             throw Stop(Exit::usage,
                        fmt::format("'{}': sheet.png is the picture of all; rename the file",

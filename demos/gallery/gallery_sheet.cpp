@@ -47,8 +47,8 @@ void average(const render::Image& picture, const Cover& across, const Cover& dow
     for (std::size_t y = 0; y < down.shares.size(); ++y)
         for (std::size_t x = 0; x < across.shares.size(); ++x) {
             const float share = down.shares[y] * across.shares[x];
-            const std::uint8_t* from = picture.at(across.first + static_cast<int>(x),
-                                                  down.first + static_cast<int>(y));
+            const std::uint8_t* from =
+                picture.at(across.first + static_cast<int>(x), down.first + static_cast<int>(y));
             for (std::size_t c = 0; c < 4; ++c) sums[c] += share * static_cast<float>(from[c]);
             weight += share;
         }
@@ -92,8 +92,7 @@ render::Image shrunk(const render::Image& picture, PictureSize size) {
     const std::vector<Cover> across = coversOf(picture.width, size.width),
                              down = coversOf(picture.height, size.height);
     for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-            average(picture, across[x], down[y], small.at(x, y));
+        for (int x = 0; x < size.width; ++x) average(picture, across[x], down[y], small.at(x, y));
     return small;
 }
 

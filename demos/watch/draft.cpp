@@ -103,7 +103,8 @@ private:
 void DraftMaker::prepare(const FilmPlan& plan) {
     makeFolder(places_.folder);
     if (!store_ || store_->width() != plan.layout.width || store_->height() != plan.layout.height) {
-        store_ = std::make_unique<FrameStore>(places_.film(), plan.layout.width, plan.layout.height);
+        store_ =
+            std::make_unique<FrameStore>(places_.film(), plan.layout.width, plan.layout.height);
         stored_.clear();
     }
     if (!renderer_ || panel_.width != plan.picture.width || panel_.height != plan.picture.height) {
@@ -158,14 +159,16 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
 void DraftMaker::finish(Run& run, DraftFilm& film, const Options& options, Draft& draft) {
     draft.written = film.close(draft.frames);
     const bool first = draft.framesBefore == 0;
-    if (first) draft.pictured = std::min(posterFrame(run.plan(), options), draft.frames - 1);
-    else if (!draft.changed.empty()) draft.pictured = draft.changed.front().first;
+    if (first)
+        draft.pictured = std::min(posterFrame(run.plan(), options), draft.frames - 1);
+    else if (!draft.changed.empty())
+        draft.pictured = draft.changed.front().first;
     if (draft.pictured >= 0)
         render::writeFileAtomically(places_.picture(),
                                     render::encodePng(store_->get(draft.pictured)));
     const std::vector<std::uint64_t>& states = run.states();
-    const auto [here, there] = std::mismatch(states.begin(), states.end(), states_.begin(),
-                                             states_.end());
+    const auto [here, there] =
+        std::mismatch(states.begin(), states.end(), states_.begin(), states_.end());
     if (!first && here != states.end() && there != states_.end())
         draft.firstStep = here - states.begin();
     draft.failed = run.failed(options.seconds.has_value());

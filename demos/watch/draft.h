@@ -19,10 +19,10 @@ struct FrameSpan {
 
 /// What became of a draft.
 struct Draft {
-    bool whole = false;          // false: given up, for a newer save or a signal
+    bool whole = false;  // false: given up, for a newer save or a signal
     int frames = 0;
-    int framesBefore = 0;        // of the last whole one; 0: there was none
-    int drawn = 0;               // the others were there
+    int framesBefore = 0;            // of the last whole one; 0: there was none
+    int drawn = 0;                   // the others were there
     std::vector<FrameSpan> changed;  // against the last whole one, rising
     std::optional<long> firstStep;   // whose state differs from the last whole one's; 0: the start
     bool written = false;            // the film, or the frames

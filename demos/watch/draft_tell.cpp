@@ -41,7 +41,8 @@ std::string sectionsText(const FrameSpan& span, const FilmPlan& plan) {
 std::string spanText(const FrameSpan& span, const FilmPlan& plan) {
     const double from = plan.timeOf(span.first), to = plan.timeOf(span.last);
     const std::string where = sectionsText(span, plan);
-    if (span.first == span.last) return fmt::format("frame {} ({:.2f} s{})", span.first, from, where);
+    if (span.first == span.last)
+        return fmt::format("frame {} ({:.2f} s{})", span.first, from, where);
     return fmt::format("frames {} to {} ({:.2f} to {:.2f} s{})", span.first, span.last, from, to,
                        where);
 }
@@ -110,15 +111,17 @@ std::vector<std::string> failureLines(const Draft& draft, const FilmPlan& plan) 
 }
 
 std::string draftJson(const Draft& draft, const FilmPlan& plan, const DraftPlaces& places) {
-    Json json{{"event", "draft"},      {"frames", draft.frames}, {"before", draft.framesBefore},
-              {"drawn", draft.drawn},  {"written", draft.written}};
+    Json json{{"event", "draft"},
+              {"frames", draft.frames},
+              {"before", draft.framesBefore},
+              {"drawn", draft.drawn},
+              {"written", draft.written}};
     json["open"] = places.toOpen().string();
     if (draft.pictured >= 0) json["picture"] = places.picture().string();
     json["changed"] = Json::array();
     for (const FrameSpan& span : draft.changed)
-        json["changed"].push_back({{"first", span.first},
-                                   {"last", span.last},
-                                   {"sections", sectionsOf(span, plan)}});
+        json["changed"].push_back(
+            {{"first", span.first}, {"last", span.last}, {"sections", sectionsOf(span, plan)}});
     json["first_step"] = draft.firstStep ? Json(*draft.firstStep) : Json(nullptr);
     json["failed"] = Json::array();
     for (const ExpectationResult& result : draft.failed)

@@ -94,9 +94,10 @@ void FileWatch::readEvents(Which which) {
             if (event->mask & IN_Q_OVERFLOW) news_ = true;  // some were lost
             if (folder == folders_.end()) continue;
             if (event->mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT))
-                throw render::Error(fmt::format("the folder '{}' is gone; what was watched is not "
-                                                "there any more",
-                                                printable(folder->second.string())));
+                throw render::Error(
+                    fmt::format("the folder '{}' is gone; what was watched is not "
+                                "there any more",
+                                printable(folder->second.string())));
             const bool named = event->len > 0 && files_.count(folder->second / event->name) > 0;
             news_ = news_ || named || which == Which::anyBeside;
         }

@@ -1,5 +1,5 @@
-// Every struct is taken apart by name: a member that is added to a frame and forgotten here does not
-// compile.
+// Every struct is taken apart by name: a member that is added to a frame and forgotten here does
+// not compile.
 
 #include "demos/watch/frame_hash.h"
 
@@ -25,7 +25,7 @@ public:
 private:
     /// Numbers and enumerations; 0.0f and -0.0f differ, which costs a drawing at worst.
     template <class Value>
-        requires std::is_arithmetic_v<Value> || std::is_enum_v<Value>
+    requires std::is_arithmetic_v<Value> || std::is_enum_v<Value>
     void one(const Value& value) {
         hash_.add(std::span(reinterpret_cast<const std::uint8_t*>(&value), sizeof value));
     }

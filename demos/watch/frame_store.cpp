@@ -17,7 +17,8 @@ void FrameStore::put(int frame, const render::Image& image) {
         const ssize_t wrote = pwrite(file_.number(), image.pixels.data() + at, bytes() - at,
                                      static_cast<off_t>(bytes()) * frame + static_cast<off_t>(at));
         if (wrote < 0 && errno == EINTR) continue;
-        if (wrote < 0) throw render::Error("cannot keep a draft's frame: " + render::describeError(errno));
+        if (wrote < 0)
+            throw render::Error("cannot keep a draft's frame: " + render::describeError(errno));
         at += static_cast<std::size_t>(wrote);
     }
 }
@@ -29,7 +30,8 @@ render::Image FrameStore::get(int frame) const {
         const ssize_t got = pread(file_.number(), image.pixels.data() + at, bytes() - at,
                                   static_cast<off_t>(bytes()) * frame + static_cast<off_t>(at));
         if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) throw render::Error("cannot read a draft's frame: " + render::describeError(errno));
+        if (got <= 0)
+            throw render::Error("cannot read a draft's frame: " + render::describeError(errno));
         at += static_cast<std::size_t>(got);
     }
     return image;

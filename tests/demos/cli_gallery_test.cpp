@@ -46,7 +46,8 @@ TEST_F(Gallery, MakesAPageAFilmAndAPosterOfEachScene) {
     }
     EXPECT_TRUE(isMade("sheet.png"));
     EXPECT_TRUE(has(ended, "2 drawn, 0 kept")) << ended.out;
-    EXPECT_EQ(page().find(folder.path().string()), std::string::npos) << "where the file is, is told";
+    EXPECT_EQ(page().find(folder.path().string()), std::string::npos)
+        << "where the file is, is told";
 }
 
 TEST_F(Gallery, TheSameCommandTwiceDrawsNothingTwice) {
@@ -125,7 +126,8 @@ TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
     EXPECT_NE(ended.err.find("impulse: broken.toml:2:1: "), std::string::npos) << ended.err;
     EXPECT_TRUE(pageHas("ball"));
     EXPECT_FALSE(pageHas("broken"));
-    write(folder / "comet.toml", kBall + "velocity = [9995, 0, 0]\n[world]\ngravity = [100, 0, 0]\n");
+    write(folder / "comet.toml",
+          kBall + "velocity = [9995, 0, 0]\n[world]\ngravity = [100, 0, 0]\n");
     const Ended diverged = gallery({"comet.toml", "other.toml"});
     EXPECT_EQ(diverged.code, 6) << diverged.err;
     EXPECT_NE(diverged.err.find("impulse: comet: step "), std::string::npos) << diverged.err;

@@ -75,7 +75,8 @@ TEST_F(Watch, DrawsAnewWhatASaveChangesAndNothingElse) {
     Conversation watching(launch({"--json"}));
     EXPECT_EQ(draftIn(watching.until("\"watching\""))["drawn"], kDraftFrames);
     // A caption of the second section, seen from 1 s on: frames 15 to 29. The state is the same.
-    write(folder / "my.toml", with(kScene, "\"late\"\ncaption = \"late\"", "\"late\"\ncaption = \"later\""));
+    write(folder / "my.toml",
+          with(kScene, "\"late\"\ncaption = \"late\"", "\"late\"\ncaption = \"later\""));
     json draft = draftIn(watching.until("\"draft\""));
     EXPECT_EQ(draft["drawn"], 15) << draft;
     EXPECT_EQ(draft["changed"],
@@ -124,7 +125,8 @@ TEST_F(Watch, ErrorsAreToldOnceAndWatchingGoesOn) {
 }
 
 TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
-    write(folder / "part.toml", "[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n");
+    write(folder / "part.toml",
+          "[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n");
     write(folder / "my.toml", with(kScene, "seconds", "include = [\"part.toml\"]\nseconds"));
     Conversation watching(launch({"--json"}));
     EXPECT_NE(watching.until("\"watching\"").find("\"files\":2"), std::string::npos);

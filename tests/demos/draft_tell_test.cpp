@@ -76,10 +76,10 @@ TEST(DraftText, FailuresHaveTheirValueAndReason) {
     bad.trouble = "tower: step 3: not finite";
     FilmPlan tower = plan();
     tower.name = "tower";
-    EXPECT_EQ(failureLines(bad, tower),
-              (std::vector<std::string>{
-                  "tower: failed: drift of box* below 0.1 m: 0.25 m (it stands)",
-                  "tower: step 3: not finite"}));
+    EXPECT_EQ(
+        failureLines(bad, tower),
+        (std::vector<std::string>{"tower: failed: drift of box* below 0.1 m: 0.25 m (it stands)",
+                                  "tower: step 3: not finite"}));
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ protected:
     GalleryInBrowser() {
         add("stack", "stacks", "Ten boxes", "They stay");
         add("wall", "stacks", "A wall", "A ball comes");
-        add("it's mine", "", "<img src=http://127.0.0.1:9/title.png onerror=alert(1)>", "It swings");
+        add("it's mine", "", "<img src=http://127.0.0.1:9/title.png onerror=alert(1)>",
+            "It swings");
         cards_.back().file = "it's mine.toml";
     }
 
@@ -43,8 +44,7 @@ protected:
     }
 
     Opened open(const std::string& hash, const std::string& steps) const {
-        return browser_.open(galleryPage(cards_, {"impulse gallery", "llvmpipe"}), hash,
-                             driver(steps));
+        return browser_.open(galleryPage(cards_, "llvmpipe"), hash, driver(steps));
     }
 
     support::TemporaryFolder folder_;
@@ -66,8 +66,9 @@ TEST_F(GalleryInBrowser, ShowsACardForEachSceneByGroup) {
   tell([...document.images].every((image) => image.complete && image.naturalWidth === 160));
   tell(document.querySelectorAll("video").length);
 )js");
-    EXPECT_EQ(told(opened), "[stack wall it's mine][stacks,scenes of yours][12 bodies2 s60 steps/s]"
-                            "[true][0]");
+    EXPECT_EQ(told(opened),
+              "[stack wall it's mine][stacks,scenes of yours][12 bodies2 s60 steps/s]"
+              "[true][0]");
     EXPECT_TRUE(opened.console.empty()) << opened.console.front();
     EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
 }

@@ -22,7 +22,6 @@ function showNumbers() {
     parts.push(`${Math.floor(total / 60)} min ${Math.round(total % 60)} s of film; ` +
       `${matchMedia("(hover: none)").matches ? "tap" : "point at"} a picture to play it`);
   byId("numbers").textContent = parts.join(" \u00b7 ");
-  byId("made-by").textContent = gallery.command;
   byId("machine").textContent = [`impulse ${gallery.version}`, gallery.renderer].join(" \u00b7 ");
 }
 
