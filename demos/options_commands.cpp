@@ -286,23 +286,61 @@ void addBench(CLI::App& app, Options& options, RawOptions& raw) {
 }
 
 void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
-    CLI::Option* gallery = app.add_flag("--gallery", options.gallery,
-                                        "a picture with one frame of each scene; default: off");
+    addSceneChoice(app, options, raw);
+    app.get_option("scene")
+        ->expected(0, kMostScenes)
+        ->required(false)
+        ->description("built-in scenes or scene files; all: every built-in one; default: all");
     app.add_option("-o,--output", options.outputs,
-                   "of the gallery: a .png or - ; default: output/gallery.png")
-        ->type_name("FILE")
-        ->expected(1)
-        ->needs(gallery);
-    app.add_option("--size", raw.size, "of the gallery: pixels of one frame; default: 480x270")
-        ->type_name("WxH")
-        ->needs(gallery);
+                   "a folder: index.html, NAME.mp4, NAME.png, sheet.png; or the sheet alone: "
+                   "a .png or -; default: output/gallery")
+        ->type_name("DIR|FILE")
+        ->expected(1);
+    app.add_flag("--films,!--no-films", options.films, "films, not posters alone; default: on");
     app.add_option("--columns", options.columns,
-                   "of the gallery: frames in a row; default: 0, up to six, and all rows alike")
-        ->type_name("N")
-        ->needs(gallery);
-    app.add_flag("--overwrite", options.overwrite,
-                 "replace what another run has written; default: off")
-        ->needs(gallery);
+                   "of the sheet: scenes in a row; default: 0, up to six, and all rows alike")
+        ->type_name("N");
+    addSeconds(app, options);
+    addPicture(app, options, raw);
+    app.get_option("--quality")->each([&options](const std::string&) {
+        options.qualityAsked = true;
+    });
+    app.get_option("--size")->description(
+        "pixels, 1..16384 a side; default: the quality's, 640x360 without one, 480x270 in a sheet");
+    app.get_option("--fps")->description(
+        "frames a second; the scene's steps a second must be a multiple; "
+        "default: the quality's, or the next lower that is right");
+    app.get_option("--overwrite")
+        ->description("replace what differs from what was made before; default: off");
+    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
+        ->type_name("N");
+    addFeedback(app, options);
+}
+
+void addWatch(CLI::App& app, Options& options, RawOptions& raw) {
+    addSceneChoice(app, options, raw);
+    app.add_flag("--once", options.once, "one draft, then the end; default: off");
+    app.add_option("-o,--output", options.outputs,
+                   "a folder for draft.mp4 and draft.png; default: output/<scene>")
+        ->type_name("DIR")
+        ->expected(1);
+    addSeconds(app, options);
+    app.add_option("--size", raw.size, "pixels, 1..16384 a side; default: 480x270")
+        ->type_name("WxH");
+    app.add_option("--show", raw.show,
+                   "overlays, with commas, see impulse render --help; default: the scene's")
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--colour-by,--color-by", options.colorBy,
+                   "what colours bodies, see impulse render --help; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    addFeedback(app, options);
 }
 
 }  // namespace
@@ -333,15 +371,17 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
             return addTest(app, options, raw);
         case Command::approve:
             return addApprove(app, options);
+        case Command::watch:
+            return addWatch(app, options, raw);
+        case Command::gallery:
+            return addGallery(app, options, raw);
         case Command::list:
-            app.add_option("scene", options.scenes,
-                           "a scene to describe, or those of a gallery; default: all")
+            app.add_option("scene", options.scenes, "a scene to describe; default: all")
                 ->type_name("SCENE")
                 ->expected(0, kMostScenes);
             app.add_flag("--print", options.print, "the scene file itself; default: off");
             app.add_flag("--schema", options.schema,
                          "the JSON Schema of scene files, for editors; default: off");
-            addGallery(app, options, raw);
             addFeedback(app, options);
             return;
         case Command::completion:

@@ -37,6 +37,10 @@ Exit perform(const Options& options) {
             return options.selfTest ? selfTestCommand(options) : testCommand(options);
         case Command::approve:
             return approveCommand(options);
+        case Command::watch:
+            return watchCommand(options);
+        case Command::gallery:
+            return galleryCommand(options);
         case Command::list:
             return listCommand(options);
         case Command::doctor:

@@ -144,6 +144,13 @@ render::Frame Screen::plainFrame(int frame) const {
     return plain;
 }
 
+render::Frame Screen::frameWith(const Overlays& overlays, int frame) const {
+    render::Frame shown =
+        snapshot(stage(), overlays, plan_.timeOf(frame), shows_.front()->player.history());
+    fitCamera(plan_.picture.width, plan_.picture.height, shown);
+    return shown;
+}
+
 std::uint64_t Screen::hash() const {
     if (shows_.size() == 1) return shows_.front()->player.stage().world.hash();
     engine::StateHash hash;

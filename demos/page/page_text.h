@@ -8,7 +8,8 @@ namespace demos {
 struct PageText {
     std::string before, after;  // the data
 };
-PageText reportPageText();  // demos/regression/page
-PageText replayPageText();  // demos/export/page
+PageText reportPageText();   // demos/regression/page
+PageText replayPageText();   // demos/export/page
+PageText galleryPageText();  // demos/gallery/page
 
 }  // namespace demos
