@@ -10,5 +10,6 @@ struct PageText {
 };
 PageText reportPageText();  // demos/regression/page
 PageText replayPageText();  // demos/export/page
+PageText slidesPageText();  // demos/slides/page
 
 }  // namespace demos
