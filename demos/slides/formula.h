@@ -5,6 +5,8 @@
 
 namespace demos {
 
+constexpr std::size_t kLongestFormula = 2000;  // bytes
+
 /// What KaTeX cannot read, and the byte of the formula where that is.
 class FormulaError : public std::runtime_error {
 public:
@@ -15,7 +17,9 @@ private:
     std::size_t at_;
 };
 
-/// A <math> element; `display`: on a line of its own. Throws FormulaError.
+/// A <math> element with the formula as its alttext; `display`: on a line of its own. Throws
+/// FormulaError, also for what a page should not do: links, pictures, classes and styles. There is
+/// one interpreter, so not for two threads at once.
 std::string mathMlOf(const std::string& tex, bool display);
 
 }  // namespace demos

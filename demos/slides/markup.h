@@ -1,19 +1,28 @@
 /// Words of a slide for the three places where they go. CommonMark (libcmark) in which $x$ is a
-/// formula within a line and $$x$$ one on a line of its own; \$ is a dollar.
+/// formula within a line and $$x$$ one on a line of its own; \$ is a dollar. Raw HTML in it is shown
+/// as text, links go to http, https and mailto only, pictures are their descriptions.
 #pragma once
 #include <string>
 
 namespace demos {
 
-std::string htmlOf(const std::string& commonMark);   // raw HTML in it is shown as text
-std::string latexOf(const std::string& commonMark);  // for Beamer
-std::string plainOf(const std::string& commonMark);  // one line for titles and alt texts: no marks
-
+// These throw FormulaError with the byte of the text.
+std::string htmlOf(const std::string& commonMark);
 /// The same without the paragraph around it, for a title or a caption of one line.
 std::string htmlInlineOf(const std::string& commonMark);
+
+/// For Beamer, which has amsmath and hyperref; with T1 or another encoding that knows
+/// \textquotedbl. (latex.cpp)
+std::string latexOf(const std::string& commonMark);
 std::string latexInlineOf(const std::string& commonMark);
 
+std::string plainOf(const std::string& commonMark);  // one line for titles and alt texts: no marks
+
 std::string htmlEscaped(const std::string& text);
-std::string latexEscaped(const std::string& text);
+std::string latexEscaped(const std::string& text);  // (latex.cpp)
+/// Lines in a typewriter's letters, spaces kept; good in any frame, not in a fragile one only.
+std::string latexCodeOf(const std::string& code);
+/// A formula that KaTeX takes, in its dollars or brackets. (latex.cpp)
+std::string latexFormulaOf(const std::string& tex, bool display);
 
 }  // namespace demos

@@ -122,7 +122,10 @@ TEST(Layering, EachOfTheseLibrariesHasItsFiles) {
         {"stb/stb_image_write.h", {"render/encode/png.cpp"}},
         {"stb/stb_truetype.h", {"render/glyphs.cpp"}},
         {"tiny_obj_loader.h", {"demos/scene/obj_file.cpp"}},
-        {"pugixml.hpp", {"demos/mjcf/xml_tree.cpp", "demos/regression/junit.cpp"}},
+        {"pugixml.hpp",
+         {"demos/mjcf/xml_tree.cpp", "demos/regression/junit.cpp", "demos/slides/mathml.cpp"}},
+        {"duktape.h", {"demos/slides/formula.cpp"}},
+        {"cmark.h", {"demos/slides/markup_tree.h"}},
         {"CLI/CLI.hpp", {"demos/options_commands.h"}},
         {"muParserBase.h", {"demos/scene/expression.cpp"}}};
     std::map<std::string, std::set<std::string>> seen;

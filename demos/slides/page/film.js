@@ -53,38 +53,32 @@ function enterFilm() {
   if (!later) play(film);
 }
 
-/// Resolves when the frame is on the screen.
 function seek(film, frame) {
   film.pause();
-  const time = (within(frame, 0, frames(film) - 1) + 0.5) / fps(film);
-  if (film.readyState >= 1 && Math.abs(film.currentTime - time) < 1e-6) return Promise.resolve();
-  return new Promise((done) => {
-    film.addEventListener("seeked", () => { showRun(film); done(); }, { once: true });
-    film.currentTime = time;
-  });
+  film.currentTime = (within(frame, 0, frames(film) - 1) + 0.5) / fps(film);
 }
 
-async function stepFilm(by) {
-  const film = filmNow();
-  if (!film) return;
+function seekAndSay(film, frame) {
   setWaiting(film, false);
-  await seek(film, frameOf(film) + by);
+  seek(film, frame);
   say(whereIs(film), 0);
 }
 
-async function rewindFilm() {
+function stepFilm(by) {
   const film = filmNow();
-  if (!film) return;
-  setWaiting(film, false);
-  await seek(film, 0);
-  say(whereIs(film), 0);
+  if (film) seekAndSay(film, frameOf(film) + by);
 }
 
-async function toggleFilm() {
+function rewindFilm() {
+  const film = filmNow();
+  if (film) seekAndSay(film, 0);
+}
+
+function toggleFilm() {
   const film = filmNow();
   if (!film) return;
   if (film.paused) {
-    if (ended(film)) await seek(film, 0);
+    if (ended(film)) seek(film, 0);
     say("");
     play(film);
   } else {

@@ -1,0 +1,23 @@
+/// The formulas in a text: $x$ within a line, $$x$$ on a line of its own. As Pandoc reads them: the
+/// first $ has no space after it, the last none before it and no digit after it, so that "$5 and
+/// $6" are prices; none in `code`, none across an empty line; \$ is a dollar.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace demos {
+
+struct TextFormula {
+    std::string tex;
+    bool display = false;
+    std::size_t begin = 0, end = 0;  // bytes of the text, with the dollars
+    std::size_t at = 0;              // where `tex` begins
+};
+
+/// In the order of the text.
+std::vector<TextFormula> formulasIn(const std::string& text);
+
+/// Throws FormulaError with the byte of the text.
+std::string mathMlIn(const TextFormula& formula);
+
+}  // namespace demos
