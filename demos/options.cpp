@@ -8,6 +8,7 @@
 #include "demos/options_commands.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
+#include "demos/shell_word.h"
 #include "demos/stop.h"
 #include "demos/version.h"
 
@@ -124,18 +125,9 @@ std::string lineOf(const CLI::ParseError& error, const CLI::App& app) {
     return printable(text);
 }
 
-/// In single quotes where a shell would take a word apart.
-std::string quoted(const std::string& word) {
-    const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 std::string commandLineOf(int argc, const char* const* argv) {
     std::string line = "impulse";
-    for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
+    for (int i = 1; i < argc; ++i) line += " " + shellWord(argv[i]);
     return printable(line);
 }
 

@@ -19,6 +19,7 @@ struct Overlays {
     bool ghost = false;     // earlier poses
     bool trails = true;     // of the bodies that the scene names
     bool text = true;       // time, bodies, solver, caption, legends
+    bool headings = true;   // of the text: the first line and the caption
     bool stats = false;     // a panel of numbers in place of the first line
     bool plot = false;      // a strip below the picture, of a film of one scene
     std::string theme = "studio";

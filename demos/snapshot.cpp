@@ -17,7 +17,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     addContacts(moment, frame);
     if (overlays.nudges) addNudges(moment, frame);
     addBodyMarks(moment, frame);
-    if (overlays.text) addTexts(moment, frame);
+    if (overlays.text && overlays.headings) addTexts(moment, frame);
     if (overlays.stats) addStats(moment, frame);
     if (overlays.text) addLegend(moment, frame);
     applyTheme(overlays.theme, frame);

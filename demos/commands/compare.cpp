@@ -7,23 +7,13 @@
 #include "demos/film/plot_strip.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/film/variant_panels.h"
+#include "demos/report/comparing.h"
 #include "demos/report/comparisons.h"
 #include "demos/report/measure_table.h"
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
-#include "demos/scene/nearest.h"
 
 namespace demos {
 namespace {
-
-constexpr std::size_t kMostPanels = 4;
-
-struct Plan {
-    Options options;  // with the built-in comparison's scene and length
-    std::string name, point;
-    std::string plot;  // a measure
-    std::vector<Variant> variants;
-};
 
 void sayComparisons(const Options& options) {
     for (const Comparison& comparison : builtinComparisons()) {
@@ -35,74 +25,7 @@ void sayComparisons(const Options& options) {
     }
 }
 
-Plan planOf(const Comparison& comparison, const Options& options) {
-    Plan plan{options, comparison.name, comparison.point, comparison.plot, {}};
-    plan.options.scenes = {comparison.scene};
-    if (!options.seconds) plan.options.seconds = comparison.seconds;
-    std::vector<std::vector<std::string>> settings;
-    std::vector<std::string> labels;
-    for (const Comparison::Case& one : comparison.cases) {
-        settings.push_back(one.settings);
-        labels.emplace_back(one.label);
-    }
-    plan.variants = variantsOf(plan.options, settings, labels, "--vary");
-    return plan;
-}
-
-/// "label: key=value key=value"; the label may be left out.
-std::pair<std::string, std::vector<std::string>> caseFrom(const std::string& text) {
-    const std::size_t colon = text.find(": ");
-    std::vector<std::string> settings(1);
-    for (const char c : colon == std::string::npos ? text : text.substr(colon + 2)) {
-        if (c != ' ')
-            settings.back() += c;
-        else if (!settings.back().empty())
-            settings.emplace_back();
-    }
-    if (settings.back().empty()) settings.pop_back();
-    for (const std::string& setting : settings)
-        if (setting.find('=') == std::string::npos)
-            throw Stop(Exit::usage,
-                       fmt::format("--case '{}': must be 'LABEL: KEY=VALUE KEY=VALUE', for example "
-                                   "'fine: solver.substeps=8 solver.sweeps=2'",
-                                   printable(text)));
-    return {colon == std::string::npos ? "" : text.substr(0, colon), settings};
-}
-
-Plan planOf(const Options& options) {
-    if (const Comparison* comparison = comparisonCalled(options.scene())) {
-        if (!options.vary.empty() || !options.cases.empty())
-            throw Stop(Exit::usage, fmt::format("'{}' is a comparison of its own; for --vary and "
-                                                "--case name a scene",
-                                                comparison->name));
-        return planOf(*comparison, options);
-    }
-    Plan plan{options, "", "", "", {}};
-    if (!options.vary.empty() && !options.cases.empty())
-        throw Stop(Exit::usage, "--vary and --case cannot be given together; use one of them");
-    std::vector<Variation> variations;
-    for (const std::string& text : options.vary)
-        variations.push_back(variationFrom(text, "--vary"));
-    std::vector<std::vector<std::string>> settings;
-    std::vector<std::string> labels;
-    if (!variations.empty()) settings = combinations(variations);
-    for (const std::string& text : options.cases) {
-        auto [label, own] = caseFrom(text);
-        labels.push_back(label);
-        settings.push_back(own);
-    }
-    if (settings.size() < 2 || settings.size() > kMostPanels)
-        throw Stop(Exit::usage,
-                   fmt::format("{} to compare; give two to four, for example --vary "
-                               "solver.sweeps=1,4,16; built in: see impulse compare --list",
-                               settings.size()));
-    plan.variants =
-        variantsOf(options, settings, labels, options.vary.empty() ? "--case" : "--vary");
-    plan.name = plan.variants.front().scene.name;
-    return plan;
-}
-
-int plottedMeasure(const Plan& plan) {
+int plottedMeasure(const Comparing& plan) {
     const std::string word = !plan.options.measure.empty()                ? plan.options.measure
                              : !plan.plot.empty()                         ? plan.plot
                              : plan.variants.front().scene.joints.empty() ? "penetration"
@@ -110,17 +33,8 @@ int plottedMeasure(const Plan& plan) {
     return measureCalled(word);
 }
 
-FilmPlan filmOf(const Plan& plan) {
-    std::vector<Panel> panels;
-    for (const Variant& variant : plan.variants) {
-        Panel panel;
-        panel.scene = variant.scene;
-        panel.settings = fmt::format("{}", fmt::join(variant.settings, " "));
-        panel.scene.title = variant.label;
-        panel.scene.sections.clear();
-        panels.push_back(std::move(panel));
-    }
-    FilmPlan film = planFilm(std::move(panels), plan.options.strip, plan.options);
+FilmPlan filmOf(const Comparing& plan) {
+    FilmPlan film = planFilm(panelsOf(plan.variants), plan.options.strip, plan.options);
     film.name = plan.name + "-compare";
     return film;
 }
@@ -139,7 +53,7 @@ Exit compareCommand(const Options& options) {
         throw Stop(Exit::usage, fmt::format("compare needs a scene and --vary, or one of: {}",
                                             fmt::join(names, ", ")));
     }
-    const Plan plan = planOf(options);
+    const Comparing plan = comparingOf(options);
     FilmPlan film = filmOf(plan);
     if (options.film) checkFilmPlan(film, plan.options);
     watchSignals();

@@ -140,16 +140,12 @@ void sayHash(const Stage& stage, long step, const Options& options, bool dataOnS
         fmt::print(dataOnStdout ? stderr : stdout, "step {}  state {}\n", step, hash);
 }
 
-std::string shortText(double value) { return fmt::format("{:.6g}", value); }
-
 /// False when one failed; those are errors, and said in any case.
 bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& scene,
                      const Talk& talk) {
     bool allPassed = true;
     for (const ExpectationResult& result : checker.results()) {
-        const std::string unit = result.unit.empty() ? "" : " " + result.unit;
-        const std::string line =
-            fmt::format("{}: {}{}", result.text, shortText(result.value), unit);
+        const std::string line = fmt::format("{}: {}", result.text, cameOut(result));
         allPassed = allPassed && result.passed;
         talk.json(fmt::format(
             R"({{"event":"expect","text":{},"value":{},"unit":{},"passed":{},"why":{}}})",

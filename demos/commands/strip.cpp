@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
 #include "demos/film/exposure.h"
@@ -10,7 +7,7 @@
 #include "demos/film/film_strip.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
-#include "demos/film/quality.h"
+#include "demos/film/strip_plan.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
 #include "render/encode/png.h"
@@ -18,50 +15,6 @@
 
 namespace demos {
 namespace {
-
-constexpr double kMostSteps = 1e8;
-
-/// The scene's own text would stand in every picture, six times the same.
-FilmPlan planStrip(Options options) {
-    const Quality& quality = qualityOf(options.quality);
-    if (!options.size) options.size = PictureSize{quality.width / 2, quality.height / 2};
-    FilmPlan plan = planFilm(options);
-    const auto asked = [&](const char* name) {
-        return std::find(options.show.begin(), options.show.end(), name) != options.show.end();
-    };
-    for (Panel& panel : plan.panels) {
-        panel.overlays.text = asked("caption");
-        panel.overlays.stats = asked("stats");
-    }
-    return plan;
-}
-
-/// After how many steps each picture is taken; rising.
-std::vector<int> stepsOf(const FilmPlan& plan, const Options& options) {
-    std::vector<int> steps;
-    for (const double time : options.times) {
-        if (time * plan.scene().hz > kMostSteps)
-            throw Stop(Exit::usage,
-                       fmt::format("--times {}: is more than {:.0f} steps away", time, kMostSteps));
-        steps.push_back(static_cast<int>(std::lround(time * plan.scene().hz)));
-        if (steps.size() > 1 && steps.back() == steps[steps.size() - 2])
-            throw Stop(Exit::usage, fmt::format("--times {}: falls on the same step as the time "
-                                                "before it; a step is {:.3g} s",
-                                                time, 1.0 / plan.scene().hz));
-    }
-    if (!steps.empty()) return steps;
-    if (options.moments > plan.frames)
-        throw Stop(Exit::usage, fmt::format("--moments {}: the film has {} frames; ask for fewer "
-                                            "moments or more --fps",
-                                            options.moments, plan.frames));
-    const double last = plan.frames - 1;
-    for (int i = 0; i < options.moments; ++i) {
-        const double share =
-            options.moments > 1 ? static_cast<double>(i) / (options.moments - 1) : 0.5;
-        steps.push_back(static_cast<int>(std::lround(share * last)) * plan.stepsPerFrame);
-    }
-    return steps;
-}
 
 std::string targetOf(const FilmPlan& plan, const Options& options) {
     const std::string pattern =
@@ -76,10 +29,7 @@ std::string targetOf(const FilmPlan& plan, const Options& options) {
 
 render::Image drawStrip(const FilmPlan& plan, const StripLayout& layout,
                         const std::vector<int>& steps) {
-    const Inks inks = inksOf(plan.panels.front().overlays.theme);
-    render::Color ground = inks.ground;
-    if (plan.alpha()) ground.a = 0.0f;
-    render::Image paper = stripPaper(layout, ground);
+    render::Image paper = stripPaper(layout, plan);
     Player player(plan.scene(), plan.panels.front().overlays);
     render::Renderer renderer(plan.picture);
     int played = 0;
@@ -87,8 +37,7 @@ render::Image drawStrip(const FilmPlan& plan, const StripLayout& layout,
         const double time = static_cast<double>(steps[i]) / plan.scene().hz;
         const auto seen = playTo(time, steps[i] - played, plan, player);
         played = steps[i];
-        placeMoment(layout, static_cast<int>(i), exposed(seen, plan, renderer),
-                    fmt::format("t = {:.2f} s", time), inks.ink, paper);
+        placeMoment(layout, static_cast<int>(i), exposed(seen, plan, renderer), time, plan, paper);
     }
     return paper;
 }
@@ -97,7 +46,7 @@ render::Image drawStrip(const FilmPlan& plan, const StripLayout& layout,
 
 Exit stripCommand(const Options& options) {
     const FilmPlan plan = planStrip(options);
-    const std::vector<int> steps = stepsOf(plan, options);
+    const std::vector<int> steps = stripSteps(plan, options);
     const StripLayout layout =
         stripLayout(static_cast<int>(steps.size()), options.columns,
                     {plan.picture.width, plan.picture.height}, !options.clean);

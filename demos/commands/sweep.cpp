@@ -9,44 +9,17 @@
 #include "demos/film/film.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/film/variant_panels.h"
 #include "demos/report/measure_table.h"
 #include "demos/report/plot_file.h"
+#include "demos/report/sweeping.h"
 #include "demos/scene/complaints.h"
 
 namespace demos {
 namespace {
 
-constexpr std::size_t kMostPanels = 16;
-
-std::vector<std::string> shortLabels(const Variation& variation) {
-    const std::size_t dot = variation.key.find_last_of('.');
-    const std::string name =
-        dot == std::string::npos ? variation.key : variation.key.substr(dot + 1);
-    std::vector<std::string> labels;
-    for (const std::string& value : variation.values) labels.push_back(name + " = " + value);
-    return labels;
-}
-
-/// At most 16 of them, the first and the last among them.
-std::vector<const Variant*> spread(const std::vector<Variant>& variants) {
-    std::vector<const Variant*> chosen;
-    const std::size_t count = std::min(variants.size(), kMostPanels);
-    for (std::size_t i = 0; i < count; ++i)
-        chosen.push_back(&variants[count == 1 ? 0 : i * (variants.size() - 1) / (count - 1)]);
-    return chosen;
-}
-
 FilmPlan gridOf(const std::vector<Variant>& variants, const Options& options) {
-    std::vector<Panel> panels;
-    for (const Variant* variant : spread(variants)) {
-        Panel panel;
-        panel.scene = variant->scene;
-        panel.settings = variant->settings.back();
-        panel.scene.title = variant->label;
-        panel.scene.sections.clear();
-        panels.push_back(std::move(panel));
-    }
-    FilmPlan film = planFilm(std::move(panels), false, options);
+    FilmPlan film = planFilm(panelsOf(spread(variants)), false, options);
     film.name = film.scene().name + "-sweep";
     return film;
 }
@@ -74,9 +47,8 @@ std::vector<Chart> chartsOf(const std::vector<Measured>& runs, const std::string
 Exit sweepCommand(const Options& options) {
     if (options.over.empty())
         throw Stop(Exit::usage, "sweep needs --over, for example --over solver.sweeps=1..64:x2");
-    const Variation variation = rangeFrom(options.over, "--over");
-    const std::vector<Variant> variants =
-        variantsOf(options, combinations({variation}), shortLabels(variation), "--over");
+    const Sweeping sweeping = sweepingOf(options);
+    const std::vector<Variant>& variants = sweeping.variants;
     if (!options.plot.empty()) checkChartFile(options.plot);
     std::optional<FilmPlan> grid;
     if (!options.outputs.empty()) {
@@ -97,12 +69,12 @@ Exit sweepCommand(const Options& options) {
     if (!options.json) fmt::print(dataOnStdout ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
     if (!options.csv.empty()) {
-        const std::string text = csvText(runs, variation.key);
+        const std::string text = csvText(runs, sweeping.key);
         writeResult(options.csv, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
         if (!csvOnStdout) talk.say(fmt::format("wrote {}", printable(options.csv)));
     }
     if (!options.plot.empty()) {
-        const std::vector<Chart> charts = chartsOf(runs, variation.key, options);
+        const std::vector<Chart> charts = chartsOf(runs, sweeping.key, options);
         const std::string theme =
             options.theme.empty() ? variants.front().scene.look.theme : options.theme;
         writeCharts(options.plot, charts, chartSize(charts.size()), theme);

@@ -161,9 +161,10 @@ PictureSize chartSize(std::size_t count) {
     return {1280, std::min(std::max(360 * charts, 720), most)};
 }
 
-Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme) {
-    if (charts.empty()) return drawingOf({Chart{}}, size, theme);
-    const Page page = pageOf(charts, size);
+Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
+                  float type) {
+    if (charts.empty()) return drawingOf({Chart{}}, size, theme, type);
+    const Page page = pageOf(charts, size, type);
     Pen pen(page, size, theme);
     for (std::size_t i = 0; i < charts.size(); ++i) pen.draw(charts[i], page.plots[i]);
     return pen.finish();

@@ -27,8 +27,11 @@ bool hasData(const Chart& chart);
 /// Room for charts below each other that read from the back of a room.
 PictureSize chartSize(std::size_t count);
 
-/// The charts below each other, sharing the width. `theme`: one of themeNames().
-std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme);
-render::Image imageOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme);
+/// The charts below each other, sharing the width. `theme`: one of themeNames(). `type`: letters and
+/// lines so many times as large as on paper.
+std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
+                  float type = 1.0f);
+render::Image imageOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
+                      float type = 1.0f);
 
 }  // namespace demos

@@ -16,8 +16,8 @@ render::Image imageOf(const Drawing& drawing) {
 }
 
 render::Image imageOf(const std::vector<Chart>& charts, PictureSize size,
-                      const std::string& theme) {
-    return imageOf(drawingOf(charts, size, theme));
+                      const std::string& theme, float type) {
+    return imageOf(drawingOf(charts, size, theme, type));
 }
 
 }  // namespace demos

@@ -87,8 +87,9 @@ std::string svgOf(const Drawing& drawing) {
     return svg + "</svg>\n";
 }
 
-std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme) {
-    return svgOf(drawingOf(charts, size, theme));
+std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
+                  float type) {
+    return svgOf(drawingOf(charts, size, theme, type));
 }
 
 }  // namespace demos

@@ -38,7 +38,8 @@ struct Drawing {
     std::vector<Label> labels;
 };
 
-Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme);
+Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
+                  float type = 1.0f);
 
 std::string svgOf(const Drawing& drawing);      // chart_svg.cpp
 render::Image imageOf(const Drawing& drawing);  // chart_image.cpp

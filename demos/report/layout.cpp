@@ -156,12 +156,12 @@ bool isDrawable(const Chart& chart, const Series& series, std::size_t sample) {
     return !chart.logY || y >= kSmallest;
 }
 
-Page pageOf(const std::vector<Chart>& charts, PictureSize size) {
+Page pageOf(const std::vector<Chart>& charts, PictureSize size, float type) {
     const float width = static_cast<float>(size.width);
     const float height = static_cast<float>(size.height) /
                          static_cast<float>(std::max<std::size_t>(charts.size(), 1));
     Page page;
-    page.unit = std::min(width / 1280.0f, height / 240.0f);
+    page.unit = type * std::min(width / 1280.0f, height / 240.0f);
     page.text = std::max(std::round(20.0f * page.unit), kSmallestText);
     page.title = std::round(1.3f * page.text);
     page.margin = 0.9f * page.text;

@@ -45,6 +45,6 @@ struct Page {
     std::vector<Plot> plots;  // as many as charts; they share left and right
 };
 
-Page pageOf(const std::vector<Chart>& charts, PictureSize size);
+Page pageOf(const std::vector<Chart>& charts, PictureSize size, float type = 1.0f);
 
 }  // namespace demos

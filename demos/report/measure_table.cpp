@@ -63,18 +63,32 @@ std::string csvCell(const std::string& text) {
 
 }  // namespace
 
-std::string tableText(const std::vector<Measured>& runs) {
+MeasureCells cellsOf(const std::vector<Measured>& runs) {
     const std::vector<std::size_t> columns = columnsOf(runs);
+    MeasureCells cells;
+    for (const std::size_t i : columns) {
+        cells.measures.push_back(static_cast<int>(i));
+        cells.head.push_back(heading(measures()[i]));
+    }
+    for (const Measured& run : runs) {
+        cells.rows.emplace_back();
+        for (const std::size_t i : columns)
+            cells.rows.back().push_back(
+                shortText(shownUnit(measures()[i]).scale * run.summary.values[i]));
+    }
+    return cells;
+}
+
+std::string tableText(const std::vector<Measured>& runs) {
+    const MeasureCells cells = cellsOf(runs);
     std::size_t width = 7;
     for (const Measured& run : runs) width = std::max(width, run.variant.label.size());
     std::string text = fmt::format("{:{}}", "variant", width);
-    for (const std::size_t i : columns) text += fmt::format("  {:>16}", heading(measures()[i]));
-    for (const Measured& run : runs) {
-        text += fmt::format("\n{:{}}", printable(run.variant.label), width);
-        for (const std::size_t i : columns)
-            text += fmt::format("  {:>16}",
-                                shortText(shownUnit(measures()[i]).scale * run.summary.values[i]));
-        if (!run.summary.diverged.empty()) text += "  diverged";
+    for (const std::string& name : cells.head) text += fmt::format("  {:>16}", name);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        text += fmt::format("\n{:{}}", printable(runs[i].variant.label), width);
+        for (const std::string& value : cells.rows[i]) text += fmt::format("  {:>16}", value);
+        if (!runs[i].summary.diverged.empty()) text += "  diverged";
     }
     return text;
 }

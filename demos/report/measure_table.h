@@ -14,6 +14,14 @@ struct Measured {
     Summary summary;
 };
 
+/// Numbers as text, four digits, their units in the head.
+struct MeasureCells {
+    std::vector<int> measures;  // in measures(): those that are not 0 in all runs
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;  // a row a run
+};
+MeasureCells cellsOf(const std::vector<Measured>& runs);
+
 /// A line per run; measures that are 0 in all runs are left out.
 std::string tableText(const std::vector<Measured>& runs);
 

@@ -38,65 +38,12 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-class Recording {
-public:
-    explicit Recording(const Stage& stage) : startEnergy_(stage.world.energy().total()) {
-        summary_.history.resize(measures().size());
-        for (const engine::BodyId body : stage.bodies)
-            start_.push_back(stage.world.pose(body).position);
-    }
-
-    void look(const Stage& stage, double ms) {
-        const engine::StepReport& report = stage.world.report();
-        summary_.time.push_back(report.time);
-        const double values[] = {largestMove(stage),
-                                 largestSpeed(stage),
-                                 report.worstPenetration,
-                                 report.worstSeparation,
-                                 report.energy.total() - startEnergy_,
-                                 report.residual,
-                                 static_cast<double>(report.sweeps.size()),
-                                 ms};
-        for (std::size_t i = 0; i < std::size(values); ++i)
-            summary_.history[i].push_back(values[i]);
-    }
-
-    Summary finish(const std::string& diverged) {
-        const auto& h = summary_.history;
-        summary_.diverged = diverged;
-        summary_.values = {h[drift].empty() ? 0.0 : h[drift].back(),
-                           largest(h[speed]),
-                           largest(h[penetration]),
-                           largest(h[separation]),
-                           h[energy].empty() ? 0.0 : h[energy].back(),
-                           mean(h[residual]),
-                           mean(h[sweeps]),
-                           median(h[milliseconds])};
-        return std::move(summary_);
-    }
-
-private:
-    double largestMove(const Stage& stage) const {
-        double most = 0.0;
-        for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
-            Vec3 move = stage.world.pose(stage.bodies[i]).position - start_[i];
-            move.y() = 0.0;
-            most = std::max(most, move.norm());
-        }
-        return most;
-    }
-
-    static double largestSpeed(const Stage& stage) {
-        double most = 0.0;
-        for (const engine::BodyId body : stage.bodies)
-            most = std::max(most, stage.world.velocity(body).norm());
-        return most;
-    }
-
-    double startEnergy_;
-    std::vector<Vec3> start_;
-    Summary summary_;
-};
+double largestSpeed(const Stage& stage) {
+    double most = 0.0;
+    for (const engine::BodyId body : stage.bodies)
+        most = std::max(most, stage.world.velocity(body).norm());
+    return most;
+}
 
 }  // namespace
 
@@ -120,22 +67,70 @@ int measureCalled(const std::string& name) {
     return -1;
 }
 
+SummaryRecorder::SummaryRecorder(const Stage& stage) : startEnergy_(stage.world.energy().total()) {
+    summary_.history.resize(measures().size());
+    for (const engine::BodyId body : stage.bodies) start_.push_back(stage.world.pose(body).position);
+}
+
+void SummaryRecorder::step(Player& player) {
+    const double before = processorTime();
+    player.step();
+    look(player.stage(), processorTime() - before);
+}
+
+void SummaryRecorder::look(const Stage& stage, double ms) {
+    const engine::StepReport& report = stage.world.report();
+    summary_.time.push_back(report.time);
+    const double values[] = {largestMove(stage),
+                             largestSpeed(stage),
+                             report.worstPenetration,
+                             report.worstSeparation,
+                             report.energy.total() - startEnergy_,
+                             report.residual,
+                             static_cast<double>(report.sweeps.size()),
+                             ms};
+    for (std::size_t i = 0; i < std::size(values); ++i) summary_.history[i].push_back(values[i]);
+}
+
+Summary SummaryRecorder::summary(const std::string& diverged) const {
+    Summary summary = summary_;
+    const auto& h = summary.history;
+    summary.diverged = diverged;
+    summary.values = {h[drift].empty() ? 0.0 : h[drift].back(),
+                      largest(h[speed]),
+                      largest(h[penetration]),
+                      largest(h[separation]),
+                      h[energy].empty() ? 0.0 : h[energy].back(),
+                      mean(h[residual]),
+                      mean(h[sweeps]),
+                      median(h[milliseconds])};
+    return summary;
+}
+
+double SummaryRecorder::largestMove(const Stage& stage) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        Vec3 move = stage.world.pose(stage.bodies[i]).position - start_[i];
+        move.y() = 0.0;
+        most = std::max(most, move.norm());
+    }
+    return most;
+}
+
 Summary summarize(const SceneDescription& scene) {
     Player player(scene, Overlays{.trails = false});
-    Recording recording(player.stage());
+    SummaryRecorder recorder(player.stage());
     const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
     for (long step = 1; step <= steps; ++step) {
-        const double before = processorTime();
         try {
-            player.step();
+            recorder.step(player);
         } catch (const Stop& stop) {
             if (stop.code() != Exit::diverged) throw;
-            return recording.finish(stop.what());
+            return recorder.summary(stop.what());
         }
-        recording.look(player.stage(), processorTime() - before);
         if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
     }
-    return recording.finish({});
+    return recorder.summary();
 }
 
 }  // namespace demos

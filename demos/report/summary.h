@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/stage.h"
+#include "demos/player.h"
 
 namespace demos {
 
@@ -23,6 +23,25 @@ struct Summary {
     std::string diverged;                      // empty, or the line that says how
     std::vector<double> time;                  // s, of every step
     std::vector<std::vector<double>> history;  // per measure: a value a step
+};
+
+/// Measures a run while it plays.
+class SummaryRecorder {
+public:
+    /// `stage`: at time 0.
+    explicit SummaryRecorder(const Stage& stage);
+    /// Plays one and looks at it. Throws Stop (diverged) as the player does.
+    void step(Player& player);
+    /// Of the run so far.
+    Summary summary(const std::string& diverged = {}) const;
+
+private:
+    void look(const Stage& stage, double ms);
+    double largestMove(const Stage& stage) const;
+
+    double startEnergy_;        // J
+    std::vector<Vec3> start_;   // m, by body
+    Summary summary_;           // without its values
 };
 
 /// Plays the scene once, physics only. Throws Stop (interrupted) on a signal.

@@ -1,5 +1,7 @@
 #include "demos/scene/expect.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,22 +67,32 @@ double tiltDegrees(const engine::Pose& pose, const Vec3& up) {
 std::string boundText(const Expectation& e, const std::string& unit) {
     const auto with = [&](double x) { return numberText(x) + (unit.empty() ? "" : " " + unit); };
     if (e.nearPoint)
-        return " from (" + numberText(e.nearPoint->x()) + ", " + numberText(e.nearPoint->y()) +
+        return "from (" + numberText(e.nearPoint->x()) + ", " + numberText(e.nearPoint->y()) +
                ", " + numberText(e.nearPoint->z()) + ") within " + with(e.within);
-    if (e.near) return " near " + with(*e.near) + " within " + with(e.within);
+    if (e.near) return "near " + with(*e.near) + " within " + with(e.within);
     std::string text;
-    if (e.above) text += " above " + with(*e.above);
-    if (e.below) text += (text.empty() ? " below " : " and below ") + with(*e.below);
+    if (e.above) text += "above " + with(*e.above);
+    if (e.below) text += (text.empty() ? "below " : " and below ") + with(*e.below);
     return text;
 }
 
-std::string describe(const Expectation& e, double until) {
+std::string windowText(const Expectation& e, double until) {
+    if (e.what == What::position) return ", at " + numberText(until) + " s";
+    return ", " + numberText(e.after) + " s to " + numberText(until) + " s";
+}
+
+/// The words of a result, without what came out.
+ExpectationResult describe(const Expectation& e, double until) {
     const KindText kind = textOf(e.what);
-    std::string text = kind.name;
-    if (!ofWorld(e.what)) text += " of " + (e.of == "*" ? std::string("all") : e.of);
-    text += boundText(e, kind.unit);
-    if (e.what == What::position) return text + ", at " + numberText(until) + " s";
-    return text + ", " + numberText(e.after) + " s to " + numberText(until) + " s";
+    ExpectationResult result;
+    result.what = kind.name;
+    if (!ofWorld(e.what)) result.of = e.of == "*" ? "all" : e.of;
+    result.asked = boundText(e, kind.unit) + windowText(e, until);
+    result.text = result.what + (result.of.empty() ? "" : " of " + result.of);
+    result.text += (result.asked.starts_with(',') ? "" : " ") + result.asked;
+    result.unit = kind.unit;
+    result.why = e.why;
+    return result;
 }
 
 /// How far the value is beyond what is allowed; at most 0 when it is within.
@@ -211,14 +223,15 @@ double ExpectationChecker::worstOf(const Watch& watch) const {
     return e.what == What::count ? sum : worst;
 }
 
+std::string cameOut(const ExpectationResult& result) {
+    return fmt::format("{:.6g}{}{}", result.value, result.unit.empty() ? "" : " ", result.unit);
+}
+
 std::vector<ExpectationResult> ExpectationChecker::results() const {
     std::vector<ExpectationResult> list;
     for (const Watch& watch : watches_) {
         const Expectation& e = watch.expectation;
-        ExpectationResult result;
-        result.text = describe(e, watch.until);
-        result.unit = textOf(e.what).unit;
-        result.why = e.why;
+        ExpectationResult result = describe(e, watch.until);
         if (!watch.measured)
             result.text += " (never reached)";
         else if (watch.watched.empty())

@@ -128,6 +128,14 @@ Arguments yuv(const VideoSource& source, const std::string& before, const Argume
     return all;
 }
 
+/// Key frames as close as they are asked for, of the frames that are kept.
+Arguments keyed(const VideoSource& source, const Encoding& encoding, const Arguments& codec) {
+    if (source.keyEvery == 0) return codec;
+    Arguments all = {"-g", std::to_string(encoding.framesOf(source.keyEvery))};
+    append(all, codec);
+    return all;
+}
+
 /// One palette for the whole film, of what moves; ordered dither stays still between frames. The
 /// frames come twice, since a filter that splits them would keep all of them in memory.
 std::string paletteGraph(const std::string& before, int colours) {
@@ -149,12 +157,15 @@ Arguments codecArguments(const VideoFormat& format, const VideoSource& source,
     switch (format.codec) {
         case Codec::h264:
             return yuv(source, before,
-                       {"-c:v", "libx264", "-preset", "fast", "-crf", quality, "-movflags",
-                        "+faststart", "-f", "mp4"});
+                       keyed(source, encoding,
+                             {"-c:v", "libx264", "-preset", "fast", "-crf", quality, "-movflags",
+                              "+faststart", "-f", "mp4"}));
         case Codec::vp9:  // alternative reference frames cannot have alpha
             return yuv(source, before,
-                       {"-c:v", "libvpx-vp9", "-crf", quality, "-b:v", "0", "-deadline", "good",
-                        "-cpu-used", "5", "-auto-alt-ref", source.alpha ? "0" : "1", "-f", "webm"});
+                       keyed(source, encoding,
+                             {"-c:v", "libvpx-vp9", "-crf", quality, "-b:v", "0", "-deadline",
+                              "good", "-cpu-used", "5", "-auto-alt-ref", source.alpha ? "0" : "1",
+                              "-f", "webm"}));
         case Codec::gif:
             return {"-filter_complex",
                     paletteGraph(before, encoding.quality),

@@ -27,6 +27,8 @@ struct VideoSource {
     int width = 0, height = 0;  // pixels
     int fps = 30;               // frames a second
     bool alpha = false;         // the film shows what is behind it
+    int keyEvery = 0;  // frames from one that stands alone to the next, at most: mp4 and webm, in
+                       // which players step backwards the better the fewer; 0: as the codec does
 };
 
 /// How they are encoded: as they are, or as less, so that the file gets smaller.

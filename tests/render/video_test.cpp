@@ -87,6 +87,19 @@ int countFrames(const fs::path& path) {
     return frames;
 }
 
+/// How many frames of a film stand alone.
+int countKeyFrames(const fs::path& path) {
+    const std::string command =
+        "ffprobe -v error -skip_frame nokey -count_frames -select_streams v:0 -show_entries "
+        "stream=nb_read_frames -of csv=p=0 'file:" +
+        path.string() + "'";
+    FILE* pipe = ::popen(command.c_str(), "r");
+    int frames = -1;
+    if (std::fscanf(pipe, "%d", &frames) != 1) frames = -1;
+    ::pclose(pipe);
+    return frames;
+}
+
 TEST_F(Video, KnowsItsEndings) {
     for (const char* name : {"a.mp4", "a.webm", "a.gif", "b/a.WEBP", "-a:.apng"}) {
         EXPECT_TRUE(render::isVideoName(name)) << name;
@@ -124,6 +137,17 @@ TEST_F(Video, IsTheSameFileEveryTime) {
     }
     EXPECT_EQ(content[0], content[1]);
     EXPECT_EQ(filesLeft(), 1);
+}
+
+TEST_F(Video, HasAKeyFrameAsOftenAsItIsAskedFor) {
+    NEED_FFMPEG();
+    for (const int every : {0, 4}) {
+        const fs::path path = out(every == 0 ? "few.mp4" : "many.mp4");
+        VideoWriter film(path, {64, 48, 25, false, every});
+        addFrames(film, 20);
+        film.close();
+        EXPECT_EQ(countKeyFrames(path), every == 0 ? 1 : 5);
+    }
 }
 
 TEST_F(Video, NamesAreOnlyNames) {

@@ -1,0 +1,13 @@
+/// Variants of a scene as the panels of a film.
+#pragma once
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/report/variants.h"
+
+namespace demos {
+
+/// A panel each, its label in place of the scene's title and captions.
+std::vector<Panel> panelsOf(const std::vector<Variant>& variants);
+
+}  // namespace demos

@@ -1,0 +1,144 @@
+#include "demos/slides/make_deck.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "demos/film/signals.h"
+#include "demos/scene/complaints.h"
+#include "demos/slides/slide_facts.h"
+#include "demos/slides/slide_options.h"
+#include "demos/slides/slide_pictures.h"
+#include "demos/stop.h"
+#include "render/encode/ffmpeg.h"
+
+namespace demos {
+namespace {
+
+/// A slide with all that is settled about it before anything is played.
+struct Act {
+    Cast cast;
+    std::optional<SlidePlan> plan;
+    std::optional<SlideFacts> facts;
+    MadeSlide made;
+};
+
+[[noreturn]] void stopAt(const Slide& slide, const Stop& stop, const DeckMaking& making) {
+    const std::string id = printable(slide.id);
+    if (stop.code() != Exit::interrupted)
+        throw Stop(stop.code(), fmt::format("slide '{}': {}", id, stop.what()));
+    const std::string& line = making.options.commandLine;
+    throw Stop(Exit::interrupted,
+               fmt::format("interrupted at slide '{}'{}", id,
+                           line.empty() ? "" : "; to make the deck again: " + line));
+}
+
+/// Whatever stops the work on a slide says on which.
+template <class Work>
+void at(const Slide& slide, const DeckMaking& making, const Work& work) {
+    try {
+        work();
+    } catch (const Stop& stop) {
+        stopAt(slide, stop, making);
+    } catch (const NumberError& error) {
+        stopAt(slide, Stop(Exit::scene, error.what()), making);
+    }
+}
+
+bool hasFilm(const Deck& deck) {
+    return std::any_of(deck.slides.begin(), deck.slides.end(), [](const Slide& slide) {
+        return slide.runs.any() && slide.exhibit == Exhibit::film;
+    });
+}
+
+/// Whether films are made. Says why not, where somebody wants them.
+bool filmsAreMade(const Deck& deck, const DeckMaking& making, MadeDeck& made) {
+    if (!making.films || !hasFilm(deck)) return false;
+    if (render::haveFfmpeg()) return true;
+    made.remarks.push_back(
+        "no ffmpeg, which makes films: apt install ffmpeg; in place of each film stands its "
+        "poster, all else is made");
+    return false;
+}
+
+/// What of a scene is not had, once.
+void addNotes(const Cast& cast, std::vector<std::string>& remarks) {
+    for (const Variant& variant : cast.variants)
+        for (const std::string& note : variant.scene.notes)
+            if (std::find(remarks.begin(), remarks.end(), note) == remarks.end())
+                remarks.push_back(note);
+}
+
+class Making {
+public:
+    Making(const Deck& deck, const DeckMaking& making) : deck_(deck), making_(making) {
+        made_.deck = deck;
+        moving_ = filmsAreMade(deck, making, made_);
+        for (const Slide& slide : deck.slides) at(slide, making, [&] { prepare(slide); });
+    }
+
+    MadeDeck make() {
+        for (Act& act : acts_)
+            at(act.made.slide, making_,
+               [&] { act.facts->fill(act.made, deck_.theme, !making_.options.reproducible); });
+        Progress progress(making_.options, frames_, 0);
+        try {
+            for (Act& act : acts_) at(act.made.slide, making_, [&] { draw(act, progress); });
+        } catch (...) {
+            progress.finish();
+            throw;
+        }
+        progress.finish();
+        for (Act& act : acts_) made_.slides.push_back(std::move(act.made));
+        return std::move(made_);
+    }
+
+private:
+    void prepare(const Slide& slide) {
+        const Options options = optionsOf(slide, deck_, making_);
+        Act& act = acts_.emplace_back();
+        act.cast = castOf(slide, options);
+        act.plan = planSlide(slide, deck_, act.cast, options, moving_);
+        act.facts.emplace(slide, act.cast, runs_);
+        act.made.slide = slide;
+        act.made.command = commandOf(slide, deck_, act.cast);
+        if (act.plan) frames_ += static_cast<int>(act.plan->frames.size());
+        addNotes(act.cast, made_.remarks);
+    }
+
+    void draw(Act& act, Progress& progress) {
+        if (!act.plan) return;
+        const Studio studio{making_.options.jobs, progress};
+        const std::string& id = act.made.slide.id;
+        std::vector<MadePicture>& pictures = act.made.pictures;
+        if (act.made.slide.exhibit == Exhibit::film)
+            act.made.film = madeFilm(
+                *act.plan, moving_ ? making_.folder / (id + ".mp4") : std::filesystem::path(),
+                studio);
+        else  // before the charts
+            pictures.insert(pictures.begin(), act.made.slide.exhibit == Exhibit::still
+                                                  ? madeStill(*act.plan, studio)
+                                                  : madeStrip(*act.plan, studio));
+        act.plan.reset();  // its scenes may be large
+        Talk(making_.options, false)
+            .json(fmt::format(R"({{"event":"slide","slide":{}}})", jsonString(id)));
+    }
+
+    const Deck& deck_;
+    const DeckMaking& making_;
+    MadeDeck made_;
+    bool moving_ = false;
+    DeckRuns runs_;
+    std::deque<Act> acts_;  // which stay where they are: facts look at their cast
+    int frames_ = 0;
+};
+
+}  // namespace
+
+MadeDeck makeDeck(const Deck& deck, const DeckMaking& making) {
+    watchSignals();
+    return Making(deck, making).make();
+}
+
+}  // namespace demos

@@ -1,0 +1,25 @@
+/// What stands in place of @{...}.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/report/summary.h"
+#include "demos/scene/expect.h"
+#include "demos/slides/numbers.h"
+#include "demos/slides/quantity.h"
+#include "demos/slides/run_moment.h"
+
+namespace demos {
+
+/// One run, up to a moment.
+struct RunNumbers {
+    const SceneDescription& scene;
+    const Summary& summary;  // until the moment
+    const RunMoment& moment;
+    const std::vector<ExpectationResult>& expectations;  // of the whole run
+};
+
+/// Throws Stop (scene) where the scene has no body, joint or [[expect]] of that name.
+std::string valueOf(const NumberName& name, const RunNumbers& run, NumberSetting setting);
+
+}  // namespace demos

@@ -1,0 +1,24 @@
+/// A run at one of its steps, kept while it plays on.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "demos/export/trajectory.h"
+#include "demos/report/measures.h"
+#include "demos/scene/stage.h"
+
+namespace demos {
+
+struct RunMoment {
+    Measures measures;
+    engine::StepReport report;               // of the last step
+    std::uint64_t hash = 0;                  // of the state
+    double dt = 0.0;                         // s, of a step
+    std::vector<BodyMotion> bodies;          // by place in scene.bodies
+    std::vector<engine::JointState> joints;  // by place in scene.joints
+    std::vector<engine::ContactState> contacts;
+};
+
+RunMoment momentOf(const Stage& stage);
+
+}  // namespace demos

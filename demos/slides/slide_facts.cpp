@@ -1,0 +1,84 @@
+#include "demos/slides/slide_facts.h"
+
+#include <fmt/format.h>
+
+#include "demos/slides/slide_charts.h"
+#include "demos/slides/slide_numbers.h"
+#include "demos/slides/slide_tables.h"
+#include "demos/stop.h"
+
+namespace demos {
+
+SlideFacts::SlideFacts(const Slide& slide, const Cast& cast, DeckRuns& runs)
+    : slide_(slide), cast_(cast), runs_(runs) {
+    for (const NumberName& name : numbersIn(slide)) askNumber(name);
+    for (std::size_t run = 0; run < cast.variants.size(); ++run) {
+        if (asksAll()) askMoment(run);
+        if (slide.expectations) runs_.askExpectations(keyOf(run), cast.variants[run].scene);
+    }
+}
+
+void SlideFacts::askNumber(const NumberName& name) {
+    const std::size_t count = cast_.variants.size();
+    const auto run = static_cast<std::size_t>(name.run - 1);
+    if (run >= count)
+        throw Stop(Exit::scene, fmt::format("a number of run {}; the slide has {} {}", name.run,
+                                            count, count == 1 ? "run" : "runs"));
+    askMoment(run);
+    if (name.group == "expect") runs_.askExpectations(keyOf(run), cast_.variants[run].scene);
+}
+
+void SlideFacts::askMoment(std::size_t run) {
+    const Variant& variant = cast_.variants[run];
+    runs_.askMoment(keyOf(run), variant.scene, untilOf(slide_, variant));
+    asked_.insert(run);
+}
+
+const PlayedMoment& SlideFacts::momentOf(std::size_t run) const {
+    return runs_.moment(keyOf(run), untilOf(slide_, cast_.variants[run]));
+}
+
+void SlideFacts::checkDiverged(std::size_t run) const {
+    const std::string& how = runs_.diverged(keyOf(run));
+    if (!how.empty()) throw Stop(Exit::diverged, how);
+}
+
+std::string SlideFacts::valueOf(const NumberName& name, NumberSetting setting) const {
+    static const std::vector<ExpectationResult> kNone;
+    const auto run = static_cast<std::size_t>(name.run - 1);
+    const PlayedMoment& played = momentOf(run);
+    checkDiverged(run);
+    const bool expects = name.group == "expect";
+    return demos::valueOf(name,
+                          {cast_.variants[run].scene, played.summary, played.moment,
+                           expects ? runs_.expectations(keyOf(run)) : kNone},
+                          setting);
+}
+
+std::vector<Measured> SlideFacts::measured() const {
+    std::vector<Measured> all;
+    for (std::size_t run = 0; run < cast_.variants.size(); ++run)
+        all.push_back({cast_.variants[run], momentOf(run).summary});
+    return all;
+}
+
+void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
+    if (!cast_.several && !cast_.variants.empty() && (!asked_.empty() || slide_.expectations))
+        checkDiverged(0);
+    fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
+        return valueOf(name, setting);
+    });
+    if (cast_.variants.empty()) return;
+    const std::vector<Measured> all = asksAll() ? measured() : std::vector<Measured>();
+    if (!slide_.plots.empty())
+        for (const Chart& chart : chartsOf(slide_, cast_, momentOf(0).recorder, all))
+            made.pictures.push_back(chartPicture(chart, theme));
+    if (slide_.measures) made.tables.push_back(measuresTable(all, cast_.several, timing));
+    if (!slide_.expectations) return;
+    std::vector<RunExpectations> expected;
+    for (std::size_t run = 0; run < cast_.variants.size(); ++run)
+        expected.push_back({cast_.variants[run].label, runs_.expectations(keyOf(run))});
+    made.tables.push_back(expectationsTable(expected));
+}
+
+}  // namespace demos

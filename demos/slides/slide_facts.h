@@ -1,0 +1,42 @@
+/// What a slide takes of its runs besides pictures of them: numbers, charts, tables.
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "demos/report/measure_table.h"
+#include "demos/slides/cast.h"
+#include "demos/slides/deck_runs.h"
+#include "demos/slides/made_deck.h"
+#include "demos/slides/number_values.h"
+
+namespace demos {
+
+class SlideFacts {
+public:
+    /// Asks `runs` for what the slide needs; all three have to stay. Throws NumberError, and Stop
+    /// (scene) for a number of a run that is not there.
+    SlideFacts(const Slide& slide, const Cast& cast, DeckRuns& runs);
+
+    /// Plays that, if nobody did, and puts it into the slide. `timing`: with processor times, which
+    /// are others every time. Throws Stop: scene (valueOf), interrupted, and diverged where the
+    /// slide has one run alone or a number of a run that diverged.
+    void fill(MadeSlide& made, const std::string& theme, bool timing);
+
+private:
+    bool asksAll() const { return !slide_.plots.empty() || slide_.measures; }
+    void askNumber(const NumberName& name);
+    void askMoment(std::size_t run);
+    std::string keyOf(std::size_t run) const { return runKey(slide_, cast_.variants[run]); }
+    const PlayedMoment& momentOf(std::size_t run) const;
+    std::vector<Measured> measured() const;
+    void checkDiverged(std::size_t run) const;
+    std::string valueOf(const NumberName& name, NumberSetting setting) const;
+
+    const Slide& slide_;
+    const Cast& cast_;
+    DeckRuns& runs_;
+    std::set<std::size_t> asked_;  // runs, from 0
+};
+
+}  // namespace demos

@@ -1,0 +1,133 @@
+#include "demos/slides/slide_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
+
+namespace demos {
+namespace {
+
+int evenPart(int pixels, double share) {
+    return std::max(2 * static_cast<int>(std::lround(0.5 * share * pixels)), 2);
+}
+
+bool standsAlone(const Slide& slide) {
+    return slide.text.empty() && slide.formulas.empty() && slide.code.empty() &&
+           slide.plots.empty() && !slide.measures && !slide.expectations;
+}
+
+/// Words after "impulse", quoted where they need it.
+class CommandLine {
+public:
+    explicit CommandLine(const std::string& command) : text_("impulse " + command) {}
+    void add(const std::string& word) { text_ += " " + shellWord(word); }
+    void add(const std::string& option, const std::string& value) {
+        text_ += " " + option;
+        add(value);
+    }
+    void addEach(const std::string& option, const std::vector<std::string>& values) {
+        for (const std::string& value : values) add(option, value);
+    }
+    const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+const char* verbOf(const Slide& slide) {
+    if (!slide.runs.over.empty()) return "sweep";
+    if (slide.runs.several()) return "compare";
+    switch (slide.exhibit) {
+        case Exhibit::film:
+            return "render";
+        case Exhibit::still:
+            return "still";
+        case Exhibit::strip:
+            return "strip";
+        case Exhibit::none:
+            break;
+    }
+    return "plot";
+}
+
+void addRuns(const SlideRuns& runs, CommandLine& line) {
+    line.add(runs.comparison.empty() ? runs.scene : runs.comparison);
+    line.addEach("--set", runs.settings);
+    line.addEach("--vary", runs.vary);
+    line.addEach("--case", runs.cases);
+    if (!runs.over.empty()) line.add("--over", runs.over);
+}
+
+/// What the chart of a slide without a picture shows.
+void addCharts(const Slide& slide, CommandLine& line) {
+    if (slide.runs.several())
+        line.add("--measure", slide.plots.front());
+    else
+        line.add("--what", fmt::format("{}", fmt::join(slide.plots, ",")));
+    if (slide.runs.over.empty()) return;
+    line.add("--plot", slide.id + ".svg");
+}
+
+/// Stills and strips are of one run; what several have is a film.
+void addTimes(const Slide& slide, const Cast& cast, CommandLine& line) {
+    const bool film = slide.exhibit == Exhibit::film || slide.exhibit == Exhibit::none;
+    if (film || cast.several) {
+        if (slide.until) line.add("--seconds", numberText(*slide.until));
+        return;
+    }
+    std::string times;
+    for (const double time : momentTimes(slide, untilOf(slide, cast.variants.front())))
+        times += (times.empty() ? "" : ",") + fmt::format("{:.6g}", time);
+    line.add(slide.exhibit == Exhibit::still ? "-t" : "--times", times);
+}
+
+}  // namespace
+
+PictureSize pictureSize(const Slide& slide, PictureSize whole) {
+    const double share = standsAlone(slide) ? 1.0 : 2.0 / 3.0;
+    return {evenPart(whole.width, share), evenPart(whole.height, share)};
+}
+
+Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making) {
+    Options options;
+    options.jobs = making.options.jobs;
+    options.context = making.options.context;
+    options.quality = making.options.quality;
+    options.samples = making.options.samples;
+    options.blur = making.options.blur;
+    options.shutter = making.options.shutter;
+    options.reproducible = making.options.reproducible;
+    options.quiet = true;
+    const SlideRuns& runs = slide.runs;
+    options.scenes = {runs.comparison.empty() ? runs.scene : runs.comparison};
+    options.overrides = runs.settings;
+    options.vary = runs.vary;
+    options.cases = runs.cases;
+    options.over = runs.over;
+    options.show = slide.show;
+    options.colorBy = slide.colorBy;
+    options.theme = deck.theme;
+    options.size = pictureSize(slide, deck.size);
+    return options;
+}
+
+std::string commandOf(const Slide& slide, const Deck& deck, const Cast& cast) {
+    const bool drawn = slide.exhibit != Exhibit::none;
+    if (cast.variants.empty() || (!drawn && slide.plots.empty())) return {};
+    CommandLine line(verbOf(slide));
+    addRuns(slide.runs, line);
+    addTimes(slide, cast, line);
+    if (!drawn) addCharts(slide, line);
+    if (drawn && !slide.show.empty())
+        line.add("--show", fmt::format("{}", fmt::join(slide.show, ",")));
+    if (drawn && !slide.colorBy.empty()) line.add("--colour-by", slide.colorBy);
+    line.add("--theme", deck.theme);
+    if (drawn && cast.isSweep()) line.add("-o", slide.id + ".mp4");
+    return line.text();
+}
+
+}  // namespace demos

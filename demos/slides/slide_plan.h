@@ -1,0 +1,36 @@
+/// What is drawn of a slide, settled before anything is.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "demos/film/film_plan.h"
+#include "demos/slides/cast.h"
+
+namespace demos {
+
+/// Frames a second: of the run, and of the film as it plays.
+struct ClipRate {
+    int drawn = 30;
+    int shown = 30;
+};
+
+/// As many pictures of the run as `fps` can show at this share of its speed and the run's steps
+/// allow: slow motion is smooth as long as there are steps, a fast one draws none that would not be
+/// seen. `shown` is a whole number from 1 to 240, and so the speed nearly what was asked for.
+ClipRate clipRate(int hz, int fps, double slow);
+
+struct SlidePlan {
+    FilmPlan film;
+    std::vector<int> frames;  // wanted, rising; of a film all of them, or its poster alone
+    int first = 0, last = 0;  // frames of a film
+    int poster = 0;           // frame of a film
+    ClipRate rate;
+    double timeOf(int frame) const { return film.timeOf(frame); }  // s of the run
+};
+
+/// Nothing where the slide shows nothing of its runs. `moving`: the film's frames are wanted, not
+/// its poster alone. Throws as planFilm does.
+std::optional<SlidePlan> planSlide(const Slide& slide, const Deck& deck, const Cast& cast,
+                                   const Options& options, bool moving);
+
+}  // namespace demos

@@ -1,0 +1,379 @@
+// Decks played and drawn: films, stills, strips, charts, tables and numbers of slides.
+#include "demos/slides/make_deck.h"
+
+#include <cmath>
+#include <csignal>
+
+#include "demos/film/signals.h"
+#include "demos/scene/reader.h"
+#include "demos/slides/slide_options.h"
+#include "demos/slides/slide_pictures.h"
+#include "demos/stop.h"
+#include "render/encode/png_read.h"
+#include "tests/demos/small_film.h"
+#include "tests/render/film_bytes.h"
+
+namespace demos::test {
+namespace {
+
+TEST(ClipRate, ShowsAsManyPicturesAsTheStepsAllow) {
+    const struct {
+        int hz, fps;
+        double slow;
+        int drawn, shown;
+    } cases[] = {{60, 30, 1.0, 30, 30},  {60, 30, 0.5, 60, 30},  {60, 30, 2.0, 15, 30},
+                 {60, 30, 0.3, 60, 18},  {240, 30, 0.3, 80, 24}, {60, 24, 1.0, 20, 20},
+                 {60, 30, 0.01, 60, 1},  {60, 30, 50.0, 1, 50},  {300, 30, 0.3, 100, 30},
+                 {60, 30, 900.0, 1, 240}};
+    for (const auto& c : cases) {
+        const ClipRate rate = clipRate(c.hz, c.fps, c.slow);
+        EXPECT_EQ(rate.drawn, c.drawn) << c.hz << " hz, slow " << c.slow;
+        EXPECT_EQ(rate.shown, c.shown) << c.hz << " hz, slow " << c.slow;
+    }
+}
+
+class MakeDeck : public testing::Test {
+protected:
+    MakeDeck() {
+        if (const char* path = std::getenv("PATH")) path_ = path;
+        write(folder / "ball.toml", kBall);
+        deck.theme = "print";
+        deck.size = {kWidth, kHeight};
+        making.folder = folder.path();
+        making.options.samples = 1;
+        making.options.quiet = true;
+        making.options.jobs = 2;
+    }
+    ~MakeDeck() override { ::setenv("PATH", path_.c_str(), 1); }
+
+    Slide& add(Exhibit exhibit) {
+        Slide slide;
+        slide.id = "0" + std::to_string(deck.slides.size() + 1) + "-ball";
+        slide.exhibit = exhibit;
+        slide.runs.scene = (folder / "ball.toml").string();
+        deck.slides.push_back(slide);
+        return deck.slides.back();
+    }
+    MadeSlide made() { return makeDeck(deck, making).slides.front(); }
+    MadeFilm film(double from, double until, double slow, const std::string& poster = "last") {
+        deck.slides.clear();
+        Slide& slide = add(Exhibit::film);
+        slide.from = from, slide.until = until, slide.slow = slow, slide.poster = poster;
+        return *made().film;
+    }
+    Stop stopped() {
+        try {
+            makeDeck(deck, making);
+        } catch (const Stop& stop) {
+            return stop;
+        }
+        return Stop(Exit::ok, "it went well");
+    }
+    std::vector<std::uint8_t> drawnByTheProgram(std::vector<std::string> arguments) {
+        for (const char* word : {"ball.toml", "--size", "96x54", "--samples", "1", "--theme",
+                                 "print", "-o", "alone.png"})
+            arguments.push_back(word);
+        const Ended ended = run(folder.path(), arguments);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        const std::string png = contentOf(folder / "alone.png");
+        fs::remove(folder / "alone.png");
+        return {png.begin(), png.end()};
+    }
+
+    TemporaryFolder folder;
+    Deck deck;
+    DeckMaking making;
+    std::string path_;
+};
+
+/// "30/1"
+std::string rateOf(const fs::path& film) {
+    const std::string command =
+        "ffprobe -v error -select_streams v -show_entries "
+        "stream=r_frame_rate -of csv=p=0 '" +
+        film.string() + "'";
+    FILE* pipe = popen(command.c_str(), "r");
+    char text[64] = {};
+    const bool got = std::fgets(text, sizeof text, pipe) != nullptr;
+    pclose(pipe);
+    const std::string line = got ? text : "";
+    return line.substr(0, line.find_first_of("\r\n"));
+}
+
+TEST_F(MakeDeck, AFilmHasTheFramesOfItsTimesAtItsSpeed) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const struct {
+        double slow;
+        int frames, fps;
+        double secondsAFrame;
+    } cases[] = {{1.0, 10, 30, 1.0 / 30},
+                 {0.5, 19, 30, 1.0 / 60},
+                 {2.0, 6, 30, 1.0 / 15},
+                 {0.3, 19, 18, 1.0 / 60}};
+    for (const auto& c : cases) {
+        const MadeFilm film = this->film(0.2, 0.5, c.slow);
+        EXPECT_EQ(film.frames, c.frames) << c.slow;
+        EXPECT_EQ(film.fps, c.fps) << c.slow;
+        EXPECT_DOUBLE_EQ(film.secondsAFrame, c.secondsAFrame) << c.slow;
+        EXPECT_NEAR(film.first, 0.2, 1e-12) << c.slow;
+        EXPECT_EQ(film.file, folder / "01-ball.mp4");
+        EXPECT_EQ(playableFrames(film.file), c.frames);
+        EXPECT_EQ(rateOf(film.file), std::to_string(c.fps) + "/1");
+    }
+}
+
+double meanDifference(const render::Image& a, const render::Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        sum += std::abs(static_cast<int>(a.pixels[i]) - static_cast<int>(b.pixels[i]));
+    return sum / static_cast<double>(a.pixels.size());
+}
+
+TEST_F(MakeDeck, ThePosterIsAFrameOfTheFilm) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const struct {
+        const char* poster;
+        std::size_t frame;
+    } cases[] = {{"first", 0}, {"last", 12}, {"0.5", 9}};
+    for (const auto& c : cases) {
+        const MadeFilm film = this->film(0.2, 0.6, 1.0, c.poster);
+        const render::Image poster = render::decodePng(film.poster.png);
+        const std::vector<render::Image> frames = film_bytes::decoded(film.file, kWidth, kHeight);
+        ASSERT_EQ(frames.size(), 13u);
+        for (std::size_t i = 0; i < frames.size(); ++i) {  // the ball has moved in all others
+            if (i == c.frame) continue;
+            EXPECT_LT(meanDifference(frames[c.frame], poster), meanDifference(frames[i], poster))
+                << c.poster << " " << i;
+        }
+        EXPECT_FALSE(film.poster.says.empty());
+    }
+}
+
+TEST_F(MakeDeck, ThePosterAloneIsTheSame) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const MadeFilm whole = film(0.0, 0.4, 1.0);
+    fs::remove(whole.file);
+    making.films = false;
+    const MadeFilm alone = film(0.0, 0.4, 1.0);
+    EXPECT_EQ(alone.poster.png, whole.poster.png);
+    EXPECT_EQ(alone.frames, whole.frames);
+    EXPECT_TRUE(alone.file.empty());
+    EXPECT_FALSE(fs::exists(whole.file));
+    EXPECT_TRUE(makeDeck(deck, making).remarks.empty());
+}
+
+TEST_F(MakeDeck, TheSameDeckGivesTheSameBits) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    add(Exhibit::film).plots = {"energy"};
+    making.options.reproducible = true;
+    const MadeSlide once = made();
+    const std::string bytes = contentOf(once.film->file);
+    making.options.jobs = 1;
+    const MadeSlide again = made();
+    EXPECT_GT(bytes.size(), 1000u);
+    EXPECT_EQ(contentOf(again.film->file), bytes);
+    EXPECT_EQ(again.film->poster.png, once.film->poster.png);
+    EXPECT_EQ(again.pictures.front().png, once.pictures.front().png);
+    EXPECT_EQ(again.pictures.front().svg, once.pictures.front().svg);
+}
+
+TEST_F(MakeDeck, WithoutFfmpegThereArePostersAndOneRemark) {
+    for (int i = 0; i < 2; ++i) add(Exhibit::film).until = 0.2;
+    add(Exhibit::none).text = "t = @{run.time}";
+    ::setenv("PATH", "", 1);
+    const MadeDeck made = makeDeck(deck, making);
+    ASSERT_EQ(made.remarks.size(), 1u);
+    EXPECT_NE(made.remarks.front().find("apt install ffmpeg"), std::string::npos);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_TRUE(made.slides[i].film->file.empty());
+        EXPECT_EQ(render::decodePng(made.slides[i].film->poster.png).width, kWidth);
+        EXPECT_EQ(made.slides[i].film->frames, 7);
+    }
+    EXPECT_EQ(made.slides[2].slide.text, "t = 1 s");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
+TEST_F(MakeDeck, StillsAndStripsAreThoseOfTheProgram) {
+    add(Exhibit::still).at = 0.45;
+    EXPECT_EQ(made().pictures.front().png, drawnByTheProgram({"still", "-t", "0.45"}));
+    deck.slides.clear();
+    deck.size = {2 * kWidth, 2 * kHeight};  // a strip's pictures are half as large
+    Slide& strip = add(Exhibit::strip);
+    strip.from = 0.1, strip.until = 0.7, strip.moments = 3;
+    const MadeSlide made = this->made();
+    EXPECT_EQ(made.pictures.front().png, drawnByTheProgram({"strip", "--times", "0.1,0.4,0.7"}));
+    EXPECT_NE(made.command.find("--times 0.1,0.4,0.7"), std::string::npos) << made.command;
+}
+
+TEST_F(MakeDeck, SeveralRunsStandSideBySide) {
+    making.films = false;
+    Slide& slide = add(Exhibit::film);
+    slide.until = 0.5, slide.poster = "last";
+    slide.runs.vary = {"world.gravity=[0,-9.81,0],[0,0,0]"};
+    slide.plots = {"speed"};
+    slide.measures = true;
+    slide.text = "@{1.speed:2} and @{2.speed:2}";
+    deck.size = {320, 180};
+    const MadeSlide made = this->made();
+    EXPECT_EQ(made.slide.text, "4.9 m/s and 0 m/s");  // g t
+    const render::Image poster = render::decodePng(made.film->poster.png);
+    EXPECT_EQ(poster.width, 212);  // two thirds: words stand beside
+    int different = 0;
+    for (int y = 0; y < poster.height; ++y)
+        for (int x = 0; x < 100; ++x)
+            different += !std::equal(poster.at(x, y), poster.at(x, y) + 3, poster.at(x + 106, y));
+    EXPECT_GT(different, 50);
+    EXPECT_NE(made.pictures.front().svg.find("gravity=[0,0,0]"), std::string::npos);
+    ASSERT_EQ(made.tables.size(), 1u);
+    EXPECT_EQ(made.tables.front().head.front(), "run");
+    EXPECT_EQ(made.tables.front().rows.size(), 2u);
+    for (const auto& row : made.tables.front().rows)
+        EXPECT_EQ(row.size(), made.tables.front().head.size());
+    EXPECT_NE(made.command.find("compare"), std::string::npos);
+}
+
+TEST_F(MakeDeck, ASweepIsAGridAndAChart) {
+    making.films = false;
+    Slide& slide = add(Exhibit::film);
+    slide.until = 0.2;
+    slide.runs.over = "world.hz=30,60,120,240";
+    slide.plots = {"speed"};
+    const MadeSlide made = this->made();
+    EXPECT_DOUBLE_EQ(made.film->secondsAFrame, 1.0 / 30);  // which divides all of them
+    EXPECT_NE(made.pictures.front().svg.find("world.hz"), std::string::npos);
+    EXPECT_EQ(made.pictures.front().size.width, render::decodePng(made.pictures.front().png).width);
+}
+
+TEST_F(MakeDeck, TablesSayWhatCameOut) {
+    write(folder / "ball.toml", kBall + R"([[expect]]
+what = "speed"
+of = ["ball"]
+below = 9
+why = "it falls for 0.7 s"
+[[expect]]
+what = "drift"
+above = 1
+why = "nothing pushes it"
+)");
+    Slide& slide = add(Exhibit::none);
+    slide.measures = slide.expectations = true;
+    slide.until = 0.5;
+    making.options.reproducible = true;
+    const std::vector<MadeTable> tables = made().tables;
+    ASSERT_EQ(tables.size(), 2u);
+    ASSERT_EQ(tables[0].rows.size(), 1u);
+    int speeds = 0;
+    for (std::size_t i = 0; i < tables[0].head.size(); ++i) {
+        EXPECT_NE(tables[0].head[i], "ms");  // another every time
+        if (tables[0].head[i] != "speed (m/s)") continue;
+        ++speeds;
+        EXPECT_NEAR(std::stod(tables[0].rows[0][i]), 9.81 * 0.5, 2e-3);
+    }
+    EXPECT_EQ(speeds, 1);
+    const std::vector<std::string> head = {"what", "of", "asked", "came out", "ok"};
+    EXPECT_EQ(tables[1].head, head);
+    const Ended sim = run(folder.path(), {"sim", "ball.toml"});
+    for (const auto& row : tables[1].rows) {
+        const std::string line = row[0] + " of " + row[1] + " " + row[2] + ": " + row[3];
+        EXPECT_NE((sim.out + sim.err).find(line), std::string::npos) << line;
+    }
+    EXPECT_EQ(tables[1].rows[0].back(), "yes");
+    EXPECT_EQ(tables[1].rows[1].back(), "no");
+}
+
+TEST_F(MakeDeck, ARunThatDivergesIsToldWithItsSlide) {
+    making.films = false;
+    add(Exhibit::none).text = "words";
+    for (const Exhibit exhibit : {Exhibit::none, Exhibit::film}) {
+        deck.slides.resize(1);
+        Slide& slide = add(exhibit);
+        slide.runs.settings = {"body.ball.velocity=[9999,0,0]", "world.gravity=[0,0,0]"};
+        slide.measures = exhibit == Exhibit::none;
+        slide.until = 12.0;  // 100 km are passed at 10 s
+        const Stop stop = stopped();
+        EXPECT_EQ(stop.code(), Exit::diverged);
+        EXPECT_TRUE(std::string(stop.what()).starts_with("slide '02-ball': ball: step 60"))
+            << stop.what();
+    }
+}
+
+TEST_F(MakeDeck, AmongSeveralADivergedRunIsMarked) {
+    Slide& slide = add(Exhibit::none);
+    slide.runs.settings = {"world.gravity=[0,0,0]"};
+    slide.runs.vary = {"body.ball.velocity=[0,0,0],[9999,0,0]"};
+    slide.until = 12.0;
+    slide.measures = true;
+    const MadeTable table = made().tables.front();
+    EXPECT_EQ(table.rows[0][0].find("(diverged)"), std::string::npos);
+    EXPECT_NE(table.rows[1][0].find("(diverged)"), std::string::npos);
+    deck.slides.front().text = "@{1.speed}";
+    EXPECT_EQ(made().slide.text, "0 m/s");
+    deck.slides.front().text = "@{2.speed}";
+    EXPECT_EQ(stopped().code(), Exit::diverged);
+    deck.slides.front().text = "@{3.speed}";
+    EXPECT_NE(std::string(stopped().what()).find("run 3; the slide has 2 runs"), std::string::npos);
+}
+
+TEST_F(MakeDeck, AnInterruptedFilmLeavesNothing) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    Slide& slide = add(Exhibit::film);
+    const Options options = optionsOf(slide, deck, making);
+    const auto plan = planSlide(slide, deck, castOf(slide, options), options, true);
+    Progress progress(making.options, static_cast<int>(plan->frames.size()), 0);
+    watchSignals();
+    std::raise(SIGTERM);
+    try {
+        madeFilm(*plan, folder / "film.mp4", {1, progress});
+        ADD_FAILURE() << "it was not interrupted";
+    } catch (const Stop& stop) {
+        EXPECT_EQ(stop.code(), Exit::interrupted);
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+    watchSignals();
+}
+
+TEST(SlideOptions, SizesFollowWhatStandsBeside) {
+    Slide slide;
+    slide.title = slide.caption = slide.notes = "words";
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 1280);
+    slide.formulas = {"x"};
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 854);
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+}
+
+std::string commandFor(const Slide& slide) {
+    Deck deck;
+    deck.theme = "print";
+    const Options options = optionsOf(slide, deck, {});
+    return commandOf(slide, deck, castOf(slide, options));
+}
+
+TEST(SlideOptions, CommandsMakeThePictureAlone) {
+    Slide slide;
+    EXPECT_EQ(commandFor(slide), "");
+    slide.runs.scene = "stack";
+    EXPECT_EQ(commandFor(slide), "");
+    slide.plots = {"energy", "residual"};
+    EXPECT_EQ(commandFor(slide), "impulse plot stack --what energy,residual --theme print");
+    slide.exhibit = Exhibit::still;
+    slide.at = 2.9;
+    slide.show = {"impulses"};
+    EXPECT_EQ(commandFor(slide), "impulse still stack -t 2.9 --show impulses --theme print");
+    slide = Slide();
+    slide.runs.comparison = "nudges";
+    slide.exhibit = Exhibit::film;
+    EXPECT_EQ(commandFor(slide), "impulse compare nudges --theme print");
+    slide = Slide();
+    slide.id = "03-sweep";
+    slide.runs.scene = "stack";
+    slide.runs.settings = {"body.0.name=a b"};
+    slide.runs.over = "solver.sweeps=1,4";
+    slide.exhibit = Exhibit::film;
+    slide.until = 1.5;
+    EXPECT_EQ(commandFor(slide),
+              "impulse sweep stack --set 'body.0.name=a b' --over "
+              "solver.sweeps=1,4 --seconds 1.5 --theme print -o 03-sweep.mp4");
+}
+
+}  // namespace
+}  // namespace demos::test
