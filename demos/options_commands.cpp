@@ -156,6 +156,43 @@ void addExport(CLI::App& app, Options& options, RawOptions& raw) {
     addFeedback(app, options);
 }
 
+void addSlides(CLI::App& app, Options& options, RawOptions& raw) {
+    addSceneChoice(app, options, raw);
+    app.get_option("scene")
+        ->expected(1, kMostScenes)
+        ->description("a deck file, or scenes whose sections become slides");
+    app.add_option("-o,--output", options.outputs,
+                   ".html: one page with everything in it; .pdf: a picture a slide, by Chromium; a "
+                   "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
+                   "again; default: output/<name>.html")
+        ->type_name("OUT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addSeconds(app, options);
+    app.add_option("--size", raw.size,
+                   "pixels of a picture that fills a slide, 1..16384 a side; default: 1280x720")
+        ->type_name("WxH");
+    app.add_option("--fps", options.fps, "frames a second of films; default: the deck's, 30")
+        ->type_name("N");
+    app.add_option("--samples", options.samples,
+                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: 4")
+        ->type_name("N");
+    app.add_option("--theme", options.theme, "studio, dark or print; default: the deck's, studio")
+        ->type_name("NAME");
+    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
+        ->type_name("N");
+    app.add_flag("-n,--dry-run", options.dryRun,
+                 "say what the deck holds and where it goes; draw nothing; default: off");
+    app.add_flag("--reproducible", options.reproducible,
+                 "the same pixels on every x86-64 processor, a third slower; default: off");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace what is there; in a folder, what slides has made; default: off");
+    addFeedback(app, options);
+}
+
 /// Several runs of one scene, as a table, as a film and as a figure.
 void addRuns(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
@@ -363,6 +400,8 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
             return addSweep(app, options, raw);
         case Command::exports:
             return addExport(app, options, raw);
+        case Command::slides:
+            return addSlides(app, options, raw);
         case Command::bench:
             return addBench(app, options, raw);
         case Command::doctor:

@@ -33,6 +33,8 @@ Exit perform(const Options& options) {
             return sweepCommand(options);
         case Command::exports:
             return exportCommand(options);
+        case Command::slides:
+            return slidesCommand(options);
         case Command::test:
             return options.selfTest ? selfTestCommand(options) : testCommand(options);
         case Command::approve:

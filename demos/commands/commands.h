@@ -13,6 +13,7 @@ Exit plotCommand(const Options& options);
 Exit compareCommand(const Options& options);
 Exit sweepCommand(const Options& options);
 Exit exportCommand(const Options& options);
+Exit slidesCommand(const Options& options);
 Exit testCommand(const Options& options);
 Exit selfTestCommand(const Options& options);  // of test
 Exit approveCommand(const Options& options);

@@ -11,5 +11,6 @@ struct PageText {
 PageText reportPageText();   // demos/regression/page
 PageText replayPageText();   // demos/export/page
 PageText galleryPageText();  // demos/gallery/page
+PageText slidesPageText();   // demos/slides/page
 
 }  // namespace demos
