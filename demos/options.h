@@ -39,6 +39,7 @@ struct Options {
     // render, still; outputs, size and theme of plot too, outputs and fps of export
     std::vector<std::string> outputs;  // patterns; empty = the default
     std::string quality = "medium";
+    bool qualityAsked = false;  // it was given
     std::optional<PictureSize> size;
     std::optional<int> fps;
     std::optional<int> samples;
@@ -105,7 +106,6 @@ struct Options {
 
     bool quiet = false, json = false;
     bool print = false;    // list: the scene file itself
-    bool gallery = false;  // list: a picture of all
     bool schema = false;   // list: the JSON Schema of scene files
     bool benchFilm = false;  // bench: time drawing instead of steps
     bool phases = false;   // bench: and every phase of the loop

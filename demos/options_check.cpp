@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "demos/figure/length.h"
+#include "demos/figure/paper.h"
 #include "demos/film/data_pass.h"
 #include "demos/film/quality.h"
 #include "demos/overlays.h"
@@ -15,6 +17,7 @@
 #include "demos/stop.h"
 #include "demos/theme.h"
 #include "render/context.h"
+#include "render/encode/png.h"
 
 namespace demos {
 namespace {
@@ -137,6 +140,32 @@ void checkPicture(Options& options, const RawOptions& raw) {
     checkRange("--jobs", options.jobs, 0, 256);
 }
 
+/// Widths that are no slip of the keys: a postage stamp to a poster.
+void checkWidth(Options& options, const std::string& text) {
+    constexpr double kLeast = 10.0, kMost = 2000.0;  // mm
+    options.width = lengthFrom(text);
+    if (!options.width)
+        refuse(fmt::format("--width '{}': must be a length on paper, for example 85mm, 8.5cm, 3.35in "
+                           "or 241pt",
+                           printable(text)));
+    if (!(*options.width >= kLeast && *options.width <= kMost))
+        refuse(fmt::format("--width '{}': must be {:g}mm to {:g}mm", printable(text), kLeast, kMost));
+    const int pixels = paperOf(options).pixels();
+    if (pixels > render::kLargestSide)
+        refuse(fmt::format("--width '{}' at {} dpi is {} pixels; at most {}: use --dpi {}",
+                           printable(text), options.dpi, pixels, render::kLargestSide,
+                           static_cast<int>(render::kLargestSide * 25.4 / *options.width)));
+}
+
+void checkFigure(Options& options, const RawOptions& raw) {
+    if (raw.dpi) {
+        if (raw.width.empty()) refuse("--dpi belongs to --width; give one, for example --width 85mm");
+        checkRange("--dpi", *raw.dpi, 72, 2400);
+        options.dpi = *raw.dpi;
+    }
+    if (!raw.width.empty()) checkWidth(options, raw.width);
+}
+
 }  // namespace
 
 void checkOptions(Options& options, const RawOptions& raw) {
@@ -146,6 +175,7 @@ void checkOptions(Options& options, const RawOptions& raw) {
         refuse(fmt::format("--seconds {}: must be above 0 and at most 100000", *options.seconds));
     if (options.time && !(*options.time >= 0.0 && *options.time <= kLongest))
         refuse(fmt::format("--time {}: must be 0 to 100000 s", *options.time));
+    checkFigure(options, raw);
     checkRange("--every", options.every, 1, 1'000'000'000);
     checkRange("--hash-every", options.hashEvery, 0, 1'000'000'000);
     if (options.command == Command::completion) checkName("shell", options.shell, {"bash"});

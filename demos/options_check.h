@@ -13,6 +13,8 @@ struct RawOptions {
     std::vector<std::string> passes;
     std::vector<std::string> what;
     std::string solver;
+    std::string width;
+    std::optional<int> dpi;
 };
 
 /// Moves `raw` into `options`. Throws Stop (usage).

@@ -57,6 +57,7 @@ void addStrip(CLI::App& app, Options& options, RawOptions& raw) {
     app.get_option("--size")->description(
         "pixels of one picture, 1..16384 a side; default: half of the quality's");
     app.get_option("--clean")->description("no times below the pictures; default: off");
+    addFigure(app, options, raw);
     addFeedback(app, options);
 }
 
@@ -75,6 +76,7 @@ void addStill(CLI::App& app, Options& options, RawOptions& raw) {
         ->expected(1);
     addSeconds(app, options);
     addPicture(app, options, raw);
+    addFigure(app, options, raw);
     addFeedback(app, options);
 }
 
@@ -124,8 +126,13 @@ void addPlot(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("--size", raw.size,
                    "pixels, 1..16384 a side; default: 1280 wide, 360 high a chart, 720 at least")
         ->type_name("WxH");
-    app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
+    app.add_option("--theme", options.theme,
+                   "studio, dark, print or transparent; default: the scene's")
         ->type_name("NAME");
+    addFigure(app, options, raw);
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace a figure and its caption; a plot without a caption is always replaced; "
+                 "default: off");
     addSeconds(app, options);
     addFeedback(app, options);
 }
@@ -149,11 +156,52 @@ void addExport(CLI::App& app, Options& options, RawOptions& raw) {
     addFeedback(app, options);
 }
 
-/// Several runs of one scene, as a table and as a film.
+void addSlides(CLI::App& app, Options& options, RawOptions& raw) {
+    addSceneChoice(app, options, raw);
+    app.get_option("scene")
+        ->expected(1, kMostScenes)
+        ->description("a deck file, or scenes whose sections become slides");
+    app.add_option("-o,--output", options.outputs,
+                   ".html: one page with everything in it; .pdf: a picture a slide, by Chromium; a "
+                   "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
+                   "again; default: output/<name>.html")
+        ->type_name("OUT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addSeconds(app, options);
+    app.add_option("--size", raw.size,
+                   "pixels of a picture that fills a slide, 1..16384 a side; default: 1280x720")
+        ->type_name("WxH");
+    app.add_option("--fps", options.fps, "frames a second of films; default: the deck's, 30")
+        ->type_name("N");
+    app.add_option("--samples", options.samples,
+                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: 4")
+        ->type_name("N");
+    app.add_option("--theme", options.theme, "studio, dark or print; default: the deck's, studio")
+        ->type_name("NAME");
+    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
+        ->type_name("N");
+    app.add_flag("-n,--dry-run", options.dryRun,
+                 "say what the deck holds and where it goes; draw nothing; default: off");
+    app.add_flag("--reproducible", options.reproducible,
+                 "the same pixels on every x86-64 processor, a third slower; default: off");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace what is there; in a folder, what slides has made; default: off");
+    addFeedback(app, options);
+}
+
+/// Several runs of one scene, as a table, as a film and as a figure.
 void addRuns(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
     addSeconds(app, options);
     addPicture(app, options, raw);
+    addFigure(app, options, raw);
+    app.add_option("-t,--time", options.time,
+                   "with --width: of the figure, in s; default: the end")
+        ->type_name("S");
     app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
         ->type_name("N");
     app.add_option("--measure", options.measure,
@@ -177,7 +225,11 @@ void addCompare(CLI::App& app, Options& options, RawOptions& raw) {
         ->type_name("CASE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("-o,--output", options.outputs, "as for render; default: output/<scene>-compare")
+    app.add_option("--plot", options.plot,
+                   "the measure over time alone, as .svg or .png; default: not drawn")
+        ->type_name("FILE");
+    app.add_option("-o,--output", options.outputs,
+                   "as for render, with --width one .png; default: output/<scene>-compare")
         ->type_name("OUT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -197,7 +249,8 @@ void addSweep(CLI::App& app, Options& options, RawOptions& raw) {
                    "the measures over the values, as .svg or .png; default: not drawn")
         ->type_name("FILE");
     app.add_option("-o,--output", options.outputs,
-                   "a grid of up to 16 of the runs as a film, as for render; default: none")
+                   "a grid of up to 16 of the runs as a film, as for render, with --width as one "
+                   ".png; default: none")
         ->type_name("OUT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -270,23 +323,61 @@ void addBench(CLI::App& app, Options& options, RawOptions& raw) {
 }
 
 void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
-    CLI::Option* gallery = app.add_flag("--gallery", options.gallery,
-                                        "a picture with one frame of each scene; default: off");
+    addSceneChoice(app, options, raw);
+    app.get_option("scene")
+        ->expected(0, kMostScenes)
+        ->required(false)
+        ->description("built-in scenes or scene files; all: every built-in one; default: all");
     app.add_option("-o,--output", options.outputs,
-                   "of the gallery: a .png or - ; default: output/gallery.png")
-        ->type_name("FILE")
-        ->expected(1)
-        ->needs(gallery);
-    app.add_option("--size", raw.size, "of the gallery: pixels of one frame; default: 480x270")
-        ->type_name("WxH")
-        ->needs(gallery);
+                   "a folder: index.html, NAME.mp4, NAME.png, sheet.png; or the sheet alone: "
+                   "a .png or -; default: output/gallery")
+        ->type_name("DIR|FILE")
+        ->expected(1);
+    app.add_flag("--films,!--no-films", options.films, "films, not posters alone; default: on");
     app.add_option("--columns", options.columns,
-                   "of the gallery: frames in a row; default: 0, up to six, and all rows alike")
-        ->type_name("N")
-        ->needs(gallery);
-    app.add_flag("--overwrite", options.overwrite,
-                 "replace what another run has written; default: off")
-        ->needs(gallery);
+                   "of the sheet: scenes in a row; default: 0, up to six, and all rows alike")
+        ->type_name("N");
+    addSeconds(app, options);
+    addPicture(app, options, raw);
+    app.get_option("--quality")->each([&options](const std::string&) {
+        options.qualityAsked = true;
+    });
+    app.get_option("--size")->description(
+        "pixels, 1..16384 a side; default: the quality's, 640x360 without one, 480x270 in a sheet");
+    app.get_option("--fps")->description(
+        "frames a second; the scene's steps a second must be a multiple; "
+        "default: the quality's, or the next lower that is right");
+    app.get_option("--overwrite")
+        ->description("replace what differs from what was made before; default: off");
+    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
+        ->type_name("N");
+    addFeedback(app, options);
+}
+
+void addWatch(CLI::App& app, Options& options, RawOptions& raw) {
+    addSceneChoice(app, options, raw);
+    app.add_flag("--once", options.once, "one draft, then the end; default: off");
+    app.add_option("-o,--output", options.outputs,
+                   "a folder for draft.mp4 and draft.png; default: output/<scene>")
+        ->type_name("DIR")
+        ->expected(1);
+    addSeconds(app, options);
+    app.add_option("--size", raw.size, "pixels, 1..16384 a side; default: 480x270")
+        ->type_name("WxH");
+    app.add_option("--show", raw.show,
+                   "overlays, with commas, see impulse render --help; default: the scene's")
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--colour-by,--color-by", options.colorBy,
+                   "what colours bodies, see impulse render --help; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    addFeedback(app, options);
 }
 
 }  // namespace
@@ -309,6 +400,8 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
             return addSweep(app, options, raw);
         case Command::exports:
             return addExport(app, options, raw);
+        case Command::slides:
+            return addSlides(app, options, raw);
         case Command::bench:
             return addBench(app, options, raw);
         case Command::doctor:
@@ -317,15 +410,17 @@ void addOptions(Command command, CLI::App& app, Options& options, RawOptions& ra
             return addTest(app, options, raw);
         case Command::approve:
             return addApprove(app, options);
+        case Command::watch:
+            return addWatch(app, options, raw);
+        case Command::gallery:
+            return addGallery(app, options, raw);
         case Command::list:
-            app.add_option("scene", options.scenes,
-                           "a scene to describe, or those of a gallery; default: all")
+            app.add_option("scene", options.scenes, "a scene to describe; default: all")
                 ->type_name("SCENE")
                 ->expected(0, kMostScenes);
             app.add_flag("--print", options.print, "the scene file itself; default: off");
             app.add_flag("--schema", options.schema,
                          "the JSON Schema of scene files, for editors; default: off");
-            addGallery(app, options, raw);
             addFeedback(app, options);
             return;
         case Command::completion:

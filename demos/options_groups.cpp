@@ -68,6 +68,20 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                  "replace what another run has written; default: off");
 }
 
+void addFigure(CLI::App& app, Options& options, RawOptions& raw) {
+    app.add_option("--width", raw.width,
+                   "width on paper, e.g. 85mm, 17cm, 3.35in, 241pt; a plain number is mm: type and "
+                   "lines in points, theme print unless another is chosen, a caption beside the "
+                   "file; --size then gives the ratio; default: none, for a screen")
+        ->type_name("LENGTH");
+    app.add_option("--dpi", raw.dpi, "with --width: pixels an inch, 72..2400; default: 300")
+        ->type_name("N");
+    app.add_option("--caption", options.caption,
+                   "a text file for the caption and the settings; default: with --width beside the "
+                   "figure, fig.png: fig.caption.txt")
+        ->type_name("FILE");
+}
+
 void addSeconds(CLI::App& app, Options& options) {
     app.add_option("--seconds", options.seconds, "length in s; default: the scene's")
         ->type_name("S");

@@ -8,6 +8,8 @@ namespace demos {
 void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw);
 void addFeedback(CLI::App& app, Options& options);
 void addPicture(CLI::App& app, Options& options, RawOptions& raw);
+/// A figure for a paper: its size there, and the caption beside it.
+void addFigure(CLI::App& app, Options& options, RawOptions& raw);
 void addSeconds(CLI::App& app, Options& options);
 /// What a film is made for: a limit of a page or a chat, a picture to show before it plays.
 void addDelivery(CLI::App& app, Options& options, RawOptions& raw);

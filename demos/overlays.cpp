@@ -41,6 +41,12 @@ const std::vector<std::string>& colorings() {
     return names;
 }
 
+bool isOn(const Overlays& overlays, const std::string& name) {
+    for (const Switch& s : kSwitches)
+        if (name == s.name) return overlays.*s.member;
+    return false;
+}
+
 bool switchOn(Overlays& overlays, const std::string& name) {
     for (const Switch& s : kSwitches)
         if (name == s.name) return overlays.*s.member = true;

@@ -26,12 +26,16 @@ struct Overlays {
     std::string colorBy = "body";  // one of colorings()
     double colorMax = 0.0;         // the scale's end; 0: the largest so far
     double ghostEvery = 0.25;      // s
+    double pixelsPerPoint = 0.0;   // of letters and lines on paper; 0: by the picture's size
 };
 
 /// Every name that --show takes.
 const std::vector<std::string>& overlayNames();
 /// "contacts normals ...", for help.
 std::string overlayList();
+
+/// Whether the named one is on; false for a name that is not known.
+bool isOn(const Overlays& overlays, const std::string& name);
 
 /// Switches the named ones on; false for a name that is not known.
 bool switchOn(Overlays& overlays, const std::string& name);

@@ -14,7 +14,7 @@ std::vector<std::string> targetsOf(const Options& options) {
     std::vector<std::string> targets = options.outputs;
     for (const std::string* file : {&options.csv, &options.bodies, &options.joints,
                                     &options.contacts, &options.sweeps, &options.events,
-                                    &options.plot, &options.poster})
+                                    &options.plot, &options.poster, &options.caption})
         if (!file->empty()) targets.push_back(*file);
     return targets;
 }

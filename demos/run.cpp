@@ -33,10 +33,16 @@ Exit perform(const Options& options) {
             return sweepCommand(options);
         case Command::exports:
             return exportCommand(options);
+        case Command::slides:
+            return slidesCommand(options);
         case Command::test:
             return options.selfTest ? selfTestCommand(options) : testCommand(options);
         case Command::approve:
             return approveCommand(options);
+        case Command::watch:
+            return watchCommand(options);
+        case Command::gallery:
+            return galleryCommand(options);
         case Command::list:
             return listCommand(options);
         case Command::doctor:

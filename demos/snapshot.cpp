@@ -1,5 +1,6 @@
 #include "demos/snapshot.h"
 
+#include "demos/figure/type.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/parts.h"
 #include "demos/theme.h"
@@ -21,6 +22,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     if (overlays.stats) addStats(moment, frame);
     if (overlays.text) addLegend(moment, frame);
     applyTheme(overlays.theme, frame);
+    if (overlays.pixelsPerPoint > 0.0) setType(overlays.pixelsPerPoint, frame);
     return frame;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "render/coverage.h"
 #include "render/glyphs.h"
@@ -12,6 +13,7 @@ namespace {
 
 struct Margins {
     float side, width, height;
+    const Look& look;
     float right() const { return width - side; }
     float bottom() const { return height - side; }
 };
@@ -34,8 +36,14 @@ std::optional<Box> placed(float width, float height, Corner corner, float gap,
 }
 
 int pixelsOf(float size, const Margins& m, float share = 1.0f) {
-    return textPixels(share * size, static_cast<int>(m.width), static_cast<int>(m.height));
+    return textPixels(share * size, m.look, static_cast<int>(m.width), static_cast<int>(m.height));
 }
+
+/// How letters may shrink to find room; those of a given size do not.
+std::span<const float> sharesOf(std::span<const float> all, const Look& look) {
+    return look.unit > 0.0f ? all.first(1) : all;
+}
+constexpr float kTextShares[] = {1.0f, 0.8f, 0.65f}, kPlateShares[] = {1.0f, 0.85f, 0.7f};
 
 /// Without the last letter of UTF-8.
 void dropLetter(std::string& text) {
@@ -46,11 +54,12 @@ void dropLetter(std::string& text) {
 
 void addText(const Text& text, const Margins& m, CornerLayout& layout) {
     const float room = m.right() - m.side;
-    for (const float share : {1.0f, 0.8f, 0.65f}) {
+    const std::span<const float> shares = sharesOf(kTextShares, m.look);
+    for (const float share : shares) {
         PlacedText p;
         p.pixels = pixelsOf(text.size, m, share);
         p.lines = brokenText(text.text, p.pixels, room);
-        if (p.lines.size() > 2 && share > 0.7f && p.pixels > kSmallestText) continue;
+        if (p.lines.size() > 2 && share != shares.back() && p.pixels > kSmallestText) continue;
         p.lineHeight = std::round(1.2f * static_cast<float>(p.pixels));
         float width = 0.0f;
         for (const std::string& line : p.lines)
@@ -69,7 +78,7 @@ void addText(const Text& text, const Margins& m, CornerLayout& layout) {
 
 void addPlate(const Plate& plate, const Frame& frame, const Margins& m, CornerLayout& layout) {
     const float meter = pixelsPerMeter(frame.camera, static_cast<int>(m.height));
-    for (const float share : {1.0f, 0.85f, 0.7f}) {
+    for (const float share : sharesOf(kPlateShares, m.look)) {
         const PlateMetrics metrics = metricsOf(plate, pixelsOf(plate.size, m, share), meter);
         if (metrics.width > m.right() - m.side) continue;
         const float gap = 0.4f * static_cast<float>(metrics.pixels);
@@ -86,9 +95,9 @@ float cornerMargin(int width, int height) {
     return 0.033f * static_cast<float>(std::min(width, height));
 }
 
-int textPixels(float size, int width, int height) {
-    return std::max(static_cast<int>(std::lround(size * overlayScale(width, height))),
-                    kSmallestText);
+int textPixels(float size, const Look& look, int width, int height) {
+    const int pixels = static_cast<int>(std::lround(size * overlayScale(look, width, height)));
+    return std::max(pixels, look.unit > 0.0f ? 1 : kSmallestText);
 }
 
 bool CornerLayout::isFree(const Box& box) const {
@@ -133,7 +142,7 @@ float pixelsPerMeter(const Camera& camera, int height) {
 
 CornerLayout layoutCorners(const Frame& frame, int width, int height) {
     const Margins m{cornerMargin(width, height), static_cast<float>(width),
-                    static_cast<float>(height)};
+                    static_cast<float>(height), frame.look};
     CornerLayout layout;
     // The lowest line of a lower corner is its last one.
     for (const Text& text : frame.texts)

@@ -52,7 +52,7 @@ CornerLayout layoutCorners(const Frame& frame, int width, int height);
 /// Pixels from a picture's edge to what stands in its corners.
 float cornerMargin(int width, int height);
 /// Pixels of a text's cap-to-descender height, for its size in a picture of 1280x720.
-int textPixels(float size, int width, int height);
+int textPixels(float size, const Look& look, int width, int height);
 
 /// The text in lines of at most `room` pixels; a word that is wider loses its end.
 std::vector<std::string> brokenText(const std::string& text, int pixels, float room);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/blend.h"
+#include "render/frame.h"
 #include "render/image.h"
 
 namespace render {
@@ -67,9 +68,10 @@ inline float toRoundedBox(const Vec2& p, const Vec2& low, const Vec2& high, floa
     return q.cwiseMax(0.0f).norm() + std::min(q.maxCoeff(), 0.0f) - radius;
 }
 
-/// Pixels of a picture, for 1 pixel of 1280x720: by area, so that a tall picture reads like a wide
-/// one, but never larger than a side allows.
-inline float overlayScale(int width, int height) {
+/// Pixels of a picture, for 1 pixel of 1280x720: what the look says, else by area, so that a tall
+/// picture reads like a wide one, but never larger than a side allows.
+inline float overlayScale(const Look& look, int width, int height) {
+    if (look.unit > 0.0f) return look.unit;
     const float w = static_cast<float>(width), h = static_cast<float>(height);
     return std::min({std::sqrt(w * h / (1280.0f * 720.0f)), w / 400.0f, h / 400.0f});
 }

@@ -156,7 +156,7 @@ void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& v
     if (!outline) return;
     const GhostRays rays(ghost, view, look.sunDirection.normalized(), image.width, image.height);
     const bool hollow = ghost.mesh && !ghost.mesh->convex;
-    const float edge = std::max(0.9f * overlayScale(image.width, image.height), 0.7f);
+    const float edge = std::max(0.9f * overlayScale(look, image.width, image.height), 0.7f);
     const PixelRange range =
         pixelsWithin(image, outline->low() - Vec2(1, 1), outline->high() + Vec2(1, 1));
     for (int y = range.y0; y <= range.y1; ++y)

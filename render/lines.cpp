@@ -64,7 +64,7 @@ void draw(Image& image, const FlatLine& l, float half, const Color& color, const
 }  // namespace
 
 void drawLines(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
-    const float scale = overlayScale(image.width, image.height);
+    const float scale = overlayScale(frame.look, image.width, image.height);
     for (const Line& line : frame.lines) {
         FlatLine flat;
         if (flatten(line, view, image, flat))

@@ -19,8 +19,9 @@ Color rimOf(const Look& look) {
 }
 
 /// The radius in pixels, or 0 when the marker is not to be seen.
-float radiusOf(const Marker& marker, const Projected& p, const Image& image, const View& view) {
-    const float wanted = marker.pixels * overlayScale(image.width, image.height);
+float radiusOf(const Marker& marker, const Projected& p, const Image& image, const View& view,
+               const Look& look) {
+    const float wanted = marker.pixels * overlayScale(look, image.width, image.height);
     if (marker.largest <= 0.0f) return std::max(wanted, 1.2f);
     const float pixelsPerMeter =
         0.5f * static_cast<float>(image.height) * view.projection(1, 1) / p.depth;
@@ -63,7 +64,7 @@ void drawMarkers(Image& image, const Frame& frame, const View& view, const Depth
     for (const Marker& marker : frame.markers) {
         const Projected p = project(view, marker.position, image.width, image.height);
         if (p.depth <= 0 || isHidden(p, marker.reach, image, depth)) continue;
-        const float r = radiusOf(marker, p, image, view);
+        const float r = radiusOf(marker, p, image, view, frame.look);
         const Vec2 c(p.x, p.y), reach(r, r);
         if (marker.shape == MarkerShape::quartered)
             drawQuartered(image, c, r, marker.color);
@@ -77,7 +78,7 @@ void drawMarkers(Image& image, const Frame& frame, const View& view, const Depth
 void drawFlatArrow(Image& image, const Vec2& from, const Vec2& to, const Color& color,
                    const Look& look) {
     const float length = (to - from).norm();
-    const float scale = overlayScale(image.width, image.height);
+    const float scale = overlayScale(look, image.width, image.height);
     if (length < 2.0f * scale) return;
     const float half = std::clamp(0.035f * length, 0.9f * scale, 1.9f * scale);
     const float head = std::min(6.0f * half, 0.6f * length);

@@ -163,7 +163,9 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
                                  (scene.frame.look.edges ? " EDGES" : "");
     glEnable(GL_CULL_FACE);
     const Look& look = scene.frame.look;
-    const float width = 1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
+    const float byHeight =
+        1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
+    const float width = look.edgePixels > 0.0f ? look.edgePixels : byHeight;
     const auto setLines = [&look, width](GLuint program) {
         setUniform(program, "lineWidth", std::max(1.0f, width));
         setUniform(program, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));

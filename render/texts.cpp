@@ -57,18 +57,24 @@ bool findPlace(Box& box, float most, const Image& image, const CornerLayout& cor
     return false;
 }
 
+/// `reach`: pixels of the body.
+int namePixels(const Label& label, float reach, float scale, const Look& look) {
+    const bool given = look.unit > 0.0f;
+    const float wanted = given ? label.size * scale : std::min(label.size * scale, 0.4f * reach);
+    return std::max(static_cast<int>(std::lround(wanted)), given ? 1 : kSmallestText);
+}
+
 void drawLabels(Image& image, const Frame& frame, const View& view, const DepthMap& depth,
                 const CornerLayout& corners) {
     std::vector<Box> taken;
-    const float scale = overlayScale(image.width, image.height);
+    const float scale = overlayScale(frame.look, image.width, image.height);
     for (const SeenLabel& seen : seenLabels(image, frame, view, depth)) {
         const Label& label = *seen.label;
         const float reach = label.reach > 0.0f
                                 ? label.reach * view.projection(1, 1) * 0.5f *
                                       static_cast<float>(image.height) / seen.at.depth
                                 : 1e6f;  // pixels
-        const float wanted = std::min(label.size * scale, 0.4f * reach);
-        const int pixels = std::max(static_cast<int>(std::lround(wanted)), kSmallestText);
+        const int pixels = namePixels(label, reach, scale, frame.look);
         const float width = textWidth(label.text, static_cast<float>(pixels));
         const float height = 1.1f * static_cast<float>(pixels), pad = 0.1f * height;
         Box box{seen.at.x - 0.5f * width - pad, seen.at.y + (label.below - 0.5f) * height,

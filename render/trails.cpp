@@ -14,7 +14,12 @@ Eigen::Vector4f sideways(const Eigen::Vector4f& before, const Eigen::Vector4f& h
     return Eigen::Vector4f(-way.y() * 2 / w, way.x() * 2 / h, 0, 0) * here.w();
 }
 
-void addBand(const Trail& trail, const View& view, int width, int height,
+/// Pixels of the picture for pixels of a trail.
+struct TrailScale {
+    float times, over;
+};
+
+void addBand(const Trail& trail, const View& view, int width, int height, const TrailScale& scale,
              std::vector<TrailVertex>& band) {
     std::vector<Eigen::Vector4f> clip;
     for (const Vec3& p : trail.points) clip.push_back(view.worldToClip() * p.homogeneous());
@@ -26,7 +31,7 @@ void addBand(const Trail& trail, const View& view, int width, int height,
         const Eigen::Vector4f pixel = sideways(clip[std::max(i - 1, 0)], clip[i],
                                                clip[std::min(i + 1, n - 1)], width, height);
         const float half =
-            0.5f * trail.pixels * (0.35f + 0.65f * age) * static_cast<float>(height) / 720.0f;
+            0.5f * trail.pixels * (0.35f + 0.65f * age) * scale.times / scale.over;
         const float reach = half + 0.5f;
         pair[0] = {clip[i] + reach * pixel, color, {reach, half}};
         pair[1] = {clip[i] - reach * pixel, color, {-reach, half}};
@@ -44,8 +49,11 @@ void addBand(const Trail& trail, const View& view, int width, int height,
 
 std::vector<TrailVertex> trailBands(const Frame& frame, const View& view, int width, int height) {
     std::vector<TrailVertex> band;
+    const float unit = frame.look.unit;
+    const TrailScale scale =
+        unit > 0.0f ? TrailScale{unit, 1.0f} : TrailScale{static_cast<float>(height), 720.0f};
     for (const Trail& trail : frame.trails)
-        if (trail.points.size() > 1) addBand(trail, view, width, height, band);
+        if (trail.points.size() > 1) addBand(trail, view, width, height, scale, band);
     return band;
 }
 

@@ -1,7 +1,6 @@
 /// The commands, one a file. Each throws Stop, SceneError or render::Error, or returns its code.
 #pragma once
 #include "demos/options.h"
-#include "demos/scene/description.h"
 #include "demos/stop.h"
 
 namespace demos {
@@ -14,16 +13,15 @@ Exit plotCommand(const Options& options);
 Exit compareCommand(const Options& options);
 Exit sweepCommand(const Options& options);
 Exit exportCommand(const Options& options);
+Exit slidesCommand(const Options& options);
 Exit testCommand(const Options& options);
 Exit selfTestCommand(const Options& options);  // of test
 Exit approveCommand(const Options& options);
+Exit watchCommand(const Options& options);
+Exit galleryCommand(const Options& options);
 Exit listCommand(const Options& options);
-Exit galleryCommand(const Options& options);  // of list
 Exit doctorCommand(const Options& options);
 Exit benchCommand(const Options& options);
 Exit completionCommand(const Options& options);
-
-/// The built-in scenes as `impulse list` shows them: by group, then by name.
-std::vector<SceneDescription> scenesByGroup();
 
 }  // namespace demos

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 
 #include "demos/commands/commands.h"
+#include "demos/figure/runs_figure.h"
 #include "demos/film/film.h"
 #include "demos/film/plot_strip.h"
 #include "demos/film/progress.h"
@@ -39,6 +42,26 @@ FilmPlan filmOf(const Comparing& plan) {
     return film;
 }
 
+/// What the chart's lines are called where the pictures have letters.
+std::vector<Chart> lettered(Chart chart) {
+    for (std::size_t i = 0; i < chart.series.size(); ++i)
+        chart.series[i].label = panelLetter(static_cast<int>(i));
+    return {std::move(chart)};
+}
+
+RunsFigure figureOf(const Comparing& plan) {
+    RunsFigureSettings settings;
+    settings.runs = plan.variants;
+    if (plan.options.width && plan.options.film) settings.pictured = plan.variants;
+    settings.columns = plan.variants.size() == kMostCompared ? 2 : 0;
+    settings.chart = plan.options.strip;
+    settings.title = plan.point.empty() ? titleOf(plan.variants.front().scene)
+                                        : plan.name + ": " + plan.point;
+    settings.title.front() = static_cast<char>(std::toupper(settings.title.front()));
+    settings.picture = "output/" + plan.name + "-compare.png";
+    return RunsFigure(std::move(settings), plan.options);
+}
+
 }  // namespace
 
 Exit compareCommand(const Options& options) {
@@ -54,8 +77,13 @@ Exit compareCommand(const Options& options) {
                                             fmt::join(names, ", ")));
     }
     const Comparing plan = comparingOf(options);
-    FilmPlan film = filmOf(plan);
-    if (options.film) checkFilmPlan(film, plan.options);
+    checkFigureOptions(options);
+    const RunsFigure figure = figureOf(plan);
+    std::optional<FilmPlan> film;
+    if (options.film && !options.width) {
+        film = filmOf(plan);
+        checkFilmPlan(*film, plan.options);
+    }
     watchSignals();
     const bool raw =
         std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
@@ -68,9 +96,11 @@ Exit compareCommand(const Options& options) {
     if (!plan.point.empty()) talk.say(fmt::format("{}: {}", plan.name, plan.point));
     if (!options.json) fmt::print(raw ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
-    if (!options.film) return Exit::ok;
-    if (options.strip) addStrip({historyChart(runs, plottedMeasure(plan), "")}, film);
-    makeFilm(film, plan.options);
+    const Chart chart = historyChart(runs, plottedMeasure(plan), "");
+    figure.write(lettered(chart), {chart}, talk);
+    if (!film) return Exit::ok;
+    if (options.strip) addStrip({chart}, *film);
+    makeFilm(*film, plan.options);
     return Exit::ok;
 }
 

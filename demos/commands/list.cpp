@@ -37,6 +37,16 @@ void sayJson(const SceneDescription& scene) {
                scene.joints.size(), scene.hz);
 }
 
+/// By group, then by name.
+std::vector<SceneDescription> scenesByGroup() {
+    std::vector<SceneDescription> scenes;
+    for (const BuiltinScene& scene : builtinScenes()) scenes.push_back(described(scene));
+    std::stable_sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) {
+        return a.group < b.group;  // by name within a group, as they come
+    });
+    return scenes;
+}
+
 void sayGroups() {
     std::string group;
     for (const SceneDescription& scene : scenesByGroup()) {
@@ -45,7 +55,7 @@ void sayGroups() {
         group = scene.group;
         fmt::print("  {:18} {}\n", scene.name, printable(scene.purpose));
     }
-    fmt::print("\nnext: impulse render NAME, impulse list NAME, or impulse list --gallery\n");
+    fmt::print("\nnext: impulse render NAME, impulse list NAME, or impulse gallery\n");
 }
 
 void sayOne(const SceneDescription& scene) {
@@ -64,25 +74,15 @@ void sayOne(const SceneDescription& scene) {
 
 }  // namespace
 
-std::vector<SceneDescription> scenesByGroup() {
-    std::vector<SceneDescription> scenes;
-    for (const BuiltinScene& scene : builtinScenes()) scenes.push_back(described(scene));
-    std::stable_sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) {
-        return a.group < b.group;  // by name within a group, as they come
-    });
-    return scenes;
-}
-
 Exit listCommand(const Options& options) {
     if (options.schema) {
-        if (!options.scenes.empty() || options.print || options.json || options.gallery)
+        if (!options.scenes.empty() || options.print || options.json)
             throw Stop(Exit::usage, "--schema stands alone, as in 'impulse list --schema'");
         fmt::print("{}", sceneSchema());
         return Exit::ok;
     }
-    if (options.gallery) return galleryCommand(options);
     if (options.scenes.size() > 1)
-        throw Stop(Exit::usage, "several scenes; list describes one, or --gallery draws them");
+        throw Stop(Exit::usage, "several scenes; list describes one; impulse gallery draws them");
     if (options.scenes.empty()) {
         if (options.print)
             throw Stop(Exit::usage, "--print needs a scene, as in 'impulse list stack --print'");

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "demos/commands/commands.h"
+#include "demos/figure/caption.h"
+#include "demos/figure/figure_file.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
@@ -34,6 +36,7 @@ public:
           talk_(options, false),
           player_(scene, Overlays{.trails = false}) {
         for (const std::string& file : files_) checkPlotFile(file, choice_);
+        if (!captionFiles(files_, options_).empty()) checkFigure(files_, options_);
     }
 
     Exit play() {
@@ -67,13 +70,37 @@ private:
     }
 
     void writeAll() const {
+        const std::vector<Chart> charts = chartsOf(recorder_, choice_);
+        const PictureSize size = sizeOf(charts.size(), choice_);
+        std::vector<FigurePicture> pictures;
+        for (const std::string& file : files_)
+            pictures.push_back(
+                {file, chartBytes(file, charts, size, choice_.theme, choice_.paper)});
+        writeFigure(pictures, captionOf(charts, size).text(), options_);
         for (const std::string& file : files_) {
-            const std::size_t charts = writePlot(file, recorder_, choice_);
-            talk_.say(fmt::format("wrote {} ({} {})", printable(file), charts,
-                                  charts == 1 ? "chart" : "charts"));
+            talk_.say(fmt::format("wrote {} ({} {})", printable(file), charts.size(),
+                                  charts.size() == 1 ? "chart" : "charts"));
             talk_.json(fmt::format(R"({{"event":"plot","file":{},"charts":{}}})", jsonString(file),
-                                   charts));
+                                   charts.size()));
         }
+        tellCaptions(files_, options_, talk_);
+    }
+
+    Caption captionOf(const std::vector<Chart>& charts, PictureSize size) const {
+        const Stage& stage = player_.stage();
+        std::string what;  // their titles begin with the scene's name
+        for (const Chart& chart : charts)
+            what += (what.empty() ? "" : "; ") + chart.title.substr(stage.scene.name.size() + 2);
+        const long step = stage.world.report().step;
+        const double end = static_cast<double>(step) / stage.scene.hz;
+        Caption caption(fmt::format("{}. Over {:g} s: {}", titleOf(stage.scene), end, what));
+        addFiles(files_, size, choice_.paper, caption);
+        caption.add("theme", choice_.theme);
+        addPhysics(stage.scene, options_, caption);
+        caption.add("steps", std::to_string(step));
+        caption.add("state", hexText(stage.world.hash()));
+        addProgram(options_, caption);
+        return caption;
     }
 
     const Options& options_;

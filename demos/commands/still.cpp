@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "demos/commands/commands.h"
-#include "demos/commands/table.h"
+#include "demos/figure/figure_file.h"
+#include "demos/figure/moments_figure.h"
 #include "demos/film/exposure.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/film_plan.h"
@@ -13,8 +14,6 @@
 #include "demos/film/screen.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
-#include "render/encode/file.h"
-#include "render/encode/png.h"
 
 namespace demos {
 namespace {
@@ -62,25 +61,29 @@ std::string targetOf(const FilmPlan& plan, const Options& options, const Moment&
 
 }  // namespace
 
-Exit stillCommand(const Options& options) {
+Exit stillCommand(const Options& asked) {
+    const Options options = figureOptions(asked);
+    const Paper paper = paperOf(options);
     const FilmPlan plan = planFilm(options);
     const Moment moment = momentOf(plan, options);
     const std::string target = targetOf(plan, options, moment);
-    checkFree(target, options.overwrite);
+    checkFigure({target}, options);
     checkNeeds(needsOf(plan, 1, {}), plan);
     Player player(plan.scene(), plan.panels.front().overlays);
     const std::vector<render::Frame> seen = playTo(moment.time, moment.steps, plan, player);
     render::Renderer renderer(plan.picture);
     render::Image picture = exposed(seen, plan, renderer);
-    const std::vector<std::uint8_t> png =
-        render::encodePng(withStrip(std::move(picture), plan, moment.time));
-    writeResult(target, png);
+    picture = withStrip(std::move(picture), plan, moment.time);
     const Talk talk(options, target == "-");
+    const MomentsFigure figure{target, paper, plan, {shotOf(player, plan, seen.back(), paper)}};
+    writeMoments(figure, picture, options);
+    tellLeftOut(seen.back(), plan, paper, talk);
     const std::string hash = hexText(player.stage().world.hash());
     talk.json(fmt::format(R"({{"event":"done","file":{},"time":{},"state":"{}"}})",
                           jsonString(target), numberText(moment.time), hash));
     talk.say(
         fmt::format("wrote {} (t = {:.3f} s, state {})", printable(target), moment.time, hash));
+    tellCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {}", printable(options.scene())));
     return Exit::ok;
 }

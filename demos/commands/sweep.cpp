@@ -6,12 +6,12 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
+#include "demos/figure/runs_figure.h"
 #include "demos/film/film.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
 #include "demos/film/variant_panels.h"
 #include "demos/report/measure_table.h"
-#include "demos/report/plot_file.h"
 #include "demos/report/sweeping.h"
 #include "demos/scene/complaints.h"
 
@@ -26,8 +26,10 @@ FilmPlan gridOf(const std::vector<Variant>& variants, const Options& options) {
 
 std::vector<int> plotted(const Options& options) {
     if (!options.measure.empty()) return {measureCalled(options.measure)};
-    return {measureCalled("drift"), measureCalled("penetration"), measureCalled("separation"),
-            measureCalled("residual"), measureCalled("ms")};
+    std::vector<int> all = {measureCalled("drift"), measureCalled("penetration"),
+                            measureCalled("separation"), measureCalled("residual")};
+    if (!options.width) all.push_back(measureCalled("ms"));  // no two runs take the same time
+    return all;
 }
 
 std::vector<Chart> chartsOf(const std::vector<Measured>& runs, const std::string& key,
@@ -42,6 +44,15 @@ std::vector<Chart> chartsOf(const std::vector<Measured>& runs, const std::string
     return charts;
 }
 
+RunsFigure figureOf(const std::vector<Variant>& variants, const Options& options) {
+    RunsFigureSettings settings;
+    settings.runs = variants;
+    if (options.width && !options.outputs.empty())
+        settings.pictured = spread(variants);
+    settings.title = titleOf(variants.front().scene);
+    return RunsFigure(std::move(settings), options);
+}
+
 }  // namespace
 
 Exit sweepCommand(const Options& options) {
@@ -49,9 +60,10 @@ Exit sweepCommand(const Options& options) {
         throw Stop(Exit::usage, "sweep needs --over, for example --over solver.sweeps=1..64:x2");
     const Sweeping sweeping = sweepingOf(options);
     const std::vector<Variant>& variants = sweeping.variants;
-    if (!options.plot.empty()) checkChartFile(options.plot);
+    checkFigureOptions(options);
+    const RunsFigure figure = figureOf(variants, options);
     std::optional<FilmPlan> grid;
-    if (!options.outputs.empty()) {
+    if (!options.outputs.empty() && !options.width) {
         grid = gridOf(variants, options);
         checkFilmPlan(*grid, options);
     }
@@ -73,13 +85,7 @@ Exit sweepCommand(const Options& options) {
         writeResult(options.csv, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
         if (!csvOnStdout) talk.say(fmt::format("wrote {}", printable(options.csv)));
     }
-    if (!options.plot.empty()) {
-        const std::vector<Chart> charts = chartsOf(runs, sweeping.key, options);
-        const std::string theme =
-            options.theme.empty() ? variants.front().scene.look.theme : options.theme;
-        writeCharts(options.plot, charts, chartSize(charts.size()), theme);
-        talk.say(fmt::format("wrote {}", printable(options.plot)));
-    }
+    figure.write({}, chartsOf(runs, sweeping.key, options), talk);
     if (grid) makeFilm(*grid, options);
     return Exit::ok;
 }

@@ -13,13 +13,13 @@
 #include "demos/regression/baseline.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/process_pool.h"
+#include "demos/regression/renderer_name.h"
 #include "demos/regression/report_files.h"
 #include "demos/regression/scene_test.h"
 #include "demos/regression/tell.h"
 #include "demos/regression/verdict_json.h"
 #include "demos/scene/complaints.h"
 #include "render/driver_environment.h"
-#include "render/renderer.h"
 
 namespace demos {
 namespace {
@@ -38,30 +38,6 @@ void checkApart(const SceneChoice& choice, const fs::path& results) {
                        fmt::format("--output '{}' is where the baselines are; name another folder",
                                    printable(results.string())));
     }
-}
-
-/// The renderer's name, asked for in a process of its own: this one may not have a context.
-std::string rendererName(const Options& options) {
-    std::string name, problem;
-    const auto ask = [&options](int) -> std::string {
-        try {
-            render::RendererSettings settings;
-            settings.width = settings.height = 16;
-            settings.threads = 0;
-            settings.reproducible = options.reproducible;
-            settings.context = render::contextCalled(options.context);
-            return "+" + render::Renderer(settings).describe();
-        } catch (const std::exception& error) {
-            return std::string("-") + error.what();
-        }
-    };
-    runInProcesses(1, 1, ask, [&](int, const PoolResult& result) {
-        const bool good = result.ended && result.text.starts_with('+');
-        (good ? name : problem) = result.ended ? result.text.substr(1)
-                                               : "the process that asks for OpenGL " + result.text;
-    });
-    if (!problem.empty()) throw render::Error(problem);
-    return name;
 }
 
 /// Of a process that did not come to its end.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/figure/paper.h"
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
 #include "demos/scene/reader.h"
@@ -39,7 +40,8 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     Overlays overlays;
     for (const std::string& name : scene.look.show) switchOn(overlays, name);
     for (const std::string& name : options.show) switchOn(overlays, name);
-    overlays.theme = options.theme.empty() ? scene.look.theme : options.theme;
+    overlays.theme = themeOf(scene, options);
+    overlays.pixelsPerPoint = paperOf(options).pixelsPerPoint();
     overlays.colorBy = options.colorBy.empty() ? scene.look.colorBy : options.colorBy;
     overlays.colorMax = scene.look.colorMax;
     overlays.ghostEvery = scene.look.ghostEvery;
@@ -103,6 +105,9 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.frames = frameCount(scene.seconds, plan.fps);
     const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
+    if (strip && options.width)
+        plan.layout =
+            layoutWithStrip(size.width, size.height, chartBelow(paperOf(options)).height);
     plan.picture.width = plan.layout.panels.front().width;
     plan.picture.height = plan.layout.panels.front().height;
     const bool parted = strip || plan.panels.size() > 1;
@@ -126,7 +131,7 @@ FilmPlan planFilm(const Options& options) {
     const bool strip = overlaysOf(panel.scene, options).plot &&
                        options.command != Command::strip && options.command != Command::test;
     FilmPlan plan = planFilm({std::move(panel)}, strip, options);
-    if (strip) addStrip({playedChart(plan.scene())}, plan);
+    if (strip) addStrip({playedChart(plan.scene())}, plan, paperOf(options));
     return plan;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "demos/stop.h"
-#include "render/canvas.h"
 #include "render/encode/png.h"
 #include "render/overlay.h"
 
@@ -52,7 +51,7 @@ StripLayout stripLayout(int moments, int columns, PictureSize picture, bool labe
     layout.picture = picture;
     layout.columns = columns > 0 ? std::min(columns, moments) : evenColumns(moments);
     layout.rows = (moments + layout.columns - 1) / layout.columns;
-    layout.gap = std::max(picture.width / 80, 2);
+    layout.margin = layout.gap = std::max(picture.width / 80, 2);
     layout.width = layout.gap + layout.columns * (picture.width + layout.gap);
     if (labels) layout.label = labelHeight(layout.width, picture.width);
     layout.height = layout.gap + layout.rows * (picture.height + layout.labelRoom() + layout.gap);
@@ -70,18 +69,37 @@ render::Image stripPaper(const StripLayout& layout, const render::Color& ground)
     return paper;
 }
 
-void placeMoment(const StripLayout& layout, int moment, const render::Image& picture,
-                 const std::string& label, const render::Color& ink, render::Image& paper) {
+void placePicture(const StripLayout& layout, int moment, const render::Image& picture,
+                  render::Image& paper) {
     const int left = layout.left(moment), top = layout.top(moment);
     for (int row = 0; row < picture.height; ++row)
         std::copy_n(picture.at(0, row), 4 * picture.width, paper.at(left, top + row));
+}
+
+void placeLines(const StripLayout& layout, int moment, const std::vector<std::string>& lines,
+                render::Anchor anchor, const render::Color& ink, render::Image& paper) {
+    const float wide = static_cast<float>(layout.picture.width);
+    const float pixels = static_cast<float>(layout.label);
+    const float x = static_cast<float>(layout.left(moment)) +
+                    (anchor == render::Anchor::middle ? 0.5f * wide : 0.0f);
+    float y = static_cast<float>(layout.top(moment) + layout.picture.height) + 1.15f * pixels;
+    for (const std::string& line : lines) {
+        render::drawLabel(paper, line, {x, y}, anchor, pixels, ink);
+        y += static_cast<float>(layout.lineHeight());
+    }
+}
+
+void placeMoment(const StripLayout& layout, int moment, const render::Image& picture,
+                 const std::string& label, const render::Color& ink, render::Image& paper) {
+    placePicture(layout, moment, picture, paper);
     if (layout.label == 0) return;
     const float wide = static_cast<float>(picture.width);
     float pixels = static_cast<float>(layout.label);
     pixels = std::min(pixels, pixels * wide / std::max(render::textWidth(label, pixels), 1.0f));
-    const float baseline = static_cast<float>(top + picture.height) + 1.15f * pixels;
-    render::drawLabel(paper, label, {static_cast<float>(left) + 0.5f * wide, baseline},
-                      render::Anchor::middle, pixels, ink);
+    const float baseline =
+        static_cast<float>(layout.top(moment) + picture.height) + 1.15f * pixels;
+    const float middle = static_cast<float>(layout.left(moment)) + 0.5f * wide;
+    render::drawLabel(paper, label, {middle, baseline}, render::Anchor::middle, pixels, ink);
 }
 
 }  // namespace demos

@@ -1,9 +1,11 @@
 /// Moments of a film side by side, each with its time below: for paper and slides.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "demos/options.h"
 #include "demos/report/inks.h"
+#include "render/canvas.h"
 #include "render/image.h"
 
 namespace demos {
@@ -12,15 +14,22 @@ namespace demos {
 struct StripLayout {
     int moments = 0, columns = 0, rows = 0;
     PictureSize picture;
-    int gap = 0;    // around every picture
-    int label = 0;  // height of a line of text; 0 = none
+    int margin = 0;  // around all of them
+    int gap = 0;     // between two
+    int label = 0;   // height of a line of text; 0 = none
+    int lines = 1;   // of text below each
     int width = 0, height = 0;
 
-    int left(int moment) const { return gap + moment % columns * (picture.width + gap); }
-    int top(int moment) const {
-        return gap + moment / columns * (picture.height + labelRoom() + gap);
+    /// The outer ones touch the margins, whatever the division leaves over.
+    int left(int moment) const {
+        const int last = columns > 1 ? columns - 1 : 1;
+        return margin + moment % columns * (width - 2 * margin - picture.width) / last;
     }
-    int labelRoom() const { return label > 0 ? label + label / 2 : 0; }
+    int top(int moment) const {
+        return margin + moment / columns * (picture.height + labelRoom() + gap);
+    }
+    int lineHeight() const { return label + label / 5; }
+    int labelRoom() const { return label > 0 ? label + label / 2 + (lines - 1) * lineHeight() : 0; }
 };
 
 /// `columns` 0: up to six, as even as can be. Throws Stop (usage) where the whole would be larger
@@ -30,7 +39,15 @@ StripLayout stripLayout(int moments, int columns, PictureSize picture, bool labe
 /// The empty paper.
 render::Image stripPaper(const StripLayout& layout, const render::Color& ground);
 
-/// Puts a picture in its place, its label in the middle below it.
+/// Puts a picture in its place.
+void placePicture(const StripLayout& layout, int moment, const render::Image& picture,
+                  render::Image& paper);
+
+/// Lines of text below it, in the middle or from its left edge.
+void placeLines(const StripLayout& layout, int moment, const std::vector<std::string>& lines,
+                render::Anchor anchor, const render::Color& ink, render::Image& paper);
+
+/// Puts a picture in its place, its label in the middle below it, smaller where it is too wide.
 void placeMoment(const StripLayout& layout, int moment, const render::Image& picture,
                  const std::string& label, const render::Color& ink, render::Image& paper);
 

@@ -32,7 +32,7 @@ float tallPlate(int width, int height, const render::Frame& frame) {
         const bool right = plate.corner == render::Corner::topRight ||
                            plate.corner == render::Corner::bottomRight;
         if (!right || plate.rows.size() < kTallPlate) continue;
-        const auto letters = static_cast<float>(render::textPixels(plate.size, width, height));
+        const auto letters = static_cast<float>(render::textPixels(plate.size, frame.look, width, height));
         return (kPlateWidth * letters + render::cornerMargin(width, height)) /
                static_cast<float>(width);
     }

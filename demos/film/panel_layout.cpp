@@ -35,4 +35,8 @@ PanelLayout panelLayout(int panels, bool strip, int width, int height) {
     return layout;
 }
 
+PanelLayout layoutWithStrip(int width, int height, int strip) {
+    return {width, height + strip, {{0, 0, width, height}}, {0, height, width, strip}};
+}
+
 }  // namespace demos

@@ -20,4 +20,8 @@ struct PanelLayout {
 /// that every codec takes them.
 PanelLayout panelLayout(int panels, bool strip, int width, int height);
 
+/// A picture that keeps its size, with a plot of so many pixels below it: for paper, where a plot's
+/// letters need the room.
+PanelLayout layoutWithStrip(int width, int height, int strip);
+
 }  // namespace demos

@@ -25,10 +25,11 @@ Chart playedChart(const SceneDescription& scene) {
     return chart;
 }
 
-void addStrip(const std::vector<Chart>& charts, FilmPlan& plan) {
+void addStrip(const std::vector<Chart>& charts, FilmPlan& plan, const Paper& paper) {
     const PictureSize size{plan.layout.strip.width, plan.layout.strip.height};
-    plan.strip = imageOf(charts, size, plan.panels.front().overlays.theme);
-    const Page page = pageOf(charts, size);
+    const std::string& theme = plan.panels.front().overlays.theme;
+    plan.strip = imageOf(charts, size, theme, paper);
+    const Page page = pageOf(charts, size, paper);
     plan.cursor = {page.plots[0].xOf(0.0), page.plots[0].xOf(plan.scene().seconds),
                    page.plots[0].top, page.plots[0].bottom};
 }

@@ -12,6 +12,6 @@ namespace demos {
 Chart playedChart(const SceneDescription& scene);
 
 /// The plan has room for it. The charts' x axis is the time.
-void addStrip(const std::vector<Chart>& charts, FilmPlan& plan);
+void addStrip(const std::vector<Chart>& charts, FilmPlan& plan, const Paper& paper = {});
 
 }  // namespace demos

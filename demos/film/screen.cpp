@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-constexpr std::uint8_t kWhite = 255;
+constexpr std::uint8_t kWhite = 255, kHalf = 128;
 
 void place(const render::Image& part, int x, int y, render::Image& whole) {
     for (int row = 0; row < part.height; ++row)
@@ -33,11 +33,11 @@ void drawBorder(const Area& at, render::Image& whole) {
 void drawCursor(int x, int top, int bottom, render::Image& whole) {
     const int width = std::max(whole.height / 360, 1);
     for (int column = x; column < std::min(x + width, whole.width); ++column)
-        for (int y = top; y < bottom; ++y)
-            for (int c = 0; c < 3; ++c) {
-                std::uint8_t& value = whole.at(column, y)[c];
-                value = static_cast<std::uint8_t>((value + 128) / 2);
-            }
+        for (int y = top; y < bottom; ++y) {
+            std::uint8_t* pixel = whole.at(column, y);
+            for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>((pixel[c] + 128) / 2);
+            pixel[3] = std::max(pixel[3], kHalf);  // on a strip without a ground
+        }
 }
 
 /// A cut falls between two pictures: a shutter that was open across it looks from behind it all the
@@ -73,7 +73,7 @@ render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) 
     render::Image whole = emptyPicture(plan);
     const Area& at = plan.layout.panels.front();
     place(panel, at.x, at.y, whole);
-    drawBorder(at, whole);
+    if (!plan.alpha()) drawBorder(at, whole);
     placeStrip(plan, time, whole);
     return whole;
 }
@@ -142,6 +142,13 @@ render::Frame Screen::plainFrame(int frame) const {
     render::Frame plain = snapshot(stage(), none, time, shows_.front()->player.history());
     plain.camera = frameOf(*shows_.front(), time).camera;  // beside what is written on the picture
     return plain;
+}
+
+render::Frame Screen::frameWith(const Overlays& overlays, int frame) const {
+    render::Frame shown =
+        snapshot(stage(), overlays, plan_.timeOf(frame), shows_.front()->player.history());
+    fitCamera(plan_.picture.width, plan_.picture.height, shown);
+    return shown;
 }
 
 std::uint64_t Screen::hash() const {

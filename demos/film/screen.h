@@ -24,6 +24,8 @@ public:
     render::Image draw(int frame, render::Renderer& renderer);
     /// What the data passes show: the first panel without overlays.
     render::Frame plainFrame(int frame) const;
+    /// The first panel with others than its own.
+    render::Frame frameWith(const Overlays& overlays, int frame) const;
     const Stage& stage() const { return shows_.front()->player.stage(); }
     /// `watcher` sees the first panel's stage after every step from now on.
     void watchSteps(std::function<void(const Stage&)> watcher) { watcher_ = std::move(watcher); }

@@ -8,7 +8,9 @@ namespace demos {
 struct PageText {
     std::string before, after;  // the data
 };
-PageText reportPageText();  // demos/regression/page
-PageText replayPageText();  // demos/export/page
+PageText reportPageText();   // demos/regression/page
+PageText replayPageText();   // demos/export/page
+PageText galleryPageText();  // demos/gallery/page
+PageText slidesPageText();   // demos/slides/page
 
 }  // namespace demos

@@ -7,19 +7,13 @@
 #include "demos/film/progress.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
+#include "demos/scene/solver_settings.h"
 #include "demos/text_hash.h"
 #include "demos/version.h"
 #include "render/driver_environment.h"
 
 namespace demos {
 namespace {
-
-std::string truth(bool value) { return value ? "true" : "false"; }
-
-std::string methodName(engine::Method method) {
-    static constexpr const char* kNames[] = {"impulses", "pgs", "pgs-matrix", "direct"};
-    return kNames[static_cast<int>(method)];
-}
 
 /// What the file and all it reads say; not how.
 std::string fileHash(const SceneDescription& scene, const std::string& name) {
@@ -29,27 +23,6 @@ std::string fileHash(const SceneDescription& scene, const std::string& name) {
         hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));
     hash.add(std::to_string(scene.contents));
     return hexText(hash.value());
-}
-
-void addSolver(const engine::Settings& s, Settings& out) {
-    const auto add = [&out](const char* key, const std::string& value) {
-        out.emplace_back(std::string("solver.") + key, value);
-    };
-    add("type", methodName(s.method));
-    add("substeps", std::to_string(s.substeps));
-    add("sweeps", std::to_string(s.sweeps));
-    add("min_sweeps", std::to_string(s.minSweeps));
-    add("tolerance", numberText(s.tolerance));
-    add("nudges", std::to_string(s.nudges));
-    add("nudge_factor", numberText(s.nudgeFactor));
-    add("slop", numberText(s.slop));
-    add("baumgarte", numberText(s.baumgarte));
-    add("order", s.order == engine::Order::gravity ? "gravity" : "pairs");
-    add("block", truth(s.block));
-    add("joints", s.joints == engine::JointSolving::direct ? "direct" : "rows");
-    add("warm_start", truth(s.warmStart));
-    add("accumulate", truth(s.accumulate));
-    add("sleeping", truth(s.sleeping));
 }
 
 }  // namespace
@@ -67,7 +40,7 @@ Settings settingsOf(const FilmPlan& plan, const std::string& scene, const std::s
     out.emplace_back("world.seed", std::to_string(s.seed));
     out.emplace_back("seconds", numberText(s.seconds));
     out.emplace_back("solver.preset", s.preset);
-    addSolver(s.settings, out);
+    for (const auto& setting : solverSettings(s.settings)) out.push_back(setting);
     out.emplace_back("snapshot.size",
                      fmt::format("{}x{}", plan.picture.width, plan.picture.height));
     out.emplace_back("samples", std::to_string(plan.picture.samples));

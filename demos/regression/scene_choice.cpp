@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isBuiltin(const std::string& name) {
-    const auto scenes = builtinScenes();
-    return std::any_of(scenes.begin(), scenes.end(),
-                       [&name](const BuiltinScene& scene) { return scene.name == name; });
-}
-
 /// The folder that holds a scene's NAME.snapshots.
 fs::path homeOf(const std::string& scene, const Options& options) {
     if (!options.baselines.empty()) return options.baselines;

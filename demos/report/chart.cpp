@@ -25,7 +25,8 @@ public:
     Pen(const Page& page, PictureSize size, const std::string& theme)
         : page_(page), inks_(inksOf(theme)), width_(static_cast<float>(size.width)) {
         drawing_.size = size;
-        add(Rectangle{{0, 0}, width_, static_cast<float>(size.height), inks_.ground});
+        if (theme != "transparent")
+            add(Rectangle{{0, 0}, width_, static_cast<float>(size.height), inks_.ground});
     }
 
     void draw(const Chart& chart, const Plot& plot) {
@@ -49,11 +50,12 @@ private:
         if (!text.empty()) drawing_.labels.push_back({std::move(text), at, anchor, pixels, color});
     }
     float hair() const { return std::max(std::round(1.2f * page_.unit), 1.0f); }
-    float lineWidth() const { return std::max(2.6f * page_.unit, 1.4f); }
+    float lineWidth() const { return std::max(kLineWidth * page_.unit, 1.4f); }
 
     void drawTitles(const Chart& chart, const Plot& plot) {
         const float room = width_ - 2.0f * page_.margin;
-        add(fitted(printable(chart.title), page_.title, room), {page_.margin, plot.titleBase},
+        const auto fit = page_.onPaper ? fittedTitle : fitted;  // a caption has the rest
+        add(fit(printable(chart.title), page_.title, room), {page_.margin, plot.titleBase},
             Anchor::start, page_.title, inks_.ink);
         add(fitted(plot.yText, page_.text, room), {page_.margin, plot.yTitleBase}, Anchor::start,
             page_.text, inks_.muted);
@@ -161,13 +163,28 @@ PictureSize chartSize(std::size_t count) {
     return {1280, std::min(std::max(360 * charts, 720), most)};
 }
 
+PictureSize chartSize(std::size_t count, const Paper& paper, std::optional<PictureSize> ratio) {
+    if (ratio) return figureSize(paper, *ratio);
+    constexpr double kLeast = 38.0;  // mm a chart: as much again as its title, units and ticks take
+    const double charts = static_cast<double>(std::max<std::size_t>(count, 1));
+    const double each = std::max((charts > 1 ? 9.0 / 32.0 : 9.0 / 16.0) * paper.width, kLeast);
+    return figureSize(paper, {paper.pixels(), paper.pixelsOf(charts * each)});
+}
+
+PictureSize chartBelow(const Paper& paper) {
+    const PictureSize two = chartSize(2, paper, std::nullopt);
+    return {two.width, two.height / 2};
+}
+
 Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
-                  float type) {
-    if (charts.empty()) return drawingOf({Chart{}}, size, theme, type);
-    const Page page = pageOf(charts, size, type);
+                  const Paper& paper) {
+    if (charts.empty()) return drawingOf({Chart{}}, size, theme, paper);
+    const Page page = pageOf(charts, size, paper);
     Pen pen(page, size, theme);
     for (std::size_t i = 0; i < charts.size(); ++i) pen.draw(charts[i], page.plots[i]);
-    return pen.finish();
+    Drawing drawing = pen.finish();
+    drawing.millimetres = paper.width;
+    return drawing;
 }
 
 }  // namespace demos

@@ -1,8 +1,10 @@
 /// Line charts as plain data, and as pictures: SVG for slides and papers, pixels for PNG.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "demos/figure/paper.h"
 #include "demos/options.h"
 #include "render/image.h"
 
@@ -27,11 +29,17 @@ bool hasData(const Chart& chart);
 /// Room for charts below each other that read from the back of a room.
 PictureSize chartSize(std::size_t count);
 
-/// The charts below each other, sharing the width. `theme`: one of themeNames(). `type`: letters and
-/// lines so many times as large as on paper.
+/// The same for paper, high enough for its type; `ratio`: of the whole page, where one is asked for.
+PictureSize chartSize(std::size_t count, const Paper& paper, std::optional<PictureSize> ratio);
+
+/// Of one chart below pictures.
+PictureSize chartBelow(const Paper& paper);
+
+/// The charts below each other, sharing the width. `theme`: one of themeNames(); transparent ones
+/// have no ground. `paper`: decides about type and lines; those for a screen go by the size.
 std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
-                  float type = 1.0f);
+                  const Paper& paper = {});
 render::Image imageOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
-                      float type = 1.0f);
+                      const Paper& paper = {});
 
 }  // namespace demos

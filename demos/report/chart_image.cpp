@@ -16,8 +16,8 @@ render::Image imageOf(const Drawing& drawing) {
 }
 
 render::Image imageOf(const std::vector<Chart>& charts, PictureSize size,
-                      const std::string& theme, float type) {
-    return imageOf(drawingOf(charts, size, theme, type));
+                      const std::string& theme, const Paper& paper) {
+    return imageOf(drawingOf(charts, size, theme, paper));
 }
 
 }  // namespace demos

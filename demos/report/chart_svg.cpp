@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/figure/type.h"
 #include "demos/report/drawing.h"
 
 namespace demos {
 namespace {
-
-/// SVG gives a font's em; DejaVu Sans is 1901 + 483 units from cap to descender, its em 2048.
-constexpr float kEmShare = 2048.0f / 2384.0f;
 
 std::string escaped(const std::string& text) {
     std::string result;
@@ -68,17 +66,26 @@ std::string svgText(const Label& label) {
     return fmt::format(
         "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" "
         "text-anchor=\"{}\" {}>{}</text>\n",
-        label.at.x, label.at.y, kEmShare * label.pixels, kAnchors[static_cast<int>(label.anchor)],
+        label.at.x, label.at.y, static_cast<float>(kEmShare) * label.pixels, kAnchors[static_cast<int>(label.anchor)],
         paint("fill", label.color), escaped(label.text));
+}
+
+/// On paper its coordinates stay pixels.
+std::string sizeText(const Drawing& drawing) {
+    const auto [width, height] = drawing.size;
+    if (!(drawing.millimetres > 0.0))
+        return fmt::format("width=\"{}\" height=\"{}\"", width, height);
+    return fmt::format("width=\"{:g}mm\" height=\"{:.3f}mm\"", drawing.millimetres,
+                       drawing.millimetres * height / width);
 }
 
 }  // namespace
 
 std::string svgOf(const Drawing& drawing) {
     std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\">\n",
-        drawing.size.width, drawing.size.height);
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" {} "
+        "viewBox=\"0 0 {} {}\" font-family=\"DejaVu Sans, sans-serif\">\n",
+        sizeText(drawing), drawing.size.width, drawing.size.height);
     for (const Rectangle& rectangle : drawing.rectangles) svg += svgText(rectangle);
     svg += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     for (const Line& line : drawing.lines) svg += svgText(line);
@@ -88,8 +95,8 @@ std::string svgOf(const Drawing& drawing) {
 }
 
 std::string svgOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
-                  float type) {
-    return svgOf(drawingOf(charts, size, theme, type));
+                  const Paper& paper) {
+    return svgOf(drawingOf(charts, size, theme, paper));
 }
 
 }  // namespace demos

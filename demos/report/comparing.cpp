@@ -9,8 +9,6 @@
 namespace demos {
 namespace {
 
-constexpr std::size_t kMostPanels = 4;
-
 Comparing comparingOf(const Comparison& comparison, const Options& options) {
     Comparing plan{options, comparison.name, comparison.point, comparison.plot, {}};
     plan.options.scenes = {comparison.scene};
@@ -69,7 +67,7 @@ Comparing comparingOf(const Options& options) {
         labels.push_back(label);
         settings.push_back(own);
     }
-    if (settings.size() < 2 || settings.size() > kMostPanels)
+    if (settings.size() < 2 || settings.size() > kMostCompared)
         throw Stop(Exit::usage,
                    fmt::format("{} to compare; give two to four, for example --vary "
                                "solver.sweeps=1,4,16; built in: see impulse compare --list",

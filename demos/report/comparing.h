@@ -8,6 +8,9 @@
 
 namespace demos {
 
+/// Side by side in one film.
+inline constexpr std::size_t kMostCompared = 4;
+
 struct Comparing {
     Options options;  // with the built-in comparison's scene and length
     std::string name, point;

@@ -89,4 +89,17 @@ std::string fitted(const std::string& text, float pixels, float room) {
     return {};
 }
 
+std::string fittedTitle(const std::string& text, float pixels, float room) {
+    std::string title = text;
+    while (render::textWidth(title, pixels) > room) {
+        const std::size_t comma = title.rfind(", "), bracket = title.rfind(" (");
+        const std::size_t cut = comma == std::string::npos     ? bracket
+                                : bracket == std::string::npos ? comma
+                                                               : std::max(comma, bracket);
+        if (cut == std::string::npos || cut == 0) return fitted(text, pixels, room);
+        title.resize(cut);
+    }
+    return title;
+}
+
 }  // namespace demos

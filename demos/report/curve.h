@@ -19,4 +19,7 @@ std::vector<float> separated(const std::vector<float>& wanted, float spacing, fl
 /// The text, or as much of it as has room, with an ellipsis.
 std::string fitted(const std::string& text, float pixels, float room);
 
+/// The same, but what comes after its last commas and brackets goes first.
+std::string fittedTitle(const std::string& text, float pixels, float room);
+
 }  // namespace demos

@@ -33,13 +33,14 @@ struct Label {
 /// Rectangles below, lines upon them, labels on top, each in their order.
 struct Drawing {
     PictureSize size;
+    double millimetres = 0.0;  // of its width on paper; 0 = not known
     std::vector<Rectangle> rectangles;
     std::vector<Line> lines;
     std::vector<Label> labels;
 };
 
 Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
-                  float type = 1.0f);
+                  const Paper& paper = {});
 
 std::string svgOf(const Drawing& drawing);      // chart_svg.cpp
 render::Image imageOf(const Drawing& drawing);  // chart_image.cpp

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/figure/type.h"
 #include "demos/report/curve.h"
 #include "demos/scene/complaints.h"
 #include "render/overlay.h"
@@ -105,8 +106,7 @@ void chooseLabels(Plot& plot, const Chart& chart, const Page& page) {
     const float room = plot.bottom - plot.top;
     const float share =
         room / (kLineSpacing * static_cast<float>(std::max<std::size_t>(plot.labels.size(), 1)));
-    const float least = std::max(std::round(0.7f * page.text), kSmallestText);
-    plot.labelPixels = std::clamp(std::floor(share), least, page.text);
+    plot.labelPixels = std::clamp(std::floor(share), page.leastLabel, page.text);
     const auto most =
         static_cast<std::size_t>(std::max(room / (kLineSpacing * plot.labelPixels), 1.0f));
     if (plot.labels.size() <= most) return;
@@ -139,6 +139,26 @@ Plot plotOf(const Chart& chart, const Ranges& ranges, const Page& page, float to
     return plot;
 }
 
+/// Letters and lines, by the page's size or in points; `height`: pixels a chart.
+Page emptyPage(float width, float height, const Paper& paper) {
+    Page page;
+    if (paper.given()) {
+        const double scale = paper.pixelsPerPoint();
+        page.unit = static_cast<float>(kCurvePoints * scale) / kLineWidth;
+        page.text = static_cast<float>(letterPixels(kLabelPoints, scale));
+        page.title = static_cast<float>(letterPixels(kTitlePoints, scale));
+        page.leastLabel = page.text;
+        page.onPaper = true;
+    } else {
+        page.unit = static_cast<float>(paper.type) * std::min(width / 1280.0f, height / 240.0f);
+        page.text = std::max(std::round(20.0f * page.unit), kSmallestText);
+        page.title = std::round(1.3f * page.text);
+        page.leastLabel = std::max(std::round(0.7f * page.text), kSmallestText);
+    }
+    page.margin = 0.9f * page.text;
+    return page;
+}
+
 /// What stands to the right of the lines: labels, and the x axis's title beside its ticks.
 float rightRoom(const Plot& plot, const Page& page) {
     float room = plot.xText.empty() ? page.text
@@ -156,15 +176,11 @@ bool isDrawable(const Chart& chart, const Series& series, std::size_t sample) {
     return !chart.logY || y >= kSmallest;
 }
 
-Page pageOf(const std::vector<Chart>& charts, PictureSize size, float type) {
+Page pageOf(const std::vector<Chart>& charts, PictureSize size, const Paper& paper) {
     const float width = static_cast<float>(size.width);
     const float height = static_cast<float>(size.height) /
                          static_cast<float>(std::max<std::size_t>(charts.size(), 1));
-    Page page;
-    page.unit = type * std::min(width / 1280.0f, height / 240.0f);
-    page.text = std::max(std::round(20.0f * page.unit), kSmallestText);
-    page.title = std::round(1.3f * page.text);
-    page.margin = 0.9f * page.text;
+    Page page = emptyPage(width, height, paper);
     std::vector<Ranges> ranges;
     float left = 0.0f, right = 0.0f;
     for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -174,7 +190,7 @@ Page pageOf(const std::vector<Chart>& charts, PictureSize size, float type) {
         left = std::max(left, widest(page.plots[i].y.texts, page.text) + 0.6f * page.text);
         right = std::max(right, rightRoom(page.plots[i], page));
     }
-    right = std::min(right, 0.3f * width);
+    right = std::min(right, (paper.type > 1.0 ? 0.4f : 0.3f) * width);
     for (std::size_t i = 0; i < charts.size(); ++i) {
         Plot& plot = page.plots[i];
         plot.left = std::round(page.margin + left);

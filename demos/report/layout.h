@@ -38,13 +38,17 @@ struct Plot {
     }
 };
 
+inline constexpr float kLineWidth = 2.6f;  // pixels of a line where Page::unit is 1
+
 struct Page {
     float unit = 1.0f;                  // 1 in a picture 1280 pixels wide
     float text = 20.0f, title = 26.0f;  // pixels, whole
+    bool onPaper = false;
+    float leastLabel = 14.0f;           // pixels, whole: so far letters at the lines' ends shrink
     float margin = 18.0f;
     std::vector<Plot> plots;  // as many as charts; they share left and right
 };
 
-Page pageOf(const std::vector<Chart>& charts, PictureSize size, float type = 1.0f);
+Page pageOf(const std::vector<Chart>& charts, PictureSize size, const Paper& paper = {});
 
 }  // namespace demos

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <span>
+#include <algorithm>
 
 #include "demos/commands/table.h"
 #include "demos/scene/complaints.h"
@@ -16,6 +15,19 @@ namespace {
 
 constexpr double kMostPixels = 64e6;  // of a PNG: 256 MB, and as much again while it is packed
 
+/// A .png keeps all its pixels in memory.
+void checkPixels(const std::string& file, PictureSize size, const Paper& paper) {
+    if (!file.ends_with(".png") || static_cast<double>(size.width) * size.height <= kMostPixels)
+        return;
+    throw Stop(Exit::usage,
+               fmt::format("{} {}x{}: a .png plot has at most {:.0f} million pixels; an .svg has no "
+                           "such limit",
+                           paper.given() ? "--width and --dpi make" : "--size", size.width,
+                           size.height, kMostPixels / 1e6));
+}
+
+}  // namespace
+
 std::vector<Chart> chartsOf(const Recorder& recorder, const PlotChoice& choice) {
     if (!choice.what.empty()) return recorder.charts(choice.what);
     std::vector<Chart> charts =
@@ -24,11 +36,13 @@ std::vector<Chart> chartsOf(const Recorder& recorder, const PlotChoice& choice) 
     return charts;
 }
 
-}  // namespace
+PictureSize sizeOf(std::size_t charts, const PlotChoice& choice) {
+    if (choice.paper.given()) return chartSize(charts, choice.paper, choice.size);
+    return choice.size.value_or(chartSize(charts));
+}
 
 PlotChoice plotChoiceOf(const Options& options, const SceneDescription& scene) {
-    const std::string theme = options.theme.empty() ? scene.look.theme : options.theme;
-    return {options.what, options.size, theme.empty() ? "studio" : theme};
+    return {options.what, options.size, themeOf(scene, options), paperOf(options)};
 }
 
 void checkChartFile(const std::string& file) {
@@ -38,29 +52,30 @@ void checkChartFile(const std::string& file) {
     render::checkReplaceable(file);
 }
 
+std::vector<std::uint8_t> chartBytes(const std::string& file, const std::vector<Chart>& charts,
+                                     PictureSize size, const std::string& theme,
+                                     const Paper& paper) {
+    checkPixels(file, size, paper);
+    if (file.ends_with(".png"))
+        return render::encodePng(imageOf(charts, size, theme, paper),
+                                 paper.given() ? paper.dpi : 0);
+    const std::string svg = svgOf(charts, size, theme, paper);
+    return {svg.begin(), svg.end()};
+}
+
 void writeCharts(const std::string& file, const std::vector<Chart>& charts, PictureSize size,
                  const std::string& theme) {
-    if (file.ends_with(".png")) {
-        writeResult(file, render::encodePng(imageOf(charts, size, theme)));
-        return;
-    }
-    const std::string svg = svgOf(charts, size, theme);
-    writeResult(file, {reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()});
+    writeResult(file, chartBytes(file, charts, size, theme));
 }
 
 void checkPlotFile(const std::string& file, const PlotChoice& choice) {
-    if (file.ends_with(".png") && choice.size &&
-        static_cast<double>(choice.size->width) * choice.size->height > kMostPixels)
-        throw Stop(Exit::usage,
-                   fmt::format("--size {}x{}: a .png plot has at most {:.0f} million pixels; an "
-                               ".svg has no such limit",
-                               choice.size->width, choice.size->height, kMostPixels / 1e6));
+    checkPixels(file, sizeOf(std::max<std::size_t>(choice.what.size(), 1), choice), choice.paper);
     checkChartFile(file);
 }
 
 std::size_t writePlot(const std::string& file, const Recorder& recorder, const PlotChoice& choice) {
     const std::vector<Chart> charts = chartsOf(recorder, choice);
-    writeCharts(file, charts, choice.size.value_or(chartSize(charts.size())), choice.theme);
+    writeCharts(file, charts, sizeOf(charts.size(), choice), choice.theme);
     return charts.size();
 }
 

@@ -92,8 +92,8 @@ std::vector<std::string> valuesIn(const Range& range) {
 }
 
 /// The settings that are not in all of them.
-std::string labelOf(const std::vector<std::string>& settings,
-                    const std::vector<std::vector<std::string>>& all) {
+std::string unshared(const std::vector<std::string>& settings,
+                     const std::vector<std::vector<std::string>>& all) {
     std::string label;
     for (const std::string& setting : settings) {
         const bool shared = std::all_of(all.begin(), all.end(), [&](const auto& other) {
@@ -104,6 +104,12 @@ std::string labelOf(const std::vector<std::string>& settings,
         label += (label.empty() ? "" : ", ") +
                  (dot == std::string::npos ? setting : setting.substr(dot + 1));
     }
+    return label;
+}
+
+std::string labelOf(const std::vector<std::string>& settings,
+                    const std::vector<std::vector<std::string>>& all) {
+    const std::string label = unshared(settings, all);
     return label.empty() ? "as it is" : label;
 }
 
@@ -155,6 +161,12 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Variation>&
         all = std::move(longer);
     }
     return all;
+}
+
+std::string differencesOf(const std::vector<Variant>& variants, std::size_t number) {
+    std::vector<std::vector<std::string>> all;
+    for (const Variant& variant : variants) all.push_back(variant.settings);
+    return unshared(all[number], all);
 }
 
 std::vector<Variant> variantsOf(const Options& options,

@@ -35,4 +35,7 @@ std::vector<Variant> variantsOf(const Options& options,
                                 const std::vector<std::vector<std::string>>& settings,
                                 const std::vector<std::string>& labels, const std::string& option);
 
+/// "nudges=0, slop=0.01": what this one does not share with all of them; may be empty.
+std::string differencesOf(const std::vector<Variant>& variants, std::size_t number);
+
 }  // namespace demos

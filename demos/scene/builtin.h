@@ -12,4 +12,10 @@ struct BuiltinScene {
 /// Sorted by name.
 std::span<const BuiltinScene> builtinScenes();
 
+inline bool isBuiltin(std::string_view name) {
+    for (const BuiltinScene& scene : builtinScenes())
+        if (scene.name == name) return true;
+    return false;
+}
+
 }  // namespace demos

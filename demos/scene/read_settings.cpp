@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "demos/scene/read_parts.h"
+#include "demos/scene/solver_settings.h"
 
 namespace demos {
 namespace {
@@ -15,9 +16,7 @@ void set(To& to, const std::optional<From>& from) {
 
 engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
     set(scene.preset, keys.word("preset", {"steady", "fast", "seed"}));
-    return scene.preset == "seed"   ? engine::Settings::seed()
-           : scene.preset == "fast" ? engine::Settings::fast()
-                                    : engine::Settings::steady();
+    return presetCalled(scene.preset);
 }
 
 void readMethod(Keys& keys, engine::Settings& s) {

@@ -8,20 +8,26 @@
 
 namespace demos {
 
-/// One page with everything in it.  (slides_page.cpp)
+/// One page with everything in it. Throws render::Error where a film cannot be read, FormulaError.
+/// (slides_page.cpp)
 std::string slidesPage(const MadeDeck& deck);
 
-/// index.html beside its films and pictures, notes.md, talk.tex (Beamer), talk.md (Marp),
-/// sections.json. Returns their names.  (slides_folder.cpp)
+/// index.html beside its films and pictures in media/, notes.md, talk.tex (Beamer), talk.md (Marp),
+/// sections.json. Returns their names. Replaces and removes only what a slides run has made, as
+/// sections.json lists it; throws Stop (wouldOverwrite) for others in their place, before anything
+/// is changed; render::Error.  (slides_folder.cpp)
 std::vector<std::filesystem::path> writeSlidesFolder(const MadeDeck& deck,
                                                      const std::filesystem::path& folder);
+
+/// What of this can be known before a deck is made: throws Stop (wouldOverwrite) where the folder
+/// has files and may not be written to.  (slides_folder.cpp)
+void checkSlidesFolder(const std::filesystem::path& folder, bool overwrite);
 
 /// A poster a page, by a headless Chromium. Throws render::Error, also where there is none: what to
 /// install.  (slides_pdf.cpp)
 void writeSlidesPdf(const MadeDeck& deck, const std::filesystem::path& file);
 
-/// (beamer.cpp, marp.cpp, speaker_notes.cpp) `media`: how a slide's pictures and films are called
-/// from there.
+/// With media/ beside them.  (beamer.cpp, marp.cpp, speaker_notes.cpp)
 std::string beamerOf(const MadeDeck& deck);
 std::string marpOf(const MadeDeck& deck);
 std::string speakerNotesOf(const MadeDeck& deck);

@@ -19,7 +19,7 @@ struct MadePicture {
 };
 
 struct MadeFilm {
-    std::filesystem::path file;  // an .mp4 in the folder of the making; empty: no ffmpeg
+    std::filesystem::path file;  // an .mp4 in the folder of the making; empty: none is made
     int frames = 0;
     int fps = 30;             // of the film as it plays
     double first = 0.0;       // s of the run, at the first frame

@@ -54,9 +54,10 @@ Scaled scaleOf(double value, const std::string& unit) {
 }
 
 std::string withoutZeros(std::string text) {
-    if (text.find('.') == std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
+    if (text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') text.pop_back();
+    }
     return text == "-0" ? "0" : text;
 }
 

@@ -35,8 +35,8 @@ std::vector<Chart> chartsOf(const Slide& slide, const Cast& cast, const Recorder
 MadePicture chartPicture(const Chart& chart, const std::string& theme) {
     MadePicture picture;
     picture.size = kSlideChart;
-    picture.png = render::encodePng(imageOf({chart}, kSlideChart, theme, kSlideChartType));
-    picture.svg = svgOf({chart}, kSlideChart, theme, kSlideChartType);
+    picture.png = render::encodePng(imageOf({chart}, kSlideChart, theme, kSlideChartPaper));
+    picture.svg = svgOf({chart}, kSlideChart, theme, kSlideChartPaper);
     picture.says = saysOf(chart);
     return picture;
 }

@@ -12,7 +12,7 @@ namespace demos {
 
 /// Half a slide, in pixels; type and lines are so many times those of a chart on paper.
 constexpr PictureSize kSlideChart{860, 540};
-constexpr float kSlideChartType = 1.8f;
+inline constexpr Paper kSlideChartPaper{.type = 1.8};
 
 /// One run: `recorder` has seen it. Several: a line a run, or over the values of a sweep.
 std::vector<Chart> chartsOf(const Slide& slide, const Cast& cast, const Recorder& recorder,

@@ -14,12 +14,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
-#include <filesystem>
 #include <string_view>
 #include <system_error>
 #include <thread>
 
 #include "render/encode/file.h"
+#include "render/encode/program_path.h"
 #include "render/error.h"
 
 extern char** environ;
@@ -266,22 +266,6 @@ std::chrono::milliseconds ffmpegPatience() {
     return std::chrono::milliseconds(asked >= 1 && asked <= kMost ? asked : kDefault);
 }
 
-bool haveFfmpeg() {
-    const char* variable = std::getenv("PATH");
-    std::string_view folders = variable ? variable : "/bin:/usr/bin";
-    while (true) {
-        const std::size_t colon = folders.find(':');
-        const std::filesystem::path folder =
-            colon == 0 || folders.empty() ? "." : folders.substr(0, colon);
-        const std::filesystem::path program = folder / "ffmpeg";
-        std::error_code ignored;
-        if (::access(program.c_str(), X_OK) == 0 &&
-            std::filesystem::is_regular_file(program, ignored)) {
-            return true;
-        }
-        if (colon == std::string_view::npos) return false;
-        folders.remove_prefix(colon + 1);
-    }
-}
+bool haveFfmpeg() { return programPath("ffmpeg").has_value(); }
 
 }  // namespace render

@@ -35,6 +35,18 @@ int writeAll(int file, std::span<const std::uint8_t> bytes) {
 /// Linux has released the number by then, and another thread may own it.
 int closeFile(int file) { return ::close(file) == 0 || errno == EINTR ? 0 : errno; }
 
+/// Under the name that it carries until it is whole.
+void writeTemporary(const NamedBytes& content) {
+    const fs::path temporary = temporaryNameFor(content.path);
+    const int file = createTemporary(temporary, content.path);
+    int error = writeAll(file, content.bytes);
+    const int closeError = closeFile(file);
+    if (error == 0) error = closeError;
+    if (error == 0) return;
+    ::unlink(temporary.c_str());
+    fail(content.path, error);
+}
+
 }  // namespace
 
 std::string describeError(int error) {
@@ -117,18 +129,25 @@ bool sweepTemporaries(const fs::path& path) {
     return held;
 }
 
+void writeFilesTogether(std::span<const NamedBytes> files) {
+    for (const NamedBytes& file : files) checkReplaceable(file.path);
+    std::size_t ready = 0;
+    try {
+        for (; ready < files.size(); ++ready) writeTemporary(files[ready]);
+        for (const NamedBytes& file : files)
+            // rename replaces a symlink that appeared meanwhile; it does not follow it
+            if (::rename(temporaryNameFor(file.path).c_str(), file.path.c_str()) != 0)
+                fail(file.path, errno);
+    } catch (const Error&) {
+        for (const NamedBytes& file : files.first(ready))
+            ::unlink(temporaryNameFor(file.path).c_str());
+        throw;
+    }
+}
+
 void writeFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    checkReplaceable(path);
-    const fs::path temporary = temporaryNameFor(path);
-    const int file = createTemporary(temporary, path);
-    int error = writeAll(file, bytes);
-    const int closeError = closeFile(file);
-    if (error == 0) error = closeError;
-    // rename replaces a symlink that appeared meanwhile; it does not follow it
-    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    ::unlink(temporary.c_str());
-    fail(path, error);
+    const NamedBytes file{path, bytes};
+    writeFilesTogether({&file, 1});
 }
 
 }  // namespace render

@@ -14,6 +14,16 @@ namespace render {
 /// the disk is full; then neither a temporary file nor a half-written one is left.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
+/// A file to be, and what it is to hold.
+struct NamedBytes {
+    std::filesystem::path path;
+    std::span<const std::uint8_t> bytes;
+};
+
+/// Several such files: all of them are complete under their temporary names before the first one is
+/// renamed, so that a full disk leaves none.
+void writeFilesTogether(std::span<const NamedBytes> files);
+
 /// The same for a text.
 inline void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
     writeFileAtomically(path,

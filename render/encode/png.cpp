@@ -3,6 +3,7 @@
 #include <libdeflate.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -73,6 +74,23 @@ std::vector<std::uint8_t> withoutAlpha(const Image& image) {
     return rgb;
 }
 
+void addBigEndian32(std::uint32_t value, std::vector<std::uint8_t>& bytes) {
+    for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+/// Pixels a metre, both ways: PNG 1.2, section 4.2.4.2.
+std::vector<std::uint8_t> physicalSize(int dpi) {
+    const auto perMeter = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
+    std::vector<std::uint8_t> chunk;
+    addBigEndian32(9, chunk);
+    chunk.insert(chunk.end(), {'p', 'H', 'Y', 's'});
+    addBigEndian32(perMeter, chunk);
+    addBigEndian32(perMeter, chunk);
+    chunk.push_back(1);  // the unit: a metre
+    addBigEndian32(libdeflate_crc32(0, chunk.data() + 4, chunk.size() - 4), chunk);
+    return chunk;
+}
+
 std::uint32_t bigEndian32(Bytes bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | bytes[at + i];
@@ -121,7 +139,7 @@ void checkSize(const Image& image) {
     }
 }
 
-std::vector<std::uint8_t> encodePng(const Image& image) {
+std::vector<std::uint8_t> encodePng(const Image& image, int dpi) {
     checkSize(image);
     static const int noFilter = stbi_write_force_png_filter = 0;  // once: it is a global of stb's
     static_cast<void>(noFilter);
@@ -134,7 +152,13 @@ std::vector<std::uint8_t> encodePng(const Image& image) {
     const std::unique_ptr<unsigned char, decltype(&std::free)> png(
         stbi_write_png_to_mem(pixels, 0, image.width, image.height, channels, &size), &std::free);
     if (!png) throw Error("out of memory while encoding a PNG; draw smaller pictures");
-    return {png.get(), png.get() + size};
+    constexpr int kHeaderEnd = 33;  // signature and IHDR, behind which pHYs may stand
+    if (dpi <= 0) return {png.get(), png.get() + size};
+    std::vector<std::uint8_t> bytes(png.get(), png.get() + kHeaderEnd);
+    const std::vector<std::uint8_t> chunk = physicalSize(dpi);
+    bytes.insert(bytes.end(), chunk.begin(), chunk.end());
+    bytes.insert(bytes.end(), png.get() + kHeaderEnd, png.get() + size);
+    return bytes;
 }
 
 bool pngIsWhole(Bytes bytes, int width, int height) {

@@ -1,8 +1,7 @@
-// impulse list: groups, one scene, the gallery.
+// impulse list: groups, one scene.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "render/encode/png_read.h"
 #include "tests/demos/program.h"
 
 namespace demos::test {
@@ -48,24 +47,6 @@ TEST(List, ShowsEveryGroupOnceWithItsScenesBelow) {
     }
 }
 
-TEST(List, AGalleryHoldsAPictureOfEachScene) {
-    const TemporaryFolder folder;
-    write(folder.path() / "ball.toml", kBall);
-    const Ended ended = run(folder.path(), {"list", "--gallery", "pendulum", "ball.toml", "stack",
-                                            "--size", "64x36", "--columns", "2"});
-    ASSERT_EQ(ended.code, 0) << ended.err;
-    const std::string png = contentOf(folder.path() / "output/gallery.png");
-    const render::Image image = render::decodePng(
-        {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
-    EXPECT_GE(image.width, 2 * 64);
-    EXPECT_LT(image.width, 3 * 64);
-    EXPECT_GE(image.height, 2 * 36);
-    // In the middle of the first tile is the sky, which the paper is not.
-    EXPECT_NE(std::vector<int>(image.at(34, 6), image.at(34, 6) + 3),
-              std::vector<int>(image.at(0, 0), image.at(0, 0) + 3));
-    EXPECT_EQ(run(folder.path(), {"list", "--gallery", "pendulum"}).code, 5) << "would overwrite";
-}
-
 TEST(List, SaysWhatIsWrong) {
     const TemporaryFolder folder;
     const auto errorOf = [&](const std::vector<std::string>& arguments) {
@@ -75,8 +56,7 @@ TEST(List, SaysWhatIsWrong) {
         return ended.err;
     };
     EXPECT_NE(errorOf({"list", "stack", "wall"}).find("list describes one"), std::string::npos);
-    EXPECT_NE(errorOf({"list", "--gallery", "-o", "a.jpg"}).find("ends in .png"), std::string::npos);
-    EXPECT_NE(errorOf({"list", "--columns", "3"}).find("--gallery"), std::string::npos);
+    EXPECT_NE(errorOf({"list", "--print"}).find("--print needs a scene"), std::string::npos);
 }
 
 }  // namespace

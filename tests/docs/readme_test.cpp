@@ -1,6 +1,9 @@
 // The README says what the program says: scenes, commands, links.
 #include <gtest/gtest.h>
 
+#include "demos/file_content.h"
+#include "demos/film/film_strip.h"
+#include "render/encode/png_read.h"
 #include "tests/docs/texts.h"
 
 namespace {
@@ -32,6 +35,27 @@ TEST(Readme, ItsCommandsExist) {
             << command;
 }
 
+/// As large as the command below it makes it of today's scenes, and fit for a page.
+TEST(Readme, ItsGalleryHoldsEveryScene) {
+    const std::string command = R"(`impulse gallery -o (\.github/gallery\.png --size \d+x\d+ --columns \d+)`)";
+    const std::set<std::string> found = matches(kReadme, command);
+    ASSERT_EQ(found.size(), 1u);
+    int width = 0, height = 0, columns = 0;
+    ASSERT_EQ(std::sscanf(found.begin()->c_str(), ".github/gallery.png --size %dx%d --columns %d",
+                          &width, &height, &columns),
+              3);
+    const auto scenes = matches(outputOf("list --json"), R"re("scene":"([a-z-]+)")re").size();
+    const demos::StripLayout layout =
+        demos::stripLayout(static_cast<int>(scenes), columns, {width, height}, true);
+    const std::vector<std::uint8_t> png =
+        demos::contentOf(fs::path(IMPULSE_SOURCE_DIR) / ".github/gallery.png");
+    EXPECT_LE(png.size(), 500'000u);
+    const render::Image image = render::decodePng(png);
+    EXPECT_EQ(image.width, layout.width);
+    EXPECT_EQ(image.height, layout.height);
+    EXPECT_NE(outputOf("gallery --help").find("--columns"), std::string::npos);
+}
+
 TEST(Readme, ShowsTheExamplesOwnLines) {
     const std::string example =
         textOf(fs::path(IMPULSE_SOURCE_DIR) / "demos/examples/engine_and_render/CMakeLists.txt");
@@ -57,7 +81,7 @@ TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
 TEST(Readme, ItsLinksLeadSomewhere) {
     for (const char* file :
          {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
-          "demos/scene/README.md", "demos/export/README.md", "demos/regression/README.md", "demos/regression/in-ci.md", "demos/slides/README.md",
+          "demos/scene/README.md", "demos/export/README.md", "demos/figure/README.md", "demos/regression/README.md", "demos/regression/in-ci.md", "demos/slides/README.md",
           "tests/README.md"}) {
         const fs::path path = fs::path(IMPULSE_SOURCE_DIR) / file;
         for (const std::string& link : matches(textOf(path), R"(\]\(([^)#:]+)\))"))

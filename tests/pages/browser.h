@@ -57,6 +57,7 @@ private:
             " --headless --no-sandbox --disable-gpu --enable-unsafe-swiftshader"
             " --disable-background-networking"
             " --disable-component-update --disable-sync --no-first-run --hide-scrollbars"
+            " --disable-popup-blocking"
             " --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir=" +
             at +
             "/profile"

@@ -88,6 +88,26 @@ TEST(Corners, LongTextsAreBrokenBetweenWords) {
     EXPECT_EQ(brokenText(text, 20, 1e6f), std::vector<std::string>{text});
 }
 
+/// Letters of a given size are the same in every picture: they break into lines or are left out.
+TEST(Corners, LettersOfAGivenSizeNeverShrink) {
+    Frame frame;
+    frame.look.unit = 2.0f;
+    frame.texts.push_back({"one two three four five six seven eight nine ten", Corner::topLeft, 15});
+    Plate plate;
+    plate.rows.assign(4, {"name", "value"});
+    frame.plates.push_back(plate);
+    for (const auto& [w, h] : {std::pair{400, 300}, {1000, 300}, {3000, 2000}}) {
+        const CornerLayout layout = layoutCorners(frame, w, h);
+        ASSERT_EQ(layout.texts.size(), 1u) << w;
+        EXPECT_EQ(layout.texts[0].pixels, 30) << w;
+        for (const PlacedPlate& placed : layout.plates) EXPECT_EQ(placed.metrics.pixels, 30);
+    }
+    EXPECT_GT(layoutCorners(frame, 400, 300).texts[0].lines.size(), 2u);
+    EXPECT_EQ(layoutCorners(frame, 1000, 300).plates.size(), 1u);
+    frame.plates[0].rows.assign(40, {"name", "value"});
+    EXPECT_TRUE(layoutCorners(frame, 1000, 300).plates.empty());
+}
+
 TEST(Corners, AWordThatIsTooLongLosesItsEnd) {
     const float room = 80.0f;
     for (const std::string word : {"incomprehensibilities", "λλλλλλλλλλλλλλλλ"}) {

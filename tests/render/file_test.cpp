@@ -88,6 +88,19 @@ TEST_F(AtomicFile, RefusesFoldersAndDevices) {
     EXPECT_EQ(filesInFolder(), 2);
 }
 
+TEST_F(AtomicFile, SeveralAreWrittenAllOrNone) {
+    const std::vector<std::uint8_t> one = {1}, two = {2, 2};
+    const fs::path a = folder_ / "a", b = folder_ / "b";
+    const render::NamedBytes both[] = {{a, one}, {b, two}};
+    render::writeFilesTogether(both);
+    EXPECT_EQ(contentOf(a), "\x01");
+    EXPECT_EQ(contentOf(b), "\x02\x02");
+    const render::NamedBytes lost[] = {{a, two}, {folder_ / "no folder/b", one}};
+    EXPECT_THROW(render::writeFilesTogether(lost), render::Error);
+    EXPECT_EQ(contentOf(a), "\x01");
+    EXPECT_EQ(filesInFolder(), 2);
+}
+
 TEST_F(AtomicFile, SaysWhichPathAndWhy) {
     const fs::path path = folder_ / "missing" / "frame.png";
     try {

@@ -35,6 +35,24 @@ TEST(Png, ComesBackPixelForPixel) {
     }
 }
 
+std::uint32_t bigEndian(const Bytes& bytes, std::size_t at) {
+    return static_cast<std::uint32_t>(bytes[at]) << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 |
+           bytes[at + 3];
+}
+
+TEST(Png, TellsItsPixelsAMetreWhereAsked) {
+    const render::Image image = gradient(20, 10);
+    const Bytes plain = render::encodePng(image), sized = render::encodePng(image, 300);
+    ASSERT_EQ(sized.size(), plain.size() + 21);
+    EXPECT_EQ(std::string(sized.begin() + 37, sized.begin() + 41), "pHYs");  // right behind IHDR
+    EXPECT_EQ(bigEndian(sized, 41), 11811u);  // 300 / 0.0254
+    EXPECT_EQ(bigEndian(sized, 45), 11811u);
+    EXPECT_EQ(sized[49], 1);  // metres
+    EXPECT_TRUE(render::pngIsWhole(sized, 20, 10));  // and with it the chunk's CRC
+    EXPECT_EQ(render::decodePng(sized).pixels, image.pixels);
+    EXPECT_EQ(std::string(plain.begin(), plain.end()).find("pHYs"), std::string::npos);
+}
+
 TEST(Png, DropsAlphaOnlyWhenEveryPixelIsOpaque) {
     render::Image image = gradient(20, 10);
     EXPECT_EQ(render::encodePng(image)[kColourType], 2);

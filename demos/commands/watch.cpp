@@ -1,0 +1,164 @@
+// impulse watch: a draft of a scene file whenever it is saved.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "demos/commands/commands.h"
+#include "demos/film/film_needs.h"
+#include "demos/film/outputs.h"
+#include "demos/film/progress.h"
+#include "demos/film/quality.h"
+#include "demos/film/scene_fps.h"
+#include "demos/film/signals.h"
+#include "demos/scene/builtin.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
+#include "demos/watch/draft_tell.h"
+#include "demos/watch/file_watch.h"
+#include "render/encode/ffmpeg.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string nameOf(const Options& options) { return fs::path(options.scene()).stem().string(); }
+
+DraftPlaces placesOf(const Options& options) {
+    DraftPlaces places;
+    places.folder = options.outputs.empty() ? fs::path("output") / nameOf(options)
+                                            : fs::path(options.outputs.front());
+    places.films = render::haveFfmpeg();
+    return places;
+}
+
+class Watching {
+public:
+    explicit Watching(const Options& options)
+        : options_(options), talk_(options, false), drafts_(placesOf(options)) {
+        options_.quality = "draft";
+    }
+
+    Exit play() {
+        watchSignals();
+        if (!drafts_.places().films)
+            talk_.mention("ffmpeg is not installed: PNG frames and a strip; with it a film");
+        if (options_.once) return makeDraft();
+        if (isBuiltin(options_.scene()))
+            throw Stop(Exit::usage,
+                       fmt::format("'{0}' is built in and does not change; watch a file of yours "
+                                   "(impulse list {0} --print > {0}.toml), or give --once",
+                                   options_.scene()));
+        if (!fs::exists(options_.scene())) loadScene(options_.scene());  // tells why not
+        files_.emplace();
+        files_->watch({options_.scene()});
+        return goOn();
+    }
+
+private:
+    Exit goOn() {
+        for (bool first = true;; first = false) {
+            attempt(first);
+            if (interrupted()) return Exit::interrupted;
+            if (first) tellWatched();
+            std::fflush(stdout);
+            // What an error names may be a file that is not known to be read.
+            const auto which =
+                errors_.empty() ? FileWatch::Which::files : FileWatch::Which::anyBeside;
+            if (!files_->wait(which)) return Exit::interrupted;
+        }
+    }
+
+    /// What goes wrong is told, and mended by the next save.
+    void attempt(bool first) {
+        try {
+            makeDraft();
+        } catch (const SceneError& error) {
+            tellErrors(error.lines());
+        } catch (const Stop& stop) {
+            if (first) throw;  // the command line's fault
+            tellErrors({stop.what()});
+        } catch (const render::Error& error) {
+            tellErrors({error.what()});
+        }
+    }
+
+    /// Told with --quiet too; not again while they are the same.
+    void tellErrors(const std::vector<std::string>& lines) {
+        if (lines == errors_) return;
+        errors_ = lines;
+        const Json json{{"event", "error"}, {"lines", lines}};
+        talk_.json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+        for (const std::string& line : lines) fmt::print(stderr, "impulse: {}\n", printable(line));
+    }
+
+    Exit makeDraft() {
+        const Options own = optionsOfDraft();
+        const FilmPlan plan = planFilm(own);
+        std::vector<Output> films;
+        if (drafts_.places().films)
+            films.push_back({OutputKind::film, {}, drafts_.places().film()});
+        checkOutputs(films, plan, true);
+        checkNeeds(needsOf(plan, 1, films), plan);
+        const Draft draft = drafts_.make(plan, own, [this] {
+            return interrupted() || (files_ && files_->hasNews(FileWatch::Which::files));
+        });
+        return draft.whole ? tell(draft, plan) : Exit::interrupted;
+    }
+
+    Exit tell(const Draft& draft, const FilmPlan& plan) {
+        errors_.clear();
+        for (const std::string& line : draftLines(draft, plan, drafts_.places())) talk_.say(line);
+        std::fflush(stdout);
+        for (const std::string& line : failureLines(draft, plan))
+            fmt::print(stderr, "impulse: {}\n", line);
+        talk_.json(draftJson(draft, plan, drafts_.places()));
+        if (!draft.trouble.empty()) return Exit::diverged;
+        return draft.failed.empty() ? Exit::ok : Exit::failed;
+    }
+
+    /// The scene is read until all of its files are watched before they are read.
+    Options optionsOfDraft() {
+        SceneDescription scene = loadScene(options_.scene(), options_.overrides);
+        while (files_ && files_->watch(filesOf(scene)))
+            scene = loadScene(options_.scene(), options_.overrides);
+        read_ = scene.files.size();
+        Options own = options_;
+        own.fps = fpsUpTo(qualityOf(own.quality).fps, scene.hz);
+        // A draft has a ground to stand on: a .mp4 holds no alpha.
+        if (own.theme.empty() && scene.look.theme == "transparent") own.theme = "studio";
+        return own;
+    }
+
+    std::vector<fs::path> filesOf(const SceneDescription& scene) const {
+        std::vector<fs::path> files{options_.scene()};
+        files.insert(files.end(), scene.files.begin(), scene.files.end());
+        return files;
+    }
+
+    void tellWatched() const {
+        talk_.say(fmt::format("watching {}{}; Ctrl-C ends it", printable(options_.scene()),
+                              read_ == 0   ? ""
+                              : read_ == 1 ? " and the file that it reads"
+                                           : fmt::format(" and {} files that it reads", read_)));
+        talk_.json(fmt::format(R"({{"event":"watching","files":{}}})", read_ + 1));
+    }
+
+    Options options_;
+    Talk talk_;
+    DraftMaker drafts_;
+    std::optional<FileWatch> files_;   // not with --once
+    std::vector<std::string> errors_;  // of the last attempt
+    std::size_t read_ = 0;             // files besides the scene's own
+};
+
+}  // namespace
+
+Exit watchCommand(const Options& options) { return Watching(options).play(); }
+
+}  // namespace demos

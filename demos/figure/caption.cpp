@@ -1,0 +1,96 @@
+#include "demos/figure/caption.h"
+
+#include <fmt/format.h>
+
+#include "demos/film/progress.h"
+#include "demos/scene/complaints.h"
+#include "demos/scene/solver_settings.h"
+#include "demos/version.h"
+
+namespace demos {
+namespace {
+
+std::string listOf(const std::vector<Shot>& shots, std::string (*text)(const Shot&)) {
+    std::string list;
+    for (const Shot& shot : shots) list += (list.empty() ? "" : ", ") + text(shot);
+    return list;
+}
+
+/// Those that decide about what is seen.
+std::string shownText(const Overlays& shown) {
+    std::string text;
+    for (const std::string& name : overlayNames())
+        if (isOn(shown, name)) text += (text.empty() ? "" : " ") + name;
+    return text;
+}
+
+}  // namespace
+
+void Caption::add(const std::string& name, const std::string& value) {
+    if (!value.empty()) rows_.emplace_back(name, value);
+}
+
+std::string Caption::text() const {
+    std::string text = printable(sentence_) + ".\n\n";
+    for (const auto& [name, value] : rows_)
+        text += fmt::format("{}: {}\n", printable(name), printable(value));
+    return text;
+}
+
+std::string titleOf(const SceneDescription& scene) {
+    std::string title = scene.title.empty() ? scene.name : scene.title;
+    while (title.ends_with('.') || title.ends_with(' ')) title.pop_back();
+    return title;
+}
+
+void addFiles(const std::vector<std::string>& files, PictureSize size, const Paper& paper,
+              Caption& caption) {
+    caption.add("figure", fmt::format("{}", fmt::join(files, " ")));
+    if (paper.given())
+        caption.add("size on paper",
+                    fmt::format("{:g} x {:.1f} mm, {}x{} pixels at {} dpi", paper.width,
+                                paper.width * size.height / size.width, size.width, size.height,
+                                paper.dpi));
+    else
+        caption.add("size", fmt::format("{}x{} pixels", size.width, size.height));
+}
+
+void addLook(const Overlays& overlays, Caption& caption) {
+    caption.add("theme", overlays.theme);
+    caption.add("shown", shownText(overlays));
+    if (overlays.colorBy != "body") caption.add("colours", overlays.colorBy);
+}
+
+std::string solverText(const SceneDescription& scene) {
+    const std::string beside = besidePreset(scene.settings, scene.preset);
+    return "preset " + scene.preset + (beside.empty() ? "" : "; " + beside);
+}
+
+void addPhysics(const SceneDescription& scene, const Options& options, Caption& caption) {
+    const SceneDescription usual;
+    caption.add("scene", options.scene());
+    caption.add("steps a second", std::to_string(scene.hz));
+    if (scene.gravity != usual.gravity)
+        caption.add("gravity", fmt::format("{} {} {} m/s^2", numberText(scene.gravity.x()),
+                                           numberText(scene.gravity.y()),
+                                           numberText(scene.gravity.z())));
+    if (scene.seed != usual.seed) caption.add("seed", std::to_string(scene.seed));
+    caption.add("solver", solverText(scene));
+    caption.add("set", fmt::format("{}", fmt::join(options.overrides, " ")));
+}
+
+void addShots(const std::vector<Shot>& shots, Caption& caption) {
+    caption.add(shots.size() > 1 ? "times" : "time",
+                listOf(shots, [](const Shot& shot) { return fmt::format("{:.3f} s", shot.time); }));
+    caption.add(shots.size() > 1 ? "steps" : "step",
+                listOf(shots, [](const Shot& shot) { return std::to_string(shot.step); }));
+    caption.add(shots.size() > 1 ? "states" : "state",
+                listOf(shots, [](const Shot& shot) { return hexText(shot.state); }));
+}
+
+void addProgram(const Options& options, Caption& caption) {
+    caption.add("program", fmt::format("impulse {}", kVersion));
+    caption.add("command", options.commandLine);
+}
+
+}  // namespace demos

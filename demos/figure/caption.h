@@ -1,0 +1,43 @@
+/// What goes below a figure: a sentence, then all it was made with. No dates: the same figure has the
+/// same caption.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "demos/figure/paper.h"
+#include "demos/figure/shot.h"
+
+namespace demos {
+
+class Caption {
+public:
+    /// `sentence`: without its full stop.
+    explicit Caption(std::string sentence) : sentence_(std::move(sentence)) {}
+    /// Nothing where the value is empty.
+    void add(const std::string& name, const std::string& value);
+    /// The sentence, an empty line, then "name: value" lines.
+    std::string text() const;
+
+private:
+    std::string sentence_;
+    std::vector<std::pair<std::string, std::string>> rows_;
+};
+
+/// "Stack: ten boxes stay where they are put", else the scene's name.
+std::string titleOf(const SceneDescription& scene);
+
+/// Names of the files, size on paper and in pixels.
+void addFiles(const std::vector<std::string>& files, PictureSize size, const Paper& paper,
+              Caption& caption);
+void addLook(const Overlays& overlays, Caption& caption);
+/// The scene, its steps, and where the world and the solver are not as usual.
+void addPhysics(const SceneDescription& scene, const Options& options, Caption& caption);
+/// "steady; substeps=8": the preset, and what differs from it.
+std::string solverText(const SceneDescription& scene);
+/// Times, steps and state hashes.
+void addShots(const std::vector<Shot>& shots, Caption& caption);
+/// What made it: the last lines.
+void addProgram(const Options& options, Caption& caption);
+
+}  // namespace demos

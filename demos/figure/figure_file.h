@@ -1,0 +1,34 @@
+/// The files of a figure: pictures, and beside them a caption. All are written, or none.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "demos/film/progress.h"
+#include "demos/options.h"
+
+namespace demos {
+
+/// Where the captions of these pictures go: --caption, else beside each picture that has a width
+/// (fig.png: fig.caption.txt); none for standard output.
+std::vector<std::string> captionFiles(const std::vector<std::string>& pictures,
+                                      const Options& options);
+
+/// Throws Stop (usage) where a caption would go to a picture's file or to standard output, Stop
+/// (wouldOverwrite) where one of the files is there.
+void checkFigure(const std::vector<std::string>& pictures, const Options& options);
+
+struct FigurePicture {
+    std::string file;  // or "-"
+    std::vector<std::uint8_t> bytes;
+};
+
+/// Folders are made. Throws render::Error.
+void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& caption,
+                 const Options& options);
+
+/// A line for every caption that was written.
+void tellCaptions(const std::vector<std::string>& pictures, const Options& options,
+                  const Talk& talk);
+
+}  // namespace demos

@@ -1,0 +1,30 @@
+/// One moment of a scene, or several, as a figure with its caption: impulse still and strip.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/figure/shot.h"
+#include "demos/film/progress.h"
+#include "render/image.h"
+
+namespace demos {
+
+/// As asked for; with --width, of that many pixels, by the ratio of --size or of the quality.
+Options figureOptions(Options options);
+
+struct MomentsFigure {
+    std::string file;  // or "-"
+    Paper paper;
+    const FilmPlan& plan;
+    std::vector<Shot> shots;
+};
+
+/// The PNG and its caption. Throws render::Error.
+void writeMoments(const MomentsFigure& figure, const render::Image& picture,
+                  const Options& options);
+
+/// Says on standard error what has no room in a figure, whose letters do not shrink.
+void tellLeftOut(const render::Frame& frame, const FilmPlan& plan, const Paper& paper,
+                 const Talk& talk);
+
+}  // namespace demos

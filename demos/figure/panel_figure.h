@@ -1,0 +1,37 @@
+/// Runs of one scene under several settings at one moment: pictures with (a), (b), ... below them, and
+/// a chart over the whole width.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/figure/figure_grid.h"
+#include "demos/figure/shot.h"
+#include "demos/report/chart.h"
+#include "demos/report/variants.h"
+
+namespace demos {
+
+/// Settled before anything is played.
+struct PanelFigure {
+    std::vector<FilmPlan> plans;  // one a run
+    std::vector<std::vector<std::string>> labels;
+    StripLayout layout;
+    PictureSize chart;  // below; height 0 = none
+    double time = 0.0;  // s
+    int height = 0;     // pixels, of the whole
+    Paper paper;
+};
+
+/// `columns`: 0 = as many as there is room for. Throws Stop (usage, environment) for what cannot be.
+PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart,
+                       const Options& options);
+
+struct DrawnPanels {
+    render::Image image;
+    std::vector<Shot> shots;            // one a run
+    std::vector<std::string> diverged;  // likewise; empty = it did not
+};
+/// Throws Stop (interrupted), render::Error. A run that diverges is shown as it was last.
+DrawnPanels drawPanels(const PanelFigure& figure, const std::vector<Chart>& charts);
+
+}  // namespace demos

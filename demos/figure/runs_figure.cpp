@@ -1,0 +1,155 @@
+#include "demos/figure/runs_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/figure/figure_file.h"
+#include "demos/film/pattern.h"
+#include "demos/report/plot_file.h"
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+#include "render/encode/png.h"
+
+namespace demos {
+namespace {
+
+std::string pictureFile(const PanelFigure& figure, const RunsFigureSettings& settings,
+                        const Options& options) {
+    if (options.outputs.size() > 1)
+        throw Stop(Exit::usage, fmt::format("{} outputs; with --width there is one picture, give one "
+                                            "--output",
+                                            options.outputs.size()));
+    const std::string pattern =
+        options.outputs.empty() ? settings.picture : options.outputs.front();
+    if (pattern == "-") return pattern;
+    const FilmPlan& plan = figure.plans.front();
+    const std::string name = expandPattern(pattern, {0, figure.time, plan.name, plan.quality});
+    if (!name.ends_with(".png"))
+        throw Stop(Exit::usage, fmt::format("--output '{}': with --width a picture ends in .png, or "
+                                            "is -; a film has no --width",
+                                            printable(name)));
+    return name;
+}
+
+/// What is written for the screen is replaced, as ever; a caption's figure is not.
+bool hasCaption(const std::string& file, const Options& options) {
+    return !captionFiles({file}, options).empty();
+}
+
+void checkApart(const std::string& picture, const Options& options, const std::string& chart,
+                const Options& chartOptions) {
+    for (const std::string& a : captionFiles({picture}, options))
+        for (const std::string& b : captionFiles({chart}, chartOptions))
+            if (a == b)
+                throw Stop(Exit::usage,
+                           fmt::format("the captions of '{}' and '{}' would both be '{}'; give one "
+                                       "of them another name",
+                                       printable(picture), printable(chart), printable(a)));
+}
+
+}  // namespace
+
+void checkFigureOptions(const Options& options) {
+    const bool sweep = options.command == Command::sweep;
+    if (options.time && !options.width)
+        throw Stop(Exit::usage, fmt::format("--time {}: belongs to a figure; give --width, for "
+                                            "example --width 85mm",
+                                            *options.time));
+    const bool pictures = options.width && (sweep ? !options.outputs.empty() : options.film);
+    if (pictures || !options.plot.empty()) return;
+    if (!options.caption.empty() || options.width)
+        throw Stop(Exit::usage,
+                   fmt::format("{} belongs to a figure; give {}",
+                               options.width ? "--width" : "--caption",
+                               !options.width ? "--width or --plot FILE"
+                               : sweep        ? "-o FIGURE.png or --plot FILE"
+                                              : "--plot FILE, or leave --no-film out"));
+}
+
+RunsFigure::RunsFigure(RunsFigureSettings settings, const Options& options)
+    : settings_(std::move(settings)), options_(options), chartOptions_(options) {
+    if (!settings_.pictured.empty()) {
+        panels_ = planPanels(settings_.pictured, settings_.columns, settings_.chart, options_);
+        target_ = pictureFile(*panels_, settings_, options_);
+        checkFigure({target_}, options_);
+        chartOptions_.caption.clear();
+        chartOptions_.size.reset();  // the pictures' ratio
+    }
+    if (options_.plot.empty()) return;
+    checkChartFile(options_.plot);
+    if (hasCaption(options_.plot, chartOptions_)) checkFigure({options_.plot}, chartOptions_);
+    if (!target_.empty()) checkApart(target_, options_, options_.plot, chartOptions_);
+}
+
+void RunsFigure::write(const std::vector<Chart>& below, const std::vector<Chart>& alone,
+                       const Talk& talk) const {
+    if (!options_.plot.empty()) writeChart(alone, talk);
+    if (panels_) writePictures(below, talk);
+}
+
+/// ": (a) nudges; (b) Baumgarte, 0.2"
+std::string RunsFigure::runsText() const {
+    std::string text;
+    for (std::size_t i = 0; i < settings_.pictured.size(); ++i)
+        text += fmt::format("{} {} {}", i == 0 ? ":" : ";", panelLetter(static_cast<int>(i)),
+                            settings_.pictured[i].label);
+    return text;
+}
+
+/// A line a run: what it was given, its solver, its state.
+void RunsFigure::addRuns(const std::vector<Variant>& runs, const DrawnPanels* drawn,
+                         Caption& caption) const {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Variant& run = runs[i];
+        std::string text = fmt::format("{}: {} ({}, {} steps a second)", run.label,
+                                       fmt::join(run.settings, " "), solverText(run.scene),
+                                       run.scene.hz);
+        if (drawn) text += fmt::format(", state {}", hexText(drawn->shots[i].state));
+        if (drawn && !drawn->diverged[i].empty()) text += ", diverged: " + drawn->diverged[i];
+        caption.add(drawn ? panelLetter(static_cast<int>(i)) : fmt::format("run {}", i + 1), text);
+    }
+}
+
+void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& talk) const {
+    const DrawnPanels drawn = drawPanels(*panels_, charts);
+    const Overlays& overlays = panels_->plans.front().panels.front().overlays;
+    Caption caption(settings_.title + runsText() + ". " + timesText(drawn.shots) +
+                    scalesText(overlays, drawn.shots));
+    const PictureSize size{drawn.image.width, drawn.image.height};
+    addFiles({target_}, size, panels_->paper, caption);
+    addLook(overlays, caption);
+    caption.add("scene", options_.scene());
+    caption.add("time", fmt::format("{:.3f} s", panels_->time));
+    caption.add("set", fmt::format("{}", fmt::join(options_.overrides, " ")));
+    addRuns(settings_.pictured, &drawn, caption);
+    addProgram(options_, caption);
+    writeFigure({{target_, render::encodePng(drawn.image, panels_->paper.dpi)}}, caption.text(),
+                options_);
+    talk.json(fmt::format(R"({{"event":"figure","file":{},"time":{},"size":[{},{}]}})",
+                          jsonString(target_), numberText(panels_->time), size.width, size.height));
+    talk.say(fmt::format("wrote {} ({} pictures, t = {:.3f} s, {}x{})", printable(target_),
+                         drawn.shots.size(), panels_->time, size.width, size.height));
+    tellCaptions({target_}, options_, talk);
+}
+
+void RunsFigure::writeChart(const std::vector<Chart>& charts, const Talk& talk) const {
+    const SceneDescription& scene = settings_.runs.front().scene;
+    const Paper paper = paperOf(options_);
+    const std::string theme = themeOf(scene, options_);
+    const PictureSize size = paper.given() ? chartSize(charts.size(), paper, chartOptions_.size)
+                                           : chartSize(charts.size());
+    Caption caption(fmt::format("{}. {:g} s of simulated time", settings_.title, scene.seconds));
+    addFiles({options_.plot}, size, paper, caption);
+    caption.add("theme", theme);
+    caption.add("scene", options_.scene());
+    caption.add("set", fmt::format("{}", fmt::join(options_.overrides, " ")));
+    addRuns(settings_.runs, nullptr, caption);
+    addProgram(options_, caption);
+    writeFigure({{options_.plot, chartBytes(options_.plot, charts, size, theme, paper)}},
+                caption.text(), chartOptions_);
+    talk.say(fmt::format("wrote {}", printable(options_.plot)));
+    tellCaptions({options_.plot}, chartOptions_, talk);
+}
+
+}  // namespace demos

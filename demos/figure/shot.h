@@ -1,0 +1,36 @@
+/// A picture's moment, as a caption tells it.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "demos/figure/paper.h"
+#include "demos/film/film_plan.h"
+#include "demos/player.h"
+
+namespace demos {
+
+struct Shot {
+    double time = 0.0;  // s
+    long step = 0;
+    std::uint64_t state = 0;  // engine's state hash
+    double impulse = 0.0;     // N s that an arrow of 1 cm stands for where the camera looks; 0: none
+    double nudge = 0.0;       // mm likewise
+    double colorEnd = 0.0;    // of the scale that bodies are coloured by
+};
+
+/// `frame`: what is seen of the player.
+Shot shotOf(const Player& player, const FilmPlan& plan, const render::Frame& frame,
+            const Paper& paper);
+
+/// "t = 0, 1.5 s"
+std::string timesText(const std::vector<Shot>& shots);
+
+/// "; red arrows: impulses, 1 cm = 50 N s", and what bodies are coloured by; empty where there is
+/// nothing to tell.
+std::string scalesText(const Overlays& overlays, const std::vector<Shot>& shots);
+
+/// What stands in the corners but has no room, "stats" or "legend"; empty = all have.
+std::string leftOut(const render::Frame& frame, int width, int height);
+
+}  // namespace demos

@@ -1,0 +1,247 @@
+#include "demos/gallery/gallery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "demos/file_content.h"
+#include "demos/film/film_needs.h"
+#include "demos/film/folder_lock.h"
+#include "demos/film/frame_source.h"
+#include "demos/film/outputs.h"
+#include "demos/film/signals.h"
+#include "demos/gallery/gallery_film.h"
+#include "demos/gallery/gallery_page.h"
+#include "demos/gallery/gallery_record.h"
+#include "demos/gallery/gallery_sheet.h"
+#include "demos/gallery/gallery_work.h"
+#include "demos/regression/renderer_name.h"
+#include "demos/scene/complaints.h"
+#include "demos/text_hash.h"
+#include "render/encode/ffmpeg.h"
+#include "render/encode/file.h"
+#include "render/encode/png.h"
+#include "render/encode/png_read.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kTileWidth = 480;  // pixels, of the sheet
+
+std::string textOf(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// As `impulse list`: by group, then as they were named; scenes without a group come first.
+void sortByGroup(std::vector<GalleryCard>& cards) {
+    std::stable_sort(cards.begin(), cards.end(),
+                     [](const auto& a, const auto& b) { return a.group < b.group; });
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
+    throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(path.string()), what));
+}
+
+void refuseStranger(const fs::path& file, bool own) {
+    std::error_code ignored;
+    if (!own && fs::exists(fs::symlink_status(file, ignored)))
+        refuse(file,
+               "is there already, and no gallery.json tells that it is a gallery's; --overwrite "
+               "replaces it");
+}
+
+class Gallery {
+public:
+    explicit Gallery(const Options& options)
+        : options_(options),
+          talk_(options, false),
+          troubles_(talk_),
+          choices_(chooseGallery(options.scenes)),
+          films_(options.films),
+          folder_(options.outputs.empty() ? "output/gallery" : options.outputs.front()),
+          record_(folder_) {}
+
+    Exit play() {
+        if (films_ && !render::haveFfmpeg()) {
+            films_ = false;
+            talk_.mention("ffmpeg is not installed: posters only; with it there are films");
+        }
+        makeFolder(folder_);
+        const FolderLock lock(folder_);
+        watchSignals();
+        renderer_ = rendererName(options_);
+        readAll();
+        checkOwn();
+        drawMissing();
+        writePages();
+        return troubles_.code();
+    }
+
+private:
+    /// What the scenes are, and whether their files are there.
+    void readAll() {
+        const auto read = [this](int i) {
+            return attempted([&] {
+                const Options own = optionsOfFilm(choices_[i], options_);
+                const FilmPlan plan = planFilm(own);
+                std::vector<Output> films;
+                if (films_)
+                    films.push_back({OutputKind::film, {}, record_.filmFile(choices_[i].name)});
+                checkOutputs(films, plan, true);
+                checkNeeds(needsOf(plan, jobsFor(choices_), films), plan);
+                return textOf(jsonOf(cardOf(choices_[i], plan, own, renderer_)));
+            });
+        };
+        inProcesses(choices_, read, [this](const GalleryChoice& choice, const std::string& text) {
+            cards_.push_back(cardFrom(Json::parse(text)));
+            if (!record_.has(cards_.back(), films_)) missing_.push_back(choice);
+        });
+    }
+
+    /// Before anything is drawn.
+    void checkOwn() const {
+        if (options_.overwrite) return;
+        refuseStranger(record_.pageFile(), record_.found());
+        refuseStranger(record_.sheetFile(), record_.found());
+        refuseOutdated();
+        for (const GalleryChoice& choice : missing_) {
+            const bool own = record_.owns(choice.name);
+            refuseStranger(record_.posterFile(choice.name), own);
+            if (films_) refuseStranger(record_.filmFile(choice.name), own);
+        }
+    }
+
+    void refuseOutdated() const {
+        std::vector<std::string> names;
+        for (const GalleryCard& card : cards_)
+            if (record_.isOutdated(card)) names.push_back(card.name);
+        if (names.empty()) return;
+        refuse(folder_,
+               fmt::format("holds {} {} of another run (other settings, scene or program), "
+                           "the first is '{}'; --overwrite replaces what differs",
+                           names.size(), names.size() == 1 ? "scene" : "scenes",
+                           printable(names.front())));
+    }
+
+    void drawMissing() {
+        record_.command = options_.commandLine;
+        for (const GalleryChoice& choice : missing_) record_.add(choice.name, {});
+        if (!missing_.empty()) record_.write();
+        const std::size_t kept = cards_.size() - missing_.size();
+        talk_.json(
+            fmt::format(R"({{"event":"start","scenes":{},"kept":{}}})", cards_.size(), kept));
+        const auto draw = [this](int i) { return attempted([&] { return drawn(missing_[i]); }); };
+        try {
+            inProcesses(missing_, draw,
+                        [this](const GalleryChoice& choice, const std::string& text) {
+                            take(choice.name, Json::parse(text));
+                        });
+        } catch (const Stop& stop) {
+            for (const GalleryChoice& choice : missing_)
+                render::sweepTemporaries(record_.filmFile(choice.name));
+            throw Stop(stop.code(),
+                       fmt::format("{} scenes; to go on: {}", stop.what(), options_.commandLine));
+        }
+    }
+
+    /// In the scene's own process.
+    std::string drawn(const GalleryChoice& choice) const {
+        Options own = optionsOfFilm(choice, options_);
+        own.quiet = true;  // its notes have been told
+        const GalleryEntry entry = drawScene(planFilm(own), own, record_.posterFile(choice.name),
+                                             films_ ? record_.filmFile(choice.name) : fs::path());
+        return textOf({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
+    }
+
+    void take(const std::string& name, const Json& made) {
+        const GalleryCard& card = cardCalled(name);
+        const auto number = [&made](const char* key) {
+            return std::stoull(made.at(key).get<std::string>(), nullptr, 16);
+        };
+        record_.add(name, {card.fingerprint, number("poster"), number("film")});
+        record_.write();
+        talk_.say(
+            fmt::format("  {:18} {:g} s, {} frames", printable(name), card.seconds, card.frames));
+        talk_.json(textOf({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
+        std::fflush(stdout);
+    }
+
+    const GalleryCard& cardCalled(const std::string& name) const {
+        return *std::find_if(cards_.begin(), cards_.end(),
+                             [&name](const GalleryCard& card) { return card.name == name; });
+    }
+
+    /// Of the scenes whose files are there now.
+    void writePages() {
+        const std::size_t read = cards_.size();
+        std::erase_if(cards_, [this](const auto& card) { return !record_.has(card, films_); });
+        for (GalleryCard& card : cards_) card.film = films_;
+        sortByGroup(cards_);
+        writeSheet();
+        render::writeFileAtomically(record_.pageFile(), galleryPage(cards_, renderer_));
+        record_.command = options_.commandLine;
+        record_.write();
+        const std::string page = record_.pageFile().string();
+        talk_.json(textOf({{"event", "done"},
+                           {"page", page},
+                           {"scenes", cards_.size()},
+                           {"failed", troubles_.count()}}));
+        talk_.say(fmt::format(
+            "wrote {} ({} scenes, {} drawn, {} kept{}), sheet.png", printable(page), cards_.size(),
+            missing_.size() - (read - cards_.size()), read - missing_.size(),
+            troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : ""));
+        talk_.say(fmt::format("next: open {}", printable(page)));
+    }
+
+    void writeSheet() {
+        if (cards_.empty()) return;
+        TextHash inputs;
+        inputs.add(std::to_string(options_.columns));
+        for (const GalleryCard& card : cards_)
+            inputs.add(card.name + hexText(record_.posterOf(card.name)));
+        std::error_code ignored;
+        if (record_.sheet == inputs.value() && fs::exists(record_.sheetFile(), ignored)) return;
+        const GalleryCard& first = cards_.front();
+        const int width = std::min(kTileWidth, first.width);
+        const PictureSize tile{width, std::max(1, first.height * width / first.width)};
+        GallerySheet sheet(static_cast<int>(cards_.size()), options_.columns, tile);
+        for (const GalleryCard& card : cards_)
+            sheet.add(render::decodePng(contentOf(record_.posterFile(card.name))), card.name);
+        render::writeFileAtomically(record_.sheetFile(), render::encodePng(sheet.paper()));
+        record_.sheet = inputs.value();
+    }
+
+    int jobsFor(const std::vector<GalleryChoice>& choices) const {
+        return workerCount(options_.jobs, static_cast<int>(choices.size()));
+    }
+
+    void inProcesses(const std::vector<GalleryChoice>& choices,
+                     const std::function<std::string(int)>& work,
+                     const std::function<void(const GalleryChoice&, const std::string&)>& take) {
+        const int count = static_cast<int>(choices.size());
+        runInProcesses(count, jobsFor(choices), work, [&](int i, const PoolResult& result) {
+            std::string text;
+            if (troubles_.take(choices[i], result, text)) take(choices[i], text);
+        });
+    }
+
+    const Options& options_;
+    Talk talk_;
+    GalleryTroubles troubles_;
+    std::vector<GalleryChoice> choices_, missing_;
+    bool films_;
+    fs::path folder_;
+    GalleryRecord record_;
+    std::string renderer_;
+    std::vector<GalleryCard> cards_;
+};
+
+}  // namespace
+
+Exit galleryInFolder(const Options& options) { return Gallery(options).play(); }
+
+}  // namespace demos

@@ -1,0 +1,68 @@
+#include "demos/gallery/gallery_film.h"
+
+#include <memory>
+
+#include "demos/film/poster.h"
+#include "demos/film/screen.h"
+#include "render/encode/file.h"
+#include "render/encode/png.h"
+#include "render/encode/video.h"
+#include "render/renderer.h"
+
+namespace demos {
+namespace {
+
+/// A frame without motion blur: where the film's are means of moments, all of these are the same.
+render::Image posterOf(const Screen& screen, const FilmPlan& plan, int frame,
+                       render::Renderer& renderer) {
+    Overlays overlays = plan.panels.front().overlays;
+    overlays.text = overlays.stats = false;
+    const render::Frame shown = screen.frameWith(overlays, frame);
+    const auto moments = static_cast<std::size_t>(plan.shutter.moments);
+    render::Image image = moments <= 1 ? renderer.draw(shown)
+                                       : renderer.draw(std::vector<render::Frame>(moments, shown));
+    return withStrip(std::move(image), plan, plan.timeOf(frame));
+}
+
+render::RendererSettings ownThread(const FilmPlan& plan) {
+    render::RendererSettings settings = plan.picture;
+    settings.threads = 0;  // the processes share the cores
+    return settings;
+}
+
+std::unique_ptr<render::VideoWriter> openFilm(const FilmPlan& plan,
+                                              const std::filesystem::path& film) {
+    if (film.empty()) return nullptr;
+    const render::VideoSource source{plan.layout.width, plan.layout.height, plan.fps, false};
+    return std::make_unique<render::VideoWriter>(film, source);
+}
+
+}  // namespace
+
+render::Image drawPoster(const FilmPlan& plan, const Options& options) {
+    const int poster = posterFrame(plan, options);
+    Screen screen(plan);
+    render::Renderer renderer(ownThread(plan));
+    for (int frame = 0; frame < poster; ++frame) screen.advance(false);
+    return posterOf(screen, plan, poster, renderer);
+}
+
+GalleryEntry drawScene(const FilmPlan& plan, const Options& options,
+                       const std::filesystem::path& poster, const std::filesystem::path& film) {
+    const std::unique_ptr<render::VideoWriter> writer = openFilm(plan, film);
+    const int posterAt = posterFrame(plan, options);
+    const int last = writer ? plan.frames - 1 : posterAt;
+    Screen screen(plan);
+    render::Renderer renderer(ownThread(plan));
+    std::vector<std::uint8_t> png;
+    for (int frame = 0; frame <= last; ++frame) {
+        if (frame > 0) screen.advance(writer != nullptr);
+        if (frame == posterAt) png = render::encodePng(posterOf(screen, plan, frame, renderer));
+        if (writer) writer->add(screen.draw(frame, renderer));
+    }
+    if (writer) writer->close();
+    render::writeFileAtomically(poster, png);
+    return {0, hashOfFile(poster), film.empty() ? 0 : hashOfFile(film)};
+}
+
+}  // namespace demos

@@ -1,0 +1,14 @@
+/// index.html of a gallery: its scenes by group, with posters, films, commands and a search.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/gallery/gallery_card.h"
+
+namespace demos {
+
+/// Links go to NAME.png and NAME.mp4 beside it; nothing else is asked for. `renderer`: as OpenGL
+/// names it. The command that made it is not told: a page is public, its folders are not.
+std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer);
+
+}  // namespace demos

@@ -1,0 +1,83 @@
+#include "demos/gallery/gallery_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "demos/file_content.h"
+#include "demos/film/progress.h"
+#include "demos/text_hash.h"
+#include "demos/version.h"
+#include "render/encode/file.h"
+
+namespace demos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t numberOf(const Json& json, const char* key) {
+    return std::stoull(json.at(key).get<std::string>(), nullptr, 16);
+}
+
+}  // namespace
+
+std::uint64_t hashOfFile(const std::filesystem::path& file) {
+    const std::vector<std::uint8_t> bytes = contentOf(file);
+    if (bytes.empty()) return 0;
+    TextHash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(folder)) {
+    try {
+        const std::vector<std::uint8_t> bytes = contentOf(folder_ / "gallery.json");
+        const Json json = Json::parse(bytes.begin(), bytes.end());
+        std::map<std::string, GalleryEntry> entries;
+        for (const auto& [name, entry] : json.at("scenes").items())
+            entries[name] = {numberOf(entry, "fingerprint"), numberOf(entry, "poster"),
+                             numberOf(entry, "film")};
+        sheet = numberOf(json, "sheet");
+        entries_ = std::move(entries);
+        found_ = true;
+    } catch (const std::exception&) {  // nobody's files are ours then
+    }
+}
+
+std::filesystem::path GalleryRecord::posterFile(const std::string& name) const {
+    return folder_ / (name + ".png");
+}
+
+std::filesystem::path GalleryRecord::filmFile(const std::string& name) const {
+    return folder_ / (name + ".mp4");
+}
+
+bool GalleryRecord::isOutdated(const GalleryCard& card) const {
+    const auto entry = entries_.find(card.name);
+    return entry != entries_.end() && entry->second.poster != 0 &&
+           entry->second.fingerprint != card.fingerprint;
+}
+
+bool GalleryRecord::has(const GalleryCard& card, bool film) const {
+    const auto found = entries_.find(card.name);
+    if (found == entries_.end() || found->second.fingerprint != card.fingerprint) return false;
+    const GalleryEntry& entry = found->second;
+    if (entry.poster == 0 || hashOfFile(posterFile(card.name)) != entry.poster) return false;
+    return !film || (entry.film != 0 && hashOfFile(filmFile(card.name)) == entry.film);
+}
+
+std::uint64_t GalleryRecord::posterOf(const std::string& name) const {
+    const auto found = entries_.find(name);
+    return found == entries_.end() ? 0 : found->second.poster;
+}
+
+void GalleryRecord::write() const {
+    Json json{{"impulse", kVersion}, {"command", command}, {"sheet", hexText(sheet)}};
+    json["scenes"] = Json::object();
+    for (const auto& [name, entry] : entries_)
+        json["scenes"][name] = {{"fingerprint", hexText(entry.fingerprint)},
+                                {"poster", hexText(entry.poster)},
+                                {"film", hexText(entry.film)}};
+    render::writeFileAtomically(folder_ / "gallery.json",
+                                json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace demos

@@ -1,0 +1,55 @@
+#include "demos/gallery/gallery_scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "demos/scene/builtin.h"
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+class GalleryChooser {
+public:
+    void add(const std::string& word) {
+        if (word == "all") return addAll();
+        const bool builtin = isBuiltin(word);
+        const std::string name = builtin ? word : std::filesystem::path(word).stem().string();
+        const auto same = [&name](const GalleryChoice& choice) { return choice.name == name; };
+        const auto known = std::find_if(choices_.begin(), choices_.end(), same);
+        if (known != choices_.end() && known->scene == word) return;
+        if (known != choices_.end())
+            throw Stop(Exit::usage,
+                       fmt::format("'{}' and '{}' would both be called '{}'; rename "
+                                   "one of the files",
+                                   printable(known->scene), printable(word), printable(name)));
+        if (name == "sheet")
+            throw Stop(Exit::usage,
+                       fmt::format("'{}': sheet.png is the picture of all; rename the file",
+                                   printable(word)));
+        choices_.push_back({word, name, builtin});
+    }
+
+    void addAll() {
+        for (const BuiltinScene& scene : builtinScenes()) add(std::string(scene.name));
+    }
+
+    std::vector<GalleryChoice> take() { return std::move(choices_); }
+
+private:
+    std::vector<GalleryChoice> choices_;
+};
+
+}  // namespace
+
+std::vector<GalleryChoice> chooseGallery(const std::vector<std::string>& words) {
+    GalleryChooser chooser;
+    for (const std::string& word : words) chooser.add(word);
+    if (words.empty()) chooser.addAll();
+    return chooser.take();
+}
+
+}  // namespace demos

@@ -1,0 +1,65 @@
+#include "demos/gallery/gallery_work.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
+
+namespace demos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string failure(Exit code, const std::vector<std::string>& lines) {
+    const Json json{{"code", static_cast<int>(code)}, {"lines", lines}};
+    return "-" + json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string attempted(const std::function<std::string()>& work) noexcept {
+    try {
+        return "+" + work();
+    } catch (const Stop& stop) {
+        return failure(stop.code(), {stop.what()});
+    } catch (const SceneError& error) {
+        return failure(Exit::scene, error.lines());
+    } catch (const std::exception& error) {
+        return failure(Exit::environment, {error.what()});
+    }
+}
+
+bool GalleryTroubles::take(const GalleryChoice& choice, const PoolResult& result,
+                           std::string& text) {
+    if (result.ended && result.text.starts_with('+')) {
+        text = result.text.substr(1);
+        return true;
+    }
+    if (!result.ended) {
+        tell(choice.name, {"the process that drew it " + result.text}, Exit::environment);
+        return false;
+    }
+    const Json json = Json::parse(result.text.substr(1));
+    const auto lines = json.at("lines").get<std::vector<std::string>>();
+    const auto code = static_cast<Exit>(json.at("code").get<int>());
+    if (code == Exit::usage) throw Stop(code, lines.front());  // of the command, so of all scenes
+    tell(choice.name, lines, code);
+    return false;
+}
+
+/// Told with --quiet too. A line about a file begins with the file, all others with the scene.
+void GalleryTroubles::tell(const std::string& name, const std::vector<std::string>& lines,
+                           Exit code) {
+    if (++count_ == 1) code_ = code;
+    Json json{{"event", "failed"}, {"scene", name}, {"lines", lines}};
+    talk_.json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    for (const std::string& line : lines) {
+        const bool named = code == Exit::scene || line.starts_with(name + ":");
+        fmt::print(stderr, "impulse: {}{}\n", named ? "" : printable(name) + ": ", printable(line));
+    }
+}
+
+}  // namespace demos

@@ -1,0 +1,57 @@
+// What made a card, to be copied into a shell.
+
+/// As a POSIX shell reads it as one word.
+const quoted = (word) =>
+  (/^[\w./=,:+@%-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+/// [what for, command] of a scene.
+function commandsOf(scene) {
+  const read = quoted(scene.file || scene.name), written = (ending) => quoted(scene.name + ending);
+  return [
+    ["film", `impulse render ${read} -o ${written(".mp4")}`],
+    scene.file ? ["checks", `impulse sim ${read}`] : ["file", `impulse list ${read} --print`],
+    ["replay", `impulse export ${read} -o ${written(".html")}`],
+  ];
+}
+
+async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {  // a page from a file, in some browsers
+    const field = make("textarea", { readonly: true, style: "position:fixed;opacity:0" });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+  }
+}
+
+let toldUntil = 0;
+
+function tell(text) {
+  byId("told").textContent = text;
+  byId("told").classList.add("shown");
+  clearTimeout(toldUntil);
+  toldUntil = setTimeout(() => byId("told").classList.remove("shown"), 1600);
+}
+
+const copySign = "M6 5.5V3.2c0-.7.5-1.2 1.2-1.2h5.6c.7 0 1.2.5 1.2 1.2v5.6c0 .7-.5 1.2-1.2 1.2h-2.3" +
+  "M3.2 6h5.6c.7 0 1.2.5 1.2 1.2v5.6c0 .7-.5 1.2-1.2 1.2H3.2C2.5 14 2 13.5 2 12.8V7.2C2 6.5 2.5 6 3.2 6z";
+const doneSign = "M3 8.5l3.2 3.2L13 5";
+
+function commandRow([purpose, command]) {
+  const row = make("button", { class: "command", type: "button", title: `copy: ${command}` },
+    make("span", {}, purpose), make("code", {}, command), sign(copySign));
+  row.addEventListener("click", async () => {
+    await copyText(command);
+    tell(`Copied: ${command}`);
+    row.classList.add("copied");
+    row.querySelector("path").setAttribute("d", doneSign);
+    setTimeout(() => {
+      row.classList.remove("copied");
+      row.querySelector("path").setAttribute("d", copySign);
+    }, 1600);
+  });
+  return row;
+}

@@ -1,0 +1,22 @@
+/// The solver's settings by the names that scene files give them.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/settings.h"
+
+namespace demos {
+
+using SettingList = std::vector<std::pair<std::string, std::string>>;
+
+/// steady, fast or seed.
+engine::Settings presetCalled(const std::string& name);
+
+/// What decides about a run's numbers: "solver.substeps", "4".
+SettingList solverSettings(const engine::Settings& settings);
+
+/// "substeps=8 sweeps=1": those that differ from the preset's; empty = none.
+std::string besidePreset(const engine::Settings& settings, const std::string& preset);
+
+}  // namespace demos

@@ -1,0 +1,150 @@
+// The talk as Markdown for Marp, whose formulas are written as ours: $x$ and $$x$$.
+#include <fmt/format.h>
+
+#include "demos/film/progress.h"
+#include "demos/slides/deck_files.h"
+#include "demos/slides/markup.h"
+#include "demos/slides/slide_media.h"
+#include "demos/slides/table_columns.h"
+
+namespace demos {
+namespace {
+
+/// A JSON string is a YAML string.
+std::string frontMatter(const Deck& deck) {
+    return fmt::format(
+        "---\nmarp: true\ntitle: {}\nauthor: {}\nmath: katex\npaginate: true\nsize: 16:9\n{}---\n",
+        jsonString(plainOf(deck.title)), jsonString(deck.author),
+        deck.theme == "dark" ? "class: invert\n" : "");
+}
+
+std::string escapedCell(const std::string& text) {
+    std::string cell;
+    for (const char c : text) {
+        const bool mark = std::string("|\\`*_<>[]$#").find(c) != std::string::npos;
+        cell += mark ? std::string("\\") + c : std::string(1, c);
+    }
+    return cell;
+}
+
+std::string tableMarkdown(const MadeTable& table) {
+    const auto row = [](const std::vector<std::string>& cells) {
+        std::string line = "|";
+        for (const std::string& cell : cells) line += " " + escapedCell(cell) + " |";
+        return line + "\n";
+    };
+    std::string text = row(table.head) + "|";
+    for (const bool number : numberColumns(table)) text += number ? "---:|" : "---|";
+    text += "\n";
+    for (const std::vector<std::string>& cells : table.rows) text += row(cells);
+    return text;
+}
+
+/// Longer than any run of backticks within.
+std::string fenceFor(const std::string& code) {
+    std::string fence = "```";
+    while (code.find(fence) != std::string::npos) fence += '`';
+    return fence;
+}
+
+/// A line that is a rule would be where the next slide begins.
+std::string withoutRules(const std::string& text) {
+    std::string result, line;
+    for (const char c : text + "\n") {
+        if (c != '\n') {
+            line += c;
+            continue;
+        }
+        std::string marks;
+        for (const char m : line)
+            if (m != ' ' && m != '\t') marks += m;
+        const bool rule = marks.size() >= 3 &&
+                          std::string("-*_").find(marks[0]) != std::string::npos &&
+                          marks.find_first_not_of(marks[0]) == std::string::npos;
+        result += (rule ? "" : line) + "\n";
+        line.clear();
+    }
+    result.pop_back();
+    return result;
+}
+
+std::string wordsOf(const MadeSlide& made) {
+    const Slide& slide = made.slide;
+    std::string text;
+    if (!slide.text.empty()) text += withoutRules(slide.text) + "\n\n";
+    for (const std::string& formula : slide.formulas) text += "$$\n" + formula + "\n$$\n\n";
+    if (!slide.code.empty()) {
+        const std::string fence = fenceFor(slide.code);
+        text +=
+            fence + "\n" + slide.code + (slide.code.ends_with('\n') ? "" : "\n") + fence + "\n\n";
+    }
+    for (const MadeTable& table : made.tables) text += tableMarkdown(table) + "\n";
+    return text;
+}
+
+/// A description ends at a bracket.
+std::string alt(const MadePicture& picture) {
+    std::string text;
+    for (const char c : picture.says)
+        if (c != '[' && c != ']' && c != '\\' && c != '\n') text += c;
+    return text;
+}
+
+std::string picturesMarkdown(const MadeSlide& made, bool words) {
+    const std::vector<const MadePicture*> pictures = picturesOf(made);
+    std::string text;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const std::string name = pictureName(made, i, pictures[i]->svg.empty() ? "png" : "svg");
+        if (i == 0 && hasFilm(made))
+            text += fmt::format("<video src=\"{}\" poster=\"{}\" controls muted{}></video>\n\n",
+                                filmName(made), name, made.slide.loop ? " loop" : "");
+        else if (words)
+            text += fmt::format("![bg right:55% contain {}]({})\n\n", alt(*pictures[i]), name);
+        else
+            text += fmt::format("![h:{} {}]({})\n\n", pictures.size() > 1 ? 260 : 500,
+                                alt(*pictures[i]), name);
+    }
+    return text;
+}
+
+/// A comment ends at its first "-->".
+std::string commentOf(const std::string& notes) {
+    std::string text;
+    for (const char c : notes) {
+        if (c == '>' && text.ends_with("--")) text += ' ';
+        text += c;
+    }
+    return "<!--\n" + text + (text.ends_with('\n') ? "" : "\n") + "-->\n";
+}
+
+std::string openingOf(const Deck& deck, const MadeSlide& made) {
+    const std::string& title = made.slide.title.empty() ? deck.title : made.slide.title;
+    std::string text = "# " + title + "\n\n";
+    for (const std::string* part : {&deck.subtitle, &deck.author, &deck.date})
+        if (!part->empty()) text += *part + "\n\n";
+    return text;
+}
+
+std::string slideOf(const Deck& deck, const MadeSlide& made) {
+    const std::string words = wordsOf(made);
+    std::string text;
+    if (made.slide.opening)
+        text += openingOf(deck, made);
+    else if (!made.slide.title.empty())
+        text += "## " + made.slide.title + "\n\n";
+    text += words + picturesMarkdown(made, !words.empty());
+    if (!made.slide.caption.empty()) text += made.slide.caption + "\n\n";
+    if (!made.slide.notes.empty()) text += commentOf(made.slide.notes);
+    return text;
+}
+
+}  // namespace
+
+std::string marpOf(const MadeDeck& made) {
+    std::string text = frontMatter(made.deck);
+    for (std::size_t i = 0; i < made.slides.size(); ++i)
+        text += (i == 0 ? "\n" : "\n---\n\n") + slideOf(made.deck, made.slides[i]);
+    return text;
+}
+
+}  // namespace demos

@@ -1,0 +1,11 @@
+// For builds without a font to embed: the reader's machine has one, or its browser makes do.
+#include "demos/slides/math_font.h"
+
+namespace demos {
+
+const std::string& mathFont() {
+    static const std::string none;
+    return none;
+}
+
+}  // namespace demos

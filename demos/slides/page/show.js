@@ -1,0 +1,85 @@
+// From slide to slide.
+
+function show(at) {
+  const before = leafNow();
+  view.at = within(at, 0, leaves.length - 1);
+  const entered = before !== leafNow() || !before.classList.contains("seen");
+  before.classList.remove("seen");
+  leafNow().classList.add("seen");
+  byId("course").firstElementChild.style.width = `${100 * (view.at + 1) / leaves.length}%`;
+  byId("black").hidden = true;
+  showNotes();
+  if (entered) enter();
+  if (!speaks) writeLink();
+  tellSpeaker();
+}
+
+function enter() {
+  say("");
+  stopFilms();
+  loadFilms();
+  if (document.body.classList.contains("overview")) {
+    leafNow().scrollIntoView({ block: "nearest" });
+    return;
+  }
+  enterFilm();
+  leafNow().querySelector("h1, h2")?.focus({ preventScroll: true });
+  if (speaks) showNext();
+}
+
+/// What a clicker, a click and the space bar do: a film that waits plays first.
+function goOn() {
+  const film = filmNow();
+  if (waits(film)) return play(film);
+  show(view.at + 1);
+}
+
+/// The space bar also holds a film that has not come to its end.
+function space() {
+  const film = filmNow();
+  if (film && !ended(film)) return toggleFilm();
+  show(view.at + 1);
+}
+
+function showNotes() {
+  const notes = leafNow().querySelector(".notes");
+  const words = notes ? [...notes.cloneNode(true).childNodes] : ["no notes"];
+  byId("notes").replaceChildren(...words);
+}
+
+function toggleNotes() {
+  byId("notes").hidden = !byId("notes").hidden;
+  document.body.classList.toggle("noted", !byId("notes").hidden);  // printed too
+  fitStage();
+}
+
+/// #5 is the fifth slide; written without a step in the browser's history.
+function writeLink() {
+  const link = `#${view.at + 1}`;
+  if (location.hash !== link) history.replaceState(null, "", link);
+}
+
+function readLink() {
+  const number = Number(location.hash.slice(1));
+  return Number.isInteger(number) && number > 0 ? number - 1 : 0;
+}
+
+function toggleOverview() {
+  const on = document.body.classList.toggle("overview");
+  stopFilms();
+  fitStage();
+  if (on) leafNow().scrollIntoView({ block: "center" });
+  else enter();
+}
+
+/// Slides in a row of the overview.
+function columns() {
+  const top = leaves[0].getBoundingClientRect().top;
+  const next = leaves.findIndex((leaf) => leaf.getBoundingClientRect().top > top + 1);
+  return next < 0 ? leaves.length : next;
+}
+
+function toggleFullScreen() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else document.documentElement.requestFullscreen?.().catch(() => say("this browser refuses full screen"));
+}

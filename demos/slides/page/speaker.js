@@ -1,0 +1,76 @@
+// A second window for who speaks: the same file, as #speaker. The two tell each other by
+// postMessage, which works between files on a disk too, where each is an origin of its own.
+
+let speaker = null;           // in the talk's window
+const clock = { began: Date.now() };
+
+function openSpeaker() {
+  if (speaks) return;
+  speaker = window.open(location.href.replace(/#.*/, "") + "#speaker", "impulse-speaker", "width=1200,height=800");
+  if (!speaker) say("the browser blocked the speaker's window: allow pop-ups for this page", 6000);
+}
+
+function tellSpeaker() {
+  if (speaks || !speaker || speaker.closed) return;
+  const film = filmNow();
+  speaker.postMessage({ impulse: "state", at: view.at, black: !byId("black").hidden,
+    film: film && { time: film.currentTime, paused: film.paused, waits: waits(film), speed: view.speed } }, "*");
+}
+
+const tellTalk = (message) => window.opener?.postMessage({ impulse: "speaker", ...message }, "*");
+
+/// Only from the window that this one has opened, also where this one was loaded again since.
+function hearSpeaker(event) {
+  if (event.data?.impulse !== "speaker" || event.source?.opener !== window) return;
+  speaker = event.source;
+  if (event.data.key) press(event.data.key, Boolean(event.data.shift));
+  tellSpeaker();
+}
+
+function hearTalk(event) {
+  if (event.data?.impulse !== "state" || event.source !== window.opener) return;
+  const { at, film, black } = event.data;
+  if (at !== view.at || !leafNow().classList.contains("seen")) show(at);
+  byId("black").hidden = !black;
+  document.body.dataset.heard = at + 1;
+  const mine = filmNow();
+  if (!mine || !film) return;
+  setWaiting(mine, film.waits);
+  mine.playbackRate = film.speed;
+  if (Math.abs(mine.currentTime - film.time) > 0.1 || film.paused) mine.currentTime = film.time;
+  if (film.paused) mine.pause();
+  else mine.play().catch(() => {});
+}
+
+function showNext() {
+  const next = leaves[view.at + 1];
+  if (!next) {
+    const end = document.createElement("p");
+    end.textContent = "the end";
+    byId("next").replaceChildren(end);
+    return;
+  }
+  const copy = slideOf(next).cloneNode(true);
+  for (const film of copy.querySelectorAll("video")) film.remove();
+  byId("next").replaceChildren(copy);
+}
+
+function showClock() {
+  const seconds = Math.floor((Date.now() - clock.began) / 1000);
+  const two = (n) => String(n).padStart(2, "0");
+  byId("elapsed").textContent = `${Math.floor(seconds / 60)}:${two(seconds % 60)}`;
+  const now = new Date();
+  byId("of-day").textContent = `${two(now.getHours())}:${two(now.getMinutes())}`;
+}
+
+function becomeSpeaker() {
+  document.body.classList.add("speaks");
+  byId("desk").hidden = byId("notes").hidden = false;
+  byId("restart").addEventListener("click", () => { clock.began = Date.now(); showClock(); });
+  window.addEventListener("message", hearTalk);
+  document.title += " \u2013 speaker";
+  showClock();
+  setInterval(() => { showClock(); tellTalk({}); }, 1000);  // also after the talk is loaded again
+  tellTalk({});
+  if (!window.opener) say("opened by itself: press s in the talk's window instead", 0);
+}

@@ -1,0 +1,22 @@
+// The slides as they stand in the page, and which of them is seen.
+
+const byId = (id) => document.getElementById(id);
+const leaves = [...document.querySelectorAll("#stage > .leaf")];
+const slideOf = (leaf) => leaf.querySelector(".slide");
+const filmOf = (leaf) => leaf?.querySelector("video[data-film]") ?? null;
+const leafNow = () => leaves[view.at];
+const filmNow = () => filmOf(leafNow());
+
+const speaks = location.hash === "#speaker";
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+const view = { at: 0, digits: "", speed: 1 };
+const within = (value, low, high) => Math.min(Math.max(value, low), high);
+
+let silence = 0;
+/// A line at the bottom, for so long (ms); 0: until the next one.
+function say(text, time = 2500) {
+  clearTimeout(silence);
+  byId("says").textContent = text;
+  byId("says").hidden = !text;
+  if (text && time) silence = setTimeout(() => say(""), time);
+}

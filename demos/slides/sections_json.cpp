@@ -1,0 +1,67 @@
+#include "demos/slides/sections_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "demos/file_content.h"
+#include "demos/slides/slide_media.h"
+
+namespace demos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kMadeBy = "impulse slides";
+
+Json sectionJson(const MadeSlide& made) {
+    const std::vector<const MadePicture*> pictures = picturesOf(made);
+    Json json{{"id", made.slide.id}, {"title", made.slide.title}};
+    if (hasFilm(made)) {
+        json["file"] = filmName(made);
+        json["frames"] = made.film->frames;
+        json["fps"] = made.film->fps;
+    }
+    if (!pictures.empty()) json["poster"] = pictureName(made, 0);
+    for (std::size_t i = 1; i < pictures.size(); ++i)
+        json["pictures"].push_back(pictureName(made, i));
+    json["loop"] = made.slide.loop;
+    json["pause"] = made.slide.pause;
+    json["notes"] = made.slide.notes;
+    if (!made.command.empty()) json["command"] = made.command;
+    return json;
+}
+
+/// Nothing outside of the folder, whatever the list says.
+bool isInside(const std::filesystem::path& name) {
+    if (name.empty() || name.is_absolute()) return false;
+    for (const std::filesystem::path& part : name)
+        if (part == ".." || part == "." || part.empty()) return false;
+    return true;
+}
+
+}  // namespace
+
+std::string sectionsJson(const MadeDeck& made, const std::vector<std::filesystem::path>& files) {
+    Json json{{"made_by", kMadeBy},
+              {"title", made.deck.title},
+              {"resolution", {made.deck.size.width, made.deck.size.height}},
+              {"files", Json::array()},
+              {"slides", Json::array()}};
+    for (const std::filesystem::path& file : files) json["files"].push_back(file.generic_string());
+    for (const MadeSlide& slide : made.slides) json["slides"].push_back(sectionJson(slide));
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& folder) {
+    const std::vector<std::uint8_t> text = contentOf(folder / "sections.json");
+    const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
+    if (!json.is_object() || json.value("made_by", Json()) != kMadeBy) return {};
+    std::vector<std::filesystem::path> files;
+    for (const Json& name : json.value("files", Json::array())) {
+        if (!name.is_string()) continue;
+        const std::filesystem::path file = name.get<std::string>();
+        if (isInside(file)) files.push_back(file);
+    }
+    return files;
+}
+
+}  // namespace demos

@@ -1,0 +1,66 @@
+#include "demos/slides/slides_output.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "demos/commands/table.h"
+#include "demos/scene/complaints.h"
+#include "demos/slides/deck_files.h"
+#include "demos/stop.h"
+
+namespace demos {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(name), what));
+}
+
+SlidesOutput outputOf(const std::string& name) {
+    if (name.find('\0') != std::string::npos) refuse(name, "a name holds no NUL");
+    const std::filesystem::path path = name;
+    std::error_code ignored;
+    if (name.ends_with('/') || std::filesystem::is_directory(path, ignored))
+        return {SlidesKind::folder, name};
+    if (path.extension() == ".html") return {SlidesKind::page, name};
+    if (path.extension() == ".pdf") return {SlidesKind::pdf, name};
+    refuse(name, "the ending says what is written; known are: .html .pdf and / of a folder");
+}
+
+void spareSources(const std::string& name, const Deck& deck) {
+    for (const std::filesystem::path& source : deck.files) {
+        std::error_code neither;  // one of them is no file
+        if (std::filesystem::equivalent(name, source, neither))
+            refuse(name, "the deck reads this file; write to another one");
+    }
+}
+
+/// The same for "talk" and "talk/".
+std::filesystem::path placeOf(const SlidesOutput& output) {
+    const std::filesystem::path place = demos::placeOf(output.name);
+    return place.has_filename() ? place : place.parent_path();
+}
+
+}  // namespace
+
+std::vector<SlidesOutput> slidesOutputsOf(const Options& options, const Deck& deck) {
+    std::vector<std::string> names = options.outputs;
+    if (names.empty()) names = {"output/" + deck.name + ".html"};
+    std::vector<SlidesOutput> outputs;
+    for (const std::string& name : names) {
+        const SlidesOutput output = outputOf(name);
+        for (const SlidesOutput& other : outputs)
+            if (placeOf(other) == placeOf(output))
+                refuse(name, "another --output goes there already");
+        spareSources(name, deck);
+        outputs.push_back(output);
+    }
+    for (const SlidesOutput& output : outputs)
+        if (output.kind == SlidesKind::folder)
+            checkSlidesFolder(output.name, options.overwrite);
+        else
+            checkFree(output.name, options.overwrite);
+    return outputs;
+}
+
+}  // namespace demos

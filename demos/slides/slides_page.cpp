@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "demos/page/page_text.h"
+#include "demos/report/inks.h"
+#include "demos/slides/deck_files.h"
+#include "demos/slides/linked_page.h"
+#include "demos/slides/markup.h"
+#include "demos/slides/math_font.h"
+#include "demos/slides/slide_html.h"
+
+namespace demos {
+namespace {
+
+std::string hexOf(const render::Color& color) {
+    const auto level = [](float channel) { return static_cast<int>(255.0f * channel + 0.5f); };
+    return fmt::format("#{:02x}{:02x}{:02x}", level(color.r), level(color.g), level(color.b));
+}
+
+/// The charts' ground, so that these have no edge.
+std::string inksStyle(const std::string& theme) {
+    const Inks inks = inksOf(theme);
+    return fmt::format(":root {{ --ground: {}; --ink: {}; --muted: {}; --grid: {}; --axis: {}; }}",
+                       hexOf(inks.ground), hexOf(inks.ink), hexOf(inks.muted), hexOf(inks.grid),
+                       hexOf(inks.axis));
+}
+
+std::string fontStyle() {
+    if (mathFont().empty()) return {};
+    return "@font-face { font-family: \"impulse math\"; src: url(data:font/woff2;base64," +
+           mathFont() + ") format(\"woff2\"); }";
+}
+
+void replaceAll(std::string& text, const std::string& mark, const std::string& by) {
+    for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + by.size()))
+        text.replace(at, mark.size(), by);
+}
+
+using MediaOf = SlideMedia (*)(const MadeSlide&);
+
+std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
+    std::string slides;
+    for (std::size_t i = 0; i < made.slides.size(); ++i)
+        slides += slideHtml(made.deck, made.slides[i], i + 1, mediaOf(made.slides[i]));
+    const bool formulas = slides.find("<math") != slides.npos;
+    PageText text = slidesPageText();
+    replaceAll(text.before, "@sources@", sources);
+    replaceAll(text.before, "@font@", formulas ? fontStyle() : "");
+    replaceAll(text.before, "@inks@", inksStyle(made.deck.theme));
+    replaceAll(text.before, "@theme@", made.deck.theme);
+    // The last: a title may say what it likes.
+    replaceAll(text.before, "@title@", htmlEscaped(plainOf(made.deck.title)));
+    return text.before + slides + text.after;
+}
+
+}  // namespace
+
+std::string slidesPage(const MadeDeck& deck) { return pageOf(deck, embeddedMedia, "data:"); }
+
+std::string linkedSlidesPage(const MadeDeck& deck) {
+    return pageOf(deck, linkedMedia, "'self' file:");
+}
+
+}  // namespace demos

@@ -1,0 +1,181 @@
+#include "demos/watch/draft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/film/framing.h"
+#include "demos/film/outputs.h"
+#include "demos/film/poster.h"
+#include "demos/film/screen.h"
+#include "demos/player.h"
+#include "demos/stop.h"
+#include "demos/text_hash.h"
+#include "demos/watch/frame_hash.h"
+#include "render/encode/file.h"
+#include "render/encode/png.h"
+
+namespace demos {
+namespace {
+
+/// What decides about a picture besides its frame.
+std::uint64_t sumOf(const FilmPlan& plan) {
+    TextHash hash;
+    for (const int number : {plan.layout.width, plan.layout.height, plan.picture.width,
+                             plan.picture.height, plan.picture.samples})
+        hash.add(std::to_string(number));
+    hash.add(plan.strip.pixels);
+    return hash.value();
+}
+
+void note(int frame, std::vector<FrameSpan>& spans) {
+    if (spans.empty() || spans.back().last + 1 < frame) spans.push_back({frame, frame});
+    spans.back().last = frame;
+}
+
+}  // namespace
+
+/// One play of the scene.
+class DraftMaker::Run {
+public:
+    explicit Run(const FilmPlan& plan)
+        : plan_(plan),
+          player_(plan.scene(), plan.panels.front().overlays),
+          checker_(player_.stage()),
+          planSum_(sumOf(plan)) {
+        look();
+    }
+
+    /// False: it diverged.
+    bool step(int count) {
+        try {
+            for (int i = 0; i < count; ++i) {
+                player_.step();
+                look();
+            }
+        } catch (const Stop& stop) {
+            if (stop.code() != Exit::diverged) throw;
+            trouble_ = stop.what();
+        }
+        return trouble_.empty();
+    }
+
+    render::Frame frame(int frame) const {
+        render::Frame shown = player_.frame(plan_.timeOf(frame));
+        fitCamera(plan_.picture.width, plan_.picture.height, shown);
+        return shown;
+    }
+    /// A strip's cursor goes with the frame.
+    std::uint64_t sumOfPicture(int frame, const render::Frame& shown) {
+        TextHash hash;
+        hash.add(std::to_string(planSum_));
+        hash.add(std::to_string(hasher_.of(shown)));
+        if (!plan_.strip.pixels.empty()) hash.add(std::to_string(frame));
+        return hash.value();
+    }
+    const FilmPlan& plan() const { return plan_; }
+    const std::vector<std::uint64_t>& states() const { return states_; }
+    const std::string& trouble() const { return trouble_; }
+
+    /// Those that were not kept; of a run that was cut short, only what was measured.
+    std::vector<ExpectationResult> failed(bool cut) const {
+        std::vector<ExpectationResult> results = checker_.results();
+        std::erase_if(results, [cut](const ExpectationResult& result) {
+            return result.passed || (cut && !std::isfinite(result.value));
+        });
+        return results;
+    }
+
+private:
+    void look() {
+        checker_.look(player_.stage());
+        states_.push_back(player_.stage().world.hash());
+    }
+
+    const FilmPlan& plan_;
+    Player player_;
+    ExpectationChecker checker_;
+    FrameHasher hasher_;
+    std::uint64_t planSum_;
+    std::vector<std::uint64_t> states_;
+    std::string trouble_;
+};
+
+void DraftMaker::prepare(const FilmPlan& plan) {
+    makeFolder(places_.folder);
+    if (!store_ || store_->width() != plan.layout.width || store_->height() != plan.layout.height) {
+        store_ =
+            std::make_unique<FrameStore>(places_.film(), plan.layout.width, plan.layout.height);
+        stored_.clear();
+    }
+    if (!renderer_ || panel_.width != plan.picture.width || panel_.height != plan.picture.height) {
+        renderer_.reset();
+        renderer_ = std::make_unique<render::Renderer>(plan.picture);
+        panel_ = {plan.picture.width, plan.picture.height};
+    }
+}
+
+std::optional<render::Image> DraftMaker::drawn(int frame, const render::Frame& shown,
+                                               std::uint64_t sum, const FilmPlan& plan) {
+    const auto place = static_cast<std::size_t>(frame);
+    if (place < stored_.size() && stored_[place] == sum) return std::nullopt;
+    render::Image image = withStrip(renderer_->draw(shown), plan, plan.timeOf(frame));
+    stored_.resize(std::max(stored_.size(), place + 1));
+    stored_[place] = 0;  // while it is half there
+    store_->put(frame, image);
+    stored_[place] = sum;
+    return image;
+}
+
+void DraftMaker::addFrame(int frame, Run& run, DraftFilm& film, Draft& draft) {
+    const render::Frame shown = run.frame(frame);
+    const std::uint64_t sum = run.sumOfPicture(frame, shown);
+    const std::optional<render::Image> image = drawn(frame, shown, sum, run.plan());
+    draft.drawn += image ? 1 : 0;
+    const bool isOther = differs(static_cast<std::size_t>(frame), sum);
+    if (isOther) note(frame, draft.changed);
+    film.add(frame, image ? &*image : nullptr, isOther);
+    ++draft.frames;
+}
+
+Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
+                       const std::function<bool()>& giveUp) {
+    prepare(plan);
+    Draft draft;
+    draft.framesBefore = static_cast<int>(told_.size());
+    Run run(plan);
+    DraftFilm film(places_, plan, *store_, draft.framesBefore);
+    for (int frame = 0; frame < plan.frames; ++frame) {
+        if (giveUp()) return draft;
+        if (frame > 0 && !run.step(plan.stepsPerFrame)) break;
+        addFrame(frame, run, film, draft);
+    }
+    const long steps = std::max(std::lround(plan.scene().seconds * plan.scene().hz), 1L);
+    if (run.trouble().empty())
+        run.step(static_cast<int>(steps - static_cast<long>(run.states().size()) + 1));
+    finish(run, film, options, draft);
+    return draft;
+}
+
+void DraftMaker::finish(Run& run, DraftFilm& film, const Options& options, Draft& draft) {
+    draft.written = film.close(draft.frames);
+    const bool first = draft.framesBefore == 0;
+    if (first)
+        draft.pictured = std::min(posterFrame(run.plan(), options), draft.frames - 1);
+    else if (!draft.changed.empty())
+        draft.pictured = draft.changed.front().first;
+    if (draft.pictured >= 0)
+        render::writeFileAtomically(places_.picture(),
+                                    render::encodePng(store_->get(draft.pictured)));
+    const std::vector<std::uint64_t>& states = run.states();
+    const auto [here, there] =
+        std::mismatch(states.begin(), states.end(), states_.begin(), states_.end());
+    if (!first && here != states.end() && there != states_.end())
+        draft.firstStep = here - states.begin();
+    draft.failed = run.failed(options.seconds.has_value());
+    draft.trouble = run.trouble();
+    told_.assign(stored_.begin(), stored_.begin() + draft.frames);
+    states_ = states;
+    draft.whole = true;
+}
+
+}  // namespace demos

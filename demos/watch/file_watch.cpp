@@ -1,0 +1,119 @@
+#include "demos/watch/file_watch.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "demos/film/signals.h"
+#include "demos/scene/complaints.h"
+#include "render/encode/file.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file is whole when its writer closes it, or when it comes under its name. Its folder may go.
+constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
+
+/// Several files of one save, or of one `git checkout`, come closer together than this.
+constexpr timespec kTogether{0, 20'000'000};  // s, ns
+
+/// SIGINT and SIGTERM come while ppoll waits and at no other time, so none is missed.
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        sigset_t ending;
+        sigemptyset(&ending);
+        sigaddset(&ending, SIGINT);
+        sigaddset(&ending, SIGTERM);
+        sigprocmask(SIG_BLOCK, &ending, &before_);
+    }
+    ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+    /// `longest` none: until something comes.
+    bool isReadable(int file, const timespec* longest) const {
+        pollfd wait{file, POLLIN, 0};
+        return ppoll(&wait, 1, longest, &before_) > 0;
+    }
+
+private:
+    sigset_t before_;
+};
+
+[[noreturn]] void fail(const std::string& what) {
+    throw render::Error(fmt::format("cannot watch {}: {}", what, render::describeError(errno)));
+}
+
+fs::path absoluteOf(const fs::path& file) { return fs::absolute(file).lexically_normal(); }
+
+}  // namespace
+
+FileWatch::FileWatch() : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+    if (queue_ < 0) fail("files");
+}
+
+FileWatch::~FileWatch() { close(queue_); }
+
+bool FileWatch::watch(const std::vector<fs::path>& files) {
+    std::set<fs::path> now;
+    for (const fs::path& file : files) {
+        now.insert(absoluteOf(file));
+        std::error_code missing;
+        if (const fs::path real = fs::canonical(file, missing); !missing) now.insert(real);
+    }
+    bool added = false;
+    for (const fs::path& file : now)
+        if (files_.count(file) == 0) added = addFolderOf(file) || added;
+    files_ = std::move(now);
+    return added;
+}
+
+bool FileWatch::addFolderOf(const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    const int number = inotify_add_watch(queue_, folder.c_str(), kEvents | IN_ONLYDIR);
+    if (number < 0) fail("'" + printable(folder.string()) + "'");
+    folders_[number] = folder;
+    return true;
+}
+
+void FileWatch::readEvents(Which which) {
+    alignas(inotify_event) char block[16384];
+    for (ssize_t got; (got = read(queue_, block, sizeof block)) > 0;)
+        for (ssize_t at = 0; at < got;) {
+            const auto* event = reinterpret_cast<const inotify_event*>(block + at);
+            at += static_cast<ssize_t>(sizeof *event + event->len);
+            const auto folder = folders_.find(event->wd);
+            if (event->mask & IN_Q_OVERFLOW) news_ = true;  // some were lost
+            if (folder == folders_.end()) continue;
+            if (event->mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT))
+                throw render::Error(
+                    fmt::format("the folder '{}' is gone; what was watched is not "
+                                "there any more",
+                                printable(folder->second.string())));
+            const bool named = event->len > 0 && files_.count(folder->second / event->name) > 0;
+            news_ = news_ || named || which == Which::anyBeside;
+        }
+}
+
+bool FileWatch::hasNews(Which which) {
+    readEvents(which);
+    return news_;
+}
+
+bool FileWatch::wait(Which which) {
+    const SignalsHeld signals;
+    while (!hasNews(which) && !interrupted()) signals.isReadable(queue_, nullptr);
+    while (!interrupted() && signals.isReadable(queue_, &kTogether)) readEvents(which);
+    news_ = false;
+    return !interrupted();
+}
+
+}  // namespace demos

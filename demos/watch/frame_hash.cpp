@@ -1,0 +1,137 @@
+// Every struct is taken apart by name: a member that is added to a frame and forgotten here does
+// not compile.
+
+#include "demos/watch/frame_hash.h"
+
+#include <span>
+#include <type_traits>
+
+#include "demos/text_hash.h"
+#include "render/solid_mesh.h"
+
+namespace demos {
+namespace {
+
+using namespace render;
+
+class FrameSum {
+public:
+    template <class... Values>
+    void add(const Values&... values) {
+        (one(values), ...);
+    }
+    std::uint64_t value() const { return hash_.value(); }
+
+private:
+    /// Numbers and enumerations; 0.0f and -0.0f differ, which costs a drawing at worst.
+    template <class Value>
+    requires std::is_arithmetic_v<Value> || std::is_enum_v<Value>
+    void one(const Value& value) {
+        hash_.add(std::span(reinterpret_cast<const std::uint8_t*>(&value), sizeof value));
+    }
+    void one(const std::string& text) { hash_.add(text); }
+    void one(const Vec3& v) { add(v.x(), v.y(), v.z()); }
+    void one(const Quat& q) { add(q.w(), q.x(), q.y(), q.z()); }
+
+    template <class Item>
+    void one(const std::vector<Item>& items) {
+        one(items.size());
+        for (const Item& item : items) one(item);
+    }
+
+    void one(const Color& color) {
+        const auto& [r, g, b, a] = color;
+        add(r, g, b, a);
+    }
+    void one(const Camera& camera) {
+        const auto& [from, lookAt, up, fovDegrees, aperture, focus] = camera;
+        add(from, lookAt, up, fovDegrees, aperture, focus);
+    }
+    void one(const Look& look) {
+        const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
+                     lineStrength, ink, plate] = look;
+        add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
+            lineStrength, ink, plate);
+    }
+    void one(const Ground& ground) {
+        const auto& [visible, normal, offset, id] = ground;
+        add(visible, normal, offset, id);
+    }
+    /// The mesh is added by its owner, who knows it already.
+    void one(const Solid& solid) {
+        const auto& [shape, halfSize, position, rotation, color, id, mesh] = solid;
+        add(shape, halfSize, position, rotation, color, id, mesh != nullptr);
+    }
+    void one(const Rod& rod) {
+        const auto& [from, to, radius, color, id] = rod;
+        add(from, to, radius, color, id);
+    }
+    void one(const Arrow& arrow) {
+        const auto& [from, to, color, reach] = arrow;
+        add(from, to, color, reach);
+    }
+    void one(const Marker& marker) {
+        const auto& [position, pixels, color, largest, reach, shape] = marker;
+        add(position, pixels, color, largest, reach, shape);
+    }
+    void one(const Line& line) {
+        const auto& [from, to, pixels, color] = line;
+        add(from, to, pixels, color);
+    }
+    void one(const Label& label) {
+        const auto& [text, position, reach, size, below] = label;
+        add(text, position, reach, size, below);
+    }
+    void one(const Trail& trail) {
+        const auto& [points, pixels, color] = trail;
+        add(points, pixels, color);
+    }
+    void one(const Text& text) {
+        const auto& [words, corner, size, color] = text;
+        add(words, corner, size, color);
+    }
+    void one(const BarPart& part) {
+        const auto& [share, color] = part;
+        add(share, color);
+    }
+    void one(const PlateRow& row) {
+        const auto& [name, value, swatch, color, meters, bar, ramp] = row;
+        add(name, value, swatch, color, meters, bar, ramp);
+    }
+    void one(const Plate& plate) {
+        const auto& [corner, size, rows] = plate;
+        add(corner, size, rows);
+    }
+
+    TextHash hash_;
+};
+
+/// All else in a mesh follows from these.
+std::uint64_t sumOf(const SolidMesh& mesh) {
+    FrameSum sum;
+    sum.add(mesh.vertices, mesh.triangles.size(), mesh.convex, mesh.facets);
+    for (const auto& [a, b, c] : mesh.triangles) sum.add(a, b, c);
+    for (const auto& [a, b, c] : mesh.crisp) sum.add(a, b, c);
+    return sum.value();
+}
+
+}  // namespace
+
+std::uint64_t FrameHasher::of(const std::shared_ptr<const SolidMesh>& mesh) {
+    const auto [known, added] = meshes_.try_emplace(mesh, 0);
+    if (added && mesh) known->second = sumOf(*mesh);
+    return known->second;
+}
+
+std::uint64_t FrameHasher::of(const Frame& frame) {
+    const auto& [camera, look, grounds, solids, rods, arrows, markers, lines, ghosts, labels,
+                 trails, texts, plates] = frame;
+    FrameSum sum;
+    sum.add(camera, look, grounds, solids, rods, arrows, markers, lines, ghosts, labels, trails,
+            texts, plates);
+    for (const std::vector<Solid>* list : {&solids, &ghosts})
+        for (const Solid& solid : *list) sum.add(of(solid.mesh));
+    return sum.value();
+}
+
+}  // namespace demos

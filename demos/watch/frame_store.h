@@ -1,0 +1,30 @@
+/// The pictures of a film, by their number, in a file without a name: however long the film is, it
+/// takes no memory, and nothing is left of it.
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "render/encode/ffmpeg.h"
+#include "render/image.h"
+
+namespace demos {
+
+class FrameStore {
+public:
+    /// On the disk of `beside`; pictures of this size, in pixels. Throws render::Error.
+    FrameStore(const std::filesystem::path& beside, int width, int height);
+    /// Throws render::Error when the disk is full.
+    void put(int frame, const render::Image& image);
+    /// One that was put there.
+    render::Image get(int frame) const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+private:
+    std::size_t bytes() const { return 4 * static_cast<std::size_t>(width_) * height_; }
+
+    render::Descriptor file_;
+    int width_, height_;
+};
+
+}  // namespace demos

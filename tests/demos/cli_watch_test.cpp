@@ -1,0 +1,187 @@
+// impulse watch: what is told and drawn when a file is saved.
+#include <nlohmann/json.hpp>
+
+#include "tests/demos/conversation.h"
+#include "tests/demos/small_film.h"
+
+namespace demos::test {
+namespace {
+
+using nlohmann::json;
+
+/// A ball that falls through two sections.
+const std::string kScene = R"(format = 1
+seconds = 2.0
+[[body]]
+name = "ball"
+shape = { sphere = 0.5 }
+at = [0, 3, 0]
+[[section]]
+at = 0.0
+name = "fall"
+[[section]]
+at = 1.0
+name = "late"
+caption = "late"
+)";
+
+class Watch : public testing::Test {
+protected:
+    Watch() { write(folder / "my.toml", kScene); }
+
+    Launch launch(std::vector<std::string> more) const {
+        Launch launch;
+        launch.folder = folder.path();
+        launch.arguments = {"watch", "my.toml", "--size", "96x54"};
+        launch.arguments.insert(launch.arguments.end(), more.begin(), more.end());
+        return launch;
+    }
+    /// As editors save: another file, renamed.
+    void replace(const std::string& name, const std::string& text) const {
+        write(folder / (name + "~"), text);
+        fs::rename(folder / (name + "~"), folder / name);
+    }
+    fs::path made(const std::string& name) const { return folder / "output/my" / name; }
+
+    TemporaryFolder folder;
+};
+
+std::string with(std::string text, const std::string& old, const std::string& now) {
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), now);
+}
+
+json draftIn(const std::string& lines) {
+    const std::size_t at = lines.find("{\"event\":\"draft\"");
+    EXPECT_NE(at, std::string::npos) << lines;
+    return at == lines.npos ? json() : json::parse(lines.substr(at, lines.find('\n', at) - at));
+}
+
+constexpr int kDraftFrames = 30;  // 2 s of 15
+
+TEST_F(Watch, OneDraftIsAFilmAndAPicture) {
+    const Ended ended = run(launch({"--once"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(isWhole(contentOf(made("draft.png"))));
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    EXPECT_EQ(playableFrames(made("draft.mp4")), kDraftFrames);
+    EXPECT_NE(ended.out.find("wrote output/my/draft.mp4 (30 frames, 30 drawn), open it"),
+              std::string::npos)
+        << ended.out;
+}
+
+TEST_F(Watch, DrawsAnewWhatASaveChangesAndNothingElse) {
+    Conversation watching(launch({"--json"}));
+    EXPECT_EQ(draftIn(watching.until("\"watching\""))["drawn"], kDraftFrames);
+    // A caption of the second section, seen from 1 s on: frames 15 to 29. The state is the same.
+    write(folder / "my.toml",
+          with(kScene, "\"late\"\ncaption = \"late\"", "\"late\"\ncaption = \"later\""));
+    json draft = draftIn(watching.until("\"draft\""));
+    EXPECT_EQ(draft["drawn"], 15) << draft;
+    EXPECT_EQ(draft["changed"],
+              (json::array({{{"first", 15}, {"last", 29}, {"sections", {"late"}}}})));
+    EXPECT_TRUE(draft["first_step"].is_null()) << draft;
+    EXPECT_EQ(draft["picture"], "output/my/draft.png");
+    // Gravity: the state of every step but the start's, so every frame but the first, which is as
+    // before in its picture but for the caption. Saved by renaming.
+    replace("my.toml", with(kScene, "[[section]]", "[world]\ngravity = [0, -5, 0]\n[[section]]"));
+    draft = draftIn(watching.until("\"draft\""));
+    EXPECT_EQ(draft["drawn"], kDraftFrames - 1) << draft;
+    EXPECT_EQ(draft["first_step"], 1) << draft;
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, NamesTheFirstStepAndTheFirstFrame) {
+    Conversation watching(launch({"--json"}));
+    watching.until("\"watching\"");
+    replace("my.toml", with(kScene, "at = [0, 3, 0]", "at = [0, 3, 0]\nvelocity = [1, 0, 0]"));
+    const json draft = draftIn(watching.until("\"draft\""));
+    EXPECT_EQ(draft["drawn"], kDraftFrames - 1) << draft;  // frame 0 is at rest in both
+    EXPECT_EQ(draft["changed"][0]["first"], 1);
+    EXPECT_EQ(draft["first_step"], 0);  // the velocity is part of the state
+    EXPECT_EQ(watching.endBy(SIGTERM), 130);
+}
+
+TEST_F(Watch, SaysWhenNothingChanged) {
+    Conversation watching(launch({}));
+    const std::string first = watching.until("watching my.toml");
+    EXPECT_NE(first.find("open it"), std::string::npos) << first;
+    const auto written = fs::last_write_time(made("draft.png"));
+    replace("my.toml", "# another word\n" + kScene);
+    EXPECT_EQ(watching.until("\n"), "no frame changed\n");
+    EXPECT_EQ(fs::last_write_time(made("draft.png")), written);
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, ErrorsAreToldOnceAndWatchingGoesOn) {
+    Conversation watching(launch({}));
+    watching.until("watching my.toml");
+    write(folder / "my.toml", "format = 1\nsecond = 2\n");
+    EXPECT_NE(watching.until("my.toml:2:1").find("impulse: my.toml:2:1: "), std::string::npos);
+    replace("my.toml", kScene);
+    EXPECT_NE(watching.until("no frame changed").find("no frame changed"), std::string::npos);
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
+    write(folder / "part.toml",
+          "[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n");
+    write(folder / "my.toml", with(kScene, "seconds", "include = [\"part.toml\"]\nseconds"));
+    Conversation watching(launch({"--json"}));
+    EXPECT_NE(watching.until("\"watching\"").find("\"files\":2"), std::string::npos);
+    replace("part.toml", "[[body]]\nname = \"b\"\nshape = { sphere = 0.3 }\nat = [2, 1, 0]\n");
+    EXPECT_EQ(draftIn(watching.until("\"draft\""))["drawn"], kDraftFrames);
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, AFailedExpectationIsTold) {
+    write(folder / "my.toml",
+          kScene + "[[expect]]\nwhat = \"speed\"\nof = [\"ball\"]\nbelow = 1\nwhy = \"slow\"\n");
+    const Ended ended = run(launch({"--once"}));
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.err.find("impulse: my: failed: speed of ball below 1 m/s"), std::string::npos)
+        << ended.err;
+    EXPECT_NE(ended.err.find("(slow)"), std::string::npos) << ended.err;
+    EXPECT_TRUE(fs::exists(made("draft.png")));
+}
+
+TEST_F(Watch, WithoutFfmpegThereAreFramesAndAStrip) {
+    Launch without = launch({});
+    without.beforeExec = [] { setenv("PATH", "/nonexistent", 1); };
+    Conversation watching(without);
+    const std::string first = watching.until("watching my.toml");
+    EXPECT_NE(first.find("ffmpeg is not installed"), std::string::npos) << first;
+    EXPECT_NE(first.find("output/my/draft_strip.png"), std::string::npos) << first;
+    EXPECT_EQ(framesIn(made("draft")).size(), static_cast<std::size_t>(kDraftFrames));
+    const Files before = framesIn(made("draft"));
+    replace("my.toml", with(kScene, "seconds = 2.0", "seconds = 1.0"));
+    watching.until("it had 30");
+    watching.until("open it");
+    const Files after = framesIn(made("draft"));
+    EXPECT_EQ(after.size(), 15u);
+    for (const auto& [name, png] : after) EXPECT_EQ(png, before.at(name)) << name;
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, OptionsOfAPictureWork) {
+    const Ended ended = run(launch({"--once", "--json", "--seconds", "1", "--set", "world.hz=30",
+                                    "--show", "axes", "--theme", "dark", "-o", "here"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(draftIn(ended.out)["frames"], 15);
+    EXPECT_TRUE(fs::exists(folder / "here/draft.png"));
+}
+
+TEST_F(Watch, SaysWhatIsWrong) {
+    const auto ended = [&](std::vector<std::string> arguments) {
+        return run(folder.path(), std::move(arguments));
+    };
+    EXPECT_EQ(ended({"watch", "stack"}).code, 2);
+    EXPECT_NE(ended({"watch", "stack"}).err.find("give --once"), std::string::npos);
+    EXPECT_EQ(ended({"watch", "none.toml"}).code, 3);
+    EXPECT_EQ(ended({"watch", "gone/none.toml"}).errorLines(), 1);
+    EXPECT_EQ(ended({"watch", "stakc"}).code, 3);
+}
+
+}  // namespace
+}  // namespace demos::test

@@ -1,0 +1,152 @@
+// The gallery in a browser: its cards, the search, films under the pointer, copied commands, no
+// request.
+#include "demos/gallery/gallery_page.h"
+#include "render/encode/ffmpeg.h"
+#include "render/encode/video.h"
+#include "tests/pages/driver.h"
+#include "tests/support/planted_report.h"
+
+namespace {
+
+using namespace demos;
+using support::driver;
+using support::Opened;
+using support::told;
+
+constexpr int kWidth = 160, kHeight = 90;  // pixels
+
+/// Two stacks and a pendulum; the pendulum's texts try to be markup.
+class GalleryInBrowser : public testing::Test {
+protected:
+    GalleryInBrowser() {
+        add("stack", "stacks", "Ten boxes", "They stay");
+        add("wall", "stacks", "A wall", "A ball comes");
+        add("it's mine", "", "<img src=http://127.0.0.1:9/title.png onerror=alert(1)>",
+            "It swings");
+        cards_.back().file = "it's mine.toml";
+    }
+
+    void add(const std::string& name, const std::string& group, const std::string& title,
+             const std::string& purpose) {
+        GalleryCard card;
+        card.name = name;
+        card.group = group;
+        card.title = title;
+        card.purpose = purpose;
+        card.seconds = 2.0;
+        card.bodies = 12;
+        card.hz = 60;
+        card.width = kWidth;
+        card.height = kHeight;
+        card.film = true;
+        cards_.push_back(card);
+        support::saved(folder_ / (name + ".png"), support::flatImage(kWidth, kHeight, 200));
+    }
+
+    Opened open(const std::string& hash, const std::string& steps) const {
+        return browser_.open(galleryPage(cards_, "llvmpipe"), hash, driver(steps));
+    }
+
+    support::TemporaryFolder folder_;
+    support::Browser browser_{folder_};
+    std::vector<GalleryCard> cards_;
+};
+
+/// "[a b]" of the cards that are not hidden.
+const std::string kTellShown = R"js(
+  const shown = () => tell([...document.querySelectorAll(".card")]
+    .filter((card) => card.offsetParent !== null).map((card) => card.dataset.scene).join(" "));
+)js";
+
+TEST_F(GalleryInBrowser, ShowsACardForEachSceneByGroup) {
+    const Opened opened = open("", kTellShown + R"js(
+  shown();
+  tell([...document.querySelectorAll("section > h2")].map((h) => h.firstChild.data).join(","));
+  tell(document.querySelector("#stack .facts").textContent);
+  tell([...document.images].every((image) => image.complete && image.naturalWidth === 160));
+  tell(document.querySelectorAll("video").length);
+)js");
+    EXPECT_EQ(told(opened),
+              "[stack wall it's mine][stacks,scenes of yours][12 bodies2 s60 steps/s]"
+              "[true][0]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+    EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
+}
+
+TEST_F(GalleryInBrowser, SearchKeepsWhatHasEveryWord) {
+    const Opened opened = open("q=ball", kTellShown + R"js(
+  shown();
+  await key("/");
+  tell(document.activeElement.id);
+  const ask = (text) => {
+    byId("search").value = text;
+    byId("search").dispatchEvent(new Event("input"));
+    shown();
+  };
+  ask("stacks ten");
+  ask("stacks swings");
+  tell(byId("nothing").hidden);
+  document.activeElement.dispatchEvent(
+    new KeyboardEvent("keydown", { key: "Escape", bubbles: true }));
+  shown();
+)js");
+    EXPECT_EQ(told(opened), "[wall][search][stack][][false][stack wall it's mine]");
+}
+
+TEST_F(GalleryInBrowser, CommandsAreWordsOfAShell) {
+    const Opened opened = open("", R"js(
+  for (const name of ["stack", "it's mine"])
+    tell([...document.getElementById(name).querySelectorAll("code")]
+      .map((code) => code.textContent).join("|"));
+  document.querySelector("#wall .command").click();
+  await new Promise((go) => setTimeout(go, 200));
+  tell(byId("told").textContent);
+)js");
+    EXPECT_EQ(told(opened),
+              "[impulse render stack -o stack.mp4|impulse list stack --print|"
+              "impulse export stack -o stack.html]"
+              "[impulse render 'it'\\''s mine.toml' -o 'it'\\''s mine.mp4'|"
+              "impulse sim 'it'\\''s mine.toml'|"
+              "impulse export 'it'\\''s mine.toml' -o 'it'\\''s mine.html']"
+              "[Copied: impulse render wall -o wall.mp4]");
+}
+
+/// One at a time, from its first frame; fetched when it is asked for and not before.
+TEST_F(GalleryInBrowser, FilmsPlayUnderThePointerAndByTap) {
+    if (!render::haveFfmpeg()) GTEST_SKIP() << "no ffmpeg";
+    for (const char* name : {"stack.mp4", "wall.mp4"}) {
+        render::VideoWriter film(folder_ / name, {kWidth, kHeight, 10, false});
+        for (int frame = 0; frame < 20; ++frame)
+            film.add(support::flatImage(kWidth, kHeight, static_cast<std::uint8_t>(10 * frame)));
+        film.close();
+    }
+    const Opened opened = open("", R"js(
+  const screen = (name) => document.querySelector(`#${name} .screen`);
+  const point = (name, what, pointerType = "mouse") =>
+    screen(name).dispatchEvent(new PointerEvent(what, { pointerType }));
+  const comes = async (condition) => {
+    for (let i = 0; i < 100 && !condition(); ++i) await new Promise((go) => setTimeout(go, 50));
+    tell(condition());
+  };
+  const plays = (name) => screen(name).classList.contains("playing");
+  point("stack", "pointerenter");
+  await comes(() => plays("stack"));
+  point("stack", "pointerleave");
+  tell(plays("stack") || screen("stack").querySelector("video").currentTime > 0);
+  point("stack", "pointerenter");
+  point("wall", "pointerenter");
+  await comes(() => plays("wall") && !plays("stack"));
+  point("wall", "pointerleave");
+  point("wall", "pointerenter", "touch");
+  screen("wall").click();
+  await comes(() => plays("wall"));
+  screen("wall").click();
+  tell(plays("wall"));
+  tell([...document.querySelectorAll("video")].every((film) => film.preload === "none"));
+)js");
+    EXPECT_EQ(told(opened), "[true][false][true][true][false][true]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+    EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
+}
+
+}  // namespace
