@@ -80,20 +80,26 @@ struct LookDescription {
     std::string plot = "energy";      // of the overlay 'plot': a chart's name
 };
 
-/// A chapter of the film, and a slide of its own. What is written as CommonMark or LaTeX is kept as
-/// it is: who makes slides of it checks it, and says where it stands.
+/// What a section's slide shows besides the film. Kept as it is written: who makes slides of it
+/// checks it, and says where it stands.
+struct SectionSlide {
+    std::string title, text;                      // CommonMark
+    std::vector<std::string> formulas;            // LaTeX
+    std::vector<std::string> plots;               // of measureNames()
+    bool measures = false, expectations = false;  // tables
+    Place titlePlace, textPlace, notesPlace;
+    std::vector<Place> formulaPlaces;
+};
+
+/// A chapter of the film.
 struct Section {
     double at = 0.0;  // s
     std::string name, caption, notes, poster;
     double slow = 1.0;
     bool pause = false, loop = false;
-    std::string title, text;            // CommonMark; notes too
-    std::vector<std::string> formulas;  // LaTeX
-    std::vector<std::string> plots;     // of measureNames()
-    bool measures = false, expectations = false;  // tables
-    std::string file;                   // as complaints call it
-    Place place, titlePlace, textPlace, notesPlace;
-    std::vector<Place> formulaPlaces;
+    SectionSlide slide = {};
+    std::string file = {};  // as complaints call it
+    Place place = {};
 };
 
 /// A line of the scene's physics contract.

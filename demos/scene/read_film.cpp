@@ -39,25 +39,24 @@ Place placeOf(Keys& keys, std::string_view key) {
 }
 
 /// What the section's slide shows besides the film.
-void readSlide(Keys& keys, Section& section) {
-    section.place = keys.place();
-    section.titlePlace = placeOf(keys, "title");
-    section.textPlace = placeOf(keys, "text");
-    section.notesPlace = placeOf(keys, "notes");
-    set(section.title, keys.text("title"));
-    set(section.text, keys.text("text"));
-    set(section.formulas, keys.texts("formula"));
-    if (const Value* formula = keys.any("formula"); formula && !section.formulas.empty()) {
-        if (formula->kind == Value::Kind::text) section.formulaPlaces = {formula->place};
-        for (const Value& item : formula->items) section.formulaPlaces.push_back(item.place);
+void readSlide(Keys& keys, SectionSlide& slide) {
+    slide.titlePlace = placeOf(keys, "title");
+    slide.textPlace = placeOf(keys, "text");
+    slide.notesPlace = placeOf(keys, "notes");
+    set(slide.title, keys.text("title"));
+    set(slide.text, keys.text("text"));
+    set(slide.formulas, keys.texts("formula"));
+    if (const Value* formula = keys.any("formula"); formula && !slide.formulas.empty()) {
+        if (formula->kind == Value::Kind::text) slide.formulaPlaces = {formula->place};
+        for (const Value& item : formula->items) slide.formulaPlaces.push_back(item.place);
     }
     for (const std::string& name : keys.texts("plot").value_or(std::vector<std::string>{})) {
-        section.plots.push_back(name);
+        slide.plots.push_back(name);
         checkWord(keys, "plot", "chart", name, measureNames());
     }
     for (const std::string& name : keys.texts("table").value_or(std::vector<std::string>{})) {
-        section.measures = section.measures || name == "measures";
-        section.expectations = section.expectations || name == "expectations";
+        slide.measures = slide.measures || name == "measures";
+        slide.expectations = slide.expectations || name == "expectations";
         checkWord(keys, "table", "table", name, tableNames());
     }
 }
@@ -72,7 +71,8 @@ Section readSection(Keys keys, const SceneDescription& scene) {
     set(section.slow, keys.number("slow", {0.001, 1000.0}));
     set(section.pause, keys.truth("pause"));
     set(section.loop, keys.truth("loop"));
-    readSlide(keys, section);
+    section.place = keys.place();
+    readSlide(keys, section.slide);
     keys.done();
     return section;
 }

@@ -1,6 +1,6 @@
 /// Words of a slide for the three places where they go. CommonMark (libcmark) in which $x$ is a
-/// formula within a line and $$x$$ one on a line of its own; \$ is a dollar. Raw HTML in it is shown
-/// as text, links go to http, https and mailto only, pictures are their descriptions.
+/// formula within a line and $$x$$ one on a line of its own; \$ is a dollar. Raw HTML in it is
+/// shown as text, links go to http, https and mailto only, pictures are their descriptions.
 #pragma once
 #include <string>
 

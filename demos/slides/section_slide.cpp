@@ -28,9 +28,9 @@ const SectionFiles::File& SectionFiles::of(const std::string& name) {
 
 void takeSection(const SceneDescription& scene, const Section& section, bool several,
                  Slide& slide) {
-    slide.title = section.title;
-    slide.text = section.text;
-    slide.formulas = section.formulas;
+    slide.title = section.slide.title;
+    slide.text = section.slide.text;
+    slide.formulas = section.slide.formulas;
     slide.caption = commonMarkOf(section.caption);
     slide.notes = section.notes;
     slide.from = section.at;
@@ -41,9 +41,9 @@ void takeSection(const SceneDescription& scene, const Section& section, bool sev
     slide.pause = section.pause;
     slide.loop = section.loop;
     if (!section.poster.empty()) slide.poster = section.poster;
-    if (!several) slide.plots = section.plots;
-    slide.measures = section.measures;
-    slide.expectations = section.expectations;
+    if (!several) slide.plots = section.slide.plots;
+    slide.measures = section.slide.measures;
+    slide.expectations = section.slide.expectations;
 }
 
 void checkSection(const Section& section, const std::vector<SceneDescription>& runs,
@@ -54,14 +54,13 @@ void checkSection(const Section& section, const std::vector<SceneDescription>& r
         place.file = file.number;
         return Written{place, file.text};
     };
-    if (!section.title.empty())
-        checkWords(section.title, written(section.titlePlace), runs, complaints);
-    if (!section.text.empty())
-        checkWords(section.text, written(section.textPlace), runs, complaints);
+    const SectionSlide& slide = section.slide;
+    if (!slide.title.empty()) checkWords(slide.title, written(slide.titlePlace), runs, complaints);
+    if (!slide.text.empty()) checkWords(slide.text, written(slide.textPlace), runs, complaints);
     if (!section.notes.empty())
-        checkWords(section.notes, written(section.notesPlace), runs, complaints);
-    for (std::size_t i = 0; i < section.formulas.size(); ++i)
-        checkFormula(section.formulas[i], written(section.formulaPlaces[i]), runs, complaints);
+        checkWords(section.notes, written(slide.notesPlace), runs, complaints);
+    for (std::size_t i = 0; i < slide.formulas.size(); ++i)
+        checkFormula(slide.formulas[i], written(slide.formulaPlaces[i]), runs, complaints);
 }
 
 }  // namespace demos

@@ -135,7 +135,7 @@ TEST_F(Export, BadOptionsAreOneLineAndLeaveNothing) {
     }
 }
 
-// A link to the scene, and a part of a model: neither is written over.
+// A link to the scene, a part of a model, a file that is included: none is written over.
 TEST_F(Export, SparesWhatTheSceneIsMadeOf) {
     fs::create_hard_link(folder / "ball.toml", folder / "a.csv");
     const Ended own = exported({"-o", "a.csv", "--overwrite"});
@@ -150,6 +150,11 @@ TEST_F(Export, SparesWhatTheSceneIsMadeOf) {
     EXPECT_EQ(other.code, 2) << other.err;
     EXPECT_NE(other.err.find("the scene reads this file"), std::string::npos) << other.err;
     EXPECT_EQ(contentOf(folder / "part.csv"), part);
+    write(folder / "own.csv", "format = 1\n");
+    write(folder / "a.toml", "include = 'own.csv'\n" + kBall);
+    const Ended included = command({"export", "a.toml", "-o", "own.csv", "--overwrite"});
+    EXPECT_EQ(included.code, 2) << included.err;
+    EXPECT_NE(included.err.find("the scene reads this file"), std::string::npos) << included.err;
 }
 
 TEST_F(Export, TooManyPosesAreRefused) {
