@@ -49,9 +49,9 @@ private:
     }
     void one(const Look& look) {
         const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
-                     lineStrength, ink, plate] = look;
+                     lineStrength, unit, edgePixels, ink, plate] = look;
         add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
-            lineStrength, ink, plate);
+            lineStrength, unit, edgePixels, ink, plate);
     }
     void one(const Ground& ground) {
         const auto& [visible, normal, offset, id] = ground;
