@@ -143,7 +143,8 @@ RunsFigure figureOf(const Plan& plan) {
     settings.chart = plan.options.strip;
     settings.title = plan.point.empty() ? titleOf(plan.variants.front().scene)
                                         : plan.name + ": " + plan.point;
-    settings.title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(settings.title.front())));
+    const auto first = static_cast<unsigned char>(settings.title.front());
+    settings.title.front() = static_cast<char>(std::toupper(first));
     settings.picture = "output/" + plan.name + "-compare.png";
     return RunsFigure(std::move(settings), plan.options);
 }
