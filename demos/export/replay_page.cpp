@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,14 @@ Json lookOf(const std::string& theme) {
 const char* nameOf(render::SolidShape shape) {
     constexpr const char* kNames[] = {"box", "sphere", "capsule", "cylinder", "cone", "mesh"};
     return kNames[static_cast<int>(shape)];
+}
+
+/// Contacts that did something in the step that ends here.
+std::vector<engine::ContactState> pushing(const RecordedFrame& frame) {
+    std::vector<engine::ContactState> contacts;
+    std::copy_if(frame.contacts.begin(), frame.contacts.end(), std::back_inserter(contacts),
+                 [](const engine::ContactState& contact) { return contact.impulse > 0.0; });
+    return contacts;
 }
 
 /// Meshes once each, whoever shares them.
@@ -186,10 +195,10 @@ private:
     }
 
     void addMotion(std::size_t body, Json& json) {
-        const engine::Pose& first = frames_.front()->poses[body];
+        const engine::Pose& first = frames_.front()->bodies[body].pose;
         const bool still = std::all_of(frames_.begin(), frames_.end(), [&](const auto* frame) {
-            return frame->poses[body].position == first.position &&
-                   frame->poses[body].rotation.coeffs() == first.rotation.coeffs();
+            return frame->bodies[body].pose.position == first.position &&
+                   frame->bodies[body].pose.rotation.coeffs() == first.rotation.coeffs();
         });
         if (still) {
             json["at"] = listOf(first.position);
@@ -199,11 +208,11 @@ private:
         json["ranges"] = Json::array();  // of x, y, z and the speed: low, size
         for (int axis = 0; axis < 3; ++axis)
             json["ranges"].push_back(
-                addTrack([&](const RecordedFrame& f) { return f.poses[body].position[axis]; }));
-        json["ranges"].push_back(addTrack([&](const RecordedFrame& f) { return f.speeds[body]; }));
+                addTrack([&](const RecordedFrame& f) { return f.bodies[body].pose.position[axis]; }));
+        json["ranges"].push_back(addTrack([&](const RecordedFrame& f) { return f.bodies[body].velocity.norm(); }));
         for (std::size_t word = 0; word < 3; ++word)
             for (const RecordedFrame* frame : frames_)
-                tracks_.push_back(wordsOf(frame->poses[body].rotation)[word]);
+                tracks_.push_back(wordsOf(frame->bodies[body].pose.rotation)[word]);
     }
 
     /// A range's ends with all their digits: they decide where a body is.
@@ -216,24 +225,25 @@ private:
     }
 
     /// The strongest, in their own order.
-    std::vector<RecordedContact> contactsOf(const RecordedFrame& frame) const {
-        if (frame.contacts.size() <= share_.contacts) return frame.contacts;
+    std::vector<engine::ContactState> contactsOf(const RecordedFrame& frame) const {
+        std::vector<engine::ContactState> kept = pushing(frame);
+        if (kept.size() <= share_.contacts) return kept;
         std::vector<double> impulses;
-        for (const RecordedContact& contact : frame.contacts) impulses.push_back(contact.impulse);
+        for (const engine::ContactState& contact : kept) impulses.push_back(contact.impulse);
         std::nth_element(impulses.begin(), impulses.begin() + static_cast<long>(share_.contacts),
                          impulses.end(), std::greater<>());
-        std::vector<RecordedContact> kept;
-        for (const RecordedContact& contact : frame.contacts)
-            if (contact.impulse > impulses[share_.contacts]) kept.push_back(contact);
+        std::erase_if(kept, [least = impulses[share_.contacts]](const auto& contact) {
+            return contact.impulse <= least;
+        });
         return kept;
     }
 
     /// Columns: x, y, z, normal, impulse, and the direction and size of friction.
     Json contacts() const {
-        std::vector<RecordedContact> all;
+        std::vector<engine::ContactState> all;
         Json counts = Json::array();
         for (const RecordedFrame* frame : frames_) {
-            const std::vector<RecordedContact> kept = contactsOf(*frame);
+            const std::vector<engine::ContactState> kept = contactsOf(*frame);
             counts.push_back(kept.size());
             all.insert(all.end(), kept.begin(), kept.end());
         }
@@ -241,17 +251,17 @@ private:
         Json ranges = Json::array();
         const auto add = [&](const auto& valueOf) {
             std::vector<double> values;
-            for (const RecordedContact& contact : all) values.push_back(valueOf(contact));
+            for (const engine::ContactState& contact : all) values.push_back(valueOf(contact));
             const WordRange range = rangeOf(values);
             for (const double value : values) words.push_back(range.wordOf(value));
             ranges.push_back({range.low, range.size});
         };
         for (int axis = 0; axis < 3; ++axis)
-            add([axis](const RecordedContact& c) { return c.position[axis]; });
-        add([](const RecordedContact& c) { return c.impulse; });
-        add([](const RecordedContact& c) { return c.friction.norm(); });
-        for (const RecordedContact& c : all) words.push_back(directionWord(c.normal));
-        for (const RecordedContact& c : all) words.push_back(directionWord(c.friction));
+            add([axis](const engine::ContactState& c) { return c.position[axis]; });
+        add([](const engine::ContactState& c) { return c.impulse; });
+        add([](const engine::ContactState& c) { return c.friction.norm(); });
+        for (const engine::ContactState& c : all) words.push_back(directionWord(c.normal));
+        for (const engine::ContactState& c : all) words.push_back(directionWord(c.friction));
         return {{"counts", counts},
                 {"ranges", ranges},
                 {"words", textOfColumns(words, std::max<std::size_t>(all.size(), 1))}};
@@ -271,12 +281,13 @@ private:
 
     Json bars() const {
         Json list = Json::array();
-        for (const RecordedBar& bar : recording_.bars) {
+        for (const JointBar& bar : recording_.bars) {
+            const bool ofJoint = bar.joint < static_cast<int>(recording_.joints.size());
             Json json{{"a", bar.a},
                       {"b", bar.b},
                       {"atA", listOf(bar.atA)},
                       {"atB", listOf(bar.atB)},
-                      {"joint", bar.joint}};
+                      {"joint", ofJoint ? bar.joint : -1}};
             if (bar.rest >= 0.0)
                 json["rest"] = shortOf(bar.rest);
             else
@@ -328,7 +339,7 @@ private:
 std::size_t mostContacts(const Recording& recording) {
     std::size_t most = 0;
     for (const RecordedFrame& frame : recording.frames)
-        most = std::max(most, frame.contacts.size());
+        most = std::max(most, pushing(frame).size());
     return most;
 }
 

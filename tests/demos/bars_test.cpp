@@ -3,27 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/snapshot/parts.h"
-#include "tests/demos/reading.h"
+#include "tests/demos/recorded.h"
 
 namespace demos::test {
 namespace {
 
-struct Barred {
-    Player player;
-    TrajectoryRecorder recorder{1, {}};
-    Trajectory run;
+struct Barred : Recorded {
     std::vector<BarMotion> bars;
 
-    explicit Barred(const std::string& text, int steps = 60) : player(read(text), {}) {
-        recorder.look(player, 0);
-        for (int step = 1; step <= steps; ++step) {
-            player.step();
-            recorder.look(player, step);
-        }
-        run = recorder.finished();
-        bars = barsOf(player.stage(), run);
-    }
+    explicit Barred(const std::string& text, int steps = 60)
+        : Recorded(text, steps), bars(barsOf(run)) {}
 };
 
 Vec3 endOf(const BarMotion& bar, std::size_t frame, double side) {

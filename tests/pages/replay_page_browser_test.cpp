@@ -30,13 +30,16 @@ protected:
                                {1.0, "second", "Half way", "", "", 1.0, false, false}};
         for (int i = 0; i < kFrames; ++i) {
             RecordedFrame& frame = recording_.frames[i];
-            frame.poses[0] = {placeAt(i), engine::Quat::Identity()};
-            frame.poses[1] = {{0, 3, 0}, engine::Quat::Identity()};
-            frame.speeds = {3.0, 0.0};
+            frame.bodies[0] = {{placeAt(i), engine::Quat::Identity()}, {3, 0, 0}, {0, 0, 0}};
+            frame.bodies[1] = {{{0, 3, 0}, engine::Quat::Identity()}, {0, 0, 0}, {0, 0, 0}};
             frame.camera.from = {0, 2, 14};
             frame.camera.lookAt = {0, 1, 0};
-            for (RecordedContact& contact : frame.contacts)
-                contact = {placeAt(i), {-1, 0, 0}, 2.0, {0, 0, 0}};
+            for (engine::ContactState& contact : frame.contacts) {
+                contact.position = placeAt(i);
+                contact.normal = {-1, 0, 0};
+                contact.impulse = 2.0;
+                contact.friction.setZero();
+            }
         }
     }
 
