@@ -10,6 +10,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/hex_text.h"
 #include "demos/scene/complaints.h"
 
 namespace demos {

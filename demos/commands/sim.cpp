@@ -11,6 +11,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/hex_text.h"
 #include "demos/player.h"
 #include "demos/report/direct_note.h"
 #include "demos/report/plot_file.h"

@@ -10,6 +10,7 @@
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/hex_text.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/process_pool.h"
@@ -135,7 +136,7 @@ private:
             verdict = sceneVerdictFrom(json.at("verdict"));
             if (verdict.state == SceneVerdict::State::passed)
                 cache_.add(scene.name,
-                           std::stoull(json.at("fingerprint").get<std::string>(), nullptr, 16));
+                           fromHex(json.at("fingerprint").get<std::string>()).value());
         }
         tell(verdict);
     }

@@ -19,12 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
-    TextHash hash;
-    hash.add(bytes);
-    return hash.value();
-}
-
 [[noreturn]] void refuse(const fs::path& folder, const std::string& what) {
     throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(folder.string()), what));
 }

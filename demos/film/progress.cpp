@@ -45,8 +45,6 @@ std::string jsonString(const std::string& text) {
     return out + "\"";
 }
 
-std::string hexText(std::uint64_t value) { return fmt::format("{:016x}", value); }
-
 Talk::Talk(const Options& options, bool dataOnStdout)
     : quiet_(options.quiet), json_(options.json), dataOnStdout_(dataOnStdout) {}
 

@@ -2,18 +2,15 @@
 /// programs. Progress goes to standard error, results and JSON to standard output.
 #pragma once
 #include <chrono>
-#include <cstdint>
 #include <string>
 
+#include "demos/hex_text.h"
 #include "demos/options.h"
 
 namespace demos {
 
 /// `text` as a JSON string, with its quotes.
 std::string jsonString(const std::string& text);
-
-/// 16 digits.
-std::string hexText(std::uint64_t value);
 
 /// A line of results on standard output, or on standard error where that carries data; nothing
 /// with --quiet or --json.

@@ -93,9 +93,8 @@ Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene
     baseline.settings = settingsOf(plan, scene, take.renderer);
     baseline.course = take.course;
     for (const TakenPicture& picture : take.pictures) {
-        TextHash hash;
-        hash.add(actual.png.emplace_back(render::encodePng(picture.image)));
-        baseline.pictures.push_back({picture.time, picture.state, hash.value()});
+        const auto& png = actual.png.emplace_back(render::encodePng(picture.image));
+        baseline.pictures.push_back({picture.time, picture.state, hashOf(png)});
     }
     return actual;
 }
