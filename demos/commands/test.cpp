@@ -128,17 +128,19 @@ private:
 
     void take(int i, const PoolResult& result) {
         const ChosenScene& scene = choice_.scenes[i];
-        verdict_.scenes.push_back(crashed(scene, result.text));
-        SceneVerdict& verdict = verdict_.scenes.back();
         cache_.remove(scene.name);
-        if (result.ended) {
-            const Json json = Json::parse(result.text);
-            verdict = sceneVerdictFrom(json.at("verdict"));
-            if (verdict.state == SceneVerdict::State::passed)
-                cache_.add(scene.name,
-                           fromHex(json.at("fingerprint").get<std::string>()).value());
-        }
-        tell(verdict);
+        verdict_.scenes.push_back(result.ended ? received(result.text)
+                                               : crashed(scene, result.text));
+        tell(verdict_.scenes.back());
+    }
+
+    /// What `tested` has sent; one that passed is known from now on.
+    SceneVerdict received(const std::string& text) {
+        const Json json = Json::parse(text);
+        SceneVerdict verdict = sceneVerdictFrom(json.at("verdict"));
+        if (verdict.state == SceneVerdict::State::passed)
+            cache_.add(verdict.name, fromHex(json.at("fingerprint").get<std::string>()).value());
+        return verdict;
     }
 
     /// What failed is told with --quiet too, and where errors go.
