@@ -13,6 +13,7 @@
 #include "demos/film/signals.h"
 #include "demos/hex_text.h"
 #include "demos/player.h"
+#include "demos/put_text.h"
 #include "demos/report/direct_note.h"
 #include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
@@ -136,9 +137,10 @@ bool checkTargets(const Tables& tables, const Options& options) {
 void sayHash(const Stage& stage, long step, const Options& options, bool dataOnStdout) {
     const std::string hash = hexText(stage.world.hash());
     if (options.json)
-        fmt::print("{{\"event\":\"hash\",\"step\":{},\"state\":\"{}\"}}\n", step, hash);
+        putText(stdout, fmt::format("{{\"event\":\"hash\",\"step\":{},\"state\":\"{}\"}}\n", step,
+                                    hash));
     else
-        fmt::print(dataOnStdout ? stderr : stdout, "step {}  state {}\n", step, hash);
+        putText(dataOnStdout ? stderr : stdout, fmt::format("step {}  state {}\n", step, hash));
 }
 
 std::string shortText(double value) { return fmt::format("{:.6g}", value); }
@@ -160,8 +162,9 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
         if (result.passed)
             talk.say("ok      " + line);
         else
-            fmt::print(stderr, "impulse: {}: failed: {}{}\n", scene.name, line,
-                       result.why.empty() ? "" : " (" + printable(result.why) + ")");
+            talk.complain(
+                fmt::format("impulse: {}: failed: {}{}", scene.name, line,
+                            result.why.empty() ? "" : " (" + printable(result.why) + ")"));
     }
     return allPassed;
 }

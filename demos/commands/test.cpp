@@ -151,10 +151,10 @@ private:
         const bool bad = scene.state == SceneVerdict::State::failed ||
                          scene.state == SceneVerdict::State::error;
         if (!bad) talk_.say(headline(scene));
-        if (bad) fmt::print(stderr, "{}\n", headline(scene));
+        if (bad) talk_.complain(headline(scene));
         for (const std::string& line : detailsOf(scene)) {
             if (!bad) talk_.say("         " + line);
-            if (bad) fmt::print(stderr, "         {}\n", line);
+            if (bad) talk_.complain("         " + line);
         }
         std::fflush(stdout);
     }

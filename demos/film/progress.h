@@ -20,6 +20,8 @@ public:
     void say(const std::string& line) const;
     /// A line about the work, on standard error.
     void mention(const std::string& line) const;
+    /// A line about what failed, on standard error; with --quiet and --json too.
+    void complain(const std::string& line) const;
     /// A line of JSON, with --json only; flushed, so that a reader may act on it.
     void json(const std::string& object) const;
 
