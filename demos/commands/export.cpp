@@ -1,15 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/play_through.h"
 #include "demos/commands/table.h"
 #include "demos/export/export_file.h"
 #include "demos/export/recording.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
 #include "demos/hex_text.h"
 #include "demos/scene/complaints.h"
 
@@ -55,35 +54,16 @@ public:
     }
 
     void play() {
-        watchSignals();
-        const Stage& stage = player_.stage();
-        const long steps = std::max(std::lround(stage.scene.seconds * stage.scene.hz), 1L);
-        recorder_.look(player_, 0);
-        for (long step = 1; step <= steps; ++step) {
-            advance(step);
-            if (interrupted()) stopInterrupted(step);
-        }
+        playThrough(
+            player_, options_, [this](long step) { recorder_.look(player_, step); },
+            [this] { writeAll(); });
         writeAll();
-        talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps,
-                               hexText(stage.world.hash())));
+        const Stage& stage = player_.stage();
+        talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})",
+                               stepsOf(stage.scene), hexText(stage.world.hash())));
     }
 
 private:
-    /// A run that diverges is worth a look all the more.
-    void advance(long step) try {
-        player_.step();
-        recorder_.look(player_, step);
-    } catch (const Stop&) {
-        writeAll();
-        throw;
-    }
-
-    [[noreturn]] void stopInterrupted(long step) {
-        writeAll();
-        throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
-                                                  step, options_.commandLine));
-    }
-
     void writeAll() {
         const Recording& run = recorder_.finished(player_.stage());
         for (const ExportFile& file : files_) {

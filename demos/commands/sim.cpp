@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/play_through.h"
 #include "demos/commands/table.h"
 #include "demos/export/pose_table.h"
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
 #include "demos/hex_text.h"
 #include "demos/player.h"
 #include "demos/put_text.h"
@@ -180,24 +180,14 @@ public:
           player_(scene, Overlays{.trails = false}),
           checker_(player_.stage()),
           choice_(plotChoiceOf(options, scene)),
-          steps_(std::max(std::lround(scene.seconds * scene.hz), 1L)) {
+          steps_(stepsOf(scene)) {
         if (!options.plot.empty()) checkPlotFile(options.plot, choice_);
         if (!options.events.empty()) player_.watchTouches();
     }
 
     Exit play() {
-        watchSignals();
-        look(0);
-        for (long step = 1; step <= steps_; ++step) {
-            try {
-                player_.step();
-            } catch (const Stop&) {  // diverged: what was good stays readable
-                writeResults();
-                throw;
-            }
-            look(step);
-            if (interrupted()) stopInterrupted(step);
-        }
+        playThrough(
+            player_, options_, [this](long step) { look(step); }, [this] { writeResults(); });
         return finish();
     }
 
@@ -230,12 +220,6 @@ private:
         if (options_.events != "-")
             talk_.say(fmt::format("wrote {} ({} events)", printable(options_.events),
                                   events_.events().size()));
-    }
-
-    [[noreturn]] void stopInterrupted(long step) {
-        writeResults();
-        throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
-                                                  step, options_.commandLine));
     }
 
     Exit finish() {
