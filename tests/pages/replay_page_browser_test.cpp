@@ -110,6 +110,21 @@ TEST_F(ReplayInBrowser, DrawsBodiesWhereTheCameraHasThem) {
     }
 }
 
+/// Here nothing keeps the page's height: the window becomes higher after the last picture.
+TEST_F(ReplayInBrowser, ABallStaysRoundInAWindowThatChanges) {
+    const render::Image shot = open("t=1&curves=0").screenshot;
+    int left = shot.width, right = 0, top = shot.height, bottom = 0;
+    for (int y = 0; y < shot.height / 2; ++y)  // below are blue buttons
+        for (int x = 0; x < shot.width; ++x) {
+            const std::uint8_t* pixel = shot.at(x, y);
+            if (!isBlue({pixel[0], pixel[1], pixel[2]})) continue;
+            left = std::min(left, x), right = std::max(right, x);
+            top = std::min(top, y), bottom = std::max(bottom, y);
+        }
+    ASSERT_GT(right - left, 30);
+    EXPECT_NEAR(bottom - top, right - left, 0.08 * (right - left));  // it is off the middle
+}
+
 /// Grey, and darker where the sun does not reach it: half a metre above the ground, in the sun's
 /// way from (0.45, 0.75, 0.5), the ball's shadow is 0.6 m to the left and 2/3 m behind it.
 TEST_F(ReplayInBrowser, BodiesThrowShadows) {
