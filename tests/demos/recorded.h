@@ -9,7 +9,7 @@ struct Recorded {
     Player player;
     Recording run;
 
-    explicit Recorded(const SceneDescription& scene, int steps = 60, int stepsPerFrame = 1,
+    explicit Recorded(const SceneDescription& scene, long steps = 60, int stepsPerFrame = 1,
                       const Overlays& overlays = {})
         : player(scene, overlays) {
         player.watchTouches();
@@ -18,16 +18,16 @@ struct Recorded {
         plan.name = scene.name;
         plan.stepsPerFrame = stepsPerFrame;
         plan.fps = scene.hz / stepsPerFrame;
-        plan.frames = steps / stepsPerFrame;
+        plan.frames = static_cast<int>(steps / stepsPerFrame);
         RunRecorder recorder(plan);
         recorder.look(player, 0);
-        for (int step = 1; step <= steps; ++step) {
+        for (long step = 1; step <= steps; ++step) {
             player.step();
             recorder.look(player, step);
         }
         run = recorder.finished(player.stage());
     }
-    explicit Recorded(const std::string& text, int steps = 60, int stepsPerFrame = 1,
+    explicit Recorded(const std::string& text, long steps = 60, int stepsPerFrame = 1,
                       const Overlays& overlays = {})
         : Recorded(read(text), steps, stepsPerFrame, overlays) {}
 };
