@@ -20,11 +20,6 @@ Vec3 endOf(const BarMotion& bar, std::size_t frame, double side) {
     return bar.poses[frame].toWorld(side * half * Vec3::UnitY());
 }
 
-const std::string kPendulum =
-    "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [1, 2, 0]\n"
-    "[[joint]]\nname = 'hook'\ntype = 'distance'\na = 'world'\nb = 'bob'\n"
-    "anchor_a = [0, 2, 0]\nanchor_b = [0, 0, 0]\n";
-
 TEST(Bars, ARodGoesFromItsHookToItsBobInEveryFrame) {
     const Barred one(kPendulum);
     ASSERT_EQ(one.bars.size(), 1u);

@@ -299,10 +299,7 @@ TEST(Glb, ACameraThatMovesIsAnimated) {
 }
 
 TEST(Glb, AJointIsABarThatMoves) {
-    const Exported one(
-        "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [1, 2, 0]\n"
-        "[[joint]]\nname = 'hook'\ntype = 'distance'\na = 'world'\nb = 'bob'\n"
-        "anchor_a = [0, 2, 0]\nanchor_b = [0, 0, 0]\n");
+    const Exported one(kPendulum);
     const int bar = one.glb.numberOf("hook bar 1");
     ASSERT_GE(bar, 0);
     const auto places = one.glb.motion(bar, "translation");

@@ -73,7 +73,7 @@ TEST(Recording, ARailReachesAsFarAsTheRunGoes) {
     const Recorded one(
         "[world]\ngravity = [0, 0, 0]\n[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\n"
         "at = [0, 2, 0]\nvelocity = [3, 0, 0]\n[[joint]]\nname = 'rail'\ntype = 'slider'\n"
-        "a = 'world'\nb = 'bob'\nat = [0, 2, 0]\naxis = [1, 0, 0]\n");
+        "a = 'world'\nb = 'bob'\nanchor = [0, 2, 0]\naxis = [1, 0, 0]\n");
     ASSERT_EQ(one.run.bars.size(), 1u);
     EXPECT_NEAR(one.run.bars[0].atA.x(), -0.1, 1e-9);
     EXPECT_NEAR(one.run.bars[0].atB.x(), 3.1, 1e-6);
@@ -82,10 +82,7 @@ TEST(Recording, ARailReachesAsFarAsTheRunGoes) {
 
 // What broke in between is in the pictures no more; the page shows it until then.
 TEST(Recording, ABrokenJointHasFramesUntilItBroke) {
-    const Recorded one(
-        "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [1, 2, 0]\n"
-        "[[joint]]\nname = 'hook'\ntype = 'distance'\na = 'world'\nb = 'bob'\n"
-        "anchor_a = [0, 2, 0]\nanchor_b = [0, 0, 0]\nbreak_at = 0.001\n");
+    const Recorded one(kPendulum + "break_at = 0.001\n");
     ASSERT_EQ(one.run.bars.size(), 1u);
     const int frames = one.run.joints[0].frames;
     EXPECT_GT(frames, 0);

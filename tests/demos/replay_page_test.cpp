@@ -115,8 +115,7 @@ void compare(const Json& ranges, std::span<const std::uint16_t> words, const Rec
             return rangeIn(ranges[column]).valueOf(word(column));
         };
         const BodyMotion& motion = recording.frames[frame].bodies[body];
-        off.see((engine::Vec3(value(0), value(1), value(2)) - motion.pose.position)
-                    .lpNorm<Eigen::Infinity>(),
+        off.see((engine::Vec3(value(0), value(1), value(2)) - motion.pose.position).norm(),
                 degreesBetween(rotationOf({word(4), word(5), word(6)}), motion.pose.rotation),
                 std::abs(value(3) - motion.velocity.norm()));
     }
