@@ -14,7 +14,7 @@
 
 #include "demos/base64.h"
 #include "demos/export/replay_codec.h"
-#include "demos/regression/packed.h"
+#include "demos/packed.h"
 #include "tests/demos/recorded.h"
 #include "tests/support/planted_recording.h"
 
