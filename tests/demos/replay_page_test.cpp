@@ -1,7 +1,6 @@
 // replay.html as text: its numbers, read as the page's script reads them, are the run's; nothing
 // breaks out of its data; what is too large is thinned, and said.
 #include "demos/export/replay_page.h"
-#include "demos/page/rounded.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +14,7 @@
 #include "demos/base64.h"
 #include "demos/export/replay_codec.h"
 #include "demos/packed.h"
+#include "demos/page/rounded.h"
 #include "tests/demos/recorded.h"
 #include "tests/support/planted_recording.h"
 
