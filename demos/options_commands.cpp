@@ -356,7 +356,7 @@ void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
 
 void addWatch(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
-    app.add_flag("--once", options.once, "one draft, then the end; default: off");
+    app.add_flag("--once", options.once, "one draft, then the end; default: off, until Ctrl-C (130)");
     app.add_option("-o,--output", options.outputs,
                    "a folder for draft.mp4 and draft.png; default: output/<scene>")
         ->type_name("DIR")

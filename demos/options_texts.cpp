@@ -20,7 +20,7 @@ constexpr CommandText kCommands[] = {
      "strip",
      "a row of moments as one picture, for paper or a slide",
      {"impulse strip stack", "impulse strip wall -n 8 --columns 4 --theme print -o wall.png",
-      "impulse strip chain --times 0,0.5,1,2 --size 480x360"}},
+      "impulse strip chain --times 0,0.5,1,2 --width 85mm -o figure.png"}},
     {Command::sim,
      "sim",
      "physics only: tables, state hash, the scene's expectations",

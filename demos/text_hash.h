@@ -26,4 +26,16 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325ull;
 };
 
+/// Of one file or text.
+inline std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
+    TextHash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+inline std::uint64_t hashOf(std::string_view text) {
+    TextHash hash;
+    hash.add(text);
+    return hash.value();
+}
+
 }  // namespace demos

@@ -9,6 +9,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/hex_text.h"
 #include "demos/report/film_timing.h"
 #include "demos/report/timing.h"
 #include "demos/scene/builtin.h"

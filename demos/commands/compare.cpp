@@ -57,7 +57,8 @@ RunsFigure figureOf(const Comparing& plan) {
     settings.chart = plan.options.strip;
     settings.title = plan.point.empty() ? titleOf(plan.variants.front().scene)
                                         : plan.name + ": " + plan.point;
-    settings.title.front() = static_cast<char>(std::toupper(settings.title.front()));
+    const auto first = static_cast<unsigned char>(settings.title.front());
+    settings.title.front() = static_cast<char>(std::toupper(first));
     settings.picture = "output/" + plan.name + "-compare.png";
     return RunsFigure(std::move(settings), plan.options);
 }

@@ -122,14 +122,14 @@ Exit selfTestCommand(const Options& options) {
             missed += findings.missed;
             if (findings.problem.empty()) return;
             ++problems;
-            fmt::print(stderr, "impulse: {}: {}\n", printable(choice.scenes[i].name),
-                       printable(findings.problem));
+            talk.complain(fmt::format("impulse: {}: {}", printable(choice.scenes[i].name),
+                                      printable(findings.problem)));
         });
     talk.json(fmt::format(R"({{"event":"done","caught":{},"missed":{},"problems":{}}})", caught,
                           missed, problems));
     const std::string end = fmt::format("{} of {} mutants caught", caught, caught + missed);
     if (missed == 0) talk.say(end);
-    if (missed > 0) fmt::print(stderr, "impulse: {}\n", end);
+    if (missed > 0) talk.complain("impulse: " + end);
     return caught > 0 && missed == 0 && problems == 0 ? Exit::ok : Exit::failed;
 }
 

@@ -5,13 +5,15 @@
 #include <filesystem>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/play_through.h"
 #include "demos/commands/table.h"
 #include "demos/export/pose_table.h"
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
+#include "demos/hex_text.h"
 #include "demos/player.h"
+#include "demos/put_text.h"
 #include "demos/report/direct_note.h"
 #include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
@@ -135,9 +137,10 @@ bool checkTargets(const Tables& tables, const Options& options) {
 void sayHash(const Stage& stage, long step, const Options& options, bool dataOnStdout) {
     const std::string hash = hexText(stage.world.hash());
     if (options.json)
-        fmt::print("{{\"event\":\"hash\",\"step\":{},\"state\":\"{}\"}}\n", step, hash);
+        putText(stdout, fmt::format("{{\"event\":\"hash\",\"step\":{},\"state\":\"{}\"}}\n", step,
+                                    hash));
     else
-        fmt::print(dataOnStdout ? stderr : stdout, "step {}  state {}\n", step, hash);
+        putText(dataOnStdout ? stderr : stdout, fmt::format("step {}  state {}\n", step, hash));
 }
 
 /// False when one failed; those are errors, and said in any case.
@@ -155,8 +158,9 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
         if (result.passed)
             talk.say("ok      " + line);
         else
-            fmt::print(stderr, "impulse: {}: failed: {}{}\n", scene.name, line,
-                       result.why.empty() ? "" : " (" + printable(result.why) + ")");
+            talk.complain(
+                fmt::format("impulse: {}: failed: {}{}", scene.name, line,
+                            result.why.empty() ? "" : " (" + printable(result.why) + ")"));
     }
     return allPassed;
 }
@@ -172,24 +176,14 @@ public:
           player_(scene, Overlays{.trails = false}),
           checker_(player_.stage()),
           choice_(plotChoiceOf(options, scene)),
-          steps_(std::max(std::lround(scene.seconds * scene.hz), 1L)) {
+          steps_(stepsOf(scene)) {
         if (!options.plot.empty()) checkPlotFile(options.plot, choice_);
         if (!options.events.empty()) player_.watchTouches();
     }
 
     Exit play() {
-        watchSignals();
-        look(0);
-        for (long step = 1; step <= steps_; ++step) {
-            try {
-                player_.step();
-            } catch (const Stop&) {  // diverged: what was good stays readable
-                writeResults();
-                throw;
-            }
-            look(step);
-            if (interrupted()) stopInterrupted(step);
-        }
+        playThrough(
+            player_, options_, [this](long step) { look(step); }, [this] { writeResults(); });
         return finish();
     }
 
@@ -222,12 +216,6 @@ private:
         if (options_.events != "-")
             talk_.say(fmt::format("wrote {} ({} events)", printable(options_.events),
                                   events_.events().size()));
-    }
-
-    [[noreturn]] void stopInterrupted(long step) {
-        writeResults();
-        throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
-                                                  step, options_.commandLine));
     }
 
     Exit finish() {

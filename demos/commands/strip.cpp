@@ -57,7 +57,7 @@ void label(const StripLayout& layout, int moment, double time, const render::Col
            render::Image& paper) {
     if (layout.label == 0) return;
     const std::string whole = fmt::format("t = {:.2f} s", time);
-    const float room = static_cast<float>(layout.picture.width + layout.gap);
+    const float room = static_cast<float>(layout.picture.width);
     const bool fits = render::textWidth(whole, static_cast<float>(layout.label)) <= room;
     placeLines(layout, moment, {fits ? whole : fmt::format("{:.2f} s", time)},
                render::Anchor::middle, ink, paper);

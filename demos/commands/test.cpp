@@ -10,6 +10,7 @@
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/hex_text.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/process_pool.h"
@@ -103,17 +104,19 @@ private:
 
     void take(int i, const PoolResult& result) {
         const ChosenScene& scene = choice_.scenes[i];
-        verdict_.scenes.push_back(crashed(scene, result.text));
-        SceneVerdict& verdict = verdict_.scenes.back();
         cache_.remove(scene.name);
-        if (result.ended) {
-            const Json json = Json::parse(result.text);
-            verdict = sceneVerdictFrom(json.at("verdict"));
-            if (verdict.state == SceneVerdict::State::passed)
-                cache_.add(scene.name,
-                           std::stoull(json.at("fingerprint").get<std::string>(), nullptr, 16));
-        }
-        tell(verdict);
+        verdict_.scenes.push_back(result.ended ? received(result.text)
+                                               : crashed(scene, result.text));
+        tell(verdict_.scenes.back());
+    }
+
+    /// What `tested` has sent; one that passed is known from now on.
+    SceneVerdict received(const std::string& text) {
+        const Json json = Json::parse(text);
+        SceneVerdict verdict = sceneVerdictFrom(json.at("verdict"));
+        if (verdict.state == SceneVerdict::State::passed)
+            cache_.add(verdict.name, fromHex(json.at("fingerprint").get<std::string>()).value());
+        return verdict;
     }
 
     /// What failed is told with --quiet too, and where errors go.
@@ -124,10 +127,10 @@ private:
         const bool bad = scene.state == SceneVerdict::State::failed ||
                          scene.state == SceneVerdict::State::error;
         if (!bad) talk_.say(headline(scene));
-        if (bad) fmt::print(stderr, "{}\n", headline(scene));
+        if (bad) talk_.complain(headline(scene));
         for (const std::string& line : detailsOf(scene)) {
             if (!bad) talk_.say("         " + line);
-            if (bad) fmt::print(stderr, "         {}\n", line);
+            if (bad) talk_.complain("         " + line);
         }
         std::fflush(stdout);
     }

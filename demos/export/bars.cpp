@@ -12,79 +12,65 @@ namespace demos {
 namespace {
 
 /// "hook bar 1"; springs that are forces come after the joints.
-std::string nameOf(const Stage& stage, int id, int number) {
-    const auto joint = static_cast<std::size_t>(id) - stage.bodies.size();
-    const std::vector<JointDescription>& joints = stage.scene.joints;
-    const std::string owner = joint < joints.size()
-                                  ? joints[joint].name
-                                  : fmt::format("spring {}", joint - joints.size());
+std::string nameOf(const Recording& recording, int joint, int number) {
+    const auto at = static_cast<std::size_t>(joint);
+    const std::vector<RecordedJoint>& joints = recording.joints;
+    const std::string owner =
+        at < joints.size() ? joints[at].name : fmt::format("spring {}", at - joints.size());
     return fmt::format("{} bar {}", owner, number + 1);
 }
 
-bool isTrack(const Stage& stage, int id) {
-    const auto joint = static_cast<std::size_t>(id) - stage.bodies.size();
-    return joint < stage.joints.size() &&
-           stage.world.joint(stage.joints[joint]).def.type == engine::JointType::path;
+/// A bar's end in a frame.
+render::Vec3 endOf(const RecordedFrame& frame, int body, const Vec3& local) {
+    return drawn(body < 0 ? local : frame.bodies[body].pose.toWorld(local));
+}
+
+float radiusOf(const JointBar& bar) {
+    return bar.rest < 0.0 ? static_cast<float>(bar.radius)
+                          : coilWire(static_cast<float>(bar.rest));
 }
 
 /// From the pose before by the least turn, so that the bar does not twist on its way.
-engine::Pose poseOf(const render::Rod& rod, const engine::Pose& before) {
-    const Vec3 way = (rod.to - rod.from).cast<double>();
+engine::Pose poseOf(const render::Vec3& from, const render::Vec3& to, const engine::Pose& before) {
+    const Vec3 way = (to - from).cast<double>();
     const Vec3 axis = before.rotation * Vec3::UnitY();
-    return {0.5 * (rod.from + rod.to).cast<double>(),
+    return {0.5 * (from + to).cast<double>(),
             (Quat::FromTwoVectors(axis, way) * before.rotation).normalized()};
 }
 
 /// Where a bar is in a frame; before it is first seen it waits there, without a size.
-void place(const render::Rod& rod, std::size_t frame, BarMotion& bar) {
-    const float half = 0.5f * (rod.to - rod.from).norm();
+void place(const JointBar& bar, const Recording& recording, std::size_t number, BarMotion& motion) {
+    const RecordedFrame& frame = recording.frames[number];
+    const render::Vec3 from = endOf(frame, bar.a, bar.atA), to = endOf(frame, bar.b, bar.atB);
+    const float half = 0.5f * (to - from).norm();
     if (!(half > 0.0f)) return;
-    const bool first = bar.poses.empty();
-    const engine::Pose pose = poseOf(rod, first ? engine::Pose{} : bar.poses.back());
-    bar.poses.resize(frame, first ? pose : bar.poses.back());
-    bar.sizes.resize(frame, render::Vec3::Zero());
-    bar.poses.push_back(pose);
-    bar.sizes.emplace_back(rod.radius, half, rod.radius);
+    const bool first = motion.poses.empty();
+    const engine::Pose pose = poseOf(from, to, first ? engine::Pose{} : motion.poses.back());
+    motion.poses.resize(number, first ? pose : motion.poses.back());
+    motion.sizes.resize(number, render::Vec3::Zero());
+    motion.poses.push_back(pose);
+    motion.sizes.emplace_back(radiusOf(bar), half, radiusOf(bar));
 }
 
 }  // namespace
 
-std::vector<BarMotion> barsOf(const Stage& stage, const Trajectory& trajectory) {
-    std::map<std::pair<int, int>, BarMotion> bars;  // by joint, and which of its bars
-    for (std::size_t frame = 0; frame < trajectory.frames.size(); ++frame) {
+std::vector<BarMotion> barsOf(const Recording& recording) {
+    const std::size_t frames = recording.frames.size();
+    std::map<std::pair<int, int>, BarMotion> motions;  // by joint, and which of its bars
+    for (std::size_t frame = 0; frame < frames; ++frame) {
         std::map<int, int> seen;  // bars of each joint so far
-        for (const render::Rod& rod : trajectory.frames[frame].bars) {
-            const int number = seen[rod.id]++;
-            BarMotion& bar = bars[{rod.id, number}];
-            if (bar.name.empty()) bar.name = nameOf(stage, rod.id, number);
-            bar.color = rod.color;
-            place(rod, frame, bar);
-        }
+        for (const JointBar& bar : recording.frames[frame].bars)
+            place(bar, recording, frame, motions[{bar.joint, seen[bar.joint]++}]);
     }
     std::vector<BarMotion> result;
-    for (auto& [key, bar] : bars) {
-        if (bar.poses.empty()) continue;  // never long enough to be seen
-        bar.poses.resize(trajectory.frames.size(), engine::Pose(bar.poses.back()));
-        bar.sizes.resize(trajectory.frames.size(), render::Vec3::Zero());
-        result.push_back(std::move(bar));
+    for (auto& [key, motion] : motions) {
+        if (motion.poses.empty()) continue;  // never long enough to be seen
+        motion.name = nameOf(recording, key.first, key.second);
+        motion.poses.resize(frames, engine::Pose(motion.poses.back()));
+        motion.sizes.resize(frames, render::Vec3::Zero());
+        result.push_back(std::move(motion));
     }
     return result;
-}
-
-std::vector<render::Rod> barsNow(const Stage& stage, const History& history, double time) {
-    render::Frame frame;
-    addJoints({stage, Overlays{}, history, time}, frame);
-    const std::vector<render::Rod>& rods = frame.rods;
-    std::vector<render::Rod> bars;
-    for (std::size_t i = 0; i < rods.size(); ++i) {
-        bars.push_back(rods[i]);
-        const std::size_t last = i + kCoilRods - 1;
-        if (last >= rods.size() || rods[last].id != rods[i].id || isTrack(stage, rods[i].id))
-            continue;
-        bars.back().to = rods[last].to;
-        i = last;
-    }
-    return bars;
 }
 
 }  // namespace demos

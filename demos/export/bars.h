@@ -3,22 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "demos/export/trajectory.h"
+#include "demos/export/recording.h"
 
 namespace demos {
 
 /// One bar through all frames: a cylinder along its own y.
 struct BarMotion {
     std::string name;                 // of its joint, and a number
-    render::Color color;              // as drawn
     std::vector<engine::Pose> poses;  // m, of its middle; where it is gone, as before
     std::vector<render::Vec3> sizes;  // m: radius, half length, radius; zero where it is gone
 };
 
-/// In the order of joints, then of springs that are forces.
-std::vector<BarMotion> barsOf(const Stage& stage, const Trajectory& trajectory);
-
-/// The bars of one moment, a spring's coil straightened to one.
-std::vector<render::Rod> barsNow(const Stage& stage, const History& history, double time);
+/// In the order of joints, then of springs that are forces; a coil is one bar, as thick as its wire.
+std::vector<BarMotion> barsOf(const Recording& recording);
 
 }  // namespace demos

@@ -9,6 +9,7 @@
 #include "demos/export/glb_scene.h"
 #include "demos/export/npz.h"
 #include "demos/export/pose_table.h"
+#include "demos/export/replay_page.h"
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 
@@ -44,18 +45,22 @@ void spareSources(const std::string& name, const SceneDescription& scene) {
 std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
 std::vector<std::uint8_t> contentOf(const ExportFile& file, const Stage& stage,
-                                    const Trajectory& trajectory) {
+                                    const Recording& recording, std::string& left) {
     switch (file.kind) {
         case ExportKind::glb:
-            return glbOf(stage, trajectory);
+            return glbOf(recording);
         case ExportKind::csv:
-            return bytesOf(poseTable(file.name, stage, trajectory).text());
+            return bytesOf(poseTable(file.name, recording).text());
         case ExportKind::npz:
-            return npzOf(stage, trajectory);
-        default:
+            return npzOf(recording);
+        case ExportKind::events:
+            return bytesOf(eventsJson(recording.events, stage) + "\n");
+        case ExportKind::replay:
             break;
     }
-    return bytesOf(eventsJson(trajectory.events, stage) + "\n");
+    const ReplayPage page = replayPage(recording);
+    left = page.left;
+    return bytesOf(page.html);
 }
 
 }  // namespace
@@ -76,10 +81,12 @@ std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescrip
     return files;
 }
 
-std::size_t writeExport(const ExportFile& file, const Stage& stage, const Trajectory& trajectory) {
-    const std::vector<std::uint8_t> content = contentOf(file, stage, trajectory);
+WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording) {
+    WrittenExport written;
+    const std::vector<std::uint8_t> content = contentOf(file, stage, recording, written.left);
     writeResult(file.name, content);
-    return content.size();
+    written.bytes = content.size();
+    return written;
 }
 
 }  // namespace demos

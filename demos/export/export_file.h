@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/export/trajectory.h"
+#include "demos/export/recording.h"
 #include "demos/options.h"
 
 namespace demos {
@@ -20,7 +20,12 @@ struct ExportFile {
 /// cannot be written, or twice to one place.
 std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescription& scene);
 
-/// Whole or not at all; returns its size in bytes. Of all but a replay. Throws render::Error.
-std::size_t writeExport(const ExportFile& file, const Stage& stage, const Trajectory& trajectory);
+struct WrittenExport {
+    std::size_t bytes = 0;
+    std::string left;  // what a replay had to leave out, for a line on the screen; empty: nothing
+};
+
+/// Whole or not at all. `stage`: whose run it is. Throws render::Error.
+WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording);
 
 }  // namespace demos

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 
+#include "demos/little_endian.h"
 #include "render/error.h"
 
 namespace demos {
@@ -23,10 +24,6 @@ const char* nameOf(GlbType type) {
     return type == GlbType::scalar ? "SCALAR" : type == GlbType::vec3 ? "VEC3" : "VEC4";
 }
 
-void putWord(std::vector<std::uint8_t>& out, std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-}
-
 std::uint32_t narrow(std::size_t size) {
     if (size > std::numeric_limits<std::uint32_t>::max())
         throw render::Error("a .glb of more than 4 GiB; fewer frames (--fps, --seconds) fit");
@@ -37,8 +34,8 @@ std::uint32_t narrow(std::size_t size) {
 void addChunk(std::vector<std::uint8_t>& out, std::uint32_t type,
               std::span<const std::uint8_t> data, std::uint8_t padding) {
     const std::size_t fill = (4 - data.size() % 4) % 4;
-    putWord(out, narrow(data.size() + fill));
-    putWord(out, type);
+    putBytes(out, narrow(data.size() + fill));
+    putBytes(out, type);
     out.insert(out.end(), data.begin(), data.end());
     out.insert(out.end(), fill, padding);
 }
@@ -117,7 +114,7 @@ std::vector<std::uint8_t> GlbBuffer::file(GlbJson json) const {
     if (!bytes_.empty()) addChunk(chunks, kBinaryChunk, bytes_, 0);
     std::vector<std::uint8_t> out;
     for (const std::uint32_t word : {kMagic, kVersion2, narrow(kHeader + chunks.size())})
-        putWord(out, word);
+        putBytes(out, word);
     out.insert(out.end(), chunks.begin(), chunks.end());
     return out;
 }

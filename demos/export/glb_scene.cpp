@@ -9,6 +9,7 @@
 #include "demos/export/glb_motion.h"
 #include "demos/version.h"
 #include "render/camera.h"
+#include "render/palette.h"
 
 namespace demos {
 namespace {
@@ -56,15 +57,12 @@ struct GlbPart {
 
 class GlbScene {
 public:
-    GlbScene(const Stage& stage, const Trajectory& trajectory)
-        : stage_(stage),
-          trajectory_(trajectory),
-          meshes_(buffer_),
-          motion_(timesOf(trajectory), buffer_) {}
+    explicit GlbScene(const Recording& run)
+        : run_(run), meshes_(buffer_), motion_(timesOf(run), buffer_) {}
 
     std::vector<std::uint8_t> file() {
-        for (std::size_t i = 0; i < stage_.bodies.size(); ++i) addBody(i);
-        for (const BarMotion& bar : barsOf(stage_, trajectory_)) addBar(bar);
+        for (std::size_t i = 0; i < run_.bodies.size(); ++i) addBody(i);
+        for (const BarMotion& bar : barsOf(run_)) addBar(bar);
         addCamera();
         addSun();
         GlbJson json;
@@ -72,7 +70,7 @@ public:
         json["extensionsUsed"] = {"KHR_lights_punctual"};
         json["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
         json["scene"] = 0;
-        json["scenes"] = {{{"name", stage_.scene.name}, {"nodes", roots_}}};
+        json["scenes"] = {{{"name", run_.name}, {"nodes", roots_}}};
         json["nodes"] = nodes_;
         json["cameras"] = cameras_;
         const GlbJson animations = motion_.animations();
@@ -84,9 +82,9 @@ public:
     }
 
 private:
-    static std::vector<float> timesOf(const Trajectory& trajectory) {
+    static std::vector<float> timesOf(const Recording& run) {
         std::vector<float> times;
-        for (const TrajectoryFrame& frame : trajectory.frames)
+        for (const RecordedFrame& frame : run.frames)
             times.push_back(static_cast<float>(frame.time));
         return times;
     }
@@ -101,32 +99,31 @@ private:
         return number;
     }
 
-    std::vector<GlbPart> partsOf(std::size_t body) {
-        const engine::BodyDef& def = stage_.world.def(stage_.bodies[body]);
-        if (def.shape.type == engine::ShapeType::plane) return {groundOf(def.shape)};
-        const int material = meshes_.materialOf(trajectory_.colors[body]);
+    std::vector<GlbPart> partsOf(const RecordedBody& body) {
+        if (!body.plane.isZero(0.0)) return {groundOf(body.plane)};
+        const int material = meshes_.materialOf(body.color);
         std::vector<GlbPart> parts;
-        for (const DrawnPart& part : stage_.drawn[body])
+        for (const DrawnPart& part : body.parts)
             parts.push_back({meshes_.meshOf(trianglesOf(part.solid), material), part.place,
                              scaleOf(part.solid)});
         return parts;
     }
 
-    GlbPart groundOf(const engine::Shape& plane) {
-        const int material = meshes_.materialOf(trajectory_.look.ground);
+    GlbPart groundOf(const Vec3& normal) {
+        const int material = meshes_.materialOf(run_.look.ground);
         engine::Pose place;
-        place.rotation = Quat::FromTwoVectors(Vec3::UnitY(), plane.normal);
+        place.rotation = Quat::FromTwoVectors(Vec3::UnitY(), normal);
         return {meshes_.meshOf(squareTriangles(), material), place,
                 render::Vec3(kGroundHalf, 1.0f, kGroundHalf)};
     }
 
     /// What is one piece in the body's own axes is the body's node; otherwise a child a piece.
     void addBody(std::size_t body) {
-        const std::string& name = stage_.scene.bodies[body].name;
+        const std::string& name = run_.bodies[body].name;
         std::vector<GlbPose> poses;
-        for (const TrajectoryFrame& frame : trajectory_.frames)
+        for (const RecordedFrame& frame : run_.frames)
             poses.push_back(glbPoseOf(frame.bodies[body].pose));
-        const std::vector<GlbPart> parts = partsOf(body);
+        const std::vector<GlbPart> parts = partsOf(run_.bodies[body]);
         const bool whole = parts.size() == 1 && isPlain(parts[0].place);
         GlbJson node = nodeOf(name, poses[0], whole ? parts[0].scale : render::Vec3::Ones());
         if (whole) node["mesh"] = parts[0].mesh;
@@ -145,7 +142,7 @@ private:
         std::vector<GlbPose> poses;
         for (const engine::Pose& pose : bar.poses) poses.push_back(glbPoseOf(pose));
         GlbJson node = nodeOf(bar.name, poses[0], bar.sizes[0]);
-        node["mesh"] = meshes_.meshOf(trianglesOf(cylinder), meshes_.materialOf(bar.color));
+        node["mesh"] = meshes_.meshOf(trianglesOf(cylinder), meshes_.materialOf(render::jointColor()));
         const int number = addRoot(std::move(node));
         motion_.add(number, std::move(poses));
         motion_.addScales(number, bar.sizes);
@@ -155,13 +152,13 @@ private:
     void addCamera() {
         std::vector<GlbPose> poses;
         float nearest = 1e9f, farthest = 0.0f;  // m
-        for (const TrajectoryFrame& frame : trajectory_.frames) {
+        for (const RecordedFrame& frame : run_.frames) {
             const render::View view = render::makeView(frame.camera, kAspect);
             nearest = std::min(nearest, view.nearest);
             farthest = std::max(farthest, view.farthest);
             poses.push_back(glbPoseOf(cameraPose(frame.camera)));
         }
-        const float degrees = trajectory_.frames[0].camera.fovDegrees;
+        const float degrees = run_.frames[0].camera.fovDegrees;
         cameras_.push_back({{"type", "perspective"},
                             {"perspective",
                              {{"aspectRatio", kAspect},
@@ -177,14 +174,13 @@ private:
         lights_.push_back({{"type", "directional"}, {"intensity", kSunLux}});
         engine::Pose pose;
         pose.rotation =
-            Quat::FromTwoVectors(Vec3::UnitZ(), trajectory_.look.sunDirection.cast<double>());
+            Quat::FromTwoVectors(Vec3::UnitZ(), run_.look.sunDirection.cast<double>());
         GlbJson node = nodeOf("sun", glbPoseOf(pose));
         node["extensions"]["KHR_lights_punctual"]["light"] = 0;
         addRoot(std::move(node));
     }
 
-    const Stage& stage_;
-    const Trajectory& trajectory_;
+    const Recording& run_;
     GlbBuffer buffer_;
     GlbMeshes meshes_;
     GlbMotion motion_;
@@ -194,8 +190,8 @@ private:
 
 }  // namespace
 
-std::vector<std::uint8_t> glbOf(const Stage& stage, const Trajectory& trajectory) {
-    return GlbScene(stage, trajectory).file();
+std::vector<std::uint8_t> glbOf(const Recording& recording) {
+    return GlbScene(recording).file();
 }
 
 }  // namespace demos

@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "demos/export/trajectory.h"
+#include "demos/export/recording.h"
 
 namespace demos {
 
 /// A node a body, with its name; grounds as squares of 40 m; the camera and the sun. Bodies and
 /// camera move as in the frames, straight from one to the next. Throws render::Error where it would
 /// have more than 4 GiB.
-std::vector<std::uint8_t> glbOf(const Stage& stage, const Trajectory& trajectory);
+std::vector<std::uint8_t> glbOf(const Recording& recording);
 
 }  // namespace demos

@@ -78,9 +78,9 @@ void append(std::vector<double>& values, const Vec3& v) {
     values.insert(values.end(), {v.x(), v.y(), v.z()});
 }
 
-void addMotions(const Trajectory& trajectory, std::size_t bodies, Arrays& arrays) {
+void addMotions(const Recording& recording, std::size_t bodies, Arrays& arrays) {
     std::vector<double> positions, rotations, velocities, spins;
-    for (const TrajectoryFrame& frame : trajectory.frames)
+    for (const RecordedFrame& frame : recording.frames)
         for (const BodyMotion& body : frame.bodies) {
             const Quat& q = body.pose.rotation;
             append(positions, body.pose.position);
@@ -88,7 +88,7 @@ void addMotions(const Trajectory& trajectory, std::size_t bodies, Arrays& arrays
             append(velocities, body.velocity);
             append(spins, body.spin);
         }
-    const std::size_t frames = trajectory.frames.size();
+    const std::size_t frames = recording.frames.size();
     arrays.add("position", {frames, bodies, 3}, positions);
     arrays.add("rotation", {frames, bodies, 4}, rotations);
     arrays.add("velocity", {frames, bodies, 3}, velocities);
@@ -96,14 +96,14 @@ void addMotions(const Trajectory& trajectory, std::size_t bodies, Arrays& arrays
 }
 
 /// One row a point, all frames below each other: their number differs from frame to frame.
-void addContacts(const Trajectory& trajectory, std::size_t bodyCount, Arrays& arrays) {
+void addContacts(const Recording& recording, std::size_t bodyCount, Arrays& arrays) {
     std::vector<std::int64_t> frames, bodies;
     std::vector<double> positions, normals, penetrations, impulses, frictions;
     const auto numberOf = [bodyCount](engine::BodyId id) {
         return static_cast<std::size_t>(id.index) < bodyCount ? id.index : -1;  // -1: the world
     };
-    for (std::size_t i = 0; i < trajectory.frames.size(); ++i)
-        for (const engine::ContactState& contact : trajectory.frames[i].contacts) {
+    for (std::size_t i = 0; i < recording.frames.size(); ++i)
+        for (const engine::ContactState& contact : recording.frames[i].contacts) {
             frames.push_back(static_cast<std::int64_t>(i));
             bodies.insert(bodies.end(), {numberOf(contact.a), numberOf(contact.b)});
             append(positions, contact.position);
@@ -124,25 +124,25 @@ void addContacts(const Trajectory& trajectory, std::size_t bodyCount, Arrays& ar
 
 }  // namespace
 
-std::vector<std::uint8_t> npzOf(const Stage& stage, const Trajectory& trajectory) {
+std::vector<std::uint8_t> npzOf(const Recording& recording) {
     std::vector<std::string> names;
     std::vector<double> masses, times, energies;
-    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
-        names.push_back(stage.scene.bodies[i].name);
-        masses.push_back(stage.world.mass(stage.bodies[i]));
+    for (const RecordedBody& body : recording.bodies) {
+        names.push_back(body.name);
+        masses.push_back(body.mass);
     }
-    for (const TrajectoryFrame& frame : trajectory.frames) {
+    for (const RecordedFrame& frame : recording.frames) {
+        const engine::Energy& energy = frame.measures.energy;
         times.push_back(frame.time);
-        energies.insert(energies.end(),
-                        {frame.energy.kinetic, frame.energy.potential, frame.energy.elastic});
+        energies.insert(energies.end(), {energy.kinetic, energy.potential, energy.elastic});
     }
     Arrays arrays;
     arrays.add("time", {times.size()}, times);
     arrays.add("names", names);
     arrays.add("mass", {masses.size()}, masses);
-    addMotions(trajectory, names.size(), arrays);
+    addMotions(recording, names.size(), arrays);
     arrays.add("energy", {times.size(), 3}, energies);
-    addContacts(trajectory, names.size(), arrays);
+    addContacts(recording, names.size(), arrays);
     return arrays.packed();
 }
 

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "demos/export/trajectory.h"
+#include "demos/export/recording.h"
 
 namespace demos {
 
 /// F frames, B bodies, C contact points of all frames. Throws render::Error as zipOf().
-std::vector<std::uint8_t> npzOf(const Stage& stage, const Trajectory& trajectory);
+std::vector<std::uint8_t> npzOf(const Recording& recording);
 
 }  // namespace demos

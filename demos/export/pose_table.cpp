@@ -10,11 +10,11 @@ void addPoseRow(double time, const std::string& body, const BodyMotion& motion, 
     table.endRow();
 }
 
-Table poseTable(const std::string& target, const Stage& stage, const Trajectory& trajectory) {
+Table poseTable(const std::string& target, const Recording& recording) {
     Table table(target, kPoseColumns);
-    for (const TrajectoryFrame& frame : trajectory.frames)
+    for (const RecordedFrame& frame : recording.frames)
         for (std::size_t i = 0; i < frame.bodies.size(); ++i)
-            addPoseRow(frame.time, stage.scene.bodies[i].name, frame.bodies[i], table);
+            addPoseRow(frame.time, recording.bodies[i].name, frame.bodies[i], table);
     return table;
 }
 

@@ -1,7 +1,7 @@
 /// Poses and velocities as a table, a row a time and body: of `impulse export` and `impulse sim`.
 #pragma once
 #include "demos/commands/table.h"
-#include "demos/export/trajectory.h"
+#include "demos/export/recording.h"
 
 namespace demos {
 
@@ -11,6 +11,6 @@ inline constexpr const char* kPoseColumns = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,v
 void addPoseRow(double time, const std::string& body, const BodyMotion& motion, Table& table);
 
 /// All frames of a run, for `target`.
-Table poseTable(const std::string& target, const Stage& stage, const Trajectory& trajectory);
+Table poseTable(const std::string& target, const Recording& recording);
 
 }  // namespace demos

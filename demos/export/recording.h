@@ -1,11 +1,14 @@
-/// A run as plain values, sampled at the frames of its film and once more at its end: what
-/// replay.html shows.
+/// A run as plain values, sampled at the frames of its film and once more at its end: what every
+/// file of `impulse export` is made of.
 #pragma once
 #include <string>
 #include <vector>
 
+#include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
+#include "demos/player.h"
 #include "demos/report/measures.h"
+#include "demos/snapshot/joint_bars.h"
 #include "demos/snapshot/solids.h"
 #include "render/frame.h"
 
@@ -14,38 +17,33 @@ namespace demos {
 /// What a body looks like as long as it is there.
 struct RecordedBody {
     std::string name;
-    render::Color color;           // translucent: a sensor
-    std::vector<DrawnPart> parts;  // none: a plane, which is in Recording::grounds
+    render::Color color;           // as drawn at time 0; translucent: a sensor
+    std::vector<DrawnPart> parts;  // none: a plane, which is in Recording::grounds too
+    Vec3 plane{0, 0, 0};           // unit, in its axes: the normal of a plane
     double mass = 0.0;             // kg; 0: not dynamic
-};
-
-/// A straight bar or a coil that a joint or a spring is drawn as. Bodies hold its ends.
-struct RecordedBar {
-    int a = -1, b = -1;               // places in Recording::bodies; -1: the world
-    Vec3 atA{0, 0, 0}, atB{0, 0, 0};  // m, in a's and in b's body axes
-    double radius = 0.0;              // m, of a bar
-    double rest = -1.0;               // m, length of a coil at rest; negative: a bar
-    int joint = -1;                   // place in Recording::joints; -1: a spring that stays
 };
 
 /// A joint's two anchors.
 struct RecordedJoint {
     std::string name;
-    int a = -1, b = -1;               // as a bar's
-    Vec3 atA{0, 0, 0}, atB{0, 0, 0};  // m
+    int a = -1, b = -1;               // places of bodies; -1: the world
+    Vec3 atA{0, 0, 0}, atB{0, 0, 0};  // m, in a's and in b's body axes
     int frames = 0;                   // that it is there for; later it is removed or broken
 };
 
-struct RecordedContact {
-    Vec3 position, normal;  // m; unit, from the first body to the second
-    double impulse = 0.0;   // N s along the normal, in the last step
-    Vec3 friction;          // N s on the second, likewise
+/// How a body is and goes on at one time.
+struct BodyMotion {
+    engine::Pose pose;             // m
+    Vec3 velocity = Vec3::Zero();  // m/s
+    Vec3 spin = Vec3::Zero();      // rad/s, world axes
 };
+BodyMotion motionOf(const Stage& stage, std::size_t body);
 
 struct RecordedFrame {
-    std::vector<engine::Pose> poses;        // by body
-    std::vector<double> speeds;             // m/s, by body
-    std::vector<RecordedContact> contacts;  // that the last step solved; none at time 0
+    double time = 0.0;                           // s
+    std::vector<BodyMotion> bodies;              // by place in Recording::bodies
+    std::vector<engine::ContactState> contacts;  // of the step that ends here; none at time 0
+    std::vector<JointBar> bars;                  // of joints that are there, as they stand here
     Measures measures;
     render::Camera camera;
     int shot = 0;              // frames of the same number have no cut between them
@@ -60,16 +58,34 @@ struct Recording {
     double thinnest = 0.0;    // m: half of the thinnest body that moves
     std::vector<RecordedBody> bodies;
     std::vector<render::Ground> grounds;
-    std::vector<RecordedBar> bars;
+    render::Look look;           // of the scene's theme
+    std::vector<JointBar> bars;  // of all joints, a slider's rail as long as it needs to be
     std::vector<RecordedJoint> joints;
     std::vector<int> trails;  // places of bodies
     std::vector<Section> sections;
     Overlays overlays;
     std::vector<RecordedFrame> frames;
-    std::string trouble;  // why it ends early: the line of a run that diverged; empty: it does not
+    StageEvents events;  // of all steps
 };
 
-/// Plays the plan's first panel. Throws Stop where the simulation diverges.
-Recording recordingOf(const FilmPlan& plan);
+/// Has to see a player before its first step and after every one.
+class RunRecorder {
+public:
+    /// `plan`: its first panel is what the player plays.
+    explicit RunRecorder(const FilmPlan& plan);
+    void look(const Player& player, long step);
+    /// What it has seen; contacts begin and end in it where the stage's world watches touches.
+    const Recording& finished(const Stage& stage);
+
+private:
+    void begin(const Player& player);
+    void addBodies(const Player& player);
+    void addFrame(const Player& player, long step);
+
+    int stepsPerFrame_;
+    EventLog events_{0};
+    std::vector<SlideRange> slides_;  // by joint, in the frames so far
+    Recording recording_;
+};
 
 }  // namespace demos

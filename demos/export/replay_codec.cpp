@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "demos/base64.h"
-#include "demos/regression/packed.h"
+#include "demos/packed.h"
 
 namespace demos {
 namespace {

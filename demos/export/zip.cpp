@@ -10,17 +10,13 @@
 #include <memory>
 #include <new>
 
+#include "demos/little_endian.h"
 #include "render/error.h"
 
 namespace demos {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// Little-endian, `size` bytes.
-void put(Bytes& out, std::uint32_t value, int size) {
-    for (int i = 0; i < size; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-}
 
 std::uint32_t narrow(std::size_t value) {
     if (value > std::numeric_limits<std::uint32_t>::max())
@@ -44,12 +40,12 @@ Bytes describe(const ZipEntry& entry, std::size_t packedSize) {
     constexpr std::uint32_t kVersion20 = 20, kUtf8 = 0x800, kDeflate = 8, kFirstOf1980 = 0x21;
     Bytes out;
     for (const std::uint32_t word : {kVersion20, kUtf8, kDeflate, 0u, kFirstOf1980})
-        put(out, word, 2);
-    put(out, libdeflate_crc32(0, entry.bytes.data(), entry.bytes.size()), 4);
-    put(out, narrow(packedSize), 4);
-    put(out, narrow(entry.bytes.size()), 4);
-    put(out, static_cast<std::uint32_t>(entry.name.size()), 2);
-    put(out, 0, 2);  // no extra fields
+        putBytes(out, word, 2);
+    putBytes(out, libdeflate_crc32(0, entry.bytes.data(), entry.bytes.size()), 4);
+    putBytes(out, narrow(packedSize), 4);
+    putBytes(out, narrow(entry.bytes.size()), 4);
+    putBytes(out, static_cast<std::uint32_t>(entry.name.size()), 2);
+    putBytes(out, 0, 2);  // no extra fields
     return out;
 }
 
@@ -61,25 +57,25 @@ std::vector<std::uint8_t> zipOf(std::span<const ZipEntry> entries) {
     Bytes out, directory;
     for (const ZipEntry& entry : entries) {
         const Bytes packed = deflated(entry.bytes), description = describe(entry, packed.size());
-        put(directory, 0x02014b50, 4);
-        put(directory, 20, 2);  // made by version 2.0, on DOS
+        putBytes(directory, 0x02014b50, 4);
+        putBytes(directory, 20, 2);  // made by version 2.0, on DOS
         append(directory, description);
-        for (const int size : {2, 2, 2, 4}) put(directory, 0, size);  // comment, disk, attributes
-        put(directory, narrow(out.size()), 4);
+        for (const int size : {2, 2, 2, 4}) putBytes(directory, 0, size);  // comment, disk, attributes
+        putBytes(directory, narrow(out.size()), 4);
         append(directory, entry.name);
-        put(out, 0x04034b50, 4);
+        putBytes(out, 0x04034b50, 4);
         append(out, description);
         append(out, entry.name);
         append(out, packed);
     }
     const std::size_t start = out.size(), count = entries.size();
     append(out, directory);
-    put(out, 0x06054b50, 4);
+    putBytes(out, 0x06054b50, 4);
     for (const std::size_t word : {std::size_t{0}, std::size_t{0}, count, count})
-        put(out, static_cast<std::uint32_t>(word), 2);
-    put(out, narrow(directory.size()), 4);
-    put(out, narrow(start), 4);
-    put(out, 0, 2);  // no comment
+        putBytes(out, static_cast<std::uint32_t>(word), 2);
+    putBytes(out, narrow(directory.size()), 4);
+    putBytes(out, narrow(start), 4);
+    putBytes(out, 0, 2);  // no comment
     return out;
 }
 

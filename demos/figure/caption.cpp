@@ -71,9 +71,9 @@ void addPhysics(const SceneDescription& scene, const Options& options, Caption& 
     caption.add("scene", options.scene());
     caption.add("steps a second", std::to_string(scene.hz));
     if (scene.gravity != usual.gravity)
-        caption.add("gravity", fmt::format("{} {} {} m/s^2", numberText(scene.gravity.x()),
-                                           numberText(scene.gravity.y()),
-                                           numberText(scene.gravity.z())));
+        caption.add("gravity",
+                    fmt::format("{} {} {} m/s^2", numberText(scene.gravity.x()),
+                                numberText(scene.gravity.y()), numberText(scene.gravity.z())));
     if (scene.seed != usual.seed) caption.add("seed", std::to_string(scene.seed));
     caption.add("solver", solverText(scene));
     caption.add("set", fmt::format("{}", fmt::join(options.overrides, " ")));

@@ -1,5 +1,5 @@
-/// What goes below a figure: a sentence, then all it was made with. No dates: the same figure has the
-/// same caption.
+/// What goes below a figure: a sentence, then all it was made with. No dates: the same figure has
+/// the same caption.
 #pragma once
 #include <string>
 #include <utility>

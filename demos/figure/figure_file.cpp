@@ -22,9 +22,10 @@ void checkCaption(const std::string& caption, const std::vector<std::string>& pi
         throw Stop(Exit::usage, "--caption '-': a caption needs a file; give it a name");
     for (const std::string& picture : pictures)
         if (placeOf(picture) == placeOf(caption))
-            throw Stop(Exit::usage, fmt::format("--caption '{}': the figure itself goes there; give "
-                                                "another name",
-                                                printable(caption)));
+            throw Stop(Exit::usage,
+                       fmt::format("--caption '{}': the figure itself goes there; give "
+                                   "another name",
+                                   printable(caption)));
 }
 
 }  // namespace

@@ -29,19 +29,20 @@ void checkLayout(const StripLayout& layout, const Paper& paper) {
                       layout.height <= render::kLargestSide && pixels <= kMostPixels;
     if (fits) return;
     const bool small = layout.picture.width < 16 || layout.picture.height < 16;
-    throw Stop(Exit::usage,
-               fmt::format("--width {:g}mm at {} dpi makes a figure of {}x{} pixels of {} pictures of "
-                           "{}x{}; {}",
-                           paper.width, paper.dpi, layout.width, layout.height, layout.moments,
-                           layout.picture.width, layout.picture.height,
-                           small ? "they need 16 a side: use a larger --width or fewer pictures"
-                                 : "at most 16384 a side and 134 million in all: use a smaller --dpi"));
+    throw Stop(
+        Exit::usage,
+        fmt::format("--width {:g}mm at {} dpi makes a figure of {}x{} pixels of {} pictures of "
+                    "{}x{}; {}",
+                    paper.width, paper.dpi, layout.width, layout.height, layout.moments,
+                    layout.picture.width, layout.picture.height,
+                    small ? "they need 16 a side: use a larger --width or fewer pictures"
+                          : "at most 16384 a side and 134 million in all: use a smaller --dpi"));
 }
 
 int figureColumns(int pictures, const Paper& paper) {
     const double gap = paper.millimetresOf(gapOf(paper));
-    const int most = std::clamp(static_cast<int>((paper.width + gap) / (kLeastWidth + gap)), 1,
-                                kMostColumns);
+    const int most =
+        std::clamp(static_cast<int>((paper.width + gap) / (kLeastWidth + gap)), 1, kMostColumns);
     const int rows = (pictures + most - 1) / most;
     return (pictures + rows - 1) / rows;
 }
@@ -61,8 +62,8 @@ StripLayout figureLayout(int pictures, int columns, PictureSize ratio, const Pap
         std::max((layout.width - (layout.columns - 1) * layout.gap) / layout.columns, 1);
     layout.picture.height = std::max(
         static_cast<int>(std::lround(1.0 * layout.picture.width * ratio.height / ratio.width)), 1);
-    layout.height = layout.rows * (layout.picture.height + layout.labelRoom() + layout.gap) -
-                    layout.gap;
+    layout.height =
+        layout.rows * (layout.picture.height + layout.labelRoom() + layout.gap) - layout.gap;
     checkLayout(layout, paper);
     return layout;
 }

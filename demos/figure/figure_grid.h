@@ -11,8 +11,8 @@ namespace demos {
 /// In a row, so that every picture is wide enough for its label; all rows alike.
 int figureColumns(int pictures, const Paper& paper);
 
-/// `ratio`: of one picture; `lines`: of a label, 0 = none. The outer pictures touch the figure's edges.
-/// Throws Stop (usage) where the whole would be larger than a PNG may be.
+/// `ratio`: of one picture; `lines`: of a label, 0 = none. The outer pictures touch the figure's
+/// edges. Throws Stop (usage) where the whole would be larger than a PNG may be.
 StripLayout figureLayout(int pictures, int columns, PictureSize ratio, const Paper& paper,
                          int lines);
 

@@ -10,8 +10,8 @@ struct LengthUnit {
     const char* name;
     double millimetres;
 };
-constexpr LengthUnit kUnits[] = {{"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"in", 25.4},
-                                 {"pt", 25.4 / 72.0}};
+constexpr LengthUnit kUnits[] = {
+    {"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}, {"pt", 25.4 / 72.0}};
 
 }  // namespace
 

@@ -28,8 +28,8 @@ Caption captionOf(const MomentsFigure& figure, PictureSize size, const Options& 
 Options figureOptions(Options options) {
     if (!options.width) return options;
     const Quality& quality = qualityOf(options.quality);
-    options.size = figureSize(paperOf(options), options.size.value_or(
-                                                    PictureSize{quality.width, quality.height}));
+    options.size = figureSize(paperOf(options),
+                              options.size.value_or(PictureSize{quality.width, quality.height}));
     return options;
 }
 
@@ -45,10 +45,11 @@ void tellLeftOut(const render::Frame& frame, const FilmPlan& plan, const Paper& 
     if (!paper.given()) return;
     const std::string what = leftOut(frame, plan.picture.width, plan.picture.height);
     if (!what.empty())
-        talk.mention(fmt::format("{}: no room in a picture of {:.0f} x {:.0f} mm, left out; use a "
-                                 "larger --width or a higher --size",
-                                 what, paper.millimetresOf(plan.picture.width),
-                                 paper.millimetresOf(plan.picture.height)));
+        talk.mention(
+            fmt::format("{}: no room in a picture of {:.0f} x {:.0f} mm, left out; use a "
+                        "larger --width or a higher --size",
+                        what, paper.millimetresOf(plan.picture.width),
+                        paper.millimetresOf(plan.picture.height)));
 }
 
 }  // namespace demos

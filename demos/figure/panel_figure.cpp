@@ -46,8 +46,8 @@ std::string unspaced(std::string text) {
 std::vector<std::string> linesOf(const std::vector<Variant>& runs, std::size_t i,
                                  const StripLayout& layout) {
     const Variant& run = runs[i];
-    std::vector<std::string> lines = labelLines(
-        panelLetter(static_cast<int>(i)) + " " + printable(run.label), layout);
+    std::vector<std::string> lines =
+        labelLines(panelLetter(static_cast<int>(i)) + " " + printable(run.label), layout);
     const std::string settings = differencesOf(runs, i);
     if (settings.empty() || unspaced(settings) == unspaced(run.label)) return lines;
     for (std::string& line : labelLines(printable(settings), layout)) lines.push_back(line);

@@ -1,5 +1,5 @@
-/// Runs of one scene under several settings at one moment: pictures with (a), (b), ... below them, and
-/// a chart over the whole width.
+/// Runs of one scene under several settings at one moment: pictures with (a), (b), ... below them,
+/// and a chart over the whole width.
 #pragma once
 #include <string>
 #include <vector>
@@ -22,7 +22,8 @@ struct PanelFigure {
     Paper paper;
 };
 
-/// `columns`: 0 = as many as there is room for. Throws Stop (usage, environment) for what cannot be.
+/// `columns`: 0 = as many as there is room for. Throws Stop (usage, environment) for what cannot
+/// be.
 PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart,
                        const Options& options);
 

@@ -20,11 +20,12 @@ PictureSize figureSize(const Paper& paper, PictureSize ratio) {
     const int width = paper.pixels();
     const double height = static_cast<double>(width) * ratio.height / ratio.width;
     if (height > render::kLargestSide)
-        throw Stop(Exit::usage,
-                   fmt::format("--width {:g}mm at {} dpi and --size {}x{} make a figure of {}x{:.0f} "
-                               "pixels; at most {} a side; use a smaller --dpi",
-                               paper.width, paper.dpi, ratio.width, ratio.height, width, height,
-                               render::kLargestSide));
+        throw Stop(
+            Exit::usage,
+            fmt::format("--width {:g}mm at {} dpi and --size {}x{} make a figure of {}x{:.0f} "
+                        "pixels; at most {} a side; use a smaller --dpi",
+                        paper.width, paper.dpi, ratio.width, ratio.height, width, height,
+                        render::kLargestSide));
     return {width, std::max(static_cast<int>(std::lround(height)), 1)};
 }
 

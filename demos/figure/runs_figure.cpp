@@ -17,18 +17,20 @@ namespace {
 std::string pictureFile(const PanelFigure& figure, const RunsFigureSettings& settings,
                         const Options& options) {
     if (options.outputs.size() > 1)
-        throw Stop(Exit::usage, fmt::format("{} outputs; with --width there is one picture, give one "
-                                            "--output",
-                                            options.outputs.size()));
+        throw Stop(Exit::usage,
+                   fmt::format("{} outputs; with --width there is one picture, give one "
+                               "--output",
+                               options.outputs.size()));
     const std::string pattern =
         options.outputs.empty() ? settings.picture : options.outputs.front();
     if (pattern == "-") return pattern;
     const FilmPlan& plan = figure.plans.front();
     const std::string name = expandPattern(pattern, {0, figure.time, plan.name, plan.quality});
     if (!name.ends_with(".png"))
-        throw Stop(Exit::usage, fmt::format("--output '{}': with --width a picture ends in .png, or "
-                                            "is -; a film has no --width",
-                                            printable(name)));
+        throw Stop(Exit::usage,
+                   fmt::format("--output '{}': with --width a picture ends in .png, or "
+                               "is -; a film has no --width",
+                               printable(name)));
     return name;
 }
 
@@ -59,12 +61,11 @@ void checkFigureOptions(const Options& options) {
     const bool pictures = options.width && (sweep ? !options.outputs.empty() : options.film);
     if (pictures || !options.plot.empty()) return;
     if (!options.caption.empty() || options.width)
-        throw Stop(Exit::usage,
-                   fmt::format("{} belongs to a figure; give {}",
-                               options.width ? "--width" : "--caption",
-                               !options.width ? "--width or --plot FILE"
-                               : sweep        ? "-o FIGURE.png or --plot FILE"
-                                              : "--plot FILE, or leave --no-film out"));
+        throw Stop(Exit::usage, fmt::format("{} belongs to a figure; give {}",
+                                            options.width ? "--width" : "--caption",
+                                            !options.width ? "--width or --plot FILE"
+                                            : sweep        ? "-o FIGURE.png or --plot FILE"
+                                                    : "--plot FILE, or leave --no-film out"));
 }
 
 RunsFigure::RunsFigure(RunsFigureSettings settings, const Options& options)
@@ -102,9 +103,9 @@ void RunsFigure::addRuns(const std::vector<Variant>& runs, const DrawnPanels* dr
                          Caption& caption) const {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const Variant& run = runs[i];
-        std::string text = fmt::format("{}: {} ({}, {} steps a second)", run.label,
-                                       fmt::join(run.settings, " "), solverText(run.scene),
-                                       run.scene.hz);
+        std::string text =
+            fmt::format("{}: {} ({}, {} steps a second)", run.label, fmt::join(run.settings, " "),
+                        solverText(run.scene), run.scene.hz);
         if (drawn) text += fmt::format(", state {}", hexText(drawn->shots[i].state));
         if (drawn && !drawn->diverged[i].empty()) text += ", diverged: " + drawn->diverged[i];
         caption.add(drawn ? panelLetter(static_cast<int>(i)) : fmt::format("run {}", i + 1), text);

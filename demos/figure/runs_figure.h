@@ -12,12 +12,12 @@
 namespace demos {
 
 struct RunsFigureSettings {
-    std::vector<Variant> runs;     // all of them
-    std::vector<Variant> pictured; // empty = no pictures
-    int columns = 0;               // of the pictures; 0 = as many as there is room for
-    bool chart = false;            // below the pictures
-    std::string title;             // what is to be seen, without a full stop
-    std::string picture;           // the pictures' file where --output names none
+    std::vector<Variant> runs;      // all of them
+    std::vector<Variant> pictured;  // empty = no pictures
+    int columns = 0;                // of the pictures; 0 = as many as there is room for
+    bool chart = false;             // below the pictures
+    std::string title;              // what is to be seen, without a full stop
+    std::string picture;            // the pictures' file where --output names none
 };
 
 /// Throws Stop (usage) for options of a figure where there is none.
@@ -36,7 +36,8 @@ private:
     void writePictures(const std::vector<Chart>& charts, const Talk& talk) const;
     void writeChart(const std::vector<Chart>& charts, const Talk& talk) const;
     std::string runsText() const;
-    void addRuns(const std::vector<Variant>& runs, const DrawnPanels* drawn, Caption& caption) const;
+    void addRuns(const std::vector<Variant>& runs, const DrawnPanels* drawn,
+                 Caption& caption) const;
 
     RunsFigureSettings settings_;
     Options options_, chartOptions_;

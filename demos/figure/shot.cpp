@@ -46,7 +46,8 @@ Shot shotOf(const Player& player, const FilmPlan& plan, const render::Frame& fra
     const Stage& stage = player.stage();
     const History& history = player.history();
     const double view = viewHeight(stage.scene.camera);
-    const double meter = static_cast<double>(render::pixelsPerMeter(frame.camera, plan.picture.height));
+    const double meter =
+        static_cast<double>(render::pixelsPerMeter(frame.camera, plan.picture.height));
     Shot shot;
     shot.step = stage.world.report().step;
     shot.time = static_cast<double>(shot.step) / stage.scene.hz;
@@ -88,9 +89,9 @@ std::string scalesText(const Overlays& overlays, const std::vector<Shot>& shots)
 std::string leftOut(const render::Frame& frame, int width, int height) {
     const render::CornerLayout placed = render::layoutCorners(frame, width, height);
     for (const render::Plate& plate : frame.plates) {
-        const bool there = plate.rows.empty() ||
-                           std::any_of(placed.plates.begin(), placed.plates.end(),
-                                       [&](const auto& one) { return one.plate == &plate; });
+        const bool there =
+            plate.rows.empty() || std::any_of(placed.plates.begin(), placed.plates.end(),
+                                              [&](const auto& one) { return one.plate == &plate; });
         if (!there) return plate.corner == render::Corner::topRight ? "stats" : "legend";
     }
     return {};

@@ -14,9 +14,9 @@ struct Shot {
     double time = 0.0;  // s
     long step = 0;
     std::uint64_t state = 0;  // engine's state hash
-    double impulse = 0.0;     // N s that an arrow of 1 cm stands for where the camera looks; 0: none
-    double nudge = 0.0;       // mm likewise
-    double colorEnd = 0.0;    // of the scale that bodies are coloured by
+    double impulse = 0.0;   // N s that an arrow of 1 cm stands for where the camera looks; 0: none
+    double nudge = 0.0;     // mm likewise
+    double colorEnd = 0.0;  // of the scale that bodies are coloured by
 };
 
 /// `frame`: what is seen of the player.

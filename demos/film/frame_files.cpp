@@ -7,9 +7,9 @@
 #include "demos/file_content.h"
 #include "demos/film/data_json.h"
 #include "demos/film/outputs.h"
-#include "demos/text_hash.h"
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
+#include "demos/text_hash.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
 #include "render/error.h"
@@ -18,12 +18,6 @@ namespace demos {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
-    TextHash hash;
-    hash.add(bytes);
-    return hash.value();
-}
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& what) {
     throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(folder.string()), what));

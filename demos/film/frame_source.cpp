@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <thread>
 
+#include "demos/film/child_process.h"
 #include "demos/film/worker.h"
 #include "demos/stop.h"
 #include "render/encode/file.h"
@@ -23,24 +21,15 @@ namespace {
 /// Nothing of the parent's may be run down at the end of a worker, hence _exit.
 [[noreturn]] void beWorker(const FilmPlan& plan, const WorkerTask& task, Channel channel,
                            pid_t parent) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);
-    signal(SIGINT, SIG_IGN);  // the parent decides, and finishes the frame
-    signal(SIGTERM, SIG_IGN);
+    becomeChildOf(parent);  // which finishes the frame when it is interrupted
     runWorker(plan, task, channel);
     _exit(0);
 }
 
 /// Of a process whose socket is closed: it is ending, if it has not ended.
 std::string deathOf(pid_t process) {
-    int status = 0;
     kill(process, SIGKILL);  // a process that ends already is not touched by it
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFSIGNALED(status))
-        return fmt::format("was ended by signal {} ({})", WTERMSIG(status),
-                           strsignal(WTERMSIG(status)));
-    return "ended early";
+    return deathText(waitFor(process));
 }
 
 }  // namespace
@@ -78,9 +67,7 @@ FrameSource::~FrameSource() {
         if (worker.process > 0) kill(worker.process, SIGKILL);
     }
     for (Worker& worker : workers_)
-        if (worker.process > 0)
-            while (waitpid(worker.process, nullptr, 0) < 0 && errno == EINTR) {
-            }
+        if (worker.process > 0) waitFor(worker.process);
 }
 
 void FrameSource::meet() {

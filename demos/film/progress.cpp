@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "demos/put_text.h"
+
 namespace demos {
 namespace {
 
@@ -45,22 +47,22 @@ std::string jsonString(const std::string& text) {
     return out + "\"";
 }
 
-std::string hexText(std::uint64_t value) { return fmt::format("{:016x}", value); }
-
 Talk::Talk(const Options& options, bool dataOnStdout)
     : quiet_(options.quiet), json_(options.json), dataOnStdout_(dataOnStdout) {}
 
 void Talk::say(const std::string& line) const {
-    if (!quiet_ && !json_) fmt::print(dataOnStdout_ ? stderr : stdout, "{}\n", line);
+    if (!quiet_ && !json_) putText(dataOnStdout_ ? stderr : stdout, line + "\n");
 }
 
 void Talk::mention(const std::string& line) const {
-    if (!quiet_ && !json_) fmt::print(stderr, "{}\n", line);
+    if (!quiet_ && !json_) putText(stderr, line + "\n");
 }
+
+void Talk::complain(const std::string& line) const { putText(stderr, line + "\n"); }
 
 void Talk::json(const std::string& object) const {
     if (!json_) return;
-    fmt::print(stdout, "{}\n", object);
+    putText(stdout, object + "\n");
     std::fflush(stdout);
 }
 
@@ -98,20 +100,19 @@ void Progress::drawBar() const {
     if (color_) bar = "\x1b[32m" + bar + "\x1b[0m";
     const double perSecond = rate();
     const double left = perSecond > 0.0 ? (total_ - done_) / perSecond : 0.0;
-    fmt::print(stderr, "\r{} {}/{} frames  {:.1f} frames/s  {} left   ", bar, done_, total_,
-               perSecond, minutes(left));
-    std::fflush(stderr);
+    putText(stderr, fmt::format("\r{} {}/{} frames  {:.1f} frames/s  {} left   ", bar, done_, total_,
+                                perSecond, minutes(left)));
 }
 
 void Progress::printLine() const {
     const double perSecond = rate();
     const double left = perSecond > 0.0 ? (total_ - done_) / perSecond : 0.0;
-    fmt::print(stderr, "{:3d} %  {}/{} frames  {:.1f} frames/s  {} left\n", 100LL * done_ / total_,
-               done_, total_, perSecond, minutes(left));
+    putText(stderr, fmt::format("{:3d} %  {}/{} frames  {:.1f} frames/s  {} left\n",
+                                100LL * done_ / total_, done_, total_, perSecond, minutes(left)));
 }
 
 void Progress::finish() {
-    if (kind_ == Kind::bar && done_ > kept_) fmt::print(stderr, "\n");
+    if (kind_ == Kind::bar && done_ > kept_) putText(stderr, "\n");
     kind_ = Kind::none;
 }
 

@@ -2,18 +2,15 @@
 /// programs. Progress goes to standard error, results and JSON to standard output.
 #pragma once
 #include <chrono>
-#include <cstdint>
 #include <string>
 
+#include "demos/hex_text.h"
 #include "demos/options.h"
 
 namespace demos {
 
 /// `text` as a JSON string, with its quotes.
 std::string jsonString(const std::string& text);
-
-/// 16 digits.
-std::string hexText(std::uint64_t value);
 
 /// A line of results on standard output, or on standard error where that carries data; nothing
 /// with --quiet or --json.
@@ -23,6 +20,8 @@ public:
     void say(const std::string& line) const;
     /// A line about the work, on standard error.
     void mention(const std::string& line) const;
+    /// A line about what failed, on standard error; with --quiet and --json too.
+    void complain(const std::string& line) const;
     /// A line of JSON, with --json only; flushed, so that a reader may act on it.
     void json(const std::string& object) const;
 

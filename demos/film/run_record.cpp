@@ -1,23 +1,14 @@
 #include "demos/film/run_record.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "demos/film/progress.h"
+#include "demos/hex_text.h"
 
 namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostFrames = 1'000'000;
-
-std::uint64_t fromHex(const std::string& text) {
-    std::uint64_t value = 0;
-    const auto got = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-    if (got.ec != std::errc{} || got.ptr != text.data() + text.size())
-        throw std::invalid_argument(text);
-    return value;
-}
 
 }  // namespace
 
@@ -57,7 +48,7 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     const Json json = Json::parse(text);
     RunRecord record;
     record.version = json.at("impulse").get<std::string>();
-    record.fingerprint = fromHex(json.at("fingerprint").get<std::string>());
+    record.fingerprint = fromHex(json.at("fingerprint").get<std::string>()).value();
     record.pattern = json.at("pattern").get<std::string>();
     record.finished = json.at("finished").get<bool>();
     if (json.contains("passes")) record.passes = json["passes"].get<std::vector<std::string>>();
@@ -67,9 +58,10 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
         FrameRecord entry;
         if (!frame.is_null()) {
             entry.written = true;
-            entry.state = fromHex(frame.at("state").get<std::string>());
-            entry.png = fromHex(frame.at("png").get<std::string>());
-            if (frame.contains("data")) entry.data = fromHex(frame["data"].get<std::string>());
+            entry.state = fromHex(frame.at("state").get<std::string>()).value();
+            entry.png = fromHex(frame.at("png").get<std::string>()).value();
+            if (frame.contains("data"))
+                entry.data = fromHex(frame["data"].get<std::string>()).value();
         }
         record.frames.push_back(entry);
     }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
+#include "demos/scene/reader.h"
 #include "demos/stop.h"
 
 namespace demos {
@@ -33,8 +35,14 @@ public:
         choices_.push_back({word, name, builtin});
     }
 
+    /// By group, as `impulse list` names them.
     void addAll() {
-        for (const BuiltinScene& scene : builtinScenes()) add(std::string(scene.name));
+        std::multimap<std::string, std::string> byGroup;
+        for (const BuiltinScene& scene : builtinScenes()) {
+            const std::string name(scene.name);
+            byGroup.emplace(loadScene(name).group, name);
+        }
+        for (const auto& [group, name] : byGroup) add(name);
     }
 
     std::vector<GalleryChoice> take() { return std::move(choices_); }

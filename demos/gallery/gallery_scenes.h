@@ -13,8 +13,8 @@ struct GalleryChoice {
     bool builtin = false;
 };
 
-/// `all` is every built-in scene; so is an empty list. Nothing is read yet. Throws Stop (usage)
-/// where two have one name.
+/// `all` is every built-in scene, by group; so is an empty list. Files are not read yet. Throws Stop
+/// (usage) where two have one name.
 std::vector<GalleryChoice> chooseGallery(const std::vector<std::string>& words);
 
 }  // namespace demos

@@ -30,12 +30,6 @@ void write(const Baseline& baseline, const fs::path& folder) {
     render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
 }
 
-BaselinePicture* pictureIn(Baseline& baseline, double time) {
-    for (BaselinePicture& picture : baseline.pictures)
-        if (picture.time == time) return &picture;
-    return nullptr;
-}
-
 void checkLike(const Baseline& shown, const Baseline& kept) {
     if (shown.width != kept.width || shown.height != kept.height ||
         shown.course.hz != kept.course.hz)
@@ -61,12 +55,12 @@ void acceptPicture(const fs::path& shown, const fs::path& baseline, double time)
     Baseline now = shownIn(shown);
     Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
     checkLike(now, kept);
-    const BaselinePicture* picture = pictureIn(now, time);
+    const BaselinePicture* picture = pictureAt(now, time);
     if (!picture)
         throw BaselineError(fmt::format("{} has no picture of {} s", printable(now.scene),
                                         numberText(time)));
     const std::vector<std::uint8_t> file = readPicture(shown, *picture);
-    if (BaselinePicture* old = pictureIn(kept, time))
+    if (BaselinePicture* old = pictureAt(kept, time))
         *old = *picture;
     else
         kept.pictures.push_back(*picture);
@@ -81,7 +75,7 @@ void acceptPhysics(const fs::path& shown, const fs::path& baseline) {
     Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
     checkLike(now, kept);
     for (BaselinePicture& picture : kept.pictures)
-        if (const BaselinePicture* own = pictureIn(now, picture.time)) picture.state = own->state;
+        if (const BaselinePicture* own = pictureAt(now, picture.time)) picture.state = own->state;
     now.pictures = kept.pictures;
     write(now, baseline);
 }

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "demos/base64.h"
 #include "demos/file_content.h"
-#include "demos/film/progress.h"
+#include "demos/hex_text.h"
 #include "demos/regression/course_codec.h"
 #include "demos/scene/complaints.h"
 #include "demos/text_hash.h"
@@ -22,20 +21,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kFormat = 1;
 constexpr std::size_t kMostCourse = 32 * 1024, kMostBody = 200;  // bytes of a course, and a body
 constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
-
-std::uint64_t hashOf(std::string_view text) {
-    TextHash hash;
-    hash.add(text);
-    return hash.value();
-}
-
-std::uint64_t fromHex(const std::string& text) {
-    std::uint64_t value = 0;
-    const auto got = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-    if (got.ec != std::errc{} || got.ptr != text.data() + text.size())
-        throw std::invalid_argument(text);
-    return value;
-}
 
 std::string textOf(const Json& json) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace);
@@ -78,8 +63,8 @@ Baseline contentOf(const Json& json) {
         baseline.settings.emplace_back(key, value.get<std::string>());
     for (const Json& picture : json.at("pictures"))
         baseline.pictures.push_back({picture.at("time").get<double>(),
-                                     fromHex(picture.at("state").get<std::string>()),
-                                     fromHex(picture.at("png").get<std::string>())});
+                                     fromHex(picture.at("state").get<std::string>()).value(),
+                                     fromHex(picture.at("png").get<std::string>()).value()});
     json.at("course").get_to(baseline.courseText);
     baseline.course = courseFrom(baseline.courseText);
     return baseline;
@@ -111,7 +96,7 @@ Baseline baselineFrom(const std::string& text, const std::string& name) try {
                                         format, kFormat,
                                         format > kFormat ? "take a newer impulse"
                                                          : "accept the scene again"));
-    const std::uint64_t seal = fromHex(json.at("seal").get<std::string>());
+    const std::uint64_t seal = fromHex(json.at("seal").get<std::string>()).value();
     json.erase("seal");
     if (seal != hashOf(textOf(json)))
         throw BaselineError(name + " was edited: its seal does not fit what it says" + kAgain);
@@ -139,9 +124,7 @@ std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePict
     if (text.starts_with("version https://git-lfs"))
         throw BaselineError(printable(file.string()) +
                             " is a pointer of Git LFS; fetch the file with git lfs pull");
-    TextHash hash;
-    hash.add(bytes);
-    if (hash.value() != picture.png)
+    if (hashOf(bytes) != picture.png)
         throw BaselineError(printable(file.string()) + " is not the picture that " +
                             kBaselineFile + " beside it is of: torn, or from elsewhere" + kAgain);
     return bytes;

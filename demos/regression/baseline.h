@@ -42,6 +42,13 @@ public:
 inline constexpr const char* kBaselineFile = "baseline.json";
 inline constexpr const char* kSnapshotsEnding = ".snapshots";
 
+/// The picture of a time (s) in a baseline, constant or not; null: it has none.
+auto* pictureAt(auto& baseline, double time) {
+    for (auto& picture : baseline.pictures)
+        if (picture.time == time) return &picture;
+    return static_cast<decltype(baseline.pictures.data())>(nullptr);
+}
+
 /// "t2.5.png"
 std::string pictureFile(double time);
 

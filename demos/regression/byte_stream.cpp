@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "demos/little_endian.h"
+
 namespace demos {
 
 void ByteWriter::whole(std::int64_t value) {
@@ -13,9 +15,7 @@ void ByteWriter::whole(std::int64_t value) {
     bytes_.push_back(static_cast<std::uint8_t>(bits));
 }
 
-void ByteWriter::bits32(std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) bytes_.push_back(static_cast<std::uint8_t>(value >> 8 * i));
-}
+void ByteWriter::bits32(std::uint32_t value) { putBytes(bytes_, value); }
 
 void ByteWriter::number(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value);

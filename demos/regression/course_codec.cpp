@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "demos/packed.h"
 #include "demos/regression/byte_stream.h"
-#include "demos/regression/packed.h"
 
 namespace demos {
 namespace {

@@ -21,12 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const BaselinePicture* pictureOf(const Baseline& baseline, double time) {
-    for (const BaselinePicture& picture : baseline.pictures)
-        if (picture.time == time) return &picture;
-    return nullptr;
-}
-
 /// Why nothing of it can be compared; empty where it can.
 std::string obstacle(const Baseline& baseline, const Actual& actual) {
     const Baseline& now = actual.baseline;
@@ -50,7 +44,7 @@ void judgePictures(const Take& take, const Actual& actual, const Baseline& basel
                    const fs::path& folder, SceneVerdict& verdict) {
     for (std::size_t i = 0; i < verdict.pictures.size(); ++i) {
         PictureVerdict& picture = verdict.pictures[i];
-        const BaselinePicture* kept = pictureOf(baseline, picture.time);
+        const BaselinePicture* kept = pictureAt(baseline, picture.time);
         if (!kept) continue;  // a time that was added to the list
         picture.baseline = (folder / pictureFile(picture.time)).string();
         picture.baselineState = kept->state;
@@ -64,19 +58,12 @@ void judgePictures(const Take& take, const Actual& actual, const Baseline& basel
     }
 }
 
-bool isGood(const PictureVerdict& picture) {
-    return picture.kind == PictureVerdict::Kind::same ||
-           picture.kind == PictureVerdict::Kind::within;
-}
-
 SceneVerdict::State stateOf(const SceneVerdict& verdict) {
-    const bool kept = std::all_of(verdict.expectations.begin(), verdict.expectations.end(),
-                                  [](const ExpectationResult& r) { return r.passed; });
-    const bool seen = std::all_of(verdict.pictures.begin(), verdict.pictures.end(), isGood);
-    const bool moved = verdict.physics.kind == PhysicsVerdict::Kind::changed ||
-                       verdict.physics.kind == PhysicsVerdict::Kind::unknown;
-    return kept && seen && !moved && verdict.problem.empty() ? SceneVerdict::State::passed
-                                                             : SceneVerdict::State::failed;
+    const bool seen = std::all_of(verdict.pictures.begin(), verdict.pictures.end(),
+                                  [](const PictureVerdict& picture) { return picture.passes(); });
+    return verdict.keepsContract() && seen && verdict.physics.passes() && verdict.problem.empty()
+               ? SceneVerdict::State::passed
+               : SceneVerdict::State::failed;
 }
 
 }  // namespace
@@ -93,11 +80,14 @@ Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene
     baseline.settings = settingsOf(plan, scene, take.renderer);
     baseline.course = take.course;
     for (const TakenPicture& picture : take.pictures) {
-        TextHash hash;
-        hash.add(actual.png.emplace_back(render::encodePng(picture.image)));
-        baseline.pictures.push_back({picture.time, picture.state, hash.value()});
+        const auto& png = actual.png.emplace_back(render::encodePng(picture.image));
+        baseline.pictures.push_back({picture.time, picture.state, hashOf(png)});
     }
     return actual;
+}
+
+bool letsPass(const PictureGate& gate, const render::Difference& difference) {
+    return render::samePicture(difference, {gate.levels, gate.windowPixels, gate.ssim, ""});
 }
 
 void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& png,
@@ -107,12 +97,11 @@ void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& 
     verdict.kind = PictureVerdict::Kind::same;
     if (png == baseline) return;
     verdict.difference = render::compare(render::decodePng(baseline), actual, gate.levels);
-    const render::Gate limits{gate.levels, gate.windowPixels, gate.ssim, ""};
     if (!verdict.difference.sameSize)
         throw BaselineError("the picture has another size than its baseline.json says");
     if (verdict.difference.differing == 0) return;
-    verdict.kind = render::samePicture(verdict.difference, limits) ? PictureVerdict::Kind::within
-                                                                   : PictureVerdict::Kind::changed;
+    verdict.kind = letsPass(gate, verdict.difference) ? PictureVerdict::Kind::within
+                                                      : PictureVerdict::Kind::changed;
 } catch (const render::Error& error) {
     throw BaselineError(printable(verdict.baseline) + ": " + error.what());
 }

@@ -21,6 +21,9 @@ Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene
 void judge(const Take& take, const Actual& actual, const std::filesystem::path& folder,
            SceneVerdict& verdict);
 
+/// Whether a difference, measured with the gate's levels, is let through.
+bool letsPass(const PictureGate& gate, const render::Difference& difference);
+
 /// A picture against the file of its baseline, by the scene's gate.
 void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& png,
                   const std::vector<std::uint8_t>& baseline, const PictureGate& gate,

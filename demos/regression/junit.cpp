@@ -111,16 +111,6 @@ Fault faultOf(const PictureVerdict& picture, const SceneVerdict& scene) {
     return fault;
 }
 
-bool differs(const PhysicsVerdict& physics) {
-    return physics.kind == PhysicsVerdict::Kind::changed ||
-           physics.kind == PhysicsVerdict::Kind::unknown;
-}
-
-bool differs(const PictureVerdict& picture) {
-    return picture.kind != PictureVerdict::Kind::same &&
-           picture.kind != PictureVerdict::Kind::within;
-}
-
 class SceneSuite {
 public:
     SceneSuite(const SceneVerdict& scene, pugi::xml_node node) : scene_(scene), node_(node) {}
@@ -171,7 +161,7 @@ private:
     void addPhysics() {
         pugi::xml_node node = testCase(scene_.name + "@physics");
         const PhysicsVerdict& physics = scene_.physics;
-        if (failed() && differs(physics))
+        if (failed() && !physics.passes())
             fail(physicsFault(scene_), node);
         else if (!physics.lines.empty())
             writeLines(physics.lines, node.append_child("system-out"));
@@ -179,7 +169,7 @@ private:
 
     void add(const PictureVerdict& picture) {
         pugi::xml_node node = testCase(pictureName(scene_.name, picture.time));
-        if (failed() && differs(picture)) {
+        if (failed() && !picture.passes()) {
             fail(faultOf(picture, scene_), node);
             if (!picture.actual.empty()) attach(picture.actual, node);
         } else if (picture.kind == PictureVerdict::Kind::within) {

@@ -7,6 +7,7 @@
 #include "demos/film/framing.h"
 #include "demos/player.h"
 #include "demos/regression/divergence.h"
+#include "demos/regression/judge.h"
 #include "render/surface_map.h"
 
 namespace demos {
@@ -148,15 +149,14 @@ bool beyond(const Sight& truth, const Sight& sight, const SceneDescription& scen
 
 MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const render::Image& truth,
                      const SceneDescription& scene, render::Renderer& renderer) {
-    const PictureGate& limits = scene.snapshot.gate;
-    const render::Gate gate{limits.levels, limits.windowPixels, limits.ssim, ""};
+    const PictureGate& gate = scene.snapshot.gate;
     const Sight sight = mutant.damaged(specimen);
     MutantVerdict verdict;
     verdict.mutant = &mutant;
     verdict.difference = render::compare(truth, drawn(sight, renderer), gate.levels);
     verdict.unchanged = samePoses(specimen.now, sight) && verdict.difference.differing == 0;
     verdict.state = beyond(specimen.now, sight, scene);
-    verdict.picture = !render::samePicture(verdict.difference, gate);
+    verdict.picture = !letsPass(gate, verdict.difference);
     return verdict;
 }
 

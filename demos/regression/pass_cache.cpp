@@ -1,10 +1,9 @@
 #include "demos/regression/pass_cache.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "demos/file_content.h"
-#include "demos/film/progress.h"
+#include "demos/hex_text.h"
 #include "render/encode/file.h"
 
 namespace demos {
@@ -17,11 +16,8 @@ PassCache::PassCache(std::filesystem::path file) : file_(std::move(file)) {
     if (!json.is_object()) return;
     for (const auto& [scene, value] : json.items()) {
         if (!value.is_string()) continue;
-        const std::string text = value.get<std::string>();
-        std::uint64_t fingerprint = 0;
-        const char* end = text.data() + text.size();
-        const auto got = std::from_chars(text.data(), end, fingerprint, 16);
-        if (got.ec == std::errc{} && got.ptr == end) passed_[scene] = fingerprint;
+        if (const auto fingerprint = fromHex(value.get<std::string>()))
+            passed_[scene] = *fingerprint;
     }
 }
 

@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <vector>
 
+#include "demos/film/child_process.h"
 #include "demos/film/signals.h"
 #include "demos/stop.h"
 #include "render/encode/file.h"
@@ -42,10 +41,7 @@ bool writeAll(int file, const std::string& text) {
 /// Nothing of the parent's is run down at the end, hence _exit.
 [[noreturn]] void bePiece(int number, int pipe, pid_t parent,
                           const std::function<std::string(int)>& work) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);
-    signal(SIGINT, SIG_IGN);  // the parent decides
-    signal(SIGTERM, SIG_IGN);
+    becomeChildOf(parent);
     const bool told = writeAll(pipe, work(number));
     _exit(told ? 0 : 1);
 }
@@ -124,21 +120,8 @@ private:
         const int status = waitFor(piece.process);
         PoolResult& result = results_[piece.number];
         result.ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-        if (result.ended)
-            result.text = std::move(piece.text);
-        else if (WIFSIGNALED(status))
-            result.text = fmt::format("was ended by signal {} ({})", WTERMSIG(status),
-                                      strsignal(WTERMSIG(status)));
-        else
-            result.text = "ended early";
+        result.text = result.ended ? std::move(piece.text) : deathText(status);
         done_[piece.number] = true;
-    }
-
-    static int waitFor(pid_t process) {
-        int status = 0;
-        while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-        }
-        return status;
     }
 
     const std::function<std::string(int)>& work_;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "demos/film/progress.h"
+#include "demos/hex_text.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
 #include "demos/scene/solver_settings.h"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "demos/file_content.h"
@@ -34,27 +33,6 @@ std::uint64_t fingerprintOf(const ChosenScene& chosen, const FilmPlan& plan, con
     return hash.value();
 }
 
-bool kept(const SceneVerdict& verdict) {
-    return std::all_of(verdict.expectations.begin(), verdict.expectations.end(),
-                       [](const ExpectationResult& result) { return result.passed; });
-}
-
-bool isAsItWas(const SceneVerdict& verdict) {
-    return verdict.physics.kind == PhysicsVerdict::Kind::same &&
-           std::all_of(verdict.pictures.begin(), verdict.pictures.end(), [](const auto& picture) {
-               return picture.kind == PictureVerdict::Kind::same;
-           });
-}
-
-/// Nothing but pictures of times that were added to the scene's list.
-bool onlyAdds(const SceneVerdict& verdict) {
-    return verdict.problem.empty() && verdict.physics.kind != PhysicsVerdict::Kind::changed &&
-           std::all_of(verdict.pictures.begin(), verdict.pictures.end(), [](const auto& picture) {
-               return picture.kind != PictureVerdict::Kind::changed &&
-                      picture.kind != PictureVerdict::Kind::broken;
-           });
-}
-
 void fail(SceneVerdict& verdict, const std::string& problem) {
     verdict.state = State::failed;
     verdict.problem = problem;
@@ -63,7 +41,7 @@ void fail(SceneVerdict& verdict, const std::string& problem) {
 /// A scene that breaks its contract makes no baseline.
 void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
     const bool missing = verdict.state == State::added;
-    if (!kept(verdict)) {
+    if (!verdict.keepsContract()) {
         verdict.state = State::failed;
         return;
     }
@@ -71,13 +49,14 @@ void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
         return fail(verdict, "there is no baseline, and --update is none; make one with impulse "
                              "test --update missing, look at it and commit it");
     if (missing) return acceptAll(shown, verdict.folder);
-    const bool all = update == Update::all && !isAsItWas(verdict);
+    const bool all = update == Update::all && !verdict.isAsItWas();
     if (all || (update == Update::changed && verdict.state == State::failed)) {
         acceptAll(shown, verdict.folder);
         verdict.state = State::updated;
         return;
     }
-    if (update != Update::missing || verdict.state != State::failed || !onlyAdds(verdict)) return;
+    if (update != Update::missing || verdict.state != State::failed) return;
+    if (!verdict.onlyAddsPictures()) return;
     for (const PictureVerdict& picture : verdict.pictures)
         if (picture.kind == PictureVerdict::Kind::added)
             acceptPicture(shown, verdict.folder, picture.time);
@@ -89,13 +68,13 @@ void play(const ChosenScene& chosen, const FilmPlan& plan, const TestRun& run,
     const Take take = takeOf(plan);
     if (take.pictures.empty()) {  // a contract only
         verdict.expectations = take.expectations;
-        verdict.state = kept(verdict) ? State::passed : State::failed;
+        verdict.state = verdict.keepsContract() ? State::passed : State::failed;
         return;
     }
     const Actual actual = actualOf(take, plan, chosen.scene);
     judge(take, actual, chosen.folder, verdict);
     const fs::path shown = run.results / (chosen.name + kSnapshotsEnding);
-    if (verdict.state == State::passed && isAsItWas(verdict)) return;
+    if (verdict.state == State::passed && verdict.isAsItWas()) return;
     writeBaseline(actual, verdict.snapshot.tolerance, shown);
     for (PictureVerdict& picture : verdict.pictures)
         picture.actual = (shown / pictureFile(picture.time)).string();

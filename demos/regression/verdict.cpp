@@ -6,6 +6,25 @@
 
 namespace demos {
 
+bool SceneVerdict::keepsContract() const {
+    return std::all_of(expectations.begin(), expectations.end(),
+                       [](const ExpectationResult& result) { return result.passed; });
+}
+
+bool SceneVerdict::isAsItWas() const {
+    return physics.kind == PhysicsVerdict::Kind::same &&
+           std::all_of(pictures.begin(), pictures.end(), [](const PictureVerdict& picture) {
+               return picture.kind == PictureVerdict::Kind::same;
+           });
+}
+
+bool SceneVerdict::onlyAddsPictures() const {
+    return problem.empty() && physics.passes() &&
+           std::all_of(pictures.begin(), pictures.end(), [](const PictureVerdict& picture) {
+               return picture.passes() || picture.kind == PictureVerdict::Kind::added;
+           });
+}
+
 int TestVerdict::count(SceneVerdict::State state) const {
     return static_cast<int>(
         std::count_if(scenes.begin(), scenes.end(),

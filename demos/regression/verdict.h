@@ -41,6 +41,8 @@ struct PhysicsVerdict {
     double before = 0.0, after = 0.0;  // N s along its normal in one step, baseline and actual
     double used = 0.0;          // largest difference of all in parts of its tolerance
     std::vector<std::string> lines;  // the same for people, nothing where `same`
+
+    bool passes() const { return kind == Kind::same || kind == Kind::bits; }
 };
 
 /// One picture of a scene.
@@ -58,6 +60,8 @@ struct PictureVerdict {
     render::Difference difference;               // of the two pictures, where there are two
     std::string problem;
     std::string baseline, actual;  // files; empty: none
+
+    bool passes() const { return kind == Kind::same || kind == Kind::within; }
 };
 
 /// Everything about one scene.
@@ -82,6 +86,13 @@ struct SceneVerdict {
     std::vector<PictureVerdict> pictures;  // by time
     std::vector<SettingChange> settings;
     std::vector<std::string> orphans;  // pictures that no listed time asks for
+
+    /// Whether every expectation passed.
+    bool keepsContract() const;
+    /// The same bits and the same pixels.
+    bool isAsItWas() const;
+    /// Whether all but pictures of times that were added to the scene's list passes.
+    bool onlyAddsPictures() const;
 };
 
 struct TestVerdict {

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "demos/film/progress.h"
+#include "demos/hex_text.h"
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
 #include "demos/version.h"
@@ -34,14 +33,6 @@ constexpr PictureVerdict::Kind kPictures[] = {
 constexpr PhysicsVerdict::Kind kPhysics[] = {
     PhysicsVerdict::Kind::unknown, PhysicsVerdict::Kind::same, PhysicsVerdict::Kind::bits,
     PhysicsVerdict::Kind::changed};
-
-std::uint64_t fromHex(const std::string& text) {
-    std::uint64_t value = 0;
-    const auto got = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-    if (got.ec != std::errc{} || got.ptr != text.data() + text.size())
-        throw std::invalid_argument("'" + text + "'");
-    return value;
-}
 
 Json jsonOf(const PhysicsVerdict& physics) {
     return {{"kind", nameOf(physics.kind)},   {"first_bits", physics.firstBits},
@@ -103,8 +94,8 @@ PictureVerdict pictureFrom(const Json& json) {
     PictureVerdict picture;
     json.at("time").get_to(picture.time);
     picture.kind = enumFrom(json.at("kind").get<std::string>(), kPictures);
-    picture.state = fromHex(json.at("state").get<std::string>());
-    picture.baselineState = fromHex(json.at("baseline_state").get<std::string>());
+    picture.state = fromHex(json.at("state").get<std::string>()).value();
+    picture.baselineState = fromHex(json.at("baseline_state").get<std::string>()).value();
     json.at("baseline").get_to(picture.baseline);
     json.at("actual").get_to(picture.actual);
     picture.problem = json.value("problem", "");

@@ -22,13 +22,13 @@ namespace demos {
 
 struct ExpectationResult {
     std::string text;    // "drift of box* below 0.005 m, 0 s to 3 s"
-    std::string what;    // "drift"
-    std::string of;      // "box*", "all"; empty of what the whole world has
-    std::string asked;   // "below 0.005 m, 0 s to 3 s"
     double value = 0.0;  // measured
     std::string unit;    // "m", "s", or nothing
     bool passed = false;
-    std::string why;  // the scene's reason
+    std::string why;         // the scene's reason
+    std::string what = {};   // of the text: "drift"
+    std::string of = {};     // "box*", "all"; empty of what the whole world has
+    std::string asked = {};  // "below 0.005 m, 0 s to 3 s"
 };
 
 /// The value with its unit, six digits: "0.00123 m".

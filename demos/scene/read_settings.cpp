@@ -1,10 +1,12 @@
 // [world] and [solver]
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "demos/scene/read_parts.h"
 #include "demos/scene/solver_settings.h"
+#include "demos/scene/solver_words.h"
 
 namespace demos {
 namespace {
@@ -19,14 +21,20 @@ engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
     return presetCalled(scene.preset);
 }
 
+/// One of the words for these values, if there is any.
+template <class Enum>
+void readWord(Keys& keys, const char* key, std::initializer_list<Enum> all, Enum& to) {
+    std::vector<std::string> words;
+    for (const Enum value : all) words.emplace_back(wordOf(value));
+    const std::optional<std::string> word = keys.word(key, words);
+    for (const Enum value : all)
+        if (word == wordOf(value)) to = value;
+}
+
 void readMethod(Keys& keys, engine::Settings& s) {
     using engine::Method;
-    const auto type = keys.word("type", {"impulses", "pgs", "pgs-matrix", "direct"});
-    if (!type) return;
-    s.method = *type == "pgs"          ? Method::pgs
-               : *type == "pgs-matrix" ? Method::pgsMatrix
-               : *type == "direct"     ? Method::direct
-                                       : Method::impulses;
+    readWord(keys, "type", {Method::impulses, Method::pgs, Method::pgsMatrix, Method::direct},
+             s.method);
 }
 
 void readSweeps(Keys& keys, engine::Settings& s) {
@@ -89,10 +97,8 @@ void readSolver(Keys& top, SceneDescription& scene) {
     readSweeps(keys, s);
     readSubsteps(keys, s);
     readCorrections(keys, s);
-    if (const auto order = keys.word("order", {"gravity", "pairs"}))
-        s.order = *order == "pairs" ? engine::Order::pairs : engine::Order::gravity;
-    if (const auto joints = keys.word("joints", {"direct", "rows"}))
-        s.joints = *joints == "rows" ? engine::JointSolving::rows : engine::JointSolving::direct;
+    readWord(keys, "order", {engine::Order::gravity, engine::Order::pairs}, s.order);
+    readWord(keys, "joints", {engine::JointSolving::direct, engine::JointSolving::rows}, s.joints);
     set(s.block, keys.truth("block"));
     set(s.lanes, keys.truth("lanes"));
     set(s.warmStart, keys.truth("warm_start"));

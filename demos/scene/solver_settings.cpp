@@ -1,16 +1,12 @@
 #include "demos/scene/solver_settings.h"
 
 #include "demos/scene/complaints.h"
+#include "demos/scene/solver_words.h"
 
 namespace demos {
 namespace {
 
 std::string truth(bool value) { return value ? "true" : "false"; }
-
-std::string methodName(engine::Method method) {
-    static constexpr const char* kNames[] = {"impulses", "pgs", "pgs-matrix", "direct"};
-    return kNames[static_cast<int>(method)];
-}
 
 /// And those that only a figure's reader asks for.
 SettingList allSettings(const engine::Settings& s) {
@@ -34,7 +30,7 @@ SettingList solverSettings(const engine::Settings& s) {
     const auto add = [&out](const char* key, const std::string& value) {
         out.emplace_back(std::string("solver.") + key, value);
     };
-    add("type", methodName(s.method));
+    add("type", wordOf(s.method));
     add("substeps", std::to_string(s.substeps));
     add("sweeps", std::to_string(s.sweeps));
     add("min_sweeps", std::to_string(s.minSweeps));
@@ -43,9 +39,9 @@ SettingList solverSettings(const engine::Settings& s) {
     add("nudge_factor", numberText(s.nudgeFactor));
     add("slop", numberText(s.slop));
     add("baumgarte", numberText(s.baumgarte));
-    add("order", s.order == engine::Order::gravity ? "gravity" : "pairs");
+    add("order", wordOf(s.order));
     add("block", truth(s.block));
-    add("joints", s.joints == engine::JointSolving::direct ? "direct" : "rows");
+    add("joints", wordOf(s.joints));
     add("warm_start", truth(s.warmStart));
     add("accumulate", truth(s.accumulate));
     add("sleeping", truth(s.sleeping));

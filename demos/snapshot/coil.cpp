@@ -8,11 +8,16 @@
 namespace demos {
 namespace {
 
+constexpr int kCoilTurns = 9, kRodsPerTurn = 10;
 constexpr float kStraight = 0.12f;  // of the length, at either end
 constexpr float kWide = 0.09f;      // of the length at rest: the coil's radius
 constexpr float kThick = 0.15f;     // of that radius: the wire's
 
+float coilRadius(float rest) { return std::clamp(kWide * rest, 0.02f, 0.2f); }
+
 }  // namespace
+
+float coilWire(float rest) { return kThick * coilRadius(rest); }
 
 void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int id,
              render::Frame& frame) {
@@ -24,10 +29,10 @@ void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int i
         along.cross(std::abs(along.y()) < 0.9f ? render::Vec3::UnitY() : render::Vec3::UnitX())
             .normalized();
     const render::Vec3 third = along.cross(across);
-    const float radius = std::clamp(kWide * rest, 0.02f, 0.2f);
+    const float radius = coilRadius(rest), wire = coilWire(rest);
     render::Vec3 last = from;
     const auto go = [&](const render::Vec3& next) {
-        frame.rods.push_back({last, next, kThick * radius, render::jointColor(), id});
+        frame.rods.push_back({last, next, wire, render::jointColor(), id});
         last = next;
     };
     for (int i = 0; i <= kCoilTurns * kRodsPerTurn; ++i) {

@@ -4,25 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/scene/solver_words.h"
 #include "demos/snapshot/parts.h"
 #include "render/palette.h"
 
 namespace demos {
 namespace {
-
-const char* methodName(engine::Method method) {
-    switch (method) {
-        case engine::Method::impulses:
-            return "impulses";
-        case engine::Method::pgs:
-            return "pgs";
-        case engine::Method::pgsMatrix:
-            return "pgs-matrix";
-        case engine::Method::direct:
-            return "direct";
-    }
-    return "";
-}
 
 /// Four digits: 264.8 kJ.
 std::string joules(double energy) {
@@ -64,7 +51,7 @@ void addStats(const Moment& moment, render::Frame& frame) {
     row("bodies", fmt::format("{}", stage.bodies.size()));
     if (settings.sleeping) row("asleep", fmt::format("{}", report.asleep));
     row("contacts", fmt::format("{}", report.contacts));
-    row("solver", fmt::format("{} {}", stage.scene.preset, methodName(settings.method)));
+    row("solver", fmt::format("{} {}", stage.scene.preset, wordOf(settings.method)));
     row("sub-steps", fmt::format("{}", report.step > 0 ? report.substeps : settings.substeps));
     row("sweeps", fmt::format("{}", report.sweeps.size()));
     row("penetration", fmt::format("{:.2f} mm", 1e3 * report.worstPenetration));

@@ -75,7 +75,8 @@ std::vector<std::uint8_t> withoutAlpha(const Image& image) {
 }
 
 void addBigEndian32(std::uint32_t value, std::vector<std::uint8_t>& bytes) {
-    for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+    for (const int shift : {24, 16, 8, 0})
+        bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
 /// Pixels a metre, both ways: PNG 1.2, section 4.2.4.2.

@@ -12,8 +12,8 @@ namespace render {
 inline constexpr int kLargestSide =
     16384;  // pixels; 4 * 16384^2 bytes still fit the int stb counts in
 
-/// The bytes of a PNG file: RGB when every pixel is opaque, RGBA otherwise. `dpi`: pixels an inch on
-/// paper, which the file tells (pHYs); 0: it tells none.
+/// The bytes of a PNG file: RGB when every pixel is opaque, RGBA otherwise. `dpi`: pixels an inch
+/// on paper, which the file tells (pHYs); 0: it tells none.
 /// Throws Error when a side is outside 1..16384 or the pixels do not fill the picture.
 std::vector<std::uint8_t> encodePng(const Image& image, int dpi = 0);
 

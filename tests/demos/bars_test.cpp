@@ -3,38 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/snapshot/parts.h"
-#include "tests/demos/reading.h"
+#include "tests/demos/recorded.h"
 
 namespace demos::test {
 namespace {
 
-struct Barred {
-    Player player;
-    TrajectoryRecorder recorder{1, {}};
-    Trajectory run;
+struct Barred : Recorded {
     std::vector<BarMotion> bars;
 
-    explicit Barred(const std::string& text, int steps = 60) : player(read(text), {}) {
-        recorder.look(player, 0);
-        for (int step = 1; step <= steps; ++step) {
-            player.step();
-            recorder.look(player, step);
-        }
-        run = recorder.finished();
-        bars = barsOf(player.stage(), run);
-    }
+    explicit Barred(const std::string& text, int steps = 60)
+        : Recorded(text, steps), bars(barsOf(run)) {}
 };
 
 Vec3 endOf(const BarMotion& bar, std::size_t frame, double side) {
     const double half = static_cast<double>(bar.sizes[frame].y());
     return bar.poses[frame].toWorld(side * half * Vec3::UnitY());
 }
-
-const std::string kPendulum =
-    "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [1, 2, 0]\n"
-    "[[joint]]\nname = 'hook'\ntype = 'distance'\na = 'world'\nb = 'bob'\n"
-    "anchor_a = [0, 2, 0]\nanchor_b = [0, 0, 0]\n";
 
 TEST(Bars, ARodGoesFromItsHookToItsBobInEveryFrame) {
     const Barred one(kPendulum);

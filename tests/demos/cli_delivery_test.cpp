@@ -185,17 +185,9 @@ TEST_F(Delivery, AnInterruptEndsTheFitting) {
 }
 
 TEST_F(Delivery, AReaderThatGoesAwayIsCode4) {
-    int ends[2];
-    ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
     Launch stream = launch("render", {"-o", "-", "--quiet"});
-    stream.beforeExec = [ends] {
-        dup2(ends[1], STDOUT_FILENO);
-        close(ends[0]);
-    };
-    close(ends[0]);
-    const Ended ended = run(stream);
-    close(ends[1]);
-    expectRefused(ended, 4, "cannot write to standard output: Broken pipe");
+    stream.beforeExec = withoutReader(STDOUT_FILENO);
+    expectRefused(run(stream), 4, "cannot write to standard output: Broken pipe");
 }
 
 }  // namespace

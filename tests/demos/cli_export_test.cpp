@@ -1,6 +1,4 @@
 /// 'impulse export': what is written where, and what is refused.
-#include <sys/resource.h>
-
 #include "tests/demos/glb_reading.h"
 #include "tests/demos/program.h"
 
@@ -175,28 +173,6 @@ TEST_F(Export, ADivergedRunIsCode6AndStillWritten) {
     EXPECT_EQ(ended.code, 6) << ended.err;
     EXPECT_EQ(ended.errorLines(), 1) << ended.err;
     EXPECT_TRUE(contentOf(folder / "a.csv").ends_with("\n"));
-}
-
-TEST_F(Export, AFullDiskIsCode4AndLeavesNoFile) {
-    Launch launch;
-    launch.folder = folder.path();
-    launch.arguments = {"export", "ball.toml", "-o", "a.glb"};
-    launch.beforeExec = [] {
-        const rlimit limit{1000, 1000};  // bytes a file
-        setrlimit(RLIMIT_FSIZE, &limit);
-    };
-    const Ended ended = run(launch);
-    EXPECT_EQ(ended.code, 4) << ended.err;
-    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
-    EXPECT_EQ(files(), 1);
-}
-
-TEST_F(Export, NeverWritesThroughASymlink) {
-    write(folder / "victim", "untouched");
-    fs::create_symlink(folder / "victim", folder / "a.npz");
-    const Ended ended = exported({"-o", "a.npz", "--overwrite"});
-    EXPECT_EQ(ended.code, 4) << ended.err;
-    EXPECT_EQ(contentOf(folder / "victim"), "untouched");
 }
 
 TEST_F(Export, JsonNamesTheFiles) {

@@ -263,8 +263,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
         {compare({"--width", "85mm", "-o", "a.png", "-o", "b.png"}), 2, "one picture"},
         {compare({"--width", "85mm", "--no-film"}), 2, "--plot FILE"},
         {compare({"--width", "85mm", "-o", "a.png", "--plot", "a.svg"}), 2, "another name"},
-        {compare({"--width", "85mm", "-o", "a.png", "-t", "1e5", "--set", "world.hz=100000"}),
-         2,
+        {compare({"--width", "85mm", "-o", "a.png", "-t", "1e5", "--set", "world.hz=100000"}), 2,
          "steps away"},
         {compare({"-t", "0.5"}), 2, "give --width"},
         {compare({"--caption", "a.txt"}), 2, "--width or --plot"},
@@ -282,8 +281,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
 
 /// Letters do not shrink, so statistics have no room in a small picture; that is told.
 TEST_F(Figure, WhatHasNoRoomIsTold) {
-    const Ended ended =
-        impulse(small({"still", "ball.toml", "--show", "stats", "-o", "a.png"}));
+    const Ended ended = impulse(small({"still", "ball.toml", "--show", "stats", "-o", "a.png"}));
     EXPECT_EQ(ended.code, 0);
     EXPECT_NE(ended.err.find("stats: no room in a picture of 60 x 34 mm"), std::string::npos)
         << ended.err;

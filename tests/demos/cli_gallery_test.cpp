@@ -65,16 +65,18 @@ TEST_F(Gallery, TheSameCommandTwiceDrawsNothingTwice) {
 TEST_F(Gallery, AnInterruptedOneGoesOn) {
     for (const int signal : {SIGINT, SIGKILL}) {
         fs::remove_all(folder / "output");
-        Launch first = launch({"ball.toml", "other.toml", "pendulum", "--jobs", "1", "--json"});
+        Launch first =
+            launch({"ball.toml", "other.toml", "pendulum", "bridge", "--jobs", "1", "--json"});
         first.awaited = "\"scene\":\"ball\"";
         first.signal = signal;
         const Ended ended = run(first);
         EXPECT_TRUE(signal == SIGINT ? ended.code == 130 : ended.signal == SIGKILL) << ended.err;
         EXPECT_FALSE(isMade("index.html"));
-        const Ended again = gallery({"ball.toml", "other.toml", "pendulum"});
+        const Ended again = gallery({"ball.toml", "other.toml", "pendulum", "bridge"});
         EXPECT_EQ(again.code, 0) << again.err;
-        EXPECT_EQ(again.out.find("3 drawn"), std::string::npos) << again.out;
-        EXPECT_TRUE(pageHas("ball") && pageHas("other") && pageHas("pendulum"));
+        EXPECT_EQ(again.out.find("4 drawn"), std::string::npos) << again.out;
+        for (const char* name : {"ball", "other", "pendulum", "bridge"})
+            EXPECT_TRUE(pageHas(name)) << name;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder / "output/gallery"))
             EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
     }

@@ -1,5 +1,3 @@
-#include <sys/resource.h>
-
 #include "render/encode/png.h"
 #include "tests/demos/program.h"
 
@@ -138,28 +136,6 @@ TEST_F(Plot, InterruptedItWritesWhatItHas) {
     EXPECT_EQ(ended.code, 130) << ended.err;
     EXPECT_NE(ended.err.find("to run it again: impulse plot ball.toml"), std::string::npos);
     EXPECT_TRUE(isSvg("a.svg"));
-}
-
-TEST_F(Plot, AFullDiskIsCode4AndLeavesNoFile) {
-    Launch launch;
-    launch.folder = folder.path();
-    launch.arguments = {"plot", "ball.toml", "-o", "a.svg"};
-    launch.beforeExec = [] {
-        const rlimit limit{1000, 1000};  // bytes a file
-        setrlimit(RLIMIT_FSIZE, &limit);
-    };
-    const Ended ended = run(launch);
-    EXPECT_EQ(ended.code, 4) << ended.err;
-    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
-    EXPECT_EQ(files(), 1);
-}
-
-TEST_F(Plot, NeverWritesThroughASymlink) {
-    write(folder / "victim", "untouched");
-    fs::create_symlink(folder / "victim", folder / "a.svg");
-    const Ended ended = plot({"-o", "a.svg"});
-    EXPECT_EQ(ended.code, 4) << ended.err;
-    EXPECT_EQ(contentOf(folder / "victim"), "untouched");
 }
 
 TEST_F(Plot, JsonNamesTheFiles) {

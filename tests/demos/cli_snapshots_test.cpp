@@ -303,6 +303,22 @@ TEST_F(Snapshots, GoOnAfterAnInterruption) {
     EXPECT_NE(impulse({"test", "."}).out.find("a  (as before)"), std::string::npos);
 }
 
+// What failed is told on standard error, one scene after the other; the report comes last.
+TEST_F(Snapshots, AreReportedWhoeverHasStoppedReading) {
+    ASSERT_EQ(test().code, 0);
+    change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");
+    for (const int stream : {STDERR_FILENO, STDOUT_FILENO}) {
+        fs::remove(folder / "output/test/report.json");
+        Launch launch;
+        launch.folder = folder.path();
+        launch.arguments = {"test", "ball.toml"};
+        launch.beforeExec = withoutReader(stream);
+        EXPECT_EQ(run(launch).code, stream == STDERR_FILENO ? 1 : 4);
+        const Json report = Json::parse(contentOf(folder / "output/test/report.json"));
+        EXPECT_EQ(report["passed"], false);
+    }
+}
+
 TEST_F(Snapshots, SpeakJson) {
     const Ended ended = test({"--json"});
     ASSERT_EQ(ended.code, 0) << ended.err;

@@ -125,12 +125,17 @@ TEST_F(Watch, ErrorsAreToldOnceAndWatchingGoesOn) {
 }
 
 TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
-    write(folder / "part.toml",
-          "[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n");
-    write(folder / "my.toml", with(kScene, "seconds", "include = [\"part.toml\"]\nseconds"));
-    Conversation watching(launch({"--json"}));
+    const auto part = [](const std::string& radius) {
+        return "<mujocoinclude><worldbody><body pos='0 0 3'><freejoint/><geom size='" + radius +
+               "'/></body></worldbody></mujocoinclude>";
+    };
+    write(folder / "part.xml", part("0.2"));
+    write(folder / "my.xml", "<mujoco><include file='part.xml'/></mujoco>");
+    Launch model = launch({"--json", "--seconds", "2"});
+    model.arguments[1] = "my.xml";
+    Conversation watching(model);
     EXPECT_NE(watching.until("\"watching\"").find("\"files\":2"), std::string::npos);
-    replace("part.toml", "[[body]]\nname = \"b\"\nshape = { sphere = 0.3 }\nat = [2, 1, 0]\n");
+    replace("part.xml", part("0.3"));
     EXPECT_EQ(draftIn(watching.until("\"draft\""))["drawn"], kDraftFrames);
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }

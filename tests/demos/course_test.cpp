@@ -7,10 +7,10 @@
 #include <functional>
 #include <map>
 
+#include "demos/packed.h"
 #include "demos/regression/course_codec.h"
 #include "demos/regression/course_recorder.h"
 #include "demos/regression/divergence.h"
-#include "demos/regression/packed.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {

@@ -88,8 +88,7 @@ std::vector<Chart> crowdedChart(int lines) {
 TEST(FigureChart, HasOneSizeOfLettersInEveryPicture) {
     for (const PictureSize size : {PictureSize{1004, 400}, {1004, 900}, {2008, 700}})
         for (const int lines : {1, 4, 12})
-            for (const Label& label :
-                 drawingOf(crowdedChart(lines), size, "print", kColumn).labels)
+            for (const Label& label : drawingOf(crowdedChart(lines), size, "print", kColumn).labels)
                 EXPECT_EQ(label.pixels, label.text == "t" ? 44.0f : 39.0f) << label.text;
 }
 
@@ -151,7 +150,8 @@ TEST(FigureGrid, FillsTheWidthToThePixel) {
                 const Paper paper{width, dpi};
                 const StripLayout layout = figureLayout(8, columns, {16, 9}, paper, 1);
                 EXPECT_EQ(layout.width, paper.pixels());
-                EXPECT_EQ(layout.left(0), columns > 1 ? 0 : (layout.width - layout.picture.width) / 2);
+                EXPECT_EQ(layout.left(0),
+                          columns > 1 ? 0 : (layout.width - layout.picture.width) / 2);
                 EXPECT_EQ(layout.left(columns - 1) + layout.picture.width, layout.width) << columns;
                 for (int i = 1; i < columns; ++i)
                     EXPECT_GE(layout.left(i) - layout.left(i - 1),
@@ -169,11 +169,11 @@ TEST(FigureGrid, HasPicturesThatAreWideEnoughForTheirLabels) {
 }
 
 TEST(FigureCaption, BeginsWithASentenceAndTellsWhatIsNotAsUsual) {
-    const SceneDescription scene =
-        readScene("format = 1\ntitle = \"Ball: it falls.\"\n[world]\nhz = 120\n"
-                  "gravity = [0, -1.6, 0]\n[solver]\npreset = \"fast\"\nsubsteps = 7\n"
-                  "[[body]]\nname = \"b\"\nshape = { sphere = 1 }\nat = [0, 0, 0]\n",
-                  "ball.toml", "ball");
+    const SceneDescription scene = readScene(
+        "format = 1\ntitle = \"Ball: it falls.\"\n[world]\nhz = 120\n"
+        "gravity = [0, -1.6, 0]\n[solver]\npreset = \"fast\"\nsubsteps = 7\n"
+        "[[body]]\nname = \"b\"\nshape = { sphere = 1 }\nat = [0, 0, 0]\n",
+        "ball.toml", "ball");
     Options options;
     options.scenes = {"ball.toml"};
     options.overrides = {"world.hz=120"};

@@ -64,13 +64,13 @@ const std::vector<std::function<void(Frame&)>> kChanges = {
     [](Frame& f) { f.lines[0].pixels = 9; },
     [](Frame& f) { f.ghosts[0].color.a = 0.5f; },
     [](Frame& f) { f.ghosts[0].mesh = pyramid(1.0f); },
-    [](Frame& f) { f.labels[0].text = "a"; },
+    [](Frame& f) { f.labels[0].text.push_back('a'); },
     [](Frame& f) { f.labels[0].below = 1; },
     [](Frame& f) { f.trails[0].points[1].y() = 1; },
     [](Frame& f) { f.trails[0].points.pop_back(); },
-    [](Frame& f) { f.texts[0].text = "t"; },
+    [](Frame& f) { f.texts[0].text.push_back('t'); },
     [](Frame& f) { f.texts[0].corner = Corner::bottomLeft; },
-    [](Frame& f) { f.plates[0].rows[0].value = "1"; },
+    [](Frame& f) { f.plates[0].rows[0].value.push_back('1'); },
     [](Frame& f) { f.plates[0].rows[0].bar[0].share = 1; },
     [](Frame& f) { f.plates[0].rows[0].ramp[0].r = 0; },
 };
@@ -96,10 +96,11 @@ TEST(FrameHash, EqualFramesAreEqualWhereverTheirMeshesAre) {
 TEST(FrameHash, WhatMovesFromOneTextToTheNextIsNoticed) {
     FrameHasher hasher;
     Frame one = full(), other = full();
-    one.plates[0].rows[0].name = "ab";
-    one.plates[0].rows[0].value = "c";
-    other.plates[0].rows[0].name = "a";
-    other.plates[0].rows[0].value = "bc";
+    const std::string a = "a", ab = "ab", bc = "bc", c = "c";
+    one.plates[0].rows[0].name = ab;
+    one.plates[0].rows[0].value = c;
+    other.plates[0].rows[0].name = a;
+    other.plates[0].rows[0].value = bc;
     EXPECT_NE(hasher.of(one), hasher.of(other));
 }
 

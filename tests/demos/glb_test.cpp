@@ -8,7 +8,7 @@
 #include "demos/export/glb_scene.h"
 #include "demos/version.h"
 #include "tests/demos/glb_reading.h"
-#include "tests/demos/reading.h"
+#include "tests/demos/recorded.h"
 
 namespace demos::test {
 namespace {
@@ -58,22 +58,12 @@ shape = { hull = [[0,0,0], [1,0,0], [0,1,0], [0,0,1], [0.8, 0.8, 0.8]] }
 at = [-10, 2, 0]
 )";
 
-/// One run of a scene, its trajectory and its file.
-struct Exported {
-    Player player;
-    TrajectoryRecorder recorder{kStepsPerFrame, {}};
-    Trajectory run;
+/// One run of a scene and its file.
+struct Exported : Recorded {
     Glb glb;
 
-    explicit Exported(const std::string& text, int steps = 60) : player(read(text), {}) {
-        recorder.look(player, 0);
-        for (int step = 1; step <= steps; ++step) {
-            player.step();
-            recorder.look(player, step);
-        }
-        run = recorder.finished();
-        glb = readGlb(glbOf(player.stage(), run));
-    }
+    explicit Exported(const std::string& text, int steps = 60)
+        : Recorded(text, steps, kStepsPerFrame), glb(readGlb(glbOf(run))) {}
     std::size_t bodyCalled(const std::string& name) const {
         const auto& bodies = player.stage().scene.bodies;
         return static_cast<std::size_t>(
@@ -309,10 +299,7 @@ TEST(Glb, ACameraThatMovesIsAnimated) {
 }
 
 TEST(Glb, AJointIsABarThatMoves) {
-    const Exported one(
-        "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [1, 2, 0]\n"
-        "[[joint]]\nname = 'hook'\ntype = 'distance'\na = 'world'\nb = 'bob'\n"
-        "anchor_a = [0, 2, 0]\nanchor_b = [0, 0, 0]\n");
+    const Exported one(kPendulum);
     const int bar = one.glb.numberOf("hook bar 1");
     ASSERT_GE(bar, 0);
     const auto places = one.glb.motion(bar, "translation");

@@ -50,9 +50,6 @@ std::string messageOf(pugi::xml_node fault) { return fault.attribute("message").
 
 ExpectationResult expectation(bool passed) {
     return {.text = "drift of ball below 0.005 m",
-            .what = "drift",
-            .of = "ball",
-            .asked = "below 0.005 m",
             .value = passed ? 0.001 : 0.0125,
             .unit = "m",
             .passed = passed,

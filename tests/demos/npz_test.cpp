@@ -9,7 +9,7 @@
 #include <string>
 
 #include "demos/export/zip.h"
-#include "tests/demos/reading.h"
+#include "tests/demos/recorded.h"
 
 namespace demos::test {
 namespace {
@@ -87,15 +87,7 @@ Npy npyFrom(const Bytes& bytes) {
 
 class Npz : public testing::Test {
 protected:
-    Npz() : player(scene(), {}) {
-        recorder.look(player, 0);
-        for (int step = 1; step <= 20; ++step) {
-            player.step();
-            recorder.look(player, step);
-        }
-        run = recorder.finished();
-        arrays = unzipped(npzOf(player.stage(), run));
-    }
+    Npz() : arrays(unzipped(npzOf(one.run))) {}
     /// With a name as only models of other making may have.
     static SceneDescription scene() {
         SceneDescription scene = read(kFloor + kBall +
@@ -106,9 +98,7 @@ protected:
     }
     Npy array(const std::string& name) const { return npyFrom(arrays.at(name + ".npy")); }
 
-    Player player;
-    TrajectoryRecorder recorder{2, {}};
-    Trajectory run;
+    Recorded one{scene(), 20, 2};
     std::map<std::string, Bytes> arrays;
 };
 
@@ -135,16 +125,16 @@ TEST_F(Npz, HoldsTheEnginesNumbersBitForBit) {
                               rotations = array("rotation").doubles();
     for (std::size_t frame = 0; frame < 11; ++frame)
         for (std::size_t body = 0; body < 3; ++body) {
-            const engine::Pose& pose = run.frames[frame].bodies[body].pose;
+            const engine::Pose& pose = one.run.frames[frame].bodies[body].pose;
             for (std::size_t k = 0; k < 3; ++k)
                 EXPECT_EQ(positions[(frame * 3 + body) * 3 + k],
                           pose.position[static_cast<int>(k)]);
             EXPECT_EQ(rotations[(frame * 3 + body) * 4], pose.rotation.w());
             EXPECT_EQ(rotations[(frame * 3 + body) * 4 + 3], pose.rotation.z());
         }
-    EXPECT_EQ(array("mass").doubles()[1], player.stage().world.mass(player.stage().bodies[1]));
+    EXPECT_EQ(array("mass").doubles()[1], one.player.stage().world.mass(one.player.stage().bodies[1]));
     EXPECT_EQ(array("time").doubles()[10], 20.0 / 60.0);
-    EXPECT_EQ(array("energy").doubles()[1], run.frames[0].energy.potential);
+    EXPECT_EQ(array("energy").doubles()[1], one.run.frames[0].measures.energy.potential);
 }
 
 // Four bytes a letter: 'Käfig' has five letters and six bytes.

@@ -108,6 +108,16 @@ inline Ended run(const fs::path& folder, std::vector<std::string> arguments) {
     return run(launch);
 }
 
+/// For Launch::beforeExec: whoever read this stream has gone away.
+inline std::function<void()> withoutReader(int stream) {
+    return [stream] {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) _exit(125);
+        dup2(ends[1], stream);
+        close(ends[0]);
+    };
+}
+
 inline std::string contentOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

@@ -3,7 +3,6 @@
 
 #include "demos/export/npz.h"
 #include "demos/export/pose_table.h"
-#include "demos/scene/reader.h"
 #include "tests/docs/texts.h"
 
 namespace {
@@ -48,9 +47,7 @@ TEST(ExportReadme, NamesEveryColumnAndNoOther) {
 }
 
 TEST(ExportReadme, NamesEveryArrayAndNoOther) {
-    const demos::SceneDescription scene = demos::readScene(
-        "format = 1\n[[body]]\nname = 'b'\nshape = { sphere = 1 }\nat = [0, 0, 0]\n", "a", "a");
-    const std::vector<std::uint8_t> bytes = demos::npzOf(demos::Stage(scene), {});
+    const std::vector<std::uint8_t> bytes = demos::npzOf({});
     const std::set<std::string> written =
         matches(std::string(bytes.begin(), bytes.end()), R"(([a-z_]+)\.npy)");
     EXPECT_EQ(firstCells(section(".npz")), written);

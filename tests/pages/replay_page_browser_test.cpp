@@ -30,13 +30,16 @@ protected:
                                {1.0, "second", "Half way", "", "", 1.0, false, false}};
         for (int i = 0; i < kFrames; ++i) {
             RecordedFrame& frame = recording_.frames[i];
-            frame.poses[0] = {placeAt(i), engine::Quat::Identity()};
-            frame.poses[1] = {{0, 3, 0}, engine::Quat::Identity()};
-            frame.speeds = {3.0, 0.0};
+            frame.bodies[0] = {{placeAt(i), engine::Quat::Identity()}, {3, 0, 0}, {0, 0, 0}};
+            frame.bodies[1] = {{{0, 3, 0}, engine::Quat::Identity()}, {0, 0, 0}, {0, 0, 0}};
             frame.camera.from = {0, 2, 14};
             frame.camera.lookAt = {0, 1, 0};
-            for (RecordedContact& contact : frame.contacts)
-                contact = {placeAt(i), {-1, 0, 0}, 2.0, {0, 0, 0}};
+            for (engine::ContactState& contact : frame.contacts) {
+                contact.position = placeAt(i);
+                contact.normal = {-1, 0, 0};
+                contact.impulse = 2.0;
+                contact.friction.setZero();
+            }
         }
     }
 
@@ -105,6 +108,21 @@ TEST_F(ReplayInBrowser, DrawsBodiesWhereTheCameraHasThem) {
         EXPECT_TRUE(opened.console.empty()) << opened.console.front();
         EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
     }
+}
+
+/// Here nothing keeps the page's height: the window becomes higher after the last picture.
+TEST_F(ReplayInBrowser, ABallStaysRoundInAWindowThatChanges) {
+    const render::Image shot = open("t=1&curves=0").screenshot;
+    int left = shot.width, right = 0, top = shot.height, bottom = 0;
+    for (int y = 0; y < shot.height / 2; ++y)  // below are blue buttons
+        for (int x = 0; x < shot.width; ++x) {
+            const std::uint8_t* pixel = shot.at(x, y);
+            if (!isBlue({pixel[0], pixel[1], pixel[2]})) continue;
+            left = std::min(left, x), right = std::max(right, x);
+            top = std::min(top, y), bottom = std::max(bottom, y);
+        }
+    ASSERT_GT(right - left, 30);
+    EXPECT_NEAR(bottom - top, right - left, 0.08 * (right - left));  // it is off the middle
 }
 
 /// Grey, and darker where the sun does not reach it: half a metre above the ground, in the sun's

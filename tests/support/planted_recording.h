@@ -11,7 +11,7 @@ inline demos::RecordedBody plantedBall(const std::string& name, double radius) {
     demos::DrawnPart part;
     part.solid.shape = render::SolidShape::sphere;
     part.solid.halfSize.setConstant(static_cast<float>(radius));
-    return {name, {0.9f, 0.1f, 0.1f, 1.0f}, {part}, 2.0};
+    return {name, {0.9f, 0.1f, 0.1f, 1.0f}, {part}, {0, 0, 0}, 2.0};
 }
 
 /// Where ball number `body` is at a time (s): on its own orbit of 30 m through all directions.
@@ -25,15 +25,15 @@ inline engine::Pose plantedPose(int body, double time) {
 
 inline demos::RecordedFrame plantedFrame(int bodies, int contacts, double time) {
     demos::RecordedFrame frame;
-    for (int i = 0; i < bodies; ++i) {
-        frame.poses.push_back(plantedPose(i, time));
-        frame.speeds.push_back(2.0 + std::sin(time * i));
+    for (int i = 0; i < bodies; ++i)
+        frame.bodies.push_back({plantedPose(i, time), {2.0 + std::sin(time * i), 0, 0}, {0, 0, 0}});
+    for (int i = 0; i < contacts; ++i) {
+        engine::ContactState& contact = frame.contacts.emplace_back();
+        contact.position = {std::sin(31.0 * time + i), 0.0, std::cos(17.0 * time * i)};
+        contact.normal = {0.0, 1.0, 0.0};
+        contact.impulse = 1.0 + std::fmod(0.6180339887 * i + time, 1.0);
+        contact.friction = {0.1 * std::sin(7.0 * i), 0.0, 0.2};
     }
-    for (int i = 0; i < contacts; ++i)
-        frame.contacts.push_back({{std::sin(31.0 * time + i), 0.0, std::cos(17.0 * time * i)},
-                                  {0.0, 1.0, 0.0},
-                                  1.0 + std::fmod(0.6180339887 * i + time, 1.0),
-                                  {0.1 * std::sin(7.0 * i), 0.0, 0.2}});
     frame.measures.energy.kinetic = 10.0 + std::sin(time);
     frame.measures.energy.potential = -5.0 * std::cos(time);
     frame.measures.penetration = 1e-4 * (1.0 + std::sin(3.0 * time));

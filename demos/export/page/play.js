@@ -63,8 +63,8 @@ function drawSolids(light, which) {
 
 function show() {
   const now = performance.now();
-  cancelAnimationFrame(wanted.frame);
-  clearTimeout(wanted.timer);
+  cancelAnimationFrame(wanted?.frame);
+  clearTimeout(wanted?.timer);
   wanted = null;
   advance(now);
   before = now;

@@ -10,7 +10,7 @@ function listen() {
   listenToPointer();
   listenToCurves();
   document.addEventListener("keydown", onKey);
-  new ResizeObserver(changed).observe(canvas);
+  new ResizeObserver(show).observe(canvas);  // before it is seen at its new size
   darkly.addEventListener("change", changed);
   window.addEventListener("hashchange", () => {
     readLink();

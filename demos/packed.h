@@ -1,4 +1,4 @@
-/// Bytes made small, for what is kept in a repository.
+/// Bytes made small, for what is kept in a repository or in a page.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "demos/regression/packed.h"
+#include "demos/packed.h"
 
 #include <libdeflate.h>
 

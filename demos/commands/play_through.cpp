@@ -1,0 +1,37 @@
+#include "demos/commands/play_through.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/film/signals.h"
+#include "demos/stop.h"
+
+namespace demos {
+
+long stepsOf(const SceneDescription& scene) {
+    return std::max(std::lround(scene.seconds * scene.hz), 1L);
+}
+
+void playThrough(Player& player, const Options& options, const std::function<void(long)>& look,
+                 const std::function<void()>& keep) {
+    watchSignals();
+    const long steps = stepsOf(player.stage().scene);
+    try {
+        look(0);
+        for (long step = 1; step <= steps; ++step) {
+            player.step();
+            look(step);
+            if (interrupted())
+                throw Stop(Exit::interrupted,
+                           fmt::format("interrupted after step {}; to run it again: {}", step,
+                                       options.commandLine));
+        }
+    } catch (const Stop&) {
+        keep();
+        throw;
+    }
+}
+
+}  // namespace demos

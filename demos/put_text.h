@@ -1,0 +1,12 @@
+/// Text for the standard streams.
+#pragma once
+#include <cstdio>
+#include <string_view>
+
+namespace demos {
+
+/// Never throws: a reader that went away is no reason to lose what is being made. What standard
+/// output has refused is told at the end (run.cpp); what standard error has, nobody would read.
+void putText(std::FILE* stream, std::string_view text);
+
+}  // namespace demos

@@ -1,0 +1,11 @@
+/// What [solver] calls the engine's enumerations.
+#pragma once
+#include "engine/settings.h"
+
+namespace demos {
+
+const char* wordOf(engine::Method method);
+const char* wordOf(engine::Order order);
+const char* wordOf(engine::JointSolving joints);
+
+}  // namespace demos
