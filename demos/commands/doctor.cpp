@@ -6,6 +6,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/film/progress.h"
+#include "demos/slides/deck_files.h"
 #include "demos/version.h"
 #include "render/driver_environment.h"
 #include "render/encode/ffmpeg.h"
@@ -90,6 +91,10 @@ std::vector<Finding> examine() {
     const bool ffmpeg = render::haveFfmpeg();
     findings.push_back({"ffmpeg", ffmpeg ? "found" : "not found", ffmpeg,
                         "install ffmpeg for .mp4 .webm .gif; PNG frames work without"});
+    const bool chromium = !pdfBrowser().empty();
+    findings.push_back({"chromium", chromium ? "found" : "not found", chromium,
+                        "install chromium for slides as .pdf; .html and folders work without",
+                        false});
     std::error_code error;
     const auto space = std::filesystem::space(".", error);
     const double free = error ? 0.0 : static_cast<double>(space.available) / 1e9;

@@ -23,9 +23,12 @@ std::vector<std::filesystem::path> writeSlidesFolder(const MadeDeck& deck,
 /// has files and may not be written to.  (slides_folder.cpp)
 void checkSlidesFolder(const std::filesystem::path& folder, bool overwrite);
 
-/// A poster a page, by a headless Chromium. Throws render::Error, also where there is none: what to
-/// install.  (slides_pdf.cpp)
+/// A poster a page, by a headless Chromium; whole or not at all. Throws render::Error, also where
+/// there is none: what to install.  (slides_pdf.cpp)
 void writeSlidesPdf(const MadeDeck& deck, const std::filesystem::path& file);
+
+/// The program that prints it; empty where PATH has none.
+std::string pdfBrowser();
 
 /// With media/ beside them.  (beamer.cpp, marp.cpp, speaker_notes.cpp)
 std::string beamerOf(const MadeDeck& deck);

@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string browser() {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-        if (render::programPath(name)) return name;
-    throw render::Error("chromium is needed for a PDF; install it (apt install chromium)");
-}
-
 /// 2 min, or the milliseconds of IMPULSE_CHROMIUM_PATIENCE_MS, which tests of hanging ones set.
 std::chrono::milliseconds patience() {
     constexpr int kDefault = 120'000, kMost = 86'400'000;
@@ -68,8 +62,16 @@ std::size_t pagesOf(const std::vector<std::uint8_t>& pdf) {
 
 }  // namespace
 
+std::string pdfBrowser() {
+    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+        if (render::programPath(name)) return name;
+    return {};
+}
+
 void writeSlidesPdf(const MadeDeck& deck, const fs::path& file) {
-    const std::string program = browser();
+    const std::string program = pdfBrowser();
+    if (program.empty())
+        throw render::Error("chromium is needed for a PDF; install it (apt install chromium)");
     render::checkReplaceable(file);
     const ScratchFolder folder;
     render::writeFileAtomically(folder.path() / "talk.html", posterPage(deck));

@@ -87,4 +87,31 @@ TEST(SlidesReadme, NamesEveryFileAndNoOther) {
     EXPECT_EQ(firstCells(section("Where what is")), files);
 }
 
+/// What stands in backquotes in the cells of the first column, "click" is no key.
+TEST(SlidesReadme, NamesEveryKeyOfThePageAndNoOther) {
+    const std::string keys = textOf(kFolder / "page" / "keys.js");
+    std::set<std::string> listed{"?"};
+    for (const std::string& row : matches(keys, R"(\n  \[\[(".*")\], ")"))
+        listed.merge(matches(row, R"re("([^"]+)")re"));
+    listed.erase("click");
+    const std::string all = section("What is written");
+    const std::size_t begin = all.find("| keys |");
+    const std::string table = all.substr(begin, all.find("\n\n", begin) - begin);
+    std::set<std::string> named;
+    for (const std::string& cell : matches(table, R"(\n\| (`[^|]+) \|)"))
+        named.merge(matches(cell, "`([^`]+)`"));
+    EXPECT_EQ(named, listed);
+    EXPECT_GE(listed.size(), 20u);
+}
+
+TEST(SlidesReadme, ItsCommandsAndTheirOptionsExist) {
+    const std::string help = outputOf("slides --help");
+    const std::set<std::string> lines =
+        matches(section("What is written"), R"(\nimpulse slides ([^\n]*))");
+    EXPECT_EQ(lines.size(), 3u);
+    for (const std::string& line : lines)
+        for (const std::string& option : matches(line, R"( (--?[a-z-]+))"))
+            EXPECT_NE(help.find(option), std::string::npos) << line;
+}
+
 }  // namespace
