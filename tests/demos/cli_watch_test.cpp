@@ -130,7 +130,10 @@ TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
                "'/></body></worldbody></mujocoinclude>";
     };
     write(folder / "part.xml", part("0.2"));
-    write(folder / "my.xml", "<mujoco><include file='part.xml'/></mujoco>");
+    write(
+        folder / "my.xml",
+        "<mujoco><include file='part.xml'/><worldbody><geom type='plane' size='0 0 1'/></worldbody>"
+        "</mujoco>");
     Launch model = launch({"--json", "--seconds", "2"});
     model.arguments[1] = "my.xml";
     Conversation watching(model);
