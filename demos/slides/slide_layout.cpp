@@ -32,6 +32,10 @@ SlideLayout layoutOf(const MadeSlide& made) {
     if (!hasWords(made)) return SlideLayout::full;
     if (pictures.size() == 1 && aspectOf(*pictures.front()) > kWide) return SlideLayout::below;
     if (hasWideTable(made)) return SlideLayout::below;
+    // One above the other they would be small.
+    if (pictures.size() > 1 && made.slide.formulas.empty() && made.slide.code.empty() &&
+        made.tables.empty() && made.slide.text.size() <= kLongText)
+        return SlideLayout::below;
     const bool half = !made.slide.code.empty() || made.slide.text.size() > kLongText;
     return half ? SlideLayout::even : SlideLayout::beside;
 }

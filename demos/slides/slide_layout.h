@@ -11,7 +11,7 @@ enum class SlideLayout {
     full,             // pictures alone
     beside,           // words on the left, two fifths of the width
     even,             // likewise, half of it: code or much text
-    below             // words above what is wide
+    below             // words above what is wide: a strip, two pictures
 };
 
 SlideLayout layoutOf(const MadeSlide& slide);

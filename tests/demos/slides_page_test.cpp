@@ -81,8 +81,12 @@ TEST_F(SlidesPage, PutsWordsBesideAPictureAndAPictureAlone) {
     made.slides.push_back(support::plantedSlide("05-strip", "A strip"));
     made.slides.back().slide.text = "above";
     made.slides.back().pictures.push_back(support::plantedDeckPicture(300, 50, 90));
+    made.slides.push_back(made.slides.back());
+    made.slides.back().pictures = {support::plantedDeckPicture(60, 50, 90)};
+    made.slides.push_back(made.slides.back());
+    made.slides.back().slide.code = "wide";
     const std::string page = slidesPage(made);
-    const char* layouts[] = {"opening", "full", "beside", "plain", "below"};
+    const char* layouts[] = {"opening", "full", "below", "plain", "below", "beside", "beside even"};
     std::size_t at = 0;
     for (const char* layout : layouts) {
         at = page.find("<section class=\"slide ", at) + 22;

@@ -15,18 +15,17 @@ function fitStage() {
 
 /// Of the room that it has; 1: it fits. MathML has no offsetWidth, hence the stage's scale.
 function shareOf(formula, scale) {
-  const math = formula.querySelector("math");
-  if (!math) return 1;
-  const width = math.getBoundingClientRect().width / scale;
-  return width > 0 ? formula.clientWidth / width : 1;
+  const width = formula.getBoundingClientRect().width / scale;
+  return width > 0 ? formula.closest(".formula, p, li, .text").clientWidth / width : 1;
 }
 
+/// The smallest share of the formulas that have a place of their own, not of those in a text.
 function fitFormulas(slide, scale) {
-  const formulas = [...slide.querySelectorAll(".formula")];
+  const formulas = [...slide.querySelectorAll(".formula > math, .text math")];
   for (const formula of formulas) formula.style.setProperty("--narrow", 1);
   const shares = formulas.map((formula) => shareOf(formula, scale));
   formulas.forEach((formula, i) => formula.style.setProperty("--narrow", Math.min(1, 0.995 * shares[i])));
-  return Math.min(1, ...shares);
+  return Math.min(1, ...shares.filter((_, i) => formulas[i].parentElement.matches(".formula")));
 }
 
 /// Whether words above leave a picture less than a third of the slide, and it wants more.
