@@ -22,9 +22,9 @@ std::vector<std::string> sectionsOf(const FrameSpan& span, const FilmPlan& plan)
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const bool last = i + 1 == sections.size();
         const double end = last ? plan.timeOf(plan.frames) : sections[i + 1].at;
-        const double half = 0.5 / plan.fps;  // a frame's time is not exactly a section's
-        if (plan.timeOf(span.last) > sections[i].at - half &&
-            plan.timeOf(span.first) < end - half && !sections[i].name.empty())
+        const double rounding = 1e-6;  // s
+        if (plan.timeOf(span.last) > sections[i].at - rounding &&
+            plan.timeOf(span.first) < end - rounding && !sections[i].name.empty())
             names.push_back(sections[i].name);
     }
     return names;

@@ -143,6 +143,20 @@ TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }
 
+TEST_F(Watch, WhatASceneIncludesIsWatchedOnceItIsIncluded) {
+    const auto part = [](const std::string& radius) {
+        return "[[body]]\nname = \"b\"\nshape = { sphere = " + radius + " }\nat = [2, 1, 0]\n";
+    };
+    Conversation watching(launch({"--json"}));
+    EXPECT_NE(watching.until("\"watching\"").find("\"files\":1"), std::string::npos);
+    write(folder / "part.toml", part("0.2"));
+    replace("my.toml", with(kScene, "seconds", "include = [\"part.toml\"]\nseconds"));
+    EXPECT_EQ(draftIn(watching.until("\"draft\""))["drawn"], kDraftFrames);
+    replace("part.toml", part("0.3"));
+    EXPECT_EQ(draftIn(watching.until("\"draft\""))["drawn"], kDraftFrames);
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
 TEST_F(Watch, AFailedExpectationIsTold) {
     write(folder / "my.toml",
           kScene + "[[expect]]\nwhat = \"speed\"\nof = [\"ball\"]\nbelow = 1\nwhy = \"slow\"\n");
