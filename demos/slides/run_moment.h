@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "demos/export/trajectory.h"
+#include "demos/export/recording.h"
 #include "demos/report/measures.h"
 #include "demos/scene/stage.h"
 
