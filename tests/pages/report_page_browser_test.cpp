@@ -107,8 +107,7 @@ TEST_F(ReportInBrowser, TheCommandGrowsAsOneAccepts) {
 }
 
 TEST_F(ReportInBrowser, ABrokenContractCannotBeAccepted) {
-    verdict_.scenes[0].expectations.push_back(
-        {"drift below 1 m", "drift", "", "below 1 m", 2.0, "m", false, "it stands"});
+    verdict_.scenes[0].expectations.push_back({"drift below 1 m", 2.0, "m", false, "it stands"});
     verdict_.scenes[1].settings.push_back({"world.hz", "60", "120"});
     const Opened opened = open("scene=first&t=0.5", driver(R"js(
   await key("a"); await key("p"); await key("A", true);
