@@ -50,15 +50,13 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
 }
 
 /// The program's own bytes: another build may draw or move things otherwise.
-std::string programText() {
-    std::string text;
+void addProgram(TextHash& hash) {
     if (std::FILE* file = std::fopen("/proc/self/exe", "rb")) {
         char block[65536];
         for (std::size_t got; (got = std::fread(block, 1, sizeof block, file)) > 0;)
-            text.append(block, got);
+            hash.add(std::string_view(block, got));
         std::fclose(file);
     }
-    return text;
 }
 
 }  // namespace
@@ -144,7 +142,7 @@ bool FilmPlan::alpha() const {
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     TextHash hash;
     hash.add(kVersion);
-    hash.add(programText());
+    addProgram(hash);
     hash.add(sceneText(options.scene()));
     for (const std::string& file : plan.scene().files)
         hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));

@@ -16,8 +16,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::span<const std:
 
 /// A file to be, and what it is to hold.
 struct NamedBytes {
-    std::filesystem::path path;
-    std::span<const std::uint8_t> bytes;
+    std::filesystem::path path;           ///< replaced where it is there
+    std::span<const std::uint8_t> bytes;  ///< all of it
 };
 
 /// Several such files: all of them are complete under their temporary names before the first one is

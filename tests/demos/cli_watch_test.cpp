@@ -145,7 +145,7 @@ TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
 
 TEST_F(Watch, WhatASceneIncludesIsWatchedOnceItIsIncluded) {
     const auto part = [](const std::string& radius) {
-        return "[[body]]\nname = \"b\"\nshape = { sphere = " + radius + " }\nat = [2, 1, 0]\n";
+        return "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = " + radius + " }\nat = [2, 1, 0]\n";
     };
     Conversation watching(launch({"--json"}));
     EXPECT_NE(watching.until("\"watching\"").find("\"files\":1"), std::string::npos);
