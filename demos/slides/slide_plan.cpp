@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kMostShown = 240;  // frames a second of a film
 
+/// Of a film of several runs: its labels are read from the back of a room.
+constexpr double kPointsAcross = 360.0;
+
 /// The steps a second that all of them have pictures of.
 int commonHz(const Cast& cast) {
     int hz = cast.variants.front().scene.hz;
@@ -34,6 +37,8 @@ FilmPlan planClip(const Slide& slide, const Cast& cast, Options options, int fps
         panels.push_back({cast.variants.front().scene, {}, {}});
     FilmPlan plan = planFilm(std::move(panels), false, options);
     if (!cast.several) plan.panels.front().overlays.headings = asksFor(slide, "caption");
+    for (Panel& panel : plan.panels)
+        if (cast.several) panel.overlays.pixelsPerPoint = plan.layout.width / kPointsAcross;
     return plan;
 }
 
