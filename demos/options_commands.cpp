@@ -2,33 +2,29 @@
 
 #include <string>
 
+#include "demos/options_testing.h"
 #include "demos/options_groups.h"
 
 namespace demos {
 namespace {
 
-constexpr int kMostScenes = 1000;
-
 void addRender(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
-    app.add_option("-o,--output", options.outputs,
-                   "a folder, a pattern (#### {frame:6} {scene} {quality} {time}), a film (.mp4 "
-                   ".webm .gif .webp .apng) or - for raw RGBA; may be given again; "
-                   "default: output/<scene>")
-        ->type_name("OUT")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    takesAgain(app.add_option(
+                      "-o,--output", options.outputs,
+                      "a folder, a pattern (#### {frame:6} {scene} {quality} {time}), a film (.mp4 "
+                      ".webm .gif .webp .apng) or - for raw RGBA; may be given again; "
+                      "default: output/<scene>")
+                   ->type_name("OUT"));
     addDelivery(app, options, raw);
     addSeconds(app, options);
     addPicture(app, options, raw);
-    app.add_option("--pass", raw.passes,
-                   "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
-                   "poses contacts events; described in passes.json; default: none")
-        ->type_name("NAMES")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
-        ->type_name("N");
+    takesList(app.add_option(
+                     "--pass", raw.passes,
+                     "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
+                     "poses contacts events; described in passes.json; default: none")
+                  ->type_name("NAMES"));
+    addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
                  "say how many frames, memory and disk it takes; draw nothing; default: off");
     addFeedback(app, options);
@@ -92,8 +88,7 @@ void addSim(CLI::App& app, Options& options, RawOptions& raw) {
     table("--joints", options.joints, "a row a step and joint: separation (m), force, position");
     table("--contacts", options.contacts, "a row a contact point: where, normal, impulse (N s)");
     table("--sweeps", options.sweeps, "a row a sweep: residual (m/s), change (N s)");
-    table("--events", options.events,
-          "JSON: contacts that begin and end, joints that break");
+    table("--events", options.events, "JSON: contacts that begin and end, joints that break");
     app.add_flag("--exact", options.exact,
                  "with --sweeps: the distance to the direct solution; slow; default: off");
     app.add_option("--every", options.every, "rows of every Nth step only; default: 1")
@@ -112,17 +107,15 @@ void addSim(CLI::App& app, Options& options, RawOptions& raw) {
 
 void addPlot(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
-    app.add_option("-o,--output", options.outputs,
-                   "a .svg or a .png; may be given again; default: output/<scene>.svg")
-        ->type_name("FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--what", raw.what,
-                   "charts, with commas: energy penetration separation contacts impulse residual; "
-                   "default: energy,penetration,separation,residual where there is something")
-        ->type_name("NAMES")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    takesAgain(app.add_option("-o,--output", options.outputs,
+                              "a .svg or a .png; may be given again; default: output/<scene>.svg")
+                   ->type_name("FILE"));
+    takesList(
+        app.add_option(
+               "--what", raw.what,
+               "charts, with commas: energy penetration separation contacts impulse residual; "
+               "default: energy,penetration,separation,residual where there is something")
+            ->type_name("NAMES"));
     app.add_option("--size", raw.size,
                    "pixels, 1..16384 a side; default: 1280 wide, 360 high a chart, 720 at least")
         ->type_name("WxH");
@@ -139,15 +132,16 @@ void addPlot(CLI::App& app, Options& options, RawOptions& raw) {
 
 void addExport(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
-    app.add_option("-o,--output", options.outputs,
-                   ".glb: bodies, colours and camera with their motion; .csv: poses, a row a frame "
-                   "and body, columns of 'sim --bodies'; .npz: the same, energies and contacts as "
-                   "arrays for numpy; .json: the events of 'sim --events'; .html: a page to look at the "
-                   "run from all sides, without a network; may be given again; "
-                   "default: output/<scene>.glb")
-        ->type_name("FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    takesAgain(
+        app.add_option(
+               "-o,--output", options.outputs,
+               ".glb: bodies, colours and camera with their motion; .csv: poses, a row a frame "
+               "and body, columns of 'sim --bodies'; .npz: the same, energies and contacts as "
+               "arrays for numpy; .json: the events of 'sim --events'; .html: a page to look at "
+               "the "
+               "run from all sides, without a network; may be given again; "
+               "default: output/<scene>.glb")
+            ->type_name("FILE"));
     app.add_option("--fps", options.fps,
                    "frames a second; the scene's steps a second must be a multiple; default: 30")
         ->type_name("N");
@@ -161,13 +155,13 @@ void addSlides(CLI::App& app, Options& options, RawOptions& raw) {
     app.get_option("scene")
         ->expected(1, kMostScenes)
         ->description("a deck file, or scenes whose sections become slides");
-    app.add_option("-o,--output", options.outputs,
-                   ".html: one page with everything in it; .pdf: a picture a slide, by Chromium; a "
-                   "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
-                   "again; default: output/<name>.html")
-        ->type_name("OUT")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    takesAgain(
+        app.add_option(
+               "-o,--output", options.outputs,
+               ".html: one page with everything in it; .pdf: a picture a slide, by Chromium; a "
+               "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
+               "again; default: output/<name>.html")
+            ->type_name("OUT"));
     addSeconds(app, options);
     app.add_option("--size", raw.size,
                    "pixels of a picture that fills a slide, 1..16384 a side; default: 1280x720")
@@ -179,15 +173,10 @@ void addSlides(CLI::App& app, Options& options, RawOptions& raw) {
         ->type_name("N");
     app.add_option("--theme", options.theme, "studio, dark or print; default: the deck's, studio")
         ->type_name("NAME");
-    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
-        ->type_name("N");
+    addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
                  "say what the deck holds and where it goes; draw nothing; default: off");
-    app.add_flag("--reproducible", options.reproducible,
-                 "the same pixels on every x86-64 processor, a third slower; default: off");
-    app.add_option("--context", options.context,
-                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
-        ->type_name("NAME");
+    addRenderer(app, options);
     app.add_flag("--overwrite", options.overwrite,
                  "replace what is there; in a folder, what slides has made; default: off");
     addFeedback(app, options);
@@ -199,11 +188,9 @@ void addRuns(CLI::App& app, Options& options, RawOptions& raw) {
     addSeconds(app, options);
     addPicture(app, options, raw);
     addFigure(app, options, raw);
-    app.add_option("-t,--time", options.time,
-                   "with --width: of the figure, in s; default: the end")
+    app.add_option("-t,--time", options.time, "with --width: of the figure, in s; default: the end")
         ->type_name("S");
-    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
-        ->type_name("N");
+    addJobs(app, options);
     app.add_option("--measure", options.measure,
                    "what to plot: drift speed penetration separation energy residual "
                    "sweeps ms; "
@@ -215,24 +202,22 @@ void addRuns(CLI::App& app, Options& options, RawOptions& raw) {
 void addCompare(CLI::App& app, Options& options, RawOptions& raw) {
     addRuns(app, options, raw);
     app.get_option("scene")->expected(0, 1)->required(false);
-    app.add_option("--vary", options.vary,
-                   "a setting and its values, e.g. solver.nudges=0,4; several: all combinations")
-        ->type_name("KEY=A,B")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--case", options.cases,
-                   "settings that go together: 'LABEL: KEY=VALUE KEY=VALUE'; two to four of them")
-        ->type_name("CASE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    takesAgain(app.add_option(
+                      "--vary", options.vary,
+                      "a setting and its values, e.g. solver.nudges=0,4; several: all combinations")
+                   ->type_name("KEY=A,B"));
+    takesAgain(
+        app.add_option(
+               "--case", options.cases,
+               "settings that go together: 'LABEL: KEY=VALUE KEY=VALUE'; two to four of them")
+            ->type_name("CASE"));
     app.add_option("--plot", options.plot,
                    "the measure over time alone, as .svg or .png; default: not drawn")
         ->type_name("FILE");
-    app.add_option("-o,--output", options.outputs,
-                   "as for render, with --width one .png; default: output/<scene>-compare")
-        ->type_name("OUT")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    takesAgain(
+        app.add_option("-o,--output", options.outputs,
+                       "as for render, with --width one .png; default: output/<scene>-compare")
+            ->type_name("OUT"));
     app.add_flag("--film,!--no-film", options.film, "draw it; default: on");
     app.add_flag("--strip,!--no-strip", options.strip, "a plot below the pictures; default: on");
     app.add_flag("--list", options.listOnly, "the built-in comparisons; default: off");
@@ -248,78 +233,12 @@ void addSweep(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("--plot", options.plot,
                    "the measures over the values, as .svg or .png; default: not drawn")
         ->type_name("FILE");
-    app.add_option("-o,--output", options.outputs,
-                   "a grid of up to 16 of the runs as a film, as for render, with --width as one "
-                   ".png; default: none")
-        ->type_name("OUT")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void addTest(CLI::App& app, Options& options, RawOptions& raw) {
-    addSceneChoice(app, options, raw);
-    app.get_option("scene")
-        ->expected(0, kMostScenes)
-        ->required(false)
-        ->description("built-in scenes, scene files or folders of them; default: all built-in ones");
-    app.add_option("--baselines", options.baselines,
-                   "the folder of all NAME.snapshots; default: beside each scene file, and "
-                   "snapshots/ for built-in scenes")
-        ->type_name("DIR");
-    app.add_option("-o,--output", options.outputs,
-                   "a folder for the report and what was drawn; default: output/test")
-        ->type_name("DIR")
-        ->expected(1);
-    app.add_option("--update", options.update,
-                   "which baselines are written: missing, changed (and missing), all or none; "
-                   "default: missing, and none where CI=true; with none a missing one fails")
-        ->type_name("WHICH");
-    app.add_flag("--cache,!--no-cache", options.cache,
-                 "leave out what has passed and not changed since; default: on");
-    app.add_flag("--self-test", options.selfTest,
-                 "damage every picture on purpose and tell what would be noticed; default: off");
-    app.add_option("--size", raw.size,
-                   "pixels, 1..16384 a side; default: the scene's [snapshot] size")
-        ->type_name("WxH");
-    app.add_flag("--reproducible", options.reproducible,
-                 "the same pixels on every x86-64 processor, a third slower; default: off");
-    app.add_option("--context", options.context,
-                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
-        ->type_name("NAME");
-    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
-        ->type_name("N");
-    addFeedback(app, options);
-}
-
-void addApprove(CLI::App& app, Options& options) {
-    app.add_option("name", options.scenes,
-                   "a scene, one picture (NAME@TIME) or its physics (NAME@physics)")
-        ->type_name("NAME")
-        ->expected(0, kMostScenes);
-    app.add_flag("--all", options.all, "everything that the last test found different; default: off");
-    app.add_flag("--prune", options.prune,
-                 "remove baselines that no scene asks for any more; default: off");
-    app.add_option("--results", options.results, "the folder of impulse test; default: output/test")
-        ->type_name("DIR");
-    addFeedback(app, options);
-}
-
-void addBench(CLI::App& app, Options& options, RawOptions& raw) {
-    addSceneChoice(app, options, raw);
-    app.get_option("scene")->expected(0, kMostScenes)->required(false);
-    addSeconds(app, options);
-    app.add_flag("--film", options.benchFilm,
-                 "processor time of every stage of a frame, and frames/s, of the film as it would "
-                 "be rendered with the options below; default: off");
-    addPicture(app, options, raw);
-    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
-        ->type_name("N");
-    app.add_flag("--phases", options.phases,
-                 "ms of every phase of the step, from a second run; default: off");
-    app.add_option("--against", options.against,
-                   "compare with an earlier 'impulse bench --json > FILE'; default: none")
-        ->type_name("FILE");
-    addFeedback(app, options);
+    takesAgain(
+        app.add_option(
+               "-o,--output", options.outputs,
+               "a grid of up to 16 of the runs as a film, as for render, with --width as one "
+               ".png; default: none")
+            ->type_name("OUT"));
 }
 
 void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
@@ -356,7 +275,8 @@ void addGallery(CLI::App& app, Options& options, RawOptions& raw) {
 
 void addWatch(CLI::App& app, Options& options, RawOptions& raw) {
     addSceneChoice(app, options, raw);
-    app.add_flag("--once", options.once, "one draft, then the end; default: off, until Ctrl-C (130)");
+    app.add_flag("--once", options.once,
+                 "one draft, then the end; default: off, until Ctrl-C (130)");
     app.add_option("-o,--output", options.outputs,
                    "a folder for draft.mp4 and draft.png; default: output/<scene>")
         ->type_name("DIR")
@@ -364,11 +284,10 @@ void addWatch(CLI::App& app, Options& options, RawOptions& raw) {
     addSeconds(app, options);
     app.add_option("--size", raw.size, "pixels, 1..16384 a side; default: 480x270")
         ->type_name("WxH");
-    app.add_option("--show", raw.show,
-                   "overlays, with commas, see impulse render --help; default: the scene's")
-        ->type_name("NAMES")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    takesList(
+        app.add_option("--show", raw.show,
+                       "overlays, with commas, see impulse render --help; default: the scene's")
+            ->type_name("NAMES"));
     app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
         ->type_name("NAME");
     app.add_option("--colour-by,--color-by", options.colorBy,

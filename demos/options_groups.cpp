@@ -4,16 +4,36 @@
 
 namespace demos {
 
+CLI::Option* takesAgain(CLI::Option* option) {
+    return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Option* takesList(CLI::Option* option) {
+    return option->delimiter(',')->allow_extra_args(false);
+}
+
+void addRenderer(CLI::App& app, Options& options) {
+    app.add_flag("--reproducible", options.reproducible,
+                 "the same pixels on every x86-64 processor, a fifth slower; default: off");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+}
+
+void addJobs(CLI::App& app, Options& options) {
+    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
+        ->type_name("N");
+}
+
 void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw) {
     app.add_option("scene", options.scenes, "a built-in scene (impulse list) or a scene file")
         ->type_name("SCENE")
         ->expected(1)
         ->required();
-    app.add_option("--set", options.overrides,
-                   "a scene value, e.g. world.hz=240 or solver.sweeps=10; may be given again")
-        ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    takesAgain(
+        app.add_option("--set", options.overrides,
+                       "a scene value, e.g. world.hz=240 or solver.sweeps=10; may be given again")
+            ->type_name("KEY=VALUE"));
     app.add_option("--solver", raw.solver,
                    "the same as --set solver.type=NAME; default: the scene's")
         ->type_name("NAME");
@@ -46,11 +66,9 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                    "with --blur: how much of a frame's time the shutter is open, 0..1; "
                    "default: 0.5")
         ->type_name("S");
-    app.add_option("--show", raw.show,
-                   "overlays, with commas: " + overlayList() + "; default: the scene's")
-        ->type_name("NAMES")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    takesList(app.add_option("--show", raw.show,
+                             "overlays, with commas: " + overlayList() + "; default: the scene's")
+                  ->type_name("NAMES"));
     app.add_option("--theme", options.theme,
                    "studio, dark, print or transparent; default: the scene's")
         ->type_name("NAME");
@@ -59,11 +77,7 @@ void addPicture(CLI::App& app, Options& options, RawOptions& raw) {
                    "default: the scene's")
         ->type_name("NAME");
     app.add_flag("--clean", options.clean, "no text in the picture; default: off");
-    app.add_flag("--reproducible", options.reproducible,
-                 "the same pixels on every x86-64 processor, a third slower; default: off");
-    app.add_option("--context", options.context,
-                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
-        ->type_name("NAME");
+    addRenderer(app, options);
     app.add_flag("--overwrite", options.overwrite,
                  "replace what another run has written; default: off");
 }

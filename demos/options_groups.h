@@ -4,6 +4,15 @@
 
 namespace demos {
 
+inline constexpr int kMostScenes = 1000;
+
+/// An option that may be given again, a value each time.
+CLI::Option* takesAgain(CLI::Option* option);
+/// An option of several values with commas.
+CLI::Option* takesList(CLI::Option* option);
+void addRenderer(CLI::App& app, Options& options);
+void addJobs(CLI::App& app, Options& options);
+
 /// The scene, and what changes its values.
 void addSceneChoice(CLI::App& app, Options& options, RawOptions& raw);
 void addFeedback(CLI::App& app, Options& options);
