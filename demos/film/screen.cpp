@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "demos/film/framing.h"
+#include "demos/report/inks.h"
 #include "demos/snapshot/camera.h"
 #include "demos/stop.h"
 #include "engine/base/hash.h"
+#include "render/canvas.h"
 #include "render/palette.h"
 
 namespace demos {
@@ -50,9 +52,13 @@ void keepShot(const CameraDescription& camera, double time, double step,
             seen[i].camera = seen[i + 1].camera;
 }
 
+/// Of the theme's ground, where no panel comes.
 render::Image emptyPicture(const FilmPlan& plan) {
     render::Image whole{plan.layout.width, plan.layout.height, {}};
-    whole.pixels.assign(4 * static_cast<std::size_t>(whole.width) * whole.height, 255);
+    whole.pixels.resize(4 * static_cast<std::size_t>(whole.width) * whole.height);
+    const render::Color ground = inksOf(plan.panels.front().overlays.theme).ground;
+    render::fillRectangle(whole, {0.0f, 0.0f}, static_cast<float>(whole.width),
+                          static_cast<float>(whole.height), ground);
     return whole;
 }
 
