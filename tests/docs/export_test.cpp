@@ -12,21 +12,6 @@ using namespace docs;
 const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "export";
 const std::string kText = textOf(kFolder / "README.md");
 
-/// From the heading to the next one.
-std::string section(const std::string& heading) {
-    const std::size_t begin = kText.find("\n## " + heading + "\n");
-    if (begin == std::string::npos) return {};
-    return kText.substr(begin, kText.find("\n## ", begin + 1) - begin);
-}
-
-/// What stands in backquotes in the first cell of every row.
-std::set<std::string> firstCells(const std::string& text) {
-    std::set<std::string> names;
-    for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))
-        names.merge(matches(cell, "`([^`]+)`"));
-    return names;
-}
-
 TEST(ExportReadme, ItsCommandsExist) {
     const std::set<std::string> lines = matches(kText, R"(\nimpulse ([a-z]+[^\n]*))");
     EXPECT_EQ(lines.size(), 3u);
@@ -43,14 +28,14 @@ TEST(ExportReadme, NamesEveryEndingAndNoOther) {
 }
 
 TEST(ExportReadme, NamesEveryColumnAndNoOther) {
-    EXPECT_EQ(firstCells(section(".csv")), matches(demos::kPoseColumns, "([a-z]+)"));
+    EXPECT_EQ(firstCells(sectionOf(kText, ".csv")), matches(demos::kPoseColumns, "([a-z]+)"));
 }
 
 TEST(ExportReadme, NamesEveryArrayAndNoOther) {
     const std::vector<std::uint8_t> bytes = demos::npzOf({});
     const std::set<std::string> written =
         matches(std::string(bytes.begin(), bytes.end()), R"(([a-z_]+)\.npy)");
-    EXPECT_EQ(firstCells(section(".npz")), written);
+    EXPECT_EQ(firstCells(sectionOf(kText, ".npz")), written);
     EXPECT_EQ(written.size(), 15u);
 }
 
@@ -58,7 +43,7 @@ TEST(ExportReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(section("Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kText, "Where what is")), files);
 }
 
 }  // namespace

@@ -12,20 +12,6 @@ using namespace docs;
 const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "figure";
 const std::string kText = textOf(kFolder / "README.md");
 
-/// From the heading to the next one.
-std::string section(const std::string& heading) {
-    const std::size_t begin = kText.find("\n## " + heading + "\n");
-    if (begin == std::string::npos) return {};
-    return kText.substr(begin, kText.find("\n## ", begin + 1) - begin);
-}
-
-std::set<std::string> firstCells(const std::string& text) {
-    std::set<std::string> names;
-    for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))
-        names.merge(matches(cell, "`([^`]+)`"));
-    return names;
-}
-
 TEST(FigureReadme, ItsCommandsExist) {
     const std::set<std::string> lines = matches(kText, R"(\nimpulse ([a-z]+[^\n]*))");
     EXPECT_EQ(lines.size(), 5u);
@@ -41,12 +27,12 @@ TEST(FigureReadme, EveryCommandThatTakesAWidthIsNamedAndNoOther) {
     for (const std::string& command : matches(outputOf("--help"), R"(\n  ([a-z]+)  )"))
         if (outputOf(command + " --help").find("--width") != std::string::npos)
             taking.insert(command);
-    EXPECT_EQ(firstCells(section("What each command draws")), taking);
+    EXPECT_EQ(firstCells(sectionOf(kText, "What each command draws")), taking);
     EXPECT_EQ(taking.size(), 5u);
 }
 
 TEST(FigureReadme, TellsThePointsThatAreDrawn) {
-    const std::string table = section("Type and lines");
+    const std::string table = sectionOf(kText, "Type and lines");
     for (const double points : {demos::kLabelPoints, demos::kTitlePoints, demos::kCurvePoints,
                                 demos::kEdgePoints, demos::kTrailPoints, demos::kGapPoints}) {
         std::ostringstream cell;
@@ -72,14 +58,14 @@ TEST(FigureReadme, NamesEveryLineOfACaption) {
         fs::remove(folder / "c.txt");
     }
     written.erase("(b)");
-    EXPECT_EQ(firstCells(section("The caption")), written);
+    EXPECT_EQ(firstCells(sectionOf(kText, "The caption")), written);
 }
 
 TEST(FigureReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(section("Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kText, "Where what is")), files);
 }
 
 }  // namespace

@@ -13,21 +13,6 @@ using namespace docs;
 const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "slides";
 const std::string kText = textOf(kFolder / "README.md");
 
-/// From the heading to the next one.
-std::string section(const std::string& heading) {
-    const std::size_t begin = kText.find("\n## " + heading + "\n");
-    if (begin == std::string::npos) return {};
-    return kText.substr(begin, kText.find("\n## ", begin + 1) - begin);
-}
-
-/// What stands in backquotes in the first cell of every row.
-std::set<std::string> firstCells(const std::string& text) {
-    std::set<std::string> names;
-    for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))
-        names.merge(matches(cell, "`([^`]+)`"));
-    return names;
-}
-
 /// The keys that the reader asks for in a table, as complaints call it.
 std::set<std::string> asked(const std::string& table) {
     const demos::Catalog catalog =
@@ -40,12 +25,12 @@ std::set<std::string> asked(const std::string& table) {
 }
 
 TEST(SlidesReadme, NamesEveryKeyOfADeckAndNoOther) {
-    EXPECT_EQ(firstCells(section("The deck")), asked("a deck"));
+    EXPECT_EQ(firstCells(sectionOf(kText, "The deck")), asked("a deck"));
     EXPECT_EQ(asked("a deck").size(), 10u);
 }
 
 TEST(SlidesReadme, NamesEveryKeyOfASlideAndNoOther) {
-    EXPECT_EQ(firstCells(section("A slide")), asked("a [[slide]]"));
+    EXPECT_EQ(firstCells(sectionOf(kText, "A slide")), asked("a [[slide]]"));
     EXPECT_EQ(asked("a [[slide]]").size(), 26u);
     std::set<std::string> opening = asked("a [[slide]]");
     opening.erase("title");
@@ -60,19 +45,19 @@ TEST(SlidesReadme, ItsDeckIsRead) {
 }
 
 TEST(SlidesReadme, ItsNumbersAreRead) {
-    const std::set<std::string> numbers = firstCells(section("Words"));
+    const std::set<std::string> numbers = firstCells(sectionOf(kText, "Words"));
     EXPECT_EQ(numbers.size(), 7u);
     for (const std::string& number : numbers)
         EXPECT_EQ(demos::numberedText(number).numbers.size(), 1u) << number;
     for (const demos::Measure& measure : demos::measures())
-        EXPECT_NE(section("Words").find("`" + std::string(measure.name) + "`"), std::string::npos)
+        EXPECT_NE(sectionOf(kText, "Words").find("`" + std::string(measure.name) + "`"), std::string::npos)
             << measure.name;
     for (const auto& [group, thing] : {std::pair("body.x.", "body"),
                                        {"joint.x.", "joint"},
                                        {"contacts.", "contacts"},
                                        {"run.", "run"}}) {
         const std::set<std::string> row = matches(
-            section("Words"), "\\| `@\\{" + std::string(thing) + "\\.[^|]* \\| ([^|]+) \\|");
+            sectionOf(kText, "Words"), "\\| `@\\{" + std::string(thing) + "\\.[^|]* \\| ([^|]+) \\|");
         ASSERT_EQ(row.size(), 1u) << thing;
         for (const std::string& field : matches(*row.begin(), "`([a-z]+)`"))
             EXPECT_NO_THROW(demos::numberedText("@{" + std::string(group) + field + "}"));
@@ -84,7 +69,7 @@ TEST(SlidesReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(section("Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kText, "Where what is")), files);
 }
 
 /// What stands in backquotes in the cells of the first column, "click" is no key.
@@ -94,7 +79,7 @@ TEST(SlidesReadme, NamesEveryKeyOfThePageAndNoOther) {
     for (const std::string& row : matches(keys, R"(\n  \[\[(".*")\], ")"))
         listed.merge(matches(row, R"re("([^"]+)")re"));
     listed.erase("click");
-    const std::string all = section("What is written");
+    const std::string all = sectionOf(kText, "What is written");
     const std::size_t begin = all.find("| keys |");
     const std::string table = all.substr(begin, all.find("\n\n", begin) - begin);
     std::set<std::string> named;
@@ -107,7 +92,7 @@ TEST(SlidesReadme, NamesEveryKeyOfThePageAndNoOther) {
 TEST(SlidesReadme, ItsCommandsAndTheirOptionsExist) {
     const std::string help = outputOf("slides --help");
     const std::set<std::string> lines =
-        matches(section("What is written"), R"(\nimpulse slides ([^\n]*))");
+        matches(sectionOf(kText, "What is written"), R"(\nimpulse slides ([^\n]*))");
     EXPECT_EQ(lines.size(), 3u);
     for (const std::string& line : lines)
         for (const std::string& option : matches(line, R"( (--?[a-z-]+))"))

@@ -40,4 +40,19 @@ inline std::set<std::string> matches(const std::string& text, const std::string&
     return result;
 }
 
+/// Of a README: from the heading to the next one; empty where there is none.
+inline std::string sectionOf(const std::string& text, const std::string& heading) {
+    const std::size_t begin = text.find("\n## " + heading + "\n");
+    if (begin == std::string::npos) return {};
+    return text.substr(begin, text.find("\n## ", begin + 1) - begin);
+}
+
+/// What stands in backquotes in the first cell of every row.
+inline std::set<std::string> firstCells(const std::string& text) {
+    std::set<std::string> names;
+    for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))
+        names.merge(matches(cell, "`([^`]+)`"));
+    return names;
+}
+
 }  // namespace docs
