@@ -36,6 +36,7 @@ public:
         const std::size_t end = page.rfind("</body>");
         page.insert(end, "<script>" + driver + "</script>");
         std::ofstream(folder_ / "page.html", std::ios::binary) << page;
+        std::ofstream(folder_ / "empty.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"/>)";
         run("file://" + (folder_ / "page.html").string() + "#" + hash);
         Opened opened;
         opened.dom = contentOf(folder_ / "dom");

@@ -99,7 +99,7 @@ TEST_F(GalleryInBrowser, CommandsAreWordsOfAShell) {
     tell([...document.getElementById(name).querySelectorAll("code")]
       .map((code) => code.textContent).join("|"));
   document.querySelector("#wall .command").click();
-  await new Promise((go) => setTimeout(go, 200));
+  await comes(() => document.querySelector("#wall .copied"));
   tell(byId("told").textContent);
 )js");
     EXPECT_EQ(told(opened),
@@ -124,29 +124,18 @@ TEST_F(GalleryInBrowser, FilmsPlayUnderThePointerAndByTap) {
   const screen = (name) => document.querySelector(`#${name} .screen`);
   const point = (name, what, pointerType = "mouse") =>
     screen(name).dispatchEvent(new PointerEvent(what, { pointerType }));
-  // A picture that loads takes time on the clock and none of the virtual time, which a timer would
-  // use up while a film begins.
-  const breath = (i) => new Promise((go) => {
-    const picture = new Image();
-    picture.onload = go;
-    picture.src = `stack.png?${i}`;
-  });
-  const comes = async (condition) => {
-    for (let i = 0; i < 5000 && !condition(); ++i) await breath(i);
-    tell(condition());
-  };
   const plays = (name) => screen(name).classList.contains("playing");
   point("stack", "pointerenter");
-  await comes(() => plays("stack"));
+  tell(await comes(() => plays("stack")));
   point("stack", "pointerleave");
   tell(plays("stack") || screen("stack").querySelector("video").currentTime > 0);
   point("stack", "pointerenter");
   point("wall", "pointerenter");
-  await comes(() => plays("wall") && !plays("stack"));
+  tell(await comes(() => plays("wall") && !plays("stack")));
   point("wall", "pointerleave");
   point("wall", "pointerenter", "touch");
   screen("wall").click();
-  await comes(() => plays("wall"));
+  tell(await comes(() => plays("wall")));
   screen("wall").click();
   tell(plays("wall"));
   tell([...document.querySelectorAll("video")].every((film) => film.preload === "none"));

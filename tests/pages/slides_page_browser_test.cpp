@@ -19,14 +19,6 @@ const std::string kEyes = R"js(
   const at = () => document.querySelector(".leaf.seen .number").textContent.split(" ")[0];
   const film = () => document.querySelector(".leaf.seen video");
   const until = (target, event) => new Promise((go) => target.addEventListener(event, go, { once: true }));
-  // A picture that loads takes time on the clock and none of the virtual time, which a timer would
-  // use up while a film seeks.
-  let pictures = 0;
-  const breath = () => new Promise((go) => {
-    const picture = new Image();
-    picture.onload = go;
-    picture.src = `data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" id="p${++pictures}"/>`;
-  });
   const loaded = async (video) => { while (video.readyState < 2 || video.seeking) await breath(); };
   const grey = async () => {
     await loaded(film());
@@ -198,7 +190,7 @@ TEST_F(SlidesInBrowser, TheSpeakersWindowFollowsAndLeads) {
   const letters = [];
   window.addEventListener("message", (event) => { if (event.data.told) letters.push(event.data.told); });
   await key("s");
-  while (letters.length < 2) await until(window, "message");
+  await comes(() => letters.length === 2);
   tell(letters.join("; "));
   tell(at());
 )js");
