@@ -9,4 +9,7 @@ namespace demos {
 /// output has refused is told at the end (run.cpp); what standard error has, nobody would read.
 void putText(std::FILE* stream, std::string_view text);
 
+/// "impulse: LINE" on standard error.
+void putError(std::string_view line);
+
 }  // namespace demos

@@ -7,6 +7,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/own_files.h"
+#include "demos/put_text.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
 #include "render/error.h"
@@ -62,7 +63,7 @@ Exit flushed(Exit code) {
 }
 
 Exit tell(Exit code, const std::string& line) {
-    std::fprintf(stderr, "impulse: %s\n", printable(line).c_str());
+    putError(printable(line));
     return code;
 }
 

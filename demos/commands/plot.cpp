@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "demos/commands/commands.h"
+#include "demos/commands/play_through.h"
 #include "demos/figure/caption.h"
 #include "demos/figure/figure_file.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
 #include "demos/player.h"
 #include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
@@ -39,36 +36,17 @@ public:
         if (!captionFiles(files_, options_).empty()) checkFigure(files_, options_);
     }
 
+    /// A run that diverges is worth a look all the more.
     Exit play() {
-        watchSignals();
-        const SceneDescription& scene = player_.stage().scene;
-        const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
-        recorder_.look(player_.stage());
-        for (long step = 1; step <= steps; ++step) {
-            advance();
-            if (interrupted()) stopInterrupted(step);
-        }
+        playThrough(
+            player_, options_, [this](long) { recorder_.look(player_.stage()); },
+            [this] { writeAll(); });
         writeAll();
         talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
         return Exit::ok;
     }
 
 private:
-    /// A run that diverges is worth a look all the more.
-    void advance() try {
-        player_.step();
-        recorder_.look(player_.stage());
-    } catch (const Stop&) {
-        writeAll();
-        throw;
-    }
-
-    [[noreturn]] void stopInterrupted(long step) {
-        writeAll();
-        throw Stop(Exit::interrupted, fmt::format("interrupted after step {}; to run it again: {}",
-                                                  step, options_.commandLine));
-    }
-
     void writeAll() const {
         const std::vector<Chart> charts = chartsOf(recorder_, choice_);
         const PictureSize size = sizeOf(charts.size(), choice_);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "demos/commands/commands.h"
@@ -27,12 +26,8 @@ struct Moment {
 
 Moment momentOf(const FilmPlan& plan, const Options& options) {
     Moment moment;
-    constexpr double kMostSteps = 1e8;
     if (options.time) {
-        if (*options.time * plan.scene().hz > kMostSteps)
-            throw Stop(Exit::usage, fmt::format("--time {}: is more than {:.0f} steps away",
-                                                *options.time, kMostSteps));
-        moment.steps = static_cast<int>(std::lround(*options.time * plan.scene().hz));
+        moment.steps = stepAt(*options.time, plan, "--time");
         moment.frame = moment.steps / plan.stepsPerFrame;
     } else {
         const int asked = options.frame.value_or(-1);

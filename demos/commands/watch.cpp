@@ -13,6 +13,7 @@
 #include "demos/film/quality.h"
 #include "demos/film/scene_fps.h"
 #include "demos/film/signals.h"
+#include "demos/put_text.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
@@ -94,7 +95,7 @@ private:
         errors_ = lines;
         const Json json{{"event", "error"}, {"lines", lines}};
         talk_.json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-        for (const std::string& line : lines) fmt::print(stderr, "impulse: {}\n", printable(line));
+        for (const std::string& line : lines) putError(printable(line));
     }
 
     Exit makeDraft() {
@@ -115,8 +116,7 @@ private:
         errors_.clear();
         for (const std::string& line : draftLines(draft, plan, drafts_.places())) talk_.say(line);
         std::fflush(stdout);
-        for (const std::string& line : failureLines(draft, plan))
-            fmt::print(stderr, "impulse: {}\n", line);
+        for (const std::string& line : failureLines(draft, plan)) putError(line);
         talk_.json(draftJson(draft, plan, drafts_.places()));
         if (!draft.trouble.empty()) return Exit::diverged;
         return draft.failed.empty() ? Exit::ok : Exit::failed;

@@ -1,9 +1,6 @@
 #include "demos/figure/panel_figure.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "demos/figure/type.h"
@@ -18,8 +15,6 @@
 
 namespace demos {
 namespace {
-
-constexpr double kMostSteps = 1e8;
 
 /// The scene's own text would stand in every picture, the same.
 FilmPlan planOf(const Variant& run, Options options) {
@@ -59,14 +54,6 @@ PictureSize ratioOf(const Options& options) {
     return options.size.value_or(PictureSize{quality.width, quality.height});
 }
 
-int stepsTo(double time, const FilmPlan& plan) {
-    const double steps = time * plan.scene().hz;
-    if (steps > kMostSteps)
-        throw Stop(Exit::usage,
-                   fmt::format("--time {}: is more than {:.0f} steps away", time, kMostSteps));
-    return static_cast<int>(std::lround(steps));
-}
-
 /// What was good last, and says so.
 std::vector<render::Frame> lastGood(const FilmPlan& plan, const Player& player, double time) {
     render::Frame frame = player.frame(time);
@@ -85,7 +72,7 @@ void drawPanel(const PanelFigure& figure, std::size_t i, render::Renderer& rende
     std::vector<render::Frame> seen;
     drawn.diverged.emplace_back();
     try {
-        seen = playTo(time, stepsTo(time, plan), plan, player);
+        seen = playTo(time, stepAt(time, plan, "--time"), plan, player);
     } catch (const Stop& stop) {
         if (stop.code() != Exit::diverged) throw;
         drawn.diverged.back() = stop.what();
@@ -134,7 +121,7 @@ PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart
     for (const Variant& run : runs) figure.plans.push_back(planOf(run, own));
     const FilmPlan& first = figure.plans.front();
     figure.time = options.time.value_or(first.timeOf(first.frames - 1));
-    for (const FilmPlan& plan : figure.plans) stepsTo(figure.time, plan);
+    for (const FilmPlan& plan : figure.plans) stepAt(figure.time, plan, "--time");
     checkNeeds(needsOf(first, 1, {}), first);
     return figure;
 }

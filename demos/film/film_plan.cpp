@@ -8,6 +8,7 @@
 #include "demos/figure/paper.h"
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
+#include "demos/put_text.h"
 #include "demos/scene/reader.h"
 #include "demos/stop.h"
 #include "demos/text_hash.h"
@@ -74,10 +75,19 @@ std::string goodRates(int hz, int wanted) {
     return fmt::format("{}", fmt::join(rates, " "));
 }
 
+int stepAt(double time, const FilmPlan& plan, const char* option) {
+    constexpr double kMostSteps = 1e8;
+    const double steps = time * plan.scene().hz;
+    if (steps > kMostSteps)
+        throw Stop(Exit::usage,
+                   fmt::format("{} {}: is more than {:.0f} steps away", option, time, kMostSteps));
+    return static_cast<int>(std::lround(steps));
+}
+
 SceneDescription sceneOf(const Options& options) {
     SceneDescription scene = loadScene(options.scene(), options.overrides);
     if (!options.quiet)
-        for (const std::string& note : scene.notes) fmt::print(stderr, "impulse: {}\n", note);
+        for (const std::string& note : scene.notes) putError(note);
     if (options.seconds) scene.seconds = *options.seconds;
     return scene;
 }
@@ -104,8 +114,7 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
     if (strip && options.width)
-        plan.layout =
-            layoutWithStrip(size.width, size.height, chartBelow(paperOf(options)).height);
+        plan.layout = layoutWithStrip(size.width, size.height, chartBelow(paperOf(options)).height);
     plan.picture.width = plan.layout.panels.front().width;
     plan.picture.height = plan.layout.panels.front().height;
     const bool parted = strip || plan.panels.size() > 1;
@@ -126,17 +135,16 @@ FilmPlan planFilm(const Options& options) {
     Panel panel;
     panel.scene = sceneOf(options);
     // A row of moments (impulse strip) has no time for a plot's cursor, and a snapshot is of one.
-    const bool strip = overlaysOf(panel.scene, options).plot &&
-                       options.command != Command::strip && options.command != Command::test;
+    const bool strip = overlaysOf(panel.scene, options).plot && options.command != Command::strip &&
+                       options.command != Command::test;
     FilmPlan plan = planFilm({std::move(panel)}, strip, options);
     if (strip) addStrip({playedChart(plan.scene())}, plan, paperOf(options));
     return plan;
 }
 
 bool FilmPlan::alpha() const {
-    return std::any_of(panels.begin(), panels.end(), [](const Panel& panel) {
-        return panel.overlays.theme == "transparent";
-    });
+    return std::any_of(panels.begin(), panels.end(),
+                       [](const Panel& panel) { return panel.overlays.theme == "transparent"; });
 }
 
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {

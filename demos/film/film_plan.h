@@ -30,7 +30,7 @@ struct FilmPlan {
     } cursor;                          // a line in the strip that goes with the time
     render::RendererSettings picture;  // of one panel
     ShutterSettings shutter;
-    std::string name;                  // {scene} in output patterns
+    std::string name;  // {scene} in output patterns
     std::string quality;
     std::vector<Pass> passes;  // beside PNG frames; one panel only
     int frames = 0;
@@ -45,6 +45,10 @@ struct FilmPlan {
 
 /// The frame rates that divide a scene's steps a second, the six nearest to `wanted`: "20 30 60".
 std::string goodRates(int hz, int wanted);
+
+/// The step nearest to `time` (s). Throws Stop (usage), in the name of `option`, where it is too
+/// far to be played to.
+int stepAt(double time, const FilmPlan& plan, const char* option);
 
 /// The scene with --set and --seconds applied; its notes are told, unless quiet. Throws SceneError.
 SceneDescription sceneOf(const Options& options);

@@ -10,11 +10,6 @@
 #include "demos/stop.h"
 
 namespace demos {
-namespace {
-
-constexpr double kMostSteps = 1e8;
-
-}  // namespace
 
 FilmPlan planStrip(Options options) {
     const Quality& quality = qualityOf(options.quality);
@@ -33,10 +28,7 @@ FilmPlan planStrip(Options options) {
 std::vector<int> stripSteps(const FilmPlan& plan, const Options& options) {
     std::vector<int> steps;
     for (const double time : options.times) {
-        if (time * plan.scene().hz > kMostSteps)
-            throw Stop(Exit::usage,
-                       fmt::format("--times {}: is more than {:.0f} steps away", time, kMostSteps));
-        steps.push_back(static_cast<int>(std::lround(time * plan.scene().hz)));
+        steps.push_back(stepAt(time, plan, "--times"));
         if (steps.size() > 1 && steps.back() == steps[steps.size() - 2])
             throw Stop(Exit::usage, fmt::format("--times {}: falls on the same step as the time "
                                                 "before it; a step is {:.3g} s",

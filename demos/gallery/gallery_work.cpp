@@ -1,10 +1,8 @@
 #include "demos/gallery/gallery_work.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "demos/put_text.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
 
@@ -58,7 +56,7 @@ void GalleryTroubles::tell(const std::string& name, const std::vector<std::strin
     talk_.json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
     for (const std::string& line : lines) {
         const bool named = code == Exit::scene || line.starts_with(name + ":");
-        fmt::print(stderr, "impulse: {}{}\n", named ? "" : printable(name) + ": ", printable(line));
+        putError((named ? "" : printable(name) + ": ") + printable(line));
     }
 }
 

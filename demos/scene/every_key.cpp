@@ -329,10 +329,7 @@ aperture = 0.1
 focus = "ball"
 keys = [{ at = 1, from = [4, 2, 9], look_at = [0, 2, 0], fov_deg = 30, ease = "out" }]
 )"},
-    {"focus", R"(
-[camera]
-focus = 3
-)"},
+    {"focus", "\n[camera]\nfocus = 3\n"},
     {"look", R"(
 [look]
 theme = "studio"

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
+#include "demos/put_text.h"
 #include "demos/scene/complaints.h"
 #include "demos/slides/katex_text.h"
 #include "demos/slides/mathml.h"
@@ -77,7 +77,7 @@ void* reallocate(void* used, void* memory, duk_size_t bytes) {
 
 /// Errors come here from outside of a protected call only, and there is no such call below.
 void failed(void*, const char* message) {
-    std::fprintf(stderr, "impulse: KaTeX: %s\n", message ? message : "failed");
+    putError(std::string("KaTeX: ") + (message ? message : "failed"));
     std::abort();
 }
 
