@@ -20,16 +20,13 @@ Course courseIn(const fs::path& folder) try {
     return {};
 }
 
-ReportCourses coursesOf(const SceneVerdict& verdict, const Options& options, const fs::path& results) {
+ReportCourses coursesOf(const SceneVerdict& verdict, const Options& options,
+                        const fs::path& results) {
     ReportCourses courses;
     courses.actual = courseIn(results / (verdict.name + kSnapshotsEnding));
     if (courses.actual.moments.empty()) return courses;  // as it was: nothing was left
     courses.baseline = courseIn(verdict.folder);
-    const CameraDescription camera = loadScene(verdict.scene, options.overrides).camera;
-    courses.cameraFrom = camera.from;
-    courses.cameraLookAt = camera.lookAt;
-    courses.fovDegrees = camera.fovDegrees;
-    courses.follow = camera.follow;
+    courses.camera = loadScene(verdict.scene, options.overrides).camera;
     return courses;
 }
 

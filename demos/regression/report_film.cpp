@@ -7,6 +7,7 @@
 #include <set>
 
 #include "demos/page/rounded.h"
+#include "demos/regression/report_views.h"
 
 namespace demos {
 namespace {
@@ -182,7 +183,9 @@ Json courseJson(const Course& course, const Thinning& thinning) {
     return json;
 }
 
-Json vectorJson(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+double endOf(const Course& course) {
+    return course.moments.empty() ? 0.0 : 1.0 * course.moments.back().step / course.hz;
+}
 
 }  // namespace
 
@@ -190,18 +193,20 @@ Json filmOf(const ReportCourses& courses, const PhysicsVerdict& physics, long nu
     const bool had = !courses.baseline.moments.empty(), has = !courses.actual.moments.empty();
     if (!had && !has) return nullptr;
     const bool same = had && has && physics.kind == PhysicsVerdict::Kind::same;
-    const long share = had && has && !same ? numbers / 2 : numbers;
-    const std::vector<FilmBody> bodies = rankedBodies(courses, {physics.body, courses.follow});
+    const double end = std::max(endOf(courses.baseline), endOf(courses.actual));
+    Json views = viewsJson(courses.camera, end);
+    const long left = numbers - static_cast<long>(views.size() * views.front().size());
+    const long share = had && has && !same ? left / 2 : left;
+    const std::string& follow = courses.camera.follow;
+    const std::vector<FilmBody> bodies = rankedBodies(courses, {physics.body, follow});
     Thinning thinning;
     thinning.moments = momentsFor(bodies, share);
     thinning.bodies = shownBodies(bodies, thinning.moments, share);
     thinning.step = physics.step;
     const double farthestPlace = std::max(reach(courses.baseline), reach(courses.actual));
     thinning.unit = std::max(farthestPlace, 1e-3) / 32767.0;
-    return {{"from", vectorJson(courses.cameraFrom)},
-            {"look_at", vectorJson(courses.cameraLookAt)},
-            {"fov_deg", courses.fovDegrees},
-            {"follow", courses.follow},
+    return {{"views", std::move(views)},
+            {"follow", follow},
             {"unit", thinning.unit},
             {"same", same},
             {"baseline", same ? Json(nullptr) : courseJson(courses.baseline, thinning)},

@@ -13,9 +13,7 @@ namespace demos {
 /// The two runs of a scene and from where its film is seen. A course without moments is not there.
 struct ReportCourses {
     Course baseline, actual;
-    Vec3 cameraFrom{8, 5, 14}, cameraLookAt{0, 2, 0};  // m
-    double fovDegrees = 35.0;                          // vertical
-    std::string follow;  // a body that the camera goes along with; empty: none
+    CameraDescription camera;
 };
 
 /// `courses`: by place in `verdict.scenes`; fewer are allowed. `folder`: where the page will be.

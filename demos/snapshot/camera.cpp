@@ -74,6 +74,14 @@ CameraView viewAt(const CameraDescription& camera, double time) {
     return viewOf(before);
 }
 
+CameraView orbitAt(const CameraDescription& camera, double time) {
+    CameraView view = viewAt(camera, time);
+    const double angle = camera.orbitDegreesPerSecond * time * std::numbers::pi / 180.0;
+    const Eigen::AngleAxisd turn(angle, Vec3::UnitY());
+    view.from = view.lookAt + turn * (view.from - view.lookAt);
+    return view;
+}
+
 int shotAt(const CameraDescription& camera, double time) {
     const auto cut = [time](const CameraKey& k) { return k.ease == Ease::cut && reached(k, time); };
     return static_cast<int>(std::count_if(camera.keys.begin(), camera.keys.end(), cut));
@@ -87,12 +95,9 @@ std::optional<Vec3> placeOf(const Stage& stage, const std::string& body) {
 
 render::Camera cameraOf(const Moment& moment) {
     const CameraDescription& camera = moment.stage.scene.camera;
-    const CameraView view = viewAt(camera, moment.time);
-    const double angle = camera.orbitDegreesPerSecond * moment.time * std::numbers::pi / 180.0;
-    const Eigen::AngleAxisd turn(angle, Vec3::UnitY());
+    const CameraView view = orbitAt(camera, moment.time);
     const Vec3 moved = followed(moment);
-    const Vec3 from = view.lookAt + turn * (view.from - view.lookAt) + moved;
-    const Vec3 lookAt = view.lookAt + moved;
+    const Vec3 from = view.from + moved, lookAt = view.lookAt + moved;
     render::Camera result;
     result.from = drawn(from);
     result.lookAt = drawn(lookAt);

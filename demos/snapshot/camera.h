@@ -17,6 +17,9 @@ struct CameraView {
 /// after the last it stays.
 CameraView viewAt(const CameraDescription& camera, double time);
 
+/// The same on its orbit, where it has one.
+CameraView orbitAt(const CameraDescription& camera, double time);
+
 /// The cuts so far: pictures of the same number are of one take.
 int shotAt(const CameraDescription& camera, double time);
 

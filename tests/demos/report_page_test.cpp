@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "demos/regression/report_views.h"
 #include "tests/support/planted_report.h"
 #include "tests/support/temporary_folder.h"
 
@@ -172,7 +174,8 @@ Json filmOfBodies(int bodies, PhysicsVerdict::Kind kind) {
     ReportCourses courses;
     courses.baseline = support::fallingBodies(bodies, 600, 1.0);
     courses.actual = support::fallingBodies(bodies, 600, 1.5);
-    courses.follow = "body2";
+    courses.camera.follow = "body2";
+    courses.camera.orbitDegreesPerSecond = 3.0;
     courses.baseline.moments[301].penetration = 0.004;  // alone, between two moments that are kept
     return dataOf(reportPage(verdict, {courses}, "x"))["scenes"][0]["film"];
 }
@@ -199,7 +202,7 @@ TEST(ReportFilm, KeepsItsNumbersTheStepAndTheBodyThatMatter) {
     }
     const Json large = filmOfBodies(500, PhysicsVerdict::Kind::changed);
     EXPECT_TRUE(bodiesIn(large["actual"]).contains("body499"));  // which moves farthest
-    EXPECT_TRUE(bodiesIn(large["actual"]).contains("body2"));  // whom the camera follows
+    EXPECT_TRUE(bodiesIn(large["actual"]).contains("body2"));    // whom the camera follows
     EXPECT_FALSE(bodiesIn(large["actual"]).contains("body3"));
 }
 
@@ -214,6 +217,36 @@ TEST(ReportFilm, IsWhatTheRunWasToItsUnit) {
         const double fallen = 1.5 * number * 599 / 60.0;  // m
         EXPECT_NEAR(unit * body["poses"][body["poses"].size() - 5].get<int>(), 2.0 - fallen, unit);
     }
+}
+
+TEST(ReportFilm, IsSeenAsTheCameraGoes) {
+    CameraDescription camera;
+    camera.from = {0, 2, 10};
+    EXPECT_EQ(viewsJson(camera, 2.0).dump(), "[[0.0,0,0.0,2.0,10.0,0.0,2.0,0.0,35.0]]");
+    camera.keys = {{1.0, {0, 2, 20}, {0, 2, 0}, 35.0, Ease::linear},
+                   {1.503, {9, 9, 9}, {1, 2, 3}, 50.0, Ease::cut},
+                   {9.0, {0, 0, 1}, {0, 0, 0}, 50.0, Ease::smooth}};
+    const Json rows = viewsJson(camera, 1.6);
+    double before = -1.0;
+    for (const Json& row : rows) {
+        const double time = row[0];
+        EXPECT_GT(time, before);
+        before = time;
+        EXPECT_EQ(row[1], time < 1.503 ? 0 : 1) << time;  // a take
+        EXPECT_NEAR(row[4], time < 1.503 ? 10.0 + 10.0 * std::min(time, 1.0) : 9.0, 0.01) << time;
+    }
+    EXPECT_EQ(before, 1.6);
+    const auto cut = std::find_if(rows.begin(), rows.end(), [](auto& row) { return row[1] == 1; });
+    EXPECT_EQ(cut->dump(), "[1.503,1,9.0,9.0,9.0,1.0,2.0,3.0,50.0]");
+}
+
+TEST(ReportFilm, IsSeenFromTheCamerasOrbit) {
+    CameraDescription camera;
+    camera.from = {0, 2, 10};
+    camera.orbitDegreesPerSecond = 45.0;
+    const Json last = viewsJson(camera, 2.0).back();
+    EXPECT_NEAR(last[2], 10.0, 1e-9);
+    EXPECT_NEAR(last[4], 0.0, 1e-9);
 }
 
 TEST(ReportFilm, KeepsAPeakBetweenTwoMoments) {

@@ -142,6 +142,25 @@ TEST_F(ReportInBrowser, BlinksByHandAndDrawsBothRuns) {
     EXPECT_EQ(told(opened), "[100,220][true true]");
 }
 
+/// Half way it turns its back on the bodies.
+TEST_F(ReportInBrowser, TheFilmIsSeenAsTheCameraGoes) {
+    courses_[0].camera.keys = {{0.5, {8, 5, 14}, {16, 8, 28}, 35.0, Ease::cut}};
+    const Opened opened = open("scene=first", driver(R"js(
+  const drawn = () => {
+    const canvas = byId("film-canvas");
+    const bytes = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    return bytes.some((byte, i) => i % 4 === 3 && byte > 0);
+  };
+  const seekTo = (time) => {
+    byId("film-time").value = time;
+    byId("film-time").dispatchEvent(new Event("input"));
+    tell(drawn());
+  };
+  seekTo(0.4); seekTo(0.6); seekTo(0.4);
+)js"));
+    EXPECT_EQ(told(opened), "[true][false][true]");
+}
+
 TEST_F(ReportInBrowser, GoesToTheWorstWindowTheFirstStepAndThePixel) {
     const Opened opened = open("scene=first&t=1&mode=8&at=210,50", driver(R"js(
   tell([...document.querySelectorAll("#readout code")].map((c) => c.textContent.trim()).join());

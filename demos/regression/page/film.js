@@ -10,35 +10,6 @@ function firstDifference() {
   return course && physics.step >= 0 ? physics.step / course.hz : null;
 }
 
-const minus = (a, b) => a.map((v, i) => v - b[i]);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) =>
-  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unitOf = (a) => a.map((v) => v / (Math.hypot(...a) || 1));
-
-/// How far the body that the camera goes along with has come, m; the camera's lag is left out.
-function followed(film) {
-  const course = film.actual ?? film.baseline;
-  const body = course.bodies.find((one) => one.name === film.follow);
-  if (!body) return [0, 0, 0];
-  const now = poseAt(body, momentsAt(course, view.film), film.unit).position;
-  return minus(now, poseAt(body, { from: 0, to: 0, share: 0 }, film.unit).position);
-}
-
-/// From world to canvas: x, y in CSS pixels and the depth in front of the camera, m.
-function projection(film, width, height) {
-  const ahead = unitOf(minus(film.look_at, film.from));
-  const right = unitOf(cross(ahead, Math.abs(ahead[1]) > 0.999 ? [0, 0, -1] : [0, 1, 0]));
-  const up = cross(right, ahead);
-  const scale = height / 2 / Math.tan(film.fov_deg * Math.PI / 360);
-  const shift = followed(film), from = film.from.map((v, i) => v + shift[i]);
-  return (point) => {
-    const way = minus(point, from), depth = dot(way, ahead);
-    const x = scale * dot(way, right) / depth, y = scale * dot(way, up) / depth;
-    return [width / 2 + x, height / 2 - y, depth];
-  };
-}
-
 /// v turned by the unit quaternion (q, w): v + 2 w (q x v) + 2 q x (q x v)
 function turned(v, q) {
   const w = q[3], t = cross(q, v).map((c) => 2 * c), u = cross(q, t);
