@@ -1,4 +1,4 @@
-// What the page shows, and small tools. Its link names a scene (#stack) or a search (#q=pendulum).
+// What the page shows, and small tools. Its link names a scene (#scene-stack) or a search (#q=pendulum).
 
 const gallery = JSON.parse(byId("data").textContent);
 
@@ -17,6 +17,8 @@ const groupName = (scene) => scene.group || "scenes of yours";
 /// In the order of the page: [name, scenes].
 const groups = [...new Set(gallery.scenes.map(groupName))]
   .map((name) => [name, gallery.scenes.filter((scene) => groupName(scene) === name)]);
+/// Apart from all other ids of the page, whatever the scene is called.
+const cardId = (name) => `scene-${name}`;
 const groupId = (name) => `group-${name.replace(/[^a-z0-9]+/gi, "-")}`;
 
 /// A link to a file beside the page, whatever its name.
