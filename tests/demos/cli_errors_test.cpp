@@ -32,6 +32,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"NoCommand", {}, 2, "known are: render"},
         {"UnknownCommand", {"rnder"}, 2, "did you mean 'render'"},
         {"UnknownOption", {"sim", "stack", "--evry", "2"}, 2, "did you mean '--every'"},
+        {"UnknownShortOption", {"export", "stack", "-q", "draft"}, 2, "-q: export has no such"},
+        {"UnknownShortOfSlides", {"slides", "stack", "-qdraft"}, 2, "-q: slides has no such"},
         {"NoScene", {"render"}, 2, "needs a scene"},
         {"TwoScenes", {"sim", "stack", "wall"}, 2, "one scene"},
         {"UnknownScene", {"sim", "stakc"}, 3, "did you mean 'stack'"},
