@@ -11,7 +11,6 @@
 #include "demos/film/folder_lock.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
-#include "demos/film/quality.h"
 #include "demos/film/scene_fps.h"
 #include "demos/film/signals.h"
 #include "demos/put_text.h"
@@ -140,9 +139,7 @@ private:
             scene = loadScene(options_.scene(), options_.overrides);
         read_ = scene.files.size();
         Options own = options_;
-        own.fps = fpsUpTo(qualityOf(own.quality).fps, scene.hz);
-        // A draft has a ground to stand on: a .mp4 holds no alpha.
-        if (own.theme.empty() && scene.look.theme == "transparent") own.theme = "studio";
+        suitFilm(scene, own);
         return own;
     }
 
