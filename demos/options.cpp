@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "demos/options_commands.h"
@@ -69,14 +70,23 @@ void checkCommand(int argc, const char* const* argv) {
         refuse(fmt::format("unknown command '{}'{}", printable(word), suggestion(word, names)));
 }
 
+/// "--fps" of "--fps=10", "-q" of "-qdraft"; empty: no option, but a value such as -1 or -.
+std::string optionOf(const std::string& word) {
+    if (word.starts_with("--")) return word == "--" ? "" : word.substr(0, word.find('='));
+    const bool letter = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+    return letter ? word.substr(0, 2) : "";
+}
+
 /// The first argument that looks like an option and is none.
 std::string unknownOption(const CLI::App& app, int argc, const char* const* argv) {
     const std::vector<std::string> names = namesOf(app);
     for (int i = 2; i < argc; ++i) {
-        const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-        if (!word.starts_with("--") || word == "--") continue;
-        if (std::find(names.begin(), names.end(), word) == names.end())
+        const std::string word = optionOf(argv[i]);
+        if (word.empty() || std::find(names.begin(), names.end(), word) != names.end()) continue;
+        if (word.starts_with("--"))
             return fmt::format("unknown option '{}'{}", printable(word), suggestion(word, names));
+        return fmt::format("{0}: {1} has no such option; 'impulse {1} --help' names those it has",
+                           printable(word), app.get_name());
     }
     return {};
 }

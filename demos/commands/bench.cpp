@@ -14,6 +14,7 @@
 #include "demos/report/timing.h"
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 #include "render/error.h"
 
 namespace demos {
@@ -147,7 +148,7 @@ Exit benchCommand(const Options& options) {
             benchScene(sceneOf(one), earlier, options);
     }
     const Talk talk(options, false);
-    talk.say(fmt::format("next: impulse bench {} --json", printable(scenes.front())));
+    talk.say(fmt::format("next: impulse bench {} --json", printable(shellWord(scenes.front()))));
     return Exit::ok;
 }
 

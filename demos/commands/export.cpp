@@ -5,12 +5,14 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/play_through.h"
 #include "demos/commands/table.h"
+#include "demos/counted.h"
 #include "demos/export/export_file.h"
 #include "demos/export/recording.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
 #include "demos/hex_text.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 
 namespace demos {
 namespace {
@@ -33,11 +35,21 @@ void checkLength(const FilmPlan& plan) {
                         bodies, plan.frames, kMostPoses / 1e6));
 }
 
+/// The frames of a film that is shorter than one of them.
+void tellShort(const FilmPlan& plan, const Options& options) {
+    if (options.seconds && *options.seconds * plan.fps < 1.0)
+        Talk(options, false)
+            .mention(fmt::format("--seconds {}: less than the {:.3g} s of a frame; what is written "
+                                 "is the first frame alone",
+                                 *options.seconds, 1.0 / plan.fps));
+}
+
 std::string contentText(ExportKind kind, const Recording& run, std::size_t bytes) {
-    if (kind == ExportKind::events) return fmt::format("{} events", run.events.size());
+    if (kind == ExportKind::events) return counted(run.events.size(), "event");
     if (kind == ExportKind::replay)
-        return fmt::format("{} frames, {} kB", run.frames.size(), bytes / 1000);
-    return fmt::format("{} frames, {} bodies", run.frames.size(), run.bodies.size());
+        return fmt::format("{}, {} kB", counted(run.frames.size(), "frame"), bytes / 1000);
+    return fmt::format("{}, {}", counted(run.frames.size(), "frame"),
+                       counted(run.bodies.size(), "body", "bodies"));
 }
 
 /// One run from time 0 to the end of the film.
@@ -90,8 +102,10 @@ private:
 Exit exportCommand(const Options& options) {
     const FilmPlan plan = planOf(options);
     checkLength(plan);
+    tellShort(plan, options);
     Exporting(options, plan, exportFilesOf(options, plan.scene())).play();
-    Talk(options, false).say(fmt::format("next: impulse render {}", printable(options.scene())));
+    Talk(options, false)
+        .say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
     return Exit::ok;
 }
 

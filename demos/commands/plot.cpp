@@ -9,6 +9,7 @@
 #include "demos/player.h"
 #include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 
 namespace demos {
 namespace {
@@ -42,7 +43,7 @@ public:
             player_, options_, [this](long) { recorder_.look(player_.stage()); },
             [this] { writeAll(); });
         writeAll();
-        talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
+        talk_.say(fmt::format("next: impulse render {}", printable(shellWord(options_.scene()))));
         return Exit::ok;
     }
 

@@ -18,6 +18,7 @@
 #include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/expect.h"
+#include "demos/shell_word.h"
 
 namespace demos {
 namespace {
@@ -227,7 +228,7 @@ private:
         for (const std::string& line : direct_.lines()) talk_.say(printable(line));
         talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
                               static_cast<double>(steps_) / stage.scene.hz));
-        talk_.say(fmt::format("next: impulse render {}", printable(options_.scene())));
+        talk_.say(fmt::format("next: impulse render {}", printable(shellWord(options_.scene()))));
         return passed ? Exit::ok : Exit::failed;
     }
 

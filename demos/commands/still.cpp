@@ -13,6 +13,7 @@
 #include "demos/film/screen.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 
 namespace demos {
 namespace {
@@ -79,7 +80,7 @@ Exit stillCommand(const Options& asked) {
     talk.say(
         fmt::format("wrote {} (t = {:.3f} s, state {})", printable(target), moment.time, hash));
     tellCaptions({target}, options, talk);
-    talk.say(fmt::format("next: impulse render {}", printable(options.scene())));
+    talk.say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
     return Exit::ok;
 }
 

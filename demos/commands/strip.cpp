@@ -14,6 +14,7 @@
 #include "demos/film/strip_plan.h"
 #include "demos/player.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
 
@@ -110,7 +111,8 @@ Exit stripCommand(const Options& options) {
     talk.say(fmt::format("wrote {} ({} moments, {}x{})", printable(target), layout.moments,
                          layout.width, layout.height));
     tellCaptions({target}, options, talk);
-    talk.say(fmt::format("next: impulse render {} -o film.mp4", printable(options.scene())));
+    talk.say(fmt::format("next: impulse render {} -o film.mp4",
+                         printable(shellWord(options.scene()))));
     return Exit::ok;
 }
 

@@ -8,9 +8,9 @@
 
 #include "demos/commands/commands.h"
 #include "demos/film/film_needs.h"
+#include "demos/film/folder_lock.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
-#include "demos/film/quality.h"
 #include "demos/film/scene_fps.h"
 #include "demos/film/signals.h"
 #include "demos/put_text.h"
@@ -47,6 +47,10 @@ public:
 
     Exit play() {
         watchSignals();
+        if (options_.theme == "transparent")
+            throw Stop(Exit::usage,
+                       "--theme transparent: a draft holds no alpha; leave it out, or film it: "
+                       "impulse render -o FILE.webm");
         if (!drafts_.places().films)
             talk_.mention("ffmpeg is not installed: PNG frames and a strip; with it a film");
         if (options_.once) return makeDraft();
@@ -56,7 +60,7 @@ public:
                                    "(impulse list {0} --print > {0}.toml), or give --once",
                                    options_.scene()));
         if (!fs::exists(options_.scene())) loadScene(options_.scene());  // tells why not
-        files_.emplace();
+        files_.emplace(DraftPlaces::names());
         files_->watch({options_.scene()});
         return goOn();
     }
@@ -78,6 +82,8 @@ private:
     /// What goes wrong is told, and mended by the next save.
     void attempt(bool first) {
         try {
+            if (!first && !fs::exists(options_.scene()))
+                return tellErrors({options_.scene() + " is gone; waiting for it"});
             makeDraft();
         } catch (const SceneError& error) {
             tellErrors(error.lines());
@@ -106,6 +112,10 @@ private:
             films.push_back({OutputKind::film, {}, drafts_.places().film()});
         checkOutputs(films, plan, true);
         checkNeeds(needsOf(plan, 1, films), plan);
+        if (!lock_) {
+            makeFolder(drafts_.places().folder);
+            lock_.emplace(drafts_.places().folder);
+        }
         const Draft draft = drafts_.make(plan, own, [this] {
             return interrupted() || (files_ && files_->hasNews(FileWatch::Which::files));
         });
@@ -129,9 +139,7 @@ private:
             scene = loadScene(options_.scene(), options_.overrides);
         read_ = scene.files.size();
         Options own = options_;
-        own.fps = fpsUpTo(qualityOf(own.quality).fps, scene.hz);
-        // A draft has a ground to stand on: a .mp4 holds no alpha.
-        if (own.theme.empty() && scene.look.theme == "transparent") own.theme = "studio";
+        suitFilm(scene, own);
         return own;
     }
 
@@ -152,6 +160,7 @@ private:
     Options options_;
     Talk talk_;
     DraftMaker drafts_;
+    std::optional<FolderLock> lock_;   // from the first draft on
     std::optional<FileWatch> files_;   // not with --once
     std::vector<std::string> errors_;  // of the last attempt
     std::size_t read_ = 0;             // files besides the scene's own

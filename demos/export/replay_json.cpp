@@ -32,10 +32,7 @@ Json listOf(const auto& vector) {
 Json listOf(const engine::Quat& q) { return listOf(q.coeffs()); }
 Json listOf(const render::Color& c) { return listOf(std::array{c.r, c.g, c.b, c.a}); }
 
-Json lookOf(const std::string& theme) {
-    render::Frame frame;
-    applyTheme(theme, frame);
-    const render::Look& look = frame.look;
+Json jsonOf(const render::Look& look) {
     Json json{{"sun", listOf(look.sunDirection)},
               {"lines", shortOf(static_cast<double>(look.lineStrength))}};
     json["skyTop"] = listOf(look.skyTop);
@@ -43,6 +40,13 @@ Json lookOf(const std::string& theme) {
     json["fog"] = listOf(look.fog);
     json["ground"] = listOf(look.ground);
     return json;
+}
+
+/// For readers whose machine is dark.
+render::Look darkLook() {
+    render::Frame frame;
+    applyTheme("dark", frame);
+    return frame.look;
 }
 
 const char* nameOf(render::SolidShape shape) {
@@ -139,8 +143,8 @@ private:
                   {"frames", frames_.size()},
                   {"viewHeight", shortOf(r.viewHeight)},
                   {"thinnest", shortOf(r.thinnest)},
-                  {"look", lookOf(r.overlays.theme)},
-                  {"dark", lookOf("dark")},
+                  {"look", jsonOf(r.look)},
+                  {"dark", jsonOf(darkLook())},
                   {"themed", r.overlays.theme != "studio"},
                   {"trails", r.trails}};
         page["grounds"] = Json::array();
@@ -214,17 +218,20 @@ private:
         return {range.low, range.size};
     }
 
-    /// The strongest, in their own order.
+    /// The strongest, in their own order; of equals at the end of the list the first.
     std::vector<engine::ContactState> contactsOf(const RecordedFrame& frame) const {
-        std::vector<engine::ContactState> kept = pushing(frame);
-        if (kept.size() <= share_.contacts) return kept;
+        const std::vector<engine::ContactState> all = pushing(frame);
+        if (all.size() <= share_.contacts) return all;
         std::vector<double> impulses;
-        for (const engine::ContactState& contact : kept) impulses.push_back(contact.impulse);
-        std::nth_element(impulses.begin(), impulses.begin() + static_cast<long>(share_.contacts),
-                         impulses.end(), std::greater<>());
-        std::erase_if(kept, [least = impulses[share_.contacts]](const auto& contact) {
-            return contact.impulse <= least;
-        });
+        for (const engine::ContactState& contact : all) impulses.push_back(contact.impulse);
+        const auto last = impulses.begin() + static_cast<long>(share_.contacts) - 1;
+        std::nth_element(impulses.begin(), last, impulses.end(), std::greater<>());
+        const double least = *last;
+        std::ptrdiff_t equals = std::count(impulses.begin(), last + 1, least);
+        std::vector<engine::ContactState> kept;
+        for (const engine::ContactState& contact : all)
+            if (contact.impulse > least || (contact.impulse == least && equals-- > 0))
+                kept.push_back(contact);
         return kept;
     }
 

@@ -8,12 +8,14 @@
 #include <memory>
 #include <utility>
 
+#include "demos/counted.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
 #include "demos/film/outputs.h"
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
+#include "demos/shell_word.h"
 #include "demos/text_hash.h"
 #include "demos/scene/complaints.h"
 #include "demos/stop.h"
@@ -107,8 +109,9 @@ public:
     void tell(const FilmPlan& plan, const Options& options, const Talk& talk) const {
         for (const auto& files : files_)
             talk.say(fmt::format(
-                "wrote {} ... {} ({} frames{})", printable(files->nameOf(0).string()),
-                printable(files->nameOf(plan.frames - 1).filename().string()), plan.frames,
+                "wrote {} ... {} ({}{})", printable(files->nameOf(0).string()),
+                printable(files->nameOf(plan.frames - 1).filename().string()),
+                counted(plan.frames, "frame"),
                 files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
         for (const auto& files : files_)
             if (!plan.passes.empty())
@@ -117,7 +120,7 @@ public:
         for (const Film& film : films_)
             talk.say(fmt::format("wrote {} ({})", printable(film.path.string()),
                                  options.maxSize ? film.writer->summary()
-                                                 : fmt::format("{} frames, {:.3g} s", plan.frames,
+                                                 : fmt::format("{}, {:.3g} s", counted(plan.frames, "frame"),
                                                                plan.timeOf(plan.frames))));
         poster_.tell(plan, talk);
     }
@@ -194,10 +197,10 @@ std::vector<bool> wantedFrames(const Writers& writers, int frames) {
 
 void tellNext(const Writers& writers, const Options& options, const Talk& talk) {
     if (writers.hasFilms())
-        talk.say(fmt::format("next: impulse sim {} --hash", printable(options.scene())));
+        talk.say(fmt::format("next: impulse sim {} --hash", printable(shellWord(options.scene()))));
     else
-        talk.say(
-            fmt::format("next: impulse render {} -o {}.mp4", printable(options.scene()), "film"));
+        talk.say(fmt::format("next: impulse render {} -o film.mp4",
+                             printable(shellWord(options.scene()))));
 }
 
 void tellPlan(const FilmNeeds& needs, const FilmPlan& plan, const std::vector<Output>& outputs,

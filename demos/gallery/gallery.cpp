@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "demos/counted.h"
 #include "demos/file_content.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/folder_lock.h"
@@ -18,6 +19,7 @@
 #include "demos/gallery/gallery_work.h"
 #include "demos/regression/renderer_name.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 #include "demos/text_hash.h"
 #include "render/encode/ffmpeg.h"
 #include "render/encode/file.h"
@@ -75,10 +77,11 @@ public:
         watchSignals();
         renderer_ = rendererName(options_);
         readAll();
+        if (cards_.empty()) return tellNothing();
+        checkSheet();
         checkOwn();
         drawMissing();
-        writePages();
-        return troubles_.code();
+        return writePages();
     }
 
 private:
@@ -100,6 +103,12 @@ private:
             cards_.push_back(cardFrom(Json::parse(text)));
             if (!record_.has(cards_.back(), films_)) missing_.push_back(choice);
         });
+        sortByGroup(cards_);
+    }
+
+    /// Before anything is drawn: of all scenes, it may be larger than a PNG may be.
+    void checkSheet() const {
+        stripLayout(static_cast<int>(cards_.size()), options_.columns, tileSize(), true);
     }
 
     /// Before anything is drawn.
@@ -121,10 +130,9 @@ private:
             if (record_.isOutdated(card)) names.push_back(card.name);
         if (names.empty()) return;
         refuse(folder_,
-               fmt::format("holds {} {} of another run (other settings, scene or program), "
+               fmt::format("holds {} of another run (other settings, scene or program), "
                            "the first is '{}'; --overwrite replaces what differs",
-                           names.size(), names.size() == 1 ? "scene" : "scenes",
-                           printable(names.front())));
+                           counted(names.size(), "scene"), printable(names.front())));
     }
 
     void drawMissing() {
@@ -136,13 +144,17 @@ private:
             fmt::format(R"({{"event":"start","scenes":{},"kept":{}}})", cards_.size(), kept));
         const auto draw = [this](int i) { return attempted([&] { return drawn(missing_[i]); }); };
         try {
-            inProcesses(missing_, draw,
-                        [this](const GalleryChoice& choice, const std::string& text) {
-                            take(choice.name, Json::parse(text));
-                        });
+            inProcesses(
+                missing_, draw,
+                [this](const GalleryChoice& choice, const std::string&) { tell(choice.name); },
+                [this](const GalleryChoice& choice, const std::string& text) {
+                    keep(choice.name, Json::parse(text));
+                });
         } catch (const Stop& stop) {
-            for (const GalleryChoice& choice : missing_)
+            for (const GalleryChoice& choice : missing_) {
                 render::sweepTemporaries(record_.filmFile(choice.name));
+                render::sweepTemporaries(record_.posterFile(choice.name));
+            }
             throw Stop(stop.code(),
                        fmt::format("{} scenes; to go on: {}", stop.what(), options_.commandLine));
         }
@@ -157,15 +169,20 @@ private:
         return textOf({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
     }
 
-    void take(const std::string& name, const Json& made) {
-        const GalleryCard& card = cardCalled(name);
+    /// As soon as it is there: a run that is interrupted later does not draw it again.
+    void keep(const std::string& name, const Json& made) {
         const auto number = [&made](const char* key) {
             return std::stoull(made.at(key).get<std::string>(), nullptr, 16);
         };
-        record_.add(name, {card.fingerprint, number("poster"), number("film")});
+        record_.add(name, {cardCalled(name).fingerprint, number("poster"), number("film")});
         record_.write();
+    }
+
+    void tell(const std::string& name) const {
+        const GalleryCard& card = cardCalled(name);
         talk_.say(
-            fmt::format("  {:18} {:g} s, {} frames", printable(name), card.seconds, card.frames));
+            fmt::format("  {:18} {:g} s, {}", printable(name), card.seconds,
+                        counted(card.frames, "frame")));
         talk_.json(textOf({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
         std::fflush(stdout);
     }
@@ -176,13 +193,14 @@ private:
     }
 
     /// Of the scenes whose files are there now.
-    void writePages() {
+    Exit writePages() {
         const std::size_t read = cards_.size();
         std::erase_if(cards_, [this](const auto& card) { return !record_.has(card, films_); });
+        if (cards_.empty()) return tellNothing();
         for (GalleryCard& card : cards_) card.film = films_;
-        sortByGroup(cards_);
-        writeSheet();
-        render::writeFileAtomically(record_.pageFile(), galleryPage(cards_, renderer_));
+        const bool sheet = writeSheet();
+        render::writeFileAtomically(record_.pageFile(),
+                                    galleryPage(cards_, renderer_, wordsOf(options_)));
         record_.command = options_.commandLine;
         record_.write();
         const std::string page = record_.pageFile().string();
@@ -191,42 +209,63 @@ private:
                            {"scenes", cards_.size()},
                            {"failed", troubles_.count()}}));
         talk_.say(fmt::format(
-            "wrote {} ({} scenes, {} drawn, {} kept{}), sheet.png", printable(page), cards_.size(),
-            missing_.size() - (read - cards_.size()), read - missing_.size(),
-            troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : ""));
-        talk_.say(fmt::format("next: open {}", printable(page)));
+            "wrote {} ({}, {} drawn, {} kept{}){}", printable(page),
+            counted(cards_.size(), "scene"), missing_.size() - (read - cards_.size()),
+            read - missing_.size(),
+            troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : "",
+            sheet ? ", sheet.png" : ""));
+        talk_.say(fmt::format("next: open {}", printable(shellWord(page))));
+        return troubles_.code();
     }
 
-    void writeSheet() {
-        if (cards_.empty()) return;
+    Exit tellNothing() const {
+        talk_.json(textOf({{"event", "done"}, {"scenes", 0}, {"failed", troubles_.count()}}));
+        talk_.say("no page: there is no scene to show");
+        return troubles_.code();
+    }
+
+    PictureSize tileSize() const {
+        const GalleryCard& first = cards_.front();
+        const int width = std::min(kTileWidth, first.width);
+        return {width, std::max(1, first.height * width / first.width)};
+    }
+
+    /// False: it is there as it would be.
+    bool writeSheet() {
         TextHash inputs;
         inputs.add(std::to_string(options_.columns));
         for (const GalleryCard& card : cards_)
             inputs.add(card.name + hexText(record_.posterOf(card.name)));
         std::error_code ignored;
-        if (record_.sheet == inputs.value() && fs::exists(record_.sheetFile(), ignored)) return;
-        const GalleryCard& first = cards_.front();
-        const int width = std::min(kTileWidth, first.width);
-        const PictureSize tile{width, std::max(1, first.height * width / first.width)};
-        GallerySheet sheet(static_cast<int>(cards_.size()), options_.columns, tile);
+        if (record_.sheet == inputs.value() && fs::exists(record_.sheetFile(), ignored))
+            return false;
+        GallerySheet sheet(static_cast<int>(cards_.size()), options_.columns, tileSize());
         for (const GalleryCard& card : cards_)
             sheet.add(render::decodePng(contentOf(record_.posterFile(card.name))), card.name);
         render::writeFileAtomically(record_.sheetFile(), render::encodePng(sheet.paper()));
         record_.sheet = inputs.value();
+        return true;
     }
 
     int jobsFor(const std::vector<GalleryChoice>& choices) const {
         return workerCount(options_.jobs, static_cast<int>(choices.size()));
     }
 
+    using Taken = std::function<void(const GalleryChoice&, const std::string&)>;
+
+    /// `take` in the order of the choices, `finished` in that of their ends.
     void inProcesses(const std::vector<GalleryChoice>& choices,
-                     const std::function<std::string(int)>& work,
-                     const std::function<void(const GalleryChoice&, const std::string&)>& take) {
-        const int count = static_cast<int>(choices.size());
-        runInProcesses(count, jobsFor(choices), work, [&](int i, const PoolResult& result) {
+                     const std::function<std::string(int)>& work, const Taken& take,
+                     const Taken& finished = {}) {
+        const auto inOrder = [&](int i, const PoolResult& result) {
             std::string text;
             if (troubles_.take(choices[i], result, text)) take(choices[i], text);
-        });
+        };
+        const auto atOnce = [&](int i, const PoolResult& result) {
+            const std::optional<std::string> text = finished ? demos::textOf(result) : std::nullopt;
+            if (text) finished(choices[i], *text);
+        };
+        runInProcesses(static_cast<int>(choices.size()), jobsFor(choices), work, inOrder, atOnce);
     }
 
     const Options& options_;

@@ -5,7 +5,6 @@
 
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
-#include "demos/film/quality.h"
 #include "demos/film/scene_fps.h"
 #include "demos/scene/reader.h"
 #include "demos/text_hash.h"
@@ -23,10 +22,7 @@ Options optionsOfFilm(const GalleryChoice& choice, const Options& options) {
     Options own = options;
     own.scenes = {choice.scene};
     if (!own.size && !own.qualityAsked) own.size = kFilm;
-    const SceneDescription scene = loadScene(choice.scene, options.overrides);
-    if (!own.fps) own.fps = fpsUpTo(qualityOf(own.quality).fps, scene.hz);
-    // A film of a page holds no alpha.
-    if (own.theme.empty() && scene.look.theme == "transparent") own.theme = "studio";
+    suitFilm(loadScene(choice.scene, options.overrides), own);
     return own;
 }
 

@@ -1,6 +1,10 @@
 #include "demos/gallery/gallery_page.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "demos/page/page_text.h"
 #include "demos/page/rounded.h"
@@ -22,10 +26,42 @@ Json shownOf(const GalleryCard& card) {
             {"film", card.film}};
 }
 
+void add(const char* name, const auto& value, std::vector<std::string>& words) {
+    if (value) words.insert(words.end(), {name, fmt::format("{}", *value)});
+}
+
+std::optional<std::string> asked(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(text);
+}
+
 }  // namespace
 
-std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer) {
+GalleryWords wordsOf(const Options& options) {
+    GalleryWords words;
+    for (const std::string& one : options.overrides)
+        words.run.insert(words.run.end(), {"--set", one});
+    add("--seconds", options.seconds, words.run);
+    if (options.qualityAsked) add("--quality", std::optional(options.quality), words.picture);
+    if (options.size)
+        add("--size",
+            std::optional(fmt::format("{}x{}", options.size->width, options.size->height)),
+            words.picture);
+    add("--fps", options.fps, words.picture);
+    add("--samples", options.samples, words.picture);
+    add("--blur", options.blur, words.picture);
+    add("--shutter", options.shutter, words.picture);
+    add("--show", asked(fmt::format("{}", fmt::join(options.show, ","))), words.picture);
+    add("--theme", asked(options.theme), words.picture);
+    add("--color-by", asked(options.colorBy), words.picture);
+    if (options.clean) words.picture.push_back("--clean");
+    if (options.reproducible) words.picture.push_back("--reproducible");
+    return words;
+}
+
+std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer,
+                        const GalleryWords& words) {
     Json page{{"version", kVersion}, {"renderer", renderer}, {"scenes", Json::array()}};
+    page["options"] = {{"run", words.run}, {"picture", words.picture}};
     for (const GalleryCard& card : cards) page["scenes"].push_back(shownOf(card));
     const PageText text = galleryPageText();
     return text.before + scriptSafe(page) + text.after;

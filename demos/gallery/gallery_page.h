@@ -7,8 +7,16 @@
 
 namespace demos {
 
+/// Options that the commands of a card repeat, word by word.
+struct GalleryWords {
+    std::vector<std::string> run;      // of what is played
+    std::vector<std::string> picture;  // of how it is drawn
+};
+GalleryWords wordsOf(const Options& options);
+
 /// Links go to NAME.png and NAME.mp4 beside it; nothing else is asked for. `renderer`: as OpenGL
 /// names it. The command that made it is not told: a page is public, its folders are not.
-std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer);
+std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer,
+                        const GalleryWords& words);
 
 }  // namespace demos

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "demos/commands/table.h"
+#include "demos/counted.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/signals.h"
 #include "demos/gallery/gallery_film.h"
@@ -123,8 +124,8 @@ Exit galleryOfOnePicture(const Options& options) {
     const int width = sheet.paper().width, height = sheet.paper().height;
     talk.json(fmt::format(R"({{"event":"done","file":{},"scenes":{},"size":[{},{}]}})",
                           jsonString(target), posters.size(), width, height));
-    talk.say(fmt::format("wrote {} ({} scenes, {}x{})", printable(target), posters.size(), width,
-                         height));
+    talk.say(fmt::format("wrote {} ({}, {}x{})", printable(target),
+                         counted(posters.size(), "scene"), width, height));
     talk.say("next: impulse list NAME, or impulse render NAME");
     return troubles.code();
 }

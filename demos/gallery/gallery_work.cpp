@@ -30,10 +30,15 @@ std::string attempted(const std::function<std::string()>& work) noexcept {
     }
 }
 
+std::optional<std::string> textOf(const PoolResult& result) {
+    if (!result.ended || !result.text.starts_with('+')) return std::nullopt;
+    return result.text.substr(1);
+}
+
 bool GalleryTroubles::take(const GalleryChoice& choice, const PoolResult& result,
                            std::string& text) {
-    if (result.ended && result.text.starts_with('+')) {
-        text = result.text.substr(1);
+    if (const std::optional<std::string> given = textOf(result)) {
+        text = *given;
         return true;
     }
     if (!result.ended) {

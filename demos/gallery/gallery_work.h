@@ -1,6 +1,7 @@
 /// Scenes of a gallery are read and drawn in processes of their own: what becomes of each.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace demos {
 
 /// In the scene's process: what `work` returns, or why it did not, as a text for the parent.
 std::string attempted(const std::function<std::string()>& work) noexcept;
+
+/// What `attempted` was given, without its mark; nothing where that has failed.
+std::optional<std::string> textOf(const PoolResult& result);
 
 /// In the parent: tells what went wrong with scenes, and remembers how the first one failed.
 class GalleryTroubles {

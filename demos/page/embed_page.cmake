@@ -1,7 +1,7 @@
 # cmake -DOUT=report_page_text.cpp -DDIR=demos/regression/page -DPAGE=report -DTITLE="impulse test"
 #       -DSCRIPTS=a,b,c [-DIMAGES="data: file:"] -P embed_page.cmake
-# page.html with report.html in its body, page.css and report.css as its style, and the scripts in
-# the order in which they build on each other, as text before and after @data@: reportPageText().
+# page.html with report.html in its body, page.css and report.css as its style, make.js and then the
+# scripts in the order in which they build on each other, as text before and after @data@: reportPageText().
 # IMAGES: where pictures may come from (Content-Security-Policy: img-src); nowhere unless given.
 # A page's html that begins with <!doctype is the whole page, with a style of its own alone.
 cmake_policy(VERSION 3.25)  # "@style@" is text, no variable
@@ -19,7 +19,8 @@ if(body MATCHES "^<!doctype")
   set(page "${body}")
   set(style "")
 endif()
-set(script "")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/make.js script)
+string(APPEND script "\n")
 foreach(name ${scripts})
   file(READ ${DIR}/${name}.js text)
   string(APPEND script "${text}\n")

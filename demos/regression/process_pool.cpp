@@ -48,8 +48,10 @@ bool writeAll(int file, const std::string& text) {
 
 class Pool {
 public:
-    Pool(int count, int jobs, const std::function<std::string(int)>& work)
-        : work_(work), count_(count), jobs_(jobs), results_(static_cast<std::size_t>(count)),
+    Pool(int count, int jobs, const std::function<std::string(int)>& work,
+         const std::function<void(int, const PoolResult&)>& finished)
+        : work_(work), finished_(finished), count_(count), jobs_(jobs),
+          results_(static_cast<std::size_t>(count)),
           done_(static_cast<std::size_t>(count), false) {}
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
@@ -122,9 +124,11 @@ private:
         result.ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
         result.text = result.ended ? std::move(piece.text) : deathText(status);
         done_[piece.number] = true;
+        if (finished_) finished_(piece.number, result);
     }
 
     const std::function<std::string(int)>& work_;
+    const std::function<void(int, const PoolResult&)>& finished_;
     int count_, jobs_, next_ = 0;
     std::vector<Piece> pieces_;
     std::vector<PoolResult> results_;
@@ -134,8 +138,9 @@ private:
 }  // namespace
 
 void runInProcesses(int count, int jobs, const std::function<std::string(int)>& work,
-                    const std::function<void(int, const PoolResult&)>& take) {
-    Pool(count, jobs, work).run(take);
+                    const std::function<void(int, const PoolResult&)>& take,
+                    const std::function<void(int, const PoolResult&)>& finished) {
+    Pool(count, jobs, work, finished).run(take);
 }
 
 }  // namespace demos

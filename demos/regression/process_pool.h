@@ -13,9 +13,11 @@ struct PoolResult {
 };
 
 /// Runs `work(i)` for i of 0 to count - 1 in forked processes, at most `jobs` at a time, and gives
-/// what each returns to `take(i, result)` in this order. Call before any OpenGL. `work` must not
-/// throw. Throws Stop (interrupted) after SIGINT or SIGTERM, with the processes ended.
+/// what each returns to `take(i, result)` in this order, and to `finished(i, result)` as soon as it
+/// is there. Call before any OpenGL. `work` must not throw. Throws Stop (interrupted) after SIGINT
+/// or SIGTERM, with the processes ended.
 void runInProcesses(int count, int jobs, const std::function<std::string(int)>& work,
-                    const std::function<void(int, const PoolResult&)>& take);
+                    const std::function<void(int, const PoolResult&)>& take,
+                    const std::function<void(int, const PoolResult&)>& finished = {});
 
 }  // namespace demos

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 
+#include "demos/counted.h"
 #include "demos/scene/complaints.h"
 
 namespace demos {
 namespace {
 
 using State = SceneVerdict::State;
-
-std::string counted(std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 const char* wordOf(State state) {
     switch (state) {

@@ -25,6 +25,8 @@ public:
     /// Any value; null when not given.
     const Value* any(std::string_view key);
     bool has(std::string_view key) const { return table_.find(key) != nullptr; }
+    /// Whether `key` is not given, but one that differs by two letters at most.
+    bool isMisspelt(std::string_view key) const;
     Place placeOf(std::string_view key) const;
     Place place() const { return table_.place; }
 

@@ -37,7 +37,10 @@ void readTop(Keys& top, SceneDescription& scene) {
     scene.title = top.text("title").value_or(scene.name);
     scene.purpose = top.text("purpose").value_or("");
     scene.group = top.text("group").value_or("");
-    scene.seconds = top.number("seconds", {0.01, 1e5, "s"}).value_or(scene.seconds);
+    // Times are not held against a length that is wrong: they would be told of its mistake again.
+    const Range lengths{0.01, 1e5, "s"};
+    if (top.has("seconds") || top.isMisspelt("seconds")) scene.seconds = lengths.high;
+    scene.seconds = top.number("seconds", lengths).value_or(scene.seconds);
 }
 
 SceneDescription describeScene(const Value& document, const std::string& sceneName,

@@ -1,6 +1,7 @@
 // The first line, and the caption.
 #include <fmt/format.h>
 
+#include "demos/counted.h"
 #include "demos/snapshot/parts.h"
 
 namespace demos {
@@ -11,10 +12,6 @@ std::string captionAt(const SceneDescription& scene, double time) {
     for (const Section& section : scene.sections)
         if (section.at <= time + 1e-9 && !section.caption.empty()) caption = section.caption;
     return caption;
-}
-
-std::string counted(int count, const char* one, const char* many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 }  // namespace

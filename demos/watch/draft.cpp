@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "demos/film/framing.h"
 #include "demos/film/outputs.h"
@@ -102,6 +103,7 @@ private:
 
 void DraftMaker::prepare(const FilmPlan& plan) {
     makeFolder(places_.folder);
+    files_.look(places_);
     if (!store_ || store_->width() != plan.layout.width || store_->height() != plan.layout.height) {
         store_ =
             std::make_unique<FrameStore>(places_.film(), plan.layout.width, plan.layout.height);
@@ -131,9 +133,9 @@ void DraftMaker::addFrame(int frame, Run& run, DraftFilm& film, Draft& draft) {
     const std::uint64_t sum = run.sumOfPicture(frame, shown);
     const std::optional<render::Image> image = drawn(frame, shown, sum, run.plan());
     draft.drawn += image ? 1 : 0;
-    const bool isOther = differs(static_cast<std::size_t>(frame), sum);
-    if (isOther) note(frame, draft.changed);
-    film.add(frame, image ? &*image : nullptr, isOther);
+    const auto place = static_cast<std::size_t>(frame);
+    if (place >= told_.size() || told_[place] != sum) note(frame, draft.changed);
+    film.add(frame, image ? &*image : nullptr, sum);
     ++draft.frames;
 }
 
@@ -143,7 +145,7 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
     Draft draft;
     draft.framesBefore = static_cast<int>(told_.size());
     Run run(plan);
-    DraftFilm film(places_, plan, *store_, draft.framesBefore);
+    DraftFilm film(places_, plan, *store_, files_);
     for (int frame = 0; frame < plan.frames; ++frame) {
         if (giveUp()) return draft;
         if (frame > 0 && !run.step(plan.stepsPerFrame)) break;
@@ -156,25 +158,31 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
     return draft;
 }
 
-void DraftMaker::finish(Run& run, DraftFilm& film, const Options& options, Draft& draft) {
-    draft.written = film.close(draft.frames);
-    const bool first = draft.framesBefore == 0;
-    if (first)
+/// The first frame that has changed; the poster where there was no picture.
+void DraftMaker::writePicture(const Run& run, const Options& options, Draft& draft) {
+    std::error_code ignored;
+    if (draft.framesBefore == 0 || !std::filesystem::exists(places_.picture(), ignored))
         draft.pictured = std::min(posterFrame(run.plan(), options), draft.frames - 1);
     else if (!draft.changed.empty())
         draft.pictured = draft.changed.front().first;
     if (draft.pictured >= 0)
         render::writeFileAtomically(places_.picture(),
                                     render::encodePng(store_->get(draft.pictured)));
+}
+
+void DraftMaker::finish(Run& run, DraftFilm& film, const Options& options, Draft& draft) {
+    film.close(draft.frames);
+    writePicture(run, options, draft);
     const std::vector<std::uint64_t>& states = run.states();
     const auto [here, there] =
         std::mismatch(states.begin(), states.end(), states_.begin(), states_.end());
-    if (!first && here != states.end() && there != states_.end())
+    if (draft.framesBefore > 0 && here != states.end() && there != states_.end())
         draft.firstStep = here - states.begin();
     draft.failed = run.failed(options.seconds.has_value());
     draft.trouble = run.trouble();
     told_.assign(stored_.begin(), stored_.begin() + draft.frames);
     states_ = states;
+    draft.written = std::exchange(files_.untold, false);
     draft.whole = true;
 }
 

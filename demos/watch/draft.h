@@ -25,7 +25,7 @@ struct Draft {
     int drawn = 0;                   // the others were there
     std::vector<FrameSpan> changed;  // against the last whole one, rising
     std::optional<long> firstStep;   // whose state differs from the last whole one's; 0: the start
-    bool written = false;            // the film, or the frames
+    bool written = false;            // the film, or the frames, since the last whole one
     int pictured = -1;               // the frame of draft.png; -1: it was not written
     std::vector<ExpectationResult> failed;
     std::string trouble;  // of a run that diverged: its line
@@ -43,13 +43,11 @@ public:
 private:
     class Run;
     void prepare(const FilmPlan& plan);
-    bool differs(std::size_t frame, std::uint64_t sum) const {
-        return frame >= told_.size() || told_[frame] != sum;
-    }
     /// Nothing where the store has this frame already.
     std::optional<render::Image> drawn(int frame, const render::Frame& shown, std::uint64_t sum,
                                        const FilmPlan& plan);
     void addFrame(int frame, Run& run, DraftFilm& film, Draft& draft);
+    void writePicture(const Run& run, const Options& options, Draft& draft);
     void finish(Run& run, DraftFilm& film, const Options& options, Draft& draft);
 
     DraftPlaces places_;
@@ -58,6 +56,7 @@ private:
     PictureSize panel_;
     std::vector<std::uint64_t> stored_;  // by frame: FrameHasher's sum of what the store has
     std::vector<std::uint64_t> told_;    // the same, of the last whole draft
+    DraftFiles files_;                   // what is on the disk, told or not
     std::vector<std::uint64_t> states_;  // by step: of the last whole draft's world
 };
 

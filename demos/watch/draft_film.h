@@ -1,7 +1,10 @@
 /// What a draft is written to: draft.mp4, or PNG frames and a strip where there is no ffmpeg.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "demos/film/film_plan.h"
 #include "demos/watch/frame_store.h"
@@ -18,29 +21,45 @@ struct DraftPlaces {
     std::filesystem::path picture() const { return folder / "draft.png"; }
     std::filesystem::path strip() const { return folder / "draft_strip.png"; }
     std::filesystem::path frame(int frame) const;
+    /// What the names of its files in `folder` begin with, temporary ones among them.
+    static std::vector<std::string> names() {
+        return {"draft.mp4", "draft.png", "draft_strip.png"};
+    }
     /// What to open.
     std::filesystem::path toOpen() const { return films ? film() : strip(); }
 };
 
-/// Frames come one after the other; nothing is written before the first one that differs.
+/// What the files show. A draft that is given up may have changed them without being told.
+struct DraftFiles {
+    std::vector<std::uint64_t> sums;  // by frame, FrameHasher's; 0: not known
+    bool untold = false;              // written since the last whole draft was told
+
+    /// Forgets what is not there any more.
+    void look(const DraftPlaces& places);
+};
+
+/// Frames come one after the other; nothing is written before the first one that differs from what
+/// the files show.
 class DraftFilm {
 public:
-    /// `store` has every frame before it is added; `framesBefore`: of the draft that is replaced.
+    /// `store` has every frame before it is added; `files` is kept up with what is written.
     DraftFilm(const DraftPlaces& places, const FilmPlan& plan, const FrameStore& store,
-              int framesBefore);
-    void add(int frame, const render::Image* image, bool differs);
-    /// Of so many frames: a draft that differs by its length alone is written now. True: one was.
-    bool close(int frames);
+              DraftFiles& files);
+    void add(int frame, const render::Image* image, std::uint64_t sum);
+    /// Of so many frames: a draft that differs by its length alone is written now.
+    void close(int frames);
 
 private:
     void open(int frames);
+    void addFile(int frame, const render::Image* image, std::uint64_t sum);
+    void closeFiles(int frames);
     void writeStrip(int frames) const;
 
     const DraftPlaces& places_;
     const FilmPlan& plan_;
     const FrameStore& store_;
-    int framesBefore_;
-    bool open_ = false;
+    DraftFiles& files_;
+    std::vector<std::uint64_t> sums_;  // of the frames so far
     std::unique_ptr<render::VideoWriter> writer_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "demos/counted.h"
 #include "demos/scene/complaints.h"
 
 namespace demos {
@@ -54,8 +55,8 @@ int countOf(const std::vector<FrameSpan>& spans) {
 }
 
 std::string lengthText(const Draft& draft) {
-    return fmt::format("the film has {} {}, it had {}", draft.frames,
-                       draft.frames == 1 ? "frame" : "frames", draft.framesBefore);
+    return fmt::format("the film has {}, it had {}", counted(draft.frames, "frame"),
+                       draft.framesBefore);
 }
 
 std::string stateText(const Draft& draft, const FilmPlan& plan) {
@@ -95,8 +96,8 @@ std::vector<std::string> draftLines(const Draft& draft, const FilmPlan& plan,
                                     plan.timeOf(draft.pictured)));
     const std::string film = printable(places.toOpen().string());
     if (draft.written)
-        lines.push_back(fmt::format("wrote {} ({} frames, {} drawn), open it", film, draft.frames,
-                                    draft.drawn));
+        lines.push_back(fmt::format("wrote {} ({}, {} drawn), open it", film,
+                                    counted(draft.frames, "frame"), draft.drawn));
     return lines;
 }
 

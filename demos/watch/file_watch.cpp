@@ -6,7 +6,9 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "demos/film/signals.h"
 #include "demos/scene/complaints.h"
@@ -18,8 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file is whole when its writer closes it, or when it comes under its name. Its folder may go.
-constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
+/// A file is whole when its writer closes it, or when it comes under its name. It and its folder may
+/// go.
+constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
+                                  IN_DELETE_SELF | IN_MOVE_SELF;
+
+/// A folder that is gone has no events, and those above it may be gone too: it is looked for.
+constexpr timespec kLook{0, 250'000'000};  // s, ns
 
 /// Several files of one save, or of one `git checkout`, come closer together than this.
 constexpr timespec kTogether{0, 20'000'000};  // s, ns
@@ -56,7 +63,8 @@ fs::path absoluteOf(const fs::path& file) { return fs::absolute(file).lexically_
 
 }  // namespace
 
-FileWatch::FileWatch() : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+FileWatch::FileWatch(std::vector<std::string> ownNames)
+    : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)), ownNames_(std::move(ownNames)) {
     if (queue_ < 0) fail("files");
 }
 
@@ -71,17 +79,50 @@ bool FileWatch::watch(const std::vector<fs::path>& files) {
     }
     bool added = false;
     for (const fs::path& file : now)
-        if (files_.count(file) == 0) added = addFolderOf(file) || added;
+        if (files_.count(file) == 0) {
+            addFolder(file.parent_path());
+            added = true;
+        }
     files_ = std::move(now);
     return added;
 }
 
-bool FileWatch::addFolderOf(const fs::path& file) {
-    const fs::path folder = file.parent_path();
+void FileWatch::addFolder(const fs::path& folder) {
     const int number = inotify_add_watch(queue_, folder.c_str(), kEvents | IN_ONLYDIR);
-    if (number < 0) fail("'" + printable(folder.string()) + "'");
-    folders_[number] = folder;
-    return true;
+    if (number >= 0)
+        folders_[number] = folder;
+    else if (errno == ENOENT || errno == ENOTDIR)
+        lost_.insert(folder);
+    else
+        fail("'" + printable(folder.string()) + "'");
+}
+
+void FileWatch::lookForLost() {
+    std::set<fs::path> lost;
+    lost.swap(lost_);
+    for (const fs::path& folder : lost) addFolder(folder);
+    if (lost_.size() < lost.size()) news_ = true;  // what came with a folder has no event
+}
+
+bool FileWatch::isOwn(const std::string& name) const {
+    return std::any_of(ownNames_.begin(), ownNames_.end(),
+                       [&name](const std::string& own) { return name.starts_with(own); });
+}
+
+void FileWatch::take(const inotify_event& event, Which which) {
+    if (event.mask & IN_Q_OVERFLOW) news_ = true;  // some were lost
+    const auto folder = folders_.find(event.wd);
+    if (folder == folders_.end()) return;
+    if (event.mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT)) {
+        inotify_rm_watch(queue_, event.wd);  // one that was moved is watched where it is now
+        lost_.insert(folder->second);
+        folders_.erase(folder);
+        news_ = true;
+        return;
+    }
+    const std::string name = event.len > 0 ? event.name : "";
+    const bool named = !name.empty() && files_.count(folder->second / name) > 0;
+    news_ = news_ || named || (which == Which::anyBeside && !isOwn(name));
 }
 
 void FileWatch::readEvents(Which which) {
@@ -90,17 +131,9 @@ void FileWatch::readEvents(Which which) {
         for (ssize_t at = 0; at < got;) {
             const auto* event = reinterpret_cast<const inotify_event*>(block + at);
             at += static_cast<ssize_t>(sizeof *event + event->len);
-            const auto folder = folders_.find(event->wd);
-            if (event->mask & IN_Q_OVERFLOW) news_ = true;  // some were lost
-            if (folder == folders_.end()) continue;
-            if (event->mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT))
-                throw render::Error(
-                    fmt::format("the folder '{}' is gone; what was watched is not "
-                                "there any more",
-                                printable(folder->second.string())));
-            const bool named = event->len > 0 && files_.count(folder->second / event->name) > 0;
-            news_ = news_ || named || which == Which::anyBeside;
+            take(*event, which);
         }
+    lookForLost();
 }
 
 bool FileWatch::hasNews(Which which) {
@@ -110,7 +143,8 @@ bool FileWatch::hasNews(Which which) {
 
 bool FileWatch::wait(Which which) {
     const SignalsHeld signals;
-    while (!hasNews(which) && !interrupted()) signals.isReadable(queue_, nullptr);
+    while (!hasNews(which) && !interrupted())
+        signals.isReadable(queue_, lost_.empty() ? nullptr : &kLook);
     while (!interrupted() && signals.isReadable(queue_, &kTogether)) readEvents(which);
     news_ = false;
     return !interrupted();

@@ -15,8 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// ENOENT of a folder that is there: it makes no files, as /proc does not.
+std::string reasonOf(const fs::path& path, int error) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code ignored;
+    if (error == ENOENT && fs::is_directory(folder, ignored)) return "its folder takes no files";
+    return describeError(error);
+}
+
 [[noreturn]] void fail(const fs::path& path, int error) {
-    throw Error("cannot write '" + path.string() + "': " + describeError(error));
+    throw Error("cannot write '" + path.string() + "': " + reasonOf(path, error));
 }
 
 /// Zero or an errno. A short count is no error: the next call tells why it was short.

@@ -2,6 +2,7 @@
 #include "demos/regression/baseline.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -222,6 +223,32 @@ TEST(ProcessPools, GiveEveryAnswerInOrder) {
         });
     ASSERT_EQ(answers.size(), 7u);
     EXPECT_EQ(answers[6].size(), 100'000u);
+}
+
+/// The first one ends when the second one has been told of.
+TEST(ProcessPools, TellOfAnEndAtOnce) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    std::vector<int> finished, taken;
+    runInProcesses(
+        2, 2,
+        [&](int i) -> std::string {
+            char byte = 0;
+            return i == 0 && read(ends[0], &byte, 1) != 1 ? "not told" : "good";
+        },
+        [&](int i, const PoolResult& result) {
+            EXPECT_EQ(result.text, "good");
+            taken.push_back(i);
+        },
+        [&](int i, const PoolResult&) {
+            finished.push_back(i);
+            if (i == 0) return;
+            EXPECT_EQ(write(ends[1], "x", 1), 1);
+        });
+    close(ends[0]);
+    close(ends[1]);
+    EXPECT_EQ(finished, (std::vector{1, 0}));
+    EXPECT_EQ(taken, (std::vector{0, 1}));
 }
 
 TEST(ProcessPools, OutliveWhatCrashes) {

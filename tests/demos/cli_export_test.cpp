@@ -36,6 +36,23 @@ TEST_F(Export, WritesAGlbNamedAfterTheScene) {
     EXPECT_LT(places[91], 1.0f);
 }
 
+TEST_F(Export, WhatIsNextIsWordsOfAShell) {
+    fs::create_directory(folder / "a b");
+    write(folder / "a b/it's.toml", kBall);
+    EXPECT_NE(command({"export", "a b/it's.toml"})
+                  .out.find("next: impulse render 'a b/it'\\''s.toml'\n"),
+              std::string::npos);
+}
+
+TEST_F(Export, LessThanAFrameIsTold) {
+    const Ended ended = exported({"--seconds", "0.001"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("(1 frame, 2 bodies)"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.err.find("--seconds 0.001: less than the 0.0333 s of a frame"),
+              std::string::npos)
+        << ended.err;
+}
+
 // With frames of their own rate all three files say what 'sim' says of those steps.
 TEST_F(Export, TablesAndEventsAreThoseOfSim) {
     const Ended ended = exported({"-o", "a.csv", "-o", "deep/a.json", "--fps", "20"});

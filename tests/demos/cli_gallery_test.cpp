@@ -137,6 +137,23 @@ TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
     EXPECT_FALSE(pageHas("comet") || isMade("comet.png") || isMade("comet.mp4"));
 }
 
+/// Neither a page that opens empty, nor pictures for a sheet that cannot be.
+TEST_F(Gallery, WithoutAScenePageAndSheetAreNotMade) {
+    const Ended none = gallery({"nope"});
+    EXPECT_EQ(none.code, 3) << none.err;
+    EXPECT_TRUE(has(none, "no page")) << none.out;
+    EXPECT_FALSE(isMade("index.html") || isMade("sheet.png"));
+    const Ended wide = gallery({"ball.toml", "--columns", "1000"});
+    EXPECT_EQ(wide.code, 2);
+    EXPECT_NE(wide.err.find("--columns"), std::string::npos) << wide.err;
+    EXPECT_FALSE(isMade("ball.png"));
+}
+
+TEST_F(Gallery, ASheetThatStaysIsNotToldAsWritten) {
+    EXPECT_TRUE(has(gallery({"ball.toml"}), "(1 scene, 1 drawn, 0 kept), sheet.png"));
+    EXPECT_TRUE(has(gallery({"ball.toml"}), "(1 scene, 0 drawn, 1 kept)\n"));
+}
+
 TEST_F(Gallery, WithoutFfmpegThereArePostersAndFilmsComeLater) {
     Launch without = launch({"ball.toml"});
     without.beforeExec = [] { setenv("PATH", "/nonexistent", 1); };

@@ -186,6 +186,48 @@ TEST_F(Watch, WithoutFfmpegThereAreFramesAndAStrip) {
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }
 
+/// As `git checkout` does: a folder goes with what is in it, and comes again.
+TEST_F(Watch, WhatIsGoneIsWaitedFor) {
+    const std::string part =
+        "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n";
+    fs::create_directory(folder / "parts");
+    write(folder / "parts/part.toml", part);
+    write(folder / "my.toml", "include = [\"parts/part.toml\"]\n" + kScene);
+    Conversation watching(launch({"-o", "made"}));
+    watching.until("watching my.toml and the file that it reads");
+    fs::remove_all(folder / "parts");
+    EXPECT_NE(watching.until("parts/part.toml").find("impulse: my.toml:1:"), std::string::npos);
+    fs::create_directory(folder / "parts");
+    write(folder / "parts/part.toml", part);
+    watching.until("no frame changed");
+    fs::rename(folder / "my.toml", folder / "away");
+    EXPECT_NE(watching.until("gone").find("impulse: my.toml is gone; waiting for it\n"),
+              std::string::npos);
+    fs::rename(folder / "away", folder / "my.toml");
+    EXPECT_EQ(watching.until("\n"), "no frame changed\n");
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, ADraftThatWasRemovedComesBack) {
+    Conversation watching(launch({}));
+    watching.until("watching my.toml");
+    fs::remove_all(folder / "output");
+    replace("my.toml", kScene);
+    watching.until("open it");
+    EXPECT_TRUE(fs::exists(made("draft.png")));
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
+TEST_F(Watch, OneWatcherAFolder) {
+    Conversation watching(launch({}));
+    watching.until("watching my.toml");
+    const Ended second = run(launch({"--once"}));
+    EXPECT_EQ(second.code, 5) << second.err;
+    EXPECT_NE(second.err.find("'output/my' is being written by another run"), std::string::npos)
+        << second.err;
+    EXPECT_EQ(watching.endBy(SIGINT), 130);
+}
+
 TEST_F(Watch, OptionsOfAPictureWork) {
     const Ended ended = run(launch({"--once", "--json", "--seconds", "1", "--set", "world.hz=30",
                                     "--show", "axes", "--theme", "dark", "-o", "here"}));
@@ -203,6 +245,9 @@ TEST_F(Watch, SaysWhatIsWrong) {
     EXPECT_EQ(ended({"watch", "none.toml"}).code, 3);
     EXPECT_EQ(ended({"watch", "gone/none.toml"}).errorLines(), 1);
     EXPECT_EQ(ended({"watch", "stakc"}).code, 3);
+    const Ended clear = ended({"watch", "my.toml", "--theme", "transparent"});
+    EXPECT_EQ(clear.code, 2);
+    EXPECT_NE(clear.err.find("a draft holds no alpha"), std::string::npos) << clear.err;
 }
 
 }  // namespace

@@ -29,19 +29,40 @@ TEST(GalleryPage, NothingBreaksOutOfItsData) {
         "</script><script>alert(1)</script><!-- \xe2\x80\xa8 ]]> \" \\ \x01";
     GalleryCard card;
     card.name = card.group = card.title = card.purpose = card.file = hostile;
-    const std::string page = galleryPage({card}, hostile);
-    const std::string harmless = galleryPage({}, "");
+    const std::string page = galleryPage({card}, hostile, {{hostile}, {hostile}});
+    const std::string harmless = galleryPage({}, "", {});
     for (const char* word : {"<script", "</script", "<!--", "\xe2\x80\xa8"})
         EXPECT_EQ(count(page, word), count(harmless, word)) << word;
     EXPECT_EQ(dataOf(page)["scenes"][0]["title"], hostile);
 }
 
 TEST(GalleryPage, HasNoAddressAndForbidsAllButItsOwn) {
-    const std::string page = galleryPage({}, "");
+    const std::string page = galleryPage({}, "", {});
     EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
     const std::string drawing = "http://www.w3.org/2000/svg";  // a name, not a place
     EXPECT_EQ(count(page, "://"), count(page, drawing));
     EXPECT_FALSE(std::regex_search(page, std::regex("@(style|script|data)@")));
+}
+
+/// What was asked for and nothing else, so that a card's command makes what the card shows.
+TEST(GalleryPage, KnowsTheOptionsOfItsCommand) {
+    Options options;
+    EXPECT_TRUE(wordsOf(options).run.empty());
+    EXPECT_TRUE(wordsOf(options).picture.empty());
+    options.overrides = {"world.gravity=[0, -5, 0]", "world.hz=240"};
+    options.seconds = 1.5;
+    options.size = PictureSize{96, 54};
+    options.quality = "draft";
+    options.qualityAsked = true;
+    options.show = {"contacts", "ids"};
+    options.theme = "dark";
+    options.clean = true;
+    const GalleryWords words = wordsOf(options);
+    EXPECT_EQ(words.run, (std::vector<std::string>{"--set", "world.gravity=[0, -5, 0]", "--set",
+                                                   "world.hz=240", "--seconds", "1.5"}));
+    EXPECT_EQ(words.picture,
+              (std::vector<std::string>{"--quality", "draft", "--size", "96x54", "--show",
+                                        "contacts,ids", "--theme", "dark", "--clean"}));
 }
 
 TEST(GalleryCard, ComesThroughJson) {

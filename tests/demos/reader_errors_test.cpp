@@ -49,6 +49,15 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
                              "hz is a table; it should be a whole number from 10 to 100000"}));
 
+/// What the length decides is not held against the one of a scene that says none.
+TEST(SceneLength, AMistakeIsToldOnce) {
+    for (const std::string length : {"secnds = 7\n", "seconds = true\n"}) {
+        const std::vector<std::string> lines =
+            errorsOf("format = 1\n" + length + kBall + "[[section]]\nat = 6\n");
+        EXPECT_EQ(lines.size(), 1u) << listed(lines);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Settings, BadScenes,
     testing::Values(

@@ -240,6 +240,29 @@ TEST(ReplayPage, ALargeRunIsThinnedAndSaysSo) {
     EXPECT_NEAR(rangeIn(contacts["ranges"][3]).low, impulses[kept], 0.02);
 }
 
+/// In a symmetric scene many contacts push alike.
+TEST(ReplayPage, OfEqualContactsAsManyStayAsAreTold) {
+    Recording recording = plantedRecording(10, 120, 400);
+    for (RecordedFrame& frame : recording.frames)
+        for (engine::ContactState& contact : frame.contacts) contact.impulse = 2.0;
+    recording.frames[60].contacts[399].impulse = 3.0;
+    const std::size_t whole = replayPage(recording).html.size();
+    const ReplayPage fewer = replayPage(recording, whole * 3 / 4);
+    const Json contacts = dataOf(fewer)["contacts"];
+    const auto kept = contacts["counts"][60].get<std::size_t>();
+    EXPECT_EQ(fewer.left,
+              "large run: the " + std::to_string(kept) + " strongest contacts of a frame only");
+    EXPECT_EQ(contacts["counts"][61], kept);
+    EXPECT_EQ(rangeIn(contacts["ranges"][3]).low, 2.0);
+    EXPECT_EQ(rangeIn(contacts["ranges"][3]).size, 1.0);  // the strongest of all is there
+}
+
+TEST(ReplayPage, HasTheLookOfTheRun) {
+    Recording recording = plantedRecording(1, 2, 0);
+    recording.look.ground = {0.25f, 0.5f, 0.75f, 1.0f};
+    EXPECT_EQ(dataOf(replayPage(recording))["look"]["ground"], (Json{0.25, 0.5, 0.75, 1.0}));
+}
+
 TEST(ReplayPage, NothingIsThinnedBelowTwoFrames) {
     const ReplayPage page = replayPage(plantedRecording(10, 120, 400), 1);
     const Json data = dataOf(page);

@@ -44,12 +44,13 @@ protected:
     }
 
     Opened open(const std::string& hash, const std::string& steps) const {
-        return browser_.open(galleryPage(cards_, "llvmpipe"), hash, driver(steps));
+        return browser_.open(galleryPage(cards_, "llvmpipe", words_), hash, driver(steps));
     }
 
     support::TemporaryFolder folder_;
     support::Browser browser_{folder_};
     std::vector<GalleryCard> cards_;
+    GalleryWords words_;
 };
 
 /// "[a b]" of the cards that are not hidden.
@@ -62,7 +63,7 @@ TEST_F(GalleryInBrowser, ShowsACardForEachSceneByGroup) {
     const Opened opened = open("", kTellShown + R"js(
   shown();
   tell([...document.querySelectorAll("section > h2")].map((h) => h.firstChild.data).join(","));
-  tell(document.querySelector("#stack .facts").textContent);
+  tell(document.querySelector("#scene-stack .facts").textContent);
   tell([...document.images].every((image) => image.complete && image.naturalWidth === 160));
   tell(document.querySelectorAll("video").length);
 )js");
@@ -96,10 +97,10 @@ TEST_F(GalleryInBrowser, SearchKeepsWhatHasEveryWord) {
 TEST_F(GalleryInBrowser, CommandsAreWordsOfAShell) {
     const Opened opened = open("", R"js(
   for (const name of ["stack", "it's mine"])
-    tell([...document.getElementById(name).querySelectorAll("code")]
+    tell([...byId("scene-" + name).querySelectorAll("code")]
       .map((code) => code.textContent).join("|"));
-  document.querySelector("#wall .command").click();
-  await comes(() => document.querySelector("#wall .copied"));
+  document.querySelector("#scene-wall .command").click();
+  await comes(() => document.querySelector("#scene-wall .copied"));
   tell(byId("told").textContent);
 )js");
     EXPECT_EQ(told(opened),
@@ -109,6 +110,46 @@ TEST_F(GalleryInBrowser, CommandsAreWordsOfAShell) {
               "impulse sim 'it'\\''s mine.toml'|"
               "impulse export 'it'\\''s mine.toml' -o 'it'\\''s mine.html']"
               "[Copied: impulse render wall -o wall.mp4]");
+}
+
+TEST_F(GalleryInBrowser, CommandsHaveTheOptionsOfTheGallery) {
+    words_ = {{"--set", "world.gravity=[0, -5, 0]"}, {"--theme", "dark"}};
+    const Opened opened = open("", R"js(
+  tell([...byId("scene-stack").querySelectorAll("code")].map((code) => code.textContent).join("|"));
+)js");
+    EXPECT_EQ(told(opened),
+              "[impulse render stack --set 'world.gravity=[0, -5, 0]' --theme dark -o stack.mp4|"
+              "impulse list stack --print|"
+              "impulse export stack --set 'world.gravity=[0, -5, 0]' -o stack.html]");
+}
+
+/// A scene may be called as the page's own parts are, and a link may hold anything.
+TEST_F(GalleryInBrowser, NamesAndLinksAreOnlyThat) {
+    for (const char* name : {"nothing", "told", "search", "top"}) add(name, "", "A title", "why");
+    const Opened opened = open("q=100%", kTellShown + R"js(
+  shown();
+  tell(document.body.dataset.ready);
+  byId("search").value = "told";
+  byId("search").dispatchEvent(new Event("input"));
+  shown();
+  location.hash = "#%E0";
+  await comes(() => location.hash === "#%E0");
+  shown();
+)js");
+    EXPECT_EQ(told(opened), "[][1][told][told]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+}
+
+TEST_F(GalleryInBrowser, SumsAreWrittenAsPeopleDo) {
+    cards_.resize(2);
+    cards_[0].seconds = 100.0;
+    cards_[1].seconds = 19.6;
+    EXPECT_NE(open("", "").dom.find("2 scenes \u00b7 24 bodies \u00b7 2 min 0 s of film"),
+              std::string::npos);
+    cards_.clear();
+    const Opened none = open("", "");
+    EXPECT_NE(none.dom.find("0 scenes \u00b7 0 bodies<"), std::string::npos);
+    EXPECT_NE(none.dom.find("There are no scenes here."), std::string::npos);
 }
 
 /// One at a time, from its first frame; fetched when it is asked for and not before.
@@ -121,7 +162,7 @@ TEST_F(GalleryInBrowser, FilmsPlayUnderThePointerAndByTap) {
         film.close();
     }
     const Opened opened = open("", R"js(
-  const screen = (name) => document.querySelector(`#${name} .screen`);
+  const screen = (name) => document.querySelector(`#scene-${name} .screen`);
   const point = (name, what, pointerType = "mouse") =>
     screen(name).dispatchEvent(new PointerEvent(what, { pointerType }));
   const plays = (name) => screen(name).classList.contains("playing");

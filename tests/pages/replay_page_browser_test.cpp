@@ -241,6 +241,64 @@ TEST_F(ReplayInBrowser, OrbitsPansAndZooms) {
     EXPECT_EQ(told(opened), "[true][true][true][true]");
 }
 
+/// As on a phone.
+TEST_F(ReplayInBrowser, AllControlsAreWithinANarrowPage) {
+    const Opened opened = open("t=1", driver(R"js(
+  document.documentElement.style.width = document.body.style.width = "320px";
+  await rest();
+  const controls = [...document.querySelectorAll("#bar button, #bar select, #bar input, #curves")];
+  tell(controls.filter((one) => one.getBoundingClientRect().right > 320).length);
+  tell(controls.length > 12);
+)js"));
+    EXPECT_EQ(told(opened), "[0][true]");
+}
+
+/// More values than a function takes arguments.
+TEST_F(ReplayInBrowser, ALongRunIsShown) {
+    const RecordedFrame last = recording_.frames.back();
+    recording_.frames.resize(45'000, last);
+    const Opened opened = open("t=1400", driver("tell(byId('now').textContent);"));
+    EXPECT_EQ(told(opened), "[1400.000 s]");
+    EXPECT_TRUE(opened.console.empty()) << opened.console.front();
+}
+
+TEST_F(ReplayInBrowser, ACameraThatSeesNothingIsNotTaken) {
+    const Opened opened = open("t=1&camera=0,0,0,0,0,0,0", still());
+    EXPECT_TRUE(isRed(colorOf(opened, placeAt(30))));
+}
+
+TEST_F(ReplayInBrowser, HasTheScenesTitleAndNoMinusZero) {
+    recording_.title = "Two balls";
+    EXPECT_NE(open("t=1").dom.find("<h1 id=\"title\">Two balls</h1>"), std::string::npos);
+    for (RecordedFrame& frame : recording_.frames) frame.bodies[1].pose.position.x() = -1e-5;
+    const Opened opened =
+        open("t=1&body=ball1",
+             driver("tell(document.querySelector('#info dd').textContent); tell(document.title);"));
+    EXPECT_EQ(told(opened), "[0.000, 3.000, 0.000 m][Two balls \u2013 impulse replay]");
+}
+
+/// Half of the width each, or all of it for the energy: the cursor's column is elsewhere.
+TEST_F(ReplayInBrowser, ARunWithoutContactsHasNoChartOfThem) {
+    const std::string click = R"js(
+  const chart = byId("curves"), r = chart.getBoundingClientRect();
+  chart.setPointerCapture = () => {};
+  chart.dispatchEvent(new PointerEvent("pointerdown", {
+    clientX: r.left + r.width - 13, clientY: r.top + 40, buttons: 1, pointerId: 1 }));
+  await rest();
+  tell(byId("now").textContent);
+  chart.dispatchEvent(new PointerEvent("pointerdown", {
+    clientX: r.left + r.width / 2 + 47, clientY: r.top + 40, buttons: 1, pointerId: 1 }));
+  await rest();
+  tell(byId("now").textContent);
+)js";
+    EXPECT_EQ(told(open("t=1", driver(click))), "[2.000 s][0.000 s]");
+    for (RecordedFrame& frame : recording_.frames) {
+        frame.contacts.clear();
+        frame.measures.penetration = 0.0;
+    }
+    EXPECT_EQ(told(open("t=1", driver(click))).substr(0, 12), "[2.000 s][1.");
+}
+
 TEST_F(ReplayInBrowser, SaysWhyItShowsNothing) {
     const std::string page = replayPage(recording_).html;
     const std::string without = "HTMLCanvasElement.prototype.getContext = () => null;";

@@ -9,7 +9,6 @@ const kLayerTexts = {
   trails: ["Trails", "ways of the last three seconds (T)"],
   names: ["Names", "of the bodies (B)"],
 };
-const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
 function showToggles() {
   const toggle = (name) => {
@@ -44,7 +43,7 @@ function sectionNow() {
 function captionNow() {
   const seconds = secondsAt(frameNow()) + 1e-9;
   const told = data.sections.filter((section) => section.at <= seconds && section.caption !== "");
-  return told.at(-1)?.caption ?? data.title;
+  return told.at(-1)?.caption ?? "";
 }
 
 function showMarks() {
@@ -91,7 +90,7 @@ function showInfo() {
   if (!body) return;
   const { at, speed } = poses[view.body], row = (name, value) => [make("dt", {}, name), make("dd", {}, value)];
   info.replaceChildren(make("h2", {}, body.name), make("dl", {},
-    ...row("position", `${at.map((x) => x.toFixed(3)).join(", ")} m`), ...row("speed", `${speed.toFixed(3)} m/s`),
+    ...row("position", `${at.map((x) => fixed(x, 3)).join(", ")} m`), ...row("speed", `${fixed(speed, 3)} m/s`),
     ...row("mass", body.mass > 0 ? `${short(body.mass, 4)} kg` : "not moved by forces")));
 }
 
@@ -127,8 +126,9 @@ function showWords(sight) {
 }
 
 function showFixedWords() {
-  document.title = `${data.name} \u2013 impulse replay`;
-  byId("title").textContent = data.name;
+  const title = data.title || data.name;
+  document.title = `${title} \u2013 impulse replay`;
+  byId("title").textContent = title;
   byId("left-out").textContent = data.left;
   byId("time").max = lastFrame;
   const fractions = { 0.25: "\u00bc", 0.5: "\u00bd" }, nameOf = (speed) => `${fractions[speed] ?? speed}\u00d7`;

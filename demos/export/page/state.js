@@ -1,6 +1,5 @@
 // What the page shows. Its link says it: #t=2.5&show=contacts,impulses&body=box3&follow=1&camera=...
 
-const byId = (id) => document.getElementById(id);
 const data = JSON.parse(byId("data").textContent);
 
 const kLayers = ["contacts", "normals", "impulses", "friction", "joints", "trails", "names"];
@@ -23,24 +22,21 @@ const frameNow = () => Math.min(lastFrame, Math.floor(view.time + 1e-6));
 const secondsAt = (frame) => frame / data.fps;
 const clampFrame = (time) => Math.min(lastFrame, Math.max(0, time));
 
-/// An element with attributes and children; text is always text, never markup.
-function make(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name === "onclick") element.addEventListener("click", value);
-    else if (value !== false && value !== null) element.setAttribute(name, value === true ? "" : value);
-  }
-  element.append(...children.filter((child) => child !== null));
-  return element;
-}
-
 const short = (value, digits = 3) => (value !== 0 && Math.abs(value) < 1e-3
   ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits))));
+
+/// A rounded zero has no sign.
+const fixed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]+$)/, "");
 
 /// "1,2,3,..." of so many finite numbers; null where it is not that.
 function numbersOf(text, count) {
   const numbers = (text ?? "").split(",").map(Number);
   return numbers.length === count && numbers.every(Number.isFinite) ? numbers : null;
+}
+
+/// null where it would see nothing: it has to look somewhere, and to open by an angle.
+function cameraOf(from, at, fov) {
+  return fov > 0 && fov < 180 && norm(minus(from, at)) > 1e-6 ? { from, at, fov } : null;
 }
 
 function readLink() {
@@ -51,7 +47,7 @@ function readLink() {
   view.body = data.bodies.findIndex((body) => body.name === asked.get("body"));
   view.follow = view.body >= 0 && asked.get("follow") === "1";
   const camera = numbersOf(asked.get("camera"), 7);
-  view.camera = camera && { from: camera.slice(0, 3), at: camera.slice(3, 6), fov: camera[6] };
+  view.camera = camera && cameraOf(camera.slice(0, 3), camera.slice(3, 6), camera[6]);
   const speed = Number(asked.get("speed"));
   if (kSpeeds.includes(speed)) view.speed = speed;
   view.curves = asked.get("curves") !== "0";

@@ -26,9 +26,9 @@ function factsOf(scene) {
 
 /// "Stack: ten boxes stay where they are put": the scene's name is the command's word.
 function cardOf(scene, place) {
-  const title = make("h3", {}, make("a", { href: `#${encodeURIComponent(scene.name)}` },
+  const title = make("h3", {}, make("a", { href: `#${encodeURIComponent(cardId(scene.name))}` },
     scene.title || scene.name));
-  const card = make("article", { class: "card", id: scene.name, "data-scene": scene.name },
+  const card = make("article", { class: "card", id: cardId(scene.name), "data-scene": scene.name },
     screenOf(scene, place),
     make("div", { class: "words" }, title,
       scene.purpose ? make("p", { class: "purpose" }, scene.purpose) : null, factsOf(scene),

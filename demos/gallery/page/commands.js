@@ -4,13 +4,14 @@
 const quoted = (word) =>
   (/^[\w./=,:+@%-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/// [what for, command] of a scene.
+/// [what for, command] of a scene, with the options that the gallery was made with.
 function commandsOf(scene) {
-  const read = quoted(scene.file || scene.name), written = (ending) => quoted(scene.name + ending);
+  const command = (...words) => ["impulse", ...words].map(quoted).join(" ");
+  const read = scene.file || scene.name, { run, picture } = gallery.options;
   return [
-    ["film", `impulse render ${read} -o ${written(".mp4")}`],
-    scene.file ? ["checks", `impulse sim ${read}`] : ["file", `impulse list ${read} --print`],
-    ["replay", `impulse export ${read} -o ${written(".html")}`],
+    ["film", command("render", read, ...run, ...picture, "-o", `${scene.name}.mp4`)],
+    scene.file ? ["checks", command("sim", read, ...run)] : ["file", command("list", read, "--print")],
+    ["replay", command("export", read, ...run, "-o", `${scene.name}.html`)],
   ];
 }
 

@@ -24,7 +24,7 @@ function search() {
     shown += found.size;
   }
   byId("nothing").hidden = shown > 0;
-  byId("nothing").textContent = `No scene has \u201c${asked.trim()}\u201d in its name or purpose.`;
+  byId("nothing").textContent = words.length === 0 ? "There are no scenes here." : `No scene has \u201c${asked.trim()}\u201d in its name or purpose.`;
 }
 
 function onKey(event) {

@@ -12,24 +12,40 @@ function watchGroups() {
   for (const section of document.querySelectorAll("section")) seen.observe(section);
 }
 
+/// "2 min 0 s", "23 s"
+function timeText(seconds) {
+  const whole = Math.round(seconds), minutes = Math.floor(whole / 60);
+  return (minutes > 0 ? `${minutes} min ` : "") + `${whole % 60} s`;
+}
+
 function showNumbers() {
   const scenes = gallery.scenes;
   const films = scenes.filter((scene) => scene.film);
   const total = films.reduce((sum, scene) => sum + scene.seconds, 0);
-  const parts = [plural(scenes.length, "scene"),
-    `${scenes.reduce((sum, scene) => sum + scene.bodies, 0)} bodies`];
+  const parts = [plural(scenes.length, "scene", "scenes"),
+    plural(scenes.reduce((sum, scene) => sum + scene.bodies, 0), "body", "bodies")];
   if (films.length > 0)
-    parts.push(`${Math.floor(total / 60)} min ${Math.round(total % 60)} s of film; ` +
+    parts.push(`${timeText(total)} of film; ` +
       `${matchMedia("(hover: none)").matches ? "tap" : "point at"} a picture to play it`);
   byId("numbers").textContent = parts.join(" \u00b7 ");
   byId("machine").textContent = [`impulse ${gallery.version}`, gallery.renderer].join(" \u00b7 ");
 }
 
-/// "#q=pendulum" is a search; "#stack" is found by the browser once the cards are there.
+/// What is no text in percents ("100%") is taken as it stands.
+function linkNow() {
+  const link = location.hash.slice(1);
+  try {
+    return decodeURIComponent(link);
+  } catch {
+    return link;
+  }
+}
+
+/// "#q=pendulum" is a search; "#scene-stack", or "#stack" for short, a card.
 function openLink() {
-  const link = decodeURIComponent(location.hash.slice(1));
+  const link = linkNow();
   if (link.startsWith("q=")) byId("search").value = link.slice(2);
-  else byId(link)?.scrollIntoView();
+  else (byId(cardId(link)) ?? byId(link))?.scrollIntoView();
   search();
 }
 

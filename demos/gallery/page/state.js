@@ -1,18 +1,6 @@
-// What the page shows, and small tools. Its link names a scene (#stack) or a search (#q=pendulum).
+// What the page shows, and small tools. Its link names a scene (#scene-stack) or a search (#q=pendulum).
 
-const gallery = JSON.parse(document.getElementById("data").textContent);
-const byId = (id) => document.getElementById(id);
-
-/// An element with attributes and children; text is always text, never markup.
-function make(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-    else if (value !== false) element.setAttribute(name, value === true ? "" : value);
-  }
-  element.append(...children.filter((child) => child !== null));
-  return element;
-}
+const gallery = JSON.parse(byId("data").textContent);
 
 /// A drawing of lines in a square of 16.
 function sign(path) {
@@ -29,10 +17,10 @@ const groupName = (scene) => scene.group || "scenes of yours";
 /// In the order of the page: [name, scenes].
 const groups = [...new Set(gallery.scenes.map(groupName))]
   .map((name) => [name, gallery.scenes.filter((scene) => groupName(scene) === name)]);
+/// Apart from all other ids of the page, whatever the scene is called.
+const cardId = (name) => `scene-${name}`;
 const groupId = (name) => `group-${name.replace(/[^a-z0-9]+/gi, "-")}`;
 
 /// A link to a file beside the page, whatever its name.
 const beside = (scene, ending) => encodeURIComponent(`${scene.name}.${ending}`);
-const plural = (count, word) =>
-  `${count} ${count === 1 ? word : word.replace(/y$/, "ie") + "s"}`;
 const shortNumber = (value) => String(Number(value.toPrecision(3)));

@@ -12,20 +12,8 @@ const view = {
   film: 0,            // s
 };
 
-const byId = (id) => document.getElementById(id);
 const sceneNow = () => report.scenes[view.scene];
 const pictureNow = () => sceneNow()?.pictures[view.picture];
-
-/// An element with attributes and children; text is always text, never markup.
-function make(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name === "onclick") element.addEventListener("click", value);
-    else if (value !== false) element.setAttribute(name, value === true ? "" : value);
-  }
-  element.append(...children.filter((child) => child !== null));
-  return element;
-}
 
 /// "t=2.5" is the picture nearest to that time, so a link written by hand need not be exact.
 function nearestPicture(scene, time) {

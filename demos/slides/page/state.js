@@ -1,6 +1,5 @@
 // The slides as they stand in the page, and which of them is seen.
 
-const byId = (id) => document.getElementById(id);
 const leaves = [...document.querySelectorAll("#stage > .leaf")];
 const slideOf = (leaf) => leaf.querySelector(".slide");
 const filmOf = (leaf) => leaf?.querySelector("video[data-film]") ?? null;

@@ -1,0 +1,16 @@
+// What every page's script begins with.
+
+const byId = (id) => document.getElementById(id);
+
+/// An element with attributes and children; text is always text, never markup.
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name === "onclick") element.addEventListener("click", value);
+    else if (value !== false && value !== null) element.setAttribute(name, value === true ? "" : value);
+  }
+  element.append(...children.filter((child) => child !== null));
+  return element;
+}
+
+const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
