@@ -1,12 +1,11 @@
 #include "demos/watch/file_watch.h"
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <signal.h>
 #include <sys/inotify.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 
 #include "demos/film/signals.h"
 #include "demos/scene/complaints.h"
@@ -22,31 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
 
 /// Several files of one save, or of one `git checkout`, come closer together than this.
-constexpr timespec kTogether{0, 20'000'000};  // s, ns
-
-/// SIGINT and SIGTERM come while ppoll waits and at no other time, so none is missed.
-class SignalsHeld {
-public:
-    SignalsHeld() {
-        sigset_t ending;
-        sigemptyset(&ending);
-        sigaddset(&ending, SIGINT);
-        sigaddset(&ending, SIGTERM);
-        sigprocmask(SIG_BLOCK, &ending, &before_);
-    }
-    ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-
-    /// `longest` none: until something comes.
-    bool isReadable(int file, const timespec* longest) const {
-        pollfd wait{file, POLLIN, 0};
-        return ppoll(&wait, 1, longest, &before_) > 0;
-    }
-
-private:
-    sigset_t before_;
-};
+constexpr std::chrono::milliseconds kTogether(20);
 
 [[noreturn]] void fail(const std::string& what) {
     throw render::Error(fmt::format("cannot watch {}: {}", what, render::describeError(errno)));
@@ -110,8 +85,8 @@ bool FileWatch::hasNews(Which which) {
 
 bool FileWatch::wait(Which which) {
     const SignalsHeld signals;
-    while (!hasNews(which) && !interrupted()) signals.isReadable(queue_, nullptr);
-    while (!interrupted() && signals.isReadable(queue_, &kTogether)) readEvents(which);
+    while (!hasNews(which) && !interrupted()) signals.isReadable(queue_);
+    while (!interrupted() && signals.isReadable(queue_, kTogether)) readEvents(which);
     news_ = false;
     return !interrupted();
 }
