@@ -113,10 +113,18 @@ std::vector<std::string> contextNames() {
     return names;
 }
 
+/// Slides have a ground, as their command says to who asks for none.
+void checkTheme(const Options& options) {
+    std::vector<std::string> names = themeNames();
+    if (options.command == Command::slides && options.theme != "transparent")
+        std::erase(names, "transparent");
+    checkName("--theme", options.theme, names);
+}
+
 void checkPicture(Options& options, const RawOptions& raw) {
     checkName("--quality", options.quality, qualityNames());
     checkName("--context", options.context, contextNames());
-    if (!options.theme.empty()) checkName("--theme", options.theme, themeNames());
+    if (!options.theme.empty()) checkTheme(options);
     if (!options.colorBy.empty()) checkName("--colour-by", options.colorBy, colorings());
     for (const std::string& name : raw.show) checkName("--show", name, overlayNames());
     options.show = raw.show;

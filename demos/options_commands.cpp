@@ -164,7 +164,8 @@ void addSlides(CLI::App& app, Options& options, RawOptions& raw) {
             ->type_name("OUT"));
     addSeconds(app, options);
     app.add_option("--size", raw.size,
-                   "pixels of a picture that fills a slide, 1..16384 a side; default: 1280x720")
+                   "pixels of a picture that fills a slide, even, 64..8192 a side; default: the deck's, "
+                   "1280x720")
         ->type_name("WxH");
     app.add_option("--fps", options.fps, "frames a second of films; default: the deck's, 30")
         ->type_name("N");

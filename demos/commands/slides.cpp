@@ -6,6 +6,7 @@
 #include "demos/commands/table.h"
 #include "demos/film/progress.h"
 #include "demos/scene/complaints.h"
+#include "demos/slides/amount.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/deck_of_scenes.h"
 #include "demos/slides/make_deck.h"
@@ -23,33 +24,53 @@ constexpr std::size_t kLargePage = 50'000'000;  // bytes, which some browsers ta
 [[noreturn]] void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
 
 /// What a deck says itself cannot be said again for all of its slides.
-void checkDeckAlone(const Options& options) {
+void checkDeckAlone(const std::string& deckFile, const Options& options) {
     if (options.scenes.size() > 1)
-        refuse(fmt::format("'{}' is a deck, which is shown alone", printable(options.scene())));
+        refuse(fmt::format("'{}' is a deck, which is shown alone", printable(deckFile)));
     if (!options.overrides.empty())
         refuse("--set belongs to scenes; a deck's slides have settings of their own");
     if (options.seconds) refuse("--seconds belongs to scenes; a deck's slides have from and until");
 }
 
-Deck deckOf(const Options& options) {
-    const auto deckFile = std::find_if(options.scenes.begin(), options.scenes.end(), isDeckFile);
-    Deck deck;
-    if (deckFile != options.scenes.end()) {
-        checkDeckAlone(options);
-        deck = loadDeck(*deckFile);
-    } else {
-        deck = deckOfScenes(options);
-    }
+/// As a deck may say it.
+void checkLook(const Options& options) {
     if (options.theme == "transparent")
         refuse("--theme transparent: slides have a ground; studio, dark or print");
+    if (!options.size) return;
+    const PictureSize size = *options.size;
+    for (const int side : {size.width, size.height})
+        if (side < kLeastSlideSide || side > kMostSlideSide || side % 2 != 0)
+            refuse(fmt::format("--size {}x{}: the sides of a slide must be even, {} to {} pixels",
+                               size.width, size.height, kLeastSlideSide, kMostSlideSide));
+}
+
+Deck deckOf(const Options& options) {
+    checkLook(options);
+    const auto deckFile = std::find_if(options.scenes.begin(), options.scenes.end(), isDeckFile);
+    if (deckFile == options.scenes.end()) return deckOfScenes(options);
+    checkDeckAlone(*deckFile, options);
+    Deck deck = loadDeck(*deckFile);
     if (!options.theme.empty()) deck.theme = options.theme;
     if (options.size) deck.size = *options.size;
     if (options.fps) deck.fps = *options.fps;
     return deck;
 }
 
-std::string amount(std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+bool isPdf(const SlidesOutput& output) { return output.kind == SlidesKind::pdf; }
+
+/// Before anything is drawn: what will not be there. Stops where that is all that was asked for.
+void checkBrowser(const std::vector<SlidesOutput>& outputs, const Talk& talk) {
+    if (std::none_of(outputs.begin(), outputs.end(), isPdf) || !pdfBrowser().empty()) return;
+    if (std::all_of(outputs.begin(), outputs.end(), isPdf))
+        throw render::Error(
+            "chromium is needed for a PDF; install it (apt install chromium); -o talk.html and "
+            "-o talk/ are made without it");
+    for (const SlidesOutput& output : outputs)
+        if (isPdf(output))
+            talk.mention(
+                fmt::format("no chromium, which prints PDFs: apt install chromium; '{}' will not "
+                            "be made, all else is",
+                            printable(output.name)));
 }
 
 std::string megabytes(std::size_t bytes) {
@@ -59,7 +80,7 @@ std::string megabytes(std::size_t bytes) {
 class SlidesWriter {
 public:
     SlidesWriter(const Options& options, const MadeDeck& deck)
-        : talk_(options, false), deck_(deck) {}
+        : options_(options), talk_(options, false), deck_(deck) {}
 
     void write(const SlidesOutput& output) {
         switch (output.kind) {
@@ -71,8 +92,8 @@ public:
                 return writeFolder(output.name);
         }
     }
-    /// Of what could not be written; the others are.
-    const std::string& trouble() const { return trouble_; }
+    /// Of what could not be written, each once; the others are.
+    const std::vector<std::string>& troubles() const { return troubles_; }
 
 private:
     void tell(const std::string& name, const std::string& what, std::size_t bytes) const {
@@ -104,7 +125,12 @@ private:
         std::error_code ignored;
         tell(name, slides(), std::filesystem::file_size(name, ignored));
     } catch (const render::Error& error) {
-        trouble_ = error.what();
+        if (std::find(troubles_.begin(), troubles_.end(), error.what()) == troubles_.end())
+            troubles_.emplace_back(error.what());
+    } catch (const Stop& stop) {
+        if (stop.code() != Exit::interrupted) throw;
+        throw Stop(Exit::interrupted, fmt::format("interrupted while printing '{}'{}",
+                                                  printable(name), againLine(options_)));
     }
 
     void writeFolder(const std::string& name) {
@@ -117,14 +143,15 @@ private:
         tell(name, slides() + ", " + amount(files.size(), "file"), bytes);
     }
 
+    const Options& options_;
     Talk talk_;
     const MadeDeck& deck_;
-    std::string trouble_;
+    std::vector<std::string> troubles_;
 };
 
 std::string nextOf(const SlidesOutput& output) {
     const std::string name = printable(output.name);
-    if (output.kind == SlidesKind::pdf) return "next: open " + name;
+    if (isPdf(output)) return "next: open " + name;
     const std::string page =
         output.kind == SlidesKind::page
             ? name
@@ -152,17 +179,16 @@ Exit slidesCommand(const Options& options) {
     const Deck deck = deckOf(options);
     const std::vector<SlidesOutput> outputs = slidesOutputsOf(options, deck);
     const Talk talk(options, false);
+    checkBrowser(outputs, talk);
     if (options.dryRun) return sayPlan(deck, outputs, talk);
-    const auto moves = [](const SlidesOutput& output) { return output.kind != SlidesKind::pdf; };
     const ScratchFolder scratch;
-    const MadeDeck made = makeDeck(
-        deck, {scratch.path(), std::any_of(outputs.begin(), outputs.end(), moves), options});
-    for (const std::string& remark : made.remarks) talk.mention(remark);
+    const bool moving = !std::all_of(outputs.begin(), outputs.end(), isPdf);
+    const MadeDeck made = makeDeck(deck, {scratch.path(), moving, options});
     SlidesWriter writer(options, made);
     for (const SlidesOutput& output : outputs) writer.write(output);
-    if (writer.trouble().empty() || outputs.front().kind != SlidesKind::pdf)
-        talk.say(nextOf(outputs.front()));
-    if (!writer.trouble().empty()) throw render::Error(writer.trouble());
+    if (writer.troubles().empty() || !isPdf(outputs.front())) talk.say(nextOf(outputs.front()));
+    if (!writer.troubles().empty())
+        throw render::Error(fmt::format("{}", fmt::join(writer.troubles(), "; ")));
     return Exit::ok;
 }
 

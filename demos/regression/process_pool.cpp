@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -99,7 +98,7 @@ private:
     void readSome() {
         std::vector<pollfd> waits;
         for (const Piece& piece : pieces_) waits.push_back({piece.pipe, POLLIN, 0});
-        if (poll(waits.data(), waits.size(), -1) < 0) return;  // a signal: the caller looks
+        if (const SignalsHeld signals; interrupted() || !signals.wait(waits)) return;
         for (std::size_t i = pieces_.size(); i-- > 0;)
             if (waits[i].revents != 0) readFrom(i);
     }

@@ -9,6 +9,7 @@
 
 #include "demos/base64.h"
 #include "demos/file_content.h"
+#include "demos/page/escaped_path.h"
 
 namespace demos {
 namespace {
@@ -18,19 +19,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kPrefix = "data:image/png;base64,";
 constexpr long kEntry = 64;  // bytes around a picture's address, and its two places in the JSON
-
-/// As an address: everything but plain characters as %20.
-std::string escapedPath(const std::string& path) {
-    constexpr std::string_view kPlain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~/";
-    std::string text;
-    for (const char c : path)
-        if (kPlain.find(c) != std::string_view::npos)
-            text += c;
-        else
-            text += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    return text;
-}
 
 std::string linkTo(const fs::path& file, const fs::path& folder) {
     std::error_code error;

@@ -2,9 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,7 +11,8 @@
 
 #include "demos/film/signals.h"
 #include "demos/stop.h"
-#include "render/encode/ffmpeg.h"
+#include "render/encode/child.h"
+#include "render/encode/descriptor.h"
 #include "render/encode/file.h"
 #include "render/error.h"
 
@@ -24,34 +23,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// posix_spawn's two structures, freed on every way out.
-struct ChildPlan {
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t attributes;
-
+/// Reads nothing, and says what it says into the file `words`.
+struct ChildPlan : render::SpawnPlan {
     explicit ChildPlan(const std::string& words) {
-        posix_spawn_file_actions_init(&files);
-        posix_spawnattr_init(&attributes);
         posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, words.c_str(),
                                          O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-        sigset_t none, defaults;
-        sigemptyset(&none);
-        sigemptyset(&defaults);
-        for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGXFSZ}) sigaddset(&defaults, number);
-        posix_spawnattr_setsigmask(&attributes, &none);
-        posix_spawnattr_setsigdefault(&attributes, &defaults);
-        posix_spawnattr_setpgroup(&attributes, 0);  // ended as a group
-        posix_spawnattr_setflags(
-            &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+        standAlone();
     }
-    ~ChildPlan() {
-        posix_spawn_file_actions_destroy(&files);
-        posix_spawnattr_destroy(&attributes);
-    }
-    ChildPlan(const ChildPlan&) = delete;
-    ChildPlan& operator=(const ChildPlan&) = delete;
 };
 
 /// Ended, and everything of its group, when this goes.
@@ -79,14 +59,15 @@ public:
 
     /// Whether it has ended within the time.
     bool endsWithin(std::chrono::milliseconds patience) {
-        const render::Descriptor end(static_cast<int>(syscall(SYS_pidfd_open, number_, 0)));
+        const render::Descriptor end(static_cast<int>(syscall(SYS_pidfd_open, number_, 0)),
+                                     "wait for another program");
         const Clock::time_point limit = Clock::now() + patience;
+        const SignalsHeld signals;
         while (true) {
             if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
-            const auto left = std::chrono::ceil<std::chrono::milliseconds>(limit - Clock::now());
+            const Clock::duration left = limit - Clock::now();
             if (left.count() <= 0) return false;
-            pollfd wait = {end.number(), POLLIN, 0};
-            if (poll(&wait, 1, static_cast<int>(left.count())) > 0) break;
+            if (signals.isReadable(end.number(), left)) break;
         }
         while (waitpid(number_, &status_, 0) < 0 && errno == EINTR) {
         }
@@ -105,7 +86,6 @@ private:
 
 std::string runChild(const std::vector<std::string>& arguments, const std::filesystem::path& words,
                      std::chrono::milliseconds patience) {
-    watchSignals();
     Child child(arguments, words.string());
     if (!child.endsWithin(patience))
         return fmt::format("took more than {} s and was ended",

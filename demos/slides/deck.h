@@ -65,6 +65,8 @@ struct Slide {
     Place place;                     // in the deck's file
 };
 
+constexpr int kLeastSlideSide = 64, kMostSlideSide = 8192;  // pixels; an even number
+
 struct Deck {
     std::string name;  // the file's stem, or the first scene's name
     std::string title, subtitle, author, date;

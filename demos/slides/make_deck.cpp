@@ -28,10 +28,8 @@ struct Act {
     const std::string id = printable(slide.id);
     if (stop.code() != Exit::interrupted)
         throw Stop(stop.code(), fmt::format("slide '{}': {}", id, stop.what()));
-    const std::string& line = making.options.commandLine;
     throw Stop(Exit::interrupted,
-               fmt::format("interrupted at slide '{}'{}", id,
-                           line.empty() ? "" : "; to make the deck again: " + line));
+               fmt::format("interrupted at slide '{}'{}", id, againLine(making.options)));
 }
 
 /// Whatever stops the work on a slide says on which.
@@ -79,6 +77,8 @@ public:
     }
 
     MadeDeck make() {
+        const Talk talk(making_.options, false);
+        for (const std::string& remark : made_.remarks) talk.mention(remark);
         for (Act& act : acts_)
             at(act.made.slide, making_,
                [&] { act.facts->fill(act.made, deck_.theme, !making_.options.reproducible); });
@@ -135,6 +135,10 @@ private:
 };
 
 }  // namespace
+
+std::string againLine(const Options& options) {
+    return options.commandLine.empty() ? "" : "; to make the deck again: " + options.commandLine;
+}
 
 MadeDeck makeDeck(const Deck& deck, const DeckMaking& making) {
     watchSignals();

@@ -12,11 +12,16 @@ namespace demos {
 struct DeckMaking {
     std::filesystem::path folder;  // is there; films go to it as <id>.mp4
     bool films = true;             // false: posters alone, as for paper
-    Options options;               // jobs, reproducible, context, samples, quiet, json
+    Options options;               // jobs, samples, reproducible, context, quiet, json
 };
 
 /// `deck` has been read, so that what it names is there. Throws Stop (diverged, interrupted),
-/// render::Error. Without ffmpeg there are posters in place of films, and a remark.
+/// render::Error. Without ffmpeg there are posters in place of films, and a remark; remarks are
+/// said before anything is played.
 MadeDeck makeDeck(const Deck& deck, const DeckMaking& making);
+
+/// "; to make the deck again: impulse slides ...", after an interruption; empty where `options`
+/// come from no command line.
+std::string againLine(const Options& options);
 
 }  // namespace demos

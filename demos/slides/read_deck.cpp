@@ -33,7 +33,7 @@ void readFormat(Keys& top) {
 }
 
 void readSize(Keys& top, PictureSize& size) {
-    const auto pixels = top.numbers("size", {64.0, 8192.0, "pixels"});
+    const auto pixels = top.numbers("size", {kLeastSlideSide, kMostSlideSide, "pixels"});
     if (!pixels) return;
     // Films have half as many pixels of colour each way.
     const auto isEven = [](double x) { return x == 2.0 * std::floor(0.5 * x); };
@@ -70,10 +70,14 @@ public:
 
 private:
     void readLine(Keys& top, const char* key, std::string& to) {
-        const std::optional<std::string> line = top.text(key);
-        if (!line) return;
-        to = *line;
-        checkWords(to, {top.any(key)->place, reading_.source}, {}, complaints_);
+        set(to, top.text(key));
+        if (top.has(key)) checkWords(to, {top.any(key)->place, reading_.source}, {}, complaints_);
+    }
+
+    /// No CommonMark: a date may be 24. 12., an author of $-Soft.
+    void readPlain(Keys& top, const char* key, std::string& to) {
+        set(to, top.text(key));
+        if (top.has(key)) checkPlain(to, {top.any(key)->place, reading_.source}, complaints_);
     }
 
     void readWords(Keys& top) {
@@ -81,8 +85,8 @@ private:
         if (!top.has("title"))
             top.complain("title", "the deck has no title; write title = \"...\"");
         readLine(top, "subtitle", deck_.subtitle);
-        readLine(top, "author", deck_.author);
-        readLine(top, "date", deck_.date);
+        readPlain(top, "author", deck_.author);
+        readPlain(top, "date", deck_.date);
     }
 
     /// A table of what it shows, or whether there is one.

@@ -96,10 +96,7 @@ Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making
     Options options;
     options.jobs = making.options.jobs;
     options.context = making.options.context;
-    options.quality = making.options.quality;
     options.samples = making.options.samples;
-    options.blur = making.options.blur;
-    options.shutter = making.options.shutter;
     options.reproducible = making.options.reproducible;
     options.quiet = true;
     const SlideRuns& runs = slide.runs;

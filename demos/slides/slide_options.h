@@ -8,8 +8,8 @@
 
 namespace demos {
 
-/// Scene, settings, look and size; never says anything. `making.options` gives jobs, context,
-/// quality, samples, blur, shutter and reproducible.
+/// Scene, settings, look and size; never says anything. `making.options` gives jobs, samples,
+/// context and reproducible.
 Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making);
 
 /// The whole slide, or two thirds of it where words, charts or tables stand beside; even sides.

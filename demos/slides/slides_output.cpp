@@ -19,11 +19,14 @@ namespace {
 SlidesOutput outputOf(const std::string& name) {
     if (name.find('\0') != std::string::npos) refuse(name, "a name holds no NUL");
     const std::filesystem::path path = name;
+    const std::string ending = path.extension();
+    const bool file = ending == ".html" || ending == ".pdf";
     std::error_code ignored;
-    if (name.ends_with('/') || std::filesystem::is_directory(path, ignored))
-        return {SlidesKind::folder, name};
-    if (path.extension() == ".html") return {SlidesKind::page, name};
-    if (path.extension() == ".pdf") return {SlidesKind::pdf, name};
+    const bool folder = std::filesystem::is_directory(path, ignored);
+    if (file && folder && path.has_filename())
+        refuse(name, "a folder is there; write to another name, or end it in / for its slides");
+    if (folder || name.ends_with('/')) return {SlidesKind::folder, name};
+    if (file) return {ending == ".pdf" ? SlidesKind::pdf : SlidesKind::page, name};
     refuse(name, "the ending says what is written; known are: .html .pdf and / of a folder");
 }
 

@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <string_view>
 
 #include "demos/file_content.h"
 #include "demos/film/outputs.h"
+#include "demos/page/escaped_path.h"
+#include "demos/scene/complaints.h"
+#include "demos/slides/amount.h"
 #include "demos/slides/child_program.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/scratch_folder.h"
+#include "render/encode/child.h"
 #include "render/encode/file.h"
 #include "render/encode/program_path.h"
 #include "render/error.h"
@@ -18,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 2 min, or the milliseconds of IMPULSE_CHROMIUM_PATIENCE_MS, which tests of hanging ones set.
+constexpr const char* kNoBrowser =
+    "chromium is needed for a PDF; install it (apt install chromium)";
+
+/// 2 min, or what tests of hanging ones set.
 std::chrono::milliseconds patience() {
-    constexpr int kDefault = 120'000, kMost = 86'400'000;
-    const char* text = std::getenv("IMPULSE_CHROMIUM_PATIENCE_MS");
-    const int asked = text ? std::atoi(text) : kDefault;
-    return std::chrono::milliseconds(asked >= 1 && asked <= kMost ? asked : kDefault);
+    return render::patienceOf("IMPULSE_CHROMIUM_PATIENCE_MS", std::chrono::minutes(2));
 }
 
 std::string posterPage(MadeDeck deck) {
@@ -46,7 +49,7 @@ std::vector<std::string> printing(const std::string& program, const fs::path& fo
                                    "--user-data-dir=" + (folder / "profile").string(),
                                    "--print-to-pdf=" + (folder / "talk.pdf").string()};
     if (geteuid() == 0) words.emplace_back("--no-sandbox");  // whose sandbox refuses root
-    words.push_back("file://" + (folder / "talk.html").string());
+    words.push_back("file://" + escapedPath(fs::absolute(folder / "talk.html").string()));
     return words;
 }
 
@@ -60,6 +63,15 @@ std::size_t pagesOf(const std::vector<std::uint8_t>& pdf) {
     return pages;
 }
 
+/// Why there is no PDF, with what the program said last; empty where there is one.
+std::string troubleOf(const std::string& ended, bool printed, const fs::path& words) {
+    if (ended.empty() && printed) return {};
+    const std::vector<std::uint8_t> said = contentOf(words);
+    const std::string line =
+        render::lastLineOf({reinterpret_cast<const char*>(said.data()), said.size()});
+    return (ended.empty() ? "printed nothing" : ended) + (line.empty() ? "" : ": " + line);
+}
+
 }  // namespace
 
 std::string pdfBrowser() {
@@ -70,20 +82,20 @@ std::string pdfBrowser() {
 
 void writeSlidesPdf(const MadeDeck& deck, const fs::path& file) {
     const std::string program = pdfBrowser();
-    if (program.empty())
-        throw render::Error("chromium is needed for a PDF; install it (apt install chromium)");
+    if (program.empty()) throw render::Error(kNoBrowser);
     render::checkReplaceable(file);
     const ScratchFolder folder;
+    const fs::path words = folder.path() / "words";
     render::writeFileAtomically(folder.path() / "talk.html", posterPage(deck));
-    const std::string trouble =
-        runChild(printing(program, folder.path()), folder.path() / "words", patience());
+    const std::string ended = runChild(printing(program, folder.path()), words, patience());
     const std::vector<std::uint8_t> pdf = contentOf(folder.path() / "talk.pdf");
-    if (!trouble.empty() || pdf.empty())
-        throw render::Error(fmt::format("no '{}': {} {}", file.string(), program,
-                                        trouble.empty() ? "printed nothing" : trouble));
-    if (pagesOf(pdf) != deck.slides.size())
-        throw render::Error(fmt::format("no '{}': {} printed {} pages of {} slides", file.string(),
-                                        program, pagesOf(pdf), deck.slides.size()));
+    std::string trouble = troubleOf(ended, !pdf.empty(), words);
+    const std::size_t pages = pagesOf(pdf), slides = deck.slides.size();
+    if (trouble.empty() && pages != slides)
+        trouble = "printed " + amount(pages, "page") + " of " + amount(slides, "slide");
+    if (!trouble.empty())
+        throw render::Error(
+            fmt::format("no '{}': {} {}", printable(file.string()), program, trouble));
     makeFolder(file.parent_path());
     render::writeFileAtomically(file, pdf);
 }

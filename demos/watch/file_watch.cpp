@@ -1,13 +1,13 @@
 #include "demos/watch/file_watch.h"
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <signal.h>
 #include <sys/inotify.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "demos/film/signals.h"
@@ -26,34 +26,10 @@ constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM |
                                   IN_DELETE_SELF | IN_MOVE_SELF;
 
 /// A folder that is gone has no events, and those above it may be gone too: it is looked for.
-constexpr timespec kLook{0, 250'000'000};  // s, ns
+constexpr std::chrono::milliseconds kLook(250);
 
 /// Several files of one save, or of one `git checkout`, come closer together than this.
-constexpr timespec kTogether{0, 20'000'000};  // s, ns
-
-/// SIGINT and SIGTERM come while ppoll waits and at no other time, so none is missed.
-class SignalsHeld {
-public:
-    SignalsHeld() {
-        sigset_t ending;
-        sigemptyset(&ending);
-        sigaddset(&ending, SIGINT);
-        sigaddset(&ending, SIGTERM);
-        sigprocmask(SIG_BLOCK, &ending, &before_);
-    }
-    ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-
-    /// `longest` none: until something comes.
-    bool isReadable(int file, const timespec* longest) const {
-        pollfd wait{file, POLLIN, 0};
-        return ppoll(&wait, 1, longest, &before_) > 0;
-    }
-
-private:
-    sigset_t before_;
-};
+constexpr std::chrono::milliseconds kTogether(20);
 
 [[noreturn]] void fail(const std::string& what) {
     throw render::Error(fmt::format("cannot watch {}: {}", what, render::describeError(errno)));
@@ -143,9 +119,10 @@ bool FileWatch::hasNews(Which which) {
 
 bool FileWatch::wait(Which which) {
     const SignalsHeld signals;
-    while (!hasNews(which) && !interrupted())
-        signals.isReadable(queue_, lost_.empty() ? nullptr : &kLook);
-    while (!interrupted() && signals.isReadable(queue_, &kTogether)) readEvents(which);
+    std::optional<std::chrono::nanoseconds> longest;
+    if (!lost_.empty()) longest = kLook;
+    while (!hasNews(which) && !interrupted()) signals.isReadable(queue_, longest);
+    while (!interrupted() && signals.isReadable(queue_, kTogether)) readEvents(which);
     news_ = false;
     return !interrupted();
 }

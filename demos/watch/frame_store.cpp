@@ -10,7 +10,9 @@
 namespace demos {
 
 FrameStore::FrameStore(const std::filesystem::path& beside, int width, int height)
-    : file_(render::createUnnamed(beside)), width_(width), height_(height) {}
+    : file_(render::createUnnamed(beside), "keep a draft's frames"),
+      width_(width),
+      height_(height) {}
 
 void FrameStore::put(int frame, const render::Image& image) {
     for (std::size_t at = 0; at < bytes();) {

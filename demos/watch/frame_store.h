@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "render/encode/ffmpeg.h"
+#include "render/encode/descriptor.h"
 #include "render/image.h"
 
 namespace demos {

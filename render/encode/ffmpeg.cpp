@@ -1,8 +1,6 @@
 #include "render/encode/ffmpeg.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -12,12 +10,12 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
-#include <cstdlib>
 #include <ctime>
 #include <string_view>
 #include <system_error>
 #include <thread>
 
+#include "render/encode/child.h"
 #include "render/encode/file.h"
 #include "render/encode/program_path.h"
 #include "render/error.h"
@@ -30,6 +28,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
+constexpr const char* kTalk = "talk to ffmpeg";
 constexpr int kUnknownStatus = 255 << 8;  // as if it had ended with exit(255)
 
 /// All of a file in memory that a child writes; the offset is shared, so read by position.
@@ -40,18 +39,6 @@ std::string contentOf(const Descriptor& file) {
     const ssize_t length = ::pread(file.number(), text.data(), text.size(), start);
     text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
     return text;
-}
-
-/// The last line that says something, without what could steer a terminal.
-std::string lastLineOf(std::string_view text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-    const std::size_t lineEnd = text.find_last_of("\r\n");
-    if (lineEnd != std::string_view::npos) text.remove_prefix(lineEnd + 1);
-    std::string line(text.substr(0, 300));
-    for (char& c : line) {
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-    }
-    return line;
 }
 
 /// Time runs out only while the child does nothing at all: the palette of a long GIF is slow
@@ -82,47 +69,7 @@ private:
     Clock::time_point end_;
 };
 
-/// posix_spawn's two structures, freed on every way out.
-struct SpawnPlan {
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t attributes;
-    SpawnPlan() {
-        ::posix_spawn_file_actions_init(&files);
-        ::posix_spawnattr_init(&attributes);
-    }
-    ~SpawnPlan() {
-        ::posix_spawn_file_actions_destroy(&files);
-        ::posix_spawnattr_destroy(&attributes);
-    }
-    SpawnPlan(const SpawnPlan&) = delete;
-    SpawnPlan& operator=(const SpawnPlan&) = delete;
-
-    /// Ctrl-C reaches a whole process group: in one of its own, ffmpeg lives to close the film.
-    void standAlone() {
-        sigset_t none, defaults;
-        ::sigemptyset(&none);
-        ::sigemptyset(&defaults);
-        for (const int signal : {SIGPIPE, SIGINT, SIGTERM}) ::sigaddset(&defaults, signal);
-        ::posix_spawnattr_setsigmask(&attributes, &none);
-        ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-        ::posix_spawnattr_setpgroup(&attributes, 0);
-        ::posix_spawnattr_setflags(
-            &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-    }
-};
-
 }  // namespace
-
-Descriptor::Descriptor(int number) : number_(number) {
-    if (number < 0) throw Error("cannot talk to ffmpeg: " + describeError(errno));
-    if (number > 2) return;
-    number_ = ::fcntl(number, F_DUPFD_CLOEXEC, 3);
-    const int error = errno;
-    ::close(number);
-    if (number_ < 0) throw Error("cannot talk to ffmpeg: " + describeError(error));
-}
-
-Descriptor::~Descriptor() { ::close(number_); }
 
 Ffmpeg::Sockets Ffmpeg::makeSockets() {
     int pair[2] = {-1, -1};
@@ -138,10 +85,10 @@ Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseco
 
 Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
                const Descriptor* shared, Sockets sockets)
-    : frames_(sockets.ours),
-      theirs_(std::make_unique<Descriptor>(sockets.theirs)),
-      progress_(::memfd_create("progress", MFD_CLOEXEC)),
-      errors_(::memfd_create("errors", MFD_CLOEXEC)),
+    : frames_(sockets.ours, kTalk),
+      theirs_(std::make_unique<Descriptor>(sockets.theirs, kTalk)),
+      progress_(::memfd_create("progress", MFD_CLOEXEC), kTalk),
+      errors_(::memfd_create("errors", MFD_CLOEXEC), kTalk),
       patience_(patience) {
     spawn(arguments, shared);
     theirs_.reset();
@@ -154,7 +101,7 @@ void Ffmpeg::spawn(const std::vector<std::string>& arguments, const Descriptor* 
     }
     argv.push_back(nullptr);
     SpawnPlan plan;
-    plan.standAlone();
+    plan.standAlone();  // after Ctrl-C it lives to close the film
     ::posix_spawn_file_actions_adddup2(&plan.files, theirs_->number(), 0);
     ::posix_spawn_file_actions_adddup2(&plan.files, progress_.number(), 1);
     ::posix_spawn_file_actions_adddup2(&plan.files, errors_.number(), 2);
@@ -259,12 +206,7 @@ std::string ffmpegVersion() try {
     return {};
 }
 
-std::chrono::milliseconds ffmpegPatience() {
-    constexpr int kDefault = 60'000, kMost = 86'400'000;
-    const char* text = std::getenv("IMPULSE_FFMPEG_PATIENCE_MS");
-    const int asked = text ? std::atoi(text) : kDefault;
-    return std::chrono::milliseconds(asked >= 1 && asked <= kMost ? asked : kDefault);
-}
+std::chrono::milliseconds ffmpegPatience() { return patienceOf("IMPULSE_FFMPEG_PATIENCE_MS", 60s); }
 
 bool haveFfmpeg() { return programPath("ffmpeg").has_value(); }
 

@@ -10,22 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "render/encode/descriptor.h"
+
 namespace render {
-
-/// A file descriptor that closes itself. Always above 2: a program started with its standard
-/// output closed would else be given number 1, and dup2 in the child would tread on it.
-class Descriptor {
-public:
-    /// Takes over an open one; Error when it is negative, with errno's words.
-    explicit Descriptor(int number);
-    ~Descriptor();
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }  // above 2
-
-private:
-    int number_;
-};
 
 /// One running ffmpeg. Frames go through a socket instead of a pipe: send() can be told not to
 /// raise SIGPIPE, for this call alone, and the other end closing tells when the child has ended.

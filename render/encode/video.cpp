@@ -62,7 +62,7 @@ VideoWriter::VideoWriter(const fs::path& path, const VideoSource& source, const 
     checkFilm(path, format_, source);
     checkReplaceable(path);
     // Made here and not by ffmpeg, which would write through a symlink.
-    held_ = std::make_unique<Descriptor>(createTemporary(temporary_, path));
+    held_ = std::make_unique<Descriptor>(createTemporary(temporary_, path), "write a film");
     holdTemporary(held_->number());
     try {
         start();
@@ -76,7 +76,7 @@ VideoWriter::~VideoWriter() { abandon(); }
 
 void VideoWriter::start() {
     if (fit_.largestFile > 0 || format_->codec == Codec::gif) {
-        store_ = std::make_unique<Descriptor>(createUnnamed(target_));
+        store_ = std::make_unique<Descriptor>(createUnnamed(target_), "keep a film's frames");
         ffmpeg_ = std::make_unique<Ffmpeg>(storeArguments(source_, Ffmpeg::kSharedFile), patience_,
                                            store_.get());
     } else {
