@@ -7,6 +7,7 @@
 
 #include "demos/slides/formula.h"
 #include "demos/slides/math_letters.h"
+#include "demos/slides/math_operators.h"
 
 namespace demos {
 namespace {
@@ -134,6 +135,7 @@ std::string browserMathMl(const std::string& katex, const std::string& tex, bool
     const pugi::xml_node semantics = read.child("span").child("math").child("semantics");
     for (const pugi::xml_node node : semantics.children())
         if (std::string_view(node.name()) != "annotation") adapt(math.append_copy(node));
+    adaptOperators(math);
     std::ostringstream text;
     made.save(text, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
     return text.str();

@@ -79,6 +79,70 @@ TEST(Formula, DrawsBoxesRulesAndArrowsByItself) {
               "stretchy=\"false\">\u2192</mo></mover></mrow>");
 }
 
+/// Whether that of `tex` has the text.
+testing::AssertionResult has(const std::string& tex, const std::string& part) {
+    const std::string math = inside(tex);
+    if (math.find(part) != std::string::npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << tex << " has no " << part << ": " << math;
+}
+
+// KaTeX wraps them into <mo>, in which browsers lay nothing out.
+TEST(Formula, StacksSignsAndNames) {
+    EXPECT_EQ(inside("\\stackrel{!}{=}"),
+              "<mrow><mover><mo>=</mo><mo stretchy=\"false\" lspace=\"0em\" "
+              "rspace=\"0em\">!</mo></mover></mrow>");
+    EXPECT_EQ(inside("\\overset{a}{=}"), "<mrow><mover><mo>=</mo><mi>a</mi></mover></mrow>");
+    EXPECT_EQ(inside("\\underset{x}{a}"), "<mrow><munder><mi>a</mi><mi>x</mi></munder></mrow>");
+    EXPECT_TRUE(has("\\underset{x}{\\min}", "<munder><mrow><mi>min</mi><mo>\u2061</mo></mrow>"));
+}
+
+TEST(Formula, HasOperatorsThatAreWords) {
+    EXPECT_TRUE(has("a \\bmod b", "<mo lspace=\"0.22em\" rspace=\"0.22em\">mod</mo>"));
+}
+
+TEST(Formula, HasBarsThatStretch) {
+    const std::string stretches =
+        " stretchy=\"true\" symmetric=\"true\" lspace=\"0\" rspace=\"0\">";
+    const std::string one = "<mo fence=\"true\"" + stretches + "|</mo>";
+    const std::string two = "<mo fence=\"true\"" + stretches + "\u2016</mo>";
+    EXPECT_EQ(inside("\\left| a \\right|"), "<mrow>" + one + "<mi>a</mi>" + one + "</mrow>");
+    EXPECT_TRUE(has("\\left\\| a \\right\\|_2", two + "</mrow><mn>2</mn></msub>"));
+    EXPECT_TRUE(has("\\left. a \\right|_0", "<mi>a</mi>" + one));
+    EXPECT_TRUE(has("\\begin{vmatrix} a \\end{vmatrix}", "<mrow>" + one + "<mtable>"));
+    EXPECT_TRUE(has("a \\mid b", "<mo>\u2223</mo>")) << "a relation, as high as a letter";
+}
+
+TEST(Formula, HasLinesAndAccentsAsWideAsTheirTerm) {
+    EXPECT_TRUE(has("\\overline{ab}", "style=\"border-top:0.06em solid;padding-top:0.12em;\""));
+    EXPECT_TRUE(has("\\underline{ab}", "style=\"border-bottom:0.06em solid;"));
+    EXPECT_TRUE(has("\\widehat{ab}", "<mo stretchy=\"true\">\u0302</mo>"));
+    EXPECT_TRUE(has("\\widetilde{abcde}", "style=\"transform:scaleX(4.0);\">~</mo>"));
+    EXPECT_TRUE(has("\\hat a", "<mo>^</mo>"));
+    EXPECT_TRUE(has("\\overrightarrow{ab}", "<mo stretchy=\"true\">\u2192</mo>"));
+}
+
+TEST(Formula, HasRoomAroundNamesOfFunctions) {
+    const std::string room = "<mspace width=\"0.1667em\"/>";
+    EXPECT_EQ(inside("2\\sin x"), "<mrow><mn>2</mn>" + room + "<mi>sin</mi><mo>\u2061</mo>" + room +
+                                      "<mi>x</mi></mrow>");
+    EXPECT_TRUE(has("\\sin^2 x", "</msup>" + room + "<mi>x</mi>"));
+    EXPECT_TRUE(has("\\max_i x", "</msub>" + room + "<mi>x</mi>"));
+    for (const char* tex : {"\\sin(x)", "(\\sin", "\\sin", "a - \\sin(x)", "\\det\\left(A\\right)"})
+        EXPECT_EQ(inside(tex).find("mspace"), std::string::npos) << tex;
+}
+
+TEST(Formula, HasAMinusOfOneTermCloseToIt) {
+    const std::string close = "<mo form=\"prefix\">\u2212</mo>";
+    for (const char* tex :
+         {"a = -b", "(-a)", "a, -b", "a \\times -b", "\\sum_i -b", "\\sin -b",
+          "\\left| -a \\right|", "|a| = |-b|", "\\lvert -a \\rvert", "a = \\quad -b"})
+        EXPECT_TRUE(has(tex, close));
+    for (const char* tex :
+         {"a - b", "(a) - b", "|a| - b", "|a|^2 - b", "\\lvert a \\rvert - b", "a! - b",
+          "1 + \\ldots - n", "\\left| a \\right| - b", "x_i - b", "10^{-}"})
+        EXPECT_EQ(inside(tex).find("prefix"), std::string::npos) << tex;
+}
+
 TEST(Formula, SaysWhatIsWrongAndAtWhichByte) {
     EXPECT_EQ(refused("x^2^3"), "3: Double superscript");
     EXPECT_EQ(refused("\\frca{a}{b}"), "0: Undefined control sequence: \\frca");
