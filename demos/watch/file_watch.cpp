@@ -119,9 +119,9 @@ bool FileWatch::hasNews(Which which) {
 
 bool FileWatch::wait(Which which) {
     const SignalsHeld signals;
-    std::optional<std::chrono::nanoseconds> longest;
-    if (!lost_.empty()) longest = kLook;
-    while (!hasNews(which) && !interrupted()) signals.isReadable(queue_, longest);
+    using Time = std::optional<std::chrono::nanoseconds>;
+    while (!hasNews(which) && !interrupted())
+        signals.isReadable(queue_, lost_.empty() ? Time() : Time(kLook));
     while (!interrupted() && signals.isReadable(queue_, kTogether)) readEvents(which);
     news_ = false;
     return !interrupted();
