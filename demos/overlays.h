@@ -20,6 +20,8 @@ struct Overlays {
     bool trails = true;     // of the bodies that the scene names
     bool text = true;       // time, bodies, solver, caption, legends
     bool headings = true;   // of the text: the first line and the caption
+    bool clock = true;      // of the headings: the first line
+    bool plate = false;     // the caption on a plate, where no line strikes it through
     bool stats = false;     // a panel of numbers in place of the first line
     bool plot = false;      // a strip below the picture, of a film of one scene
     std::string theme = "studio";

@@ -18,6 +18,7 @@ namespace demos {
 namespace {
 
 constexpr int kMostMoments = 12;
+constexpr std::size_t kMostPictures = 9;  // that can still be read
 
 template <class To, class From>
 void set(To& to, const std::optional<From>& from) {
@@ -203,6 +204,7 @@ private:
             readNames("plot", several ? "measure of several runs" : "chart of one run",
                       several ? measureWords() : measureNames());
         if (keys_.has("plot")) slide_.plots = plots;
+        checkPictures();
         const std::vector<std::string> tables = readNames("table", "table", tableNames());
         const auto names = [&](const char* table) {
             return std::find(tables.begin(), tables.end(), table) != tables.end();
@@ -210,6 +212,13 @@ private:
         if (!keys_.has("table")) return;
         slide_.measures = names("measures");
         slide_.expectations = names("expectations");
+    }
+
+    void checkPictures() {
+        const std::size_t count = slide_.plots.size() + (slide_.exhibit != Exhibit::none);
+        if (count <= kMostPictures) return;
+        keys_.complain("plot", fmt::format("a slide shows {} pictures at most; here are {}",
+                                           kMostPictures, count));
     }
 
     void needRuns() {

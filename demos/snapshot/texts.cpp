@@ -20,13 +20,16 @@ void addTexts(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
     const int bodies = static_cast<int>(stage.bodies.size());
     const int substeps = stage.world.settings().substeps;
-    if (!moment.overlays.stats)  // which say the same
+    if (moment.overlays.clock && !moment.overlays.stats)  // which say the same
         frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,
                                            counted(bodies, "body", "bodies"), stage.scene.preset,
                                            counted(substeps, "sub-step", "sub-steps")),
                                render::Corner::topLeft, 18.0f, render::Text{}.color});
     const std::string caption = captionAt(stage.scene, moment.time);
-    if (!caption.empty())
+    if (caption.empty()) return;
+    if (moment.overlays.plate)
+        frame.plates.push_back({render::Corner::bottomLeft, render::Plate{}.size, {{caption, ""}}});
+    else
         frame.texts.push_back({caption, render::Corner::bottomLeft, 26.0f, render::Text{}.color});
 }
 

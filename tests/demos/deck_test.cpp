@@ -116,6 +116,10 @@ TEST(Deck, RefusesWhatItDoesNotKnow) {
               "deck.toml:5:1: no overlay is called 'impulse'; did you mean 'impulses'?");
     EXPECT_EQ(wrong("scene = 'stack'\nplot = 'enrgy'\n"),
               "deck.toml:5:1: no chart of one run is called 'enrgy'; did you mean 'energy'?");
+    const std::string charts = "'energy', 'energy', 'energy', 'energy', 'energy', 'energy', ";
+    EXPECT_EQ(wrong("scene = 'stack'\nplot = [" + charts + "'energy', 'energy', 'energy']\n"),
+              "deck.toml:5:1: a slide shows 9 pictures at most; here are 10");
+    EXPECT_EQ(wrong("scene = 'stack'\nplot = [" + charts + "'energy', 'energy']\n"), "");
     EXPECT_EQ(wrong("compare = 'pgs'\nplot = ['contacts']\n"),
               "deck.toml:5:1: no measure of several runs is called 'contacts'; known are: drift, "
               "speed, penetration, separation, energy, residual, sweeps, ms");
