@@ -23,7 +23,8 @@ void addTexts(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
     const int bodies = static_cast<int>(stage.bodies.size());
     const int substeps = stage.world.settings().substeps;
-    if (!moment.overlays.stats)  // which say the same
+    // statistics say the same; on paper they may have no room
+    if (!moment.overlays.stats || moment.overlays.pixelsPerPoint > 0.0)
         frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,
                                            counted(bodies, "body", "bodies"), stage.scene.preset,
                                            counted(substeps, "sub-step", "sub-steps")),
