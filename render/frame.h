@@ -161,7 +161,7 @@ struct Look {
     float lineStrength = 1.0f;  // of edges and of the grid
     float unit = 0.0f;  // pixels of what is 1 pixel in a picture of 1280x720: letters, which then
                         // never shrink, marks, lines; 0: by the picture's area
-    float edgePixels = 0.0f;  // width of the lines along bodies' edges; 0: by the picture's height
+    float edgePixels = 0.0f;  // width of bodies' edges and the ground's lines; 0: by the height
     Color ink{0.1f, 0.1f, 0.11f, 1.0f};         // of plates and labels
     Color plate{0.96f, 0.965f, 0.97f, 0.72f};  // the ground of plates
 };

@@ -226,7 +226,9 @@ void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCo
     const std::string kind = look.transparent ? " WIDE_KERNEL SHADOW_CATCHER" : " WIDE_KERNEL";
     const GLuint program = lit("ground", "ground", features + kind, scene);
     setUniform(program, "surface", packedSurface(surfaceOfGround(scene.frame, number), 0));
-    setUniform(program, "lineStrength", look.lineStrength);
+    constexpr float kStrongPixels = 2.4f;  // of every fifth line (ground.frag): as wide as an edge
+    setUniform(program, "lineStrength",
+               look.edgePixels > 0.0f ? look.edgePixels / kStrongPixels : look.lineStrength);
     const Vec3 normal = scene.frame.grounds[number].normal.normalized();
     const float up = 0.5f + 0.5f * normal.y();
     const float facing = std::max(normal.dot(look.sunDirection.normalized()), 0.0f);

@@ -2,6 +2,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/play_through.h"
+#include "demos/commands/table.h"
 #include "demos/figure/caption.h"
 #include "demos/figure/figure_file.h"
 #include "demos/film/film_plan.h"
@@ -18,7 +19,7 @@ std::vector<std::string> filesOf(const Options& options, const SceneDescription&
     if (options.outputs.empty()) return {"output/" + scene.name + ".svg"};
     for (std::size_t i = 0; i < options.outputs.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-            if (options.outputs[k] == options.outputs[i])
+            if (placeOf(options.outputs[k]) == placeOf(options.outputs[i]))
                 throw Stop(Exit::usage, fmt::format("two plots to '{}'; give another --output",
                                                     printable(options.outputs[i])));
     return options.outputs;
@@ -50,7 +51,7 @@ public:
 private:
     void writeAll() const {
         const std::vector<Chart> charts = chartsOf(recorder_, choice_);
-        const PictureSize size = sizeOf(charts.size(), choice_);
+        const PictureSize size = sizeOf(charts, choice_);
         std::vector<FigurePicture> pictures;
         for (const std::string& file : files_)
             pictures.push_back(

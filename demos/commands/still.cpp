@@ -73,7 +73,7 @@ Exit stillCommand(const Options& asked) {
     const Talk talk(options, target == "-");
     const MomentsFigure figure{target, paper, plan, {shotOf(player, plan, seen.back(), paper)}};
     writeMoments(figure, picture, options);
-    tellLeftOut(seen.back(), plan, paper, talk);
+    tellLeftOut(figure.shots, {plan.picture.width, plan.picture.height}, paper, talk);
     const std::string hash = hexText(player.stage().world.hash());
     talk.json(fmt::format(R"({{"event":"done","file":{},"time":{},"state":"{}"}})",
                           jsonString(target), numberText(moment.time), hash));

@@ -106,6 +106,7 @@ Exit stripCommand(const Options& options) {
     const Strip strip = drawStrip(plan, layout, steps, paper);
     writeMoments({target, paper, plan, strip.shots}, strip.image, options);
     const Talk talk(options, target == "-");
+    tellLeftOut(strip.shots, layout.picture, paper, talk);
     talk.json(fmt::format(R"({{"event":"done","file":{},"moments":{},"size":[{},{}]}})",
                           jsonString(target), layout.moments, layout.width, layout.height));
     talk.say(fmt::format("wrote {} ({} moments, {}x{})", printable(target), layout.moments,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "demos/film/progress.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/solver_settings.h"
@@ -16,11 +18,18 @@ std::string listOf(const std::vector<Shot>& shots, std::string (*text)(const Sho
     return list;
 }
 
-/// Those that decide about what is seen.
-std::string shownText(const Overlays& shown) {
+bool isNowhere(const std::string& name, const std::vector<Shot>& shots) {
+    return !shots.empty() && std::all_of(shots.begin(), shots.end(), [&](const Shot& shot) {
+        return std::find(shot.leftOut.begin(), shot.leftOut.end(), name) != shot.leftOut.end();
+    });
+}
+
+/// Those that decide about what is seen, and have room somewhere.
+std::string shownText(const Overlays& shown, const std::vector<Shot>& shots) {
     std::string text;
     for (const std::string& name : overlayNames())
-        if (isOn(shown, name)) text += (text.empty() ? "" : " ") + name;
+        if (isOn(shown, name) && !isNowhere(name, shots))
+            text += (text.empty() ? "" : " ") + name;
     return text;
 }
 
@@ -55,9 +64,9 @@ void addFiles(const std::vector<std::string>& files, PictureSize size, const Pap
         caption.add("size", fmt::format("{}x{} pixels", size.width, size.height));
 }
 
-void addLook(const Overlays& overlays, Caption& caption) {
+void addLook(const Overlays& overlays, const std::vector<Shot>& shots, Caption& caption) {
     caption.add("theme", overlays.theme);
-    caption.add("shown", shownText(overlays));
+    caption.add("shown", shownText(overlays, shots));
     if (overlays.colorBy != "body") caption.add("colours", overlays.colorBy);
 }
 
@@ -66,7 +75,7 @@ std::string solverText(const SceneDescription& scene) {
     return "preset " + scene.preset + (beside.empty() ? "" : "; " + beside);
 }
 
-void addPhysics(const SceneDescription& scene, const Options& options, Caption& caption) {
+void addWorld(const SceneDescription& scene, const Options& options, Caption& caption) {
     const SceneDescription usual;
     caption.add("scene", options.scene());
     caption.add("steps a second", std::to_string(scene.hz));
@@ -75,6 +84,10 @@ void addPhysics(const SceneDescription& scene, const Options& options, Caption& 
                     fmt::format("{} {} {} m/s^2", numberText(scene.gravity.x()),
                                 numberText(scene.gravity.y()), numberText(scene.gravity.z())));
     if (scene.seed != usual.seed) caption.add("seed", std::to_string(scene.seed));
+}
+
+void addPhysics(const SceneDescription& scene, const Options& options, Caption& caption) {
+    addWorld(scene, options, caption);
     caption.add("solver", solverText(scene));
     caption.add("set", fmt::format("{}", fmt::join(options.overrides, " ")));
 }

@@ -30,8 +30,11 @@ std::string titleOf(const SceneDescription& scene);
 /// Names of the files, size on paper and in pixels.
 void addFiles(const std::vector<std::string>& files, PictureSize size, const Paper& paper,
               Caption& caption);
-void addLook(const Overlays& overlays, Caption& caption);
-/// The scene, its steps, and where the world and the solver are not as usual.
+/// Theme, colours, and what is shown in one of the pictures at least.
+void addLook(const Overlays& overlays, const std::vector<Shot>& shots, Caption& caption);
+/// The scene's name, its steps, and where the world is not as usual.
+void addWorld(const SceneDescription& scene, const Options& options, Caption& caption);
+/// The same, the solver, and what was set.
 void addPhysics(const SceneDescription& scene, const Options& options, Caption& caption);
 /// "steady; substeps=8": the preset, and what differs from it.
 std::string solverText(const SceneDescription& scene);

@@ -16,7 +16,7 @@ Caption captionOf(const MomentsFigure& figure, PictureSize size, const Options& 
     Caption caption(titleOf(scene) + ". " + timesText(figure.shots) +
                     scalesText(overlays, figure.shots));
     addFiles({figure.file}, size, figure.paper, caption);
-    addLook(overlays, caption);
+    addLook(overlays, figure.shots, caption);
     addPhysics(scene, options, caption);
     addShots(figure.shots, caption);
     addProgram(options, caption);
@@ -40,16 +40,15 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
     writeFigure({{figure.file, render::encodePng(picture, dpi)}}, caption.text(), options);
 }
 
-void tellLeftOut(const render::Frame& frame, const FilmPlan& plan, const Paper& paper,
+void tellLeftOut(const std::vector<Shot>& shots, PictureSize picture, const Paper& paper,
                  const Talk& talk) {
-    if (!paper.given()) return;
-    const std::string what = leftOut(frame, plan.picture.width, plan.picture.height);
-    if (!what.empty())
-        talk.mention(
-            fmt::format("{}: no room in a picture of {:.0f} x {:.0f} mm, left out; use a "
-                        "larger --width or a higher --size",
-                        what, paper.millimetresOf(plan.picture.width),
-                        paper.millimetresOf(plan.picture.height)));
+    const std::vector<std::string> names = leftOut(shots);
+    if (names.empty()) return;
+    talk.mention(fmt::format(
+        "{}: no room in a picture of {:.0f} x {:.0f} mm, left out; use a larger --width or a "
+        "higher --size",
+        fmt::join(names, ", "), paper.millimetresOf(picture.width),
+        paper.millimetresOf(picture.height)));
 }
 
 }  // namespace demos

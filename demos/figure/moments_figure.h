@@ -24,7 +24,7 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
                   const Options& options);
 
 /// Says on standard error what has no room in a figure, whose letters do not shrink.
-void tellLeftOut(const render::Frame& frame, const FilmPlan& plan, const Paper& paper,
+void tellLeftOut(const std::vector<Shot>& shots, PictureSize picture, const Paper& paper,
                  const Talk& talk);
 
 }  // namespace demos

@@ -1,6 +1,9 @@
 #include "demos/figure/panel_figure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "demos/figure/type.h"
@@ -82,13 +85,22 @@ void drawPanel(const PanelFigure& figure, std::size_t i, render::Renderer& rende
     const bool whole = drawn.diverged.back().empty();
     placePicture(figure.layout, static_cast<int>(i),
                  whole ? exposed(seen, plan, renderer) : renderer.draw(seen.back()), drawn.image);
-    placeLines(figure.layout, static_cast<int>(i), figure.labels[i], render::Anchor::start,
+    placeLines(figure.layout, static_cast<int>(i), figure.labels[i], render::Anchor::middle,
                inksOf(overlays.theme).ink, drawn.image);
 }
 
 void placeBelow(const render::Image& part, render::Image& whole) {
     for (int row = 0; row < part.height; ++row)
         std::copy_n(part.at(0, row), 4 * part.width, whole.at(0, whole.height - part.height + row));
+}
+
+/// The pictures are of a moment that the chart below them shows.
+void checkTime(double time, double seconds) {
+    if (time <= seconds + 1e-9) return;
+    throw Stop(Exit::usage,
+               fmt::format("--time {:g}: the chart below the pictures ends at {:g} s; give "
+                           "--seconds {:g} too, or --no-strip",
+                           time, seconds, std::ceil(time)));
 }
 
 /// With the chart.
@@ -122,6 +134,7 @@ PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart
     const FilmPlan& first = figure.plans.front();
     figure.time = options.time.value_or(first.timeOf(first.frames - 1));
     for (const FilmPlan& plan : figure.plans) stepAt(figure.time, plan, "--time");
+    if (chart) checkTime(figure.time, runs.front().scene.seconds);
     checkNeeds(needsOf(first, 1, {}), first);
     return figure;
 }

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "demos/stop.h"
 #include "render/encode/png.h"
 
 namespace demos {
+namespace {
+
+constexpr double kLeastHeight = 5.0;  // mm: less shows nothing
+
+}  // namespace
 
 int Paper::pixelsOf(double millimetres) const {
     return static_cast<int>(std::lround(millimetres / 25.4 * dpi));
@@ -26,7 +30,14 @@ PictureSize figureSize(const Paper& paper, PictureSize ratio) {
                         "pixels; at most {} a side; use a smaller --dpi",
                         paper.width, paper.dpi, ratio.width, ratio.height, width, height,
                         render::kLargestSide));
-    return {width, std::max(static_cast<int>(std::lround(height)), 1)};
+    if (height < paper.pixelsOf(kLeastHeight))
+        throw Stop(Exit::usage,
+                   fmt::format("--width {:g}mm and --size {}x{} make a figure {:.1f} mm high; it "
+                               "must be {:g} mm at least, --size {}x{:.0f}",
+                               paper.width, ratio.width, ratio.height, height * 25.4 / paper.dpi,
+                               kLeastHeight, ratio.width,
+                               std::ceil(kLeastHeight / paper.width * ratio.width)));
+    return {width, static_cast<int>(std::lround(height))};
 }
 
 std::string themeOf(const SceneDescription& scene, const Options& options) {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
+#include "demos/commands/table.h"
 #include "demos/figure/figure_file.h"
+#include "demos/figure/moments_figure.h"
 #include "demos/film/pattern.h"
 #include "demos/report/plot_file.h"
 #include "demos/scene/complaints.h"
@@ -39,15 +42,44 @@ bool hasCaption(const std::string& file, const Options& options) {
     return !captionFiles({file}, options).empty();
 }
 
-void checkApart(const std::string& picture, const Options& options, const std::string& chart,
-                const Options& chartOptions) {
-    for (const std::string& a : captionFiles({picture}, options))
-        for (const std::string& b : captionFiles({chart}, chartOptions))
-            if (a == b)
+/// "penetration, residual over solver.substeps"
+std::string plottedText(const std::vector<Chart>& charts) {
+    if (charts.empty()) return {};
+    std::vector<std::string> names;
+    for (const Chart& chart : charts)
+        names.push_back(chart.yTitle.substr(0, chart.yTitle.find(": ")));
+    return fmt::format("{} over {}", fmt::join(names, ", "), charts.front().xTitle);
+}
+
+std::string capital(std::string text) {
+    if (!text.empty())
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
+
+/// A file that is written, and what it holds.
+struct Written {
+    std::string what, file;
+};
+
+std::vector<Written> filesOf(const std::string& what, const std::string& file,
+                             const Options& options) {
+    std::vector<Written> files{{what, file}};
+    for (const std::string& caption : captionFiles({file}, options))
+        files.push_back({"the caption of " + what, caption});
+    return files;
+}
+
+/// "-" is no place: it can be written to once only, which its option sees to.
+void checkApart(const std::vector<Written>& all) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (all[i].file != "-" && all[k].file != "-" &&
+                placeOf(all[i].file) == placeOf(all[k].file))
                 throw Stop(Exit::usage,
-                           fmt::format("the captions of '{}' and '{}' would both be '{}'; give one "
-                                       "of them another name",
-                                       printable(picture), printable(chart), printable(a)));
+                           fmt::format("{} and {} would both be '{}'; give one of them another "
+                                       "name, the caption of the pictures with --caption FILE",
+                                       all[k].what, all[i].what, printable(all[i].file)));
 }
 
 }  // namespace
@@ -58,6 +90,10 @@ void checkFigureOptions(const Options& options) {
         throw Stop(Exit::usage, fmt::format("--time {}: belongs to a figure; give --width, for "
                                             "example --width 85mm",
                                             *options.time));
+    if (!sweep && !options.film && !options.outputs.empty())
+        throw Stop(Exit::usage, fmt::format("--output '{}' and --no-film: without pictures nothing "
+                                            "goes there; leave one of them out",
+                                            printable(options.outputs.front())));
     const bool pictures = options.width && (sweep ? !options.outputs.empty() : options.film);
     if (pictures || !options.plot.empty()) return;
     if (!options.caption.empty() || options.width)
@@ -79,8 +115,13 @@ RunsFigure::RunsFigure(RunsFigureSettings settings, const Options& options)
     }
     if (options_.plot.empty()) return;
     checkChartFile(options_.plot);
+    if (options_.width) chartSize(std::size_t{1}, paperOf(options_), chartOptions_.size);
     if (hasCaption(options_.plot, chartOptions_)) checkFigure({options_.plot}, chartOptions_);
-    if (!target_.empty()) checkApart(target_, options_, options_.plot, chartOptions_);
+    std::vector<Written> files = filesOf("the chart", options_.plot, chartOptions_);
+    if (!target_.empty())
+        for (const Written& file : filesOf("the pictures", target_, options_))
+            files.push_back(file);
+    checkApart(files);
 }
 
 void RunsFigure::write(const std::vector<Chart>& below, const std::vector<Chart>& alone,
@@ -89,13 +130,26 @@ void RunsFigure::write(const std::vector<Chart>& below, const std::vector<Chart>
     if (panels_) writePictures(below, talk);
 }
 
-/// ": (a) nudges; (b) Baumgarte, 0.2"
+/// ": (a) nudges; (b) Baumgarte, 0.2", a sentence of its own where the title has a colon.
 std::string RunsFigure::runsText() const {
+    const char* first = settings_.title.find(": ") == std::string::npos ? ":" : ".";
     std::string text;
     for (std::size_t i = 0; i < settings_.pictured.size(); ++i)
-        text += fmt::format("{} {} {}", i == 0 ? ":" : ";", panelLetter(static_cast<int>(i)),
+        text += fmt::format("{} {} {}", i == 0 ? first : ";", panelLetter(static_cast<int>(i)),
                             settings_.pictured[i].label);
     return text;
+}
+
+/// Of the world what all runs share; what they do not is in their own lines.
+void RunsFigure::addShared(Caption& caption) const {
+    const SceneDescription& first = settings_.runs.front().scene;
+    const bool alike =
+        std::all_of(settings_.runs.begin(), settings_.runs.end(), [&](const Variant& run) {
+            return run.scene.hz == first.hz && run.scene.gravity == first.gravity &&
+                   run.scene.seed == first.seed;
+        });
+    if (alike) return addWorld(first, options_, caption);
+    caption.add("scene", options_.scene());
 }
 
 /// A line a run: what it was given, its solver, its state.
@@ -116,11 +170,12 @@ void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& tal
     const DrawnPanels drawn = drawPanels(*panels_, charts);
     const Overlays& overlays = panels_->plans.front().panels.front().overlays;
     Caption caption(settings_.title + runsText() + ". " + timesText(drawn.shots) +
-                    scalesText(overlays, drawn.shots));
+                    scalesText(overlays, drawn.shots) +
+                    (settings_.chart ? "; below: " + plottedText(charts) : ""));
     const PictureSize size{drawn.image.width, drawn.image.height};
     addFiles({target_}, size, panels_->paper, caption);
-    addLook(overlays, caption);
-    caption.add("scene", options_.scene());
+    addLook(overlays, drawn.shots, caption);
+    addShared(caption);
     caption.add("time", fmt::format("{:.3f} s", panels_->time));
     caption.add("set", fmt::format("{}", fmt::join(options_.overrides, " ")));
     addRuns(settings_.pictured, &drawn, caption);
@@ -131,6 +186,7 @@ void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& tal
                           jsonString(target_), numberText(panels_->time), size.width, size.height));
     talk.say(fmt::format("wrote {} ({} pictures, t = {:.3f} s, {}x{})", printable(target_),
                          drawn.shots.size(), panels_->time, size.width, size.height));
+    tellLeftOut(drawn.shots, panels_->layout.picture, panels_->paper, talk);
     tellCaptions({target_}, options_, talk);
 }
 
@@ -138,12 +194,14 @@ void RunsFigure::writeChart(const std::vector<Chart>& charts, const Talk& talk) 
     const SceneDescription& scene = settings_.runs.front().scene;
     const Paper paper = paperOf(options_);
     const std::string theme = themeOf(scene, options_);
-    const PictureSize size = paper.given() ? chartSize(charts.size(), paper, chartOptions_.size)
+    const PictureSize size = paper.given() ? chartSize(charts, paper, chartOptions_.size)
                                            : chartSize(charts.size());
-    Caption caption(fmt::format("{}. {:g} s of simulated time", settings_.title, scene.seconds));
+    const std::string what = capital(plottedText(charts));
+    Caption caption(fmt::format("{}. {}{:g} s of simulated time", settings_.title,
+                                what.empty() ? "" : what + "; ", scene.seconds));
     addFiles({options_.plot}, size, paper, caption);
     caption.add("theme", theme);
-    caption.add("scene", options_.scene());
+    addShared(caption);
     caption.add("set", fmt::format("{}", fmt::join(options_.overrides, " ")));
     addRuns(settings_.runs, nullptr, caption);
     addProgram(options_, caption);

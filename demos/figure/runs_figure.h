@@ -36,6 +36,7 @@ private:
     void writePictures(const std::vector<Chart>& charts, const Talk& talk) const;
     void writeChart(const std::vector<Chart>& charts, const Talk& talk) const;
     std::string runsText() const;
+    void addShared(Caption& caption) const;
     void addRuns(const std::vector<Variant>& runs, const DrawnPanels* drawn,
                  Caption& caption) const;
 

@@ -1,8 +1,51 @@
 #include "demos/film/exposure.h"
 
+#include <algorithm>
+
 #include "demos/film/framing.h"
+#include "render/corners.h"
 
 namespace demos {
+namespace {
+
+bool isStats(const render::Plate& plate) { return plate.corner == render::Corner::topRight; }
+
+/// Statistics without room give way to the first line.
+void chooseStats(const FilmPlan& plan, render::Frame& frame) {
+    const Overlays& shown = plan.panels.front().overlays;
+    if (!shown.stats) return;
+    render::Frame without = frame;
+    const bool firstLine = shown.text && shown.headings;
+    if (firstLine) without.texts.erase(without.texts.begin());
+    const render::CornerLayout placed =
+        render::layoutCorners(without, plan.picture.width, plan.picture.height);
+    const bool fit = std::any_of(placed.plates.begin(), placed.plates.end(),
+                                 [](const auto& one) { return isStats(*one.plate); });
+    if (!fit)
+        std::erase_if(frame.plates, isStats);
+    else if (firstLine)
+        frame.texts.erase(frame.texts.begin());
+}
+
+/// In a small picture a legend would cover what it explains; the caption has its words. Colours of
+/// a list have their names in it alone.
+void chooseLegend(const FilmPlan& plan, render::Frame& frame) {
+    constexpr double kLeastWidth = 120.0;  // mm
+    const Overlays& shown = plan.panels.front().overlays;
+    const double width = 25.4 / 72.0 * plan.picture.width / shown.pixelsPerPoint;
+    const bool listed = shown.colorBy == "group" || shown.colorBy == "material";
+    if (width >= kLeastWidth || listed) return;
+    std::erase_if(frame.plates, [](const render::Plate& plate) { return !isStats(plate); });
+}
+
+/// On paper letters do not shrink.
+void chooseTexts(const FilmPlan& plan, render::Frame& frame) {
+    if (!(plan.panels.front().overlays.pixelsPerPoint > 0.0)) return;
+    chooseLegend(plan, frame);
+    chooseStats(plan, frame);
+}
+
+}  // namespace
 
 std::vector<render::Frame> playTo(double time, int steps, const FilmPlan& plan, Player& player) {
     const Shutter shutter(plan.shutter, plan.stepsPerFrame);
@@ -10,6 +53,7 @@ std::vector<render::Frame> playTo(double time, int steps, const FilmPlan& plan, 
     for (int left = steps; left >= 0; --left) {
         if (shutter.sees(left)) {
             seen.push_back(player.frame(time - static_cast<double>(left) / plan.scene().hz));
+            chooseTexts(plan, seen.back());
             fitCamera(plan.picture.width, plan.picture.height, seen.back());
         }
         if (left > 0) player.step();

@@ -79,7 +79,8 @@ render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) 
     render::Image whole = emptyPicture(plan);
     const Area& at = plan.layout.panels.front();
     place(panel, at.x, at.y, whole);
-    if (!plan.alpha()) drawBorder(at, whole);
+    const bool onPaper = plan.panels.front().overlays.pixelsPerPoint > 0.0;  // of one ground
+    if (!plan.alpha() && !onPaper) drawBorder(at, whole);
     placeStrip(plan, time, whole);
     return whole;
 }

@@ -1,5 +1,7 @@
 #include "demos/report/chart.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,8 @@
 #include "demos/report/drawing.h"
 #include "demos/report/inks.h"
 #include "demos/report/layout.h"
-#include "demos/scene/complaints.h"
+#include "demos/report/page_texts.h"
+#include "demos/stop.h"
 #include "render/overlay.h"
 
 namespace demos {
@@ -30,13 +33,15 @@ public:
     }
 
     void draw(const Chart& chart, const Plot& plot) {
-        drawTitles(chart, plot);
+        drawTitles(plot);
         drawGrid(plot);
         if (plot.empty) return drawNoData(plot);
         drawTicks(plot);
         for (std::size_t i = 0; i < chart.series.size(); ++i)
             drawSeries(chart, plot, static_cast<int>(i));
+        drawXTitle(plot);
         for (const EndLabel& label : plot.labels) drawEndLabel(chart, plot, label);
+        drawLegend(chart, plot);
     }
     Drawing finish() { return std::move(drawing_); }
 
@@ -50,15 +55,20 @@ private:
         if (!text.empty()) drawing_.labels.push_back({std::move(text), at, anchor, pixels, color});
     }
     float hair() const { return std::max(std::round(1.2f * page_.unit), 1.0f); }
-    float lineWidth() const { return std::max(kLineWidth * page_.unit, 1.4f); }
+    float lineWidth() const {
+        return page_.onPaper ? kLineWidth * page_.unit : std::max(kLineWidth * page_.unit, 1.4f);
+    }
+    void addLines(const std::vector<std::string>& lines, float pixels, Point at,
+                  const render::Color& color) {
+        for (const std::string& line : lines) {
+            add(line, at, Anchor::start, pixels, color);
+            at.y += kRow * pixels;
+        }
+    }
 
-    void drawTitles(const Chart& chart, const Plot& plot) {
-        const float room = width_ - 2.0f * page_.margin;
-        const auto fit = page_.onPaper ? fittedTitle : fitted;  // a caption has the rest
-        add(fit(printable(chart.title), page_.title, room), {page_.margin, plot.titleBase},
-            Anchor::start, page_.title, inks_.ink);
-        add(fitted(plot.yText, page_.text, room), {page_.margin, plot.yTitleBase}, Anchor::start,
-            page_.text, inks_.muted);
+    void drawTitles(const Plot& plot) {
+        addLines(plot.title, page_.title, {page_.margin, plot.titleBase}, inks_.ink);
+        addLines(plot.yTitle, page_.text, {page_.margin, plot.yTitleBase}, inks_.muted);
     }
 
     void drawGrid(const Plot& plot) {
@@ -85,9 +95,45 @@ private:
             add(plot.x.texts[i], {x, plot.tickBase}, Anchor::middle, page_.text, inks_.muted);
             end = std::max(end, x + 0.5f * render::textWidth(plot.x.texts[i], page_.text));
         }
-        end += 0.6f * page_.text;
-        add(fitted(plot.xText, page_.text, width_ - 0.5f * page_.margin - end),
-            {end, plot.tickBase}, Anchor::start, page_.text, inks_.muted);
+        if (!plot.xTitleBelow && !plot.xTitle.empty()) {
+            end += 0.6f * page_.text;
+            add(fitted(plot.xTitle.front(), page_.text, width_ - 0.5f * page_.margin - end),
+                {end, plot.tickBase}, Anchor::start, page_.text, inks_.muted);
+        }
+    }
+
+    /// Below the middle of the axis, or from the margin where it is wider.
+    void drawXTitle(const Plot& plot) {
+        if (!plot.xTitleBelow) return;
+        Point at{0.5f * (plot.left + plot.right), plot.xTitleBase};
+        for (const std::string& line : plot.xTitle) {
+            const float half = 0.5f * render::textWidth(line, page_.text);
+            const float x = std::min(at.x, width_ - page_.margin - half);
+            add(line, {std::max(x, page_.margin + half), at.y}, Anchor::middle, page_.text,
+                inks_.muted);
+            at.y += kRow * page_.text;
+        }
+    }
+
+    void drawLegend(const Chart& chart, const Plot& plot) {
+        for (const LegendEntry& entry : plot.legend) {
+            const int ink = inkOf(chart, entry.series);
+            const float x = page_.margin + entry.x;
+            const float y = plot.legendBase + kRow * page_.text * static_cast<float>(entry.row);
+            const float middle = y - kMiddle * page_.text;
+            if (chart.xNames.empty())
+                add({{x, middle}, {x + 1.6f * page_.text, middle}}, lineWidth(),
+                    lineColor(ink, inks_));
+            else
+                add({{x + 0.8f * page_.text, middle}}, 4.5f * lineWidth(), lineColor(ink, inks_));
+            add(entry.text, {x + 2.2f * page_.text, y}, Anchor::start, page_.text,
+                labelColor(ink, inks_));
+        }
+    }
+
+    static int inkOf(const Chart& chart, int series) {
+        const int own = chart.series[static_cast<std::size_t>(series)].ink;
+        return own >= 0 ? own : series;
     }
 
     void drawNoData(const Plot& plot) {
@@ -100,7 +146,7 @@ private:
     /// Its unbroken pieces; few samples are marked by dots.
     void drawSeries(const Chart& chart, const Plot& plot, int number) {
         const Series& series = chart.series[number];
-        const render::Color color = lineColor(number, inks_);
+        const render::Color color = lineColor(inkOf(chart, number), inks_);
         std::vector<Point> piece, all;
         const std::size_t count = std::min(series.x.size(), series.y.size());
         for (std::size_t i = 0; i <= count; ++i) {
@@ -108,12 +154,15 @@ private:
                 piece.push_back({plot.xOf(series.x[i]), plot.yOf(series.y[i])});
                 all.push_back(piece.back());
             } else if (!piece.empty()) {
-                add(thinned(piece), piece.size() == 1 ? 2.2f * lineWidth() : lineWidth(), color);
+                if (chart.xNames.empty())
+                    add(thinned(piece), (piece.size() == 1 ? 2.2f : 1.0f) * lineWidth(), color);
                 piece.clear();
             }
         }
-        if (areApart(all, 5.0f * lineWidth()))
-            for (const Point& point : all) add({point}, 2.6f * lineWidth(), color);
+        const bool named = !chart.xNames.empty();
+        if (named || areApart(all, 5.0f * lineWidth()))
+            for (const Point& point : all)
+                add({point}, (named ? 4.5f : 2.6f) * lineWidth(), color);
     }
 
     /// On average, and there are two at least.
@@ -126,10 +175,9 @@ private:
         const float x = plot.right + 1.4f * page_.text;
         const bool isLine = label.series >= 0;
         add(label.text, {x, label.y + kMiddle * plot.labelPixels}, Anchor::start, plot.labelPixels,
-            isLine ? labelColor(label.series, inks_) : inks_.muted);
-        const bool near = std::abs(label.y - label.value) < 2.5f * plot.labelPixels;
-        if (!isLine || !near || !endsAtTheRight(chart, plot, label.series)) return;
-        render::Color color = lineColor(label.series, inks_);
+            isLine ? labelColor(inkOf(chart, label.series), inks_) : inks_.muted);
+        if (!isLine || !endsAtTheRight(chart, plot, label.series)) return;
+        render::Color color = lineColor(inkOf(chart, label.series), inks_);
         color.a = 0.75f;
         add({{plot.right + 0.45f * page_.text, label.value}, {x - 0.35f * page_.text, label.y}},
             0.5f * lineWidth(), color);
@@ -148,7 +196,45 @@ private:
     Drawing drawing_;
 };
 
+constexpr double kLeastChart = 40.0;  // mm: ticks and their numbers, and a plot as wide again
+constexpr double kLeastAsked = 30.0;  // mm of a chart's height where --size asks for one
+
+void checkChartWidth(const Paper& paper) {
+    if (paper.width < kLeastChart)
+        throw Stop(Exit::usage, fmt::format("--width {:g}mm: a chart needs {:g}mm at least",
+                                            paper.width, kLeastChart));
+}
+
+PictureSize askedSize(double charts, const Paper& paper, PictureSize ratio) {
+    const PictureSize size = figureSize(paper, ratio);
+    const double each = paper.millimetresOf(size.height) / charts;
+    if (each < kLeastAsked)
+        throw Stop(Exit::usage,
+                   fmt::format("--size {}x{}: {:g} {} of {:.1f} mm height in a width of {:g} mm; "
+                               "each needs {:g} mm: use --size {}x{:.0f} or higher, or none",
+                               ratio.width, ratio.height, charts, charts > 1 ? "charts" : "chart",
+                               each, paper.width, kLeastAsked, ratio.width,
+                               std::ceil(kLeastAsked * charts / paper.width * ratio.width)));
+    return size;
+}
+
 }  // namespace
+
+void useSmallUnit(Chart& chart) {
+    double largest = 0.0;
+    for (const Series& series : chart.series)
+        for (const double y : series.y)
+            if (std::isfinite(y)) largest = std::max(largest, std::abs(y));
+    if (chart.yUnit != "mm" || chart.logY || !(largest > 0.0)) return;
+    double scale = 1.0;
+    for (const char* unit : {"µm", "nm", "pm"}) {
+        if (scale * largest >= 1e-3) break;  // a tick of 0.001
+        scale *= 1e3;
+        chart.yUnit = unit;
+    }
+    for (Series& series : chart.series)
+        for (double& y : series.y) y *= scale;
+}
 
 bool hasData(const Chart& chart) {
     for (const Series& series : chart.series)
@@ -164,11 +250,22 @@ PictureSize chartSize(std::size_t count) {
 }
 
 PictureSize chartSize(std::size_t count, const Paper& paper, std::optional<PictureSize> ratio) {
-    if (ratio) return figureSize(paper, *ratio);
-    constexpr double kLeast = 38.0;  // mm a chart: as much again as its title, units and ticks take
+    constexpr double kLeast = 38.0;  // mm a chart: half as much again as its titles and ticks take
     const double charts = static_cast<double>(std::max<std::size_t>(count, 1));
+    checkChartWidth(paper);
+    if (ratio) return askedSize(charts, paper, *ratio);
     const double each = std::max((charts > 1 ? 9.0 / 32.0 : 9.0 / 16.0) * paper.width, kLeast);
     return figureSize(paper, {paper.pixels(), paper.pixelsOf(charts * each)});
+}
+
+PictureSize chartSize(const std::vector<Chart>& charts, const Paper& paper,
+                      std::optional<PictureSize> ratio) {
+    PictureSize size = chartSize(charts.size(), paper, ratio);
+    if (ratio) return size;
+    float higher = 0.0f;
+    for (const Plot& plot : pageOf(charts, size, paper).plots) higher += plot.higher;
+    size.height += static_cast<int>(std::lround(higher));
+    return figureSize(paper, size);
 }
 
 PictureSize chartBelow(const Paper& paper) {
@@ -184,6 +281,7 @@ Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std:
     for (std::size_t i = 0; i < charts.size(); ++i) pen.draw(charts[i], page.plots[i]);
     Drawing drawing = pen.finish();
     drawing.millimetres = paper.width;
+    drawing.pixelsPerPoint = paper.pixelsPerPoint();
     return drawing;
 }
 

@@ -61,13 +61,20 @@ std::string svgText(const Line& line) {
                        paint("stroke", line.color), line.width);
 }
 
-std::string svgText(const Label& label) {
+/// Pixels of the font's em. Letters of a picture come to whole pixels; on paper these have whole
+/// points.
+double emOf(const Label& label, double pixelsPerPoint) {
+    const double em = kEmShare * static_cast<double>(label.pixels);
+    return pixelsPerPoint > 0.0 ? std::round(em / pixelsPerPoint) * pixelsPerPoint : em;
+}
+
+std::string svgText(const Label& label, double pixelsPerPoint) {
     constexpr const char* kAnchors[] = {"start", "middle", "end"};
     return fmt::format(
         "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" "
         "text-anchor=\"{}\" {}>{}</text>\n",
-        label.at.x, label.at.y, static_cast<float>(kEmShare) * label.pixels, kAnchors[static_cast<int>(label.anchor)],
-        paint("fill", label.color), escaped(label.text));
+        label.at.x, label.at.y, emOf(label, pixelsPerPoint),
+        kAnchors[static_cast<int>(label.anchor)], paint("fill", label.color), escaped(label.text));
 }
 
 /// On paper its coordinates stay pixels.
@@ -90,7 +97,7 @@ std::string svgOf(const Drawing& drawing) {
     svg += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     for (const Line& line : drawing.lines) svg += svgText(line);
     svg += "</g>\n";
-    for (const Label& label : drawing.labels) svg += svgText(label);
+    for (const Label& label : drawing.labels) svg += svgText(label, drawing.pixelsPerPoint);
     return svg + "</svg>\n";
 }
 

@@ -89,14 +89,28 @@ std::string fitted(const std::string& text, float pixels, float room) {
     return {};
 }
 
-std::string fittedTitle(const std::string& text, float pixels, float room) {
+std::string fittedName(const std::string& text, float pixels, float room) {
+    if (render::textWidth(text, pixels) <= room) return text;
+    std::vector<std::size_t> starts;  // of letters
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) starts.push_back(i);
+    for (std::size_t kept = starts.size() - 1; kept >= 2; --kept) {
+        const std::size_t head = (kept + 1) / 2, tail = kept / 2;
+        const std::string shorter =
+            text.substr(0, starts[head]) + "…" + text.substr(starts[starts.size() - tail]);
+        if (render::textWidth(shorter, pixels) <= room) return shorter;
+    }
+    return fitted(text, pixels, room);
+}
+
+std::string withoutAsides(const std::string& text, float pixels, float room) {
     std::string title = text;
     while (render::textWidth(title, pixels) > room) {
         const std::size_t comma = title.rfind(", "), bracket = title.rfind(" (");
         const std::size_t cut = comma == std::string::npos     ? bracket
                                 : bracket == std::string::npos ? comma
                                                                : std::max(comma, bracket);
-        if (cut == std::string::npos || cut == 0) return fitted(text, pixels, room);
+        if (cut == std::string::npos || cut == 0) break;
         title.resize(cut);
     }
     return title;

@@ -19,7 +19,10 @@ std::vector<float> separated(const std::vector<float>& wanted, float spacing, fl
 /// The text, or as much of it as has room, with an ellipsis.
 std::string fitted(const std::string& text, float pixels, float room);
 
-/// The same, but what comes after its last commas and brackets goes first.
-std::string fittedTitle(const std::string& text, float pixels, float room);
+/// The same, with the ellipsis in the middle: what tells names apart is often at their ends.
+std::string fittedName(const std::string& text, float pixels, float room);
+
+/// Without what comes after its last commas and brackets, as far as it takes; may still be wider.
+std::string withoutAsides(const std::string& text, float pixels, float room);
 
 }  // namespace demos

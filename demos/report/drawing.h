@@ -33,7 +33,8 @@ struct Label {
 /// Rectangles below, lines upon them, labels on top, each in their order.
 struct Drawing {
     PictureSize size;
-    double millimetres = 0.0;  // of its width on paper; 0 = not known
+    double millimetres = 0.0;     // of its width on paper; 0 = not known
+    double pixelsPerPoint = 0.0;  // likewise
     std::vector<Rectangle> rectangles;
     std::vector<Line> lines;
     std::vector<Label> labels;

@@ -44,14 +44,37 @@ std::vector<std::size_t> columnsOf(const std::vector<Measured>& runs) {
 
 double numberOf(const std::string& text) {
     double value = std::numeric_limits<double>::quiet_NaN();
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
+    const char* end = text.data() + text.size();
+    const auto got = std::from_chars(text.data(), end, value);
+    return got.ptr == end ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// What stands behind the '=' of the run's last setting.
 std::string valueOf(const Measured& run) {
     const std::string& setting = run.variant.settings.back();
     return setting.substr(setting.find('=') + 1);
+}
+
+/// Each so many times the one before, over more than a few: a range of factors.
+bool isGeometric(const std::vector<double>& x) {
+    if (x.size() < 3 || !(x[0] > 0.0) || !(x[1] >= 1.2 * x[0])) return false;
+    const double factor = x[1] / x[0];
+    for (std::size_t i = 2; i < x.size(); ++i)
+        if (!(std::abs(x[i] - factor * x[i - 1]) < 0.01 * x[i])) return false;
+    return x.back() >= 4.0 * x.front();
+}
+
+/// Numbers where all values are numbers, else places in a row of names.
+void setValues(const std::vector<Measured>& runs, Chart& chart, Series& series) {
+    for (const Measured& run : runs) series.x.push_back(numberOf(valueOf(run)));
+    const bool numbers =
+        std::all_of(series.x.begin(), series.x.end(), [](double x) { return std::isfinite(x); });
+    chart.logX = numbers && isGeometric(series.x);
+    if (numbers) return;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        series.x[i] = static_cast<double>(i);
+        chart.xNames.push_back(valueOf(runs[i]));
+    }
 }
 
 std::string csvCell(const std::string& text) {
@@ -127,6 +150,7 @@ Chart historyChart(const std::vector<Measured>& runs, int measure, const std::st
         for (double& y : series.y) y *= unit.scale;
         chart.series.push_back(std::move(series));
     }
+    useSmallUnit(chart);
     return chart;
 }
 
@@ -135,10 +159,9 @@ Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::stri
     const Unit unit = shownUnit(m);
     Chart chart{"", key, "", fmt::format("{}: {}", m.name, m.meaning), unit.name, false, {}};
     Series series;
+    setValues(runs, chart, series);
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const double x = numberOf(valueOf(runs[i]));
-        series.x.push_back(std::isfinite(x) ? x : static_cast<double>(i));
         const double y = unit.scale * runs[i].summary.values[static_cast<std::size_t>(measure)];
         const bool whole = runs[i].summary.diverged.empty();
         series.y.push_back(whole ? y : std::numeric_limits<double>::quiet_NaN());
@@ -146,6 +169,7 @@ Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::stri
     }
     chart.logY = most > 100.0 * least;
     chart.series.push_back(std::move(series));
+    useSmallUnit(chart);
     return chart;
 }
 

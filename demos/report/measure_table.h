@@ -34,7 +34,7 @@ std::string csvText(const std::vector<Measured>& runs, const std::string& key);
 /// The measure over time, a line per run.
 Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title);
 
-/// The measure over the swept value, of runs whose label is a number.
+/// The measure over the swept value: numbers, by factors on a log axis, or names.
 Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key);
 
 }  // namespace demos

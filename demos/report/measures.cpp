@@ -12,6 +12,7 @@ namespace {
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostCourses = 12;  // more lines cannot be told apart
 constexpr double kMillimetres = 1e3;
+constexpr int kEnergyInks[] = {1, 0, 4};  // warm, cool, the ink: as in statistics and replays
 
 using Sweeps = std::span<const engine::SweepReport>;
 
@@ -25,6 +26,20 @@ Sweeps firstSubstep(Sweeps all, const engine::Settings& settings) {
         if (enough || count >= most) return all.first(count);
     }
     return all;
+}
+
+/// One step in fifty or less that leaves nearly nothing would stretch an axis over its rounding:
+/// the least value of the others' axis; 0 where there are more of them, or none.
+double leastShown(const std::vector<double>& values) {
+    constexpr double kNearly = 1e-9;  // of the largest
+    double largest = 0.0;
+    for (const double value : values)
+        if (value > largest) largest = value;
+    const auto tiny = std::count_if(values.begin(), values.end(), [&](double value) {
+        return value > 0.0 && value < kNearly * largest;
+    });
+    const bool few = tiny > 0 && 50 * tiny <= static_cast<std::ptrdiff_t>(values.size());
+    return few ? kNearly * largest : 0.0;
 }
 
 bool isHarder(Sweeps a, Sweeps b) {
@@ -132,6 +147,7 @@ Chart Recorder::energy() const {
     chart.series = {series("kinetic", [](const Measures& m) { return m.energy.kinetic; }),
                     series("potential", [](const Measures& m) { return m.energy.potential; }),
                     series("total", [](const Measures& m) { return m.energy.total(); })};
+    for (std::size_t i = 0; i < chart.series.size(); ++i) chart.series[i].ink = kEnergyInks[i];
     return chart;
 }
 
@@ -141,6 +157,7 @@ Chart Recorder::penetration() const {
         std::any_of(looks_.begin(), looks_.end(), [](const Measures& m) { return m.contacts > 0; });
     if (touched)
         chart.series = {series("", [](const Measures& m) { return kMillimetres * m.penetration; })};
+    useSmallUnit(chart);
     return chart;
 }
 
@@ -148,6 +165,7 @@ Chart Recorder::separation() const {
     Chart chart = overTime("widest joint separation", "separation", "mm");
     if (hasJoints_)
         chart.series = {series("", [](const Measures& m) { return kMillimetres * m.separation; })};
+    useSmallUnit(chart);
     return chart;
 }
 
@@ -216,6 +234,7 @@ Chart Recorder::residual() const {
     Chart chart = overTime("residual after the last sweep", "residual", "m/s");
     chart.logY = true;
     chart.series = {series("", [](const Measures& m) { return m.residual; })};
+    chart.leastY = leastShown(chart.series.front().y);
     return chart;
 }
 

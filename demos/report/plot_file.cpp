@@ -36,9 +36,9 @@ std::vector<Chart> chartsOf(const Recorder& recorder, const PlotChoice& choice) 
     return charts;
 }
 
-PictureSize sizeOf(std::size_t charts, const PlotChoice& choice) {
+PictureSize sizeOf(const std::vector<Chart>& charts, const PlotChoice& choice) {
     if (choice.paper.given()) return chartSize(charts, choice.paper, choice.size);
-    return choice.size.value_or(chartSize(charts));
+    return choice.size.value_or(chartSize(charts.size()));
 }
 
 PlotChoice plotChoiceOf(const Options& options, const SceneDescription& scene) {
@@ -69,13 +69,14 @@ void writeCharts(const std::string& file, const std::vector<Chart>& charts, Pict
 }
 
 void checkPlotFile(const std::string& file, const PlotChoice& choice) {
-    checkPixels(file, sizeOf(std::max<std::size_t>(choice.what.size(), 1), choice), choice.paper);
+    const std::vector<Chart> least(std::max<std::size_t>(choice.what.size(), 1));
+    checkPixels(file, sizeOf(least, choice), choice.paper);
     checkChartFile(file);
 }
 
 std::size_t writePlot(const std::string& file, const Recorder& recorder, const PlotChoice& choice) {
     const std::vector<Chart> charts = chartsOf(recorder, choice);
-    writeCharts(file, charts, sizeOf(charts.size(), choice), choice.theme);
+    writeCharts(file, charts, sizeOf(charts, choice), choice.theme);
     return charts.size();
 }
 

@@ -38,7 +38,7 @@ void checkPlotFile(const std::string& file, const PlotChoice& choice);
 
 /// Those that were chosen, and the size of their page.
 std::vector<Chart> chartsOf(const Recorder& recorder, const PlotChoice& choice);
-PictureSize sizeOf(std::size_t charts, const PlotChoice& choice);
+PictureSize sizeOf(const std::vector<Chart>& charts, const PlotChoice& choice);
 
 /// Whole or not at all; its folder is made. The number of charts. Throws render::Error.
 std::size_t writePlot(const std::string& file, const Recorder& recorder, const PlotChoice& choice);

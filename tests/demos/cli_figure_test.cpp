@@ -67,7 +67,10 @@ TEST_F(Figure, IsAsWideAsAskedForInEveryCommand) {
 TEST_F(Figure, TheSizeGivesTheRatio) {
     ASSERT_EQ(impulse(small({"still", "ball.toml", "-o", "a.png", "--size", "200x100"})).code, 0);
     EXPECT_EQ(picture("a.png").height, 114);
-    ASSERT_EQ(impulse(small({"plot", "ball.toml", "-o", "b.svg", "--size", "3x2"})).code, 0);
+    ASSERT_EQ(impulse(small({"plot", "ball.toml", "--what", "contacts", "-o", "b.svg", "--size",
+                             "3x2"}))
+                  .code,
+              0);
     EXPECT_NE(contentOf(folder / "b.svg").find("width=\"60mm\" height=\"39.912mm\""),
               std::string::npos);
 }
@@ -97,8 +100,9 @@ TEST_F(Figure, LettersOfAStripAndOfAChartAreOfOneSize) {
                       .code,
                   0);
         const render::Image chart = picture("chart.png");
-        // the ticks' row, below their marks and to the left of "time (s)", whose bracket is higher
-        const int digits = inkHeight(chart, 0, chart.width / 2, chart.height - 65, chart.height);
+        // the ticks' row, below their marks and above "time (s)"
+        const int digits =
+            inkHeight(chart, 0, chart.width, chart.height - 114, chart.height - 65);
         EXPECT_NEAR(digits, label, 1) << width;
     }
 }
@@ -183,7 +187,9 @@ TEST_F(Figure, AComparisonNamesItsRuns) {
                   .code,
               0);
     const std::string text = contentOf(folder / "a.caption.txt");
-    EXPECT_TRUE(text.starts_with("A ball: (a) free; (b) nudged. t = 0.5 s.\n")) << text;
+    EXPECT_TRUE(text.starts_with("A ball: (a) free; (b) nudged. t = 0.5 s; below: penetration over "
+                                 "time.\n"))
+        << text;
     EXPECT_NE(text.find("\n(b): nudged: solver.nudges=4 (preset steady; nudges=4, 60 steps a "
                         "second), state "),
               std::string::npos)
@@ -262,6 +268,22 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
         {compare({"--width", "85mm", "-o", "a.mp4"}), 2, "ends in .png"},
         {compare({"--width", "85mm", "-o", "a.png", "-o", "b.png"}), 2, "one picture"},
         {compare({"--width", "85mm", "--no-film"}), 2, "--plot FILE"},
+        {compare({"--no-film", "-o", "a.png", "--plot", "b.svg"}), 2, "leave one of them out"},
+        {compare({"--width", "85mm", "-o", "a.png", "--plot", "./a.png", "--caption", "c.txt"}),
+         2,
+         "both be 'a.png'"},
+        {compare({"--width", "85mm", "-o", "b.png", "--plot", "a.svg", "--caption", "a.svg"}),
+         2,
+         "--caption FILE"},
+        {compare({"--width", "85mm", "-o", "a.png", "-t", "99"}), 2, "give --seconds 99"},
+        {compare({"--width", "39mm", "-o", "a.png"}), 2, "a chart needs 40mm"},
+        {{"plot", "ball.toml", "--width", "39mm", "-o", "a.svg"}, 2, "a chart needs 40mm"},
+        {{"plot", "ball.toml", "--width", "85mm", "--size", "1000x90", "-o", "a.svg"},
+         2,
+         "--size 1000x353 or higher"},
+        {{"still", "ball.toml", "--width", "85mm", "--size", "1000x10", "-o", "a.png"},
+         2,
+         "at least, --size 1000x59"},
         {compare({"--width", "85mm", "-o", "a.png", "--plot", "a.svg"}), 2, "another name"},
         {compare({"--width", "85mm", "-o", "a.png", "-t", "1e5", "--set", "world.hz=100000"}), 2,
          "steps away"},
@@ -285,9 +307,28 @@ TEST_F(Figure, WhatHasNoRoomIsTold) {
     EXPECT_EQ(ended.code, 0);
     EXPECT_NE(ended.err.find("stats: no room in a picture of 60 x 34 mm"), std::string::npos)
         << ended.err;
+    EXPECT_EQ(contentOf(folder / "a.caption.txt").find("stats\n"), std::string::npos);
+    ASSERT_EQ(impulse(small({"still", "ball.toml", "-o", "plain.png"})).code, 0);
+    EXPECT_EQ(picture("a.png").pixels, picture("plain.png").pixels);  // the first line is there
     const Ended wide = impulse({"still", "ball.toml", "--show", "stats", "--width", "170mm",
                                 "--dpi", "72", "-o", "b.png"});
     EXPECT_TRUE(wide.err.empty()) << wide.err;
+}
+
+/// It would cover what it explains; a wider picture, and one whose colours have names, has it.
+TEST_F(Figure, ASmallPictureHasItsLegendInTheCaption) {
+    const auto pixelsOf = [&](const char* width, const char* show) {
+        const std::string file = std::string(width) + show + ".png";
+        EXPECT_EQ(impulse({"still", "ball.toml", "-t", "0", "--show", show, "--width", width,
+                           "--dpi", "72", "-o", file})
+                      .code,
+                  0);
+        return picture(file).pixels;
+    };
+    EXPECT_EQ(pixelsOf("119mm", "contacts"), pixelsOf("119mm", "normals"));
+    EXPECT_NE(pixelsOf("121mm", "contacts"), pixelsOf("121mm", "normals"));
+    EXPECT_NE(contentOf(folder / "119mmcontacts.caption.txt").find("; pink dots: contacts"),
+              std::string::npos);
 }
 
 TEST_F(Figure, JsonNamesTheCaption) {

@@ -101,11 +101,12 @@ TEST(FigureChart, LeavesAsidesOfATitleToTheCaption) {
     EXPECT_EQ(title(kColumn), "chain: residual sweep by sweep");
     EXPECT_EQ(title({}), charts[0].title);
     charts[0].title = "a title of many words without an aside that has no room in a column";
-    EXPECT_TRUE(title(kColumn).ends_with("…"));
+    const Drawing drawing = drawingOf(charts, {1004, 565}, "print", kColumn);
+    EXPECT_EQ(drawing.labels[0].text + " " + drawing.labels[1].text, charts[0].title);
 }
 
 TEST(FigureChart, DrawsCurvesOfFourFifthsOfAPoint) {
-    for (const int dpi : {150, 300, 600}) {
+    for (const int dpi : {72, 100, 150, 300, 600}) {
         const Paper paper{85.0, dpi};
         const Drawing drawing =
             drawingOf(crowdedChart(1), chartSize(1, paper, std::nullopt), "print", paper);
@@ -203,11 +204,43 @@ TEST(FigureCaption, TellsTheArrowsScaleOfEveryPicture) {
     EXPECT_EQ(scalesText(overlays, {one, one}),
               "; red arrows: impulses along the normals, 1 cm = 50 N s");
     EXPECT_EQ(scalesText(overlays, {one, two, {}}),
-              "; red arrows: impulses along the normals, 1 cm = 50, 12.3, - N s");
+              "; red arrows: impulses along the normals, 1 cm = 50 N s, 12.3 N s, none");
+    EXPECT_EQ(scalesText(overlays, {one, two}),
+              "; red arrows: impulses along the normals, 1 cm = 50, 12.3 N s");
     EXPECT_EQ(scalesText(overlays, {{}}), "; red arrows: impulses along the normals");
+    Shot bare;
+    bare.onPaper = true;
+    EXPECT_EQ(scalesText(overlays, {bare}), "");  // there is no arrow to name
     EXPECT_EQ(timesText({one, one}), "t = 0 s");
     two.time = 1.25;
     EXPECT_EQ(timesText({one, two}), "t = 0, 1.25 s");
+    one.time = 7.0 / 3;
+    EXPECT_EQ(timesText({one, two}), "t = 2.333, 1.250 s");
+}
+
+TEST(FigureCaption, NamesEveryMark) {
+    for (const char* mark : {"contacts", "normals", "joints", "axes", "com", "bounds", "ghost"}) {
+        Overlays overlays;
+        ASSERT_TRUE(switchOn(overlays, mark));
+        EXPECT_TRUE(scalesText(overlays, {{}}).starts_with("; ")) << mark;
+    }
+}
+
+TEST(FigureCaption, ListsWhatIsSeen) {
+    Overlays overlays;
+    overlays.stats = true;
+    Shot full, small;
+    small.leftOut = {"stats", "caption"};
+    const auto shown = [&](const std::vector<Shot>& shots) {
+        Caption caption("x");
+        addLook(overlays, shots, caption);
+        const std::string text = caption.text();
+        return text.substr(text.find("shown"));
+    };
+    EXPECT_NE(shown({full, small}).find("stats"), std::string::npos);
+    EXPECT_EQ(shown({small, small}).find("stats"), std::string::npos);
+    EXPECT_EQ(shown({small}).find("caption"), std::string::npos);
+    EXPECT_EQ(leftOut({small, full, small}), (std::vector<std::string>{"stats", "caption"}));
 }
 
 TEST(SolverSettings, OfAPresetAreNotBesideIt) {
