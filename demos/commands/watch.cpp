@@ -8,7 +8,6 @@
 
 #include "demos/commands/commands.h"
 #include "demos/film/film_needs.h"
-#include "demos/film/folder_lock.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
 #include "demos/film/scene_fps.h"
@@ -17,6 +16,7 @@
 #include "demos/scene/builtin.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
+#include "demos/watch/draft_lock.h"
 #include "demos/watch/draft_tell.h"
 #include "demos/watch/file_watch.h"
 #include "render/encode/ffmpeg.h"
@@ -114,7 +114,7 @@ private:
         checkNeeds(needsOf(plan, 1, films), plan);
         if (!lock_) {
             makeFolder(drafts_.places().folder);
-            lock_.emplace(drafts_.places().folder);
+            lock_.emplace(drafts_.places());
         }
         const Draft draft = drafts_.make(plan, own, [this] {
             return interrupted() || (files_ && files_->hasNews(FileWatch::Which::files));
@@ -160,7 +160,7 @@ private:
     Options options_;
     Talk talk_;
     DraftMaker drafts_;
-    std::optional<FolderLock> lock_;   // from the first draft on
+    std::optional<DraftLock> lock_;    // from the first draft on
     std::optional<FileWatch> files_;   // not with --once
     std::vector<std::string> errors_;  // of the last attempt
     std::size_t read_ = 0;             // files besides the scene's own

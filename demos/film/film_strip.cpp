@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "demos/counted.h"
 #include "demos/stop.h"
 #include "render/encode/png.h"
 #include "render/overlay.h"
@@ -31,16 +32,22 @@ int labelHeight(int stripWidth, int pictureWidth) {
 
 std::uint8_t level(float channel) { return static_cast<std::uint8_t>(channel * 255.0f + 0.5f); }
 
+/// What makes it smaller.
+const char* adviceFor(const StripLayout& layout) {
+    if (layout.moments == 1) return "";
+    return layout.width > render::kLargestSide ? " or fewer --columns" : " or fewer pictures";
+}
+
 void checkSides(const StripLayout& layout) {
     const int side = std::max(layout.width, layout.height);
     const double pixels = static_cast<double>(layout.width) * layout.height;
     if (side <= render::kLargestSide && pixels <= kMostPixels) return;
     throw Stop(Exit::usage,
-               fmt::format("{} pictures of {}x{} make a strip of {}x{} pixels; at most {} a side "
-                           "and 134 million in all; use a smaller --size{}",
-                           layout.moments, layout.picture.width, layout.picture.height,
-                           layout.width, layout.height, render::kLargestSide,
-                           layout.rows == 1 ? ", or --columns" : " or fewer moments"));
+               fmt::format("{} of {}x{} in one picture of {}x{} pixels; at most {} a side and 134 "
+                           "million in all; use a smaller --size{}",
+                           counted(layout.moments, "picture"), layout.picture.width,
+                           layout.picture.height, layout.width, layout.height,
+                           render::kLargestSide, adviceFor(layout)));
 }
 
 }  // namespace

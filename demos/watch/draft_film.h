@@ -23,7 +23,7 @@ struct DraftPlaces {
     std::filesystem::path frame(int frame) const;
     /// What the names of its files in `folder` begin with, temporary ones among them.
     static std::vector<std::string> names() {
-        return {"draft.mp4", "draft.png", "draft_strip.png"};
+        return {"draft.mp4", "draft.png", "draft_strip.png", "draft.tmp"};
     }
     /// What to open.
     std::filesystem::path toOpen() const { return films ? film() : strip(); }

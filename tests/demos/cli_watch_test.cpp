@@ -223,9 +223,16 @@ TEST_F(Watch, OneWatcherAFolder) {
     watching.until("watching my.toml");
     const Ended second = run(launch({"--once"}));
     EXPECT_EQ(second.code, 5) << second.err;
-    EXPECT_NE(second.err.find("'output/my' is being written by another run"), std::string::npos)
+    EXPECT_NE(second.err.find("drafts in 'output/my' are being written by another watch"),
+              std::string::npos)
         << second.err;
+    const Ended frames = run(folder.path(), {"render", "my.toml", "--size", "96x54", "--fps", "10",
+                                             "--seconds", "0.1"});
+    EXPECT_EQ(frames.code, 0) << frames.err;
     EXPECT_EQ(watching.endBy(SIGINT), 130);
+    EXPECT_EQ(run(launch({"--once"})).code, 0);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "output/my"))
+        EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
 }
 
 TEST_F(Watch, OptionsOfAPictureWork) {

@@ -1,0 +1,35 @@
+#include "demos/watch/draft_lock.h"
+
+#include <fmt/format.h>
+
+#include "demos/scene/complaints.h"
+#include "demos/stop.h"
+#include "render/encode/file.h"
+
+namespace demos {
+namespace {
+
+/// What a killed watcher has left is removed.
+std::filesystem::path freeMark(const DraftPlaces& places) {
+    const std::filesystem::path mark = places.folder / "draft";
+    if (render::sweepTemporaries(mark))
+        throw Stop(Exit::wouldOverwrite,
+                   fmt::format("drafts in '{}' are being written by another watch; end it, or name "
+                               "another folder",
+                               printable(places.folder.string())));
+    return render::temporaryNameFor(mark);
+}
+
+}  // namespace
+
+DraftLock::DraftLock(const DraftPlaces& places)
+    : mark_(freeMark(places)), file_(render::createTemporary(mark_, mark_)) {
+    render::holdTemporary(file_.number());
+}
+
+DraftLock::~DraftLock() {
+    std::error_code ignored;
+    std::filesystem::remove(mark_, ignored);
+}
+
+}  // namespace demos
