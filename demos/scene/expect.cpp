@@ -64,11 +64,23 @@ double tiltDegrees(const engine::Pose& pose, const Vec3& up) {
     return engine::arctangent(axis.cross(up).norm(), axis.dot(up)) * (180.0 / engine::kPi);
 }
 
-std::string boundText(const Expectation& e, const std::string& unit) {
-    const auto with = [&](double x) { return numberText(x) + (unit.empty() ? "" : " " + unit); };
-    if (e.nearPoint)
-        return "from (" + numberText(e.nearPoint->x()) + ", " + numberText(e.nearPoint->y()) +
-               ", " + numberText(e.nearPoint->z()) + ") within " + with(e.within);
+std::string withUnit(const std::string& number, const std::string& unit) {
+    return number + (unit.empty() ? "" : " " + unit);
+}
+
+/// Numbers as a file has them, to the last digit.
+QuantityWriter exactWriter() {
+    return {[](double x, const std::string& unit) { return withUnit(numberText(x), unit); },
+            [](const Vec3& p, const std::string& unit) {
+                return withUnit("(" + numberText(p.x()) + ", " + numberText(p.y()) + ", " +
+                                    numberText(p.z()) + ")",
+                                unit);
+            }};
+}
+
+std::string boundText(const Expectation& e, const std::string& unit, const QuantityWriter& write) {
+    const auto with = [&](double x) { return write.number(x, unit); };
+    if (e.nearPoint) return "from " + write.point(*e.nearPoint, "") + " within " + with(e.within);
     if (e.near) return "near " + with(*e.near) + " within " + with(e.within);
     std::string text;
     if (e.above) text += "above " + with(*e.above);
@@ -76,18 +88,18 @@ std::string boundText(const Expectation& e, const std::string& unit) {
     return text;
 }
 
-std::string windowText(const Expectation& e, double until) {
-    if (e.what == What::position) return ", at " + numberText(until) + " s";
-    return ", " + numberText(e.after) + " s to " + numberText(until) + " s";
+std::string windowText(const Expectation& e, double until, const QuantityWriter& write) {
+    if (e.what == What::position) return ", at " + write.number(until, "s");
+    return ", " + write.number(e.after, "s") + " to " + write.number(until, "s");
 }
 
 /// The words of a result, without what came out.
-ExpectationResult describe(const Expectation& e, double until) {
+ExpectationResult describe(const Expectation& e, double seconds) {
     const KindText kind = textOf(e.what);
     ExpectationResult result;
     result.what = kind.name;
     if (!ofWorld(e.what)) result.of = e.of == "*" ? "all" : e.of;
-    result.asked = boundText(e, kind.unit) + windowText(e, until);
+    result.asked = askedText(e, seconds, exactWriter());
     result.text = result.what + (result.of.empty() ? "" : " of " + result.of);
     result.text += (result.asked.starts_with(',') ? "" : " ") + result.asked;
     result.unit = kind.unit;
@@ -112,6 +124,11 @@ bool passes(const Expectation& e, double value) {
 }
 
 }  // namespace
+
+std::string askedText(const Expectation& e, double seconds, const QuantityWriter& write) {
+    return boundText(e, textOf(e.what).unit, write) +
+           windowText(e, e.until.value_or(seconds), write);
+}
 
 ExpectationChecker::ExpectationChecker(const Stage& stage) : halfStep_(0.5 * stage.dt()) {
     const Vec3& gravity = stage.world.gravity();

@@ -13,6 +13,7 @@
 ///   count              bodies that were more than 0.5 m from their place of time 0
 /// A bound holds for every body or joint of `of`: the value told is that of the worst one.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,15 @@ struct ExpectationResult {
 
 /// The value with its unit, six digits: "0.00123 m".
 std::string cameOut(const ExpectationResult& result);
+
+/// How numbers with their units are written.
+struct QuantityWriter {
+    std::function<std::string(double, const std::string& unit)> number;
+    std::function<std::string(const Vec3&, const std::string& unit)> point;
+};
+
+/// ExpectationResult::asked, written so. `seconds`: of the scene.
+std::string askedText(const Expectation& expectation, double seconds, const QuantityWriter& write);
 
 class ExpectationChecker {
 public:

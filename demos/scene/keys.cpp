@@ -81,6 +81,13 @@ void Keys::complain(std::string_view key, const std::string& what) {
     if (!told) complaints_.add(placeOf(key), what);
 }
 
+void Keys::complainOf(std::string_view key, const std::string& what, std::size_t item) {
+    const Value* value = table_.find(key);
+    if (!value) return complain(key, what);
+    const bool listed = value->kind == Value::Kind::array && item < value->items.size();
+    complaints_.add(listed ? value->items[item].place : value->place, what);
+}
+
 void Keys::wrong(const Value& value, std::string_view key, const std::string& right,
                  std::optional<double> computed) {
     const std::string result = computed && !value.isNumber() ? " = " + numberText(*computed) : "";
@@ -188,13 +195,15 @@ std::optional<std::vector<std::string>> Keys::texts(std::string_view key) {
     if (!value) return std::nullopt;
     if (value->kind == Value::Kind::text) return std::vector<std::string>{value->text};
     std::vector<std::string> list;
-    bool good = value->kind == Value::Kind::array;
+    const Value* bad = value->kind == Value::Kind::array ? nullptr : value;
     for (const Value& item : value->items) {
-        good = good && item.kind == Value::Kind::text;
+        if (!bad && item.kind != Value::Kind::text) bad = &item;
         list.push_back(item.text);
     }
-    if (good) return list;
-    wrong(*value, key, "a list of texts, like [\"box0\", \"box1\"]");
+    if (!bad) return list;
+    complaints_.add(bad->place, std::string(key) + (bad == value ? " is " : " holds ") +
+                                    describe(*bad) +
+                                    "; it should be a list of texts, like [\"box0\", \"box1\"]");
     return std::nullopt;
 }
 

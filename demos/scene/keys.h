@@ -58,6 +58,9 @@ public:
     void done();
 
     void complain(std::string_view key, const std::string& what);
+    /// At the value, or at this item of a list; at the key where it has none.
+    void complainOf(std::string_view key, const std::string& what,
+                    std::size_t item = static_cast<std::size_t>(-1));
 
 private:
     const Value* ask(std::string_view key, const Form& form);

@@ -117,7 +117,10 @@ Value parseToml(std::string_view text, Complaints& complaints) {
     } catch (const toml::parse_error& error) {
         Place place = placeOf(error.source());
         if (place.line < 1) place = {1, 1};
-        complaints.add(place, "not TOML: " + std::string(error.description()));
+        std::string what = "not TOML: " + std::string(error.description());
+        if (what.find("unknown escape sequence") != std::string::npos)
+            what += "; single quotes keep backslashes, as LaTeX needs them";
+        complaints.add(place, what);
     }
     return {};
 }

@@ -35,6 +35,15 @@ constexpr const char* kPreamble =
   \DeclareUnicodeCharacter{03BC}{\ensuremath{\mu}}
   \DeclareUnicodeCharacter{03C0}{\ensuremath{\pi}}
   \DeclareUnicodeCharacter{03C9}{\ensuremath{\omega}}
+  \DeclareUnicodeCharacter{00B9}{\ensuremath{^1}}
+  \DeclareUnicodeCharacter{2070}{\ensuremath{^0}}
+  \DeclareUnicodeCharacter{2074}{\ensuremath{^4}}
+  \DeclareUnicodeCharacter{2075}{\ensuremath{^5}}
+  \DeclareUnicodeCharacter{2076}{\ensuremath{^6}}
+  \DeclareUnicodeCharacter{2077}{\ensuremath{^7}}
+  \DeclareUnicodeCharacter{2078}{\ensuremath{^8}}
+  \DeclareUnicodeCharacter{2079}{\ensuremath{^9}}
+  \DeclareUnicodeCharacter{207B}{\ensuremath{^-}}
   \DeclareUnicodeCharacter{2190}{\ensuremath{\leftarrow}}
   \DeclareUnicodeCharacter{2192}{\ensuremath{\rightarrow}}
   \DeclareUnicodeCharacter{221A}{\ensuremath{\surd}}

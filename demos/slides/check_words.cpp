@@ -25,7 +25,7 @@ std::string whyNone(const char* kind, const std::string& name,
                     const std::vector<std::string>& names, const std::string& scene) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return "";
     return "no " + std::string(kind) + " of '" + scene + "' is called '" + shown(name) + "'" +
-           suggestion(name, names);
+           (names.empty() ? "; it has none" : suggestion(name, names));
 }
 
 std::string whyNoExpectation(const NumberName& name, const SceneDescription& scene) {
@@ -49,6 +49,17 @@ std::string whyNoNumber(const NumberName& name, const std::vector<SceneDescripti
     return name.group == "expect" ? whyNoExpectation(name, scene) : "";
 }
 
+constexpr const char* kLostBackslash =
+    ", written as an escape; write LaTeX in single quotes, which keep its backslashes";
+
+bool isControl(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\n' && c != '\t' && c != '\r') || byte == 0x7f;
+}
+
+/// Of \beta and \frac.
+bool isLatexEscape(char c) { return c == '\b' || c == '\f'; }
+
 class WordsCheck {
 public:
     WordsCheck(const Written& written, Complaints& complaints)
@@ -64,17 +75,17 @@ public:
                             " bytes; it should have at most " + std::to_string(kMostWords));
             return false;
         }
-        const auto control = std::find_if(text.begin(), text.end(), [](char c) {
-            const auto byte = static_cast<unsigned char>(c);
-            return (byte < 0x20 && c != '\n' && c != '\t' && c != '\r') || byte == 0x7f;
-        });
+        const auto control = std::find_if(text.begin(), text.end(), isControl);
         if (control == text.end()) return true;
-        complain(static_cast<std::size_t>(control - text.begin()), "a control byte; take it out");
+        const auto byte = static_cast<std::size_t>(control - text.begin());
+        complain(byte, isEscape(written_, byte) && isLatexEscape(*control)
+                           ? "a control byte" + std::string(kLostBackslash)
+                           : "a control byte; take it out");
         return false;
     }
 
-    /// The text with digits in place of its numbers, byte for byte; nothing after a complaint.
-    std::optional<std::string> withDigits(const std::string& text,
+    /// Nothing after a complaint of how numbers are written.
+    std::optional<NumberedText> numbersIn(const std::string& text,
                                           const std::vector<SceneDescription>& runs) {
         NumberedText parts;
         try {
@@ -83,19 +94,32 @@ public:
             complain(error.at(), error.what());
             return std::nullopt;
         }
-        std::string result = text;
-        std::size_t begin = 0;
         for (std::size_t i = 0; i < parts.numbers.size(); ++i) {
             const std::string why = whyNoNumber(parts.numbers[i], runs);
             if (!why.empty()) complain(parts.places[i], why);
-            begin = parts.places[i];
-            const std::size_t next =
-                i + 1 < parts.places.size() ? parts.places[i + 1] : text.size();
-            const std::size_t end = next - parts.words[i + 1].size();
-            std::fill(result.begin() + static_cast<std::ptrdiff_t>(begin),
-                      result.begin() + static_cast<std::ptrdiff_t>(end), '1');
         }
-        return result;
+        return parts;
+    }
+
+    /// "\theta" in double quotes is a tab and "heta", "\nabla" a new line and "abla".
+    bool keepsBackslashes(const std::string& text, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const char c = text[i];
+            if ((c != '\t' && c != '\n' && c != '\r') || !isEscape(written_, i)) continue;
+            complain(i, (c == '\t' ? "a tab" : "a line break") + std::string(" in a formula") +
+                            kLostBackslash);
+            return false;
+        }
+        return true;
+    }
+
+    /// Of "$\theta$" in double quotes the space behind the dollar is what is left of the backslash.
+    void complainOfDollar(const std::string& text, std::size_t dollar) {
+        if (!keepsBackslashes(text, dollar + 1, std::min(dollar + 2, text.size()))) return;
+        complain(
+            dollar,
+            "a $ that neither begins nor ends a formula; write \\$ for a dollar, and a formula "
+            "with no space inside its dollars");
     }
 
     template <class Read>
@@ -118,22 +142,37 @@ void checkWords(const std::string& words, const Written& written,
                 const std::vector<SceneDescription>& runs, Complaints& complaints) {
     WordsCheck check(written, complaints);
     if (!check.isText(words)) return;
-    const std::optional<std::string> text = check.withDigits(words, runs);
-    if (!text) return;
-    for (const TextFormula& formula : formulasIn(*text))
-        check.readFormula([&] { mathMlIn(formula); });
+    const std::optional<NumberedText> parts = check.numbersIn(words, runs);
+    if (!parts) return;
+    const ScannedText scanned = scannedText(maskedNumbers(words, *parts, 'x'));
+    if (!scanned.loose.empty()) check.complainOfDollar(words, scanned.loose.front());
+    const std::string digits = maskedNumbers(words, *parts, '1');
+    for (TextFormula formula : scanned.formulas) {
+        formula.tex = digits.substr(formula.at, formula.tex.size());
+        if (check.keepsBackslashes(words, formula.begin, formula.end))
+            check.readFormula([&] { mathMlIn(formula); });
+    }
 }
 
 void checkFormula(const std::string& tex, const Written& written,
                   const std::vector<SceneDescription>& runs, Complaints& complaints) {
     WordsCheck check(written, complaints);
+    if (tex.find_first_not_of(" \t\r\n") == std::string::npos)
+        return check.complain(0, "the formula is empty; write LaTeX, or leave it out");
     if (!check.isText(tex)) return;
-    if (const std::optional<std::string> text = check.withDigits(tex, runs))
-        check.readFormula([&] { mathMlOf(*text, true); });
+    const std::optional<NumberedText> parts = check.numbersIn(tex, runs);
+    if (parts && check.keepsBackslashes(tex, 0, tex.size()))
+        check.readFormula([&] { mathMlOf(maskedNumbers(tex, *parts, '1'), true); });
 }
 
 void checkPlain(const std::string& text, const Written& written, Complaints& complaints) {
     WordsCheck(written, complaints).isText(text);
+}
+
+void checkLine(const std::string& text, const Written& written, Complaints& complaints) {
+    const std::size_t newline = text.find_first_of("\r\n");
+    if (newline != std::string::npos)
+        complaints.add(placeIn(written, newline), "a line break; this should be one line");
 }
 
 }  // namespace demos

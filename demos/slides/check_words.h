@@ -19,6 +19,9 @@ void checkWords(const std::string& words, const Written& written,
 void checkFormula(const std::string& tex, const Written& written,
                   const std::vector<SceneDescription>& runs, Complaints& complaints);
 
+/// That there is no line break in it.
+void checkLine(const std::string& text, const Written& written, Complaints& complaints);
+
 /// As it is, without formulas and numbers.
 void checkPlain(const std::string& text, const Written& written, Complaints& complaints);
 

@@ -38,10 +38,10 @@ struct Writer {
     NumberSetting setting;
 
     std::string operator()(double value, const char* unit) const {
-        return quantityText(value, unit, name.digits, setting);
+        return quantityText(value, unit, name.digits, setting, name.zeros);
     }
     std::string operator()(const Vec3& value, const char* unit) const {
-        return vectorText(value, unit, name.digits, setting);
+        return vectorText(value, unit, name.digits, setting, name.zeros);
     }
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr int kMostRuns = 1000;  // of a sweep
 constexpr int kMostExpectations = 1000;
 constexpr int kMostDigits = 9;
+constexpr std::size_t kShortest = 3;  // letters of a name that is cut off
 
 struct Group {
     const char* name;
@@ -59,6 +60,7 @@ public:
         NumberName name;
         if (const std::size_t colon = rest_.rfind(':'); colon != std::string_view::npos) {
             name.digits = readDigits(rest_.substr(colon + 1));
+            name.zeros = Zeros::kept;
             rest_ = rest_.substr(0, colon);
         }
         readRun(name);
@@ -76,6 +78,9 @@ private:
     [[noreturn]] void fail(const std::string& what) const { throw NumberError(at_, what); }
 
     [[noreturn]] void failUnknown(std::string_view name) const {
+        for (const std::string& whole : spellings())
+            if (name.size() >= kShortest && whole.starts_with(name))
+                fail("no number is called '" + shown(name) + "'; did you mean '" + whole + "'?");
         fail("no number is called '" + shown(name) + "'" + suggestion(name, spellings()));
     }
 
@@ -157,6 +162,7 @@ NumberedText numberedText(const std::string& text) {
             const std::string_view name = std::string_view(text).substr(i + 2, close - i - 2);
             result.numbers.push_back(NumberReader(name, i).read());
             result.places.push_back(i);
+            result.ends.push_back(close + 1);
             result.words.emplace_back();
             i = close;
             continue;
@@ -166,6 +172,14 @@ NumberedText numberedText(const std::string& text) {
         if (text[i] == '\\' && i + 1 < text.size()) result.words.back() += text[++i];
     }
     return result;
+}
+
+std::string maskedNumbers(const std::string& text, const NumberedText& parts, char letter) {
+    std::string masked = text;
+    for (std::size_t i = 0; i < parts.places.size(); ++i)
+        masked.replace(parts.places[i], parts.ends[i] - parts.places[i],
+                       parts.ends[i] - parts.places[i], letter);
+    return masked;
 }
 
 }  // namespace demos

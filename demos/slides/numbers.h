@@ -1,7 +1,7 @@
 /// Numbers in a slide's text that its runs give: "it sinks by @{penetration}".
 ///
 ///   @{penetration}          a measure of the run (report/summary.h), with its unit
-///   @{2.drift:4}            of the second run, four significant digits; else three
+///   @{2.drift:4}            of the second run, four significant digits; else three at most
 ///   @{expect.1}             what came out for the scene's first [[expect]]
 ///   @{body.box3.velocity}   position, velocity, spin (vectors); height, speed
 ///   @{joint.rod.impulse}    impulse (N s, of the last step), force (N), separation (m)
@@ -12,14 +12,17 @@
 #include <string>
 #include <vector>
 
+#include "demos/slides/quantity.h"
+
 namespace demos {
 
 struct NumberName {
     int run = 1;
-    std::string group;  // measure, expect, body, joint, contacts, run
-    std::string of;     // which expectation (from 1), body or joint; else empty
-    std::string field;  // "penetration", "velocity"; empty of an expectation
-    int digits = 3;     // significant, 1..9
+    std::string group;             // measure, expect, body, joint, contacts, run
+    std::string of;                // which expectation (from 1), body or joint; else empty
+    std::string field;             // "penetration", "velocity"; empty of an expectation
+    int digits = 3;                // significant, 1..9
+    Zeros zeros = Zeros::dropped;  // kept where the digits are asked for
 };
 
 /// What is wrong with an @{...}, and the byte of the text where it begins.
@@ -37,10 +40,15 @@ struct NumberedText {
     std::vector<std::string> words;  // one more than numbers
     std::vector<NumberName> numbers;
     std::vector<std::size_t> places;  // of each number: the byte of its @
+    std::vector<std::size_t> ends;    // and the byte after its }
 };
 
 /// Throws NumberError for names that no run can have; whether a body of the name is there is for
 /// who has the scene.
 NumberedText numberedText(const std::string& text);
+
+/// The text, which `parts` is of, with this letter in place of every byte of a number: formulas are
+/// where they were, whatever the names have in them.
+std::string maskedNumbers(const std::string& text, const NumberedText& parts, char letter);
 
 }  // namespace demos

@@ -10,7 +10,10 @@
 namespace demos {
 namespace {
 
-constexpr double kMostCounted = 1e15;            // whole numbers that a double holds, about
+constexpr double kMostCounted = 1e15;                   // whole numbers that a double holds, about
+constexpr double kLeastPlain = 1e-3, kMostPlain = 1e9;  // written out without a prefix
+constexpr double kLeastLength = 1.0, kLeastPrefixed = 0.1;  // below: the next smaller prefix
+constexpr const char* kNoBreak = "\u00a0";
 constexpr int kLeastPower = -3, kMostPower = 3;  // of 1000: nano, giga
 
 struct Prefix {
@@ -24,10 +27,11 @@ constexpr std::array<Prefix, 7> kPrefixes = {{{"n", "\\mathrm{n}"},
                                               {"M", "\\mathrm{M}"},
                                               {"G", "\\mathrm{G}"}}};
 
-/// A value shown as value / 1000^power.
-struct Scaled {
-    int power = 0;
-    bool fits = true;  // false: too small for any prefix
+/// What a value is divided by to be shown.
+struct Scale {
+    int power = 0;  // of 1000, which the prefix says
+    int tens = 0;   // of 10, which is written out
+    double factor() const { return std::pow(1000.0, power) * std::pow(10.0, tens); }
 };
 
 bool takesPrefix(const std::string& unit) {
@@ -41,39 +45,56 @@ double rounded(double value, int digits) {
 }
 
 /// Of the first significant digit: 2 of 271.8, 0 of 3, -3 of 0.00271.
-int exponentOf(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
+int exponentOf(double value) {
+    const std::string text = fmt::format("{:.16e}", value);
+    return std::atoi(text.c_str() + text.find('e') + 1);
+}
 
-Scaled scaleOf(double value, const std::string& unit) {
-    Scaled scaled;
+Scale scaleOf(double value, const std::string& unit) {
     double size = std::abs(value);
-    if (size == 0.0 || !takesPrefix(unit)) return scaled;
-    for (; size >= 1000.0 && scaled.power < kMostPower; size /= 1000.0) ++scaled.power;
-    for (; size < 0.1 && scaled.power > kLeastPower; size *= 1000.0) --scaled.power;
-    if (size < 0.1) return {0, false};
-    return scaled;
+    if (size == 0.0) return {};
+    if (!takesPrefix(unit))
+        return size >= kLeastPlain && size < kMostPlain ? Scale{} : Scale{0, exponentOf(value)};
+    // A hair less, for what multiplying loses: 1e-6 m is 1 µm.
+    const double least = (1.0 - 1e-12) * (unit == "m" ? kLeastLength : kLeastPrefixed);
+    Scale scale;
+    for (; size >= 1000.0 && scale.power < kMostPower; size /= 1000.0) ++scale.power;
+    for (; size < least && scale.power > kLeastPower; size *= 1000.0) --scale.power;
+    return size >= least && size < 1000.0 ? scale : Scale{0, exponentOf(value)};
 }
 
 std::string withoutZeros(std::string text) {
-    if (text.find('.') != std::string::npos) {
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.back() == '.') text.pop_back();
-    }
-    return text == "-0" ? "0" : text;
+    if (text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
 }
 
-/// Never with an exponent.
-std::string fixedText(double value, int decimals) {
-    return withoutZeros(fmt::format("{:.{}f}", value, std::max(decimals, 0)));
+/// Never with an exponent; what is nothing beside those decimals is 0.
+std::string fixedText(double value, int decimals, Zeros zeros) {
+    const std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+    if (text.find_first_of("123456789") == std::string::npos) return "0";
+    return zeros == Zeros::kept ? text : withoutZeros(text);
 }
 
-std::string exponentText(double value, int digits, NumberSetting setting) {
-    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
-    const std::size_t e = text.find('e');
-    const std::string mantissa = withoutZeros(text.substr(0, e));
-    const int exponent = std::atoi(text.c_str() + e + 1);
-    return setting == NumberSetting::formula
-               ? fmt::format("{} \\times 10^{{{}}}", mantissa, exponent)
-               : fmt::format("{}e{}", mantissa, exponent);
+/// A text's minus is as wide as a plus; in a formula LaTeX sees to that.
+std::string withMinus(const std::string& number, NumberSetting setting) {
+    std::string text;
+    for (const char c : number)
+        text += c == '-' && setting == NumberSetting::text ? "\u2212" : std::string(1, c);
+    return text;
+}
+
+std::string tensText(int tens, NumberSetting setting) {
+    if (tens == 0) return "";
+    if (setting == NumberSetting::formula) return fmt::format(" \\times 10^{{{}}}", tens);
+    constexpr std::array<const char*, 10> kRaised = {"\u2070", "\u00b9", "\u00b2", "\u00b3",
+                                                     "\u2074", "\u2075", "\u2076", "\u2077",
+                                                     "\u2078", "\u2079"};
+    std::string text = std::string(kNoBreak) + "\u00d7" + kNoBreak + "10";
+    for (const char c : std::to_string(tens))
+        text += c == '-' ? "\u207b" : kRaised[static_cast<std::size_t>(c - '0')];
+    return text;
 }
 
 /// Letters upright, spaces kept: N s.
@@ -83,48 +104,55 @@ std::string texOf(const std::string& unit) {
     return "\\mathrm{" + tex + "}";
 }
 
-std::string withUnit(const std::string& number, const std::string& unit, int power,
+std::string withUnit(const std::string& number, const std::string& unit, Scale scale,
                      NumberSetting setting) {
-    if (unit.empty()) return number;
-    const Prefix& prefix = kPrefixes[static_cast<std::size_t>(power - kLeastPower)];
-    if (setting == NumberSetting::text) return number + " " + prefix.text + unit;
-    if (unit == "deg") return number + "^\\circ";
-    const std::string upright = power == -2 ? "" : prefix.text;  // the Greek one is a command
-    return number + "\\," + (upright.empty() ? prefix.tex : "") + texOf(upright + unit);
+    const std::string scaled = withMinus(number, setting) + tensText(scale.tens, setting);
+    if (unit.empty()) return scaled;
+    const Prefix& prefix = kPrefixes[static_cast<std::size_t>(scale.power - kLeastPower)];
+    if (setting == NumberSetting::text) {
+        std::string text = scaled + kNoBreak + prefix.text;
+        for (const char c : unit) text += c == ' ' ? kNoBreak : std::string(1, c);
+        return text;
+    }
+    if (unit == "deg") return scaled + "^\\circ";
+    const std::string upright = scale.power == -2 ? "" : prefix.text;  // the Greek one is a command
+    return scaled + "\\," + (upright.empty() ? prefix.tex : "") + texOf(upright + unit);
 }
 
 std::string notFiniteText(double value, NumberSetting setting) {
-    const char* word = std::isnan(value) ? "undefined" : value > 0.0 ? "infinite" : "-infinite";
-    return setting == NumberSetting::text ? word : fmt::format("\\text{{{}}}", word);
+    const std::string word = std::isnan(value) ? "undefined"
+                             : value > 0.0     ? "infinite"
+                                               : "-infinite";
+    return setting == NumberSetting::text ? withMinus(word, setting)
+                                          : fmt::format("\\text{{{}}}", word);
 }
 
 }  // namespace
 
-std::string quantityText(double value, const std::string& unit, int digits, NumberSetting setting) {
+std::string quantityText(double value, const std::string& unit, int digits, NumberSetting setting,
+                         Zeros zeros) {
     if (!std::isfinite(value)) return notFiniteText(value, setting);
     if (unit.empty() && value == std::floor(value) && std::abs(value) < kMostCounted)
-        return fixedText(value, 0);
+        return withMinus(fixedText(value, 0, zeros), setting);
     const double shown = rounded(value, digits);
-    if (shown == 0.0) return withUnit("0", unit, 0, setting);
-    const Scaled scaled = scaleOf(shown, unit);
-    const bool tiny = !scaled.fits || (!takesPrefix(unit) && std::abs(shown) < 1e-6);
-    if (tiny) return withUnit(exponentText(shown, digits, setting), unit, 0, setting);
-    const double part = rounded(shown / std::pow(1000.0, scaled.power), digits);
-    return withUnit(fixedText(part, digits - 1 - exponentOf(part)), unit, scaled.power, setting);
+    if (shown == 0.0) return withUnit("0", unit, {}, setting);
+    const Scale scale = scaleOf(shown, unit);
+    const double part = rounded(shown / scale.factor(), digits);
+    return withUnit(fixedText(part, digits - 1 - exponentOf(part), zeros), unit, scale, setting);
 }
 
 std::string vectorText(const engine::Vec3& value, const std::string& unit, int digits,
-                       NumberSetting setting) {
-    const double largest = value.cwiseAbs().maxCoeff();
+                       NumberSetting setting, Zeros zeros) {
     if (!std::isfinite(value.sum())) return notFiniteText(value.sum(), setting);
-    const double shown = rounded(largest, digits);
-    const int power = shown > 0.0 ? scaleOf(shown, unit).power : 0;
-    const double factor = std::pow(1000.0, power);
-    const int decimals = shown > 0.0 ? digits - 1 - exponentOf(shown / factor) : 0;
-    const auto part = [&](double x) { return fixedText(x / factor, decimals); };
-    const std::string parts =
-        fmt::format("({}, {}, {})", part(value.x()), part(value.y()), part(value.z()));
-    return withUnit(parts, unit, power, setting);
+    const double shown = rounded(value.cwiseAbs().maxCoeff(), digits);
+    const Scale scale = scaleOf(shown, unit);
+    const double largest = rounded(shown / scale.factor(), digits);
+    const int decimals = shown > 0.0 ? digits - 1 - exponentOf(largest) : 0;
+    const auto part = [&](double x) { return fixedText(x / scale.factor(), decimals, zeros); };
+    const char* comma = setting == NumberSetting::text ? ",\u00a0" : ", ";
+    return withUnit(
+        fmt::format("({1}{0}{2}{0}{3})", comma, part(value.x()), part(value.y()), part(value.z())),
+        unit, scale, setting);
 }
 
 }  // namespace demos

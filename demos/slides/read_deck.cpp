@@ -6,6 +6,7 @@
 #include "demos/scene/builtin.h"
 #include "demos/scene/expression.h"
 #include "demos/scene/keys.h"
+#include "demos/scene/nearest.h"
 #include "demos/slides/check_words.h"
 #include "demos/slides/read_slide.h"
 
@@ -33,13 +34,16 @@ void readFormat(Keys& top) {
 }
 
 void readSize(Keys& top, PictureSize& size) {
+    const char* right = "two even whole numbers [width, height] of pixels";
+    const Value* value = top.any("size");
+    if (value && value->kind == Value::Kind::array && value->items.size() != 2)
+        return top.complainOf("size", "size is " + describe(*value) + "; it should be " + right);
     const auto pixels = top.numbers("size", {kLeastSlideSide, kMostSlideSide, "pixels"});
     if (!pixels) return;
     // Films have half as many pixels of colour each way.
     const auto isEven = [](double x) { return x == 2.0 * std::floor(0.5 * x); };
-    if (pixels->size() != 2 || !std::all_of(pixels->begin(), pixels->end(), isEven))
-        return top.complain("size",
-                            "size should be two even whole numbers [width, height] of pixels");
+    if (!std::all_of(pixels->begin(), pixels->end(), isEven))
+        return top.complainOf("size", std::string("size should be ") + right);
     size = {static_cast<int>((*pixels)[0]), static_cast<int>((*pixels)[1])};
 }
 
@@ -69,15 +73,25 @@ public:
     }
 
 private:
+    /// Where it stands; nothing where it is not said.
+    std::optional<Written> readText(Keys& top, const char* key, std::string& to) {
+        const std::optional<std::string> line = top.text(key);
+        if (!line) return std::nullopt;
+        to = *line;
+        const Written written{top.any(key)->place, reading_.source};
+        checkLine(to, written, complaints_);
+        return written;
+    }
+
     void readLine(Keys& top, const char* key, std::string& to) {
-        set(to, top.text(key));
-        if (top.has(key)) checkWords(to, {top.any(key)->place, reading_.source}, {}, complaints_);
+        if (const std::optional<Written> written = readText(top, key, to))
+            checkWords(to, *written, {}, complaints_);
     }
 
     /// No CommonMark: a date may be 24. 12., an author of $-Soft.
     void readPlain(Keys& top, const char* key, std::string& to) {
-        set(to, top.text(key));
-        if (top.has(key)) checkPlain(to, {top.any(key)->place, reading_.source}, complaints_);
+        if (const std::optional<Written> written = readText(top, key, to))
+            checkPlain(to, *written, complaints_);
     }
 
     void readWords(Keys& top) {
@@ -94,8 +108,9 @@ private:
         const Value* opening = top.any("opening");
         Slide slide;
         if (opening && opening->kind != Value::Kind::table) {
-            const std::optional<bool> wanted = top.truth("opening");
-            if (wanted && !*wanted) return;
+            if (opening->kind == Value::Kind::boolean && !opening->boolean) return;
+            top.complainOf("opening", "opening is " + describe(*opening) +
+                                          "; it should be false, or a table [opening]");
         } else if (opening) {
             slide = readSlide(top.inner(*opening, "[opening]"), true, reading_);
         }
@@ -106,8 +121,9 @@ private:
 
     void readSlides(Keys& top) {
         const std::vector<const Value*> tables = top.tables("slide");
-        if (tables.empty() && !top.has("slide"))
-            top.complain("slide", "the deck has no slide; write a [[slide]]");
+        const Value* list = top.any("slide");
+        const bool none = !list || (list->kind == Value::Kind::array && list->items.empty());
+        if (none) top.complain("slide", "the deck has no slide; write a [[slide]]");
         if (tables.size() > kMostSlides)
             return top.complain("slide", std::to_string(tables.size()) +
                                              " slides; a deck has at most " +
@@ -125,6 +141,18 @@ private:
     Deck deck_;
 };
 
+/// By what only decks have, or nearly have; a file of nothing else is a deck without slides.
+bool isDeck(const Value& file) {
+    const std::vector<std::string> slide = {"slide"};
+    const std::vector<std::string> own = {"subtitle", "author", "date", "opening", "fps", "size"};
+    if (file.find("slide")) return true;
+    if (file.find("body")) return false;
+    return std::all_of(file.keys.begin(), file.keys.end(), [&](const Key& key) {
+        return key.name == "format" || key.name == "title" || key.name == "theme" ||
+               !nearest(key.name, slide).empty() || !nearest(key.name, own).empty();
+    });
+}
+
 }  // namespace
 
 bool isDeckFile(const std::string& nameOrPath) {
@@ -132,8 +160,9 @@ bool isDeckFile(const std::string& nameOrPath) {
         if (scene.name == nameOrPath) return false;
     if (fs::path(nameOrPath).extension() != ".toml") return false;
     try {
-        Complaints ignored;
-        return parseToml(readSceneFile(nameOrPath), ignored).find("slide") != nullptr;
+        Complaints complaints;
+        const Value file = parseToml(readSceneFile(nameOrPath), complaints);
+        return complaints.count() == 0 && isDeck(file);
     } catch (const SceneError&) {
         return false;
     }

@@ -11,8 +11,8 @@
 
 namespace demos {
 
-/// Whether the word is a path to a TOML file with [[slide]] in it; false for scenes' names and
-/// whatever cannot be read.
+/// Whether the word is a path to a TOML file with [[slide]] in it, or one that looks like a deck
+/// but for that; false for scenes' names and whatever cannot be read.
 bool isDeckFile(const std::string& nameOrPath);
 
 /// Throws SceneError with every complaint as `file:line:column: what`.

@@ -34,7 +34,11 @@ std::vector<std::string> measureWords() {
 class SlideReader {
 public:
     SlideReader(Keys& keys, bool opening, DeckReading& reading)
-        : keys_(keys), reading_(reading), opening_(opening), cast_(readRuns(keys, reading.folder)) {
+        : keys_(keys),
+          reading_(reading),
+          opening_(opening),
+          before_(reading.complaints.count()),
+          cast_(readRuns(keys, reading.folder)) {
         slide_.opening = opening;
         slide_.place = keys.place();
         slide_.runs = cast_.runs;
@@ -52,6 +56,7 @@ public:
         checkRate();
         noteFiles();
         keys_.done();
+        needContent();
         return std::move(slide_);
     }
 
@@ -87,8 +92,9 @@ private:
             return checkSection(section, cast_.scenes, keys_.placeOf("section"), reading_.sections,
                                 reading_.complaints);
         }
-        keys_.complain("section", "'" + scene.name + "' has no section '" + shown(*name) + "'" +
-                                      (names.empty() ? "; it has none" : suggestion(*name, names)));
+        keys_.complainOf("section",
+                         "'" + scene.name + "' has no section '" + shown(*name) + "'" +
+                             (names.empty() ? "; it has none" : suggestion(*name, names)));
     }
 
     Written writtenAt(const Value& value) const { return {value.place, reading_.source}; }
@@ -103,6 +109,8 @@ private:
 
     void readWords() {
         if (!opening_) readText("title", slide_.title);
+        if (const Value* title = opening_ ? nullptr : keys_.any("title"))
+            checkLine(title->text, writtenAt(*title), reading_.complaints);
         readText("text", slide_.text);
         readText("caption", slide_.caption);
         readText("notes", slide_.notes);
@@ -151,8 +159,8 @@ private:
         if (!time) return;
         to = time;
         if (isRead() && *time > end())
-            keys_.complain(key, std::string(key) + " is " + numberText(*time) +
-                                    " s; the run ends at " + numberText(end()) + " s");
+            keys_.complainOf(key, std::string(key) + " is " + numberText(*time) +
+                                      " s; the run ends at " + numberText(end()) + " s");
     }
 
     void readTimes() {
@@ -162,17 +170,21 @@ private:
         readTime("at", slide_.at);
         set(slide_.from, from);
         if (slide_.until && *slide_.until <= slide_.from)
-            keys_.complain("until", "until is " + numberText(*slide_.until) +
-                                        " s; it should be later than from, " +
-                                        numberText(slide_.from) + " s");
+            keys_.complainOf("until", "until is " + numberText(*slide_.until) +
+                                          " s; it should be later than from, " +
+                                          numberText(slide_.from) + " s");
         else if (isRead() && from && *from >= end() && !slide_.until)
-            keys_.complain("from", "from is " + numberText(*from) + " s; the run ends then");
+            keys_.complainOf("from", "from is " + numberText(*from) + " s; the run ends then");
     }
 
     void readPoster() {
         const Value* value = keys_.any("poster");
         if (!value) return;
-        if (!value->isNumber()) return set(slide_.poster, keys_.word("poster", {"first", "last"}));
+        const std::vector<std::string> words = {"first", "last"};
+        if (value->kind == Value::Kind::text && value->text != words[0] && value->text != words[1])
+            return keys_.complainOf("poster", "poster is " + describe(*value) +
+                                                  "; it should be first, last or a time in s");
+        if (!value->isNumber()) return set(slide_.poster, keys_.word("poster", words));
         const double until = slide_.until.value_or(end());
         if (const auto time = keys_.number("poster", {slide_.from, until, "s"}))
             slide_.poster = numberText(*time);
@@ -190,11 +202,25 @@ private:
                                        const std::vector<std::string>& known) {
         const std::vector<std::string> names =
             keys_.texts(key).value_or(std::vector<std::string>{});
-        for (const std::string& name : names)
-            if (std::find(known.begin(), known.end(), name) == known.end())
-                keys_.complain(key, "no " + std::string(what) + " is called '" + shown(name) + "'" +
-                                        suggestion(name, known));
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (std::find(known.begin(), known.end(), names[i]) == known.end())
+                keys_.complainOf(key,
+                                 "no " + std::string(what) + " is called '" + shown(names[i]) +
+                                     "'" + suggestion(names[i], known),
+                                 i);
         return names;
+    }
+
+    /// What would be empty: a curve of joints that are not there, a table of nothing.
+    void needParts(const char* key, const std::vector<std::string>& names, const char* name,
+                   bool (*has)(const SceneDescription&), const char* lack) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (!isRead() || found == names.end() ||
+            std::any_of(cast_.scenes.begin(), cast_.scenes.end(), has))
+            return;
+        keys_.complainOf(
+            key, "'" + cast_.scenes.front().name + "' has no " + lack + "; leave out " + name,
+            static_cast<std::size_t>(found - names.begin()));
     }
 
     void readLists() {
@@ -205,10 +231,17 @@ private:
                       several ? measureWords() : measureNames());
         if (keys_.has("plot")) slide_.plots = plots;
         checkPictures();
+        needParts(
+            "plot", plots, "separation",
+            [](const SceneDescription& scene) { return !scene.joints.empty(); }, "joints");
         const std::vector<std::string> tables = readNames("table", "table", tableNames());
         const auto names = [&](const char* table) {
             return std::find(tables.begin(), tables.end(), table) != tables.end();
         };
+        needParts(
+            "table", tables, "expectations",
+            [](const SceneDescription& scene) { return !scene.expectations.empty(); },
+            "[[expect]]");
         if (!keys_.has("table")) return;
         slide_.measures = names("measures");
         slide_.expectations = names("expectations");
@@ -217,8 +250,8 @@ private:
     void checkPictures() {
         const std::size_t count = slide_.plots.size() + (slide_.exhibit != Exhibit::none);
         if (count <= kMostPictures) return;
-        keys_.complain("plot", fmt::format("a slide shows {} pictures at most; here are {}",
-                                           kMostPictures, count));
+        keys_.complainOf("plot", fmt::format("a slide shows {} pictures at most; here are {}",
+                                             kMostPictures, count));
     }
 
     void needRuns() {
@@ -229,12 +262,23 @@ private:
                 keys_.complain(key, std::string(key) + " is of a run; name a scene or compare");
     }
 
+    void needContent() {
+        const bool words = !slide_.title.empty() || !slide_.text.empty() ||
+                           !slide_.formulas.empty() || !slide_.code.empty() ||
+                           !slide_.caption.empty();
+        const bool shows = slide_.exhibit != Exhibit::none || !slide_.plots.empty() ||
+                           slide_.measures || slide_.expectations;
+        if (opening_ || words || shows || reading_.complaints.count() > before_) return;
+        reading_.complaints.add(keys_.place(),
+                                "the slide shows nothing; give it a title, text or a scene");
+    }
+
     /// A film's frames fall on steps.
     void checkRate() {
         if (!reading_.fps || slide_.exhibit != Exhibit::film) return;
         for (const SceneDescription& scene : cast_.scenes) {
             if (scene.hz % *reading_.fps == 0) continue;
-            return keys_.complain(
+            return keys_.complainOf(
                 keys_.has("scene") ? "scene" : "compare",
                 fmt::format("fps of the deck is {}: '{}' steps {} times a second, which must be a "
                             "multiple; good: {}",
@@ -258,6 +302,7 @@ private:
     Keys& keys_;
     DeckReading& reading_;
     bool opening_;
+    int before_;  // complaints until then
     ReadRuns cast_;
     Slide slide_;
 };

@@ -42,8 +42,9 @@ void takeSection(const SceneDescription& scene, const Section& section, bool sev
     slide.loop = section.loop;
     if (!section.poster.empty()) slide.poster = section.poster;
     if (!several) slide.plots = section.slide.plots;
+    if (scene.joints.empty()) std::erase(slide.plots, "separation");
     slide.measures = section.slide.measures;
-    slide.expectations = section.slide.expectations;
+    slide.expectations = section.slide.expectations && !scene.expectations.empty();
 }
 
 void checkSection(const Section& section, const std::vector<SceneDescription>& runs,

@@ -77,7 +77,8 @@ void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
     if (!slide_.expectations) return;
     std::vector<RunExpectations> expected;
     for (std::size_t run = 0; run < cast_.variants.size(); ++run)
-        expected.push_back({cast_.variants[run].label, runs_.expectations(keyOf(run))});
+        expected.push_back({cast_.variants[run].label, &cast_.variants[run].scene,
+                            runs_.expectations(keyOf(run))});
     made.tables.push_back(expectationsTable(expected));
 }
 

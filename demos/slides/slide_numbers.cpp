@@ -12,25 +12,49 @@ void addNumbers(const std::string& text, std::vector<NumberName>& names) {
     names.insert(names.end(), parts.numbers.begin(), parts.numbers.end());
 }
 
-/// `setting`: of the byte where a number stands.
-std::string filled(const std::string& text, const NumberValue& value,
-                   const std::function<NumberSetting(std::size_t)>& setting) {
-    const NumberedText parts = numberedText(text);
+/// Whether CommonMark would take a value between these words for more: digits after a dollar, which
+/// then closes nothing, a bracket with a link's address, the number of a list.
+bool meansMore(const std::string& before, const std::string& value, const std::string& after) {
+    if (before.ends_with('$') || before.ends_with(']')) return true;
+    const std::size_t line = before.rfind('\n') + 1;  // npos + 1 is 0
+    return (after.starts_with('.') || after.starts_with(')')) &&
+           value.find_first_not_of("0123456789") == std::string::npos &&
+           before.find_first_not_of(" \t>*+-.)0123456789", line) == std::string::npos;
+}
+
+/// As an entity the first sign is that sign and nothing more.
+std::string harmless(const std::string& value) {
+    const auto first = static_cast<unsigned char>(value.empty() ? 0x80 : value.front());
+    return first >= 0x80 ? value : "&#" + std::to_string(first) + ";" + value.substr(1);
+}
+
+template <class Span>
+bool isWithin(std::size_t place, const std::vector<Span>& spans) {
+    return std::any_of(spans.begin(), spans.end(),
+                       [&](const Span& span) { return span.begin < place && place < span.end; });
+}
+
+std::string filledFormula(const std::string& tex, const NumberValue& value) {
+    const NumberedText parts = numberedText(tex);
     std::string result = parts.words.front();
     for (std::size_t i = 0; i < parts.numbers.size(); ++i)
-        result += value(parts.numbers[i], setting(parts.places[i])) + parts.words[i + 1];
+        result += value(parts.numbers[i], NumberSetting::formula) + parts.words[i + 1];
     return result;
 }
 
 std::string filledWords(const std::string& text, const NumberValue& value) {
-    const std::vector<TextFormula> formulas = formulasIn(text);
-    return filled(text, value, [&](std::size_t place) {
-        const bool within =
-            std::any_of(formulas.begin(), formulas.end(), [&](const TextFormula& formula) {
-                return formula.begin < place && place < formula.end;
-            });
-        return within ? NumberSetting::formula : NumberSetting::text;
-    });
+    const NumberedText parts = numberedText(text);
+    const ScannedText scanned = scannedText(maskedNumbers(text, parts, 'x'));
+    std::string result = parts.words.front();
+    for (std::size_t i = 0; i < parts.numbers.size(); ++i) {
+        const bool formula = isWithin(parts.places[i], scanned.formulas);
+        const std::string shown =
+            value(parts.numbers[i], formula ? NumberSetting::formula : NumberSetting::text);
+        const std::string& after = parts.words[i + 1];
+        const bool plain = formula || isWithin(parts.places[i], scanned.code);
+        result += (plain || !meansMore(result, shown, after) ? shown : harmless(shown)) + after;
+    }
+    return result;
 }
 
 }  // namespace
@@ -46,8 +70,7 @@ std::vector<NumberName> numbersIn(const Slide& slide) {
 void fillNumbers(Slide& slide, const NumberValue& value) {
     for (std::string* text : {&slide.title, &slide.text, &slide.caption, &slide.notes})
         *text = filledWords(*text, value);
-    for (std::string& formula : slide.formulas)
-        formula = filled(formula, value, [](std::size_t) { return NumberSetting::formula; });
+    for (std::string& formula : slide.formulas) formula = filledFormula(formula, value);
 }
 
 }  // namespace demos

@@ -16,6 +16,7 @@ std::vector<NumberName> numbersIn(const Slide& slide);
 using NumberValue = std::function<std::string(const NumberName&, NumberSetting)>;
 
 /// Puts values in place of them; within formulas, also those between dollars in a text, as LaTeX.
+/// In a text they are words, wherever they stand: no list, no end of a formula.
 /// Throws NumberError, and what `value` throws.
 void fillNumbers(Slide& slide, const NumberValue& value);
 

@@ -51,14 +51,24 @@ private:
         good_ = false;
     }
 
+    /// At the value; of a list at the text that is told of.
+    void complainOf(const char* key, const std::string& what) {
+        const std::vector<std::string> texts =
+            keys_.texts(key).value_or(std::vector<std::string>());
+        std::size_t item = 0;
+        while (item < texts.size() && what.find(texts[item]) == std::string::npos) ++item;
+        keys_.complainOf(key, what, item);
+        good_ = false;
+    }
+
     void readNames() {
         SlideRuns& runs = read_.runs;
         if (const auto name = keys_.text("scene")) runs.scene = sceneCalled(*name);
         if (const auto name = keys_.text("compare")) runs.comparison = *name;
         if (keys_.has("scene") && runs.scene.empty()) good_ = false;
         if (keys_.has("compare") && !comparisonCalled(runs.comparison))
-            complain("compare", "no comparison is called '" + shown(runs.comparison) + "'" +
-                                    suggestion(runs.comparison, comparisonNames()));
+            complainOf("compare", "no comparison is called '" + shown(runs.comparison) + "'" +
+                                      suggestion(runs.comparison, comparisonNames()));
         for (const char* key : {"scene", "vary", "case", "over"})
             if (keys_.has("compare") && keys_.has(key))
                 complain(key, "a comparison has a scene and cases of its own; leave out " +
@@ -70,8 +80,8 @@ private:
         if (isBuiltin(name)) return name;
         const bool isPath = name.find('/') != std::string::npos || fs::path(name).has_extension();
         if (isPath && name.find('\0') == std::string::npos) return (folder_ / name).string();
-        complain("scene", "there is no built-in scene '" + shown(name) + "'" +
-                              suggestion(name, sceneNames()));
+        complainOf("scene", "there is no built-in scene '" + shown(name) + "'" +
+                                suggestion(name, sceneNames()));
         return {};
     }
 
@@ -110,21 +120,28 @@ private:
         try {
             loadScene(scene);
         } catch (const SceneError& error) {
-            for (const std::string& line : error.lines()) complain("scene", "the scene: " + line);
+            for (const std::string& line : error.lines()) complainOf("scene", "the scene: " + line);
             return false;
         }
         try {
             read_.scenes = {loadScene(scene, runs.settings)};
         } catch (const SceneError& error) {
-            for (const std::string& line : error.lines()) complain("set", asKey(line));
+            for (const std::string& line : error.lines()) complainOf("set", withSettings(line));
         }
         return good_;
     }
 
-    /// "--set solver.sweep=4: ..." is an option; here it is a key. What else is wrong then is told
-    /// with its place in the scene.
-    static std::string asKey(const std::string& line) {
-        return line.starts_with("--") ? line.substr(2) : "with these settings: " + line;
+    /// "--set solver.sweep=4: ..." is an option; here it is a key.
+    static std::string asKey(const std::string& what) {
+        if (what.starts_with("--")) return what.substr(2);
+        const std::size_t example = what.find(", for example --");
+        if (example == std::string::npos) return what;
+        return what.substr(0, example) + ", as in vary = \"solver.sweeps=1,4,16\"";
+    }
+
+    /// What is wrong with the scene only then is told with its place in it.
+    static std::string withSettings(const std::string& line) {
+        return line.starts_with("--") ? asKey(line) : "with these settings: " + line;
     }
 
     void readAll() {
@@ -146,10 +163,9 @@ private:
             read_.scenes.clear();
             for (Variant& variant : variants) read_.scenes.push_back(std::move(variant.scene));
         } catch (const SceneError& error) {
-            for (const std::string& line : error.lines()) complain(key, asKey(line));
+            for (const std::string& line : error.lines()) complainOf(key, withSettings(line));
         } catch (const Stop& stop) {
-            const std::string what = stop.what();
-            complain(key, what.starts_with("--") ? what.substr(2) : what);
+            complainOf(key, asKey(stop.what()));
         }
     }
 

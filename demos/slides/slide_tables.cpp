@@ -1,9 +1,30 @@
 #include "demos/slides/slide_tables.h"
 
+#include <cstdlib>
+
+#include "demos/slides/quantity.h"
+
 namespace demos {
 namespace {
 
+constexpr int kDigits = 4;
+
 using Row = std::vector<std::string>;
+
+std::string shown(double value, const std::string& unit) {
+    return quantityText(value, unit, kDigits, NumberSetting::text);
+}
+
+QuantityWriter shortWriter() {
+    return {shown, [](const Vec3& point, const std::string& unit) {
+                return vectorText(point, unit, kDigits, NumberSetting::text);
+            }};
+}
+
+std::string askedOf(const RunExpectations& run, std::size_t i) {
+    const SceneDescription& scene = *run.scene;
+    return askedText(scene.expectations[i], scene.seconds, shortWriter());
+}
 
 }  // namespace
 
@@ -19,7 +40,7 @@ MadeTable measuresTable(const std::vector<Measured>& runs, bool several, bool ti
         if (!timing && cells.measures[column] == measureCalled("ms")) continue;
         table.head.push_back(cells.head[column]);
         for (std::size_t i = 0; i < runs.size(); ++i)
-            table.rows[i].push_back(cells.rows[i][column]);
+            table.rows[i].push_back(shown(std::atof(cells.rows[i][column].c_str()), ""));
     }
     return table;
 }
@@ -30,8 +51,9 @@ MadeTable expectationsTable(const std::vector<RunExpectations>& runs) {
     if (several) table.head.push_back("run");
     for (const char* name : {"what", "of", "asked", "came out", "ok"}) table.head.push_back(name);
     for (const RunExpectations& run : runs)
-        for (const ExpectationResult& result : run.results) {
-            Row row = {result.what, result.of, result.asked, cameOut(result),
+        for (std::size_t i = 0; i < run.results.size(); ++i) {
+            const ExpectationResult& result = run.results[i];
+            Row row = {result.what, result.of, askedOf(run, i), shown(result.value, result.unit),
                        result.passed ? "yes" : "no"};
             if (several) row.insert(row.begin(), run.label);
             table.rows.push_back(std::move(row));

@@ -15,10 +15,11 @@ MadeTable measuresTable(const std::vector<Measured>& runs, bool several, bool ti
 /// What came out for one run, or for each of several.
 struct RunExpectations {
     std::string label;
-    std::vector<ExpectationResult> results;
+    const SceneDescription* scene;           // which expects
+    std::vector<ExpectationResult> results;  // in the order of the scene
 };
 
-/// A row an expectation: what, of, asked, came out, ok.
+/// A row an expectation: what, of, asked, came out, ok; numbers as quantityText() writes them.
 MadeTable expectationsTable(const std::vector<RunExpectations>& runs);
 
 }  // namespace demos

@@ -1,22 +1,32 @@
 #include "demos/slides/table_columns.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace demos {
 namespace {
 
-constexpr std::size_t kLongestUnit = 6;  // bytes with its space: " rad/s", " N s"
+constexpr std::size_t kLongestUnit = 8;  // bytes with its space, which is of two: " rad/s", " µm/s"
+constexpr std::string_view kMinus = "\u2212", kTimes = "\u00a0\u00d7\u00a010";
 
 enum class CellKind { number, words, nothing };
 
+/// Takes the power of ten off: "\u00a0\u00d7\u00a010\u207b\u2076".
+void skipPower(std::string_view& rest) {
+    if (!rest.starts_with(kTimes)) return;
+    rest.remove_prefix(kTimes.size());
+    while (!rest.empty() && !rest.starts_with("\u00a0")) rest.remove_prefix(1);
+}
+
 CellKind kindOf(const std::string& cell) {
     if (cell.empty() || cell == "-") return CellKind::nothing;
-    const std::size_t first = cell.find_first_not_of("+-.<> ");
-    if (first == std::string::npos || cell[first] < '0' || cell[first] > '9')
-        return CellKind::words;
-    const std::size_t unit =
-        std::min(cell.find_first_not_of("0123456789.eE+-", first), cell.size());
-    return cell.size() - unit <= kLongestUnit ? CellKind::number : CellKind::words;
+    std::string_view rest = cell;
+    if (rest.starts_with(kMinus)) rest.remove_prefix(kMinus.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of("+-.<> "), rest.size()));
+    if (rest.empty() || rest.front() < '0' || rest.front() > '9') return CellKind::words;
+    rest.remove_prefix(std::min(rest.find_first_not_of("0123456789.eE+-"), rest.size()));
+    skipPower(rest);
+    return rest.size() <= kLongestUnit ? CellKind::number : CellKind::words;
 }
 
 }  // namespace

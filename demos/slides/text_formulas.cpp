@@ -10,11 +10,13 @@ namespace {
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 class FormulaScanner {
 public:
     explicit FormulaScanner(const std::string& text) : text_(text) {}
 
-    std::vector<TextFormula> scan() {
+    ScannedText scan() {
         while (i_ < text_.size()) {
             if (text_[i_] == '\\')
                 i_ += 2;
@@ -35,7 +37,7 @@ private:
 
     /// Code ends with as many backquotes as it began with; there is none where these never come.
     void skipCode() {
-        const std::size_t ticks = runOf('`', i_);
+        const std::size_t begin = i_, ticks = runOf('`', i_);
         i_ += ticks;
         if (ticks < unclosed_.size() && unclosed_[ticks]) return;
         for (std::size_t j = text_.find('`', i_); j < text_.size(); j = text_.find('`', j)) {
@@ -43,6 +45,7 @@ private:
             j += run;
             if (run != ticks) continue;
             i_ = j;
+            found_.code.push_back({begin, j});
             return;
         }
         unclosed_.resize(std::max(unclosed_.size(), ticks + 1));
@@ -56,7 +59,7 @@ private:
 
     bool closes(std::size_t at, std::size_t from, bool display) const {
         if (display) return at + 1 < text_.size() && text_[at + 1] == '$' && at > from;
-        const bool digit = at + 1 < text_.size() && text_[at + 1] >= '0' && text_[at + 1] <= '9';
+        const bool digit = at + 1 < text_.size() && isDigit(text_[at + 1]);
         return at > from && !isSpace(text_[at - 1]) && !digit;
     }
 
@@ -82,22 +85,27 @@ private:
         const bool opens = from < text_.size() && (display || !isSpace(text_[from]));
         const std::size_t close = opens ? closingDollar(from, display) : text_.size();
         if (close == text_.size()) {
+            const bool price = !display && opens && isDigit(text_[from]);
+            if (!price) found_.loose.push_back(i_);
             i_ = from;
             return;
         }
-        found_.push_back({text_.substr(from, close - from), display, i_, close + dollars, from});
+        found_.formulas.push_back(
+            {text_.substr(from, close - from), display, i_, close + dollars, from});
         i_ = close + dollars;
     }
 
     const std::string& text_;
     std::size_t i_ = 0;
     std::vector<bool> unclosed_;  // runs of so many backquotes that nothing closes from here on
-    std::vector<TextFormula> found_;
+    ScannedText found_;
 };
 
 }  // namespace
 
-std::vector<TextFormula> formulasIn(const std::string& text) { return FormulaScanner(text).scan(); }
+ScannedText scannedText(const std::string& text) { return FormulaScanner(text).scan(); }
+
+std::vector<TextFormula> formulasIn(const std::string& text) { return scannedText(text).formulas; }
 
 std::string mathMlIn(const TextFormula& formula) {
     try {

@@ -14,6 +14,17 @@ struct TextFormula {
     std::size_t at = 0;              // where `tex` begins
 };
 
+/// What is no plain word of a text, in its order.
+struct ScannedText {
+    struct Span {
+        std::size_t begin = 0, end = 0;  // bytes
+    };
+    std::vector<TextFormula> formulas;
+    std::vector<Span> code;          // with its backquotes
+    std::vector<std::size_t> loose;  // each $ that is of no formula, of no code and of no price
+};
+ScannedText scannedText(const std::string& text);
+
 /// In the order of the text.
 std::vector<TextFormula> formulasIn(const std::string& text);
 

@@ -84,20 +84,37 @@ std::size_t take(Cursor& cursor, char quote) {
     return 1;
 }
 
+/// A file's text where the byte of a string is written; without a quote where that cannot be told.
+struct Spot {
+    Cursor cursor;
+    char quote;
+};
+
+Spot spotOf(const Written& written, std::size_t byte) {
+    Spot spot{Cursor(written.source, written.place), '\0'};
+    spot.quote = openQuotes(spot.cursor);
+    if (!spot.quote) return spot;
+    const auto passLeftOut = [&] {
+        while (spot.quote == '"' && takeLeftOut(spot.cursor)) continue;
+    };
+    passLeftOut();
+    for (std::size_t done = 0; done < byte && !spot.cursor.atEnd(); passLeftOut())
+        done += take(spot.cursor, spot.quote);
+    return spot;
+}
+
 }  // namespace
 
 Place placeIn(const Written& written, std::size_t byte) {
     if (written.place.line < 1) return written.place;
-    Cursor cursor(written.source, written.place);
-    const char quote = openQuotes(cursor);
-    if (!quote) return written.place;
-    const auto passLeftOut = [&] {
-        while (quote == '"' && takeLeftOut(cursor)) continue;
-    };
-    passLeftOut();
-    for (std::size_t done = 0; done < byte && !cursor.atEnd(); passLeftOut())
-        done += take(cursor, quote);
-    return cursor.place();
+    const Spot spot = spotOf(written, byte);
+    return spot.quote ? spot.cursor.place() : written.place;
+}
+
+bool isEscape(const Written& written, std::size_t byte) {
+    if (written.place.line < 1) return false;
+    const Spot spot = spotOf(written, byte);
+    return spot.quote == '"' && spot.cursor.next('\\');
 }
 
 }  // namespace demos

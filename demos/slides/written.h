@@ -17,4 +17,7 @@ struct Written {
 /// after opening quotes are considered. That of the quotes where there are none, as after --set.
 Place placeIn(const Written& written, std::size_t byte);
 
+/// Whether the text's byte is an escape in the file: the newline of "\n", the tab of "\theta".
+bool isEscape(const Written& written, std::size_t byte);
+
 }  // namespace demos

@@ -42,6 +42,8 @@ const std::string kSections =
     "loop = true\nposter = 'first'\nnotes = 'n'\n"
     "[[section]]\nat = 2\nname = 'end'\n";
 
+const std::string kExpect = "[[expect]]\nwhat = 'speed'\nbelow = 100\nwhy = 'w'\n";
+
 TEST_F(DeckFiles, NameScenesBesideThem) {
     write("parts/floor.toml", kFloor);
     write("parts/a.toml", "include = 'floor.toml'\n" + kBall);
@@ -51,7 +53,7 @@ TEST_F(DeckFiles, NameScenesBesideThem) {
     EXPECT_EQ(read.files, (std::vector<std::filesystem::path>{
                               path("deck.toml"), path("parts/a.toml"), path("parts/floor.toml")}));
     write("parts/a.toml", "hz = 3\n" + kBall);
-    EXPECT_EQ(error("deck.toml"), path("deck.toml") + ":4:1: the scene: " + path("parts/a.toml") +
+    EXPECT_EQ(error("deck.toml"), path("deck.toml") + ":4:9: the scene: " + path("parts/a.toml") +
                                       ":2:1: unknown key 'hz' in a scene; known are: format, "
                                       "values, include, title, purpose, group, seconds, world, "
                                       "solver, material, body, joint ...");
@@ -61,14 +63,21 @@ TEST_F(DeckFiles, AreToldFromScenes) {
     write("deck.toml", "title = 'T'\n[[slide]]\n");
     write("scene.toml", kScene);
     write("broken.toml", "[[slide\n");
-    EXPECT_TRUE(isDeckFile(path("deck.toml")));
+    write("slides.toml", "title = 'T'\n[[slides]]\ntitle = 'x'\n");
+    write("talk.toml", "title = 'T'\nsubtitle = 'S'\n[opening]\nscene = 'stack'\n");
+    write("empty.toml", "");
+    for (const char* name : {"deck.toml", "slides.toml", "talk.toml", "empty.toml"})
+        EXPECT_TRUE(isDeckFile(path(name))) << name;
+    EXPECT_EQ(error("slides.toml"), path("slides.toml") +
+                                        ":1:1: the deck has no slide; write a "
+                                        "[[slide]]");
     for (const std::string& name : {path("scene.toml"), path("broken.toml"), path("none.toml"),
                                     std::string("stack"), folder_.path().string()})
         EXPECT_FALSE(isDeckFile(name)) << name;
 }
 
 TEST_F(DeckFiles, TakeSectionsAndSayOtherwiseWhereTheyWish) {
-    write("a.toml", kScene + kSections);
+    write("a.toml", kScene + kSections + kExpect);
     write("deck.toml",
           "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'down'\n"
           "[[slide]]\nscene = 'a.toml'\nsection = 'down'\ntitle = 'Mine'\nslow = 2\nloop = false\n"
@@ -95,6 +104,15 @@ TEST_F(DeckFiles, TakeSectionsAndSayOtherwiseWhereTheyWish) {
     EXPECT_FALSE(read.slides[4].until);
 }
 
+TEST_F(DeckFiles, ShowNoTableOfNothing) {
+    write("a.toml", kScene + kSections);
+    write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\ntable = ['expectations']\n");
+    EXPECT_EQ(error("deck.toml"),
+              path("deck.toml") + ":5:10: 'a' has no [[expect]]; leave out expectations");
+    write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'down'\n");
+    EXPECT_FALSE(loadDeck(folder_ / "deck.toml").slides[1].expectations);
+}
+
 TEST_F(DeckFiles, TellOfASectionInTheFileOfItsScene) {
     write("a.toml", kScene + "[[section]]\nname = 'one'\nformula = ['a', 'b^c^d']\n");
     write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'one'\n");
@@ -111,7 +129,7 @@ TEST_F(DeckFiles, TellOfASectionInTheFileOfItsScene) {
 }
 
 TEST_F(DeckFiles, MayBeMadeOfAScene) {
-    write("a.toml", kScene + kSections + "[[expect]]\nwhat = 'speed'\nbelow = 100\nwhy = 'w'\n");
+    write("a.toml", kScene + kSections + kExpect);
     Options options;
     options.scenes = {path("a.toml")};
     options.overrides = {"world.hz=120"};

@@ -33,6 +33,8 @@ std::string wrong(const std::string& keys) {
     return lines.empty() ? "" : lines.front();
 }
 
+const std::string kSlide = "[[slide]]\ntitle = 'x'\n";
+
 TEST(Deck, HasItsDefaults) {
     const Deck read = deck("[[slide]]\ntitle = 'One'\n");
     EXPECT_EQ(read.name, "deck");
@@ -47,8 +49,9 @@ TEST(Deck, HasItsDefaults) {
     EXPECT_EQ(read.slides[1].id, "02-one");
     EXPECT_EQ(read.slides[1].exhibit, Exhibit::none);
     EXPECT_FALSE(read.slides[1].runs.any());
-    EXPECT_EQ(deck("opening = false\n[[slide]]\n").slides.size(), 1u);
-    EXPECT_EQ(deck("opening = true\n[[slide]]\n").slides.size(), 2u);
+    EXPECT_EQ(deck("opening = false\n" + kSlide).slides.size(), 1u);
+    EXPECT_EQ(deckErrors("opening = true\n" + kSlide),
+              List{"deck.toml:3:11: opening is true; it should be false, or a table [opening]"});
 }
 
 TEST(Deck, SaysWhatItsSlidesSay) {
@@ -100,41 +103,41 @@ TEST(Deck, ComparesRuns) {
 }
 
 TEST(Deck, RefusesWhatItDoesNotKnow) {
-    EXPECT_EQ(deckErrors("subtitel = 's'\n[[slide]]\n"),
+    EXPECT_EQ(deckErrors("subtitel = 's'\n" + kSlide),
               List{"deck.toml:3:1: unknown key 'subtitel' in a deck; did you mean 'subtitle'?"});
     EXPECT_EQ(wrong("titel = 'a'\n"),
               "deck.toml:4:1: unknown key 'titel' in a [[slide]]; did you mean 'title'?");
     EXPECT_EQ(wrong("scene = 'stak'\n"),
-              "deck.toml:4:1: there is no built-in scene 'stak'; did you mean 'stack'?");
+              "deck.toml:4:9: there is no built-in scene 'stak'; did you mean 'stack'?");
     EXPECT_EQ(wrong("scene = 'none/a.toml'\n"),
-              "deck.toml:4:1: the scene: none/a.toml: there is no such file");
+              "deck.toml:4:9: the scene: none/a.toml: there is no such file");
     EXPECT_EQ(wrong("scene = 'stack'\nsection = 'impct'\n"),
-              "deck.toml:5:1: 'stack' has no section 'impct'; did you mean 'impact'?");
+              "deck.toml:5:11: 'stack' has no section 'impct'; did you mean 'impact'?");
     EXPECT_EQ(wrong("compare = 'nudge'\n"),
-              "deck.toml:4:1: no comparison is called 'nudge'; did you mean 'nudges'?");
+              "deck.toml:4:11: no comparison is called 'nudge'; did you mean 'nudges'?");
     EXPECT_EQ(wrong("scene = 'stack'\nshow = ['impulse']\n"),
-              "deck.toml:5:1: no overlay is called 'impulse'; did you mean 'impulses'?");
+              "deck.toml:5:9: no overlay is called 'impulse'; did you mean 'impulses'?");
     EXPECT_EQ(wrong("scene = 'stack'\nplot = 'enrgy'\n"),
-              "deck.toml:5:1: no chart of one run is called 'enrgy'; did you mean 'energy'?");
+              "deck.toml:5:8: no chart of one run is called 'enrgy'; did you mean 'energy'?");
     const std::string charts = "'energy', 'energy', 'energy', 'energy', 'energy', 'energy', ";
     EXPECT_EQ(wrong("scene = 'stack'\nplot = [" + charts + "'energy', 'energy', 'energy']\n"),
-              "deck.toml:5:1: a slide shows 9 pictures at most; here are 10");
+              "deck.toml:5:8: a slide shows 9 pictures at most; here are 10");
     EXPECT_EQ(wrong("scene = 'stack'\nplot = [" + charts + "'energy', 'energy']\n"), "");
     EXPECT_EQ(wrong("compare = 'pgs'\nplot = ['contacts']\n"),
-              "deck.toml:5:1: no measure of several runs is called 'contacts'; known are: drift, "
+              "deck.toml:5:9: no measure of several runs is called 'contacts'; known are: drift, "
               "speed, penetration, separation, energy, residual, sweeps, ms");
     EXPECT_EQ(wrong("scene = 'stack'\ntable = 'measure'\n"),
-              "deck.toml:5:1: no table is called 'measure'; did you mean 'measures'?");
+              "deck.toml:5:9: no table is called 'measure'; did you mean 'measures'?");
     EXPECT_EQ(wrong("scene = 'stack'\npicture = 'stil'\n"),
               "deck.toml:5:11: picture is the text \"stil\"; it should be none, film, still or "
               "strip; did you mean 'still'?");
     EXPECT_EQ(wrong("scene = 'stack'\nset = ['solver.sweps=4']\n"),
-              "deck.toml:5:1: set solver.sweps=4: unknown key 'sweps' in [solver]; did you mean "
+              "deck.toml:5:8: set solver.sweps=4: unknown key 'sweps' in [solver]; did you mean "
               "'sweeps'?");
     EXPECT_EQ(wrong("scene = 'stack'\nvary = 'solver.sweeps'\n"),
-              "deck.toml:5:1: vary 'solver.sweeps': must be KEY=VALUE,VALUE..., for example "
+              "deck.toml:5:8: vary 'solver.sweeps': must be KEY=VALUE,VALUE..., for example "
               "solver.sweeps=1,4,16");
-    EXPECT_EQ(deckErrors("theme = 'transparent'\n[[slide]]\n").front(),
+    EXPECT_EQ(deckErrors("theme = 'transparent'\n" + kSlide).front(),
               "deck.toml:3:9: theme is the text \"transparent\"; it should be studio, dark or "
               "print");
 }
@@ -163,32 +166,35 @@ TEST(Deck, RefusesWhatContradicts) {
 
 TEST(Deck, KnowsWhenARunEnds) {
     EXPECT_EQ(wrong("scene = 'stack'\nuntil = 99\n"),
-              "deck.toml:5:1: until is 99 s; the run ends at 7 s");
+              "deck.toml:5:9: until is 99 s; the run ends at 7 s");
     EXPECT_EQ(wrong("scene = 'stack'\npicture = 'still'\nat = 7.1\n"),
-              "deck.toml:6:1: at is 7.1 s; the run ends at 7 s");
+              "deck.toml:6:6: at is 7.1 s; the run ends at 7 s");
     EXPECT_EQ(wrong("compare = 'nudges'\nuntil = 2.5\n"),
-              "deck.toml:5:1: until is 2.5 s; the run ends at 2 s");
+              "deck.toml:5:9: until is 2.5 s; the run ends at 2 s");
     EXPECT_EQ(wrong("scene = 'stack'\nfrom = 7\n"),
-              "deck.toml:5:1: from is 7 s; the run ends then");
+              "deck.toml:5:8: from is 7 s; the run ends then");
     EXPECT_EQ(
         wrong("scene = 'stack'\nset = 'seconds=2'\n"),
-        "deck.toml:5:1: with these settings: stack.toml:47:6: at is 2.9; it should be a number "
+        "deck.toml:5:7: with these settings: stack.toml:47:6: at is 2.9; it should be a number "
         "from 0 to 2 s");
     EXPECT_EQ(wrong("scene = 'stack'\nfrom = 2\nuntil = 2\n"),
-              "deck.toml:6:1: until is 2 s; it should be later than from, 2 s");
+              "deck.toml:6:9: until is 2 s; it should be later than from, 2 s");
     EXPECT_EQ(wrong("scene = 'stack'\nfrom = 2\nposter = 1\n"),
               "deck.toml:6:10: poster is 1; it should be a number from 2 to 7 s");
 }
 
 TEST(Deck, RefusesNonsenseSizesAndRates) {
+    EXPECT_EQ(deckErrors("size = [1, 2, 3]\n" + kSlide),
+              List{"deck.toml:3:8: size is a list of 3; it should be two even whole numbers "
+                   "[width, height] of pixels"});
     for (const char* size : {"[640]", "[640, 361]", "[0, 360]", "[640, 99999]", "[640.5, 360]"})
-        EXPECT_EQ(deckErrors("size = " + std::string(size) + "\n[[slide]]\n").size(), 1u) << size;
+        EXPECT_EQ(deckErrors("size = " + std::string(size) + "\n" + kSlide).size(), 1u) << size;
     EXPECT_EQ(
         deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\n"),
-        List{"deck.toml:5:1: fps of the deck is 25: 'stack' steps 60 times a second, which must "
+        List{"deck.toml:5:9: fps of the deck is 25: 'stack' steps 60 times a second, which must "
              "be a multiple; good: 6 10 12 15 20 30"});
     EXPECT_EQ(deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\npicture = 'still'\n"), List{});
-    EXPECT_EQ(deckErrors("fps = 0\n[[slide]]\n"),
+    EXPECT_EQ(deckErrors("fps = 0\n" + kSlide),
               List{"deck.toml:3:7: fps is 0; it should be a whole number from 1 to 240 frames a "
                    "second"});
 }
@@ -202,6 +208,10 @@ TEST(Deck, HasATitleAndSlides) {
                                        "a.toml:1:1: the deck has no title; write title = \"...\"",
                                        "a.toml:1:1: the deck has no slide; write a [[slide]]"}));
     }
+    EXPECT_EQ(deckErrors("slide = []\n"),
+              List{"deck.toml:3:1: the deck has no slide; write a [[slide]]"});
+    EXPECT_EQ(deckErrors("[[slide]]\nnotes = 'n'\n"),
+              List{"deck.toml:3:1: the slide shows nothing; give it a title, text or a scene"});
     std::string many;
     for (int i = 0; i < 201; ++i) many += "[[slide]]\n";
     EXPECT_EQ(deckErrors(many), List{"deck.toml:3:3: 201 slides; a deck has at most 200"});
@@ -221,12 +231,65 @@ TEST(Deck, TellsWhereAFormulaIsWrong) {
               "deck.toml:4:11: formula: \\href is not allowed in a slide");
 }
 
+// In double quotes TOML reads \\theta as a tab and heta, \\nabla as a new line and abla.
+TEST(Deck, TellsOfBackslashesThatAreLost) {
+    const std::string advice =
+        ", written as an escape; write LaTeX in single quotes, which keep its backslashes";
+    EXPECT_EQ(wrong("formula = \"\\theta + x\"\n"), "deck.toml:4:12: a tab in a formula" + advice);
+    EXPECT_EQ(wrong("formula = \"a + \\nabla f\"\n"),
+              "deck.toml:4:16: a line break in a formula" + advice);
+    EXPECT_EQ(wrong("text = \"one\\ntwo $\\nu$\"\n"),
+              "deck.toml:4:19: a line break in a formula" + advice);
+    EXPECT_EQ(wrong("text = \"x $\\theta$\"\n"), "deck.toml:4:12: a tab in a formula" + advice);
+    EXPECT_EQ(wrong("formula = \"\"\"\na\n+ \\rho\"\"\"\n"),
+              "deck.toml:6:3: a line break in a formula" + advice);
+    EXPECT_EQ(wrong("formula = \"\\frac12\"\n"), "deck.toml:4:12: a control byte" + advice);
+    const std::string lambda = wrong("formula = \"\\lambda\"\n");
+    EXPECT_TRUE(lambda.ends_with("; single quotes keep backslashes, as LaTeX needs them"))
+        << lambda;
+    EXPECT_EQ(wrong("formula = \"\\\\theta\"\n"), "");
+    EXPECT_EQ(wrong("formula = '''\na\n\t+ b\n'''\ntext = \"a\\tb\""), "");
+}
+
+TEST(Deck, TellsOfADollarWithoutAnother) {
+    EXPECT_EQ(wrong("text = 'a $x and b'\n"),
+              "deck.toml:4:11: a $ that neither begins nor ends a formula; write \\$ for a dollar, "
+              "and a formula with no space inside its dollars");
+    EXPECT_NE(wrong("text = 'a $x $ b'\n"), "");
+    EXPECT_EQ(wrong("text = 'a \\$x `$x` $5 and $6'\n"), "");
+    EXPECT_EQ(wrong("scene = 'stack'\ntext = '$v=$@{speed}'\n"), "");
+}
+
+TEST(Deck, RefusesWhatWouldBeEmpty) {
+    EXPECT_EQ(wrong("scene = 'stack'\nplot = ['energy', 'separation']\n"),
+              "deck.toml:5:19: 'stack' has no joints; leave out separation");
+    EXPECT_EQ(wrong("formula = ''\n"),
+              "deck.toml:4:12: the formula is empty; write LaTeX, or leave it out");
+}
+
+TEST(Deck, RefusesWhatIsNoLineOrNoMoment) {
+    EXPECT_EQ(wrong("title = \"a\\nb\"\n"),
+              "deck.toml:4:11: a line break; this should be one line");
+    EXPECT_EQ(deckErrors("author = '''a\nb'''\n" + kSlide),
+              List{"deck.toml:3:14: a line break; this should be one line"});
+    EXPECT_EQ(
+        wrong("scene = 'stack'\nposter = 'middle'\n"),
+        "deck.toml:5:10: poster is the text \"middle\"; it should be first, last or a time in "
+        "s");
+    EXPECT_EQ(wrong("scene = 'stack'\nvary = 'solver.sweeps=1'\n"),
+              "deck.toml:5:8: 1 to compare; give two to four, as in vary = "
+              "\"solver.sweeps=1,4,16\"");
+    EXPECT_EQ(wrong("scene = 'stack'\nshow = ['impulses', 3]\n"),
+              "deck.toml:5:21: show holds 3; it should be a list of texts, like [\"box0\", "
+              "\"box1\"]");
+}
+
 TEST(Deck, TellsWhichNumbersItsRunsDoNotHave) {
     const std::string stack = "scene = 'stack'\n";
     EXPECT_EQ(wrong(stack + "text = 'a @{body.bx3.speed}'\n").substr(0, 87),
               "deck.toml:5:11: no body of 'stack' is called 'bx3'; did you mean 'box3'?");
     EXPECT_EQ(wrong(stack + "text = '@{joint.a.force}'\n"),
-              "deck.toml:5:9: no joint of 'stack' is called 'a'");
+              "deck.toml:5:9: no joint of 'stack' is called 'a'; it has none");
     EXPECT_EQ(wrong(stack + "text = '@{2.drift}'\n"),
               "deck.toml:5:9: there is no run 2; the slide has 1");
     EXPECT_EQ(wrong(stack + "caption = '@{expect.99}'\n"),

@@ -41,6 +41,12 @@ TEST(TextFormulas, ArePricesCodeOrNothingOtherwise) {
     EXPECT_EQ(formulas("` $x$"), (List{"$x"})) << "nothing closes the backquote";
 }
 
+TEST(TextFormulas, TellsWhichDollarsAreOfNothing) {
+    EXPECT_EQ(scannedText("$x $ `$` $5 \\$ $y$ $$").loose, (std::vector<std::size_t>{0, 3, 19}));
+    EXPECT_EQ(scannedText("a `$` b").code.front().begin, 2u);
+    EXPECT_EQ(scannedText("a `$` b").code.front().end, 5u);
+}
+
 TEST(Markup, IsHtml) {
     EXPECT_EQ(htmlOf("Some *words* and **more**,\n- a\n- `b`\n"),
               "<p>Some <em>words</em> and <strong>more</strong>,</p>\n<ul>\n<li>a</li>\n"

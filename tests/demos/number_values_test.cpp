@@ -10,6 +10,7 @@
 #include "demos/film/progress.h"
 #include "demos/scene/reader.h"
 #include "demos/slides/deck_runs.h"
+#include "demos/slides/markup.h"
 #include "demos/slides/slide_numbers.h"
 #include "demos/stop.h"
 
@@ -24,17 +25,31 @@ struct Written {
     int digits = 3;
 };
 
+/// With the hyphen and the spaces of a keyboard in place of the signs that a text has.
+std::string typed(std::string text) {
+    const std::pair<std::string, std::string> signs[] = {{"\u2212", "-"}, {"\u00a0", " "}};
+    for (const auto& [sign, key] : signs)
+        for (std::size_t i = 0; (i = text.find(sign, i)) != std::string::npos;)
+            text.replace(i, sign.size(), key);
+    return text;
+}
+
 TEST(Quantity, IsAsShortAsItCanBeRead) {
     const Written cases[] = {
         {0.0012749, "m", "1.27 mm", "1.27\\,\\mathrm{mm}"},
-        {0.24, "m", "0.24 m", "0.24\\,\\mathrm{m}"},
-        {0.0999, "m", "99.9 mm", "99.9\\,\\mathrm{mm}"},
-        {3.2e-5, "m/s", "32 µm/s", "32\\,\\mu\\mathrm{m/s}"},
+        {0.24, "m", "240 mm", "240\\,\\mathrm{mm}"},
+        {1.24, "m", "1.24 m", "1.24\\,\\mathrm{m}"},
+        {0.24, "m/s", "0.24 m/s", "0.24\\,\\mathrm{m/s}"},
+        {1e-6, "m", "1 \u00b5m", "1\\,\\mu\\mathrm{m}"},
+        {3.2e-5, "m/s", "32 \u00b5m/s", "32\\,\\mu\\mathrm{m/s}"},
         {264812.0, "J", "265 kJ", "265\\,\\mathrm{kJ}"},
         {264812.0, "J", "264.8 kJ", "264.8\\,\\mathrm{kJ}", 4},
         {999.9996, "N", "1 kN", "1\\,\\mathrm{kN}"},
+        {0.9999996, "m", "1 m", "1\\,\\mathrm{m}"},
         {-0.0456, "N s", "-45.6 mN s", "-45.6\\,\\mathrm{mN\\,s}"},
-        {1.234e-13, "m", "1.23e-13 m", "1.23 \\times 10^{-13}\\,\\mathrm{m}"},
+        {1.234e-13, "m", "1.23 \u00d7 10\u207b\u00b9\u00b3 m",
+         "1.23 \\times 10^{-13}\\,\\mathrm{m}"},
+        {-2e20, "J", "-2 \u00d7 10\u00b2\u2070 J", "-2 \\times 10^{20}\\,\\mathrm{J}"},
         {12.0, "deg", "12 deg", "12^\\circ"},
         {0.5, "s", "0.5 s", "0.5\\,\\mathrm{s}"},
         {123456.0, "rad/s", "123000 rad/s", "123000\\,\\mathrm{rad/s}"},
@@ -45,23 +60,52 @@ TEST(Quantity, IsAsShortAsItCanBeRead) {
         {-0.0, "", "0", "0"},
     };
     for (const Written& c : cases) {
-        EXPECT_EQ(quantityText(c.value, c.unit, c.digits, kText), c.text);
+        EXPECT_EQ(typed(quantityText(c.value, c.unit, c.digits, kText)), c.text);
         EXPECT_EQ(quantityText(c.value, c.unit, c.digits, kFormula), c.formula);
     }
+}
+
+TEST(Quantity, HasTheDigitsThatAreAskedFor) {
+    const auto text = [](double value, const char* unit, int digits) {
+        return typed(quantityText(value, unit, digits, kText, Zeros::kept));
+    };
+    EXPECT_EQ(text(4.4, "N s", 5), "4.4000 N s");
+    EXPECT_EQ(text(999.9996, "N", 4), "1.000 kN");
+    EXPECT_EQ(text(31.0, "", 4), "31") << "a count";
+    EXPECT_EQ(text(0.0, "m", 4), "0 m");
+    EXPECT_EQ(typed(vectorText({-0.32, 1e-17, 3.0}, "m/s", 3, kText, Zeros::kept)),
+              "(-0.32, 0, 3.00) m/s");
+}
+
+// What follows stays on the line, and a minus is none of the hyphens.
+TEST(Quantity, IsOneWordOfALine) {
+    EXPECT_EQ(quantityText(-0.0456, "N s", 3, kText), "\u221245.6\u00a0mN\u00a0s");
+    EXPECT_EQ(vectorText({-1, 0.5, 2}, "m", 3, kText), "(\u22121,\u00a00.5,\u00a02)\u00a0m");
+    EXPECT_EQ(quantityText(1e-13, "m", 3, kText), "1\u00a0\u00d7\u00a010\u207b\u00b9\u00b3\u00a0m");
 }
 
 TEST(Quantity, ThatIsNotFiniteIsSaid) {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(quantityText(infinity, "m", 3, kText), "infinite");
+    EXPECT_EQ(quantityText(-infinity, "m", 3, kText), "\u2212infinite");
     EXPECT_EQ(quantityText(std::nan(""), "m", 3, kFormula), "\\text{undefined}");
 }
 
 TEST(Quantity, AVectorIsAsExactAsItsLargestPart) {
-    EXPECT_EQ(vectorText({-0.3214, 0.2367, 3.0}, "m/s", 3, kText), "(-0.32, 0.24, 3) m/s");
+    const auto text = [](const Vec3& value, const char* unit) {
+        return typed(vectorText(value, unit, 3, kText));
+    };
+    EXPECT_EQ(text({-0.3214, 0.2367, 3.0}, "m/s"), "(-0.32, 0.24, 3) m/s");
     EXPECT_EQ(vectorText({-0.3214, 0.2367, 3.0}, "m/s", 3, kFormula),
               "(-0.32, 0.24, 3)\\,\\mathrm{m/s}");
-    EXPECT_EQ(vectorText({1e-9, -1e-9, 0.00251}, "m", 3, kText), "(0, 0, 2.51) mm");
-    EXPECT_EQ(vectorText({0, 0, 0}, "rad/s", 3, kText), "(0, 0, 0) rad/s");
+    EXPECT_EQ(text({1e-9, -1e-9, 0.00251}, "m"), "(0, 0, 2.51) mm");
+    EXPECT_EQ(text({0, 0, 0}, "rad/s"), "(0, 0, 0) rad/s");
+    EXPECT_EQ(text({-9.3e-7, 0, 1.69e-6}, "rad/s"), "(-0.93, 0, 1.69) \u00d7 10\u207b\u2076 rad/s");
+    EXPECT_EQ(text({-9.3e-8, 1e-17, 1.69e-7}, "rad/s"),
+              "(-0.93, 0, 1.69) \u00d7 10\u207b\u2077 rad/s");
+    EXPECT_EQ(text({1e-17, 0, 0}, "m/s"), "(1, 0, 0) \u00d7 10\u207b\u00b9\u2077 m/s");
+    EXPECT_EQ(vectorText({1e-17, 0, 0}, "m/s", 3, kFormula),
+              "(1, 0, 0) \\times 10^{-17}\\,\\mathrm{m/s}");
 }
 
 const char* const kScene = R"(format = 1
@@ -155,7 +199,7 @@ TEST_F(NumberValues, AreThoseOfTheWorld) {
 
 TEST_F(NumberValues, CountAndName) {
     EXPECT_EQ(text({1, "run", "", "steps", 1}), "31");
-    EXPECT_EQ(text({1, "run", "", "time", 4}), "0.5167 s");
+    EXPECT_EQ(text({1, "run", "", "time", 4}), "0.5167\u00a0s");
     EXPECT_EQ(text({1, "contacts", "", "points", 3}),
               std::to_string(stage.world.report().contacts));
     EXPECT_EQ(text({1, "run", "", "sweeps", 3}),
@@ -217,6 +261,27 @@ TEST(SlideNumbers, AreFilledInEverywhere) {
     EXPECT_EQ(slide.formulas.front(), "\\lambda = 1F3impulse");
     EXPECT_EQ(slide.caption, "1T3height");
     EXPECT_EQ(slide.notes, "none");
+}
+
+// CommonMark reads the text after they are in it.
+TEST(SlideNumbers, AreNothingButWords) {
+    Slide slide;
+    slide.text = "$v=$@{run.steps}\n\n@{run.steps}. Then [a]@{run.time} `@{run.steps}`";
+    fillNumbers(slide, [](const NumberName& name, NumberSetting) {
+        return std::string(name.field == "time" ? "(0)" : "31");
+    });
+    const std::string html = htmlOf(slide.text);
+    EXPECT_NE(html.find("</math>31</p>"), std::string::npos) << html;
+    EXPECT_NE(html.find("<p>31. Then [a](0) <code>31</code></p>"), std::string::npos) << html;
+}
+
+TEST(SlideNumbers, MayBeOfNamesWithDollars) {
+    Slide slide;
+    slide.text = "$x = @{body.a$b.speed}$";
+    fillNumbers(slide, [](const NumberName&, NumberSetting setting) {
+        return std::string(setting == kFormula ? "F" : "T");
+    });
+    EXPECT_EQ(slide.text, "$x = F$");
 }
 
 TEST(DeckRuns, PlayEachRunOnce) {

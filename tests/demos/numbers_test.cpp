@@ -43,6 +43,16 @@ TEST(Numbers, AreCalledByTheirNames) {
     EXPECT_EQ(asked("@{run.hash}"), "1 run '' 'hash' 3");
 }
 
+TEST(Numbers, KeepTheZerosOfDigitsThatAreAskedFor) {
+    EXPECT_EQ(numberedText("@{drift:4}").numbers[0].zeros, Zeros::kept);
+    EXPECT_EQ(numberedText("@{drift}").numbers[0].zeros, Zeros::dropped);
+}
+
+TEST(Numbers, AreHiddenByLetters) {
+    const std::string text = "a @{body.$x.speed} b @{drift}";
+    EXPECT_EQ(maskedNumbers(text, numberedText(text), '.'), "a ................ b ........");
+}
+
 TEST(Numbers, AreNotWhereABackslashIs) {
     EXPECT_EQ(numberedText("a \\@{b} @ { @x").words, std::vector<std::string>{"a \\@{b} @ { @x"});
     EXPECT_EQ(asked("\\\\@{drift}"), "1 measure '' 'drift' 3");
@@ -51,6 +61,7 @@ TEST(Numbers, AreNotWhereABackslashIs) {
 TEST(Numbers, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(refused("a @{penetraton}"),
               "2: no number is called 'penetraton'; did you mean 'penetration'?");
+    EXPECT_EQ(refused("@{pen}"), "0: no number is called 'pen'; did you mean 'penetration'?");
     EXPECT_EQ(refused("@{bodies.a.speed}").substr(0, 60),
               "0: no number is called 'bodies.a.speed'; known are: drift, s");
     EXPECT_EQ(refused("@{body.a.velocty}"), "0: a body has no 'velocty'; did you mean 'velocity'?");
