@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "demos/slides/beamer_preamble.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/slide_layout.h"
@@ -11,57 +12,6 @@
 
 namespace demos {
 namespace {
-
-// Signs that words may hold and pdfLaTeX does not know; LuaLaTeX and XeLaTeX need none of it.
-constexpr const char* kPreamble =
-    R"tex(% Made by impulse slides. To typeset: pdflatex talk.tex, twice.
-\documentclass[aspectratio=169]{beamer}
-\usepackage{iftex}
-\ifPDFTeX
-  \usepackage[T1]{fontenc}
-  \usepackage[utf8]{inputenc}
-  \usepackage{lmodern}
-  \DeclareUnicodeCharacter{2212}{\ensuremath{-}}
-  \DeclareUnicodeCharacter{00B0}{\ensuremath{^\circ}}
-  \DeclareUnicodeCharacter{00B5}{\ensuremath{\mu}}
-  \DeclareUnicodeCharacter{00B1}{\ensuremath{\pm}}
-  \DeclareUnicodeCharacter{00B2}{\ensuremath{^2}}
-  \DeclareUnicodeCharacter{00B3}{\ensuremath{^3}}
-  \DeclareUnicodeCharacter{00B7}{\ensuremath{\cdot}}
-  \DeclareUnicodeCharacter{00D7}{\ensuremath{\times}}
-  \DeclareUnicodeCharacter{0394}{\ensuremath{\Delta}}
-  \DeclareUnicodeCharacter{03B2}{\ensuremath{\beta}}
-  \DeclareUnicodeCharacter{03BB}{\ensuremath{\lambda}}
-  \DeclareUnicodeCharacter{03BC}{\ensuremath{\mu}}
-  \DeclareUnicodeCharacter{03C0}{\ensuremath{\pi}}
-  \DeclareUnicodeCharacter{03C9}{\ensuremath{\omega}}
-  \DeclareUnicodeCharacter{00B9}{\ensuremath{^1}}
-  \DeclareUnicodeCharacter{2070}{\ensuremath{^0}}
-  \DeclareUnicodeCharacter{2074}{\ensuremath{^4}}
-  \DeclareUnicodeCharacter{2075}{\ensuremath{^5}}
-  \DeclareUnicodeCharacter{2076}{\ensuremath{^6}}
-  \DeclareUnicodeCharacter{2077}{\ensuremath{^7}}
-  \DeclareUnicodeCharacter{2078}{\ensuremath{^8}}
-  \DeclareUnicodeCharacter{2079}{\ensuremath{^9}}
-  \DeclareUnicodeCharacter{207B}{\ensuremath{^-}}
-  \DeclareUnicodeCharacter{2190}{\ensuremath{\leftarrow}}
-  \DeclareUnicodeCharacter{2192}{\ensuremath{\rightarrow}}
-  \DeclareUnicodeCharacter{221A}{\ensuremath{\surd}}
-  \DeclareUnicodeCharacter{221E}{\ensuremath{\infty}}
-  \DeclareUnicodeCharacter{2248}{\ensuremath{\approx}}
-  \DeclareUnicodeCharacter{2260}{\ensuremath{\neq}}
-  \DeclareUnicodeCharacter{2264}{\ensuremath{\leq}}
-  \DeclareUnicodeCharacter{2265}{\ensuremath{\geq}}
-\fi
-\usepackage{amsmath,amssymb,bm,booktabs,graphicx}
-\setbeamertemplate{navigation symbols}{}
-\setbeamertemplate{footline}[frame number]
-\setbeamercolor{structure}{fg=blue!45!black}
-\newsavebox{\fitbox}
-\newcommand{\fit}[1]{\sbox{\fitbox}{#1}%
-  \ifdim\wd\fitbox>\linewidth\resizebox{\linewidth}{!}{\usebox{\fitbox}}\else\usebox{\fitbox}\fi}
-% For two screens: \setbeameroption{show notes on second screen=right}
-)tex";
 
 std::string themeOf(const Deck& deck) {
     if (deck.theme != "dark") return {};
@@ -102,10 +52,17 @@ std::string tableLatex(const MadeTable& table) {
     return latex + "\\bottomrule\n\\end{tabular}}\\par\n";
 }
 
-/// Made narrower where it is too wide, which an align and its kin cannot be.
+/// What amsmath takes in a display alone.
+bool needsDisplay(const std::string& latex) {
+    for (const char* word : {"\\tag", "\\begin{split}"})
+        if (latex.find(word) != std::string::npos) return true;
+    return !latex.starts_with("\\[") || !latex.ends_with("\\]");
+}
+
+/// Made narrower where it is too wide, which a display cannot be.
 std::string formulaLatex(const std::string& formula) {
     const std::string latex = latexFormulaOf(formula, true);
-    if (!latex.starts_with("\\[") || !latex.ends_with("\\]")) return latex + "\n";
+    if (needsDisplay(latex)) return latex + "\n";
     return "\\begin{center}\\fit{$\\displaystyle " + latex.substr(2, latex.size() - 4) +
            "$}\\end{center}\n";
 }
@@ -156,11 +113,19 @@ std::string exhibitsOf(const MadeSlide& made, double height, bool inRow) {
     return latex;
 }
 
-std::string columnsOf(const MadeSlide& made, double width) {
+/// `width`: of the words, `height`: of the pictures, as shares of the frame's.
+std::string columnsOf(const MadeSlide& made, double width, double height) {
     return fmt::format(
         "\\begin{{columns}}[c]\n\\column{{{:.2f}\\textwidth}}\n{}"
         "\\column{{{:.2f}\\textwidth}}\n\\centering\n{}\\end{{columns}}\n",
-        width, wordsOf(made, width), 0.97 - width, exhibitsOf(made, 0.7, false));
+        width, wordsOf(made, width), 0.97 - width, exhibitsOf(made, height, false));
+}
+
+/// Below the title, which takes half of the frame.
+std::string openingOf(const MadeSlide& made) {
+    constexpr double kHeight = 0.4;
+    if (wordsOf(made, 1.0).empty()) return "\\centering\n" + exhibitsOf(made, kHeight, true);
+    return columnsOf(made, 0.5, kHeight);
 }
 
 std::string contentOf(const MadeSlide& made) {
@@ -168,14 +133,14 @@ std::string contentOf(const MadeSlide& made) {
         case SlideLayout::full:
             return "\\centering\n" + exhibitsOf(made, 0.72, true);
         case SlideLayout::beside:
-            return columnsOf(made, 0.42);
+            return columnsOf(made, 0.42, 0.7);
         case SlideLayout::even:
-            return columnsOf(made, 0.5);
+            return columnsOf(made, 0.5, 0.7);
         case SlideLayout::below:
             return wordsOf(made, 1.0) + "\\begin{center}\n" + exhibitsOf(made, 0.45, true) +
                    "\\end{center}\n";
         case SlideLayout::openingPictured:
-            return "\\centering\n" + exhibitsOf(made, 0.4, true);
+            return openingOf(made);
         case SlideLayout::opening:
         case SlideLayout::plain:
             break;
@@ -199,9 +164,9 @@ std::string frameOf(const MadeSlide& made) {
 }  // namespace
 
 std::string beamerOf(const MadeDeck& made) {
-    std::string latex = kPreamble + themeOf(made.deck) + titleOf(made.deck) + "\\begin{document}\n";
+    std::string latex = themeOf(made.deck) + titleOf(made.deck) + "\\begin{document}\n";
     for (const MadeSlide& slide : made.slides) latex += frameOf(slide);
-    return latex + "\n\\end{document}\n";
+    return beamerPreamble(latex) + latex + "\n\\end{document}\n";
 }
 
 }  // namespace demos

@@ -1,7 +1,10 @@
 #include "demos/slides/markup.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
+#include <utility>
 
 #include "demos/slides/markup_tree.h"
 
@@ -40,6 +43,53 @@ std::string plainPart(cmark_node* node) {
     }
 }
 
+std::string unescaped(std::string text) {
+    for (const auto& [entity, letter] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
+        for (std::size_t at = 0; (at = text.find(entity, at)) != std::string::npos; ++at)
+            text.replace(at, std::strlen(entity), letter);
+    return text;
+}
+
+/// After the tag that begins at `at`; what it quotes may hold a '>'.
+std::size_t afterTag(const std::string& xml, std::size_t at) {
+    bool quoted = false;
+    for (; at < xml.size() && (quoted || xml[at] != '>'); ++at) quoted = quoted != (xml[at] == '"');
+    return std::min(at + 1, xml.size());
+}
+
+/// "\lambda \ge 0" in the letters it is drawn with; LaTeX where these stand above each other.
+std::string lettersOf(const TextFormula& formula) {
+    const std::string mathMl = mathMlIn(formula);
+    std::string letters;
+    for (std::size_t at = 0; at < mathMl.size();) {
+        const std::size_t tag = std::min(mathMl.find('<', at), mathMl.size());
+        letters += mathMl.substr(at, tag - at);
+        if (tag == mathMl.size()) break;
+        at = afterTag(mathMl, tag);
+        const std::size_t name = tag + (mathMl[tag + 1] == '/' ? 2 : 1);
+        const std::string element = mathMl.substr(name, mathMl.find_first_of(" />", name) - name);
+        if (element == "mspace") letters += ' ';
+        const bool inLine = element == "math" || element == "mrow" || element == "mi" ||
+                            element == "mo" || element == "mn" || element == "mtext" ||
+                            element == "mspace" || element == "mstyle";
+        if (!inLine) return formula.tex;
+    }
+    return unescaped(letters);
+}
+
+std::string lineOf(const std::string& commonMark, const FormulaText& show) {
+    const MarkupTree tree = markupTree(commonMark, Words::blocks, show);
+    std::string line;
+    for (cmark_node* node : nodesOf(tree.get())) line += plainPart(node);
+    std::string result;
+    for (const char c : line) {
+        const bool space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+        if (!space) result += c;
+        if (space && !result.empty() && result.back() != ' ') result += ' ';
+    }
+    return trimmed(result);
+}
+
 }  // namespace
 
 std::string htmlOf(const std::string& commonMark) { return htmlFrom(commonMark, Words::blocks); }
@@ -51,18 +101,10 @@ std::string htmlInlineOf(const std::string& commonMark) {
 }
 
 std::string plainOf(const std::string& commonMark) {
-    const MarkupTree tree = markupTree(commonMark, Words::blocks,
-                                       [](const TextFormula& formula) { return formula.tex; });
-    std::string line;
-    for (cmark_node* node : nodesOf(tree.get())) line += plainPart(node);
-    std::string result;
-    for (const char c : line) {
-        const bool space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-        if (!space) result += c;
-        if (space && !result.empty() && result.back() != ' ') result += ' ';
-    }
-    return trimmed(result);
+    return lineOf(commonMark, [](const TextFormula& formula) { return formula.tex; });
 }
+
+std::string titleTextOf(const std::string& commonMark) { return lineOf(commonMark, lettersOf); }
 
 std::string commonMarkOf(const std::string& plain) {
     const MarkupTree document(cmark_node_new(CMARK_NODE_DOCUMENT));

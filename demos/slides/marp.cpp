@@ -1,6 +1,8 @@
 // The talk as Markdown for Marp, whose formulas are written as ours: $x$ and $$x$$.
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "demos/film/progress.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/markup.h"
@@ -19,10 +21,12 @@ std::string frontMatter(const Deck& deck) {
 }
 
 std::string escapedCell(const std::string& text) {
+    constexpr std::string_view kMarks = "|\\`*_<>[]$#~";
     std::string cell;
-    for (const char c : text) {
-        const bool mark = std::string("|\\`*_<>[]$#").find(c) != std::string::npos;
-        cell += mark ? std::string("\\") + c : std::string(1, c);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool entity = text[i] == '&' && i + 1 < text.size() && text[i + 1] != ' ';
+        if (entity || kMarks.find(text[i]) != std::string_view::npos) cell += '\\';
+        cell += text[i];
     }
     return cell;
 }
@@ -47,31 +51,10 @@ std::string fenceFor(const std::string& code) {
     return fence;
 }
 
-/// A line that is a rule would be where the next slide begins.
-std::string withoutRules(const std::string& text) {
-    std::string result, line;
-    for (const char c : text + "\n") {
-        if (c != '\n') {
-            line += c;
-            continue;
-        }
-        std::string marks;
-        for (const char m : line)
-            if (m != ' ' && m != '\t') marks += m;
-        const bool rule = marks.size() >= 3 &&
-                          std::string("-*_").find(marks[0]) != std::string::npos &&
-                          marks.find_first_not_of(marks[0]) == std::string::npos;
-        result += (rule ? "" : line) + "\n";
-        line.clear();
-    }
-    result.pop_back();
-    return result;
-}
-
 std::string wordsOf(const MadeSlide& made) {
     const Slide& slide = made.slide;
     std::string text;
-    if (!slide.text.empty()) text += withoutRules(slide.text) + "\n\n";
+    if (!slide.text.empty()) text += markdownOf(slide.text) + "\n\n";
     for (const std::string& formula : slide.formulas) text += "$$\n" + formula + "\n$$\n\n";
     if (!slide.code.empty()) {
         const std::string fence = fenceFor(slide.code);
@@ -82,11 +65,11 @@ std::string wordsOf(const MadeSlide& made) {
     return text;
 }
 
-/// A description ends at a bracket.
+/// A description ends at a bracket; code, HTML or a formula that begins in it would not.
 std::string alt(const MadePicture& picture) {
     std::string text;
     for (const char c : picture.says)
-        if (c != '[' && c != ']' && c != '\\' && c != '\n') text += c;
+        if (std::string_view("[]\\\n`<$").find(c) == std::string_view::npos) text += c;
     return text;
 }
 
@@ -119,9 +102,10 @@ std::string commentOf(const std::string& notes) {
 
 std::string openingOf(const Deck& deck, const MadeSlide& made) {
     const std::string& title = made.slide.title.empty() ? deck.title : made.slide.title;
-    std::string text = "# " + title + "\n\n";
-    for (const std::string* part : {&deck.subtitle, &deck.author, &deck.date})
-        if (!part->empty()) text += *part + "\n\n";
+    std::string text = "# " + markdownInlineOf(title) + "\n\n";
+    if (!deck.subtitle.empty()) text += markdownInlineOf(deck.subtitle) + "\n\n";
+    for (const std::string* part : {&deck.author, &deck.date})
+        if (!part->empty()) text += markdownEscaped(*part) + "\n\n";
     return text;
 }
 
@@ -131,9 +115,9 @@ std::string slideOf(const Deck& deck, const MadeSlide& made) {
     if (made.slide.opening)
         text += openingOf(deck, made);
     else if (!made.slide.title.empty())
-        text += "## " + made.slide.title + "\n\n";
+        text += "## " + markdownInlineOf(made.slide.title) + "\n\n";
     text += words + picturesMarkdown(made, !words.empty());
-    if (!made.slide.caption.empty()) text += made.slide.caption + "\n\n";
+    if (!made.slide.caption.empty()) text += markdownInlineOf(made.slide.caption) + "\n\n";
     if (!made.slide.notes.empty()) text += commentOf(made.slide.notes);
     return text;
 }

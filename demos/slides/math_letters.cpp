@@ -54,7 +54,16 @@ char32_t inVariant(char32_t letter, const Variant& v) {
     return letter;
 }
 
-/// Takes a character of valid UTF-8 off the front.
+void append(std::string& text, char32_t letter) {
+    const int more = letter < 0x80 ? 0 : letter < 0x800 ? 1 : letter < 0x10000 ? 2 : 3;
+    constexpr unsigned kFirst[] = {0, 0xc0, 0xe0, 0xf0};
+    text += static_cast<char>(kFirst[more] | letter >> (6 * more));
+    for (int i = more - 1; i >= 0; --i)
+        text += static_cast<char>(0x80u | (letter >> (6 * i) & 0x3fu));
+}
+
+}  // namespace
+
 char32_t takeCharacter(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
@@ -65,16 +74,6 @@ char32_t takeCharacter(std::string_view& text) {
     text.remove_prefix(length);
     return letter;
 }
-
-void append(std::string& text, char32_t letter) {
-    const int more = letter < 0x80 ? 0 : letter < 0x800 ? 1 : letter < 0x10000 ? 2 : 3;
-    constexpr unsigned kFirst[] = {0, 0xc0, 0xe0, 0xf0};
-    text += static_cast<char>(kFirst[more] | letter >> (6 * more));
-    for (int i = more - 1; i >= 0; --i)
-        text += static_cast<char>(0x80u | (letter >> (6 * i) & 0x3fu));
-}
-
-}  // namespace
 
 std::string inVariant(std::string_view text, std::string_view variant) {
     const Variant* found = std::find_if(std::begin(kVariants), std::end(kVariants),

@@ -9,4 +9,7 @@ namespace demos {
 /// what the variant lacks stays as it is.
 std::string inVariant(std::string_view text, std::string_view variant);
 
+/// Takes a character of valid UTF-8 off the front.
+char32_t takeCharacter(std::string_view& text);
+
 }  // namespace demos

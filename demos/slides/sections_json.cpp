@@ -30,12 +30,11 @@ Json sectionJson(const MadeSlide& made) {
     return json;
 }
 
-/// Nothing outside of the folder, whatever the list says.
-bool isInside(const std::filesystem::path& name) {
-    if (name.empty() || name.is_absolute()) return false;
-    for (const std::filesystem::path& part : name)
-        if (part == ".." || part == "." || part.empty()) return false;
-    return true;
+/// Nothing but what these folders hold, whatever the list says: a link within leads out of them.
+bool isOurPlace(const std::filesystem::path& name) {
+    const std::string file = name.filename().string();
+    return !file.empty() && file != "." && file != ".." &&
+           (name == file || name == std::filesystem::path("media") / file);
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& fold
     for (const Json& name : json.value("files", Json::array())) {
         if (!name.is_string()) continue;
         const std::filesystem::path file = name.get<std::string>();
-        if (isInside(file)) files.push_back(file);
+        if (isOurPlace(file)) files.push_back(file);
     }
     return files;
 }

@@ -8,6 +8,13 @@
 #include "demos/stop.h"
 
 namespace demos {
+namespace {
+
+void stopAt(const std::string& diverged) {
+    if (!diverged.empty()) throw Stop(Exit::diverged, diverged);
+}
+
+}  // namespace
 
 SlideFacts::SlideFacts(const Slide& slide, const Cast& cast, DeckRuns& runs)
     : slide_(slide), cast_(cast), runs_(runs) {
@@ -38,17 +45,17 @@ const PlayedMoment& SlideFacts::momentOf(std::size_t run) const {
     return runs_.moment(keyOf(run), untilOf(slide_, cast_.variants[run]));
 }
 
-void SlideFacts::checkDiverged(std::size_t run) const {
-    const std::string& how = runs_.diverged(keyOf(run));
-    if (!how.empty()) throw Stop(Exit::diverged, how);
+void SlideFacts::checkDiverged(std::size_t run, bool toEnd) const {
+    if (toEnd) stopAt(runs_.diverged(keyOf(run)));
+    if (asked_.count(run) > 0) stopAt(momentOf(run).summary.diverged);
 }
 
 std::string SlideFacts::valueOf(const NumberName& name, NumberSetting setting) const {
     static const std::vector<ExpectationResult> kNone;
     const auto run = static_cast<std::size_t>(name.run - 1);
     const PlayedMoment& played = momentOf(run);
-    checkDiverged(run);
     const bool expects = name.group == "expect";
+    checkDiverged(run, expects);
     return demos::valueOf(name,
                           {cast_.variants[run].scene, played.summary, played.moment,
                            expects ? runs_.expectations(keyOf(run)) : kNone},
@@ -63,8 +70,7 @@ std::vector<Measured> SlideFacts::measured() const {
 }
 
 void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
-    if (!cast_.several && !cast_.variants.empty() && (!asked_.empty() || slide_.expectations))
-        checkDiverged(0);
+    if (!cast_.several && !cast_.variants.empty()) checkDiverged(0, slide_.expectations);
     fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
         return valueOf(name, setting);
     });

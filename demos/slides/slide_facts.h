@@ -30,7 +30,8 @@ private:
     std::string keyOf(std::size_t run) const { return runKey(slide_, cast_.variants[run]); }
     const PlayedMoment& momentOf(std::size_t run) const;
     std::vector<Measured> measured() const;
-    void checkDiverged(std::size_t run) const;
+    /// Before the slide's moment, or the run's end: another slide of it may go on for longer.
+    void checkDiverged(std::size_t run, bool toEnd) const;
     std::string valueOf(const NumberName& name, NumberSetting setting) const;
 
     const Slide& slide_;

@@ -63,13 +63,24 @@ void addRuns(const SlideRuns& runs, CommandLine& line) {
 }
 
 /// What the chart of a slide without a picture shows.
-void addCharts(const Slide& slide, CommandLine& line) {
-    if (slide.runs.several())
-        line.add("--measure", slide.plots.front());
-    else
-        line.add("--what", fmt::format("{}", fmt::join(slide.plots, ",")));
-    if (slide.runs.over.empty()) return;
+void addCharts(const Slide& slide, const Cast& cast, CommandLine& line) {
+    if (!cast.several) return line.add("--what", fmt::format("{}", fmt::join(slide.plots, ",")));
+    line.add("--measure", slide.plots.front());
+    if (!cast.isSweep()) line.add("--no-film");
     line.add("--plot", slide.id + ".svg");
+}
+
+/// As a shell's comment: no option of the command says it.
+std::string spanOf(const Slide& slide, const Cast& cast) {
+    if (slide.exhibit != Exhibit::film) return {};
+    std::string span;
+    if (slide.from > 0.0)
+        span += fmt::format(" shows {} s to {} s", numberText(slide.from),
+                            numberText(untilOf(slide, cast.variants.front())));
+    if (slide.slow != 1.0)
+        span += fmt::format("{} at {} times the speed", span.empty() ? " plays" : ",",
+                            numberText(slide.slow));
+    return span.empty() ? "" : "  # the slide" + span;
 }
 
 /// Stills and strips are of one run; what several have is a film.
@@ -118,13 +129,13 @@ std::string commandOf(const Slide& slide, const Deck& deck, const Cast& cast) {
     CommandLine line(verbOf(slide));
     addRuns(slide.runs, line);
     addTimes(slide, cast, line);
-    if (!drawn) addCharts(slide, line);
+    if (!drawn) addCharts(slide, cast, line);
     if (drawn && !slide.show.empty())
         line.add("--show", fmt::format("{}", fmt::join(slide.show, ",")));
     if (drawn && !slide.colorBy.empty()) line.add("--colour-by", slide.colorBy);
     line.add("--theme", deck.theme);
     if (drawn && cast.isSweep()) line.add("-o", slide.id + ".mp4");
-    return line.text();
+    return line.text() + spanOf(slide, cast);
 }
 
 }  // namespace demos

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "demos/file_content.h"
+#include "demos/film/folder_lock.h"
 #include "demos/film/outputs.h"
 #include "demos/scene/complaints.h"
 #include "demos/slides/deck_files.h"
@@ -49,10 +53,11 @@ void addMedia(const MadeSlide& slide, std::vector<FolderFile>& files) {
     }
 }
 
-/// sections.json comes first: whatever becomes of the others, it knows them as its own.
+constexpr const char* kList = "sections.json";
+
+/// But for the list of them all.
 std::vector<FolderFile> wordFiles(const MadeDeck& deck) {
-    return {{"sections.json", {}},
-            {"index.html", [&deck] { return bytesOf(linkedSlidesPage(deck)); }},
+    return {{"index.html", [&deck] { return bytesOf(linkedSlidesPage(deck)); }},
             {"notes.md", [&deck] { return bytesOf(speakerNotesOf(deck)); }},
             {"talk.tex", [&deck] { return bytesOf(beamerOf(deck)); }},
             {"talk.md", [&deck] { return bytesOf(marpOf(deck)); }}};
@@ -61,36 +66,94 @@ std::vector<FolderFile> wordFiles(const MadeDeck& deck) {
 std::vector<FolderFile> filesOf(const MadeDeck& deck) {
     std::vector<FolderFile> files = wordFiles(deck);
     for (const MadeSlide& slide : deck.slides) addMedia(slide, files);
-    std::vector<fs::path> names;
-    for (const FolderFile& file : files) names.push_back(file.name);
-    files.front().content = [&deck, names] { return bytesOf(sectionsJson(deck, names)); };
     return files;
+}
+
+std::vector<fs::path> namesOf(const std::vector<FolderFile>& files) {
+    std::vector<fs::path> names{kList};
+    for (const FolderFile& file : files) names.push_back(file.name);
+    return names;
 }
 
 bool isAmong(const fs::path& name, const std::vector<fs::path>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// A link would lead the films, and what is removed, out of the folder.
+void checkMediaFolder(const fs::path& folder) {
+    std::error_code ignored;
+    const fs::file_status media = fs::symlink_status(folder / "media", ignored);
+    if (!fs::exists(media) || fs::is_directory(media)) return;
+    throw render::Error(
+        fmt::format("cannot write into '{}': it is not a folder; remove it or write to another "
+                    "folder",
+                    printable((folder / "media").string())));
+}
+
 /// What a slides run has not made is not its to replace.
-void checkStrangers(const fs::path& folder, const std::vector<FolderFile>& files,
+void checkStrangers(const fs::path& folder, const std::vector<fs::path>& names,
                     const std::vector<fs::path>& own) {
-    for (const FolderFile& file : files) {
+    checkMediaFolder(folder);
+    for (const fs::path& name : names) {
         std::error_code ignored;
-        if (!fs::exists(fs::symlink_status(folder / file.name, ignored))) continue;
-        if (!isAmong(file.name, own))
+        if (!fs::exists(fs::symlink_status(folder / name, ignored))) continue;
+        if (!isAmong(name, own))
             throw Stop(Exit::wouldOverwrite,
                        fmt::format("'{}' was not made by impulse slides; remove it or write to "
                                    "another folder",
-                                   printable((folder / file.name).string())));
-        render::checkReplaceable(folder / file.name);
+                                   printable((folder / name).string())));
+        render::checkReplaceable(folder / name);
     }
 }
 
-/// All of it beside the folder, until it is whole.
+/// In the folder, which may be a disk of its own: rename does not cross disks.
+constexpr std::string_view kDraft = ".impulse-slides.tmp";
+
+bool isDraft(const fs::path& name) {
+    const std::string text = name.filename().string();
+    return text.starts_with(kDraft) &&
+           text.find_first_not_of("0123456789", kDraft.size()) == std::string::npos;
+}
+
+/// Of runs that were killed; the folder's lock says that nobody writes them now.
+void sweepDrafts(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (isDraft(entry.path())) fs::remove_all(entry.path(), ignored);
+}
+
+bool isEmpty(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (!isDraft(entry.path())) return false;
+    return true;
+}
+
+/// The folder for one run alone, made where it is not there; gone again where nothing came of it.
+class Claim {
+public:
+    explicit Claim(const fs::path& folder) : folder_(folder), made_(!fs::exists(folder)) {
+        makeFolder(folder);
+        lock_.emplace(folder);
+        sweepDrafts(folder);
+    }
+    ~Claim() {
+        if (made_) ::rmdir(folder_.c_str());  // not where there are files
+    }
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+
+private:
+    fs::path folder_;
+    bool made_;
+    std::optional<FolderLock> lock_;
+};
+
+/// All of it, until it is whole.
 class Draft {
 public:
-    explicit Draft(const fs::path& folder) : path_(render::temporaryNameFor(folder)) {
-        fs::remove_all(path_);  // of a killed run with our number
+    explicit Draft(const fs::path& folder)
+        : folder_(folder), path_(folder / (std::string(kDraft) + std::to_string(getpid()))) {
         makeFolder(path_ / "media");
     }
     ~Draft() {
@@ -103,20 +166,43 @@ public:
     void write(const FolderFile& file) const {
         render::writeFileAtomically(path_ / file.name, file.content());
     }
-    void moveTo(const fs::path& folder, const FolderFile& file) const {
+    void publish(const fs::path& name) const {
         std::error_code error;
-        fs::rename(path_ / file.name, folder / file.name, error);
+        fs::rename(path_ / name, folder_ / name, error);
         if (error)
-            throw render::Error("cannot write '" + (folder / file.name).string() +
+            throw render::Error("cannot write '" + (folder_ / name).string() +
                                 "': " + error.message());
+    }
+    /// sections.json as it is to be next.
+    void publishList(const MadeDeck& deck, const std::vector<fs::path>& names) const {
+        write({kList, [&] { return bytesOf(sectionsJson(deck, names)); }});
+        publish(kList);
     }
 
 private:
-    fs::path path_;
+    fs::path folder_, path_;
 };
 
 fs::path withoutSlash(const fs::path& folder) {
     return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Of the folder, or of the one in which it will be made.
+void checkWritable(const fs::path& folder) {
+    std::error_code ignored;
+    fs::path there = fs::absolute(folder, ignored);
+    while (there.has_relative_path() && !fs::exists(there, ignored)) there = there.parent_path();
+    const bool isFolder = fs::is_directory(there, ignored);
+    if (isFolder && access(there.c_str(), W_OK | X_OK) == 0) return;
+    throw render::Error("cannot write into '" + printable(there.string()) +
+                        "': " + (isFolder ? render::describeError(errno) : "it is not a folder"));
+}
+
+/// Both, the old ones first.
+std::vector<fs::path> unionOf(std::vector<fs::path> names, const std::vector<fs::path>& others) {
+    for (const fs::path& name : others)
+        if (!isAmong(name, names)) names.push_back(name);
+    return names;
 }
 
 }  // namespace
@@ -124,35 +210,36 @@ fs::path withoutSlash(const fs::path& folder) {
 void checkSlidesFolder(const fs::path& target, bool overwrite) {
     const fs::path folder = withoutSlash(target);
     std::error_code ignored;
-    if (!fs::exists(fs::symlink_status(folder, ignored))) return;
+    const bool there = fs::exists(fs::symlink_status(folder, ignored));
+    if (!there || fs::is_directory(folder, ignored)) checkWritable(folder);
+    if (!there) return;
     if (!fs::is_directory(folder, ignored))
-        throw render::Error("cannot write '" + folder.string() + "': it is no folder");
-    if (!overwrite && !fs::is_empty(folder, ignored))
+        throw render::Error("cannot write '" + printable(folder.string()) + "': it is no folder");
+    if (!overwrite && !isEmpty(folder))
         throw Stop(Exit::wouldOverwrite,
                    fmt::format("'{}' has files already; --overwrite replaces those that impulse "
                                "slides made",
                                printable(folder.string())));
-    checkStrangers(folder, wordFiles(MadeDeck{}), listedFiles(folder));
+    checkStrangers(folder, namesOf(wordFiles(MadeDeck{})), listedFiles(folder));
 }
 
+/// Whenever it is killed, sections.json lists all that slides runs have put there.
 std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& target) {
     const fs::path folder = withoutSlash(target);
+    const Claim claim(folder);
     const std::vector<FolderFile> files = filesOf(deck);
-    const std::vector<fs::path> own = listedFiles(folder);
-    checkStrangers(folder, files, own);
-    makeFolder(folder.parent_path());
+    const std::vector<fs::path> names = namesOf(files), own = listedFiles(folder);
+    checkStrangers(folder, names, own);
     const Draft draft(folder);
     for (const FolderFile& file : files) draft.write(file);
+    draft.publishList(deck, unionOf(own, names));
     makeFolder(folder / "media");
-    std::vector<fs::path> names;
-    for (const FolderFile& file : files) {
-        draft.moveTo(folder, file);
-        names.push_back(file.name);
-    }
+    for (const FolderFile& file : files) draft.publish(file.name);
     for (const fs::path& name : own) {
         std::error_code ignored;
         if (!isAmong(name, names)) fs::remove(folder / name, ignored);
     }
+    draft.publishList(deck, names);
     return names;
 }
 

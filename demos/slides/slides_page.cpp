@@ -35,6 +35,11 @@ void replaceAll(std::string& text, const std::string& mark, const std::string& b
         text.replace(at, mark.size(), by);
 }
 
+std::string authorTag(const std::string& author) {
+    if (author.empty()) return {};
+    return "\n<meta name=\"author\" content=\"" + htmlEscaped(author) + "\">";
+}
+
 using MediaOf = SlideMedia (*)(const MadeSlide&);
 
 std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
@@ -47,8 +52,9 @@ std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
     replaceAll(text.before, "@font@", formulas ? fontStyle() : "");
     replaceAll(text.before, "@inks@", inksStyle(made.deck.theme));
     replaceAll(text.before, "@theme@", made.deck.theme);
+    replaceAll(text.before, "</title>", "</title>" + authorTag(made.deck.author));
     // The last: a title may say what it likes.
-    replaceAll(text.before, "@title@", htmlEscaped(plainOf(made.deck.title)));
+    replaceAll(text.before, "@title@", htmlEscaped(titleTextOf(made.deck.title)));
     return text.before + slides + text.after;
 }
 

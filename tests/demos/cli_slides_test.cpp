@@ -46,13 +46,14 @@ protected:
         launch.folder = folder.path();
         launch.arguments = std::move(arguments);
         launch.arguments.insert(launch.arguments.begin(), "slides");
-        launch.beforeExec = [path = programs.string()] {
+        launch.beforeExec = [this, path = programs.string()] {
             setenv("PATH", path.c_str(), 1);
-            setenv("IMPULSE_CHROMIUM_PATIENCE_MS", "300", 1);
+            setenv("IMPULSE_CHROMIUM_PATIENCE_MS", patience_.c_str(), 1);
         };
         return run(launch);
     }
     TemporaryFolder folder;
+    std::string patience_ = "300";  // ms
 };
 
 bool has(const std::string& text, const std::string& part) {
@@ -60,6 +61,7 @@ bool has(const std::string& text, const std::string& part) {
 }
 
 TEST_F(SlidesCommand, MakesAPageOfADeck) {
+    if (!render::programPath("ffmpeg")) GTEST_SKIP() << "no ffmpeg: install it";
     const Ended ended = slides({"talk.toml"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_TRUE(has(ended.out, "wrote output/talk.html (3 slides, 1 film, ")) << ended.out;
@@ -118,14 +120,24 @@ TEST_F(SlidesCommand, RefusesWhatCannotBeMeant) {
         {{"talk.toml", "stack"}, "'talk.toml' is a deck, which is shown alone"},
         {{"talk.toml", "--set", "world.hz=120"}, "--set belongs to scenes"},
         {{"talk.toml", "--seconds", "1"}, "--seconds belongs to scenes"},
+        {{"stack", "talk.toml"}, "'talk.toml' is a deck, which is shown alone"},
+        {{"talk.toml", "-o", "fold.pdf"}, "a folder is there; write to another name"},
+        {{"talk.toml", "-o", "fold.html"}, "a folder is there; write to another name"},
+        {{"talk.toml", "--size", "63x10"}, "must be even, 64 to 8192 pixels"},
+        {{"talk.toml", "--size", "1281x720"}, "must be even, 64 to 8192 pixels"},
+        {{"talk.toml", "--size", "16384x720"}, "must be even, 64 to 8192 pixels"},
+        {{"talk.toml", "--theme", "blue"}, "studio, dark, print\n"},
         {{"stack", "--theme", "transparent"}, "slides have a ground"}};
+    fs::create_directory(folder / "fold.pdf");
+    fs::create_directory(folder / "fold.html");
     for (const auto& [arguments, why] : cases) {
         const Ended ended = slides(arguments);
         EXPECT_EQ(ended.code, 2) << why;
         EXPECT_EQ(ended.errorLines(), 1) << ended.err;
         EXPECT_TRUE(has(ended.err, why)) << ended.err;
     }
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2);
+    EXPECT_TRUE(fs::is_empty(folder / "fold.pdf") && fs::is_empty(folder / "fold.html"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 4);
 }
 
 TEST_F(SlidesCommand, ADryRunWritesNothing) {
@@ -141,8 +153,39 @@ TEST_F(SlidesCommand, WithoutABrowserTheRestIsWritten) {
     EXPECT_TRUE(ended.err.ends_with(
         "\nimpulse: chromium is needed for a PDF; install it (apt install chromium)\n"))
         << ended.err;
+    EXPECT_TRUE(
+        ended.err.starts_with("no chromium, which prints PDFs: apt install chromium; "
+                              "'a.pdf' will not be made, all else is\n"))
+        << ended.err;
     EXPECT_TRUE(has(ended.out, "wrote a.html (3 slides"));
     EXPECT_FALSE(fs::exists(folder / "a.pdf"));
+}
+
+TEST_F(SlidesCommand, WithoutABrowserAPdfAloneIsToldBeforeAnythingIsPlayed) {
+    const Ended ended = slidesWithBrowser("", {"talk.toml", "-o", "a.pdf", "-o", "b.pdf"});
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_EQ(ended.err,
+              "impulse: chromium is needed for a PDF; install it (apt install chromium); "
+              "-o talk.html and -o talk/ are made without it\n");
+    EXPECT_EQ(ended.out, "");
+}
+
+/// Chromium is asked for its page by an address, in which % and # mean something.
+TEST_F(SlidesCommand, ABrowserFindsItsPageWhateverTheTemporaryFolderIsCalled) {
+    const fs::path place = folder / "100 % of #1?";
+    fs::create_directory(place);
+    const std::string script = "for a; do last=$a; done; echo \"$last\" > '" +
+                               (folder / "asked").string() + "'; echo no luck; exit 3";
+    setenv("TMPDIR", place.c_str(), 1);
+    const Ended ended = slidesWithBrowser(script, {"talk.toml", "-o", "a.pdf", "-o", "b.pdf"});
+    unsetenv("TMPDIR");
+    const std::string asked = contentOf(folder / "asked");
+    EXPECT_TRUE(has(asked, "/100%20%25%20of%20%231%3F/impulse_")) << asked;
+    EXPECT_TRUE(asked.starts_with("file:///") && asked.ends_with("/talk.html\n")) << asked;
+    EXPECT_TRUE(ended.err.ends_with(
+        "\nimpulse: no 'a.pdf': chromium stopped with status 3: no luck; no 'b.pdf': chromium "
+        "stopped with status 3: no luck\n"))
+        << ended.err;
 }
 
 TEST_F(SlidesCommand, ABrowserThatFailsIsToldAndLeavesNothing) {
@@ -150,7 +193,7 @@ TEST_F(SlidesCommand, ABrowserThatFailsIsToldAndLeavesNothing) {
         {"exit 3", "no 'a.pdf': chromium stopped with status 3"},
         {"exit 0", "no 'a.pdf': chromium printed nothing"},
         {"for a; do case $a in --print-to-pdf=*) echo '/Type /Page' > ${a#*=};; esac; done",
-         "no 'a.pdf': chromium printed 1 pages of 3 slides"},
+         "no 'a.pdf': chromium printed 1 page of 3 slides"},
         {"while :; do :; done", "no 'a.pdf': chromium took more than 0.3 s and was ended"}};
     for (const auto& [script, line] : cases) {
         const Ended ended = slidesWithBrowser(script, {"talk.toml", "-o", "a.pdf"});
@@ -173,6 +216,19 @@ TEST_F(SlidesCommand, AHangingBrowserIsEndedWithItsChildren) {
     pollfd end = {child, POLLIN, 0};
     EXPECT_EQ(poll(&end, 1, 10'000), 1) << "it still runs";
     close(child);
+}
+
+TEST_F(SlidesCommand, AnInterruptedPrintSaysHowToMakeTheDeckAgain) {
+    patience_ = "600000";
+    const Ended ended = slidesWithBrowser("kill -TERM $PPID; while :; do :; done",
+                                          {"talk.toml", "-o", "a/", "-o", "a.pdf"});
+    EXPECT_EQ(ended.code, 130);
+    EXPECT_TRUE(
+        ended.err.ends_with("impulse: interrupted while printing 'a.pdf'; to make the deck "
+                            "again: impulse slides talk.toml -o a/ -o a.pdf\n"))
+        << ended.err;
+    EXPECT_TRUE(fs::exists(folder / "a/index.html"));
+    EXPECT_FALSE(fs::exists(folder / "a.pdf"));
 }
 
 TEST_F(SlidesCommand, PrintsAPageASlide) {

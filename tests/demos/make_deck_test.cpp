@@ -6,6 +6,7 @@
 
 #include "demos/film/signals.h"
 #include "demos/scene/reader.h"
+#include "demos/slides/child_program.h"
 #include "demos/slides/slide_options.h"
 #include "demos/slides/slide_pictures.h"
 #include "demos/stop.h"
@@ -331,6 +332,35 @@ TEST_F(MakeDeck, AmongSeveralADivergedRunIsMarked) {
     EXPECT_NE(std::string(stopped().what()).find("run 3; the slide has 2 runs"), std::string::npos);
 }
 
+TEST_F(MakeDeck, ARunIsGoodUntilItDivergesOnWhicheverSlide) {
+    Slide& early = add(Exhibit::none);
+    early.runs.settings = {"world.gravity=[0,0,0]"};
+    early.runs.vary = {"body.ball.velocity=[9999,0,0],[1,0,0]"};
+    early.until = 1.0;
+    early.text = "@{1.speed}";
+    Slide late = early;
+    late.until = 12.0;  // 100 km are passed at 10 s
+    late.text.clear();
+    late.measures = true;
+    deck.slides.push_back(late);
+    const MadeDeck made = makeDeck(deck, making);
+    EXPECT_EQ(made.slides[0].slide.text, "10 km/s");
+    EXPECT_NE(made.slides[1].tables.front().rows[0][0].find("(diverged)"), std::string::npos);
+}
+
+/// Also by what came while nothing asked, as between a page and its PDF.
+TEST_F(MakeDeck, AChildProgramEndsWithAnInterruption) {
+    watchSignals();
+    std::raise(SIGTERM);
+    try {
+        runChild({"sleep", "1000"}, folder / "words", std::chrono::minutes(10));
+        ADD_FAILURE() << "it was not interrupted";
+    } catch (const Stop& stop) {
+        EXPECT_EQ(stop.code(), Exit::interrupted);
+    }
+    watchSignals();
+}
+
 TEST_F(MakeDeck, AnInterruptedFilmLeavesNothing) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
     Slide& slide = add(Exhibit::film);
@@ -347,49 +377,6 @@ TEST_F(MakeDeck, AnInterruptedFilmLeavesNothing) {
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
     watchSignals();
-}
-
-TEST(SlideOptions, SizesFollowWhatStandsBeside) {
-    Slide slide;
-    slide.title = slide.caption = slide.notes = "words";
-    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 1280);
-    slide.formulas = {"x"};
-    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 854);
-    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
-}
-
-std::string commandFor(const Slide& slide) {
-    Deck deck;
-    deck.theme = "print";
-    const Options options = optionsOf(slide, deck, {});
-    return commandOf(slide, deck, castOf(slide, options));
-}
-
-TEST(SlideOptions, CommandsMakeThePictureAlone) {
-    Slide slide;
-    EXPECT_EQ(commandFor(slide), "");
-    slide.runs.scene = "stack";
-    EXPECT_EQ(commandFor(slide), "");
-    slide.plots = {"energy", "residual"};
-    EXPECT_EQ(commandFor(slide), "impulse plot stack --what energy,residual --theme print");
-    slide.exhibit = Exhibit::still;
-    slide.at = 2.9;
-    slide.show = {"impulses"};
-    EXPECT_EQ(commandFor(slide), "impulse still stack -t 2.9 --show impulses --theme print");
-    slide = Slide();
-    slide.runs.comparison = "nudges";
-    slide.exhibit = Exhibit::film;
-    EXPECT_EQ(commandFor(slide), "impulse compare nudges --theme print");
-    slide = Slide();
-    slide.id = "03-sweep";
-    slide.runs.scene = "stack";
-    slide.runs.settings = {"title='a b'"};
-    slide.runs.over = "solver.sweeps=1,4";
-    slide.exhibit = Exhibit::film;
-    slide.until = 1.5;
-    EXPECT_EQ(commandFor(slide),
-              "impulse sweep stack --set 'title='\\''a b'\\''' --over "
-              "solver.sweeps=1,4 --seconds 1.5 --theme print -o 03-sweep.mp4");
 }
 
 }  // namespace

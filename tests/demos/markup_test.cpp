@@ -91,6 +91,24 @@ TEST(Markup, IsAPlainLine) {
     EXPECT_EQ(plainOf(""), "");
 }
 
+TEST(Markup, IsATitleInLettersWhereFormulasAreALine) {
+    EXPECT_EQ(titleTextOf("why $\\lambda \\ge 0$"), "why λ≥0");
+    EXPECT_EQ(titleTextOf("$a < b > c$ & *d*"), "a<b>c & d");
+    EXPECT_EQ(titleTextOf("$\\frac{a}{b}$ and $x^2$"), "\\frac{a}{b} and x^2");
+}
+
+TEST(Markup, IsMarkdownForMarp) {
+    EXPECT_EQ(markdownOf("Some *words*,\nmore | ~~a~~ \\$1 $x_1$ `a|b`"),
+              "Some *words*, more \\| \\~\\~a\\~\\~ \\$1 $x_1$ `a|b`");
+    EXPECT_EQ(markdownOf("a $$x\n+ y$$ b"), "a \n$$x\n+ y$$\n b");
+    EXPECT_EQ(markdownOf("$$x$$"), "$$x$$");
+    EXPECT_EQ(markdownOf("a\n\n---\n\nb"), "a\n\nb");
+    EXPECT_EQ(markdownInlineOf("- a <b>"), "\\- a \\<b\\>");
+    EXPECT_EQ(markdownEscaped("24. 12. $"), "24\\. 12. \\$");
+    for (const char* text : {"", "- a\n- b\n\n      c", "> a\n> $$x$$\n\n```\n<b> $\n---\n```"})
+        EXPECT_EQ(htmlOf(markdownOf(text)), htmlOf(text)) << text;
+}
+
 TEST(Markup, TellsTheByteOfAWrongFormula) {
     for (const auto& make : {htmlOf, htmlInlineOf, latexOf, latexInlineOf}) try {
             make("a *b* $x$ and $y^1^2$");

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "demos/file_content.h"
+#include "demos/film/folder_lock.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/sections_json.h"
 #include "demos/stop.h"
@@ -118,14 +119,76 @@ TEST_F(SlidesFolder, SomebodyElsesFileStaysAndNothingIsWritten) {
 TEST_F(SlidesFolder, AListThatPointsOutsideIsNotFollowed) {
     writeSlidesFolder(deck(), talk());
     saved(folder_ / "deep/outside", std::string("mine"));
+    fs::create_directory_symlink(folder_ / "deep", talk() / "link");
     saved(talk() / "sections.json",
-          std::string(
-              R"({"made_by":"impulse slides","files":["../outside","/etc/x","",7,"a/./b"]})"));
+          std::string(R"({"made_by":"impulse slides","files":["../outside","/etc/x","",7,"a/./b",)"
+                      R"("link/outside","media/../../outside","media/","media/..",".."]})"));
     EXPECT_TRUE(listedFiles(talk()).empty());
+    for (const auto& entry : fs::directory_iterator(talk()))
+        if (entry.path().filename() != "sections.json" && entry.path().filename() != "link")
+            fs::remove_all(entry.path());
+    EXPECT_THROW(writeSlidesFolder(deck(), talk()), Stop);  // nobody's sections.json any more
+    fs::remove(talk() / "sections.json");
+    writeSlidesFolder(deck(), talk());
+    EXPECT_EQ(textOf(folder_ / "deep/outside"), "mine");
     saved(talk() / "sections.json", std::string(R"({"made_by":"me","files":["notes.md"]})"));
     EXPECT_TRUE(listedFiles(talk()).empty());
     saved(talk() / "sections.json", std::string("no JSON"));
     EXPECT_TRUE(listedFiles(talk()).empty());
+}
+
+/// Of the list's own files stay those of others, wherever it leads.
+TEST_F(SlidesFolder, WhatIsTakenAwayIsOfTheFolder) {
+    writeSlidesFolder(deck(), talk());
+    saved(folder_ / "deep/outside", std::string("mine"));
+    fs::create_directory_symlink(folder_ / "deep", talk() / "link");
+    auto json = nlohmann::json::parse(textOf(talk() / "sections.json"));
+    json["files"].push_back("link/outside");
+    json["files"].push_back("../outside");
+    saved(talk() / "sections.json", json.dump());
+    writeSlidesFolder(deck(), talk());
+    EXPECT_EQ(textOf(folder_ / "deep/outside"), "mine");
+}
+
+TEST_F(SlidesFolder, MediaThatIsALinkIsRefused) {
+    writeSlidesFolder(deck(), talk());
+    fs::rename(talk() / "media", folder_ / "elsewhere");
+    fs::create_directory_symlink(folder_ / "elsewhere", talk() / "media");
+    MadeDeck shorter = deck();
+    shorter.slides.resize(1);
+    EXPECT_THROW(writeSlidesFolder(shorter, talk()), render::Error);
+    EXPECT_THROW(checkSlidesFolder(talk(), true), render::Error);
+    EXPECT_TRUE(fs::exists(folder_ / "elsewhere/02-waits.mp4"));
+}
+
+TEST_F(SlidesFolder, MayBeALinkToAnotherDisk) {
+    fs::create_directories(folder_ / "disk");
+    fs::create_directories(folder_ / "deep");
+    fs::create_directory_symlink(folder_ / "disk", talk());
+    writeSlidesFolder(deck(), talk());
+    EXPECT_TRUE(fs::is_symlink(talk()));
+    EXPECT_EQ(textOf(folder_ / "disk/media/02-waits.mp4"), "film");
+}
+
+TEST_F(SlidesFolder, DraftsOfKilledRunsGoAndHideNothing) {
+    fs::create_directories(talk() / ".impulse-slides.tmp123/media");
+    saved(talk() / ".impulse-slides.tmp123/media/02-waits.mp4", std::string("half"));
+    EXPECT_NO_THROW(checkSlidesFolder(talk(), false));
+    writeSlidesFolder(deck(), talk());
+    EXPECT_EQ(files(), kFiles);
+    EXPECT_FALSE(fs::exists(talk() / ".impulse-slides.tmp123"));
+}
+
+TEST_F(SlidesFolder, IsOfOneRunAtATime) {
+    fs::create_directories(talk());
+    const FolderLock other(talk());
+    try {
+        writeSlidesFolder(deck(), talk());
+        ADD_FAILURE() << "written";
+    } catch (const Stop& stop) {
+        EXPECT_EQ(stop.code(), Exit::wouldOverwrite);
+    }
+    EXPECT_TRUE(fs::is_empty(talk()));
 }
 
 TEST_F(SlidesFolder, AFilmThatCannotBeReadLeavesNothingBehind) {
@@ -155,11 +218,15 @@ TEST_F(SlidesFolder, NotesAreReadInTheirOrder) {
 TEST_F(SlidesFolder, MarpHasASlideForEach) {
     MadeDeck made = deck();
     made.slides[3].slide.text = "before\n\n---\n\n* * *\n\nafter";
+    made.deck.date = "24. 12. 2026";
+    made.deck.author = "$-Soft <b>";
     made.slides[3].slide.notes = "a --> b";
     const std::string text = marpOf(made);
     EXPECT_TRUE(text.starts_with("---\nmarp: true\ntitle: \"A talk\"\n"));
     EXPECT_EQ(count(text, "\n---\n"), 1 + 3);
     EXPECT_EQ(count(text, "* * *"), 0);
+    EXPECT_EQ(count(text, "\n24\\. 12. 2026\n"), 1);
+    EXPECT_EQ(count(text, "\n\\$-Soft \\<b\\>\n"), 1);
     EXPECT_EQ(count(text, "<!--\n"), count(text, "-->\n"));
     EXPECT_EQ(count(text, "a -- > b"), 1);
     EXPECT_EQ(count(text, "$$\n\\lambda = -\\frac{J v + b}{J M^{-1} J^T}\n$$\n"), 1);
@@ -170,6 +237,35 @@ TEST_F(SlidesFolder, MarpHasASlideForEach) {
               1);
     EXPECT_EQ(count(text, "| case | drift |\n|---|---:|\n| 20 sweeps | 12.3 mm |\n"), 1);
     EXPECT_EQ(count(text, "| a\\_b & c | -0.4 mm |"), 1);
+}
+
+/// Raw HTML would act, and pictures from elsewhere ask the network.
+TEST_F(SlidesFolder, MarpShowsHtmlAsText) {
+    const std::string hostile =
+        "a <script>x</script> <img src=http://a.b/c> <!-- n --> "
+        "![d](http://a.b/e)";
+    MadeDeck made = deck();
+    const std::string harmless = marpOf(made);
+    made.deck.subtitle = hostile;
+    for (MadeSlide& slide : made.slides) slide.slide.text = slide.slide.caption = hostile;
+    made.slides[1].slide.title = hostile;
+    const std::string text = marpOf(made);
+    EXPECT_EQ(count(text, "\\<script\\>x\\</script\\>"), 10);
+    EXPECT_EQ(count(text, "<script"), 10);
+    EXPECT_EQ(count(text, "<img"), count(text, "\\<img"));
+    EXPECT_EQ(count(text, "]("), count(harmless, "]("));
+    EXPECT_EQ(count(text, "<!--"), count(harmless, "<!--"));
+    EXPECT_EQ(count(text, "\\<\\!-- n --\\>"), 10);
+}
+
+TEST_F(SlidesFolder, MarpKeepsWhatOnlyLooksLikeARule) {
+    MadeDeck made = deck();
+    made.slides[3].slide.text = "Head\n---\n\n```\n---\n```\n\n- a\n\n1. b";
+    const std::string text = marpOf(made);
+    EXPECT_EQ(count(text, "## Head\n"), 1);
+    EXPECT_EQ(count(text, "\n---\n```\n"), 1);
+    EXPECT_EQ(count(text, "end list"), 0);
+    EXPECT_EQ(count(text, "\n[//]: #\n"), 1);
 }
 
 TEST_F(SlidesFolder, BeamerHasAFrameForEachAndEscapesWhatLatexReads) {
@@ -195,11 +291,46 @@ TEST_F(SlidesFolder, BeamerHasAFrameForEachAndEscapesWhatLatexReads) {
     EXPECT_EQ(count(latex, "\\note{The last."), 1);
 }
 
+TEST_F(SlidesFolder, BeamersOpeningHasItsWordsBesideAPicture) {
+    MadeDeck made = deck();
+    made.slides[0].slide.text = "first words";
+    made.slides[0].slide.formulas = {"E = m c^2"};
+    made.slides[0].slide.code = "line()";
+    made.slides[0].tables = made.slides[3].tables;
+    made.slides[0].pictures.push_back(support::plantedDeckPicture(90, 50, 200));
+    const std::string all = beamerOf(made);
+    const std::string frame = all.substr(all.find("\\titlepage"));
+    const std::string latex = frame.substr(0, frame.find("\\end{frame}"));
+    for (const char* what : {"first words", "E = m c^2", "line()", "12.3 mm", "media/01-opening"})
+        EXPECT_EQ(count(latex, what), 1) << what;
+}
+
+TEST_F(SlidesFolder, BeamerDeclaresWhatPdfLatexLacks) {
+    MadeDeck made = deck();
+    EXPECT_EQ(count(beamerOf(made), "DeclareUnicodeCharacter"), 0);
+    made.slides[3].slide.text = "θ א \xe2\x80\x8b é";
+    made.slides[3].slide.formulas = {"x = y \\tag{1}",
+                                     "\\begin{split} x &= y\\\\ &= z \\end{split}", "x \\in \\R"};
+    const std::string latex = beamerOf(made);
+    EXPECT_EQ(count(latex, "\\DeclareUnicodeCharacter{03B8}{\\ensuremath{\\theta}}"), 1);
+    EXPECT_EQ(count(latex, "\\otherletter{05D0}{א}{?}"), 1);
+    EXPECT_EQ(count(latex, "\\otherletter{200B}{\xe2\x80\x8b}{}"), 1);
+    EXPECT_EQ(count(latex, "\\[x = y \\tag{1}\\]"), 1);
+    EXPECT_EQ(count(latex, "\\[\\begin{split} x &= y\\\\ &= z \\end{split}\\]"), 1);
+    EXPECT_EQ(count(latex, "\\providecommand{\\R}{\\mathbb{R}}"), 1);
+}
+
 TEST_F(SlidesFolder, LatexTypesetsIt) {
     if (!render::programPath("pdflatex"))
         GTEST_SKIP() << "no pdflatex: install texlive-latex-recommended and lmodern";
     MadeDeck made = deck();
     made.slides[3].slide.text += " µ − × 2² [x] ~ # ^ \\ \"quoted\" & 100%";
+    made.slides[3].slide.text += " θ Ж א 😀 \xe2\x80\x8b $θ + \\text{é}$";
+    made.slides[3].slide.formulas = {"x \\coloneqq y \\tag{1}",
+                                     "\\begin{split} x &= y\\\\ &= z \\end{split}",
+                                     "\\lang x \\rang \\colonequals \\argmin \\in \\R"};
+    made.slides[0].slide.text = "words";
+    made.slides[0].pictures.push_back(support::plantedDeckPicture(90, 50, 200));
     made.slides[3].slide.title = "[Brackets] & 50 % of {it}";
     made.slides[3].slide.code = "[a]\n\n  b = \"x\" \\ % # & ~ ^ _ {}";
     made.slides[3].tables[0].rows.push_back({"[a]", "5 %"});

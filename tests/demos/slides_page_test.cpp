@@ -103,7 +103,17 @@ TEST_F(SlidesPage, CarriesAFontForItsFormulasOnly) {
     EXPECT_EQ(count(slidesPage(made), "@font-face"), 0);
 }
 
-TEST_F(SlidesPage, IsTheSameEveryTime) { EXPECT_EQ(slidesPage(deck()), slidesPage(deck())); }
+TEST_F(SlidesPage, SaysInItsHeadWhatItIsAndByWhom) {
+    MadeDeck made = deck();
+    made.deck.title = "Why *all* $\\lambda \\ge 0$";
+    made.deck.author = "S. \"T\" & Co";
+    EXPECT_EQ(count(slidesPage(made),
+                    "<title>Why all λ≥0</title>\n<meta name=\"author\" "
+                    "content=\"S. &quot;T&quot; &amp; Co\">"),
+              1);
+    made.deck.author.clear();
+    EXPECT_EQ(count(slidesPage(made), "name=\"author\""), 0);
+}
 
 TEST_F(SlidesPage, AFilmThatIsGoneIsAnError) {
     std::filesystem::remove(folder_ / "film");

@@ -1,0 +1,109 @@
+// Words of a slide as Markdown for Marp: CommonMark again, of the cleaned tree, in which nothing
+// can be raw HTML, a picture from elsewhere or the next slide.
+
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+
+#include "demos/slides/markup.h"
+#include "demos/slides/markup_tree.h"
+
+namespace demos {
+namespace {
+
+/// What Marp reads besides CommonMark: formulas, tables, struck words.
+constexpr std::string_view kMarksOfMarp = "$|~";
+
+cmark_node* verbatimNode(const std::string& markdown) {
+    cmark_node* node = cmark_node_new(CMARK_NODE_CUSTOM_INLINE);
+    cmark_node_set_on_enter(node, markdown.c_str());
+    return node;
+}
+
+/// cmark escapes its own marks when it writes.
+void escapeMarpsMarks(cmark_node* node) {
+    const std::string text = cmark_node_get_literal(node);
+    std::size_t done = 0;
+    for (std::size_t at; (at = text.find_first_of(kMarksOfMarp, done)) != std::string::npos;
+         done = at + 1) {
+        cmark_node_insert_before(node, textNode(text.substr(done, at - done)));
+        cmark_node_insert_before(node, verbatimNode(std::string("\\") + text[at]));
+    }
+    cmark_node_set_literal(node, text.substr(done).c_str());
+}
+
+bool isNothing(cmark_node* node) {
+    return cmark_node_get_type(node) == CMARK_NODE_TEXT && !*cmark_node_get_literal(node);
+}
+
+/// Marp looks for a display at the beginning of a line.
+void putOnItsOwnLine(cmark_node* formula) {
+    std::string text = cmark_node_get_on_enter(formula);
+    if (!text.starts_with("$$")) return;
+    cmark_node* before = cmark_node_previous(formula);
+    while (before && isNothing(before)) before = cmark_node_previous(before);
+    cmark_node* after = cmark_node_next(formula);
+    while (after && isNothing(after)) after = cmark_node_next(after);
+    text = (before ? "\n" : "") + text + (after ? "\n" : "");
+    cmark_node_set_on_enter(formula, text.c_str());
+}
+
+/// Two lists in a row would be one. cmark writes a comment between them, which Marp takes for the
+/// speaker's notes; the definition of a link that nothing uses parts them as well.
+void partFromNext(cmark_node* list) {
+    cmark_node* next = cmark_node_next(list);
+    if (!next) return;
+    const cmark_node_type type = cmark_node_get_type(next);
+    if (type != CMARK_NODE_LIST && type != CMARK_NODE_CODE_BLOCK) return;
+    cmark_node* block = cmark_node_new(CMARK_NODE_CUSTOM_BLOCK);
+    cmark_node_set_on_enter(block, "[//]: #");
+    cmark_node_insert_after(list, block);
+}
+
+MarkupTree treeOf(const std::string& commonMark, Words words) {
+    MarkupTree tree = markupTree(commonMark, words, [](const TextFormula& formula) {
+        const std::string dollars = formula.display ? "$$" : "$";
+        return dollars + formula.tex + dollars;
+    });
+    // A rule would be where the next slide begins.
+    for (cmark_node* node : nodesOf(tree.get()))
+        if (cmark_node_get_type(node) == CMARK_NODE_THEMATIC_BREAK) cmark_node_free(node);
+    for (cmark_node* node : nodesOf(tree.get())) {
+        const cmark_node_type type = cmark_node_get_type(node);
+        if (type == CMARK_NODE_CUSTOM_INLINE) putOnItsOwnLine(node);
+        if (type == CMARK_NODE_TEXT) escapeMarpsMarks(node);
+        if (type == CMARK_NODE_LIST) partFromNext(node);
+    }
+    return tree;
+}
+
+/// In one line a paragraph, as Marp ends lines where the text does.
+std::string written(cmark_node* root) {
+    const std::unique_ptr<char, decltype(&std::free)> text(
+        cmark_render_commonmark(root, CMARK_OPT_NOBREAKS, 0), std::free);
+    std::string result = text.get();
+    while (result.ends_with('\n')) result.pop_back();
+    return result;
+}
+
+}  // namespace
+
+std::string markdownOf(const std::string& commonMark) {
+    return written(treeOf(commonMark, Words::blocks).get());
+}
+
+std::string markdownInlineOf(const std::string& commonMark) {
+    return written(treeOf(commonMark, Words::line).get());
+}
+
+std::string markdownEscaped(const std::string& text) {
+    const MarkupTree document(cmark_node_new(CMARK_NODE_DOCUMENT));
+    cmark_node* paragraph = cmark_node_new(CMARK_NODE_PARAGRAPH);
+    cmark_node_append_child(document.get(), paragraph);
+    cmark_node* node = textNode(text);
+    cmark_node_append_child(paragraph, node);
+    escapeMarpsMarks(node);
+    return written(document.get());
+}
+
+}  // namespace demos

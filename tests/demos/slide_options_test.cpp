@@ -1,0 +1,64 @@
+// What a slide wishes as the options of a command: how large its pictures are, what draws them alone.
+#include "demos/slides/slide_options.h"
+
+#include <gtest/gtest.h>
+
+namespace demos::test {
+namespace {
+
+TEST(SlideOptions, SizesFollowWhatStandsBeside) {
+    Slide slide;
+    slide.title = slide.caption = slide.notes = "words";
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 1280);
+    slide.formulas = {"x"};
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 854);
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+}
+
+std::string commandFor(const Slide& slide) {
+    Deck deck;
+    deck.theme = "print";
+    const Options options = optionsOf(slide, deck, {});
+    return commandOf(slide, deck, castOf(slide, options));
+}
+
+TEST(SlideOptions, CommandsMakeThePictureAlone) {
+    Slide slide;
+    EXPECT_EQ(commandFor(slide), "");
+    slide.runs.scene = "stack";
+    EXPECT_EQ(commandFor(slide), "");
+    slide.plots = {"energy", "residual"};
+    EXPECT_EQ(commandFor(slide), "impulse plot stack --what energy,residual --theme print");
+    slide.exhibit = Exhibit::still;
+    slide.at = 2.9;
+    slide.show = {"impulses"};
+    EXPECT_EQ(commandFor(slide), "impulse still stack -t 2.9 --show impulses --theme print");
+    slide = Slide();
+    slide.id = "02-nudges";
+    slide.runs.comparison = "nudges";
+    slide.plots = {"penetration"};
+    EXPECT_EQ(commandFor(slide),
+              "impulse compare nudges --measure penetration --no-film --plot 02-nudges.svg --theme "
+              "print");
+    slide.exhibit = Exhibit::film;
+    EXPECT_EQ(commandFor(slide), "impulse compare nudges --theme print");
+    slide.from = 1.0, slide.until = 3.0, slide.slow = 0.5;
+    EXPECT_EQ(commandFor(slide),
+              "impulse compare nudges --seconds 3 --theme print  # the slide shows 1 s to 3 s, at "
+              "0.5 times the speed");
+    slide.from = 0.0;
+    EXPECT_TRUE(commandFor(slide).ends_with("print  # the slide plays at 0.5 times the speed"));
+    slide = Slide();
+    slide.id = "03-sweep";
+    slide.runs.scene = "stack";
+    slide.runs.settings = {"title='a b'"};
+    slide.runs.over = "solver.sweeps=1,4";
+    slide.exhibit = Exhibit::film;
+    slide.until = 1.5;
+    EXPECT_EQ(commandFor(slide),
+              "impulse sweep stack --set 'title='\\''a b'\\''' --over "
+              "solver.sweeps=1,4 --seconds 1.5 --theme print -o 03-sweep.mp4");
+}
+
+}  // namespace
+}  // namespace demos::test
