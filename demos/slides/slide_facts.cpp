@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "demos/slides/slide_arrangement.h"
 #include "demos/slides/slide_charts.h"
 #include "demos/slides/slide_numbers.h"
 #include "demos/slides/slide_tables.h"
@@ -62,7 +63,17 @@ std::vector<Measured> SlideFacts::measured() const {
     return all;
 }
 
-void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
+void SlideFacts::addTables(MadeSlide& made, const std::vector<Measured>& all, bool timing) {
+    if (slide_.measures) made.tables.push_back(measuresTable(all, cast_.several, timing));
+    if (!slide_.expectations) return;
+    std::vector<RunExpectations> expected;
+    for (std::size_t run = 0; run < cast_.variants.size(); ++run)
+        expected.push_back({cast_.variants[run].label, runs_.expectations(keyOf(run))});
+    made.tables.push_back(expectationsTable(expected));
+}
+
+void SlideFacts::fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
+                      bool timing) {
     if (!cast_.several && !cast_.variants.empty() && (!asked_.empty() || slide_.expectations))
         checkDiverged(0);
     fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
@@ -70,15 +81,11 @@ void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
     });
     if (cast_.variants.empty()) return;
     const std::vector<Measured> all = asksAll() ? measured() : std::vector<Measured>();
-    if (!slide_.plots.empty())
-        for (const Chart& chart : chartsOf(slide_, cast_, momentOf(0).recorder, all))
-            made.pictures.push_back(chartPicture(chart, theme));
-    if (slide_.measures) made.tables.push_back(measuresTable(all, cast_.several, timing));
-    if (!slide_.expectations) return;
-    std::vector<RunExpectations> expected;
-    for (std::size_t run = 0; run < cast_.variants.size(); ++run)
-        expected.push_back({cast_.variants[run].label, runs_.expectations(keyOf(run))});
-    made.tables.push_back(expectationsTable(expected));
+    addTables(made, all, timing);
+    if (slide_.plots.empty()) return;
+    const std::vector<Chart> charts = chartsOf(slide_, cast_, momentOf(0).recorder, all);
+    const SlideRoom room = chartRoom(made.slide, made.tables, charts.size(), exhibit);
+    for (const Chart& chart : charts) made.pictures.push_back(chartPicture(chart, room, theme));
 }
 
 }  // namespace demos
