@@ -18,7 +18,7 @@ TableWidth plannedTables(const Slide& slide) {
 }
 
 SlideRoom roomOf(const Slide& slide, TableWidth tables, const std::vector<double>& aspects) {
-    const SlideRoom room = pictureRoom(layoutOf(slide, tables, aspects));
+    const SlideRoom room = pictureRoom(layoutOf(slide, tables, aspects), tables);
     const double least = *std::min_element(aspects.begin(), aspects.end());
     return cellOf(gridOf(aspects.size(), least, room), room);
 }
@@ -53,6 +53,7 @@ PictureGrid arrangement(const Slide& slide, std::size_t count, double aspect) {
     double most = partWidth(slide, best, aspect);
     for (int columns = best.columns - 1; columns >= 1; --columns) {
         const PictureGrid grid = gridOf(count, columns);
+        if (grid.rows > grid.columns) break;
         const double hole = emptyCells(count, grid) > 0 ? kHoleIsWorth : 1.0;
         const double width = partWidth(slide, grid, aspect) / hole;
         if (width <= most) continue;

@@ -18,8 +18,8 @@ SlideLayout plannedLayout(const Slide& slide);
 /// The place of the slide's film, still or strip, of this width over height.
 SlideRoom exhibitRoom(const Slide& slide, double aspect);
 
-/// Moments of a strip or runs of a film, `aspect` each: in rows and columns where they are largest.
-/// Empty cells have to be worth it.
+/// Moments of a strip or runs of a film, `aspect` each: in rows and columns where they are largest,
+/// no more rows than columns. Empty cells have to be worth it.
 PictureGrid arrangement(const Slide& slide, std::size_t count, double aspect);
 
 /// Of the letters in a film or still of so many pixels across, which has letters of kLabelPoints.

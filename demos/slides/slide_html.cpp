@@ -114,7 +114,7 @@ std::string showHtml(const MadeSlide& made, const SlideMedia& media) {
     double aspect = kWidest;  // of the tallest
     for (const MadePicture* picture : picturesOf(made))
         aspect = std::min(aspect, aspectOf(*picture));
-    const PictureGrid grid = gridOf(count, aspect, pictureRoom(layoutOf(made)));
+    const PictureGrid grid = gridOf(count, aspect, pictureRoom(layoutOf(made), widthOf(made.tables)));
     std::string html = fmt::format(
         "<figure class=\"show\"><div class=\"pictures\" "
         "style=\"--aspect:{:.5f};--rows:{};--columns:{}\">",

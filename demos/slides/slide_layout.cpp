@@ -65,16 +65,16 @@ SlideLayout layoutOf(const MadeSlide& made) {
     return layoutOf(made.slide, widthOf(made.tables), aspects);
 }
 
-SlideRoom pictureRoom(SlideLayout layout) {
+SlideRoom pictureRoom(SlideLayout layout, TableWidth tables) {
     switch (layout) {
         case SlideLayout::openingPictured:
             return {570.0, 600.0};
         case SlideLayout::beside:
             return {700.0, 540.0};
         case SlideLayout::even:
-            return {564.0, 540.0};
+            return {tables == TableWidth::half ? 490.0 : 564.0, 540.0};
         case SlideLayout::below:
-            return {1168.0, 390.0};
+            return {1168.0, tables == TableWidth::wide ? 240.0 : 390.0};
         case SlideLayout::opening:
         case SlideLayout::plain:
         case SlideLayout::full:

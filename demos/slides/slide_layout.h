@@ -31,6 +31,6 @@ SlideLayout layoutOf(const Slide& slide, TableWidth tables, const std::vector<do
 SlideLayout layoutOf(const MadeSlide& slide);
 
 /// What a layout leaves to pictures, about: words decide about the rest.
-SlideRoom pictureRoom(SlideLayout layout);
+SlideRoom pictureRoom(SlideLayout layout, TableWidth tables);
 
 }  // namespace demos

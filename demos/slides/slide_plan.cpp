@@ -78,7 +78,7 @@ void setPanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
 /// One run beside words, which say what the scene's captions say; alone it is as the program draws
 /// it.
 void setPicture(const Slide& slide, FilmPlan& plan) {
-    if (standsAlone(slide)) return;
+    if (standsAlone(slide) && !slide.opening) return;
     Overlays& overlays = plan.panels.front().overlays;
     overlays.headings = asksFor(slide, "caption");
     overlays.pixelsPerPoint = pointPixels(slide, sizeOf(plan));
