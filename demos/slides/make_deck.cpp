@@ -7,6 +7,7 @@
 
 #include "demos/film/signals.h"
 #include "demos/scene/complaints.h"
+#include "demos/slides/crowding.h"
 #include "demos/slides/slide_facts.h"
 #include "demos/slides/slide_options.h"
 #include "demos/slides/slide_pictures.h"
@@ -79,9 +80,7 @@ public:
     MadeDeck make() {
         const Talk talk(making_.options, false);
         for (const std::string& remark : made_.remarks) talk.mention(remark);
-        for (Act& act : acts_)
-            at(act.made.slide, making_,
-               [&] { act.facts->fill(act.made, deck_.theme, !making_.options.reproducible); });
+        for (Act& act : acts_) at(act.made.slide, making_, [&] { fill(act); });
         Progress progress(making_.options, frames_, 0);
         try {
             for (Act& act : acts_) at(act.made.slide, making_, [&] { draw(act, progress); });
@@ -105,6 +104,14 @@ private:
         act.made.command = commandOf(slide, deck_, act.cast);
         if (act.plan) frames_ += static_cast<int>(act.plan->frames.size());
         addNotes(act.cast, made_.remarks);
+        const std::string crowding = crowdingOf(deck_, slide, acts_.size());
+        if (!crowding.empty()) made_.remarks.push_back(crowding);
+    }
+
+    void fill(Act& act) {
+        std::optional<double> exhibit;
+        if (act.plan) exhibit = act.plan->aspect();
+        act.facts->fill(act.made, deck_.theme, exhibit, !making_.options.reproducible);
     }
 
     void draw(Act& act, Progress& progress) {

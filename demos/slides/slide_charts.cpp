@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "demos/figure/type.h"
+#include "demos/slides/slide_arrangement.h"
 #include "render/encode/png.h"
 
 namespace demos {
 namespace {
+
+constexpr double kFiner = 1.5;  // pixels of a chart for one of a slide of 1280x720
 
 /// For who cannot see it.
 std::string saysOf(const Chart& chart) {
@@ -15,6 +21,13 @@ std::string saysOf(const Chart& chart) {
         if (!series.label.empty()) labels.push_back(series.label);
     const std::string lines = labels.empty() ? "" : fmt::format(": {}", fmt::join(labels, ", "));
     return fmt::format("Chart of {} over {}{}", what, chart.xTitle, lines);
+}
+
+/// Times the letters of a chart for a screen, whose unit is a picture of 1280x240.
+double typeFor(PictureSize size) {
+    constexpr double kLetters = 20.0;  // pixels there, from cap to descender
+    const double unit = std::min(size.width / 1280.0, size.height / 240.0);
+    return kFiner * kLeastLetters / kEmShare / (kLetters * unit);
 }
 
 }  // namespace
@@ -32,11 +45,12 @@ std::vector<Chart> chartsOf(const Slide& slide, const Cast& cast, const Recorder
     return charts;
 }
 
-MadePicture chartPicture(const Chart& chart, const std::string& theme) {
+MadePicture chartPicture(const Chart& chart, const SlideRoom& room, const std::string& theme) {
     MadePicture picture;
-    picture.size = kSlideChart;
-    picture.png = render::encodePng(imageOf({chart}, kSlideChart, theme, kSlideChartPaper));
-    picture.svg = svgOf({chart}, kSlideChart, theme, kSlideChartPaper);
+    picture.size = {static_cast<int>(kFiner * room.width), static_cast<int>(kFiner * room.height)};
+    const Paper paper{.type = typeFor(picture.size)};
+    picture.png = render::encodePng(imageOf({chart}, picture.size, theme, paper));
+    picture.svg = svgOf({chart}, picture.size, theme, paper);
     picture.says = saysOf(chart);
     return picture;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "demos/slides/slide_arrangement.h"
 #include "demos/slides/slide_charts.h"
 #include "demos/slides/slide_numbers.h"
 #include "demos/slides/slide_tables.h"
@@ -69,16 +70,7 @@ std::vector<Measured> SlideFacts::measured() const {
     return all;
 }
 
-void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
-    if (!cast_.several && !cast_.variants.empty()) checkDiverged(0, slide_.expectations);
-    fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
-        return valueOf(name, setting);
-    });
-    if (cast_.variants.empty()) return;
-    const std::vector<Measured> all = asksAll() ? measured() : std::vector<Measured>();
-    if (!slide_.plots.empty())
-        for (const Chart& chart : chartsOf(slide_, cast_, momentOf(0).recorder, all))
-            made.pictures.push_back(chartPicture(chart, theme));
+void SlideFacts::addTables(MadeSlide& made, const std::vector<Measured>& all, bool timing) {
     if (slide_.measures) made.tables.push_back(measuresTable(all, cast_.several, timing));
     if (!slide_.expectations) return;
     std::vector<RunExpectations> expected;
@@ -86,6 +78,21 @@ void SlideFacts::fill(MadeSlide& made, const std::string& theme, bool timing) {
         expected.push_back({cast_.variants[run].label, &cast_.variants[run].scene,
                             runs_.expectations(keyOf(run))});
     made.tables.push_back(expectationsTable(expected));
+}
+
+void SlideFacts::fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
+                      bool timing) {
+    if (!cast_.several && !cast_.variants.empty()) checkDiverged(0, slide_.expectations);
+    fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
+        return valueOf(name, setting);
+    });
+    if (cast_.variants.empty()) return;
+    const std::vector<Measured> all = asksAll() ? measured() : std::vector<Measured>();
+    addTables(made, all, timing);
+    if (slide_.plots.empty()) return;
+    const std::vector<Chart> charts = chartsOf(slide_, cast_, momentOf(0).recorder, all);
+    const SlideRoom room = chartRoom(made.slide, made.tables, charts.size(), exhibit);
+    for (const Chart& chart : charts) made.pictures.push_back(chartPicture(chart, room, theme));
 }
 
 }  // namespace demos

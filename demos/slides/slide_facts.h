@@ -1,5 +1,6 @@
 /// What a slide takes of its runs besides pictures of them: numbers, charts, tables.
 #pragma once
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,12 +19,15 @@ public:
     /// (scene) for a number of a run that is not there.
     SlideFacts(const Slide& slide, const Cast& cast, DeckRuns& runs);
 
-    /// Plays that, if nobody did, and puts it into the slide. `timing`: with processor times, which
-    /// are others every time. Throws Stop: scene (valueOf), interrupted, and diverged where the
-    /// slide has one run alone or a number of a run that diverged.
-    void fill(MadeSlide& made, const std::string& theme, bool timing);
+    /// Plays that, if nobody did, and puts it into the slide. `exhibit`: width over height of the
+    /// picture that is drawn besides. `timing`: with processor times, which are others every time.
+    /// Throws Stop: scene (valueOf), interrupted, and diverged where the slide has one run alone or
+    /// a number of a run that diverged.
+    void fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
+              bool timing);
 
 private:
+    void addTables(MadeSlide& made, const std::vector<Measured>& all, bool timing);
     bool asksAll() const { return !slide_.plots.empty() || slide_.measures; }
     void askNumber(const NumberName& name);
     void askMoment(std::size_t run);

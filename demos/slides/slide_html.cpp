@@ -89,27 +89,38 @@ constexpr const char* kFilmMarks =
     "<button class=\"wait\" tabindex=\"-1\" aria-label=\"play\"><svg viewBox=\"0 0 16 16\">"
     "<path d=\"M4 2.5v11l9-5.5z\"/></svg></button><div class=\"run\"><i></i></div>";
 
-std::string exhibitHtml(const MadeSlide& made, const SlideMedia& media, std::size_t i) {
+/// The last row, where it is not full, stands in the middle; cells are two columns wide.
+std::string placeOf(std::size_t i, std::size_t count, const PictureGrid& grid) {
+    const int empty = emptyCells(count, grid);
+    const bool first = static_cast<int>(i) == (grid.rows - 1) * grid.columns;
+    return first && empty > 0 ? fmt::format(" style=\"--from:{}\"", empty + 1) : "";
+}
+
+std::string exhibitHtml(const MadeSlide& made, const SlideMedia& media, std::size_t i,
+                        const std::string& place) {
     const MadePicture& picture = *picturesOf(made)[i];
     const bool film = i == 0 && !media.film.empty();
     return fmt::format(
-        "<div class=\"exhibit\"><div class=\"frame\" style=\"--aspect:{:.5f}\">{}"
+        "<div class=\"exhibit\"{}><div class=\"frame\" style=\"--aspect:{:.5f}\">{}"
         "<img{} src=\"{}\" alt=\"{}\">{}</div></div>",
-        aspectOf(picture), film ? filmHtml(made, media.film) : "", film ? " class=\"poster\"" : "",
-        htmlEscaped(media.pictures[i]), htmlEscaped(picture.says), film ? kFilmMarks : "");
+        place, aspectOf(picture), film ? filmHtml(made, media.film) : "",
+        film ? " class=\"poster\"" : "", htmlEscaped(media.pictures[i]), htmlEscaped(picture.says),
+        film ? kFilmMarks : "");
 }
 
 std::string showHtml(const MadeSlide& made, const SlideMedia& media) {
     const std::size_t count = media.pictures.size();
     if (count == 0) return {};
-    const char* many = count == 1 ? "" : count == 2 ? " two" : count == 3 ? " many three" : " many";
     double aspect = kWidest;  // of the tallest
     for (const MadePicture* picture : picturesOf(made))
         aspect = std::min(aspect, aspectOf(*picture));
-    std::string html =
-        fmt::format("<figure class=\"show\"><div class=\"pictures{}\" style=\"--aspect:{:.5f}\">",
-                    many, aspect);
-    for (std::size_t i = 0; i < count; ++i) html += exhibitHtml(made, media, i);
+    const PictureGrid grid = gridOf(count, aspect, pictureRoom(layoutOf(made), widthOf(made.tables)));
+    std::string html = fmt::format(
+        "<figure class=\"show\"><div class=\"pictures\" "
+        "style=\"--aspect:{:.5f};--rows:{};--columns:{}\">",
+        aspect, grid.rows, grid.columns);
+    for (std::size_t i = 0; i < count; ++i)
+        html += exhibitHtml(made, media, i, placeOf(i, count, grid));
     html += "</div>";
     if (!made.slide.caption.empty())
         html +=

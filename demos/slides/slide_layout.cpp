@@ -10,34 +10,77 @@ namespace {
 constexpr double kWide = 2.6;            // width over height: a strip
 constexpr std::size_t kLongText = 360;   // bytes
 constexpr std::size_t kNarrowTable = 4;  // columns that fit beside a picture
+constexpr std::size_t kHalfTable = 72;   // bytes across that fit in half a slide
+constexpr std::size_t kCell = 16;        // bytes: longer ones may be broken there
+constexpr std::size_t kBetween = 2;      // bytes' room between two columns
 
-bool hasWords(const MadeSlide& made) {
-    const Slide& slide = made.slide;
+bool hasWords(const Slide& slide, TableWidth tables) {
     return !slide.text.empty() || !slide.formulas.empty() || !slide.code.empty() ||
-           !made.tables.empty();
+           tables != TableWidth::none;
 }
 
-bool hasWideTable(const MadeSlide& made) {
-    return std::any_of(made.tables.begin(), made.tables.end(),
-                       [](const MadeTable& table) { return table.head.size() > kNarrowTable; });
+/// In bytes, its longest cells beside each other.
+std::size_t across(const MadeTable& table) {
+    std::size_t sum = 0;
+    for (std::size_t column = 0; column < table.head.size(); ++column) {
+        std::size_t most = table.head[column].size();
+        for (const std::vector<std::string>& row : table.rows)
+            most = std::max(most, row[column].size());
+        sum += std::min(most, kCell) + kBetween;
+    }
+    return sum;
+}
+
+TableWidth widthOf(const MadeTable& table) {
+    if (table.head.size() <= kNarrowTable) return TableWidth::narrow;
+    return across(table) <= kHalfTable ? TableWidth::half : TableWidth::wide;
 }
 
 }  // namespace
 
-SlideLayout layoutOf(const MadeSlide& made) {
-    const std::vector<const MadePicture*> pictures = picturesOf(made);
-    if (made.slide.opening)
-        return pictures.empty() ? SlideLayout::opening : SlideLayout::openingPictured;
-    if (pictures.empty()) return SlideLayout::plain;
-    if (!hasWords(made)) return SlideLayout::full;
-    if (pictures.size() == 1 && aspectOf(*pictures.front()) > kWide) return SlideLayout::below;
-    if (hasWideTable(made)) return SlideLayout::below;
+TableWidth widthOf(const std::vector<MadeTable>& tables) {
+    TableWidth width = TableWidth::none;
+    for (const MadeTable& table : tables) width = std::max(width, widthOf(table));
+    return width;
+}
+
+SlideLayout layoutOf(const Slide& slide, TableWidth tables, const std::vector<double>& aspects) {
+    if (slide.opening) return aspects.empty() ? SlideLayout::opening : SlideLayout::openingPictured;
+    if (aspects.empty()) return SlideLayout::plain;
+    if (!hasWords(slide, tables)) return SlideLayout::full;
+    if (aspects.size() == 1 && aspects.front() > kWide) return SlideLayout::below;
+    if (tables == TableWidth::wide) return SlideLayout::below;
+    if (tables == TableWidth::half) return SlideLayout::even;
     // One above the other they would be small.
-    if (pictures.size() > 1 && made.slide.formulas.empty() && made.slide.code.empty() &&
-        made.tables.empty() && made.slide.text.size() <= kLongText)
+    if (aspects.size() > 1 && slide.formulas.empty() && slide.code.empty() &&
+        tables == TableWidth::none && slide.text.size() <= kLongText)
         return SlideLayout::below;
-    const bool half = !made.slide.code.empty() || made.slide.text.size() > kLongText;
+    const bool half = !slide.code.empty() || slide.text.size() > kLongText;
     return half ? SlideLayout::even : SlideLayout::beside;
+}
+
+SlideLayout layoutOf(const MadeSlide& made) {
+    std::vector<double> aspects;
+    for (const MadePicture* picture : picturesOf(made)) aspects.push_back(aspectOf(*picture));
+    return layoutOf(made.slide, widthOf(made.tables), aspects);
+}
+
+SlideRoom pictureRoom(SlideLayout layout, TableWidth tables) {
+    switch (layout) {
+        case SlideLayout::openingPictured:
+            return {570.0, 600.0};
+        case SlideLayout::beside:
+            return {700.0, 540.0};
+        case SlideLayout::even:
+            return {tables == TableWidth::half ? 490.0 : 564.0, 540.0};
+        case SlideLayout::below:
+            return {1168.0, tables == TableWidth::wide ? 240.0 : 390.0};
+        case SlideLayout::opening:
+        case SlideLayout::plain:
+        case SlideLayout::full:
+            break;
+    }
+    return {1168.0, 540.0};
 }
 
 }  // namespace demos

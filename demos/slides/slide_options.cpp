@@ -7,17 +7,13 @@
 
 #include "demos/scene/complaints.h"
 #include "demos/shell_word.h"
+#include "demos/slides/slide_arrangement.h"
 
 namespace demos {
 namespace {
 
 int evenPart(int pixels, double share) {
     return std::max(2 * static_cast<int>(std::lround(0.5 * share * pixels)), 2);
-}
-
-bool standsAlone(const Slide& slide) {
-    return slide.text.empty() && slide.formulas.empty() && slide.code.empty() &&
-           slide.plots.empty() && !slide.measures && !slide.expectations;
 }
 
 /// Words after "impulse", quoted where they need it.
@@ -84,7 +80,7 @@ std::string spanOf(const Slide& slide, const Cast& cast) {
 }
 
 /// Stills and strips are of one run; what several have is a film.
-void addTimes(const Slide& slide, const Cast& cast, CommandLine& line) {
+void addTimes(const Slide& slide, const Cast& cast, PictureSize whole, CommandLine& line) {
     const bool film = slide.exhibit == Exhibit::film || slide.exhibit == Exhibit::none;
     if (film || cast.several) {
         if (slide.until) line.add("--seconds", numberText(*slide.until));
@@ -94,9 +90,16 @@ void addTimes(const Slide& slide, const Cast& cast, CommandLine& line) {
     for (const double time : momentTimes(slide, untilOf(slide, cast.variants.front())))
         times += (times.empty() ? "" : ",") + fmt::format("{:.6g}", time);
     line.add(slide.exhibit == Exhibit::still ? "-t" : "--times", times);
+    if (slide.exhibit == Exhibit::strip && !cast.several)
+        line.add("--columns", std::to_string(stripColumns(slide, whole)));
 }
 
 }  // namespace
+
+int stripColumns(const Slide& slide, PictureSize whole) {
+    const double aspect = static_cast<double>(whole.width) / whole.height;
+    return arrangement(slide, static_cast<std::size_t>(std::max(slide.moments, 1)), aspect).columns;
+}
 
 PictureSize pictureSize(const Slide& slide, PictureSize whole) {
     const double share = standsAlone(slide) ? 1.0 : 2.0 / 3.0;
@@ -128,7 +131,7 @@ std::string commandOf(const Slide& slide, const Deck& deck, const Cast& cast) {
     if (cast.variants.empty() || (!drawn && slide.plots.empty())) return {};
     CommandLine line(verbOf(slide));
     addRuns(slide.runs, line);
-    addTimes(slide, cast, line);
+    addTimes(slide, cast, deck.size, line);
     if (!drawn) addCharts(slide, cast, line);
     if (drawn && !slide.show.empty())
         line.add("--show", fmt::format("{}", fmt::join(slide.show, ",")));

@@ -49,6 +49,17 @@ std::string namesOf(const FilmPlan& film) {
     return fmt::format("{} side by side: {}", film.name, fmt::join(labels, "; "));
 }
 
+/// With letters that can be read on a slide.
+StripLayout stripOf(const SlidePlan& plan) {
+    const PictureSize size{plan.film.layout.width, plan.film.layout.height};
+    StripLayout layout =
+        stripLayout(static_cast<int>(plan.frames.size()), plan.columns, size, true);
+    const int room = layout.labelRoom();
+    layout.label = std::max(layout.label, plan.letters);
+    layout.height += layout.rows * (layout.labelRoom() - room);
+    return layout;
+}
+
 std::string saysAt(const SlidePlan& plan, int frame) {
     return fmt::format("{}, at {:.6g} s", namesOf(plan.film), plan.timeOf(frame));
 }
@@ -92,8 +103,7 @@ MadePicture madeStill(const SlidePlan& plan, const Studio& studio) {
 
 MadePicture madeStrip(const SlidePlan& plan, const Studio& studio) {
     const FilmPlan& film = plan.film;
-    const StripLayout layout = stripLayout(static_cast<int>(plan.frames.size()), 0,
-                                           {film.layout.width, film.layout.height}, true);
+    const StripLayout layout = stripOf(plan);
     render::Image paper = stripPaper(layout, film);
     int moment = 0;
     drawFrames(

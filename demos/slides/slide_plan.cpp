@@ -4,17 +4,24 @@
 #include <cmath>
 #include <numeric>
 
+#include "demos/figure/type.h"
 #include "demos/film/strip_plan.h"
 #include "demos/film/variant_panels.h"
 #include "demos/report/sweeping.h"
+#include "demos/slides/slide_arrangement.h"
+#include "demos/slides/slide_options.h"
+#include "render/overlay.h"
 
 namespace demos {
 namespace {
 
 constexpr int kMostShown = 240;  // frames a second of a film
 
-/// Of a film of several runs: its labels are read from the back of a room.
-constexpr double kPointsAcross = 360.0;
+/// px of a slide: narrower pictures have no room for time, bodies and solver.
+constexpr double kNarrowPanel = 400.0;
+
+/// Of a panel's width, for the label on a plate; longer ones are lines of text.
+constexpr float kPlateShare = 0.8f;
 
 /// The steps a second that all of them have pictures of.
 int commonHz(const Cast& cast) {
@@ -27,8 +34,59 @@ bool asksFor(const Slide& slide, const char* overlay) {
     return std::find(slide.show.begin(), slide.show.end(), overlay) != slide.show.end();
 }
 
+double aspectOf(PictureSize size) { return static_cast<double>(size.width) / size.height; }
+
+PictureSize sizeOf(const FilmPlan& film) { return {film.layout.width, film.layout.height}; }
+
+int evenPixels(int pixels) { return std::max(pixels / 2 * 2, 2); }
+
+/// Panels of the deck's shape, the last row in the middle; as wide as the slide where they are more
+/// like a strip.
+void arrangePanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
+    const std::size_t count = plan.panels.size();
+    const PictureGrid grid = arrangement(slide, count, aspectOf(whole));
+    const PictureSize room = grid.rows == 1 ? whole : pictureSize(slide, whole);
+    const int width = evenPixels(room.width / grid.columns);
+    const int height = evenPixels(width * whole.height / whole.width);
+    const int hole = emptyCells(count, grid) * width / 2;
+    plan.layout = {grid.columns * width, grid.rows * height, {}, {}};
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        const int row = i / grid.columns;
+        const int left = row + 1 == grid.rows ? hole : 0;
+        plan.layout.panels.push_back(
+            {left + i % grid.columns * width, row * height, width, height});
+    }
+    plan.picture.width = width;
+    plan.picture.height = height;
+}
+
+/// Two stand side by side, each as high as the film, as `impulse compare` has them.
+void setPanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
+    if (plan.panels.size() > 2) arrangePanels(slide, whole, plan);
+    const PictureSize size = sizeOf(plan);
+    const double pixels = pointPixels(slide, size);
+    const double panel = kLeastLetters / kLabelPoints / pixels * plan.picture.width;
+    for (Panel& each : plan.panels) {
+        each.overlays.pixelsPerPoint = pixels;
+        each.overlays.clock = panel >= kNarrowPanel;
+        const float letters = static_cast<float>(letterPixels(kLabelPoints, pixels));
+        each.overlays.plate = render::textWidth(each.scene.title, letters) <
+                              kPlateShare * static_cast<float>(plan.picture.width);
+    }
+}
+
+/// One run beside words, which say what the scene's captions say; alone it is as the program draws
+/// it.
+void setPicture(const Slide& slide, FilmPlan& plan) {
+    if (standsAlone(slide) && !slide.opening) return;
+    Overlays& overlays = plan.panels.front().overlays;
+    overlays.headings = asksFor(slide, "caption");
+    overlays.pixelsPerPoint = pointPixels(slide, sizeOf(plan));
+}
+
 /// One run: the slide says in words what the scene's captions say. Several: each has its label.
-FilmPlan planClip(const Slide& slide, const Cast& cast, Options options, int fps) {
+FilmPlan planClip(const Slide& slide, const Deck& deck, const Cast& cast, Options options,
+                  int fps) {
     options.fps = fps;
     std::vector<Panel> panels;
     if (cast.several)
@@ -36,9 +94,12 @@ FilmPlan planClip(const Slide& slide, const Cast& cast, Options options, int fps
     else
         panels.push_back({cast.variants.front().scene, {}, {}});
     FilmPlan plan = planFilm(std::move(panels), false, options);
-    if (!cast.several) plan.panels.front().overlays.headings = asksFor(slide, "caption");
-    for (Panel& panel : plan.panels)
-        if (cast.several) panel.overlays.pixelsPerPoint = plan.layout.width / kPointsAcross;
+    if (cast.several) {
+        setPanels(slide, deck.size, plan);
+        return plan;
+    }
+    setPicture(slide, plan);
+    plan.panels.front().overlays.headings = asksFor(slide, "caption");
     return plan;
 }
 
@@ -46,7 +107,7 @@ SlidePlan filmOf(const Slide& slide, const Deck& deck, const Cast& cast, const O
                  bool moving) {
     SlidePlan plan;
     plan.rate = clipRate(commonHz(cast), deck.fps, slide.slow);
-    plan.film = planClip(slide, cast, options, plan.rate.drawn);
+    plan.film = planClip(slide, deck, cast, options, plan.rate.drawn);
     const double until = untilOf(slide, cast.variants.front());
     const auto frameAt = [&](double time) {
         return static_cast<int>(std::lround(time * plan.rate.drawn));
@@ -64,12 +125,16 @@ SlidePlan filmOf(const Slide& slide, const Deck& deck, const Cast& cast, const O
 }
 
 /// Pictures of one run are planned as `impulse still` and `impulse strip` plan them.
-FilmPlan planMoments(const Slide& slide, const Cast& cast, Options options,
+FilmPlan planMoments(const Slide& slide, const Deck& deck, const Cast& cast, Options options,
                      const std::vector<double>& times) {
-    if (cast.several) return planClip(slide, cast, options, commonHz(cast));
+    if (cast.several) return planClip(slide, deck, cast, options, commonHz(cast));
     options.command = Command::still;
     options.time = times.front();
-    if (slide.exhibit == Exhibit::still) return planFilm(options);
+    if (slide.exhibit == Exhibit::still) {
+        FilmPlan plan = planFilm(options);
+        setPicture(slide, plan);
+        return plan;
+    }
     options.command = Command::strip;
     options.times = times;
     FilmPlan plan = planStrip(options);
@@ -77,8 +142,19 @@ FilmPlan planMoments(const Slide& slide, const Cast& cast, Options options,
     return plan;
 }
 
+/// Rows, columns and letters of a strip's moments.
+void arrangeStrip(const Slide& slide, const Deck& deck, SlidePlan& plan) {
+    const std::size_t moments = plan.frames.size();
+    plan.columns = arrangement(slide, moments, aspectOf(deck.size)).columns;
+    const int rows = gridOf(moments, plan.columns).rows;
+    const PictureSize moment = sizeOf(plan.film);
+    const double pixels = pointPixels(slide, {plan.columns * moment.width, rows * moment.height});
+    plan.letters = letterPixels(kLabelPoints, pixels);
+    if (!standsAlone(slide)) plan.film.panels.front().overlays.pixelsPerPoint = pixels;
+}
+
 /// A frame a step, so that every time has one.
-SlidePlan momentsOf(const Slide& slide, const Cast& cast, Options options) {
+SlidePlan momentsOf(const Slide& slide, const Deck& deck, const Cast& cast, Options options) {
     const std::vector<double> times = momentTimes(slide, untilOf(slide, cast.variants.front()));
     if (slide.exhibit == Exhibit::strip) {
         const PictureSize whole = *options.size;
@@ -86,17 +162,23 @@ SlidePlan momentsOf(const Slide& slide, const Cast& cast, Options options) {
             PictureSize{std::max(whole.width / 4 * 2, 2), std::max(whole.height / 4 * 2, 2)};
     }
     SlidePlan plan;
-    plan.film = planMoments(slide, cast, options, times);
+    plan.film = planMoments(slide, deck, cast, options, times);
     plan.film.fps = commonHz(cast);
     plan.film.stepsPerFrame = 1;
     for (const double time : times)
         plan.frames.push_back(static_cast<int>(std::lround(time * plan.film.fps)));
     plan.frames.erase(std::unique(plan.frames.begin(), plan.frames.end()), plan.frames.end());
     plan.film.frames = plan.frames.back() + 1;
+    if (slide.exhibit == Exhibit::strip) arrangeStrip(slide, deck, plan);
     return plan;
 }
 
 }  // namespace
+
+double SlidePlan::aspect() const {
+    const double shape = aspectOf(sizeOf(film));
+    return columns > 0 ? shape * columns / gridOf(frames.size(), columns).rows : shape;
+}
 
 ClipRate clipRate(int hz, int fps, double slow) {
     ClipRate rate{1, 1};
@@ -111,7 +193,7 @@ std::optional<SlidePlan> planSlide(const Slide& slide, const Deck& deck, const C
                                    const Options& options, bool moving) {
     if (cast.variants.empty() || slide.exhibit == Exhibit::none) return std::nullopt;
     if (slide.exhibit == Exhibit::film) return filmOf(slide, deck, cast, options, moving);
-    return momentsOf(slide, cast, options);
+    return momentsOf(slide, deck, cast, options);
 }
 
 }  // namespace demos

@@ -24,8 +24,11 @@ struct SlidePlan {
     std::vector<int> frames;  // wanted, rising; of a film all of them, or its poster alone
     int first = 0, last = 0;  // frames of a film
     int poster = 0;           // frame of a film
+    int columns = 0;          // of a strip's moments; 0: it is no strip
+    int letters = 0;          // pixels from cap to descender of a strip's times, at least
     ClipRate rate;
     double timeOf(int frame) const { return film.timeOf(frame); }  // s of the run
+    double aspect() const;  // width over height: of the film, still or strip
 };
 
 /// Nothing where the slide shows nothing of its runs. `moving`: the film's frames are wanted, not

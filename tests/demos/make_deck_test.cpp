@@ -315,6 +315,20 @@ TEST_F(MakeDeck, ARunThatDivergesIsToldWithItsSlide) {
     }
 }
 
+TEST_F(MakeDeck, MoreWordsThanFitAreTold) {
+    Slide& slide = add(Exhibit::none);
+    slide.title = "Many *words*";
+    slide.place.line = 7;
+    deck.files = {"talk.toml"};
+    for (int i = 0; i < 15; ++i) slide.text += "\n\nA paragraph.";
+    EXPECT_TRUE(makeDeck(deck, making).remarks.empty());
+    for (int i = 0; i < 15; ++i) deck.slides[0].text += "\n\nA paragraph.";
+    EXPECT_EQ(makeDeck(deck, making).remarks,
+              std::vector<std::string>{
+                  "talk.toml:7: slide 1, 'Many words': about 43 lines of its smallest letters "
+                  "where 24 fit; leave some out, or make two slides"});
+}
+
 TEST_F(MakeDeck, AmongSeveralADivergedRunIsMarked) {
     Slide& slide = add(Exhibit::none);
     slide.runs.settings = {"world.gravity=[0,0,0]"};

@@ -92,7 +92,7 @@ TEST_F(SlidesPage, PutsWordsBesideAPictureAndAPictureAlone) {
         at = page.find("<section class=\"slide ", at) + 22;
         EXPECT_EQ(page.substr(at, page.find('"', at) - at), layout);
     }
-    EXPECT_EQ(count(page, "class=\"pictures two\" style=\"--aspect:1.77778\""), 1);
+    EXPECT_EQ(count(page, "style=\"--aspect:1.77778;--rows:1;--columns:2\""), 1);
 }
 
 TEST_F(SlidesPage, CarriesAFontForItsFormulasOnly) {

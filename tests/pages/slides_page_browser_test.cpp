@@ -226,6 +226,54 @@ TEST_F(SlidesInBrowser, WordsAreFittedIntoTheirSlide) {
     EXPECT_EQ(told(opened), "[true,true,true,true][true][true]");
 }
 
+TEST_F(SlidesInBrowser, WordsThatFitAtNoSizeBeginBelowTheTitleAndSaySo) {
+    for (int i = 0; i < 60; ++i) deck_.slides[2].slide.text += "\n\nAnother paragraph.";
+    const Opened opened = open("3", R"js(
+  const slides = [...document.querySelectorAll("#stage .slide")];
+  tell(slides.map((slide) => slide.classList.contains("overfull")).join());
+  const box = (name) => slides[2].querySelector(name).getBoundingClientRect();
+  tell(box(".text").top >= box("h2").bottom);
+  tell(getComputedStyle(slides[2], "::after").content);
+)js");
+    EXPECT_EQ(told(opened), "[false,false,true,false][true][\"too much for one slide\"]");
+    ASSERT_EQ(opened.console.size(), 1u);
+    EXPECT_NE(opened.console.front().find("too much for one slide: 3: It loops"),
+              std::string::npos);
+}
+
+TEST_F(SlidesInBrowser, LongLinesOfCodeAreSetSmallerAndThenBroken) {
+    const std::string longLine(90, 'x');
+    deck_.slides[3].slide.code = longLine;
+    deck_.slides[2].slide.text = "```\nif (a)\n  " + longLine + longLine + "\n```";
+    const Opened opened = open("3", R"js(
+  const blocks = [...document.querySelectorAll("#stage pre")];
+  tell(blocks.map((pre) => pre.scrollWidth <= pre.clientWidth).join());
+  tell(blocks.map((pre) => pre.querySelectorAll(".line").length).join());
+  tell(blocks[1].style.getPropertyValue("--tight") < 1);
+  tell(blocks[0].querySelector("code").innerText.trim().split("\n").length);
+  tell(getComputedStyle(blocks[0].querySelector("code")).backgroundColor);
+)js");
+    EXPECT_EQ(told(opened), "[true,true][2,0][true][2][rgba(0, 0, 0, 0)]");
+    expectQuiet(opened);
+}
+
+TEST_F(SlidesInBrowser, NineteenPicturesAreAllSeenAndTheLastRowStandsInTheMiddle) {
+    while (deck_.slides[2].pictures.size() < 18)
+        deck_.slides[2].pictures.push_back(support::plantedDeckPicture(64, 36, 200));
+    const Opened opened = open("3", R"js(
+  const slide = document.querySelectorAll("#stage .slide")[2].getBoundingClientRect();
+  const boxes = [...document.querySelectorAll("#stage .seen .frame")].map((frame) => frame.getBoundingClientRect());
+  tell(boxes.length);
+  tell(boxes.every((box) => box.width > 0.05 * slide.width && box.left >= slide.left &&
+    box.right <= slide.right && box.top >= slide.top && box.bottom <= slide.bottom));
+  const middle = (some) => (Math.min(...some.map((box) => box.left)) + Math.max(...some.map((box) => box.right))) / 2;
+  const last = boxes.filter((box) => box.bottom > boxes.at(-1).bottom - 2);
+  tell(last.length < 7 && Math.abs(middle(last) - middle(boxes)) < 2);
+)js");
+    EXPECT_EQ(told(opened), "[19][true][true]");
+    expectQuiet(opened);
+}
+
 TEST_F(SlidesInBrowser, AFolderPlaysItsFilmsToo) {
     writeSlidesFolder(deck_, folder_ / "talk");
     // The page is opened beside media/, as index.html would be.

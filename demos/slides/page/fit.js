@@ -3,6 +3,8 @@
 const kStage = { width: 1280, height: 720 };
 const kSmallest = 0.5;  // of the size that words have where there is room
 const kWide = 0.72;     // a formula that would be set smaller beside a picture goes above it
+const kTight = 0.6;     // of code: what would be set smaller still is broken into lines,
+const kBroken = 0.8;    // which are set so large
 
 const scaleIn = (room) => Math.min(room.clientWidth / kStage.width, room.clientHeight / kStage.height);
 
@@ -19,8 +21,13 @@ function shareOf(formula, scale) {
   return width > 0 ? formula.closest(".formula, p, li, .text").clientWidth / width : 1;
 }
 
+/// In a paragraph without words, as if it were a formula of the slide's own.
+const isAlone = (formula) => formula.parentElement.textContent.trim() === formula.textContent.trim();
+
 /// The smallest share of the formulas that have a place of their own, not of those in a text.
 function fitFormulas(slide, scale) {
+  for (const formula of slide.querySelectorAll(".text p > math[display=block]"))
+    formula.parentElement.classList.toggle("lone", isAlone(formula));
   const formulas = [...slide.querySelectorAll(".formula > math, .text math")];
   for (const formula of formulas) formula.style.setProperty("--narrow", 1);
   const shares = formulas.map((formula) => shareOf(formula, scale));
@@ -28,19 +35,52 @@ function fitFormulas(slide, scale) {
   return Math.min(1, ...shares.filter((_, i) => formulas[i].parentElement.matches(".formula")));
 }
 
-/// Whether words above leave a picture less than a third of the slide, and it wants more.
-function isSqueezed(pictures) {
+/// A line a block, so that what goes on below hangs from where its line began.
+function breakLines(pre) {
+  const code = pre.querySelector("code");
+  const lines = code.textContent.replace(/\n$/, "").split("\n").map((text) => {
+    const line = document.createElement("span");
+    line.className = "line";
+    line.textContent = text || " ";
+    line.style.setProperty("--hang", `${text.search(/\S|$/) + 6}ch`);
+    return line;
+  });
+  code.replaceChildren(...lines);
+  pre.classList.add("broken");
+}
+
+function fitCode(slide) {
+  for (const pre of slide.querySelectorAll("pre:not(.broken)")) {
+    pre.style.setProperty("--tight", 1);
+    if (pre.scrollWidth <= pre.clientWidth) continue;
+    const share = 0.97 * pre.clientWidth / pre.scrollWidth;  // its padding on the right
+    pre.style.setProperty("--tight", share < kTight ? kBroken : share);
+    if (share < kTight) breakLines(pre);
+  }
+}
+
+/// Whether words leave a picture less than a third of the slide, and it wants more.
+function isSqueezed(slide) {
+  const pictures = slide.querySelector(".pictures");
+  if (!pictures || !slide.querySelector(".below .words, .caption")) return false;
   const aspect = Number(pictures.style.getPropertyValue("--aspect"));
   return pictures.clientHeight < Math.min(240, pictures.clientWidth / aspect - 2);
 }
 
-function tooLong(slide) {
-  const words = slide.querySelector(".words"), show = slide.querySelector(".pictures");
+const isCut = (part) => part.scrollHeight > part.clientHeight + 1;
+
+function overflows(slide) {
   const wide = [...slide.querySelectorAll("pre, .tables, .text")];
-  return slide.scrollHeight > slide.clientHeight + 1 ||
-    Boolean(words && words.scrollHeight > words.clientHeight + 1) ||
-    wide.some((part) => part.scrollWidth > part.clientWidth + 1) ||
-    Boolean(slide.classList.contains("below") && show && isSqueezed(show));
+  return [slide, ...slide.querySelectorAll(".words, .show")].some(isCut) ||
+    wide.some((part) => part.scrollWidth > part.clientWidth + 1);
+}
+
+/// No size of words is small enough: who made the slide should see it, on paper too.
+function tellOverfull(slide) {
+  const lost = slide.querySelector(".pictures")?.clientHeight < 60;
+  const overfull = lost || overflows(slide);
+  slide.classList.toggle("overfull", overfull);
+  if (overfull) console.warn(`too much for one slide: ${slide.getAttribute("aria-label")}`);
 }
 
 function fitSlide(slide, scale) {
@@ -52,10 +92,13 @@ function fitSlide(slide, scale) {
     if (!words.childElementCount) slide.classList.replace("beside", "full");
     fitFormulas(slide, scale);
   }
-  for (let size = 1; tooLong(slide) && size > kSmallest; size -= 0.04) {
+  fitCode(slide);
+  for (let size = 1; size > kSmallest && (overflows(slide) || isSqueezed(slide)); size -= 0.04) {
     slide.style.setProperty("--size", size - 0.04);
     fitFormulas(slide, scale);
+    fitCode(slide);
   }
+  tellOverfull(slide);
 }
 
 function fitAll() {
