@@ -78,8 +78,11 @@ void checkApart(const std::vector<Written>& all) {
                 placeOf(all[i].file) == placeOf(all[k].file))
                 throw Stop(Exit::usage,
                            fmt::format("{} and {} would both be '{}'; give one of them another "
-                                       "name, the caption of the pictures with --caption FILE",
-                                       all[k].what, all[i].what, printable(all[i].file)));
+                                       "name{}",
+                                       all[k].what, all[i].what, printable(all[i].file),
+                                       all[i].what.starts_with("the caption")
+                                           ? ", the caption with --caption FILE"
+                                           : ""));
 }
 
 }  // namespace

@@ -102,17 +102,15 @@ private:
         }
     }
 
-    /// Below the middle of the axis, or from the margin where it is wider.
+    /// Below the middle of the axis, as far as there is room; several lines from the margin.
     void drawXTitle(const Plot& plot) {
-        if (!plot.xTitleBelow) return;
-        Point at{0.5f * (plot.left + plot.right), plot.xTitleBase};
-        for (const std::string& line : plot.xTitle) {
-            const float half = 0.5f * render::textWidth(line, page_.text);
-            const float x = std::min(at.x, width_ - page_.margin - half);
-            add(line, {std::max(x, page_.margin + half), at.y}, Anchor::middle, page_.text,
-                inks_.muted);
-            at.y += kRow * page_.text;
-        }
+        if (!plot.xTitleBelow || plot.xTitle.empty()) return;
+        if (plot.xTitle.size() > 1)
+            return addLines(plot.xTitle, page_.text, {page_.margin, plot.xTitleBase}, inks_.muted);
+        const float half = 0.5f * render::textWidth(plot.xTitle.front(), page_.text);
+        const float x = std::min(0.5f * (plot.left + plot.right), width_ - page_.margin - half);
+        add(plot.xTitle.front(), {std::max(x, page_.margin + half), plot.xTitleBase},
+            Anchor::middle, page_.text, inks_.muted);
     }
 
     void drawLegend(const Chart& chart, const Plot& plot) {

@@ -154,18 +154,18 @@ TEST_F(Figure, IsTheSameBytesEveryTime) {
 }
 
 TEST_F(Figure, TheCaptionTellsWhatMadeIt) {
-    const Ended ended = impulse(small({"still", "ball.toml", "-t", "0.75", "--set",
+    const Ended ended = impulse(small({"still", "ball.toml", "-t", "1", "--set",
                                        "solver.substeps=9", "--show", "impulses", "-o", "a.png"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
     const std::string text = contentOf(folder / "a.caption.txt");
-    EXPECT_TRUE(text.starts_with("a ball. t = 0.75 s; red arrows: impulses")) << text;
+    EXPECT_TRUE(text.starts_with("a ball. t = 1 s; red arrows: impulses")) << text;
     const std::size_t state = ended.out.find("state ");
     for (const std::string& line :
          {std::string("\nsize on paper: 60 x 33.8 mm, 227x128 pixels at 96 dpi\n"),
           std::string("\nsolver: preset steady; substeps=9\n"),
           std::string("\nset: solver.substeps=9\n"), std::string("\nsteps a second: 60\n"),
-          std::string("\nstep: 45\n"), "\nstate: " + ended.out.substr(state + 6, 16) + "\n",
-          std::string("\ncommand: impulse still ball.toml -t 0.75 ")})
+          std::string("\nstep: 60\n"), "\nstate: " + ended.out.substr(state + 6, 16) + "\n",
+          std::string("\ncommand: impulse still ball.toml -t 1 ")})
         EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;
     EXPECT_EQ(text.find(folder.path().string()), std::string::npos);
 }
