@@ -40,7 +40,8 @@ struct Parser {
         app.get_formatter()->column_width(26);
         app.footer(
             "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
-            "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would overwrite, "
+            "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would "
+            "overwrite, "
             "6 diverged, 130 interrupted.");
         for (const CommandText& text : commandTexts()) {
             CLI::App* sub = app.add_subcommand(text.name, text.purpose);
@@ -73,7 +74,8 @@ void checkCommand(int argc, const char* const* argv) {
 /// "--fps" of "--fps=10", "-q" of "-qdraft"; empty: no option, but a value such as -1 or -.
 std::string optionOf(const std::string& word) {
     if (word.starts_with("--")) return word == "--" ? "" : word.substr(0, word.find('='));
-    const bool letter = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+    const bool letter =
+        word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
     return letter ? word.substr(0, 2) : "";
 }
 

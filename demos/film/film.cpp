@@ -15,10 +15,10 @@
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
 #include "demos/film/signals.h"
-#include "demos/shell_word.h"
-#include "demos/text_hash.h"
 #include "demos/scene/complaints.h"
+#include "demos/shell_word.h"
 #include "demos/stop.h"
+#include "demos/text_hash.h"
 #include "demos/version.h"
 #include "render/driver_environment.h"
 #include "render/encode/ffmpeg.h"
@@ -108,20 +108,20 @@ public:
 
     void tell(const FilmPlan& plan, const Options& options, const Talk& talk) const {
         for (const auto& files : files_)
-            talk.say(fmt::format(
-                "wrote {} ... {} ({}{})", printable(files->nameOf(0).string()),
-                printable(files->nameOf(plan.frames - 1).filename().string()),
-                counted(plan.frames, "frame"),
-                files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
+            talk.say(fmt::format("wrote {} ... {} ({}{})", printable(files->nameOf(0).string()),
+                                 printable(files->nameOf(plan.frames - 1).filename().string()),
+                                 counted(plan.frames, "frame"),
+                                 files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
         for (const auto& files : files_)
             if (!plan.passes.empty())
                 talk.say(fmt::format("wrote {}: {}", printable(files->dataName().string()),
                                      fmt::join(passNamesOf(plan.passes), " ")));
         for (const Film& film : films_)
             talk.say(fmt::format("wrote {} ({})", printable(film.path.string()),
-                                 options.maxSize ? film.writer->summary()
-                                                 : fmt::format("{}, {:.3g} s", counted(plan.frames, "frame"),
-                                                               plan.timeOf(plan.frames))));
+                                 options.maxSize
+                                     ? film.writer->summary()
+                                     : fmt::format("{}, {:.3g} s", counted(plan.frames, "frame"),
+                                                   plan.timeOf(plan.frames))));
         poster_.tell(plan, talk);
     }
 

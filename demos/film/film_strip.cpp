@@ -42,12 +42,12 @@ void checkSides(const StripLayout& layout) {
     const int side = std::max(layout.width, layout.height);
     const double pixels = static_cast<double>(layout.width) * layout.height;
     if (side <= render::kLargestSide && pixels <= kMostPixels) return;
-    throw Stop(Exit::usage,
-               fmt::format("{} of {}x{} in one picture of {}x{} pixels; at most {} a side and 134 "
-                           "million in all; use a smaller --size{}",
-                           counted(layout.moments, "picture"), layout.picture.width,
-                           layout.picture.height, layout.width, layout.height,
-                           render::kLargestSide, adviceFor(layout)));
+    throw Stop(
+        Exit::usage,
+        fmt::format("{} of {}x{} in one picture of {}x{} pixels; at most {} a side and 134 "
+                    "million in all; use a smaller --size{}",
+                    counted(layout.moments, "picture"), layout.picture.width, layout.picture.height,
+                    layout.width, layout.height, render::kLargestSide, adviceFor(layout)));
 }
 
 }  // namespace
@@ -103,8 +103,7 @@ void placeMoment(const StripLayout& layout, int moment, const render::Image& pic
     const float wide = static_cast<float>(picture.width);
     float pixels = static_cast<float>(layout.label);
     pixels = std::min(pixels, pixels * wide / std::max(render::textWidth(label, pixels), 1.0f));
-    const float baseline =
-        static_cast<float>(layout.top(moment) + picture.height) + 1.15f * pixels;
+    const float baseline = static_cast<float>(layout.top(moment) + picture.height) + 1.15f * pixels;
     const float middle = static_cast<float>(layout.left(moment)) + 0.5f * wide;
     render::drawLabel(paper, label, {middle, baseline}, render::Anchor::middle, pixels, ink);
 }

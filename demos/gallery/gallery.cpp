@@ -129,10 +129,9 @@ private:
         for (const GalleryCard& card : cards_)
             if (record_.isOutdated(card)) names.push_back(card.name);
         if (names.empty()) return;
-        refuse(folder_,
-               fmt::format("holds {} of another run (other settings, scene or program), "
-                           "the first is '{}'; --overwrite replaces what differs",
-                           counted(names.size(), "scene"), printable(names.front())));
+        refuse(folder_, fmt::format("holds {} of another run (other settings, scene or program), "
+                                    "the first is '{}'; --overwrite replaces what differs",
+                                    counted(names.size(), "scene"), printable(names.front())));
     }
 
     void drawMissing() {
@@ -180,9 +179,8 @@ private:
 
     void tell(const std::string& name) const {
         const GalleryCard& card = cardCalled(name);
-        talk_.say(
-            fmt::format("  {:18} {:g} s, {}", printable(name), card.seconds,
-                        counted(card.frames, "frame")));
+        talk_.say(fmt::format("  {:18} {:g} s, {}", printable(name), card.seconds,
+                              counted(card.frames, "frame")));
         talk_.json(textOf({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
         std::fflush(stdout);
     }
@@ -208,12 +206,12 @@ private:
                            {"page", page},
                            {"scenes", cards_.size()},
                            {"failed", troubles_.count()}}));
-        talk_.say(fmt::format(
-            "wrote {} ({}, {} drawn, {} kept{}){}", printable(page),
-            counted(cards_.size(), "scene"), missing_.size() - (read - cards_.size()),
-            read - missing_.size(),
-            troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : "",
-            sheet ? ", sheet.png" : ""));
+        talk_.say(
+            fmt::format("wrote {} ({}, {} drawn, {} kept{}){}", printable(page),
+                        counted(cards_.size(), "scene"), missing_.size() - (read - cards_.size()),
+                        read - missing_.size(),
+                        troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : "",
+                        sheet ? ", sheet.png" : ""));
         talk_.say(fmt::format("next: open {}", printable(shellWord(page))));
         return troubles_.code();
     }

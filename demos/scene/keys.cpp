@@ -261,9 +261,9 @@ std::vector<const Value*> Keys::tables(std::string_view key) {
 }
 
 bool Keys::isMisspelt(std::string_view key) const {
-    return !has(key) && std::any_of(table_.keys.begin(), table_.keys.end(), [key](const Key& given) {
-        return editDistance(given.name, key) <= 2;
-    });
+    return !has(key) &&
+           std::any_of(table_.keys.begin(), table_.keys.end(),
+                       [key](const Key& given) { return editDistance(given.name, key) <= 2; });
 }
 
 void Keys::later(std::initializer_list<std::string_view> keys) {

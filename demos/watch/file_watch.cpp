@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file is whole when its writer closes it, or when it comes under its name. It and its folder may
-/// go.
-constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
-                                  IN_DELETE_SELF | IN_MOVE_SELF;
+/// A file is whole when its writer closes it, or when it comes under its name. It and its folder
+/// may go.
+constexpr std::uint32_t kEvents =
+    IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_DELETE_SELF | IN_MOVE_SELF;
 
 /// A folder that is gone has no events, and those above it may be gone too: it is looked for.
 constexpr std::chrono::milliseconds kLook(250);

@@ -27,8 +27,8 @@ public:
     bool watch(const std::vector<std::filesystem::path>& files);
 
     enum class Which { files, anyBeside };  // anyBeside: any file of their folders counts
-    /// Until one is whole again after it was written, or is gone: true. False: SIGINT or SIGTERM came
-    /// (demos/film/signals.h). What has happened since the last wait counts.
+    /// Until one is whole again after it was written, or is gone: true. False: SIGINT or SIGTERM
+    /// came (demos/film/signals.h). What has happened since the last wait counts.
     bool wait(Which which);
     /// Whether wait() would come back at once.
     bool hasNews(Which which);

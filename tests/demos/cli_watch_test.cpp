@@ -145,7 +145,8 @@ TEST_F(Watch, FilesThatTheSceneReadsAreWatched) {
 
 TEST_F(Watch, WhatASceneIncludesIsWatchedOnceItIsIncluded) {
     const auto part = [](const std::string& radius) {
-        return "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = " + radius + " }\nat = [2, 1, 0]\n";
+        return "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = " + radius +
+               " }\nat = [2, 1, 0]\n";
     };
     Conversation watching(launch({"--json"}));
     EXPECT_NE(watching.until("\"watching\"").find("\"files\":1"), std::string::npos);
@@ -226,8 +227,8 @@ TEST_F(Watch, OneWatcherAFolder) {
     EXPECT_NE(second.err.find("drafts in 'output/my' are being written by another watch"),
               std::string::npos)
         << second.err;
-    const Ended frames = run(folder.path(), {"render", "my.toml", "--size", "96x54", "--fps", "10",
-                                             "--seconds", "0.1"});
+    const Ended frames = run(
+        folder.path(), {"render", "my.toml", "--size", "96x54", "--fps", "10", "--seconds", "0.1"});
     EXPECT_EQ(frames.code, 0) << frames.err;
     EXPECT_EQ(watching.endBy(SIGINT), 130);
     EXPECT_EQ(run(launch({"--once"})).code, 0);
