@@ -358,7 +358,7 @@ TEST_F(MakeDeck, ARunIsGoodUntilItDivergesOnWhicheverSlide) {
     late.measures = true;
     deck.slides.push_back(late);
     const MadeDeck made = makeDeck(deck, making);
-    EXPECT_EQ(made.slides[0].slide.text, "10 km/s");
+    EXPECT_EQ(made.slides[0].slide.text, "10\u00a0km/s");
     EXPECT_NE(made.slides[1].tables.front().rows[0][0].find("(diverged)"), std::string::npos);
 }
 
