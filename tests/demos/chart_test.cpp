@@ -11,7 +11,7 @@
 #include "demos/report/inks.h"
 #include "demos/report/layout.h"
 #include "demos/report/ticks.h"
-#include "render/overlay.h"
+#include "tests/demos/labels.h"
 
 namespace demos {
 namespace {
@@ -156,12 +156,6 @@ Chart single(std::vector<double> x, std::vector<double> y) {
     return chart;
 }
 
-bool says(const Drawing& drawing, const std::string& text) {
-    for (const Label& label : drawing.labels)
-        if (label.text == text) return true;
-    return false;
-}
-
 int count(const std::string& text, const std::string& part) {
     int found = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
@@ -198,19 +192,6 @@ TEST(Drawing, NamesItsAxesWithUnitsAndItsLinesAtTheirEnds) {
         EXPECT_TRUE(says(drawing, text)) << text;
 }
 
-struct Box {
-    float left, right, top, bottom;
-};
-Box boxOf(const Label& label) {
-    const float width = render::textWidth(label.text, label.pixels);
-    const float left = label.at.x - (label.anchor == render::Anchor::start ? 0.0f
-                                     : label.anchor == render::Anchor::end ? width
-                                                                           : 0.5f * width);
-    // Letters with ascent and descent; the whole height includes room for accents.
-    return {left, left + width, label.at.y - 0.65f * label.pixels,
-            label.at.y + 0.2f * label.pixels};
-}
-
 Chart manyEnds(int lines) {
     Chart chart = waves();
     for (int i = 2; i < lines; ++i) {
@@ -224,20 +205,8 @@ TEST(Drawing, TextsNeitherOverlapNorLeaveThePicture) {
     for (const PictureSize size : {PictureSize{1280, 720}, {1920, 1080}, {640, 480}, {480, 270}})
         for (const int lines : {2, 12, 40}) {
             const Drawing drawing = drawingOf({manyEnds(lines), waves()}, size, "dark");
-            for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
-                const Box a = boxOf(drawing.labels[i]);
-                EXPECT_GE(a.left, 0.0f) << drawing.labels[i].text;
-                EXPECT_LE(a.right, static_cast<float>(size.width)) << drawing.labels[i].text;
-                EXPECT_GE(a.top, 0.0f) << drawing.labels[i].text;
-                EXPECT_LE(a.bottom, static_cast<float>(size.height)) << drawing.labels[i].text;
-                for (std::size_t k = 0; k < i; ++k) {
-                    const Box b = boxOf(drawing.labels[k]);
-                    EXPECT_FALSE(a.left < b.right && b.left < a.right && a.top < b.bottom &&
-                                 b.top < a.bottom)
-                        << drawing.labels[i].text << " over " << drawing.labels[k].text << ", "
-                        << size.width << ", " << lines << " lines";
-                }
-            }
+            expectApart(drawing, ", " + std::to_string(size.width) + " wide, " +
+                                     std::to_string(lines) + " lines");
         }
 }
 

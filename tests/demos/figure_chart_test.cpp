@@ -9,7 +9,7 @@
 #include "demos/report/inks.h"
 #include "demos/report/layout.h"
 #include "demos/stop.h"
-#include "render/overlay.h"
+#include "tests/demos/labels.h"
 
 namespace demos {
 namespace {
@@ -29,42 +29,6 @@ Chart chartOf(int lines, const std::string& name) {
 
 Drawing drawn(const std::vector<Chart>& charts, const Paper& paper) {
     return drawingOf(charts, chartSize(charts, paper, std::nullopt), "print", paper);
-}
-
-bool says(const Drawing& drawing, const std::string& text) {
-    return std::any_of(drawing.labels.begin(), drawing.labels.end(),
-                       [&](const Label& label) { return label.text == text; });
-}
-
-struct Box {
-    float left, right, top, bottom;
-    bool overlaps(const Box& o) const {
-        return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
-    }
-};
-/// Of the letters; a line's whole height includes room for accents.
-Box boxOf(const Label& label) {
-    const float width = render::textWidth(label.text, label.pixels);
-    const float left = label.at.x - (label.anchor == render::Anchor::start ? 0.0f
-                                     : label.anchor == render::Anchor::end ? width
-                                                                           : 0.5f * width);
-    return {left, left + width, label.at.y - 0.65f * label.pixels,
-            label.at.y + 0.2f * label.pixels};
-}
-
-/// Nothing over anything else or beyond the page.
-void expectApart(const Drawing& drawing, const std::string& what) {
-    for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
-        const Box a = boxOf(drawing.labels[i]);
-        const std::string& text = drawing.labels[i].text;
-        EXPECT_GE(a.left, 0.0f) << text << what;
-        EXPECT_GE(a.top, 0.0f) << text << what;
-        EXPECT_LE(a.right, static_cast<float>(drawing.size.width)) << text << what;
-        EXPECT_LE(a.bottom, static_cast<float>(drawing.size.height)) << text << what;
-        for (std::size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(a.overlaps(boxOf(drawing.labels[k])))
-                << text << " over " << drawing.labels[k].text << what;
-    }
 }
 
 TEST(PaperChart, TextsNeitherOverlapNorLeaveThePage) {
