@@ -156,9 +156,7 @@ bool isDeck(const Value& file) {
 }  // namespace
 
 bool isDeckFile(const std::string& nameOrPath) {
-    for (const BuiltinScene& scene : builtinScenes())
-        if (scene.name == nameOrPath) return false;
-    if (fs::path(nameOrPath).extension() != ".toml") return false;
+    if (isBuiltin(nameOrPath) || fs::path(nameOrPath).extension() != ".toml") return false;
     try {
         Complaints complaints;
         const Value file = parseToml(readSceneFile(nameOrPath), complaints);

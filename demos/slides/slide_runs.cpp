@@ -15,12 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isBuiltin(const std::string& name) {
-    const auto scenes = builtinScenes();
-    return std::any_of(scenes.begin(), scenes.end(),
-                       [&](const BuiltinScene& scene) { return scene.name == name; });
-}
-
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
     for (const BuiltinScene& scene : builtinScenes()) names.emplace_back(scene.name);
