@@ -1,6 +1,5 @@
 #include "demos/slides/slide_runs.h"
 
-#include <algorithm>
 
 #include "demos/report/comparing.h"
 #include "demos/report/comparisons.h"
