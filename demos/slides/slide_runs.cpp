@@ -1,6 +1,5 @@
 #include "demos/slides/slide_runs.h"
 
-
 #include "demos/report/comparing.h"
 #include "demos/report/comparisons.h"
 #include "demos/report/sweeping.h"
