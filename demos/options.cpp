@@ -6,17 +6,15 @@
 #include <cctype>
 #include <cstdio>
 
+#include "demos/options_check.h"
 #include "demos/options_commands.h"
 #include "demos/scene/complaints.h"
 #include "demos/scene/nearest.h"
 #include "demos/shell_word.h"
-#include "demos/stop.h"
 #include "demos/version.h"
 
 namespace demos {
 namespace {
-
-[[noreturn]] void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
 
 std::string examplesOf(const char* const (&examples)[3], const char* purpose) {
     return fmt::format("Examples:\n  {}\n  {}\n  {}\n\n{}", examples[0], examples[1], examples[2],

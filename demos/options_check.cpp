@@ -24,8 +24,6 @@ namespace {
 
 constexpr double kLongest = 1e5;  // s
 
-[[noreturn]] void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
-
 std::optional<PictureSize> sizeFrom(const std::string& text) {
     PictureSize size;
     const char* end = text.data() + text.size();
@@ -175,6 +173,8 @@ void checkFigure(Options& options, const RawOptions& raw) {
 }
 
 }  // namespace
+
+void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
 
 void checkOptions(Options& options, const RawOptions& raw) {
     checkPicture(options, raw);

@@ -17,6 +17,9 @@ struct RawOptions {
     std::optional<int> dpi;
 };
 
+/// Throws Stop (usage).
+[[noreturn]] void refuse(const std::string& line);
+
 /// Moves `raw` into `options`. Throws Stop (usage).
 void checkOptions(Options& options, const RawOptions& raw);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/pi.h"
+
 namespace render {
 
 Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up) {
@@ -27,7 +29,7 @@ View makeView(const Camera& camera, float aspect) {
     const float distance = (camera.from - camera.lookAt).norm();
     v.nearest = std::max(0.02f * distance, 0.01f);
     v.farthest = 150.0f * std::max(distance, 4.0f);
-    const float f = 1.0f / std::tan(0.5f * camera.fovDegrees * 3.14159265f / 180.0f);
+    const float f = 1.0f / std::tan(0.5f * camera.fovDegrees * kPi / 180.0f);
     v.projection.setZero();
     v.projection(0, 0) = f / aspect;
     v.projection(1, 1) = f;

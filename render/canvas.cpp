@@ -9,19 +9,19 @@
 namespace render {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
+using Vec2d = Eigen::Vector2d;
 
 constexpr int kBandRows = 64;  // of coverage held at a time: a tall line needs little memory
 
 bool isFinite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// Pixels first..last of a row or column.
-struct Span {
+struct PixelSpan {
     int first = 0, last = -1;
 };
 
 /// Those of `within` whose centres lie in [low, high].
-Span spanOf(double low, double high, Span within) {
+PixelSpan spanOf(double low, double high, PixelSpan within) {
     const double first = within.first, end = within.last + 1.0;
     return {static_cast<int>(std::ceil(std::clamp(low - 0.5, first, end))),
             static_cast<int>(std::floor(std::clamp(high - 0.5, first - 1.0, end - 1.0)))};
@@ -34,7 +34,7 @@ double overlap(double x, double low, double high) {
 
 /// A part of a picture, each pixel the share of it that a line covers.
 struct Band {
-    Span columns, rows;  // of the picture
+    PixelSpan columns, rows;  // of the picture
     std::vector<float> cover;
 
     int width() const { return columns.last - columns.first + 1; }
@@ -45,18 +45,18 @@ struct Band {
 
 /// A segment with the half width of the line it belongs to.
 struct Segment {
-    Vec2 a, b;
+    Vec2d a, b;
     double half;
 
-    double distance(const Vec2& p) const {
-        const Vec2 ab = b - a;
+    double distance(const Vec2d& p) const {
+        const Vec2d ab = b - a;
         const double square = ab.squaredNorm();
         const double t = square > 0.0 ? std::clamp((p - a).dot(ab) / square, 0.0, 1.0) : 0.0;
         return (p - a - t * ab).norm();
     }
     double reach() const { return half + 0.5; }
     /// Where on the row at height y the line can have ink: the part of the segment near the row.
-    Span columns(double y, Span within) const {
+    PixelSpan columns(double y, PixelSpan within) const {
         double from = 0.0, to = 1.0;
         const double rise = b.y() - a.y();
         if (rise != 0.0) {
@@ -71,10 +71,10 @@ struct Segment {
 
 /// The greatest coverage of all segments is that of the nearest, so joints are not drawn twice.
 void cover(Band& band, const Segment& s) {
-    const Span rows = spanOf(std::min(s.a.y(), s.b.y()) - s.reach(),
-                             std::max(s.a.y(), s.b.y()) + s.reach(), band.rows);
+    const PixelSpan rows = spanOf(std::min(s.a.y(), s.b.y()) - s.reach(),
+                                  std::max(s.a.y(), s.b.y()) + s.reach(), band.rows);
     for (int y = rows.first; y <= rows.last; ++y) {
-        const Span columns = s.columns(y + 0.5, band.columns);
+        const PixelSpan columns = s.columns(y + 0.5, band.columns);
         for (int x = columns.first; x <= columns.last; ++x) {
             const double here = overlap(s.distance({x + 0.5, y + 0.5}), -s.half, s.half);
             band.at(x, y) = std::max(band.at(x, y), static_cast<float>(here));
@@ -90,7 +90,7 @@ void blendBand(Image& image, Band& band, const Color& color) {
 
 std::vector<Segment> segmentsOf(std::span<const Point> points, double half) {
     std::vector<Segment> segments;
-    const auto vec = [](Point p) { return Vec2(p.x, p.y); };
+    const auto vec = [](Point p) { return Vec2d(p.x, p.y); };
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!isFinite(points[i])) continue;
         const bool goesOn = i + 1 < points.size() && isFinite(points[i + 1]);
@@ -104,8 +104,9 @@ std::vector<Segment> segmentsOf(std::span<const Point> points, double half) {
 }
 
 /// All that the segments can reach, cut off at the picture's edges.
-void boundsOf(const std::vector<Segment>& segments, const Image& image, Span& columns, Span& rows) {
-    Vec2 low(1e300, 1e300), high(-1e300, -1e300);
+void boundsOf(const std::vector<Segment>& segments, const Image& image, PixelSpan& columns,
+              PixelSpan& rows) {
+    Vec2d low(1e300, 1e300), high(-1e300, -1e300);
     for (const Segment& s : segments) {
         low = low.cwiseMin(s.a.cwiseMin(s.b));
         high = high.cwiseMax(s.a.cwiseMax(s.b));
@@ -121,8 +122,8 @@ void fillRectangle(Image& image, Point corner, float width, float height, const 
     if (!isFinite(corner) || !isFinite({width, height})) return;
     const double x0 = static_cast<double>(corner.x), x1 = x0 + static_cast<double>(width);
     const double y0 = static_cast<double>(corner.y), y1 = y0 + static_cast<double>(height);
-    const Span columns = spanOf(x0 - 0.5, x1 + 0.5, {0, image.width - 1});
-    const Span rows = spanOf(y0 - 0.5, y1 + 0.5, {0, image.height - 1});
+    const PixelSpan columns = spanOf(x0 - 0.5, x1 + 0.5, {0, image.width - 1});
+    const PixelSpan rows = spanOf(y0 - 0.5, y1 + 0.5, {0, image.height - 1});
     for (int y = rows.first; y <= rows.last; ++y)
         for (int x = columns.first; x <= columns.last; ++x)
             blend(image.at(x, y), color,
@@ -134,7 +135,7 @@ void drawPolyline(Image& image, std::span<const Point> points, float width, cons
     const std::vector<Segment> segments = segmentsOf(points, 0.5 * static_cast<double>(width));
     if (segments.empty()) return;
     Band band;
-    Span rows;
+    PixelSpan rows;
     boundsOf(segments, image, band.columns, rows);
     for (int top = rows.first; top <= rows.last; top += kBandRows) {
         band.rows = {top, std::min(top + kBandRows - 1, rows.last)};

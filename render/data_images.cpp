@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "render/ray_surface.h"
+#include "render/shortest_turn.h"
 
 namespace render {
 namespace {
@@ -53,8 +54,8 @@ Motion motionBetween(const Surface& now, const Surface& next) {
     motion.still = now == next;
     Mat3d axes = next.axes;
     Vec3d stretch(1, 1, 1);
-    if (now.kind == SurfaceKind::bar || now.kind == SurfaceKind::plane)  // the shortest way round
-        axes = Eigen::Quaterniond::FromTwoVectors(now.axes.col(1), next.axes.col(1)) * now.axes;
+    if (now.kind == SurfaceKind::bar || now.kind == SurfaceKind::plane)  // their spin is unseen
+        axes = shortestTurn<double>(now.axes.col(1), next.axes.col(1)).toRotationMatrix() * now.axes;
     if (now.kind == SurfaceKind::bar && now.half.y() > 0.0)
         stretch.y() = next.half.y() / now.half.y();
     motion.turn = axes * stretch.asDiagonal() * now.axes.transpose();
@@ -76,9 +77,9 @@ bool sameView(const Camera& a, const Camera& b) {
 }
 
 /// One frame's geometry, ready to be asked pixel by pixel.
-class Sight {
+class SeenFrame {
 public:
-    Sight(const Frame& now, const Frame* next, const SurfaceMap& map, const DataPasses& wanted)
+    SeenFrame(const Frame& now, const Frame* next, const SurfaceMap& map, const DataPasses& wanted)
         : map_(map), wanted_(wanted), eye_(now.camera, map.width, map.height), later_(eye_),
           surfaces_(surfacesOf(now)), motions_(surfaces_.size()) {
         images_.width = map.width, images_.height = map.height;
@@ -147,7 +148,7 @@ private:
 
 DataImages dataImages(const Frame& now, const Frame* next, const SurfaceMap& map,
                       const DataPasses& wanted) {
-    return Sight(now, next, map, wanted).images();
+    return SeenFrame(now, next, map, wanted).images();
 }
 
 Lens lensOf(const View& view, int width, int height) {

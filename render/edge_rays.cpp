@@ -6,15 +6,11 @@
 // Hull:     the last entry through its planes, if before every exit
 #include "render/edge_rays.h"
 
-#include <limits>
-
 #include "render/mesh_tree.h"
 #include "render/surface_map.h"
 
 namespace render {
 namespace {
-
-constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Entries behind the eye are not drawn.
 Four where(FourInts hit, Four t) {
@@ -28,12 +24,12 @@ Four firstRoot(Four a, Four b, Four c) { return (-b - squareRoot(b * b - a * c))
 Four larger(Four a, Four b) { return a > b ? a : b; }
 
 /// Where rays are inside of something, from `in` to `out`.
-struct Span {
+struct RaySpan {
     Four in, out;
 };
 
 /// What of a span is between two heights; face 2 or 3 where its end comes last.
-FourHits between(float low, float high, float eye, Four dy, Span span) {
+FourHits between(float low, float high, float eye, Four dy, RaySpan span) {
     const Four inverse = 1.0f / dy;
     const FourInts upwards = dy > 0.0f;
     const Four atLow = (low - eye) * inverse, atHigh = (high - eye) * inverse;
@@ -130,8 +126,8 @@ FourHits SeenSurface::enterCylinder(const Rays& rays) const {
     const float c = eye_.x() * eye_.x() + eye_.z() * eye_.z() - half_.x() * half_.x();
     const Four square = b * b - a * c, root = squareRoot(positive(square));
     const FourInts never = square < 0.0f;
-    const Span span{never ? fourOf(kNever) : (-b - root) / a,
-                    never ? fourOf(-kNever) : (-b + root) / a};
+    const RaySpan span{never ? fourOf(kNever) : (-b - root) / a,
+                       never ? fourOf(-kNever) : (-b + root) / a};
     return between(-half_.y(), half_.y(), eye_.y(), dy, span);
 }
 
@@ -147,8 +143,8 @@ FourHits SeenSurface::enterCone(const Rays& rays) const {
     const Four one = far / a, other = c / far;
     const Four first = smaller(one, other), last = larger(one, other);
     const FourInts steep = a < 0.0f, never = (a > 0.0f) & (square < 0.0f), down = dy < 0.0f;
-    Span span{steep ? (down ? last : fourOf(-kNever)) : first,
-              steep ? (down ? fourOf(kNever) : first) : last};
+    RaySpan span{steep ? (down ? last : fourOf(-kNever)) : first,
+                 steep ? (down ? fourOf(kNever) : first) : last};
     span.in = never ? fourOf(kNever) : span.in;
     span.out = never ? fourOf(-kNever) : span.out;
     return between(-0.5f * half_.y(), 1.5f * half_.y(), eye_.y(), dy, span);

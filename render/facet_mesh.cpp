@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "render/pi.h"
 #include "render/surface_map.h"
 
 namespace render {
@@ -15,7 +16,7 @@ constexpr float kBase = 2.0f, kTop = 3.0f, kSide = 0.0f;  // faces
 
 Vec3 around(int corner, float share, int corners) {
     const float part = static_cast<float>(corner % corners) + share;
-    const float turn = 2.0f * 3.14159265f * part / static_cast<float>(corners);
+    const float turn = 2.0f * kPi * part / static_cast<float>(corners);
     return {std::cos(turn), 0.0f, -std::sin(turn)};
 }
 
@@ -40,7 +41,7 @@ FacetVertex coneSide(int corner, float share, int corners, float y) {
 }
 
 /// A corner of a triangle.
-struct Point {
+struct TriangleCorner {
     Vec3 position, normal;
 };
 /// An edge of it: a point, the way inwards on the face, and the normal beyond it.
@@ -52,9 +53,9 @@ struct Edge {
     float distance(const Vec3& p) const { return std::max(inwards.dot(p - at), 0.0f); }
 };
 
-void addTriangle(std::vector<FacetVertex>& mesh, const Point (&corners)[3],
+void addTriangle(std::vector<FacetVertex>& mesh, const TriangleCorner (&corners)[3],
                  const Edge* const (&edges)[3], const bool (&crisp)[3], int facet, float apothem) {
-    for (const Point& c : corners) {
+    for (const TriangleCorner& c : corners) {
         FacetVertex v{c.position, c.normal, static_cast<float>(facet & (kFaces - 1)), {}, {},
                       {1, 0}, apothem};
         for (int i = 0; i < 3; ++i) {
@@ -119,9 +120,9 @@ void addFan(std::vector<FacetVertex>& vertices, const SolidMesh& mesh, int facet
     for (const Edge& edge : edges) apothem = std::min(apothem, edge.distance(middle));
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
-        const Point corners[3] = {{middle, normal},
-                                   {mesh.vertices[outline.corners[i]], normal},
-                                   {mesh.vertices[outline.corners[next]], normal}};
+        const TriangleCorner corners[3] = {{middle, normal},
+                                           {mesh.vertices[outline.corners[i]], normal},
+                                           {mesh.vertices[outline.corners[next]], normal}};
         const Edge* const three[3] = {&edges[(i + count - 1) % count], &edges[i], &edges[next]};
         addTriangle(vertices, corners, three, {true, true, true}, facet, apothem);
     }
@@ -218,7 +219,7 @@ std::vector<FacetVertex> facetMesh(const SolidMesh& mesh) {
     const Normals normals(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (fanned[mesh.facets[t]]) continue;
-        Point corners[3];
+        TriangleCorner corners[3];
         for (int i = 0; i < 3; ++i) {
             const int corner = mesh.triangles[t][i];
             corners[i] = {mesh.vertices[corner], normals.at(static_cast<int>(t), corner)};

@@ -7,12 +7,11 @@
 #include "render/coverage.h"
 #include "render/ghost_rays.h"
 #include "render/overlay.h"
+#include "render/pi.h"
 #include "render/solid_mesh.h"
 
 namespace render {
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 constexpr int kRim = 48;  // points around a circle
 
@@ -98,9 +97,9 @@ Color shaded(const Color& color, float light) {
 }
 
 /// A silhouette as the half planes of its edges.
-class Outline {
+class Silhouette {
 public:
-    explicit Outline(const std::vector<Vec2>& hull) {
+    explicit Silhouette(const std::vector<Vec2>& hull) {
         low_ = high_ = hull.front();
         for (std::size_t i = 0; i < hull.size(); ++i) {
             const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
@@ -127,7 +126,7 @@ private:
     Vec2 low_, high_;
 };
 
-std::optional<Outline> outlineOf(const Solid& ghost, const View& view, const Image& image) {
+std::optional<Silhouette> silhouetteOf(const Solid& ghost, const View& view, const Image& image) {
     std::vector<Vec2> flat;
     for (const Vec3& point : rimPoints(ghost, view.eye)) {
         const Projected p = project(view, point, image.width, image.height);
@@ -136,7 +135,7 @@ std::optional<Outline> outlineOf(const Solid& ghost, const View& view, const Ima
     }
     const std::vector<Vec2> hull = hullOf(std::move(flat));
     if (hull.size() < 3) return std::nullopt;
-    return Outline(hull);
+    return Silhouette(hull);
 }
 
 /// Inkier and denser towards the outline, which is `edge` pixels wide; d: pixels, negative inside.
@@ -152,17 +151,17 @@ Color tintOf(const Color& color, const Color& ink, float light, float d, float e
 
 void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& view,
                const DepthMap& depth) {
-    const std::optional<Outline> outline = outlineOf(ghost, view, image);
-    if (!outline) return;
+    const std::optional<Silhouette> silhouette = silhouetteOf(ghost, view, image);
+    if (!silhouette) return;
     const GhostRays rays(ghost, view, look.sunDirection.normalized(), image.width, image.height);
     const bool hollow = ghost.mesh && !ghost.mesh->convex;
     const float edge = std::max(0.9f * overlayScale(look, image.width, image.height), 0.7f);
     const PixelRange range =
-        pixelsWithin(image, outline->low() - Vec2(1, 1), outline->high() + Vec2(1, 1));
+        pixelsWithin(image, silhouette->low() - Vec2(1, 1), silhouette->high() + Vec2(1, 1));
     for (int y = range.y0; y <= range.y1; ++y)
         for (int x = range.x0; x <= range.x1; ++x) {
             const Vec2 at = centreOf(x, y);
-            const float d = outline->distance(at);
+            const float d = silhouette->distance(at);
             if (d >= 0.5f) continue;
             const std::optional<GhostHit> hit = rays.at(at);
             if (!hit && hollow) continue;

@@ -5,7 +5,7 @@
 namespace render {
 namespace {
 
-constexpr float kFaint = 0.22f;
+constexpr float kFaintLine = 0.22f;  // of what is behind something
 
 /// A line on the picture; along it 1 / depth changes evenly.
 struct FlatLine {
@@ -56,7 +56,7 @@ void draw(Image& image, const FlatLine& l, float half, const Color& color, const
             if (d >= 0.5f) continue;
             const bool behind = metersAt(depth, image, x, y) < 0.995f * meters - 0.01f;
             blend(image.at(x, y), color,
-                  std::clamp(0.5f - d, 0.0f, 1.0f) * (behind ? kFaint : 1.0f));
+                  std::clamp(0.5f - d, 0.0f, 1.0f) * (behind ? kFaintLine : 1.0f));
         }
     }
 }

@@ -4,7 +4,6 @@
 #include "render/mesh_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "render/solid_mesh.h"
@@ -16,7 +15,6 @@ namespace {
 constexpr int kLeaf = 4;           // triangles
 constexpr float kSlack = 1e-5f;    // of a triangle, beyond its edges: no ray falls in between
 constexpr int kDeepest = 64;       // nodes that wait; halves of 2^31 triangles are half as many
-constexpr float kNever = std::numeric_limits<float>::infinity();
 
 class Builder {
 public:

@@ -1,6 +1,7 @@
 /// Boxes around boxes around triangles, so that a ray is tried against few of them.
 #pragma once
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "render/four.h"
@@ -27,8 +28,11 @@ struct FourRays {
     Four along[3];
 };
 
+/// The t of a ray that meets nothing.
+inline constexpr float kNever = std::numeric_limits<float>::infinity();
+
 struct FourTriangles {
-    Four t{};             // infinite where nothing is met
+    Four t{};             // kNever where nothing is met
     FourInts triangle{};  // -1 there
 };
 

@@ -7,12 +7,12 @@
 
 #include "render/facet_mesh.h"
 #include "render/linear.h"
+#include "render/pi.h"
+#include "render/shortest_turn.h"
 #include "render/unit_meshes.h"
 
 namespace render {
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 /// Place in kBallCorners: with n corners a circle is off by r (1 - cos(pi / n)).
 std::size_t levelOf(float pixels) {
@@ -37,7 +37,7 @@ void addRod(const Rod& rod, float radius, float surface, std::vector<Instance>& 
     const Vec3 along = rod.to - rod.from;
     const float length = along.norm();
     if (length < 1e-6f) return;
-    const Quat q = Quat::FromTwoVectors(Vec3::UnitY(), along);
+    const Quat q = shortestTurn<float>(Vec3::UnitY(), along);
     bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
                     {radius, 0.5f * length, radius}, 0.0f, linear(rod.color), surface});
 }

@@ -166,7 +166,7 @@ void forAll(const DepthMap& depth, const std::vector<PixelRect>& where, const Oc
 }
 
 /// 0..1 to a byte, in 51 steps: finer ones are not seen, and make files larger.
-std::uint8_t inSteps(float open) {
+std::uint8_t byteInSteps(float open) {
     return static_cast<std::uint8_t>(5 * static_cast<int>(51.0f * open + 0.5f));
 }
 
@@ -184,7 +184,7 @@ public:
         for (int j = first; j < last; ++j)
             for (int shift = -kCell / 2; shift < kCell / 2; ++shift) add(y, j, shift);
         for (int x = where_.x0; x < where_.x1; ++x)  // the pixel itself is always one of them
-            out[x] = inSteps(sum_[x] / weight_[x]);
+            out[x] = byteInSteps(sum_[x] / weight_[x]);
     }
 
 private:

@@ -9,7 +9,7 @@
 namespace render {
 namespace {
 
-constexpr float kFaint = 0.3f;       // of what starts behind something
+constexpr float kFaintArrow = 0.3f;  // of what starts behind something
 constexpr std::size_t kCrowd = 100;  // of so many arrows, the hidden ones only confuse
 
 /// Light around marks on a light ground, dark on a dark one.
@@ -107,7 +107,7 @@ void drawArrows(Image& image, const Frame& frame, const View& view, const DepthM
         const bool hidden = isHidden(from, arrow.reach, image, depth);
         if (hidden && frame.arrows.size() > kCrowd) continue;
         arrows.push_back({{from.x, from.y}, {to.x, to.y}, arrow.color, from.depth});
-        if (hidden) arrows.back().color.a *= kFaint;
+        if (hidden) arrows.back().color.a *= kFaintArrow;
     }
     std::stable_sort(arrows.begin(), arrows.end(),
                      [](const FlatArrow& a, const FlatArrow& b) { return a.depth > b.depth; });

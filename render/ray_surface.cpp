@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "render/mesh_tree.h"
+#include "render/shortest_turn.h"
 #include "render/surface_map.h"
 
 namespace render {
@@ -21,9 +22,7 @@ Mat3d axesOf(const Quat& rotation) {
 }
 
 /// World axes turned the shortest way until y is `up`.
-Mat3d axesAlong(const Vec3d& up) {
-    return Eigen::Quaterniond::FromTwoVectors(Vec3d::UnitY(), up).toRotationMatrix();
-}
+Mat3d axesAlong(const Vec3d& up) { return shortestTurn<double>(Vec3d::UnitY(), up).toRotationMatrix(); }
 
 SurfaceKind kindOf(const Solid& solid) {
     switch (solid.shape) {

@@ -9,14 +9,12 @@
 namespace render {
 namespace {
 
-using Box = Eigen::AlignedBox3f;
-
 constexpr float kTooLarge = 40.0f;  // m: a table or floor that would leave a texel for a brick
 constexpr float kApron = 4.0f;      // texels that are kept free around the casters
 
 /// Around what casts shadows worth seeing, in the light's own axes.
-Box boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight) {
-    Box box;
+Eigen::AlignedBox3f boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight) {
+    Eigen::AlignedBox3f box;
     for (const Solid& s : frame.solids) {
         const float core = s.shape == SolidShape::capsule ? s.halfSize.x() : 0.0f;
         const Vec3 half = s.shape == SolidShape::capsule ? s.halfSize : holdingHalfSize(s);
@@ -61,7 +59,7 @@ ShadowPass::ShadowPass(int size)
 void ShadowPass::fit(const Frame& frame) {
     worldToLight_ = lookAt(toLight_, Vec3::Zero(), Vec3::UnitY());
     worldToLight_.block<3, 1>(0, 3).setZero();
-    const Box box = boundsOf(frame, worldToLight_.block<3, 3>(0, 0));
+    const Eigen::AlignedBox3f box = boundsOf(frame, worldToLight_.block<3, 3>(0, 0));
     const Vec3 reach = 0.5f * box.sizes();
     const Vec3 covered(inSteps(reach.x()), inSteps(reach.y()), inSteps(reach.z()));
     const float widest = std::max(covered.x(), covered.y());

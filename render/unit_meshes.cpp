@@ -2,12 +2,9 @@
 
 #include <cmath>
 
+#include "render/pi.h"
+
 namespace render {
-namespace {
-
-constexpr float kPi = 3.14159265f;
-
-}  // namespace
 
 std::vector<Vertex> boxMesh() {
     std::vector<Vertex> mesh;

@@ -49,7 +49,7 @@ EarlierRun readEarlier(const std::string& path) {
     return run;
 }
 
-void sayJson(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
+void sayTimingJson(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     const auto [least, most] = std::minmax_element(t.ms.begin(), t.ms.end());
     fmt::print(R"({{"scene":{},"bodies":{},"joints":{},"contacts":{},"steps":{},)"
                R"("ms_per_step_median":{:.6g},"ms_per_step_min":{:.6g},"ms_per_step_max":{:.6g},)"
@@ -90,7 +90,7 @@ void benchScene(const SceneDescription& scene, const EarlierRun& earlier, const 
     if (options.phases) phases = timePhases(scene);
     const auto found = earlier.find(scene.name);
     const Earlier* before = found == earlier.end() ? nullptr : &found->second;
-    const auto say = options.json ? sayJson : sayRow;
+    const auto say = options.json ? sayTimingJson : sayRow;
     say(timing, options.phases ? &phases : nullptr, before);
 }
 

@@ -28,7 +28,7 @@ const BuiltinScene& builtin(const std::string& name) {
                                         suggestion(name, names)));
 }
 
-void sayJson(const SceneDescription& scene) {
+void saySceneJson(const SceneDescription& scene) {
     fmt::print(R"({{"scene":{},"group":{},"title":{},"purpose":{},"seconds":{},"bodies":{},)"
                R"("joints":{},"hz":{}}})"
                "\n",
@@ -87,14 +87,14 @@ Exit listCommand(const Options& options) {
         if (options.print)
             throw Stop(Exit::usage, "--print needs a scene, as in 'impulse list stack --print'");
         if (!options.json) sayGroups();
-        else for (const SceneDescription& scene : scenesByGroup()) sayJson(scene);
+        else for (const SceneDescription& scene : scenesByGroup()) saySceneJson(scene);
         return Exit::ok;
     }
     const BuiltinScene& scene = builtin(options.scene());
     if (options.print)
         fmt::print("{}", scene.text);
     else if (options.json)
-        sayJson(described(scene));
+        saySceneJson(described(scene));
     else
         sayOne(described(scene));
     return Exit::ok;

@@ -5,6 +5,7 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/table.h"
 #include "demos/film/progress.h"
+#include "demos/options_check.h"
 #include "demos/scene/complaints.h"
 #include "demos/slides/amount.h"
 #include "demos/slides/deck_files.h"
@@ -20,8 +21,6 @@ namespace demos {
 namespace {
 
 constexpr std::size_t kLargePage = 50'000'000;  // bytes, which some browsers take their time for
-
-[[noreturn]] void refuse(const std::string& line) { throw Stop(Exit::usage, line); }
 
 /// What a deck says itself cannot be said again for all of its slides.
 void checkDeckAlone(const std::string& deckFile, const Options& options) {

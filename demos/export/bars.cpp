@@ -7,6 +7,7 @@
 
 #include "demos/snapshot/coil.h"
 #include "demos/snapshot/parts.h"
+#include "render/shortest_turn.h"
 
 namespace demos {
 namespace {
@@ -35,7 +36,7 @@ engine::Pose poseOf(const render::Vec3& from, const render::Vec3& to, const engi
     const Vec3 way = (to - from).cast<double>();
     const Vec3 axis = before.rotation * Vec3::UnitY();
     return {0.5 * (from + to).cast<double>(),
-            (Quat::FromTwoVectors(axis, way) * before.rotation).normalized()};
+            (render::shortestTurn<double>(axis, way) * before.rotation).normalized()};
 }
 
 /// Where a bar is in a frame; before it is first seen it waits there, without a size.

@@ -1,7 +1,5 @@
 #include "demos/export/export_file.h"
 
-#include <fmt/format.h>
-
 #include <span>
 #include <string_view>
 #include <utility>
@@ -10,8 +8,7 @@
 #include "demos/export/npz.h"
 #include "demos/export/pose_table.h"
 #include "demos/export/replay_page.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/film/pattern.h"
 
 namespace demos {
 namespace {
@@ -22,15 +19,11 @@ constexpr std::pair<const char*, ExportKind> kEndings[] = {{".glb", ExportKind::
                                                            {".json", ExportKind::events},
                                                            {".html", ExportKind::replay}};
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
-    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(name), what));
-}
-
 ExportFile fileOf(const std::string& name) {
-    if (name.find('\0') != std::string::npos) refuse(name, "a name holds no NUL");
+    if (name.find('\0') != std::string::npos) refuseOutput(name, "a name holds no NUL");
     for (const auto& [ending, kind] : kEndings)
         if (name.ends_with(ending)) return {kind, name};
-    refuse(name, "the ending says what is written; known are: .glb .csv .npz .json .html");
+    refuseOutput(name, "the ending says what is written; known are: .glb .csv .npz .json .html");
 }
 
 /// What a model is made of besides its own file.
@@ -38,7 +31,7 @@ void spareSources(const std::string& name, const SceneDescription& scene) {
     for (const std::string& source : scene.files) {
         std::error_code neither;  // one of them is no file
         if (std::filesystem::equivalent(name, source, neither))
-            refuse(name, "the scene reads this file; write to another one");
+            refuseOutput(name, "the scene reads this file; write to another one");
     }
 }
 
@@ -73,7 +66,7 @@ std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescrip
         const ExportFile file = fileOf(name);
         for (const ExportFile& other : files)
             if (placeOf(other.name) == placeOf(name))
-                refuse(name, "another --output goes there already");
+                refuseOutput(name, "another --output goes there already");
         spareSources(name, scene);
         files.push_back(file);
     }

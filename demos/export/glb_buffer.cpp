@@ -24,7 +24,7 @@ const char* nameOf(GlbType type) {
     return type == GlbType::scalar ? "SCALAR" : type == GlbType::vec3 ? "VEC3" : "VEC4";
 }
 
-std::uint32_t narrow(std::size_t size) {
+std::uint32_t sizeInGlb(std::size_t size) {
     if (size > std::numeric_limits<std::uint32_t>::max())
         throw render::Error("a .glb of more than 4 GiB; fewer frames (--fps, --seconds) fit");
     return static_cast<std::uint32_t>(size);
@@ -34,7 +34,7 @@ std::uint32_t narrow(std::size_t size) {
 void addChunk(std::vector<std::uint8_t>& out, std::uint32_t type,
               std::span<const std::uint8_t> data, std::uint8_t padding) {
     const std::size_t fill = (4 - data.size() % 4) % 4;
-    putBytes(out, narrow(data.size() + fill));
+    putBytes(out, sizeInGlb(data.size() + fill));
     putBytes(out, type);
     out.insert(out.end(), data.begin(), data.end());
     out.insert(out.end(), fill, padding);
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> GlbBuffer::file(GlbJson json) const {
              ' ');
     if (!bytes_.empty()) addChunk(chunks, kBinaryChunk, bytes_, 0);
     std::vector<std::uint8_t> out;
-    for (const std::uint32_t word : {kMagic, kVersion2, narrow(kHeader + chunks.size())})
+    for (const std::uint32_t word : {kMagic, kVersion2, sizeInGlb(kHeader + chunks.size())})
         putBytes(out, word);
     out.insert(out.end(), chunks.begin(), chunks.end());
     return out;

@@ -10,6 +10,7 @@
 #include "demos/version.h"
 #include "render/camera.h"
 #include "render/palette.h"
+#include "render/shortest_turn.h"
 
 namespace demos {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kGroundHalf = 20.0;  // m
 constexpr float kAspect = 16.0f / 9;  // of every quality's picture
 constexpr float kSunLux = 3.0f;       // white in viewers that do without an exposure
 
-GlbJson listOf(const auto& v) {
+GlbJson numbersOf(const auto& v) {
     GlbJson list = GlbJson::array();
     for (int i = 0; i < v.size(); ++i) list.push_back(v[i]);
     return list;
@@ -29,9 +30,10 @@ GlbJson nodeOf(const std::string& name, const GlbPose& pose,
                const render::Vec3& scale = render::Vec3::Ones()) {
     GlbJson node;
     node["name"] = name;
-    if (pose.translation != GlbPose{}.translation) node["translation"] = listOf(pose.translation);
-    if (pose.rotation != GlbPose{}.rotation) node["rotation"] = listOf(pose.rotation);
-    if (scale != render::Vec3::Ones()) node["scale"] = listOf(scale);
+    if (pose.translation != GlbPose{}.translation)
+        node["translation"] = numbersOf(pose.translation);
+    if (pose.rotation != GlbPose{}.rotation) node["rotation"] = numbersOf(pose.rotation);
+    if (scale != render::Vec3::Ones()) node["scale"] = numbersOf(scale);
     return node;
 }
 
@@ -112,7 +114,7 @@ private:
     GlbPart groundOf(const Vec3& normal) {
         const int material = meshes_.materialOf(run_.look.ground);
         engine::Pose place;
-        place.rotation = Quat::FromTwoVectors(Vec3::UnitY(), normal);
+        place.rotation = render::shortestTurn<double>(Vec3::UnitY(), normal);
         return {meshes_.meshOf(squareTriangles(), material), place,
                 render::Vec3(kGroundHalf, 1.0f, kGroundHalf)};
     }
@@ -174,7 +176,7 @@ private:
         lights_.push_back({{"type", "directional"}, {"intensity", kSunLux}});
         engine::Pose pose;
         pose.rotation =
-            Quat::FromTwoVectors(Vec3::UnitZ(), run_.look.sunDirection.cast<double>());
+            render::shortestTurn<double>(Vec3::UnitZ(), run_.look.sunDirection.cast<double>());
         GlbJson node = nodeOf("sun", glbPoseOf(pose));
         node["extensions"]["KHR_lights_punctual"]["light"] = 0;
         addRoot(std::move(node));

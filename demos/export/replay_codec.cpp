@@ -16,14 +16,14 @@ constexpr double kHalfByte = 127.5;
 
 double signOf(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
-std::uint16_t rounded(double value, double most) {
+std::uint16_t nearestWord(double value, double most) {
     return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0, most)));
 }
 
 }  // namespace
 
 std::uint16_t WordRange::wordOf(double value) const {
-    return size > 0.0 ? rounded((value - low) / size * kWords, kWords) : std::uint16_t{0};
+    return size > 0.0 ? nearestWord((value - low) / size * kWords, kWords) : std::uint16_t{0};
 }
 
 double WordRange::valueOf(std::uint16_t word) const { return low + size * word / kWords; }
@@ -43,7 +43,7 @@ RotationWords wordsOf(const engine::Quat& rotation) {
     std::size_t next = 0;
     for (Eigen::Index i = 0; i < 4; ++i)
         if (i != largest)
-            words[next++] = rounded((0.5 + 0.5 * sign * q[i] / kThird) * kSteps, kSteps);
+            words[next++] = nearestWord((0.5 + 0.5 * sign * q[i] / kThird) * kSteps, kSteps);
     words[0] = static_cast<std::uint16_t>(words[0] | (largest & 1) << 15);
     words[1] = static_cast<std::uint16_t>(words[1] | (largest >> 1) << 15);
     return words;
@@ -66,8 +66,8 @@ std::uint16_t directionWord(const engine::Vec3& direction) {
         u = (1.0 - std::abs(d.y())) * signOf(d.x());
         v = (1.0 - std::abs(d.x())) * signOf(d.y());
     }
-    return static_cast<std::uint16_t>(rounded((u + 1.0) * kHalfByte, 255.0) << 8 |
-                                      rounded((v + 1.0) * kHalfByte, 255.0));
+    return static_cast<std::uint16_t>(nearestWord((u + 1.0) * kHalfByte, 255.0) << 8 |
+                                      nearestWord((v + 1.0) * kHalfByte, 255.0));
 }
 
 engine::Vec3 directionOf(std::uint16_t word) {

@@ -11,14 +11,14 @@ namespace demos {
 namespace {
 
 using render::SolidShape;
-using render::Vec3;
 
 constexpr int kCornersAround = 32;  // of what is round: 0.5 % of its radius off
 
 /// Gives equal vertices one number, and leaves out triangles that have become a line.
 class Welding {
 public:
-    void add(const std::array<Vec3, 3>& positions, const std::array<Vec3, 3>& normals) {
+    void add(const std::array<render::Vec3, 3>& positions,
+             const std::array<render::Vec3, 3>& normals) {
         std::array<std::uint32_t, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) corners[i] = numberOf(positions[i], normals[i]);
         if (samePlace(corners[0], corners[1]) || samePlace(corners[1], corners[2]) ||
@@ -29,7 +29,7 @@ public:
     Triangles take() { return std::move(welded_); }
 
 private:
-    std::uint32_t numberOf(const Vec3& p, const Vec3& n) {
+    std::uint32_t numberOf(const render::Vec3& p, const render::Vec3& n) {
         const std::array key{p.x(), p.y(), p.z(), n.x(), n.y(), n.z()};
         const auto next = static_cast<std::uint32_t>(places_.size());
         const auto [place, isNew] = places_.try_emplace(key, next);
@@ -49,16 +49,17 @@ private:
 };
 
 /// What rounding has left of 0, at a pole or across an axis, becomes 0.
-Vec3 cleaned(const Vec3& v) {
+render::Vec3 cleaned(const render::Vec3& v) {
     constexpr float kRounding = 1e-6f;  // of a unit shape
     return v.unaryExpr([](float x) { return std::abs(x) < kRounding ? 0.0f : x; });
 }
 
 /// A triangle whose own normal stands in where a vertex has none.
-void addTriangle(const std::array<Vec3, 3>& positions, std::array<Vec3, 3> normals,
+void addTriangle(const std::array<render::Vec3, 3>& positions, std::array<render::Vec3, 3> normals,
                  Welding& welding) {
-    const Vec3 own = (positions[1] - positions[0]).cross(positions[2] - positions[0]).normalized();
-    for (Vec3& normal : normals) normal = normal.norm() > 0.0f ? normal.normalized() : own;
+    const render::Vec3 own =
+        (positions[1] - positions[0]).cross(positions[2] - positions[0]).normalized();
+    for (render::Vec3& normal : normals) normal = normal.norm() > 0.0f ? normal.normalized() : own;
     welding.add(positions, normals);
 }
 
@@ -83,7 +84,8 @@ Triangles capsuleTriangles(float radius, float half) {
     std::vector<render::Vertex> vertices = render::ballMesh(kCornersAround);
     for (render::Vertex& vertex : vertices) vertex.normal = cleaned(vertex.normal);
     return welded(vertices, [&](const render::Vertex& vertex) {
-        return Vec3(radius * cleaned(vertex.position) + vertex.end * half * Vec3::UnitY());
+        return render::Vec3(radius * cleaned(vertex.position) +
+                            vertex.end * half * render::Vec3::UnitY());
     });
 }
 
@@ -109,13 +111,15 @@ Triangles trianglesOf(const render::Solid& solid) {
 }
 
 render::Vec3 scaleOf(const render::Solid& solid) {
-    if (solid.shape == SolidShape::capsule || solid.shape == SolidShape::mesh) return Vec3::Ones();
+    if (solid.shape == SolidShape::capsule || solid.shape == SolidShape::mesh)
+        return render::Vec3::Ones();
     return solid.halfSize;
 }
 
 Triangles squareTriangles() {
     Welding welding;
-    const Vec3 a(-1, 0, -1), b(-1, 0, 1), c(1, 0, 1), d(1, 0, -1), up = Vec3::UnitY();
+    const render::Vec3 a(-1, 0, -1), b(-1, 0, 1), c(1, 0, 1), d(1, 0, -1),
+        up = render::Vec3::UnitY();
     welding.add({a, b, c}, {up, up, up});
     welding.add({a, c, d}, {up, up, up});
     return welding.take();

@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::uint32_t narrow(std::size_t value) {
+std::uint32_t sizeInZip(std::size_t value) {
     if (value > std::numeric_limits<std::uint32_t>::max())
         throw render::Error("an archive of more than 4 GiB; fewer frames (--fps, --seconds) fit");
     return static_cast<std::uint32_t>(value);
@@ -42,8 +42,8 @@ Bytes describe(const ZipEntry& entry, std::size_t packedSize) {
     for (const std::uint32_t word : {kVersion20, kUtf8, kDeflate, 0u, kFirstOf1980})
         putBytes(out, word, 2);
     putBytes(out, libdeflate_crc32(0, entry.bytes.data(), entry.bytes.size()), 4);
-    putBytes(out, narrow(packedSize), 4);
-    putBytes(out, narrow(entry.bytes.size()), 4);
+    putBytes(out, sizeInZip(packedSize), 4);
+    putBytes(out, sizeInZip(entry.bytes.size()), 4);
     putBytes(out, static_cast<std::uint32_t>(entry.name.size()), 2);
     putBytes(out, 0, 2);  // no extra fields
     return out;
@@ -61,7 +61,7 @@ std::vector<std::uint8_t> zipOf(std::span<const ZipEntry> entries) {
         putBytes(directory, 20, 2);  // made by version 2.0, on DOS
         append(directory, description);
         for (const int size : {2, 2, 2, 4}) putBytes(directory, 0, size);  // comment, disk, attributes
-        putBytes(directory, narrow(out.size()), 4);
+        putBytes(directory, sizeInZip(out.size()), 4);
         append(directory, entry.name);
         putBytes(out, 0x04034b50, 4);
         append(out, description);
@@ -73,8 +73,8 @@ std::vector<std::uint8_t> zipOf(std::span<const ZipEntry> entries) {
     putBytes(out, 0x06054b50, 4);
     for (const std::size_t word : {std::size_t{0}, std::size_t{0}, count, count})
         putBytes(out, static_cast<std::uint32_t>(word), 2);
-    putBytes(out, narrow(directory.size()), 4);
-    putBytes(out, narrow(start), 4);
+    putBytes(out, sizeInZip(directory.size()), 4);
+    putBytes(out, sizeInZip(start), 4);
     putBytes(out, 0, 2);  // no comment
     return out;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "demos/film/json_list.h"
 #include "demos/version.h"
 #include "render/data_images.h"
 
@@ -11,11 +12,6 @@ namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class Vector>
-Json listOf(const Vector& v) {
-    return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())};
-}
 
 Json rowsOf(const Eigen::Matrix4f& m) {
     Json rows = Json::array();

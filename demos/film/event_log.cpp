@@ -3,12 +3,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "demos/film/json_list.h"
+
 namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json listOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json jsonOf(const engine::TouchEvent& event, const Stage& stage) {
     const bool begins = event.kind == engine::TouchEvent::Kind::begin;

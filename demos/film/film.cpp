@@ -166,12 +166,6 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
                                               again ? " --overwrite" : ""));
 }
 
-bool has(const std::vector<Output>& outputs, OutputKind kind) {
-    for (const Output& output : outputs)
-        if (output.kind == kind) return true;
-    return false;
-}
-
 /// Frame by frame, until the last one or a signal.
 void drawAll(FrameSource& source, Writers& writers, const Options& options, const Talk& talk,
              Progress& progress) {

@@ -93,11 +93,6 @@ double diskBytes(const FilmPlan& plan, const Output& output) {
     return (ending == ".mp4" || ending == ".webm" ? 0.02 : 0.2) * pixels;
 }
 
-bool has(const std::vector<Output>& outputs, OutputKind kind) {
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [kind](const Output& output) { return output.kind == kind; });
-}
-
 std::string bytesText(double bytes) {
     if (bytes >= 1e9) return fmt::format("{:.1f} GB", bytes / 1e9);
     return fmt::format("{:.0f} MB", std::max(bytes / 1e6, 1.0));

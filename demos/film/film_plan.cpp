@@ -17,8 +17,6 @@
 namespace demos {
 namespace {
 
-constexpr int kMostFrames = 1'000'000;
-
 int stepsPerFrame(int hz, int fps) {
     if (hz % fps != 0)
         throw Stop(Exit::usage,

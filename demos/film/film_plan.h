@@ -20,6 +20,8 @@ struct Panel {
     std::string settings;  // what makes it differ from the others, as --set would take it
 };
 
+inline constexpr int kMostFrames = 1'000'000;
+
 struct FilmPlan {
     std::vector<Panel> panels;  // one: an ordinary film
     PanelLayout layout;

@@ -8,7 +8,6 @@
 #include "demos/film/data_json.h"
 #include "demos/film/outputs.h"
 #include "demos/scene/complaints.h"
-#include "demos/stop.h"
 #include "demos/text_hash.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
@@ -18,10 +17,6 @@ namespace demos {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& folder, const std::string& what) {
-    throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(folder.string()), what));
-}
 
 bool isSymlink(const fs::path& path) {
     std::error_code ignored;
@@ -63,9 +58,9 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     } else if (!overwrite && same && old->fingerprint == record_.fingerprint) {
         takeUp(*old);
     } else if (!overwrite && (old || !bytes.empty())) {
-        refuse(folder_,
-               "holds the frames of another run (other settings, scene or program); "
-               "--overwrite replaces them");
+        refuseToReplace(folder_,
+                        "holds the frames of another run (other settings, scene or program); "
+                        "--overwrite replaces them");
     } else if (!overwrite) {
         refuseStrangers();
     }
@@ -102,9 +97,9 @@ void FrameFiles::refuseStrangers() const {
     const auto check = [](const fs::path& name) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(name, ignored)))
-            refuse(name,
-                   "is there already, and no run.json tells whose it is; "
-                   "--overwrite replaces it");
+            refuseToReplace(name,
+                            "is there already, and no run.json tells whose it is; "
+                            "--overwrite replaces it");
     };
     for (int frame = 0; frame < plan_.frames; ++frame) {
         check(nameOf(frame));

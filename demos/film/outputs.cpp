@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& pattern, const std::string& what) {
-    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(pattern), what));
-}
-
 std::string endingOf(const std::string& pattern) {
     std::string ending = fs::path(pattern).extension().string();
     for (char& c : ending)
@@ -31,20 +27,22 @@ Output framesOutput(const FilmPlan& plan, const std::string& pattern) {
     Output output;
     output.pattern = pattern;
     if (plan.frames > 1 && !namesEveryFrame(pattern))
-        refuse(pattern,
-               "every frame needs a name of its own, as in frame_####.png; for one "
-               "picture there is 'impulse still'");
+        refuseOutput(pattern,
+                     "every frame needs a name of its own, as in frame_####.png; for one "
+                     "picture there is 'impulse still'");
     output.path = fs::path(expandPattern(pattern, valuesOf(plan, 0))).parent_path();
     if (plan.frames > 1 &&
         fs::path(expandPattern(pattern, valuesOf(plan, 1))).parent_path() != output.path)
-        refuse(pattern, "all frames go to one folder; the frame may only be part of the name");
+        refuseOutput(pattern,
+                     "all frames go to one folder; the frame may only be part of the name");
     if (output.path.empty()) output.path = ".";
     return output;
 }
 
 Output outputOf(const FilmPlan& plan, const std::string& pattern) {
-    if (pattern.empty()) refuse(pattern, "a file or folder is needed; '-' is standard output");
-    if (pattern.find('\0') != std::string::npos) refuse(pattern, "a name holds no NUL");
+    if (pattern.empty())
+        refuseOutput(pattern, "a file or folder is needed; '-' is standard output");
+    if (pattern.find('\0') != std::string::npos) refuseOutput(pattern, "a name holds no NUL");
     Output output;
     if (pattern == "-") {
         output.kind = OutputKind::raw;
@@ -53,16 +51,18 @@ Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     const std::string ending = endingOf(pattern);
     if (ending == ".png") return framesOutput(plan, pattern);
     if (render::isVideoName(pattern)) {
-        if (namesEveryFrame(pattern)) refuse(pattern, "a film is one file; leave the frame out");
+        if (namesEveryFrame(pattern))
+            refuseOutput(pattern, "a film is one file; leave the frame out");
         output.kind = OutputKind::film;
         output.path = expandPattern(pattern, valuesOf(plan, 0));
         return output;
     }
     const bool folder = ending.empty() || pattern.ends_with('/') || fs::is_directory(pattern);
     if (!folder)
-        refuse(pattern, fmt::format("the ending '{}' is not known; known are: .png .mp4 .webm "
-                                    ".gif .webp .apng, none for a folder",
-                                    printable(ending)));
+        refuseOutput(pattern,
+                     fmt::format("the ending '{}' is not known; known are: .png .mp4 .webm "
+                                 ".gif .webp .apng, none for a folder",
+                                 printable(ending)));
     return framesOutput(plan, (fs::path(pattern) / "frame_{frame:6}.png").string());
 }
 
@@ -115,6 +115,11 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
 
 }  // namespace
 
+bool has(const std::vector<Output>& outputs, OutputKind kind) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [kind](const Output& output) { return output.kind == kind; });
+}
+
 PatternValues valuesOf(const FilmPlan& plan, int frame) {
     return {frame, plan.timeOf(frame), plan.name, plan.quality};
 }
@@ -127,9 +132,9 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {
         const Output output = outputOf(plan, pattern);
         for (const Output& other : outputs)
             if (other.kind == output.kind && other.path == output.path)
-                refuse(pattern, "another --output goes there already");
+                refuseOutput(pattern, "another --output goes there already");
         if (output.kind == OutputKind::raw && options.json)
-            refuse(pattern, "--json has standard output already");
+            refuseOutput(pattern, "--json has standard output already");
         outputs.push_back(output);
     }
     const auto isFilm = [](const Output& output) { return output.kind == OutputKind::film; };
@@ -142,6 +147,10 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {
 void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite) {
     for (const Output& output : outputs)
         if (output.kind == OutputKind::film) checkFilm(output, plan, overwrite);
+}
+
+void refuseToReplace(const fs::path& path, const std::string& what) {
+    throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(path.string()), what));
 }
 
 void makeFolder(const fs::path& folder) {

@@ -21,11 +21,16 @@ struct Output {
     std::filesystem::path path;  // film: the file; frames: their folder
 };
 
+bool has(const std::vector<Output>& outputs, OutputKind kind);
+
 /// Throws Stop (usage) for what cannot be written, or twice to one place.
 std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options);
 
 /// Throws Stop (wouldOverwrite) or render::Error where that can be known before drawing.
 void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite);
+
+/// Throws Stop (wouldOverwrite); `what`: the path is.
+[[noreturn]] void refuseToReplace(const std::filesystem::path& path, const std::string& what);
 
 /// The folder and its parents; throws render::Error.
 void makeFolder(const std::filesystem::path& folder);

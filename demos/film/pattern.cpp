@@ -13,12 +13,9 @@ namespace {
 
 constexpr int kWidest = 12;  // digits
 
-[[noreturn]] void refuse(const std::string& pattern, const std::string& what) {
-    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(pattern), what));
-}
-
 std::string padded(const std::string& pattern, int frame, std::size_t width) {
-    if (width > kWidest) refuse(pattern, fmt::format("a frame has at most {} digits", kWidest));
+    if (width > kWidest)
+        refuseOutput(pattern, fmt::format("a frame has at most {} digits", kWidest));
     return fmt::format("{:0{}}", frame, width);
 }
 
@@ -30,8 +27,9 @@ std::string hole(const std::string& pattern, const std::string& word, const Patt
     if (name == "frame" && colon != std::string::npos) {
         if (width.empty() || width.size() > 2 ||
             width.find_first_not_of("0123456789") != std::string::npos || std::stoi(width) < 1)
-            refuse(pattern, fmt::format("'{{{}}}' needs a number of digits, as in {{frame:6}}",
-                                        printable(word)));
+            refuseOutput(pattern,
+                         fmt::format("'{{{}}}' needs a number of digits, as in {{frame:6}}",
+                                     printable(word)));
         return padded(pattern, values.frame, static_cast<std::size_t>(std::stoi(width)));
     }
     if (colon == std::string::npos) {
@@ -40,11 +38,15 @@ std::string hole(const std::string& pattern, const std::string& word, const Patt
         if (name == "scene") return values.scene;
         if (name == "quality") return values.quality;
     }
-    refuse(pattern, fmt::format("'{{{}}}' is not known{}", printable(word),
-                                suggestion(name, {"frame", "time", "scene", "quality"})));
+    refuseOutput(pattern, fmt::format("'{{{}}}' is not known{}", printable(word),
+                                      suggestion(name, {"frame", "time", "scene", "quality"})));
 }
 
 }  // namespace
+
+void refuseOutput(const std::string& output, const std::string& what) {
+    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(output), what));
+}
 
 std::string expandPattern(const std::string& pattern, const PatternValues& values) {
     std::string name;
@@ -60,11 +62,12 @@ std::string expandPattern(const std::string& pattern, const PatternValues& value
             i += 2;
         } else if (c == '{') {
             const std::size_t end = pattern.find('}', i);
-            if (end == std::string::npos) refuse(pattern, "'{' is not closed; '{{' is a bracket");
+            if (end == std::string::npos)
+                refuseOutput(pattern, "'{' is not closed; '{{' is a bracket");
             name += hole(pattern, pattern.substr(i + 1, end - i - 1), values);
             i = end + 1;
         } else if (c == '}') {
-            refuse(pattern, "'}' was not opened; '}}' is a bracket");
+            refuseOutput(pattern, "'}' was not opened; '}}' is a bracket");
         } else {
             name += c;
             ++i;

@@ -10,6 +10,9 @@ struct PatternValues {
     std::string scene, quality;
 };
 
+/// Throws Stop (usage): `what` is wrong with this --output.
+[[noreturn]] void refuseOutput(const std::string& output, const std::string& what);
+
 /// `####` and `{frame:6}`: the frame, filled up with zeros; `{frame}`: as it is; `{time}`: seconds
 /// with three decimals; `{scene}`, `{quality}`; `{{` and `}}`: the brackets themselves.
 /// Throws Stop (usage) for what is none of these.

@@ -2,13 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "demos/film/film_plan.h"
 #include "demos/hex_text.h"
 
 namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t kMostFrames = 1'000'000;
 
 }  // namespace
 

@@ -34,7 +34,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kTileWidth = 480;  // pixels, of the sheet
 
-std::string textOf(const Json& json) {
+std::string jsonText(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -44,16 +44,13 @@ void sortByGroup(std::vector<GalleryCard>& cards) {
                      [](const auto& a, const auto& b) { return a.group < b.group; });
 }
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
-    throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(path.string()), what));
-}
-
 void refuseStranger(const fs::path& file, bool own) {
     std::error_code ignored;
     if (!own && fs::exists(fs::symlink_status(file, ignored)))
-        refuse(file,
-               "is there already, and no gallery.json tells that it is a gallery's; --overwrite "
-               "replaces it");
+        refuseToReplace(
+            file,
+            "is there already, and no gallery.json tells that it is a gallery's; --overwrite "
+            "replaces it");
 }
 
 class Gallery {
@@ -96,7 +93,7 @@ private:
                     films.push_back({OutputKind::film, {}, record_.filmFile(choices_[i].name)});
                 checkOutputs(films, plan, true);
                 checkNeeds(needsOf(plan, jobsFor(choices_), films), plan);
-                return textOf(jsonOf(cardOf(choices_[i], plan, own, renderer_)));
+                return jsonText(jsonOf(cardOf(choices_[i], plan, own, renderer_)));
             });
         };
         inProcesses(choices_, read, [this](const GalleryChoice& choice, const std::string& text) {
@@ -129,7 +126,8 @@ private:
         for (const GalleryCard& card : cards_)
             if (record_.isOutdated(card)) names.push_back(card.name);
         if (names.empty()) return;
-        refuse(folder_, fmt::format("holds {} of another run (other settings, scene or program), "
+        refuseToReplace(folder_,
+                        fmt::format("holds {} of another run (other settings, scene or program), "
                                     "the first is '{}'; --overwrite replaces what differs",
                                     counted(names.size(), "scene"), printable(names.front())));
     }
@@ -165,7 +163,7 @@ private:
         own.quiet = true;  // its notes have been told
         const GalleryEntry entry = drawScene(planFilm(own), own, record_.posterFile(choice.name),
                                              films_ ? record_.filmFile(choice.name) : fs::path());
-        return textOf({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
+        return jsonText({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
     }
 
     /// As soon as it is there: a run that is interrupted later does not draw it again.
@@ -181,7 +179,7 @@ private:
         const GalleryCard& card = cardCalled(name);
         talk_.say(fmt::format("  {:18} {:g} s, {}", printable(name), card.seconds,
                               counted(card.frames, "frame")));
-        talk_.json(textOf({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
+        talk_.json(jsonText({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
         std::fflush(stdout);
     }
 
@@ -202,10 +200,10 @@ private:
         record_.command = options_.commandLine;
         record_.write();
         const std::string page = record_.pageFile().string();
-        talk_.json(textOf({{"event", "done"},
-                           {"page", page},
-                           {"scenes", cards_.size()},
-                           {"failed", troubles_.count()}}));
+        talk_.json(jsonText({{"event", "done"},
+                             {"page", page},
+                             {"scenes", cards_.size()},
+                             {"failed", troubles_.count()}}));
         talk_.say(
             fmt::format("wrote {} ({}, {} drawn, {} kept{}){}", printable(page),
                         counted(cards_.size(), "scene"), missing_.size() - (read - cards_.size()),
@@ -217,7 +215,7 @@ private:
     }
 
     Exit tellNothing() const {
-        talk_.json(textOf({{"event", "done"}, {"scenes", 0}, {"failed", troubles_.count()}}));
+        talk_.json(jsonText({{"event", "done"}, {"scenes", 0}, {"failed", troubles_.count()}}));
         talk_.say("no page: there is no scene to show");
         return troubles_.code();
     }
@@ -260,7 +258,7 @@ private:
             if (troubles_.take(choices[i], result, text)) take(choices[i], text);
         };
         const auto atOnce = [&](int i, const PoolResult& result) {
-            const std::optional<std::string> text = finished ? demos::textOf(result) : std::nullopt;
+            const std::optional<std::string> text = finished ? textOf(result) : std::nullopt;
             if (text) finished(choices[i], *text);
         };
         runInProcesses(static_cast<int>(choices.size()), jobsFor(choices), work, inOrder, atOnce);

@@ -1,11 +1,11 @@
 #include "demos/mjcf/axes.h"
 
+#include "demos/scene/ranges.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos::mjcf {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr Range kAngles{-1e5, 1e5};
 constexpr Range kComponents{-1e6, 1e6};
 constexpr double kLeastLength = 1e-9;

@@ -1,11 +1,11 @@
 #include "demos/mjcf/equalities.h"
 
 #include "demos/scene/nearest.h"
+#include "demos/scene/ranges.h"
 
 namespace demos::mjcf {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 
 class EqualityReader {
 public:

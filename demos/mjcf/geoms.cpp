@@ -2,6 +2,7 @@
 
 #include "demos/mjcf/hulls.h"
 #include "demos/scene/nearest.h"
+#include "demos/scene/ranges.h"
 #include "engine/base/trigonometry.h"
 #include "engine/shapes/mass.h"
 
@@ -11,7 +12,6 @@ namespace {
 using engine::Shape;
 
 constexpr Range kSizes{0.0, 1e4, "m"};
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr double kLeastSize = 1e-5;  // m
 constexpr double kRolling = 1e-4;     // m, MuJoCo's own where condim is 6 and none is given
 constexpr double kLargestBits = 2147483647.0;

@@ -1,9 +1,10 @@
 #include "demos/mjcf/joint_axes.h"
 
+#include "demos/scene/ranges.h"
+
 namespace demos::mjcf {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr Range kDirection{-1e6, 1e6};
 constexpr Range kCoordinate{-1e5, 1e5};
 constexpr Range kStrength{0.0, 1e12};

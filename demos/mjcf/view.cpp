@@ -1,12 +1,12 @@
 #include "demos/mjcf/view.h"
 
+#include "demos/scene/ranges.h"
 #include "engine/base/trigonometry.h"
 #include "engine/shape.h"
 
 namespace demos::mjcf {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr Range kExtent{1e-3, 1e5, "m"};
 constexpr double kLeastRadius = 0.02;  // m, of what is looked at
 constexpr double kRoom = 0.85;         // of its radius, which is generous, that has to be seen

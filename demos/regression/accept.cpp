@@ -25,7 +25,7 @@ Baseline shownIn(const fs::path& folder) {
     return baselineIn(folder, " holds nothing to accept; run impulse test again");
 }
 
-void write(const Baseline& baseline, const fs::path& folder) {
+void writeBaselineFile(const Baseline& baseline, const fs::path& folder) {
     // Its course is a text already, so that no tolerance is asked for.
     render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
 }
@@ -67,7 +67,7 @@ void acceptPicture(const fs::path& shown, const fs::path& baseline, double time)
     std::sort(kept.pictures.begin(), kept.pictures.end(),
               [](const BaselinePicture& a, const BaselinePicture& b) { return a.time < b.time; });
     render::writeFileAtomically(baseline / pictureFile(time), file);
-    write(kept, baseline);
+    writeBaselineFile(kept, baseline);
 }
 
 void acceptPhysics(const fs::path& shown, const fs::path& baseline) {
@@ -77,7 +77,7 @@ void acceptPhysics(const fs::path& shown, const fs::path& baseline) {
     for (BaselinePicture& picture : kept.pictures)
         if (const BaselinePicture* own = pictureAt(now, picture.time)) picture.state = own->state;
     now.pictures = kept.pictures;
-    write(now, baseline);
+    writeBaselineFile(now, baseline);
 }
 
 }  // namespace demos

@@ -18,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
+constexpr int kBaselineFormat = 1;
 constexpr std::size_t kMostCourse = 32 * 1024, kMostBody = 200;  // bytes of a course, and a body
 constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
 
-std::string textOf(const Json& json) {
+std::string jsonText(const Json& json) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -51,7 +51,7 @@ Course courseFrom(const std::string& text) {
     return std::move(*course);
 }
 
-Baseline contentOf(const Json& json) {
+Baseline baselineOf(const Json& json) {
     Baseline baseline;
     json.at("scene").get_to(baseline.scene);
     json.at("impulse").get_to(baseline.version);
@@ -75,32 +75,28 @@ Baseline contentOf(const Json& json) {
 std::string pictureFile(double time) { return "t" + numberText(time) + ".png"; }
 
 std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
-    Json json{{"format", kFormat},
-              {"impulse", baseline.version},
-              {"scene", baseline.scene},
-              {"renderer", baseline.renderer},
-              {"pixels", baseline.pixels},
-              {"size", {baseline.width, baseline.height}}};
+    Json json{{"format", kBaselineFormat}, {"impulse", baseline.version},
+              {"scene", baseline.scene},   {"renderer", baseline.renderer},
+              {"pixels", baseline.pixels}, {"size", {baseline.width, baseline.height}}};
     Json& settings = json["settings"] = Json::object();
     for (const auto& [key, value] : baseline.settings) settings[key] = value;
     json["pictures"] = picturesJson(baseline);
     json["course"] = courseText(baseline, tolerance);
-    json["seal"] = hexText(hashOf(textOf(json)));
-    return textOf(json) + "\n";
+    json["seal"] = hexText(hashOf(jsonText(json)));
+    return jsonText(json) + "\n";
 }
 
 Baseline baselineFrom(const std::string& text, const std::string& name) try {
     Json json = Json::parse(text);
-    if (const int format = json.at("format").get<int>(); format != kFormat)
-        throw BaselineError(fmt::format("{} is of format {}, and this impulse reads {}; {}", name,
-                                        format, kFormat,
-                                        format > kFormat ? "take a newer impulse"
-                                                         : "accept the scene again"));
+    if (const int format = json.at("format").get<int>(); format != kBaselineFormat)
+        throw BaselineError(fmt::format(
+            "{} is of format {}, and this impulse reads {}; {}", name, format, kBaselineFormat,
+            format > kBaselineFormat ? "take a newer impulse" : "accept the scene again"));
     const std::uint64_t seal = fromHex(json.at("seal").get<std::string>()).value();
     json.erase("seal");
-    if (seal != hashOf(textOf(json)))
+    if (seal != hashOf(jsonText(json)))
         throw BaselineError(name + " was edited: its seal does not fit what it says" + kAgain);
-    return contentOf(json);
+    return baselineOf(json);
 } catch (const BaselineError&) {
     throw;
 } catch (const std::exception&) {
@@ -111,13 +107,13 @@ std::optional<Baseline> readBaseline(const fs::path& folder) {
     const fs::path file = folder / kBaselineFile;
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(file, ignored))) return std::nullopt;
-    const std::vector<std::uint8_t> bytes = demos::contentOf(file);
+    const std::vector<std::uint8_t> bytes = contentOf(file);
     return baselineFrom({bytes.begin(), bytes.end()}, printable(file.string()));
 }
 
 std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePicture& picture) {
     const fs::path file = folder / pictureFile(picture.time);
-    std::vector<std::uint8_t> bytes = demos::contentOf(file);
+    std::vector<std::uint8_t> bytes = contentOf(file);
     if (bytes.empty())
         throw BaselineError(printable(file.string()) + " is not there or empty" + kAgain);
     const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-constexpr std::int64_t kVersion = 1;
+constexpr std::int64_t kCourseVersion = 1;
 constexpr std::size_t kMostSteps = 100'000'000, kMostNames = 1'000'000, kMostName = 200;
 constexpr std::size_t kMostBytes = 256u << 20;  // unpacked
 constexpr double kFarthest = 4e15;              // resolutions: an exact double
@@ -167,8 +167,9 @@ void keepSigns(Course& course) {
 std::vector<std::uint8_t> bytesOf(Course course, const CourseResolution& resolution) {
     keepSigns(course);
     ByteWriter out;
-    for (const std::int64_t value : {kVersion, std::int64_t{course.hz}, std::int64_t{course.dense},
-                                     static_cast<std::int64_t>(course.hashes.size())})
+    for (const std::int64_t value :
+         {kCourseVersion, std::int64_t{course.hz}, std::int64_t{course.dense},
+          static_cast<std::int64_t>(course.hashes.size())})
         out.whole(value);
     writeNames(out, course.bodies);
     writeNames(out, course.constraints);
@@ -205,7 +206,7 @@ bool momentsFit(const Course& course, std::size_t bytes) {
 }
 
 bool readHead(ByteReader& in, Course& course) {
-    if (in.count(kVersion) != kVersion) return false;
+    if (in.count(kCourseVersion) != kCourseVersion) return false;
     course.hz = static_cast<int>(in.count(100'000));
     course.dense = static_cast<int>(in.count(Course::kAll));
     course.hashes.resize(in.count(std::min(kMostSteps, in.left())));

@@ -75,7 +75,7 @@ std::string lengthText(double meters) {
                                   : fmt::format("{:.4g} m", meters);
 }
 
-std::string differenceText(const std::string& field, double difference) {
+std::string fieldDifference(const std::string& field, double difference) {
     return field == "turn" ? fmt::format("{:.3g} deg", difference) : lengthText(difference);
 }
 
@@ -130,10 +130,10 @@ private:
         }
         result_.used = farthest.used;
         if (result_.step != kNone && farthestStep != result_.step)
-            result_.lines.push_back(fmt::format(
-                "largest: step {} ({}): {} {} differs by {}", farthestStep, timeText(farthestStep),
-                nameOf(farthest), farthest.field,
-                differenceText(farthest.field, farthest.difference)));
+            result_.lines.push_back(
+                fmt::format("largest: step {} ({}): {} {} differs by {}", farthestStep,
+                            timeText(farthestStep), nameOf(farthest), farthest.field,
+                            fieldDifference(farthest.field, farthest.difference)));
     }
 
     Apart worstOf(const CourseMoment& baseline, const CourseMoment& actual) const {
@@ -154,9 +154,9 @@ private:
         result_.field = worst.field;
         result_.difference = worst.difference;
         findConstraint(baseline, actual);
-        std::string line = fmt::format("step {} ({}): {} {} differs by {}", result_.step,
-                                       timeText(result_.step), nameOf(worst), worst.field,
-                                       differenceText(worst.field, worst.difference));
+        std::string line =
+            fmt::format("step {} ({}): {} {} differs by {}", result_.step, timeText(result_.step),
+                        nameOf(worst), worst.field, fieldDifference(worst.field, worst.difference));
         if (!result_.constraint.empty())
             line += fmt::format("; {} lambda {:.4g} -> {:.4g} N s", printable(result_.constraint),
                                 result_.before, result_.after);

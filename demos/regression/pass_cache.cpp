@@ -8,11 +8,11 @@
 
 namespace demos {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 PassCache::PassCache(std::filesystem::path file) : file_(std::move(file)) {
     const std::vector<std::uint8_t> bytes = contentOf(file_);
-    const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
+    const SortedJson json = SortedJson::parse(bytes.begin(), bytes.end(), nullptr, false);
     if (!json.is_object()) return;
     for (const auto& [scene, value] : json.items()) {
         if (!value.is_string()) continue;
@@ -33,7 +33,7 @@ void PassCache::add(const std::string& scene, std::uint64_t fingerprint) {
 void PassCache::remove(const std::string& scene) { passed_.erase(scene); }
 
 void PassCache::write() const {
-    Json json = Json::object();
+    SortedJson json = SortedJson::object();
     for (const auto& [scene, fingerprint] : passed_) json[scene] = hexText(fingerprint);
     render::writeFileAtomically(file_, json.dump(1) + "\n");
 }

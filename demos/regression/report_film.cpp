@@ -107,16 +107,16 @@ Json shortOf(double value) {
     return std::isfinite(value) ? Json(rounded(value, 4)) : Json(nullptr);
 }
 
-long counted(double value, double unit) {
+long inUnits(double value, double unit) {
     return std::isfinite(value) ? std::lround(value / unit) : 0;
 }
 
 void addPose(Json& numbers, const engine::Pose& pose, double unit) {
     for (int i = 0; i < 3; ++i)
-        numbers.push_back(counted(static_cast<double>(pose.position[i]), unit));
+        numbers.push_back(inUnits(static_cast<double>(pose.position[i]), unit));
     const double sign = std::signbit(pose.rotation.w()) ? -1.0 : 1.0;
     for (int i = 0; i < 3; ++i)
-        numbers.push_back(counted(sign * static_cast<double>(pose.rotation.coeffs()[i]), 1e-3));
+        numbers.push_back(inUnits(sign * static_cast<double>(pose.rotation.coeffs()[i]), 1e-3));
 }
 
 /// One pose of a body that stays where it is.

@@ -15,7 +15,7 @@ namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int kFormat = 1;
+constexpr int kVerdictFormat = 1;
 
 template <class Enum, std::size_t size>
 Enum enumFrom(const std::string& name, const Enum (&all)[size]) {
@@ -195,12 +195,9 @@ SceneVerdict sceneVerdictFrom(const Json& json) {
 }
 
 std::string jsonOf(const TestVerdict& verdict) {
-    Json json{{"format", kFormat},
-              {"impulse", kVersion},
-              {"command", verdict.command},
-              {"baselines", verdict.baselines},
-              {"renderer", verdict.renderer},
-              {"pixels", verdict.pixels}};
+    Json json{{"format", kVerdictFormat},     {"impulse", kVersion},
+              {"command", verdict.command},   {"baselines", verdict.baselines},
+              {"renderer", verdict.renderer}, {"pixels", verdict.pixels}};
     Json& counts = json["counts"];
     for (const SceneVerdict::State state : kStates) counts[nameOf(state)] = verdict.count(state);
     json["passed"] = verdict.passed();
@@ -212,11 +209,11 @@ std::string jsonOf(const TestVerdict& verdict) {
 
 TestVerdict testVerdictFrom(const std::string& text, const std::string& name) try {
     const Json json = Json::parse(text);
-    if (const int format = json.at("format").get<int>(); format != kFormat)
+    if (const int format = json.at("format").get<int>(); format != kVerdictFormat)
         throw Stop(Exit::environment,
                    fmt::format("'{}' is of format {}, and this program reads {}; run impulse test "
                                "again",
-                               printable(name), format, kFormat));
+                               printable(name), format, kVerdictFormat));
     TestVerdict verdict;
     json.at("command").get_to(verdict.command);
     json.at("baselines").get_to(verdict.baselines);

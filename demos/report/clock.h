@@ -14,6 +14,9 @@ inline double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// s, of this process.
+inline double processorTime() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }
+
 /// 0 of nothing.
 inline double medianOf(std::vector<double> values) {
     if (values.empty()) return 0.0;

@@ -57,10 +57,10 @@ double framesASecond(const FilmPlan& plan, int workers, const TemporaryFolder& f
 class StageClock {
 public:
     void begin(std::size_t stage) {
-        const double now = seconds(CLOCK_PROCESS_CPUTIME_ID);
+        const double now = processorTime();
         if (stage_ < kFilmStages.size()) frame_[stage_] += 1e3 * (now - since_);
         stage_ = stage;
-        since_ = seconds(CLOCK_PROCESS_CPUTIME_ID);
+        since_ = processorTime();
     }
     void endFrame(bool counts) {
         begin(kFilmStages.size());

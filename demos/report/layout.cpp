@@ -19,7 +19,7 @@ constexpr double kLargest = 1e300, kSmallest = 1e-300;  // beyond, an axis could
 constexpr float kSmallestText = 9.0f;                   // pixels; smaller is not legible
 constexpr float kLineSpacing = 1.15f;                   // of end labels, in their height
 
-struct Range {
+struct DataRange {
     double low = kLargest, high = -kLargest;
     bool whole = true;
     void add(double value) {
@@ -29,7 +29,7 @@ struct Range {
 };
 
 struct Ranges {
-    Range x, y;
+    DataRange x, y;
     bool any = false;
     int zero = 0, negative = 0, tiny = 0;  // left out of a log axis
 };
@@ -67,13 +67,13 @@ float widest(const std::vector<std::string>& texts, float pixels) {
 }
 
 /// Values that are told for want of round ones between them.
-void addEnds(const Range& range, Axis& axis) {
+void addEnds(const DataRange& range, Axis& axis) {
     axis.ticks = {range.low, range.high};
     axis.texts = {fmt::format("{:.3g}", range.low), fmt::format("{:.3g}", range.high)};
 }
 
 /// A time that begins with the first step begins at 0.
-Axis linearXAxis(Range range, float length, float text) {
+Axis linearXAxis(DataRange range, float length, float text) {
     if (!range.whole && range.low > 0.0 && range.low < 0.05 * range.high) range.low = 0.0;
     Axis axis;
     for (int most = std::clamp(static_cast<int>(length / (2.5f * text)), 1, 10); most >= 1;
@@ -87,7 +87,7 @@ Axis linearXAxis(Range range, float length, float text) {
 }
 
 /// A tick at every value; where they are crowded, every second, third, ... has its number.
-Axis logXAxis(const Chart& chart, const Range& range, float length, float text) {
+Axis logXAxis(const Chart& chart, const DataRange& range, float length, float text) {
     std::set<double> values;
     for (const Series& series : chart.series)
         for (const double x : series.x)
@@ -121,7 +121,7 @@ Axis namedXAxis(const Chart& chart, bool numbered, float length, float text) {
     return axis;
 }
 
-Axis xAxisOf(const Chart& chart, const Range& range, const Plot& plot, float text) {
+Axis xAxisOf(const Chart& chart, const DataRange& range, const Plot& plot, float text) {
     const float length = plot.right - plot.left;
     if (!chart.xNames.empty()) return namedXAxis(chart, plot.numbered, length, text);
     if (chart.logX && range.low > 0.0 && range.low < range.high)
@@ -129,7 +129,7 @@ Axis xAxisOf(const Chart& chart, const Range& range, const Plot& plot, float tex
     return linearXAxis(range, length, text);
 }
 
-Axis yAxisOf(const Chart& chart, const Range& range, float length, float text) {
+Axis yAxisOf(const Chart& chart, const DataRange& range, float length, float text) {
     const double rows = static_cast<double>(length / text);
     if (chart.logY)
         return logAxis(range.low, range.high, std::clamp(static_cast<int>(rows / 1.5), 1, 8));

@@ -1,25 +1,17 @@
 #include "demos/report/summary.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "demos/film/signals.h"
 #include "demos/player.h"
+#include "demos/report/clock.h"
 #include "demos/stop.h"
 
 namespace demos {
 namespace {
 
-enum Place { drift, speed, penetration, separation, energy, residual, sweeps, milliseconds };
-
-/// ms of processor time of this process.
-double processorTime() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
+enum MeasurePlace { drift, speed, penetration, separation, energy, residual, sweeps, milliseconds };
 
 double largest(const std::vector<double>& values) {
     return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -75,7 +67,7 @@ SummaryRecorder::SummaryRecorder(const Stage& stage) : startEnergy_(stage.world.
 void SummaryRecorder::step(Player& player) {
     const double before = processorTime();
     player.step();
-    look(player.stage(), processorTime() - before);
+    look(player.stage(), 1e3 * (processorTime() - before));
 }
 
 void SummaryRecorder::look(const Stage& stage, double ms) {

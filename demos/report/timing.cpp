@@ -14,8 +14,6 @@ namespace {
 constexpr int kStepsASecond = 60;
 constexpr int kWindow = 2 * kStepsASecond;
 
-double processorTime() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }  // s, of this process
-
 /// Plays the scene in pieces of 1/60 s: play(piece's number of steps, whether it counts).
 template <class Play>
 void playPieces(const SceneDescription& scene, Play play) {

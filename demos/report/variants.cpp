@@ -53,17 +53,17 @@ std::optional<double> numberFrom(const std::string& text) {
     return value;
 }
 
-struct Range {
+struct ValueRange {
     double low = 0.0, high = 0.0, step = 1.0;
     bool doubling = false;  // `step` is a factor
 };
 
 /// a..b, a..b:step, a..b:xfactor
-std::optional<Range> rangeOf(const std::string& text) {
+std::optional<ValueRange> rangeOf(const std::string& text) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) return std::nullopt;
     const std::size_t colon = text.find(':', dots);
-    Range range;
+    ValueRange range;
     const auto low = numberFrom(text.substr(0, dots));
     const auto high = numberFrom(
         text.substr(dots + 2, colon == std::string::npos ? std::string::npos : colon - dots - 2));
@@ -80,7 +80,7 @@ std::optional<Range> rangeOf(const std::string& text) {
 
 bool isWhole(double x) { return x == std::floor(x); }
 
-std::vector<std::string> valuesIn(const Range& range) {
+std::vector<std::string> valuesIn(const ValueRange& range) {
     std::vector<std::string> values;
     for (int i = 0; i <= kMostValues; ++i) {  // counted, so that steps of 0.1 do not add up errors
         const double value =
@@ -134,7 +134,7 @@ Variation rangeFrom(const std::string& text, const std::string& option) {
     Variation variation = variationFrom(text, option);
     if (variation.values.size() > 1) return variation;
     const std::string value = variation.values.front();
-    const std::optional<Range> range = rangeOf(value);
+    const std::optional<ValueRange> range = rangeOf(value);
     if (!range)
         refuse(option, text, "must be a list (1,4,16) or a range (1..64, 1..64:x2, 0..1:0.25)");
     if (range->high < range->low) refuse(option, text, "the range runs upwards; swap its ends");

@@ -11,8 +11,6 @@ namespace {
 using engine::Mat3;
 using engine::Vec3;
 
-constexpr std::size_t kMostTriangles = 1'000'000;
-
 /// p -> linear p + shift
 struct Affine {
     Mat3 linear = Mat3::Identity();

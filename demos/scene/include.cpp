@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDeepest = 8;
+constexpr std::size_t kDeepestInclude = 8;
 constexpr std::size_t kMostFiles = 64;
 constexpr std::size_t kLongestPath = 1000;
 
@@ -208,7 +208,8 @@ private:
         if (text.size() > kLongestPath)
             return "include is '" + shown(text) + "' of " + std::to_string(text.size()) +
                    " characters; it should be at most " + std::to_string(kLongestPath);
-        if (inside_.size() > kDeepest) return "files that include each other more than 8 deep";
+        if (inside_.size() > kDeepestInclude)
+            return "files that include each other more than 8 deep";
         if (known_.size() >= kMostFiles) return "more than 64 files in a scene";
         return "";
     }

@@ -9,7 +9,7 @@ namespace {
 
 using engine::JointType;
 
-const JointKind kKinds[] = {
+const JointKind kJointKinds[] = {
     {"ball",
      JointType::ball,
      {},
@@ -54,7 +54,7 @@ const JointKind kKinds[] = {
 };
 
 /// What a key that is missing might say.
-constexpr std::pair<const char*, const char*> kExamples[] = {
+constexpr std::pair<const char*, const char*> kNeededKeyExamples[] = {
     {"axis", "[0, 0, 1]"},
     {"axis2", "[1, 0, 0]"},
     {"ratio", "-2"},
@@ -62,7 +62,7 @@ constexpr std::pair<const char*, const char*> kExamples[] = {
 };
 
 const char* exampleOf(const std::string& key) {
-    for (const auto& [name, example] : kExamples)
+    for (const auto& [name, example] : kNeededKeyExamples)
         if (key == name) return example;
     return "";
 }
@@ -73,7 +73,7 @@ bool holds(const std::vector<std::string>& keys, const std::string& key) {
 
 std::string kindsWith(const std::string& key) {
     std::vector<std::string> names;
-    for (const JointKind& kind : kKinds)
+    for (const JointKind& kind : kJointKinds)
         if (kind.has(key)) names.push_back(kind.name);
     return anyOf(names);
 }
@@ -88,11 +88,11 @@ std::string JointKind::text() const {
            name + " joint";
 }
 
-std::span<const JointKind> jointKinds() { return kKinds; }
+std::span<const JointKind> jointKinds() { return kJointKinds; }
 
 std::vector<std::string> jointKindNames() {
     std::vector<std::string> names;
-    for (const JointKind& kind : kKinds) names.push_back(kind.name);
+    for (const JointKind& kind : kJointKinds) names.push_back(kind.name);
     return names;
 }
 
@@ -101,7 +101,7 @@ void checkJointKeys(Keys& keys, const JointKind& kind) {
         if (!keys.has(key))
             keys.complain(
                 "type", kind.text() + " has no " + key + "; write " + key + " = " + exampleOf(key));
-    for (const JointKind& other : kKinds)
+    for (const JointKind& other : kJointKinds)
         for (const std::vector<std::string>* list : {&other.needs, &other.takes})
             for (const std::string& key : *list) {
                 if (kind.has(key) || !keys.any(key)) continue;

@@ -79,6 +79,12 @@ private:
     bool takesOthers_ = false;
 };
 
+/// What is not given leaves `to` as it is.
+template <class To, class From>
+void set(To& to, const std::optional<From>& from) {
+    if (from) to = *from;
+}
+
 /// "a, b or c"
 std::string anyOf(const std::vector<std::string>& words);
 

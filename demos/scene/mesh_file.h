@@ -11,6 +11,8 @@
 
 namespace demos {
 
+inline constexpr std::size_t kMostTriangles = 1'000'000;
+
 struct TriangleMesh {
     std::vector<engine::Vec3> corners;          // as the file has them
     std::vector<std::array<int, 3>> triangles;  // each number is that of a corner

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-constexpr std::size_t kDeepest = 16;
+constexpr std::size_t kLongestKeyPath = 16;
 
 std::vector<std::string> parts(std::string_view path) {
     std::vector<std::string> list(1);
@@ -52,7 +52,7 @@ std::optional<std::size_t> numberOf(const std::string& part) {
 }
 
 /// Of a list: the item with this number, or this name; null when there is none.
-Value* itemOf(Value& list, const std::string& part) {
+Value* listItem(Value& list, const std::string& part) {
     if (const std::optional<std::size_t> number = numberOf(part))
         return *number < list.items.size() ? &list.items[*number] : nullptr;
     for (Value& item : list.items)
@@ -97,7 +97,7 @@ Setting settingAt(const std::vector<std::string>& path, Place place, Value& docu
         at = {};
         auto missing = part;
         if (around.kind == Value::Kind::array) {
-            at.value = itemOf(around, *part);
+            at.value = listItem(around, *part);
         } else if (around.kind == Value::Kind::table) {
             const bool known = around.find(*part) != nullptr;
             if (!known) missing = std::find_if(part, path.end(), numberOf);
@@ -118,7 +118,7 @@ Setting settingAt(const std::vector<std::string>& path, Place place, Value& docu
 void apply(const std::string& text, Place place, Value& document, Complaints& complaints) {
     const std::size_t equals = text.find('=');
     const std::vector<std::string> path = parts(std::string_view(text).substr(0, equals));
-    bool good = equals != std::string::npos && path.size() <= kDeepest;
+    bool good = equals != std::string::npos && path.size() <= kLongestKeyPath;
     for (const std::string& part : path) good = good && !part.empty();
     if (!good) {
         complaints.add(place, "should be KEY=VALUE, like world.hz=240");

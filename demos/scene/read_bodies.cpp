@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "demos/scene/nearest.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "demos/scene/read_shape.h"
 #include "engine/base/trigonometry.h"
@@ -12,11 +13,7 @@ namespace demos {
 namespace {
 
 constexpr Range kMass{1e-6, 1e9, "kg"};
-constexpr Range kDensity{1e-3, 1e6, "kg/m^3"};
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr Range kRolling{0.0, 10.0, "m"};
-constexpr Range kSpeed{-1e4, 1e4, "m/s"};
-constexpr Range kSpin{-1e4, 1e4, "rad/s"};
 
 /// Three numbers: the diagonal. Six: xx, yy, zz, xy, xz, yz.
 std::optional<engine::Mat3> readInertia(Keys& keys) {

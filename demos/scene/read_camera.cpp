@@ -5,18 +5,13 @@
 
 #include "demos/report/measures.h"
 #include "demos/scene/nearest.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 
 namespace demos {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr Range kDegrees{1.0, 170.0, "deg"};
-
-template <class To, class From>
-void set(To& to, const std::optional<From>& from) {
-    if (from) to = *from;
-}
+constexpr Range kFieldOfView{1.0, 170.0, "deg"};
 
 /// m: how far the sight is from upright. The picture has no top when the camera looks along y.
 double aside(const Vec3& sight) { return std::hypot(sight.x(), sight.z()); }
@@ -68,7 +63,7 @@ CameraKey readKey(const Value& table, Keys keys, const CameraKey& before, bool f
     key.ease = readEase(keys);
     set(key.from, keys.vector("from", kMeters));
     set(key.lookAt, keys.vector("look_at", kMeters));
-    set(key.fovDegrees, keys.number("fov_deg", kDegrees));
+    set(key.fovDegrees, keys.number("fov_deg", kFieldOfView));
     keys.done();
     const Vec3 sight = key.lookAt - key.from, was = before.lookAt - before.from;
     if (keys.has("from") || keys.has("look_at")) checkView(keys, sight);
@@ -117,7 +112,7 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene) 
     CameraDescription& camera = scene.camera;
     set(camera.from, keys.vector("from", kMeters));
     set(camera.lookAt, keys.vector("look_at", kMeters));
-    set(camera.fovDegrees, keys.number("fov_deg", kDegrees));
+    set(camera.fovDegrees, keys.number("fov_deg", kFieldOfView));
     set(camera.orbitDegreesPerSecond, keys.number("orbit_deg_per_s", {-3600.0, 3600.0, "deg/s"}));
     set(camera.follow, keys.text("follow"));
     checkBody(keys, "follow", camera.follow, numbers, scene);

@@ -1,5 +1,6 @@
 // compound = [{ shape = { ... }, at = [...], turn_deg = [...], density = ... }, ...]
 
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "demos/scene/read_shape.h"
 
@@ -10,14 +11,13 @@ using engine::Shape;
 using engine::ShapePart;
 using engine::ShapeType;
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr std::size_t kMostParts = 1000;
 
 /// `at` is where the part's own origin lies, from that of the compound.
 std::optional<ShapePart> readPart(Keys keys, ShapeReading& reading) {
     const Vec3 at = keys.vector("at", kMeters).value_or(Vec3(0, 0, 0));
     const Quat turn = readTurn(keys);
-    const auto density = keys.number("density", {1e-3, 1e6, "kg/m^3"});
+    const auto density = keys.number("density", kDensity);
     const Value* table = keys.any("shape");
     if (!table) keys.complain("", "a part has no shape; write { shape = { sphere = 0.5 } }");
     std::optional<Shape> shape;

@@ -5,6 +5,7 @@
 
 #include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 
 namespace demos {
@@ -77,7 +78,7 @@ private:
         e_.below = keys_.number("below", kAny);
         e_.above = keys_.number("above", kAny);
         if (e_.what == What::position)
-            e_.nearPoint = keys_.vector("near", {-1e5, 1e5, "m"});
+            e_.nearPoint = keys_.vector("near", kMeters);
         else
             e_.near = keys_.number("near", kAny);
         e_.within = keys_.number("within", {0.0, 1e30}).value_or(0.0);

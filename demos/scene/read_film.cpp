@@ -12,11 +12,6 @@
 namespace demos {
 namespace {
 
-template <class To, class From>
-void set(To& to, const std::optional<From>& from) {
-    if (from) to = *from;
-}
-
 /// `what`: "overlay", "chart", ...
 void checkWord(Keys& keys, std::string_view key, const std::string& what, const std::string& name,
                const std::vector<std::string>& names) {

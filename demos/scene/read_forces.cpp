@@ -4,15 +4,14 @@
 
 #include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr Range kSpeed{-1e4, 1e4, "m/s"};
-constexpr Range kDensity{1e-6, 1e6, "kg/m^3"};
+constexpr Range kMediumDensity{1e-6, 1e6, "kg/m^3"};
 constexpr Range kCoefficient{0.0, 100.0};
 constexpr Range kNewtons{-1e12, 1e12, "N"};
 constexpr std::size_t kMostAttracting = 2000;
@@ -177,9 +176,9 @@ private:
         if (wind && !keys_.has("velocity"))
             keys_.complain("type", "a wind has no velocity; write velocity = [3, 0, 0]");
         if (wind)
-            medium.density = keys_.number("density", kDensity).value_or(medium.density);
+            medium.density = keys_.number("density", kMediumDensity).value_or(medium.density);
         else
-            medium.density = required("density", kDensity, "density = 1000");
+            medium.density = required("density", kMediumDensity, "density = 1000");
         medium.velocity = keys_.vector("velocity", kSpeed).value_or(medium.velocity);
         medium.dragCoefficient =
             keys_.number("drag", kCoefficient).value_or(medium.dragCoefficient);
@@ -275,7 +274,7 @@ private:
         foil.area = required("area", {1e-6, 1e6, "m^2"}, "area = 0.5");
         foil.at = keys_.vector("at", kMeters).value_or(foil.at);
         readFrame(foil);
-        foil.density = keys_.number("density", kDensity).value_or(foil.density);
+        foil.density = keys_.number("density", kMediumDensity).value_or(foil.density);
         foil.wind = keys_.vector("velocity", kSpeed).value_or(foil.wind);
         foil.liftSlope = keys_.number("lift_slope", kCoefficient).value_or(foil.liftSlope);
         const auto stall = keys_.number("stall_deg", {0.0, 90.0, "deg"});

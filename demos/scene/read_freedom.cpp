@@ -1,12 +1,10 @@
 #include "demos/scene/read_freedom.h"
 
+#include "demos/scene/ranges.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {
 namespace {
-
-constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr Range kDegrees{-1e6, 1e6, "deg"};
 
 engine::Spring readHzAndDamping(Keys& keys) {
     if (!keys.has("hz"))

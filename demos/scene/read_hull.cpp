@@ -1,6 +1,7 @@
 // hull = [[x, y, z], ...] or hull = "file.obj"
 
 #include "demos/scene/mesh_file.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "demos/scene/read_shape.h"
 #include "engine/shapes/hull.h"
@@ -9,9 +10,6 @@ namespace demos {
 namespace {
 
 using engine::Shape;
-
-constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr Range kSize{1e-3, 1e3, "m"};
 
 /// Complains of what no hull can be made of.
 bool checkPoints(Keys& keys, const std::string& of, const std::vector<Vec3>& points) {

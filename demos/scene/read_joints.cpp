@@ -4,6 +4,7 @@
 
 #include "demos/scene/joint_kinds.h"
 #include "demos/scene/nearest.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_freedom.h"
 #include "demos/scene/read_parts.h"
 #include "engine/base/trigonometry.h"
@@ -13,7 +14,6 @@ namespace {
 
 using engine::JointType;
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr double kShortest = 1e-3;  // m, between the ends of a distance joint
 
 class JointReader {

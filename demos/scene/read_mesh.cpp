@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "demos/scene/mesh_file.h"
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "demos/scene/read_shape.h"
 #include "engine/shapes/mesh.h"
@@ -11,9 +12,6 @@ namespace demos {
 namespace {
 
 using engine::Shape;
-
-constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr double kMostTriangles = 1e6;
 
 bool hasAnArea(const TriangleMesh& mesh) {
     return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
@@ -25,7 +23,7 @@ bool hasAnArea(const TriangleMesh& mesh) {
 std::optional<Shape> meshOf(Keys& keys, const std::string& of, const TriangleMesh& mesh) {
     if (mesh.triangles.empty())
         keys.complain("mesh", of + " has no triangles; it should have one or more");
-    else if (static_cast<double>(mesh.triangles.size()) > kMostTriangles)
+    else if (mesh.triangles.size() > kMostTriangles)
         keys.complain("mesh", of + " has " + std::to_string(mesh.triangles.size()) +
                                   " triangles; it should have at most a million");
     else if (!hasAnArea(mesh))
@@ -99,7 +97,7 @@ std::optional<Shape> readHeightField(Keys& shape, ShapeReading&) {
                                   "heights = [0, 0, 0, 1] }");
     const std::optional<int> columns = keys.whole("columns", {2, kMost});
     const std::optional<int> rows = keys.whole("rows", {2, kMost});
-    const std::optional<double> spacing = keys.number("spacing", {1e-3, 1e3, "m"});
+    const std::optional<double> spacing = keys.number("spacing", kSize);
     const std::optional<std::vector<double>> heights = keys.numbers("heights", kMeters);
     keys.done();
     if (!columns || !rows || !spacing || !heights) return std::nullopt;

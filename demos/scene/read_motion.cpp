@@ -1,14 +1,11 @@
 // kinematic = { velocity, spin }, { path, times, ... } or { orbit }
 
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {
 namespace {
-
-constexpr Range kMeters{-1e5, 1e5, "m"};
-constexpr Range kSpeed{-1e4, 1e4, "m/s"};
-constexpr Range kSpin{-1e4, 1e4, "rad/s"};
 
 std::optional<std::vector<Vec3>> readPoints(Keys& keys) {
     const std::optional<std::vector<Vec3>> points = keys.vectors("path", kMeters);

@@ -11,11 +11,6 @@
 namespace demos {
 namespace {
 
-template <class To, class From>
-void set(To& to, const std::optional<From>& from) {
-    if (from) to = *from;
-}
-
 engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
     set(scene.preset, keys.word("preset", {"steady", "fast", "seed"}));
     return presetCalled(scene.preset);

@@ -2,6 +2,7 @@
 
 #include "demos/scene/read_shape.h"
 
+#include "demos/scene/ranges.h"
 #include "demos/scene/read_parts.h"
 #include "engine/base/trigonometry.h"
 
@@ -9,8 +10,6 @@ namespace demos {
 namespace {
 
 using engine::Shape;
-
-constexpr Range kSize{1e-3, 1e3, "m"};
 
 std::optional<Shape> readSphere(Keys& keys, ShapeReading&) {
     const std::optional<double> radius = keys.number("sphere", kSize);
@@ -70,12 +69,12 @@ std::optional<Shape> readPlane(Keys& keys, ShapeReading&) {
     return std::nullopt;
 }
 
-struct Kind {
+struct ShapeKind {
     const char* key;
     std::optional<Shape> (*read)(Keys& keys, ShapeReading& reading);
 };
 
-constexpr Kind kKinds[] = {
+constexpr ShapeKind kShapeKinds[] = {
     {"sphere", readSphere},     {"box", readBox},   {"capsule", readCapsule},
     {"cylinder", readCylinder}, {"cone", readCone}, {"plane", readPlane},
     {"hull", readHull},         {"mesh", readMesh}, {"height_field", readHeightField},
@@ -84,7 +83,7 @@ constexpr Kind kKinds[] = {
 
 std::string kindNames() {
     std::vector<std::string> names;
-    for (const Kind& kind : kKinds) names.emplace_back(kind.key);
+    for (const ShapeKind& kind : kShapeKinds) names.emplace_back(kind.key);
     return anyOf(names);
 }
 
@@ -99,7 +98,7 @@ void refusePlacing(Keys& keys, const std::string& kind) {
 }  // namespace
 
 engine::Quat readTurn(Keys& keys) {
-    const Vec3 degrees = keys.vector("turn_deg", {-1e6, 1e6, "deg"}).value_or(Vec3(0, 0, 0));
+    const Vec3 degrees = keys.vector("turn_deg", kDegrees).value_or(Vec3(0, 0, 0));
     Vec3 angles;
     for (int k = 0; k < 3; ++k) angles[k] = engine::radians(degrees[k]);
     return engine::turnAboutXyz(angles);
@@ -134,7 +133,7 @@ bool placePoints(Keys& keys, const char* key, const std::string& of, const Placi
 std::optional<Shape> readShapeTable(const Value& table, Keys keys, ShapeReading& reading) {
     std::optional<Shape> shape;
     int given = 0;
-    for (const Kind& kind : kKinds) {
+    for (const ShapeKind& kind : kShapeKinds) {
         if (!keys.any(kind.key)) continue;  // so that all of them are known
         ++given;
         shape = kind.read(keys, reading);

@@ -8,11 +8,6 @@
 namespace demos {
 namespace {
 
-template <class To, class From>
-void set(To& to, const std::optional<From>& from) {
-    if (from) to = *from;
-}
-
 /// Other numbers than those that were measured need a reason, which reports repeat.
 void readReason(Keys& keys, const char* of, std::string& why) {
     set(why, keys.text("why"));

@@ -5,8 +5,8 @@
 namespace demos {
 namespace {
 
-constexpr Range kAny{-1e15, 1e15};
-constexpr std::size_t kMost = 1000;
+constexpr Range kNamedValue{-1e15, 1e15};
+constexpr std::size_t kMostNamedValues = 1000;
 
 }  // namespace
 
@@ -14,9 +14,9 @@ void readValues(Keys& top, Expressions& expressions, Complaints& complaints) {
     const Value* table = top.any("values");
     if (!table) return;
     Keys keys = top.inner(*table, "[values]");
-    const std::vector<Key>& list = keys.others(kAny);
-    if (list.size() > kMost) {
-        keys.complain(list[kMost].name, "more than 1000 values; leave some out");
+    const std::vector<Key>& list = keys.others(kNamedValue);
+    if (list.size() > kMostNamedValues) {
+        keys.complain(list[kMostNamedValues].name, "more than 1000 values; leave some out");
         return;
     }
     for (const Key& key : list) expressions.announce(key.name);
@@ -28,7 +28,7 @@ void readValues(Keys& top, Expressions& expressions, Complaints& complaints) {
             continue;
         }
         // Known even if its number is wrong: that is told once.
-        expressions.define(key.name, keys.number(key.name, kAny).value_or(1.0));
+        expressions.define(key.name, keys.number(key.name, kNamedValue).value_or(1.0));
     }
 }
 

@@ -6,12 +6,12 @@
 #include <tuple>
 
 #include "demos/scene/keys.h"
+#include "demos/scene/ranges.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {
 namespace {
 
-constexpr Range kMeters{-1e5, 1e5, "m"};
 constexpr int kMostTurns = 100'000;  // of all [[repeat]]s: some may hold nothing
 
 /// One [[repeat]] as written, for one turn of those around it.
@@ -140,7 +140,7 @@ private:
 };
 
 /// Of what is between braces; nothing, and why, where it is no whole number.
-std::optional<int> wholeOf(std::string_view text, const Scope& scope, std::string& wrong) {
+std::optional<int> wholeIn(std::string_view text, const Scope& scope, std::string& wrong) {
     constexpr double kLargest = 1e9;
     if (text == "i") return scope.turns.index[0];  // by far the most
     const Evaluated result = scope.expressions->evaluate(text, scope.turns);
@@ -167,7 +167,7 @@ std::string Instance::named(std::string_view text, std::string& wrong) const {
         if (close == std::string_view::npos) break;
         out += text.substr(0, open);
         const std::optional<int> number =
-            wholeOf(text.substr(open + 1, close - open - 1), scope, wrong);
+            wholeIn(text.substr(open + 1, close - open - 1), scope, wrong);
         out += number ? std::to_string(*number) : text.substr(open, close - open + 1);
         text.remove_prefix(close + 1);
     }

@@ -5,7 +5,6 @@
 namespace demos {
 namespace {
 
-constexpr int kDeepest = 32;
 constexpr int kMostValues = 1'000'000;
 
 class Scan {
@@ -28,8 +27,8 @@ public:
             count(c);
             if (isBeyondAscii(c) && !isByteOrderMark())
                 return beyond("a character beyond ASCII; put it in quotes or in a comment");
-            if (depth_ > kDeepest) return beyond("nested deeper than 32 tables and arrays");
-            if (dots_ >= kDeepest) return beyond("a key of more than 32 parts");
+            if (depth_ > kDeepestNesting) return beyond("nested deeper than 32 tables and arrays");
+            if (dots_ >= kDeepestNesting) return beyond("a key of more than 32 parts");
             if (values_ > kMostValues) return beyond("more than a million values");
             ++at_;
         }

@@ -9,6 +9,8 @@
 
 namespace demos {
 
+inline constexpr int kDeepestNesting = 32;  // of tables and arrays, and parts of a key
+
 struct BeyondLimit {
     Place place;
     std::string what;

@@ -11,8 +11,6 @@
 namespace demos {
 namespace {
 
-constexpr int kDeepest = 32;
-
 Place placeOf(const toml::source_region& source) {
     return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
@@ -41,7 +39,7 @@ void convertTable(const toml::table& table, Value& value, int depth, Complaints&
 Value convert(const toml::node& node, int depth, Complaints& complaints) {
     Value value;
     value.place = placeOf(node.source());
-    if (depth > kDeepest) {
+    if (depth > kDeepestNesting) {
         complaints.add(value.place, "nested deeper than 32 tables and arrays");
         return value;
     }

@@ -128,7 +128,7 @@ std::string openingOf(const MadeSlide& made) {
     return columnsOf(made, 0.5, kHeight);
 }
 
-std::string contentOf(const MadeSlide& made) {
+std::string layoutText(const MadeSlide& made) {
     switch (layoutOf(made)) {
         case SlideLayout::full:
             return "\\centering\n" + exhibitsOf(made, 0.72, true);
@@ -156,7 +156,7 @@ std::string frameOf(const MadeSlide& made) {
     if (made.slide.opening) latex += "\\titlepage\n";
     if (!made.slide.opening && !made.slide.title.empty())
         latex += command("frametitle", latexInlineOf(made.slide.title));
-    latex += contentOf(made) + "\\end{frame}\n";
+    latex += layoutText(made) + "\\end{frame}\n";
     if (!made.slide.notes.empty()) latex += command("note", latexOf(made.slide.notes));
     return latex;
 }

@@ -33,9 +33,9 @@ Capacity capacityOf(SlideLayout layout) {
     return {142.0, 24.0};
 }
 
-constexpr double kGap = 0.42;      // lines between two paragraphs
-constexpr double kFormula = 1.8;   // lines of a formula
-constexpr double kCodeLine = 0.8;  // of a line of text
+constexpr double kParagraphGap = 0.42;  // lines between two paragraphs
+constexpr double kFormula = 1.8;        // lines of a formula
+constexpr double kCodeLine = 0.8;       // of a line of text
 
 /// Lines of HTML that cmark made: what stands between tags, paragraph by paragraph.
 double linesOf(const std::string& html, double across) {
@@ -49,7 +49,7 @@ double linesOf(const std::string& html, double across) {
         const std::string tag = html.substr(i, end - i + 1);
         i = end;
         if (tag != "</p>" && tag != "</li>" && !tag.starts_with("</h")) continue;
-        if (letters > 1.0) lines += std::ceil(letters / across) + kGap;
+        if (letters > 1.0) lines += std::ceil(letters / across) + kParagraphGap;
         letters = 0.0;
     }
     return lines;

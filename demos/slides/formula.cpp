@@ -154,7 +154,7 @@ std::string withoutPlace(std::string what) {
     return what;
 }
 
-[[noreturn]] void refuse(const std::string& tex, const std::string& answer) {
+[[noreturn]] void refuseFormula(const std::string& tex, const std::string& answer) {
     std::size_t place = 0;
     const char* end = answer.data() + answer.size();
     const char* rest = std::from_chars(answer.data(), end, place).ptr;
@@ -185,7 +185,7 @@ std::string mathMlOf(const std::string& tex, bool display) {
     const std::string answer = katex.answer({tex, display});
     if (answer.empty())
         throw FormulaError(0, "the formula grows or nests too far; make it simpler");
-    if (answer.front() != '<') refuse(tex, answer);
+    if (answer.front() != '<') refuseFormula(tex, answer);
     return browserMathMl(answer, tex, display);
 }
 

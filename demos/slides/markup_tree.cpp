@@ -9,7 +9,7 @@ namespace demos {
 namespace {
 
 // While cmark reads, formula 12 is U+E000 12 U+E001: letters of no language, nothing to cmark.
-constexpr std::string_view kBegin = "\xee\x80\x80", kEnd = "\xee\x80\x81";
+constexpr std::string_view kMarkBegin = "\xee\x80\x80", kMarkEnd = "\xee\x80\x81";
 constexpr std::string_view kUnknown = "\xef\xbf\xbd";  // U+FFFD, as cmark puts for what is no text
 
 /// A formula's mark in a text: from `begin` to `end`.
@@ -20,7 +20,7 @@ struct Mark {
 class Marks {
 public:
     Marks(std::string text, Words words) : words_(words) {
-        for (const std::string_view mark : {kBegin, kEnd})
+        for (const std::string_view mark : {kMarkBegin, kMarkEnd})
             for (std::size_t i = 0; (i = text.find(mark, i)) != std::string::npos;)
                 text.replace(i, mark.size(), kUnknown);
         if (words == Words::line)
@@ -36,7 +36,7 @@ public:
         std::size_t done = 0;
         for (std::size_t i = 0; i < formulas_.size(); ++i) {
             text += source_.substr(done, formulas_[i].begin - done);
-            text += std::string(kBegin) + std::to_string(i) + std::string(kEnd);
+            text += std::string(kMarkBegin) + std::to_string(i) + std::string(kMarkEnd);
             done = formulas_[i].end;
         }
         return text + source_.substr(done);
@@ -45,14 +45,14 @@ public:
     /// Also those that a text spells as &#xE000; of them, what is no formula's stays as it is.
     std::vector<Mark> in(std::string_view text) const {
         std::vector<Mark> marks;
-        for (std::size_t i = 0; (i = text.find(kBegin, i)) != std::string_view::npos;) {
+        for (std::size_t i = 0; (i = text.find(kMarkBegin, i)) != std::string_view::npos;) {
             Mark mark{i, 0, 0};
-            i += kBegin.size();
+            i += kMarkBegin.size();
             const char* end = text.data() + text.size();
             const char* after = std::from_chars(text.data() + i, end, mark.number).ptr;
-            mark.end = static_cast<std::size_t>(after - text.data()) + kEnd.size();
+            mark.end = static_cast<std::size_t>(after - text.data()) + kMarkEnd.size();
             const bool good = after != text.data() + i && mark.number < formulas_.size() &&
-                              text.substr(mark.end - kEnd.size()).starts_with(kEnd);
+                              text.substr(mark.end - kMarkEnd.size()).starts_with(kMarkEnd);
             if (!good) continue;
             marks.push_back(mark);
             i = mark.end;

@@ -7,11 +7,11 @@ namespace demos {
 namespace {
 
 /// Where a variant's A, a, 0, capital and small alpha are; 0: it has none.
-struct Variant {
+struct LetterVariant {
     std::string_view name;
     char32_t capitals, smalls, digits, capitalGreek, smallGreek;
 };
-constexpr Variant kVariants[] = {
+constexpr LetterVariant kLetterVariants[] = {
     {"bold", 0x1d400, 0x1d41a, 0x1d7ce, 0x1d6a8, 0x1d6c2},
     {"italic", 0x1d434, 0x1d44e, 0, 0x1d6e2, 0x1d6fc},
     {"bold-italic", 0x1d468, 0x1d482, 0, 0x1d71c, 0x1d736},
@@ -41,7 +41,7 @@ char32_t placed(char32_t letter, char32_t from, char32_t to, char32_t first) {
     return first != 0 && letter >= from && letter <= to ? first + (letter - from) : 0;
 }
 
-char32_t inVariant(char32_t letter, const Variant& v) {
+char32_t letterIn(const LetterVariant& v, char32_t letter) {
     for (const char32_t found :
          {placed(letter, U'A', U'Z', v.capitals), placed(letter, U'a', U'z', v.smalls),
           placed(letter, U'0', U'9', v.digits), placed(letter, 0x391, 0x3a9, v.capitalGreek),
@@ -76,11 +76,12 @@ char32_t takeCharacter(std::string_view& text) {
 }
 
 std::string inVariant(std::string_view text, std::string_view variant) {
-    const Variant* found = std::find_if(std::begin(kVariants), std::end(kVariants),
-                                        [&](const Variant& v) { return v.name == variant; });
-    if (found == std::end(kVariants)) return std::string(text);
+    const LetterVariant* found =
+        std::find_if(std::begin(kLetterVariants), std::end(kLetterVariants),
+                     [&](const LetterVariant& v) { return v.name == variant; });
+    if (found == std::end(kLetterVariants)) return std::string(text);
     std::string result;
-    while (!text.empty()) append(result, inVariant(takeCharacter(text), *found));
+    while (!text.empty()) append(result, letterIn(*found, takeCharacter(text)));
     return result;
 }
 

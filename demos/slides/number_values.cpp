@@ -22,14 +22,14 @@ std::string written(const NumberName& name) {
     return text;
 }
 
-[[noreturn]] void refuse(const NumberName& name, const std::string& what) {
+[[noreturn]] void refuseNumber(const NumberName& name, const std::string& what) {
     throw Stop(Exit::scene, fmt::format("@{{{}}}: {}", printable(written(name)), printable(what)));
 }
 
 [[noreturn]] void refuseField(const NumberName& name) {
-    refuse(name,
-           "there is no such number; body.NAME.height, joint.NAME.force, contacts.impulse, "
-           "run.time and measures are some");
+    refuseNumber(name,
+                 "there is no such number; body.NAME.height, joint.NAME.force, contacts.impulse, "
+                 "run.time and measures are some");
 }
 
 /// A number on its way to text.
@@ -56,8 +56,8 @@ std::string expectValue(const NumberName& name, const RunNumbers& run, const Wri
     std::size_t number = 0;
     std::from_chars(name.of.data(), name.of.data() + name.of.size(), number);
     if (number < 1 || number > run.expectations.size())
-        refuse(name, fmt::format("the scene '{}' has {} [[expect]]", run.scene.name,
-                                 run.expectations.size()));
+        refuseNumber(name, fmt::format("the scene '{}' has {} [[expect]]", run.scene.name,
+                                       run.expectations.size()));
     const ExpectationResult& result = run.expectations[number - 1];
     return write(result.value, result.unit.c_str());
 }
@@ -66,7 +66,8 @@ template <class List>
 std::size_t placeOf(const NumberName& name, const List& list, const RunNumbers& run) {
     for (std::size_t i = 0; i < list.size(); ++i)
         if (list[i].name == name.of) return i;
-    refuse(name, fmt::format("the scene '{}' has no {} '{}'", run.scene.name, name.group, name.of));
+    refuseNumber(name,
+                 fmt::format("the scene '{}' has no {} '{}'", run.scene.name, name.group, name.of));
 }
 
 std::string bodyValue(const NumberName& name, const RunNumbers& run, const Writer& write) {

@@ -40,7 +40,7 @@ bool takesPrefix(const std::string& unit) {
 }
 
 /// As it will be shown: 999.9996 with three digits is 1000.
-double rounded(double value, int digits) {
+double asShown(double value, int digits) {
     return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
@@ -134,19 +134,19 @@ std::string quantityText(double value, const std::string& unit, int digits, Numb
     if (!std::isfinite(value)) return notFiniteText(value, setting);
     if (unit.empty() && value == std::floor(value) && std::abs(value) < kMostCounted)
         return withMinus(fixedText(value, 0, zeros), setting);
-    const double shown = rounded(value, digits);
+    const double shown = asShown(value, digits);
     if (shown == 0.0) return withUnit("0", unit, {}, setting);
     const Scale scale = scaleOf(shown, unit);
-    const double part = rounded(shown / scale.factor(), digits);
+    const double part = asShown(shown / scale.factor(), digits);
     return withUnit(fixedText(part, digits - 1 - exponentOf(part), zeros), unit, scale, setting);
 }
 
 std::string vectorText(const engine::Vec3& value, const std::string& unit, int digits,
                        NumberSetting setting, Zeros zeros) {
     if (!std::isfinite(value.sum())) return notFiniteText(value.sum(), setting);
-    const double shown = rounded(value.cwiseAbs().maxCoeff(), digits);
+    const double shown = asShown(value.cwiseAbs().maxCoeff(), digits);
     const Scale scale = scaleOf(shown, unit);
-    const double largest = rounded(shown / scale.factor(), digits);
+    const double largest = asShown(shown / scale.factor(), digits);
     const int decimals = shown > 0.0 ? digits - 1 - exponentOf(largest) : 0;
     const auto part = [&](double x) { return fixedText(x / scale.factor(), decimals, zeros); };
     const char* comma = setting == NumberSetting::text ? ",\u00a0" : ", ";

@@ -18,11 +18,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostSlides = 200;
 constexpr int kMostFps = 240;
 
-template <class To, class From>
-void set(To& to, const std::optional<From>& from) {
-    if (from) to = *from;
-}
-
 void readFormat(Keys& top) {
     const Value* format = top.any("format");
     if (!format)

@@ -20,11 +20,6 @@ namespace {
 constexpr int kMostMoments = 12;
 constexpr std::size_t kMostPictures = 9;  // that can still be read
 
-template <class To, class From>
-void set(To& to, const std::optional<From>& from) {
-    if (from) to = *from;
-}
-
 std::vector<std::string> measureWords() {
     std::vector<std::string> names;
     for (const Measure& measure : measures()) names.emplace_back(measure.name);

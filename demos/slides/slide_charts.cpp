@@ -25,9 +25,9 @@ std::string saysOf(const Chart& chart) {
 
 /// Times the letters of a chart for a screen, whose unit is a picture of 1280x240.
 double typeFor(PictureSize size) {
-    constexpr double kLetters = 20.0;  // pixels there, from cap to descender
+    constexpr double kLetterPixels = 20.0;  // there, from cap to descender
     const double unit = std::min(size.width / 1280.0, size.height / 240.0);
-    return kFiner * kLeastLetters / kEmShare / (kLetters * unit);
+    return kFiner * kLeastLetters / kEmShare / (kLetterPixels * unit);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace demos {
 namespace {
 
-constexpr double kGap = 20.0;  // px, as in page/slides.css
+constexpr double kCellGap = 20.0;  // px, as in page/slides.css
 
 }  // namespace
 
@@ -25,8 +25,8 @@ PictureGrid gridOf(std::size_t count, double aspect, const SlideRoom& room) {
 }
 
 SlideRoom cellOf(const PictureGrid& grid, const SlideRoom& room) {
-    return {(room.width - (grid.columns - 1) * kGap) / grid.columns,
-            (room.height - (grid.rows - 1) * kGap) / grid.rows};
+    return {(room.width - (grid.columns - 1) * kCellGap) / grid.columns,
+            (room.height - (grid.rows - 1) * kCellGap) / grid.rows};
 }
 
 double shownWidth(double aspect, const SlideRoom& room) {

@@ -11,12 +11,12 @@ constexpr int kDigits = 4;
 
 using Row = std::vector<std::string>;
 
-std::string shown(double value, const std::string& unit) {
+std::string shortQuantity(double value, const std::string& unit) {
     return quantityText(value, unit, kDigits, NumberSetting::text);
 }
 
 QuantityWriter shortWriter() {
-    return {shown, [](const Vec3& point, const std::string& unit) {
+    return {shortQuantity, [](const Vec3& point, const std::string& unit) {
                 return vectorText(point, unit, kDigits, NumberSetting::text);
             }};
 }
@@ -40,7 +40,7 @@ MadeTable measuresTable(const std::vector<Measured>& runs, bool several, bool ti
         if (!timing && cells.measures[column] == measureCalled("ms")) continue;
         table.head.push_back(cells.head[column]);
         for (std::size_t i = 0; i < runs.size(); ++i)
-            table.rows[i].push_back(shown(std::atof(cells.rows[i][column].c_str()), ""));
+            table.rows[i].push_back(shortQuantity(std::atof(cells.rows[i][column].c_str()), ""));
     }
     return table;
 }
@@ -53,8 +53,8 @@ MadeTable expectationsTable(const std::vector<RunExpectations>& runs) {
     for (const RunExpectations& run : runs)
         for (std::size_t i = 0; i < run.results.size(); ++i) {
             const ExpectationResult& result = run.results[i];
-            Row row = {result.what, result.of, askedOf(run, i), shown(result.value, result.unit),
-                       result.passed ? "yes" : "no"};
+            Row row = {result.what, result.of, askedOf(run, i),
+                       shortQuantity(result.value, result.unit), result.passed ? "yes" : "no"};
             if (several) row.insert(row.begin(), run.label);
             table.rows.push_back(std::move(row));
         }

@@ -1,40 +1,34 @@
 #include "demos/slides/slides_output.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "demos/commands/table.h"
-#include "demos/scene/complaints.h"
+#include "demos/film/pattern.h"
 #include "demos/slides/deck_files.h"
-#include "demos/stop.h"
 
 namespace demos {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
-    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(name), what));
-}
-
 SlidesOutput outputOf(const std::string& name) {
-    if (name.find('\0') != std::string::npos) refuse(name, "a name holds no NUL");
+    if (name.find('\0') != std::string::npos) refuseOutput(name, "a name holds no NUL");
     const std::filesystem::path path = name;
     const std::string ending = path.extension();
     const bool file = ending == ".html" || ending == ".pdf";
     std::error_code ignored;
     const bool folder = std::filesystem::is_directory(path, ignored);
     if (file && folder && path.has_filename())
-        refuse(name, "a folder is there; write to another name, or end it in / for its slides");
+        refuseOutput(name,
+                     "a folder is there; write to another name, or end it in / for its slides");
     if (folder || name.ends_with('/')) return {SlidesKind::folder, name};
     if (file) return {ending == ".pdf" ? SlidesKind::pdf : SlidesKind::page, name};
-    refuse(name, "the ending says what is written; known are: .html .pdf and / of a folder");
+    refuseOutput(name, "the ending says what is written; known are: .html .pdf and / of a folder");
 }
 
 void spareSources(const std::string& name, const Deck& deck) {
     for (const std::filesystem::path& source : deck.files) {
         std::error_code neither;  // one of them is no file
         if (std::filesystem::equivalent(name, source, neither))
-            refuse(name, "the deck reads this file; write to another one");
+            refuseOutput(name, "the deck reads this file; write to another one");
     }
 }
 
@@ -54,7 +48,7 @@ std::vector<SlidesOutput> slidesOutputsOf(const Options& options, const Deck& de
         const SlidesOutput output = outputOf(name);
         for (const SlidesOutput& other : outputs)
             if (placeOf(other) == placeOf(output))
-                refuse(name, "another --output goes there already");
+                refuseOutput(name, "another --output goes there already");
         spareSources(name, deck);
         outputs.push_back(output);
     }

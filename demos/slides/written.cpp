@@ -55,7 +55,7 @@ char openQuotes(Cursor& cursor) {
 }
 
 /// Bytes of a code point in UTF-8.
-std::size_t bytesOf(std::string_view hex) {
+std::size_t utf8Length(std::string_view hex) {
     unsigned code = 0;
     std::from_chars(hex.data(), hex.data() + hex.size(), code, 16);
     return code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
@@ -75,7 +75,7 @@ std::size_t take(Cursor& cursor, char quote) {
     if (quote == '"' && cursor.next('\\')) {
         cursor.skip(1);
         const std::size_t digits = cursor.next('u') ? 4 : cursor.next('U') ? 8 : 0;
-        const std::size_t made = digits > 0 ? bytesOf(cursor.rest().substr(1, digits)) : 1;
+        const std::size_t made = digits > 0 ? utf8Length(cursor.rest().substr(1, digits)) : 1;
         cursor.skip(1 + digits);
         return made;
     }

@@ -8,9 +8,11 @@ namespace {
 
 constexpr double kLongestShare = 0.16;  // of the view's height
 constexpr double kSampleShare = 0.8;    // of the peak, at most
-constexpr double kHair = 1e-9;          // so that 1e-3 is round in spite of its last bit
+constexpr double kLastBits = 1e-9;      // so that 1e-3 is round in spite of its last bit
 
-double decadeBelow(double x) { return std::pow(10.0, std::floor(std::log10(x * (1.0 + kHair)))); }
+double decadeBelow(double x) {
+    return std::pow(10.0, std::floor(std::log10(x * (1.0 + kLastBits))));
+}
 
 }  // namespace
 
@@ -23,7 +25,7 @@ double roundBelow(double x) {
     if (!(x > 0.0)) return 0.0;
     const double decade = decadeBelow(x);
     for (const double step : {5.0, 2.0})
-        if (step * decade <= x * (1.0 + kHair)) return step * decade;
+        if (step * decade <= x * (1.0 + kLastBits)) return step * decade;
     return decade;
 }
 
@@ -31,7 +33,7 @@ double roundAbove(double x) {
     if (!(x > 0.0)) return 1.0;
     const double decade = decadeBelow(x);
     for (const double step : {1.0, 2.0, 5.0})
-        if (step * decade >= x * (1.0 - kHair)) return step * decade;
+        if (step * decade >= x * (1.0 - kLastBits)) return step * decade;
     return 10.0 * decade;
 }
 

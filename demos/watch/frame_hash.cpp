@@ -12,8 +12,6 @@
 namespace demos {
 namespace {
 
-using namespace render;
-
 class FrameSum {
 public:
     template <class... Values>
@@ -30,8 +28,8 @@ private:
         hash_.add(std::span(reinterpret_cast<const std::uint8_t*>(&value), sizeof value));
     }
     void one(const std::string& text) { hash_.add(text); }
-    void one(const Vec3& v) { add(v.x(), v.y(), v.z()); }
-    void one(const Quat& q) { add(q.w(), q.x(), q.y(), q.z()); }
+    void one(const render::Vec3& v) { add(v.x(), v.y(), v.z()); }
+    void one(const render::Quat& q) { add(q.w(), q.x(), q.y(), q.z()); }
 
     template <class Item>
     void one(const std::vector<Item>& items) {
@@ -39,66 +37,66 @@ private:
         for (const Item& item : items) one(item);
     }
 
-    void one(const Color& color) {
+    void one(const render::Color& color) {
         const auto& [r, g, b, a] = color;
         add(r, g, b, a);
     }
-    void one(const Camera& camera) {
+    void one(const render::Camera& camera) {
         const auto& [from, lookAt, up, fovDegrees, aperture, focus] = camera;
         add(from, lookAt, up, fovDegrees, aperture, focus);
     }
-    void one(const Look& look) {
+    void one(const render::Look& look) {
         const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
                      lineStrength, unit, edgePixels, ink, plate] = look;
         add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
             lineStrength, unit, edgePixels, ink, plate);
     }
-    void one(const Ground& ground) {
+    void one(const render::Ground& ground) {
         const auto& [visible, normal, offset, id] = ground;
         add(visible, normal, offset, id);
     }
     /// The mesh is added by its owner, who knows it already.
-    void one(const Solid& solid) {
+    void one(const render::Solid& solid) {
         const auto& [shape, halfSize, position, rotation, color, id, mesh] = solid;
         add(shape, halfSize, position, rotation, color, id, mesh != nullptr);
     }
-    void one(const Rod& rod) {
+    void one(const render::Rod& rod) {
         const auto& [from, to, radius, color, id] = rod;
         add(from, to, radius, color, id);
     }
-    void one(const Arrow& arrow) {
+    void one(const render::Arrow& arrow) {
         const auto& [from, to, color, reach] = arrow;
         add(from, to, color, reach);
     }
-    void one(const Marker& marker) {
+    void one(const render::Marker& marker) {
         const auto& [position, pixels, color, largest, reach, shape] = marker;
         add(position, pixels, color, largest, reach, shape);
     }
-    void one(const Line& line) {
+    void one(const render::Line& line) {
         const auto& [from, to, pixels, color] = line;
         add(from, to, pixels, color);
     }
-    void one(const Label& label) {
+    void one(const render::Label& label) {
         const auto& [text, position, reach, size, below] = label;
         add(text, position, reach, size, below);
     }
-    void one(const Trail& trail) {
+    void one(const render::Trail& trail) {
         const auto& [points, pixels, color] = trail;
         add(points, pixels, color);
     }
-    void one(const Text& text) {
+    void one(const render::Text& text) {
         const auto& [words, corner, size, color] = text;
         add(words, corner, size, color);
     }
-    void one(const BarPart& part) {
+    void one(const render::BarPart& part) {
         const auto& [share, color] = part;
         add(share, color);
     }
-    void one(const PlateRow& row) {
+    void one(const render::PlateRow& row) {
         const auto& [name, value, swatch, color, meters, bar, ramp] = row;
         add(name, value, swatch, color, meters, bar, ramp);
     }
-    void one(const Plate& plate) {
+    void one(const render::Plate& plate) {
         const auto& [corner, size, rows] = plate;
         add(corner, size, rows);
     }
@@ -107,7 +105,7 @@ private:
 };
 
 /// All else in a mesh follows from these.
-std::uint64_t sumOf(const SolidMesh& mesh) {
+std::uint64_t sumOf(const render::SolidMesh& mesh) {
     FrameSum sum;
     sum.add(mesh.vertices, mesh.triangles.size(), mesh.convex, mesh.facets);
     for (const auto& [a, b, c] : mesh.triangles) sum.add(a, b, c);
@@ -117,20 +115,20 @@ std::uint64_t sumOf(const SolidMesh& mesh) {
 
 }  // namespace
 
-std::uint64_t FrameHasher::of(const std::shared_ptr<const SolidMesh>& mesh) {
+std::uint64_t FrameHasher::of(const std::shared_ptr<const render::SolidMesh>& mesh) {
     const auto [known, added] = meshes_.try_emplace(mesh, 0);
     if (added && mesh) known->second = sumOf(*mesh);
     return known->second;
 }
 
-std::uint64_t FrameHasher::of(const Frame& frame) {
+std::uint64_t FrameHasher::of(const render::Frame& frame) {
     const auto& [camera, look, grounds, solids, rods, arrows, markers, lines, ghosts, labels,
                  trails, texts, plates] = frame;
     FrameSum sum;
     sum.add(camera, look, grounds, solids, rods, arrows, markers, lines, ghosts, labels, trails,
             texts, plates);
-    for (const std::vector<Solid>* list : {&solids, &ghosts})
-        for (const Solid& solid : *list) sum.add(of(solid.mesh));
+    for (const std::vector<render::Solid>* list : {&solids, &ghosts})
+        for (const render::Solid& solid : *list) sum.add(of(solid.mesh));
     return sum.value();
 }
 

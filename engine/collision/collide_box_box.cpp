@@ -2,17 +2,12 @@
 /// either a face clipped by the other's sides, at most four points kept, or one point on two edges.
 /// (Gottschalk 1996 for the axes; Sutherland and Hodgman 1974 for the clipping.)
 #include "engine/collision/collide.h"
+#include "engine/collision/axis_bonus.h"
 #include "engine/collision/clip.h"
 #include "engine/collision/oriented_box.h"
 
 namespace engine {
 namespace {
-
-/// A face axis keeps its place until another beats it by this much, so that resting boxes do not
-/// change their reference face, and with it all their features, for a rounding error.
-constexpr double kFaceBonus = 5e-4;  // m
-/// Edges give one point where a face gives four: they must be clearly better.
-constexpr double kEdgeBonus = 2e-3;  // m
 
 struct BestAxis {
     double separation = -1e300;

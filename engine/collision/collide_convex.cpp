@@ -1,17 +1,13 @@
 #include "engine/collision/collide_convex.h"
 
+#include "engine/collision/axis_bonus.h"
 #include "engine/collision/way_out.h"
 
 namespace engine {
 namespace {
 
-/// As between boxes (collide_box_box.cpp): a face keeps its place until another is better by this
-/// much, and gives way to one point only where that is clearly better.
-constexpr double kFaceBonus = 5e-4;  // m
-constexpr double kEdgeBonus = 2e-3;  // m
-constexpr double kBeside = 5e-4;     // m: a point this far beside a face still lies on it
-constexpr double kFar = 1e9;         // m
-constexpr int kLine = 1 << 30;       // features that are not on faces
+constexpr double kBeside = 5e-4;  // m: a point this far beside a face still lies on it
+constexpr int kLine = 1 << 30;    // features that are not on faces
 
 struct FaceAxis {
     double separation = -1e300;  // m, radii included

@@ -8,8 +8,8 @@
 namespace engine {
 namespace {
 
-constexpr int kPairsAThread = 64;      // at least
-constexpr double kSameNormal = 0.999;  // within 2.6 degrees
+constexpr int kMovingPairsAThread = 64;   // at least
+constexpr double kSameDirection = 0.999;  // within 2.6 degrees
 constexpr int kHops = 2;  // bodies that a blow goes through in a step; without, the worst
                           // penetration of one pile of 2000 bodies was 37 mm instead of 27
 
@@ -67,7 +67,7 @@ double approachOf(const Manifold& m, const Pair& pair, double time) {
 
 /// True when `m` has a point or a direction that `other` has not.
 bool holdsMore(const Manifold& m, const Manifold& other) {
-    if (m.count > 0 && m.normal.dot(other.normal) < kSameNormal) return true;
+    if (m.count > 0 && m.normal.dot(other.normal) < kSameDirection) return true;
     for (int i = 0; i < m.count; ++i) {
         bool known = false;
         for (int j = 0; j < other.count; ++j)
@@ -186,7 +186,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
         }
     };
     const int count = static_cast<int>(moving.entries.size());
-    workers ? workers->share(count, kPairsAThread, look) : look(0, count, 0);
+    workers ? workers->share(count, kMovingPairsAThread, look) : look(0, count, 0);
     findThrows(bodies, dt, moving);
     broadPhase.lookFarther(bodies, moving.throws, margin);
 }

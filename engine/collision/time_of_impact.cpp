@@ -9,13 +9,12 @@ namespace engine {
 namespace {
 
 constexpr double kTouching = 5e-4;  // m: this close counts as touching
-constexpr double kFar = 1e9;        // m: a margin that leaves no point out; s: never
 constexpr int kMostAdvances = 64;   // a pair that is so slow to come together touches
 
 /// How far apart two shapes are (not positive: they touch), and for how long at least.
 struct Gap {
     double distance = -kFar;  // m
-    double time = 0.0;        // s
+    double time = 0.0;        // s; kFar: never
     double closing = 0.0;     // m/s, of the centres along the axis of the distance
 
     /// One direction n, from a to b, along which they are `apart`; the longest time counts.

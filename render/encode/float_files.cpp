@@ -3,17 +3,11 @@
 #include <bit>
 #include <string>
 
+#include "render/encode/bytes.h"
 #include "render/error.h"
 
 namespace render {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-void addLittleEndian32(Bytes& file, std::uint32_t value) {
-    for (const int shift : {0, 8, 16, 24})
-        file.push_back(static_cast<std::uint8_t>(value >> shift));
-}
 
 void addFloat(Bytes& file, float value) {
     addLittleEndian32(file, std::bit_cast<std::uint32_t>(value));

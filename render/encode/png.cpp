@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "render/encode/bytes.h"
 #include "render/error.h"
 
 namespace {
@@ -55,8 +56,6 @@ unsigned int crc32(const unsigned char* bytes, int size) {
 namespace render {
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
-
 /// Without a way out in the middle, so that the compiler looks at many at once.
 bool isOpaque(const Image& image) {
     std::uint8_t all = 255;
@@ -65,40 +64,36 @@ bool isOpaque(const Image& image) {
 }
 
 /// Four bytes are copied for three: the next pixel goes over the fourth.
-std::vector<std::uint8_t> withoutAlpha(const Image& image) {
+Bytes withoutAlpha(const Image& image) {
     const std::size_t count = image.pixels.size() / 4;
-    std::vector<std::uint8_t> rgb(3 * count + 1);
+    Bytes rgb(3 * count + 1);
     for (std::size_t i = 0; i < count; ++i)
         std::memcpy(&rgb[3 * i], &image.pixels[4 * i], 4);
     rgb.pop_back();
     return rgb;
 }
 
-void addBigEndian32(std::uint32_t value, std::vector<std::uint8_t>& bytes) {
-    for (const int shift : {24, 16, 8, 0})
-        bytes.push_back(static_cast<std::uint8_t>(value >> shift));
-}
-
 /// Pixels a metre, both ways: PNG 1.2, section 4.2.4.2.
-std::vector<std::uint8_t> physicalSize(int dpi) {
+Bytes physicalSize(int dpi) {
     const auto perMeter = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
-    std::vector<std::uint8_t> chunk;
-    addBigEndian32(9, chunk);
+    Bytes chunk;
+    chunk.reserve(21);  // all of it; growing, GCC 12 warns of an overflow that cannot be
+    addBigEndian32(chunk, 9);
     chunk.insert(chunk.end(), {'p', 'H', 'Y', 's'});
-    addBigEndian32(perMeter, chunk);
-    addBigEndian32(perMeter, chunk);
+    addBigEndian32(chunk, perMeter);
+    addBigEndian32(chunk, perMeter);
     chunk.push_back(1);  // the unit: a metre
-    addBigEndian32(libdeflate_crc32(0, chunk.data() + 4, chunk.size() - 4), chunk);
+    addBigEndian32(chunk, libdeflate_crc32(0, chunk.data() + 4, chunk.size() - 4));
     return chunk;
 }
 
-std::uint32_t bigEndian32(Bytes bytes, std::size_t at) {
+std::uint32_t bigEndian32(std::span<const std::uint8_t> bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | bytes[at + i];
     return value;
 }
 
-bool hasName(Bytes bytes, std::size_t at, const char* name) {
+bool hasName(std::span<const std::uint8_t> bytes, std::size_t at, const char* name) {
     return std::memcmp(bytes.data() + at, name, 4) == 0;
 }
 
@@ -107,7 +102,7 @@ struct Chunk {
     std::size_t name = 0, next = 0;  // offsets in the file; next = 0: damaged
 };
 
-Chunk chunkAt(Bytes bytes, std::size_t at) {
+Chunk chunkAt(std::span<const std::uint8_t> bytes, std::size_t at) {
     if (bytes.size() - at < 12) return {};
     const std::size_t length = bigEndian32(bytes, at);
     if (length > bytes.size() - at - 12) return {};
@@ -116,7 +111,7 @@ Chunk chunkAt(Bytes bytes, std::size_t at) {
     return {at + 4, at + 12 + length};
 }
 
-bool startsWithHeader(Bytes bytes, int width, int height) {
+bool startsWithHeader(std::span<const std::uint8_t> bytes, int width, int height) {
     constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     if (bytes.size() < 33 || !std::equal(kSignature, kSignature + 8, bytes.begin())) return false;
     return bigEndian32(bytes, 8) == 13 && hasName(bytes, 12, "IHDR") &&
@@ -146,8 +141,7 @@ std::vector<std::uint8_t> encodePng(const Image& image, int dpi) {
     static_cast<void>(noFilter);
     const bool opaque = isOpaque(image);
     const int channels = opaque ? 3 : 4;
-    const std::vector<std::uint8_t> rgb =
-        opaque ? withoutAlpha(image) : std::vector<std::uint8_t>{};
+    const Bytes rgb = opaque ? withoutAlpha(image) : Bytes{};
     const std::uint8_t* pixels = opaque ? rgb.data() : image.pixels.data();
     int size = 0;
     const std::unique_ptr<unsigned char, decltype(&std::free)> png(
@@ -155,14 +149,14 @@ std::vector<std::uint8_t> encodePng(const Image& image, int dpi) {
     if (!png) throw Error("out of memory while encoding a PNG; draw smaller pictures");
     constexpr int kHeaderEnd = 33;  // signature and IHDR, behind which pHYs may stand
     if (dpi <= 0) return {png.get(), png.get() + size};
-    std::vector<std::uint8_t> bytes(png.get(), png.get() + kHeaderEnd);
-    const std::vector<std::uint8_t> chunk = physicalSize(dpi);
+    Bytes bytes(png.get(), png.get() + kHeaderEnd);
+    const Bytes chunk = physicalSize(dpi);
     bytes.insert(bytes.end(), chunk.begin(), chunk.end());
     bytes.insert(bytes.end(), png.get() + kHeaderEnd, png.get() + size);
     return bytes;
 }
 
-bool pngIsWhole(Bytes bytes, int width, int height) {
+bool pngIsWhole(std::span<const std::uint8_t> bytes, int width, int height) {
     if (!startsWithHeader(bytes, width, height)) return false;
     bool hasPixels = false;
     for (std::size_t at = 8; at < bytes.size();) {

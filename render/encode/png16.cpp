@@ -6,18 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "render/encode/bytes.h"
 #include "render/encode/png.h"
 #include "render/error.h"
 
 namespace render {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-void addBigEndian32(Bytes& file, std::uint32_t value) {
-    for (const int shift : {24, 16, 8, 0})
-        file.push_back(static_cast<std::uint8_t>(value >> shift));
-}
 
 /// Length, name, content, CRC of name and content.
 void addChunk(Bytes& file, std::string_view name, std::span<const std::uint8_t> content) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
-#include "tests/support/worlds.h"
+#include "tests/support/joints.h"
 
 namespace engine {
 namespace {
@@ -12,15 +12,10 @@ using support::body;
 using support::fixed;
 using support::kStep;
 using support::run;
+using support::weightless;
 
 constexpr double kFast = 200.0;  // m/s: 3.3 m a step
 const Vec3 kThin{0.02, 60, 60};  // m, a wall across x
-
-World weightless() {
-    World world;
-    world.setGravity(Vec3::Zero());
-    return world;
-}
 
 /// Toward +x, turned out of it.
 Vec3 heading(double degreesUp, double degreesAside) {

@@ -20,13 +20,13 @@ double fallen(double acceleration, const World& world, int steps) {
 }
 
 /// A block that hangs beside a rail of 30 degrees down along x.
-struct Incline {
+struct SlopingRail {
     World world;
     BodyId block;
     JointId joint;
     Vec3 down{cosine(radians(30)), -sine(radians(30)), 0};
 
-    explicit Incline(JointDef set = {}, const Settings& settings = Settings::steady())
+    explicit SlopingRail(JointDef set = {}, const Settings& settings = Settings::steady())
         : world(settings) {
         const BodyId rail = world.add(support::hook());
         block = world.add(support::body(Shape::box({0.4, 0.2, 0.2}), {0.2, 0.1, 0.5}, 3.0));
@@ -50,7 +50,7 @@ JointDef sixDofSlider() {
 
 TEST(Slider, SlidesDownWithGSin) {
     for (const JointDef& set : {JointDef{}, sixDofSlider()}) {
-        Incline it(set);
+        SlopingRail it(set);
         run(it.world, 120);
         const JointState state = it.world.joint(it.joint);
         EXPECT_NEAR(state.position, fallen(kGravity / 2, it.world, 120), 1e-6);
@@ -64,14 +64,14 @@ TEST(Slider, SlidesDownWithGSin) {
 }
 
 TEST(Slider, IsTheSameByEveryMethod) {
-    Incline steady;
+    SlopingRail steady;
     run(steady.world, 60);
     for (const Method method : {Method::pgs, Method::pgsMatrix, Method::direct}) {
         Settings settings = Settings::steady();
         settings.method = method;
         settings.sweeps = 200;
         settings.tolerance = 1e-9;
-        Incline other({}, settings);
+        SlopingRail other({}, settings);
         run(other.world, 60);
         EXPECT_NEAR(other.world.joint(other.joint).position,
                     steady.world.joint(steady.joint).position, 1e-5);

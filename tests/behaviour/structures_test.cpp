@@ -16,7 +16,7 @@ BodyDef rough(BodyDef def, double friction) {
 }
 
 /// m: the longest way of a body from where it is told to have begun.
-double drift(const World& world, const std::vector<Vec3>& start) {
+double moved(const World& world, const std::vector<Vec3>& start) {
     double most = 0.0;
     for (int i = 0; i < static_cast<int>(start.size()); ++i)
         most = std::max(most, (world.pose({i + 1}).position - start[i]).norm());
@@ -33,7 +33,7 @@ TEST(Structures, FortyBoxesStand) {
     World world = support::stack(40);
     const std::vector<Vec3> start = places(world);
     run(world, 600);
-    EXPECT_LT(drift(world, start), 12e-3);  // a quarter of a millimetre in each joint
+    EXPECT_LT(moved(world, start), 12e-3);  // a quarter of a millimetre in each joint
 }
 
 /// Thirty layers of three blocks, laid across each other.
@@ -49,7 +49,7 @@ TEST(Structures, ATowerOfThirtyLayersStands) {
         }
     const std::vector<Vec3> start = places(world);
     run(world, 600);
-    EXPECT_LT(drift(world, start), 20e-3);  // 18 m high, it sways a little, but comes to no harm
+    EXPECT_LT(moved(world, start), 20e-3);  // 18 m high, it sways a little, but comes to no harm
 }
 
 /// Pairs of leaning cards, a card laid over every gap, and a storey less above.
@@ -82,14 +82,14 @@ TEST(Structures, AHouseOfCardsStands) {
     World world = cardHouse(4, 0.6);
     const std::vector<Vec3> start = places(world);
     run(world, 600);
-    EXPECT_LT(drift(world, start), 20e-3);
+    EXPECT_LT(moved(world, start), 20e-3);
 }
 
 TEST(Structures, AHouseOfSlipperyCardsFalls) {
     World world = cardHouse(4, 0.05);
     const std::vector<Vec3> start = places(world);
     run(world, 300);
-    EXPECT_GT(drift(world, start), 0.5);
+    EXPECT_GT(moved(world, start), 0.5);
 }
 
 /// A row, so far from each other; the first begins to turn at `push` (rad/s).
@@ -115,7 +115,7 @@ TEST(Structures, DominoesStandUntilTheFirstIsPushed) {
     World still = dominoes(30, 0.5, 0.0);
     const std::vector<Vec3> start = places(still);
     run(still, 600);
-    EXPECT_LT(drift(still, start), 1e-3);
+    EXPECT_LT(moved(still, start), 1e-3);
 
     World pushed = dominoes(30, 0.5, 2.5);
     run(pushed, 600);

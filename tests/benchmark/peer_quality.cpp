@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "tests/benchmark/peer_clock.h"
+#include "tests/benchmark/peer_text.h"
 
 namespace peers {
 
@@ -101,12 +101,6 @@ Quality Watcher::finish() {
     quality_.fastest = fastest(scene_, states_);
     quality_.lost = lostBodies(scene_, states_);
     return quality_;
-}
-
-std::string text(const char* format, double number) {
-    char buffer[64];
-    std::snprintf(buffer, sizeof buffer, format, number);
-    return buffer;
 }
 
 std::string length(double metres) {

@@ -1,19 +1,13 @@
 #include "tests/benchmark/peer_report.h"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "tests/benchmark/peer_text.h"
 
 namespace peers {
 
 namespace {
-
-template <class... Arguments>
-std::string text(const char* format, Arguments... arguments) {
-    char buffer[256];
-    std::snprintf(buffer, sizeof buffer, format, arguments...);
-    return buffer;
-}
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 

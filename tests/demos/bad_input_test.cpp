@@ -27,11 +27,11 @@ TEST_P(BadInputs, AreOneLine) {
 }
 
 const std::string kFormat = "format = 1\n";
-const std::string kScene = kFormat + kBall;  // the next line is 6
+const std::string kOneBall = kFormat + kBall;  // the next line is 6
 
 /// Three joints, or two forces, in 10000 turns.
 std::string tenThousand(const std::string& what) {
-    return kScene + "[[repeat]]\ncount = 10000\n" + what + "\n";
+    return kOneBall + "[[repeat]]\ncount = 10000\n" + what + "\n";
 }
 
 const std::string kWeld = "{ type = 'weld', a = 'ball', b = 'world', anchor = [0, 0, 0] }";
@@ -46,10 +46,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"UTF-16, the other way", std::string("\xfe\xff\0[", 4), "1:1",
                  "UTF-16; save the file as UTF-8"},
         BadInput{"cut in a text", kFormat + "title = \"a", "2:11", "not TOML"},
-        BadInput{"beyond every number", "seconds = 1e999\n" + kScene, "1:16", "not TOML"},
-        BadInput{"beyond 64 bits", "seconds = 9999999999999999999\n" + kScene, "1:30", "not TOML"},
-        BadInput{"an expression without end", kScene + "mass = '" + std::string(5000, '(') + "'\n",
-                 "6:8", "5000 characters; it should be at most 200"}));
+        BadInput{"beyond every number", "seconds = 1e999\n" + kOneBall, "1:16", "not TOML"},
+        BadInput{"beyond 64 bits", "seconds = 9999999999999999999\n" + kOneBall, "1:30",
+                 "not TOML"},
+        BadInput{"an expression without end",
+                 kOneBall + "mass = '" + std::string(5000, '(') + "'\n", "6:8",
+                 "5000 characters; it should be at most 200"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Limits, BadInputs,
@@ -65,15 +67,15 @@ INSTANTIATE_TEST_SUITE_P(
                     BadInput{"empty name",
                              kFormat + "[[body]]\nname = ''\nshape = { sphere = 1 }\n", "3:1",
                              "name is ''; it should be 1 to 64 of A-Z"},
-                    BadInput{"no mass", kScene + "mass = -1\n", "6:8",
+                    BadInput{"no mass", kOneBall + "mass = -1\n", "6:8",
                              "mass is -1; it should be a number from 1e-06 to 1e+09 kg"},
                     BadInput{"size", kFormat + "[[body]]\nname = 'a'\nshape = { sphere = 1001 }\n",
                              "4:20", "sphere is 1001; it should be a number from 0.001 to 1000 m"},
-                    BadInput{"step", kScene + "[world]\nhz = 100001\n", "7:6",
+                    BadInput{"step", kOneBall + "[world]\nhz = 100001\n", "7:6",
                              "it should be a whole number from 10 to 100000 steps a second"},
-                    BadInput{"picture", kScene + "[snapshot]\nsize = [0, 360]\n", "7:9",
+                    BadInput{"picture", kOneBall + "[snapshot]\nsize = [0, 360]\n", "7:9",
                              "it should be a number from 1 to 16384 pixels"},
-                    BadInput{"quaternion of three", kScene + "quaternion = [1, 0, 0]\n", "6:1",
+                    BadInput{"quaternion of three", kOneBall + "quaternion = [1, 0, 0]\n", "6:1",
                              "quaternion should be four numbers"}));
 
 }  // namespace

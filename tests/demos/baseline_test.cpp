@@ -23,12 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 using support::TemporaryFolder;
 
-render::Image picture(std::uint8_t level) {
+render::Image grayPicture(std::uint8_t level) {
     return {8, 4, std::vector<std::uint8_t>(8 * 4 * 4, level)};
 }
 
 /// Two pictures; `y`: of its only body in the last of three steps.
-Actual shown(std::uint8_t level, double y) {
+Actual actualWith(std::uint8_t level, double y) {
     Actual actual;
     Baseline& baseline = actual.baseline;
     baseline.scene = "ball";
@@ -48,7 +48,7 @@ Actual shown(std::uint8_t level, double y) {
         course.moments.push_back({step, {pose}, 5.0, 0.0, 0.0, {}});
     }
     for (const double time : {0.0, 0.05}) {
-        const auto& png = actual.png.emplace_back(render::encodePng(picture(level)));
+        const auto& png = actual.png.emplace_back(render::encodePng(grayPicture(level)));
         baseline.pictures.push_back({time, time > 0 && y != 1.0 ? 22u : 11u, hashOf(png)});
     }
     return actual;
@@ -61,7 +61,7 @@ std::string textOf(const fs::path& file) {
 
 /// What is said of a baseline whose JSON has `from` replaced by `to`.
 std::string complaintAbout(const std::string& from, const std::string& to) {
-    std::string text = jsonOf(shown(1, 1.0).baseline, {});
+    std::string text = jsonOf(actualWith(1, 1.0).baseline, {});
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
@@ -74,7 +74,7 @@ std::string complaintAbout(const std::string& from, const std::string& to) {
 }
 
 TEST(Baselines, ComeBackAsTheyWere) {
-    const Baseline baseline = shown(1, 1.0).baseline;
+    const Baseline baseline = actualWith(1, 1.0).baseline;
     const std::string text = jsonOf(baseline, {});
     const Baseline back = baselineFrom(text, "b.json");
     EXPECT_EQ(back.scene, "ball");
@@ -98,7 +98,7 @@ TEST(Baselines, SayWhenTheyWereEdited) {
 
 TEST(Baselines, KnowTheirPictures) {
     const TemporaryFolder folder;
-    const Actual actual = shown(1, 1.0);
+    const Actual actual = actualWith(1, 1.0);
     writeBaseline(actual, {}, folder.path());
     const std::optional<Baseline> baseline = readBaseline(folder.path());
     ASSERT_TRUE(baseline.has_value());
@@ -111,7 +111,7 @@ TEST(Baselines, KnowTheirPictures) {
 
 TEST(Baselines, KnowWhatIsNotTheirs) {
     const TemporaryFolder folder;
-    writeBaseline(shown(1, 1.0), {}, folder.path());
+    writeBaseline(actualWith(1, 1.0), {}, folder.path());
     std::ofstream(folder / "t9.png") << "x";
     std::ofstream(folder / "notes.txt") << "x";
     EXPECT_EQ(orphansOf(folder.path(), {0.0, 0.05}), std::vector<std::string>{"t9.png"});
@@ -121,8 +121,8 @@ TEST(Baselines, KnowWhatIsNotTheirs) {
 class Accepting : public testing::Test {
 protected:
     Accepting() {
-        writeBaseline(shown(1, 1.0), {}, kept);
-        writeBaseline(shown(2, 1.5), {}, now);
+        writeBaseline(actualWith(1, 1.0), {}, kept);
+        writeBaseline(actualWith(2, 1.5), {}, now);
     }
     Baseline baseline() const { return readBaseline(kept).value(); }
     double lastY() const { return baseline().course.moments.back().poses[0].position.y(); }
@@ -169,14 +169,14 @@ TEST_F(Accepting, RefusesWhatWasChangedAfterTheTest) {
 }
 
 TEST(JudgePicture, HasItsThreeAnswers) {
-    const render::Image image = picture(100);
+    const render::Image image = grayPicture(100);
     const std::vector<std::uint8_t> png = render::encodePng(image);
     PictureVerdict verdict;
     judgePicture(image, png, png, {}, verdict);
     EXPECT_EQ(verdict.kind, PictureVerdict::Kind::same);
-    judgePicture(image, png, render::encodePng(picture(102)), {}, verdict);
+    judgePicture(image, png, render::encodePng(grayPicture(102)), {}, verdict);
     EXPECT_EQ(verdict.kind, PictureVerdict::Kind::within);
-    judgePicture(image, png, render::encodePng(picture(110)), {}, verdict);
+    judgePicture(image, png, render::encodePng(grayPicture(110)), {}, verdict);
     EXPECT_EQ(verdict.kind, PictureVerdict::Kind::changed);
     const render::Image larger{8, 5, std::vector<std::uint8_t>(8 * 5 * 4, 100)};
     EXPECT_THROW(judgePicture(image, png, render::encodePng(larger), {}, verdict), BaselineError);
@@ -234,7 +234,7 @@ TEST(ProcessPools, TellOfAnEndAtOnce) {
         2, 2,
         [&](int i) -> std::string {
             char byte = 0;
-            return i == 0 && read(ends[0], &byte, 1) != 1 ? "not told" : "good";
+            return i == 0 && ::read(ends[0], &byte, 1) != 1 ? "not told" : "good";
         },
         [&](int i, const PoolResult& result) {
             EXPECT_EQ(result.text, "good");
@@ -243,7 +243,7 @@ TEST(ProcessPools, TellOfAnEndAtOnce) {
         [&](int i, const PoolResult&) {
             finished.push_back(i);
             if (i == 0) return;
-            EXPECT_EQ(write(ends[1], "x", 1), 1);
+            EXPECT_EQ(::write(ends[1], "x", 1), 1);
         });
     close(ends[0]);
     close(ends[1]);

@@ -12,16 +12,18 @@
 #include "demos/report/layout.h"
 #include "demos/report/ticks.h"
 #include "tests/demos/labels.h"
+#include "tests/support/text.h"
 
 namespace demos {
 namespace {
 
 using render::Point;
+using support::count;
 using Texts = std::vector<std::string>;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr PictureSize kSize{1280, 720};
+constexpr PictureSize kPage{1280, 720};
 
 Texts linearTexts(double low, double high, double most) {
     return linearAxis(low, high, most, Reach::ticks, false).texts;
@@ -156,13 +158,6 @@ Chart single(std::vector<double> x, std::vector<double> y) {
     return chart;
 }
 
-int count(const std::string& text, const std::string& part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++found;
-    return found;
-}
-
 /// Every tag is closed in its order, and no character is left that XML would not take.
 testing::AssertionResult isWellFormed(const std::string& xml) {
     std::vector<std::string> open;
@@ -187,7 +182,7 @@ testing::AssertionResult isWellFormed(const std::string& xml) {
 }
 
 TEST(Drawing, NamesItsAxesWithUnitsAndItsLinesAtTheirEnds) {
-    const Drawing drawing = drawingOf({waves()}, kSize, "studio");
+    const Drawing drawing = drawingOf({waves()}, kPage, "studio");
     for (const char* text : {"waves", "time (s)", "height (mm)", "one", "two", "0", "0.5"})
         EXPECT_TRUE(says(drawing, text)) << text;
 }
@@ -218,8 +213,8 @@ TEST(Drawing, WhatHasNoRoomIsCounted) {
 }
 
 TEST(Drawing, LinesStayInTheirPlot) {
-    const Page page = pageOf({waves()}, kSize);
-    for (const Line& line : drawingOf({waves()}, kSize, "studio").lines)
+    const Page page = pageOf({waves()}, kPage);
+    for (const Line& line : drawingOf({waves()}, kPage, "studio").lines)
         for (const Point& point : line.points) {
             EXPECT_GE(point.y, page.plots[0].top - 0.01f);
             EXPECT_LE(point.y, page.plots[0].bottom + 0.01f);
@@ -230,13 +225,13 @@ TEST(Drawing, LinesStayInTheirPlot) {
 TEST(Drawing, ChartsOfOneRunShareTheirTimeAxis) {
     Chart late = waves();
     late.series[0].y.front() = late.series[1].y.front() = kNan;
-    const Page page = pageOf({waves(), late}, kSize);
+    const Page page = pageOf({waves(), late}, kPage);
     EXPECT_EQ(page.plots[0].xOf(0.5), page.plots[1].xOf(0.5));
 }
 
 TEST(Drawing, AGapIsNotBridged) {
-    const Drawing whole = drawingOf({single({0, 1, 2, 3, 4}, {1, 2, 3, 4, 5})}, kSize, "studio");
-    const Drawing cut = drawingOf({single({0, 1, 2, 3, 4}, {1, 2, kNan, 4, 5})}, kSize, "studio");
+    const Drawing whole = drawingOf({single({0, 1, 2, 3, 4}, {1, 2, 3, 4, 5})}, kPage, "studio");
+    const Drawing cut = drawingOf({single({0, 1, 2, 3, 4}, {1, 2, kNan, 4, 5})}, kPage, "studio");
     const auto pieces = [](const Drawing& drawing) {
         int lines = 0;  // longer than a leader
         for (const Line& line : drawing.lines)
@@ -252,9 +247,9 @@ TEST(Drawing, ALogAxisSaysWhatItLeavesOut) {
     chart.logY = true;
     chart.yTitle = "residual", chart.yUnit = "m/s";
     EXPECT_TRUE(
-        says(drawingOf({chart}, kSize, "studio"), "residual (m/s) · 2 values of 0 not shown"));
+        says(drawingOf({chart}, kPage, "studio"), "residual (m/s) · 2 values of 0 not shown"));
     chart.series[0].y = {0.1, -1.0, 0.001, kNan};
-    EXPECT_TRUE(says(drawingOf({chart}, kSize, "studio"),
+    EXPECT_TRUE(says(drawingOf({chart}, kPage, "studio"),
                      "residual (m/s) · 1 value of 0 or below not shown"));
 }
 
@@ -265,9 +260,9 @@ TEST(Drawing, SaysNoDataWhereThereIsNone) {
          {Chart{}, single({}, {}), single({0, 1}, {kNan, kNan}), log, single({kNan}, {1}),
           single({0, 1}, {kInfinity, -kInfinity}), single({1, 2, 3}, {})}) {
         EXPECT_FALSE(hasData(chart));
-        EXPECT_TRUE(says(drawingOf({chart}, kSize, "studio"), "no data"));
+        EXPECT_TRUE(says(drawingOf({chart}, kPage, "studio"), "no data"));
     }
-    EXPECT_TRUE(says(drawingOf({}, kSize, "studio"), "no data"));
+    EXPECT_TRUE(says(drawingOf({}, kPage, "studio"), "no data"));
 }
 
 TEST(Drawing, SurvivesWhatIsUnusual) {
@@ -279,7 +274,7 @@ TEST(Drawing, SurvivesWhatIsUnusual) {
                                  single({0, 1e-300}, {1e-320, 0}),
                                  single({0, 1}, {1e9, 1e9 + 1e-7}),
                                  single({1, 0, 1}, {1, 2, 3})};
-    for (const PictureSize size : {kSize, PictureSize{1, 1}, {16384, 9}, {9, 2000}}) {
+    for (const PictureSize size : {kPage, PictureSize{1, 1}, {16384, 9}, {9, 2000}}) {
         for (const Chart& chart : charts) {
             EXPECT_TRUE(hasData(chart));
             const Drawing drawing = drawingOf({chart}, size, "print");
@@ -295,7 +290,7 @@ TEST(Svg, EscapesWhatXmlWouldMisread) {
     Chart chart = single({0, 1}, {0, 1});
     chart.title = "a < b & \"c\" > 'd'";
     chart.series[0].label = std::string("tab\tand \x1b[31m and \xff") + "</text>";
-    const std::string svg = svgOf({chart}, kSize, "studio");
+    const std::string svg = svgOf({chart}, kPage, "studio");
     EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot; &gt; &apos;d&apos;"), std::string::npos);
     EXPECT_EQ(count(svg, "</text>"), count(svg, "<text "));
     EXPECT_TRUE(isWellFormed(svg)) << svg;
@@ -304,7 +299,7 @@ TEST(Svg, EscapesWhatXmlWouldMisread) {
 }
 
 TEST(Svg, HasOneElementForEveryPrimitive) {
-    const Drawing drawing = drawingOf({waves(), manyEnds(12)}, kSize, "studio");
+    const Drawing drawing = drawingOf({waves(), manyEnds(12)}, kPage, "studio");
     const std::string svg = svgOf(drawing);
     EXPECT_EQ(count(svg, "<rect "), static_cast<int>(drawing.rectangles.size()));
     EXPECT_EQ(count(svg, "<path "), static_cast<int>(drawing.lines.size()));
@@ -324,7 +319,7 @@ int colored(const render::Image& image, const render::Color& color) {
 
 /// Leaving a primitive out must be seen in the pixels, as it is in the elements of the SVG.
 TEST(Picture, DrawsEveryPrimitive) {
-    const Drawing whole = drawingOf({waves()}, kSize, "print");
+    const Drawing whole = drawingOf({waves()}, kPage, "print");
     const render::Image image = imageOf(whole);
     for (std::size_t i = 0; i < whole.lines.size(); ++i) {
         Drawing less = whole;
@@ -342,8 +337,8 @@ TEST(Picture, DrawsEveryPrimitive) {
 }
 
 TEST(Picture, IsTheSameEveryTime) {
-    EXPECT_EQ(imageOf({waves()}, kSize, "dark").pixels, imageOf({waves()}, kSize, "dark").pixels);
-    EXPECT_EQ(svgOf({waves()}, kSize, "dark"), svgOf({waves()}, kSize, "dark"));
+    EXPECT_EQ(imageOf({waves()}, kPage, "dark").pixels, imageOf({waves()}, kPage, "dark").pixels);
+    EXPECT_EQ(svgOf({waves()}, kPage, "dark"), svgOf({waves()}, kPage, "dark"));
 }
 
 }  // namespace

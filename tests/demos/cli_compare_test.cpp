@@ -24,8 +24,8 @@ protected:
     TemporaryFolder folder;
 };
 
-const std::vector<std::string> kSmall = {"--size",    "320x180", "--fps",     "10",
-                                         "--samples", "1",       "--seconds", "0.3"};
+const std::vector<std::string> kFilm = {"--size",    "320x180", "--fps",     "10",
+                                        "--samples", "1",       "--seconds", "0.3"};
 
 std::vector<std::string> with(std::vector<std::string> first,
                               const std::vector<std::string>& more) {
@@ -35,7 +35,7 @@ std::vector<std::string> with(std::vector<std::string> first,
 
 TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
     const Ended ended = compare(
-        with({"ball.toml", "--vary", "world.gravity=[0,-9.81,0],[0,0,0]", "-o", "film"}, kSmall));
+        with({"ball.toml", "--vary", "world.gravity=[0,-9.81,0],[0,0,0]", "-o", "film"}, kFilm));
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.out.find("gravity=[0,0,0]"), std::string::npos) << ended.out;
     EXPECT_NE(ended.out.find("speed (m/s)"), std::string::npos) << ended.out;
@@ -58,7 +58,7 @@ TEST_F(Compare, WhatCannotBeWrittenIsRefusedBeforeAnythingIsPlayed) {
             command == "compare" ? std::vector<std::string>{"--vary", "solver.nudges=0,4"}
                                  : std::vector<std::string>{"--over", "solver.nudges=0..4"};
         const Ended there = run(
-            folder.path(), with(with({command, "ball.toml", "-o", "there.mp4"}, varied), kSmall));
+            folder.path(), with(with({command, "ball.toml", "-o", "there.mp4"}, varied), kFilm));
         EXPECT_EQ(there.code, 5) << there.err;
         EXPECT_TRUE(there.out.empty()) << there.out;  // no table
         const Ended large = run(folder.path(), with({command, "ball.toml", "-o", "f", "--size",
@@ -71,7 +71,7 @@ TEST_F(Compare, WhatCannotBeWrittenIsRefusedBeforeAnythingIsPlayed) {
 
 TEST_F(Compare, ASecondRunKeepsEveryFrame) {
     const std::vector<std::string> arguments =
-        with({"ball.toml", "--vary", "solver.nudges=0,4", "-o", "film"}, kSmall);
+        with({"ball.toml", "--vary", "solver.nudges=0,4", "-o", "film"}, kFilm);
     ASSERT_EQ(compare(arguments).code, 0);
     const Ended again = compare(arguments);
     EXPECT_EQ(again.code, 0) << again.err;
@@ -100,7 +100,7 @@ TEST_F(Compare, ADivergedPanelStaysAndIsSaid) {
     const Ended ended =
         compare(with({"ball.toml", "--vary", "body.ball.velocity=[0,0,0],[9999,0,0]", "--set",
                       "body.ball.mass=1", "-o", "film"},
-                     kSmall));
+                     kFilm));
     EXPECT_EQ(ended.code, 0) << ended.err;
     const Ended far =
         compare({"ball.toml", "--no-film", "--seconds", "60", "--vary",
@@ -141,7 +141,7 @@ TEST_F(Compare, ListsWhatIsBuiltIn) {
 TEST_F(Compare, SweepWritesATableAPlotAndAGrid) {
     const Ended ended = sweep(with({"ball.toml", "--over", "world.hz=30,60,120", "--csv", "a.csv",
                                     "--plot", "a.svg", "-o", "grid"},
-                                   kSmall));
+                                   kFilm));
     EXPECT_EQ(ended.code, 0) << ended.err;
     const std::string csv = contentOf(folder / "a.csv");
     EXPECT_TRUE(csv.starts_with("world.hz,drift,speed,penetration,")) << csv;

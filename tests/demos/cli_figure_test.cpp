@@ -24,11 +24,11 @@ protected:
 };
 
 /// Small on the machine, 8 pt on paper: 60 mm at 96 dpi are 227 pixels.
-const std::vector<std::string> kSmall = {"--width", "60mm", "--dpi", "96"};
+const std::vector<std::string> kPaper = {"--width", "60mm", "--dpi", "96"};
 
 std::vector<std::string> small(std::vector<std::string> first,
                                const std::vector<std::string>& more = {}) {
-    first.insert(first.end(), kSmall.begin(), kSmall.end());
+    first.insert(first.end(), kPaper.begin(), kPaper.end());
     first.insert(first.end(), more.begin(), more.end());
     return first;
 }

@@ -30,7 +30,7 @@ protected:
     TemporaryFolder folder;
 };
 
-bool has(const Ended& ended, const std::string& text) {
+bool told(const Ended& ended, const std::string& text) {
     return ended.out.find(text) != std::string::npos;
 }
 
@@ -45,7 +45,7 @@ TEST_F(Gallery, MakesAPageAFilmAndAPosterOfEachScene) {
         }
     }
     EXPECT_TRUE(isMade("sheet.png"));
-    EXPECT_TRUE(has(ended, "2 drawn, 0 kept")) << ended.out;
+    EXPECT_TRUE(told(ended, "2 drawn, 0 kept")) << ended.out;
     EXPECT_EQ(page().find(folder.path().string()), std::string::npos)
         << "where the file is, is told";
 }
@@ -55,10 +55,10 @@ TEST_F(Gallery, TheSameCommandTwiceDrawsNothingTwice) {
     const auto written = fs::last_write_time(made("ball.png"));
     const Ended again = gallery({"ball.toml", "other.toml"});
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_TRUE(has(again, "0 drawn, 2 kept")) << again.out;
+    EXPECT_TRUE(told(again, "0 drawn, 2 kept")) << again.out;
     EXPECT_EQ(fs::last_write_time(made("ball.png")), written);
     write(made("ball.png"), "torn");
-    EXPECT_TRUE(has(gallery({"ball.toml", "other.toml"}), "1 drawn, 1 kept"));
+    EXPECT_TRUE(told(gallery({"ball.toml", "other.toml"}), "1 drawn, 1 kept"));
     EXPECT_TRUE(isWhole(contentOf(made("ball.png"))));
 }
 
@@ -108,7 +108,7 @@ TEST_F(Gallery, OtherSettingsNeedToBeAskedFor) {
     EXPECT_NE(gallery({"ball.toml", "other.toml"}).err.find("1 scene of another run"),
               std::string::npos);
     const Ended replaced = gallery({"ball.toml", "other.toml", "--overwrite"});
-    EXPECT_TRUE(has(replaced, "1 drawn, 1 kept")) << replaced.out << replaced.err;
+    EXPECT_TRUE(told(replaced, "1 drawn, 1 kept")) << replaced.out << replaced.err;
 }
 
 TEST_F(Gallery, AShorterListDropsCardsAndKeepsFiles) {
@@ -117,7 +117,7 @@ TEST_F(Gallery, AShorterListDropsCardsAndKeepsFiles) {
     EXPECT_TRUE(pageHas("ball"));
     EXPECT_FALSE(pageHas("other"));
     EXPECT_TRUE(isMade("other.png"));
-    EXPECT_TRUE(has(gallery({"ball.toml", "other.toml"}), "0 drawn, 2 kept"));
+    EXPECT_TRUE(told(gallery({"ball.toml", "other.toml"}), "0 drawn, 2 kept"));
     EXPECT_TRUE(pageHas("other"));
 }
 
@@ -141,7 +141,7 @@ TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
 TEST_F(Gallery, WithoutAScenePageAndSheetAreNotMade) {
     const Ended none = gallery({"nope"});
     EXPECT_EQ(none.code, 3) << none.err;
-    EXPECT_TRUE(has(none, "no page")) << none.out;
+    EXPECT_TRUE(told(none, "no page")) << none.out;
     EXPECT_FALSE(isMade("index.html") || isMade("sheet.png"));
     const Ended high = run(folder.path(), {"gallery", "ball.toml", "--size", "16x16384"});
     EXPECT_EQ(high.code, 2);
@@ -150,8 +150,8 @@ TEST_F(Gallery, WithoutAScenePageAndSheetAreNotMade) {
 }
 
 TEST_F(Gallery, ASheetThatStaysIsNotToldAsWritten) {
-    EXPECT_TRUE(has(gallery({"ball.toml"}), "(1 scene, 1 drawn, 0 kept), sheet.png"));
-    EXPECT_TRUE(has(gallery({"ball.toml"}), "(1 scene, 0 drawn, 1 kept)\n"));
+    EXPECT_TRUE(told(gallery({"ball.toml"}), "(1 scene, 1 drawn, 0 kept), sheet.png"));
+    EXPECT_TRUE(told(gallery({"ball.toml"}), "(1 scene, 0 drawn, 1 kept)\n"));
 }
 
 TEST_F(Gallery, WithoutFfmpegThereArePostersAndFilmsComeLater) {

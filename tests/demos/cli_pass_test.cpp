@@ -1,17 +1,15 @@
 // impulse render --pass, as a user's shell runs it.
 #include <array>
 #include <cstring>
-#include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/demos/program.h"
+#include "tests/demos/small_film.h"
 
 namespace demos::test {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kWidth = 96, kHeight = 54, kFrames = 10;
 const std::string kAll = "depth,depth16,normal,id,flow,camera,poses,contacts,events";
 
 /// Everything below a folder but run.json, by path.

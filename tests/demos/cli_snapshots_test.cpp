@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// A ball that falls on a box; small pictures.
-const std::string kScene = R"(format = 1
+const std::string kBallOnABox = R"(format = 1
 title = "a ball on a box"
 seconds = 1.0
 [[body]]
@@ -39,7 +39,7 @@ below = 0.05
 
 class Snapshots : public testing::Test {
 protected:
-    Snapshots() { write(folder / "ball.toml", kScene); }
+    Snapshots() { write(folder / "ball.toml", kBallOnABox); }
 
     /// Not as if in CI, wherever these tests run.
     Ended impulse(std::vector<std::string> arguments, bool ci = false) {
@@ -101,7 +101,7 @@ TEST_F(Snapshots, TellPhysicsFromRendering) {
     EXPECT_EQ(scene().at("physics").at("kind"), "same");
     EXPECT_EQ(scene().at("pictures").at(0).at("kind"), "changed");
 
-    write(folder / "ball.toml", kScene);
+    write(folder / "ball.toml", kBallOnABox);
     change("at = [0.1, 2, 0]", "at = [0.1, 2.001, 0]");
     const Ended moved = test();
     EXPECT_EQ(moved.code, 1);
@@ -238,7 +238,7 @@ TEST_F(Snapshots, ListAndPruneOrphans) {
 }
 
 TEST_F(Snapshots, OfOneSceneDoNotFailTheOthers) {
-    write(folder / "good.toml", kScene);
+    write(folder / "good.toml", kBallOnABox);
     write(folder / "part.toml", "[[body]]\nname = 'a'\nshape = { sphere = 1 }\n");
     ASSERT_EQ(impulse({"test", "."}).code, 0);
     change("format = 1", "format = 1\nspeed = 3");
@@ -288,7 +288,7 @@ TEST_F(Snapshots, RefuseToWriteOverBaselines) {
 }
 
 TEST_F(Snapshots, GoOnAfterAnInterruption) {
-    for (const char* name : {"a.toml", "b.toml", "c.toml"}) write(folder / name, kScene);
+    for (const char* name : {"a.toml", "b.toml", "c.toml"}) write(folder / name, kBallOnABox);
     ASSERT_EQ(impulse({"test", "."}).code, 0);
     ASSERT_EQ(impulse({"test", ".", "--no-cache"}).code, 0);
     fs::remove(folder / "output/test/passed.json");
@@ -340,7 +340,7 @@ TEST_F(Snapshots, RefuseWhatCannotBeMeant) {
     };
     fs::create_directories(folder / "empty");
     fs::create_directories(folder / "other");
-    write(folder / "other/ball.toml", kScene);
+    write(folder / "other/ball.toml", kBallOnABox);
     refused({"test", "bal"}, 3, "no built-in scene and no file 'bal'");
     refused({"test", "empty"}, 2, "holds no scene file");
     refused({"test", "ball.toml", "other/ball.toml"}, 2, "are both called 'ball'");

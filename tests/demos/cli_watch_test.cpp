@@ -7,10 +7,10 @@
 namespace demos::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// A ball that falls through two sections.
-const std::string kScene = R"(format = 1
+const std::string kFall = R"(format = 1
 seconds = 2.0
 [[body]]
 name = "ball"
@@ -27,7 +27,7 @@ caption = "late"
 
 class Watch : public testing::Test {
 protected:
-    Watch() { write(folder / "my.toml", kScene); }
+    Watch() { write(folder / "my.toml", kFall); }
 
     Launch launch(std::vector<std::string> more) const {
         Launch launch;
@@ -46,16 +46,16 @@ protected:
     TemporaryFolder folder;
 };
 
-std::string with(std::string text, const std::string& old, const std::string& now) {
+std::string replaced(std::string text, const std::string& old, const std::string& now) {
     const std::size_t at = text.find(old);
     EXPECT_NE(at, std::string::npos) << old;
     return text.replace(at, old.size(), now);
 }
 
-json draftIn(const std::string& lines) {
+Json draftIn(const std::string& lines) {
     const std::size_t at = lines.find("{\"event\":\"draft\"");
     EXPECT_NE(at, std::string::npos) << lines;
-    return at == lines.npos ? json() : json::parse(lines.substr(at, lines.find('\n', at) - at));
+    return at == lines.npos ? Json() : Json::parse(lines.substr(at, lines.find('\n', at) - at));
 }
 
 constexpr int kDraftFrames = 30;  // 2 s of 15
@@ -76,16 +76,17 @@ TEST_F(Watch, DrawsAnewWhatASaveChangesAndNothingElse) {
     EXPECT_EQ(draftIn(watching.until("\"watching\""))["drawn"], kDraftFrames);
     // A caption of the second section, seen from 1 s on: frames 15 to 29. The state is the same.
     write(folder / "my.toml",
-          with(kScene, "\"late\"\ncaption = \"late\"", "\"late\"\ncaption = \"later\""));
-    json draft = draftIn(watching.until("\"draft\""));
+          replaced(kFall, "\"late\"\ncaption = \"late\"", "\"late\"\ncaption = \"later\""));
+    Json draft = draftIn(watching.until("\"draft\""));
     EXPECT_EQ(draft["drawn"], 15) << draft;
     EXPECT_EQ(draft["changed"],
-              (json::array({{{"first", 15}, {"last", 29}, {"sections", {"late"}}}})));
+              (Json::array({{{"first", 15}, {"last", 29}, {"sections", {"late"}}}})));
     EXPECT_TRUE(draft["first_step"].is_null()) << draft;
     EXPECT_EQ(draft["picture"], "output/my/draft.png");
     // Gravity: the state of every step but the start's, so every frame but the first, which is as
     // before in its picture but for the caption. Saved by renaming.
-    replace("my.toml", with(kScene, "[[section]]", "[world]\ngravity = [0, -5, 0]\n[[section]]"));
+    replace("my.toml",
+            replaced(kFall, "[[section]]", "[world]\ngravity = [0, -5, 0]\n[[section]]"));
     draft = draftIn(watching.until("\"draft\""));
     EXPECT_EQ(draft["drawn"], kDraftFrames - 1) << draft;
     EXPECT_EQ(draft["first_step"], 1) << draft;
@@ -95,8 +96,8 @@ TEST_F(Watch, DrawsAnewWhatASaveChangesAndNothingElse) {
 TEST_F(Watch, NamesTheFirstStepAndTheFirstFrame) {
     Conversation watching(launch({"--json"}));
     watching.until("\"watching\"");
-    replace("my.toml", with(kScene, "at = [0, 3, 0]", "at = [0, 3, 0]\nvelocity = [1, 0, 0]"));
-    const json draft = draftIn(watching.until("\"draft\""));
+    replace("my.toml", replaced(kFall, "at = [0, 3, 0]", "at = [0, 3, 0]\nvelocity = [1, 0, 0]"));
+    const Json draft = draftIn(watching.until("\"draft\""));
     EXPECT_EQ(draft["drawn"], kDraftFrames - 1) << draft;  // frame 0 is at rest in both
     EXPECT_EQ(draft["changed"][0]["first"], 1);
     EXPECT_EQ(draft["first_step"], 0);  // the velocity is part of the state
@@ -108,7 +109,7 @@ TEST_F(Watch, SaysWhenNothingChanged) {
     const std::string first = watching.until("watching my.toml");
     EXPECT_NE(first.find("open it"), std::string::npos) << first;
     const auto written = fs::last_write_time(made("draft.png"));
-    replace("my.toml", "# another word\n" + kScene);
+    replace("my.toml", "# another word\n" + kFall);
     EXPECT_EQ(watching.until("\n"), "no frame changed\n");
     EXPECT_EQ(fs::last_write_time(made("draft.png")), written);
     EXPECT_EQ(watching.endBy(SIGINT), 130);
@@ -119,7 +120,7 @@ TEST_F(Watch, ErrorsAreToldOnceAndWatchingGoesOn) {
     watching.until("watching my.toml");
     write(folder / "my.toml", "format = 1\nsecond = 2\n");
     EXPECT_NE(watching.until("my.toml:2:1").find("impulse: my.toml:2:1: "), std::string::npos);
-    replace("my.toml", kScene);
+    replace("my.toml", kFall);
     EXPECT_NE(watching.until("no frame changed").find("no frame changed"), std::string::npos);
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }
@@ -151,7 +152,7 @@ TEST_F(Watch, WhatASceneIncludesIsWatchedOnceItIsIncluded) {
     Conversation watching(launch({"--json"}));
     EXPECT_NE(watching.until("\"watching\"").find("\"files\":1"), std::string::npos);
     write(folder / "part.toml", part("0.2"));
-    replace("my.toml", with(kScene, "seconds", "include = [\"part.toml\"]\nseconds"));
+    replace("my.toml", replaced(kFall, "seconds", "include = [\"part.toml\"]\nseconds"));
     EXPECT_EQ(draftIn(watching.until("\"draft\""))["drawn"], kDraftFrames);
     replace("part.toml", part("0.3"));
     EXPECT_EQ(draftIn(watching.until("\"draft\""))["drawn"], kDraftFrames);
@@ -160,7 +161,7 @@ TEST_F(Watch, WhatASceneIncludesIsWatchedOnceItIsIncluded) {
 
 TEST_F(Watch, AFailedExpectationIsTold) {
     write(folder / "my.toml",
-          kScene + "[[expect]]\nwhat = \"speed\"\nof = [\"ball\"]\nbelow = 1\nwhy = \"slow\"\n");
+          kFall + "[[expect]]\nwhat = \"speed\"\nof = [\"ball\"]\nbelow = 1\nwhy = \"slow\"\n");
     const Ended ended = run(launch({"--once"}));
     EXPECT_EQ(ended.code, 1);
     EXPECT_NE(ended.err.find("impulse: my: failed: speed of ball below 1 m/s"), std::string::npos)
@@ -178,7 +179,7 @@ TEST_F(Watch, WithoutFfmpegThereAreFramesAndAStrip) {
     EXPECT_NE(first.find("output/my/draft_strip.png"), std::string::npos) << first;
     EXPECT_EQ(framesIn(made("draft")).size(), static_cast<std::size_t>(kDraftFrames));
     const Files before = framesIn(made("draft"));
-    replace("my.toml", with(kScene, "seconds = 2.0", "seconds = 1.0"));
+    replace("my.toml", replaced(kFall, "seconds = 2.0", "seconds = 1.0"));
     watching.until("it had 30");
     watching.until("open it");
     const Files after = framesIn(made("draft"));
@@ -193,7 +194,7 @@ TEST_F(Watch, WhatIsGoneIsWaitedFor) {
         "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n";
     fs::create_directory(folder / "parts");
     write(folder / "parts/part.toml", part);
-    write(folder / "my.toml", "include = [\"parts/part.toml\"]\n" + kScene);
+    write(folder / "my.toml", "include = [\"parts/part.toml\"]\n" + kFall);
     Conversation watching(launch({"-o", "made"}));
     watching.until("watching my.toml and the file that it reads");
     fs::remove_all(folder / "parts");
@@ -213,7 +214,7 @@ TEST_F(Watch, ADraftThatWasRemovedComesBack) {
     Conversation watching(launch({}));
     watching.until("watching my.toml");
     fs::remove_all(folder / "output");
-    replace("my.toml", kScene);
+    replace("my.toml", kFall);
     watching.until("open it");
     EXPECT_TRUE(fs::exists(made("draft.png")));
     EXPECT_EQ(watching.endBy(SIGINT), 130);

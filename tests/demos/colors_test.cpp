@@ -3,15 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "demos/player.h"
-#include "demos/scene/reader.h"
+#include "tests/demos/reading.h"
 
 namespace demos {
 namespace {
 
-SceneDescription sceneFrom(const std::string& text) { return readScene(text, "test", "test"); }
+using test::sceneFrom;
 
 /// A floor, two boxes on each other, one apart, and a ball that flies at 3 m/s.
-const std::string kScene = R"(format = 1
+const std::string kFiveBodies = R"(format = 1
 [[material]]
 name = "ice"
 friction = 0.1
@@ -60,13 +60,13 @@ TEST(Colors, TheScaleEndsInVioletAndYellowAndGetsLighterAllTheWay) {
 }
 
 TEST(Colors, IslandsAreWhatTouchesAndTheFloorJoinsNobody) {
-    Player player(sceneFrom(kScene), {});
+    Player player(sceneFrom(kFiveBodies), {});
     player.step(5);
     EXPECT_EQ(islandsOf(player.stage()), (std::vector<int>{-1, 1, 1, 3, 4}));
 }
 
 TEST(Colors, SpeedIsInMetresPerSecondAndFixedBodiesAreGrey) {
-    const Stage stage(sceneFrom(kScene));
+    const Stage stage(sceneFrom(kFiveBodies));
     EXPECT_EQ(colorValues(stage, "speed"), (std::vector<double>{-1, 0, 0, 0, 3}));
     Overlays overlays;
     overlays.colorBy = "speed";
@@ -78,7 +78,7 @@ TEST(Colors, SpeedIsInMetresPerSecondAndFixedBodiesAreGrey) {
 }
 
 TEST(Colors, ImpulseIsWhatABodyCarriesAndWhatItRestsOn) {
-    Player player(sceneFrom(kScene), {});
+    Player player(sceneFrom(kFiveBodies), {});
     player.step(30);
     const std::vector<double> values = colorValues(player.stage(), "impulse");
     const double weight = 1000.0 * 9.81 / 60.0;  // N s in a step, of a cube of water's density
@@ -94,7 +94,7 @@ TEST(Colors, TheScaleReachesTheLargestSoFarAndNeverShrinks) {
     History history;
     history.largestValue = 3.0;
     EXPECT_EQ(scaleEnd(overlays, history), 5.0);
-    Player player(sceneFrom(kScene), overlays);
+    Player player(sceneFrom(kFiveBodies), overlays);
     const auto endOf = [&] {
         for (const render::Plate& plate : player.frame(0.0).plates)
             for (const render::PlateRow& row : plate.rows)
@@ -111,7 +111,7 @@ TEST(Colors, TheScaleReachesTheLargestSoFarAndNeverShrinks) {
 }
 
 TEST(Colors, GroupsAndMaterialsAndOwnColours) {
-    const Stage stage(sceneFrom(kScene));
+    const Stage stage(sceneFrom(kFiveBodies));
     const auto colored = [&](const char* by) {
         Overlays overlays;
         overlays.colorBy = by;
@@ -127,7 +127,7 @@ TEST(Colors, GroupsAndMaterialsAndOwnColours) {
 }
 
 TEST(Colors, OfGroupsAndMaterialsAreNamed) {
-    const Stage stage(sceneFrom(kScene));
+    const Stage stage(sceneFrom(kFiveBodies));
     const auto groups = colorMeanings(stage, "group");  // not the floor, which is fixed
     ASSERT_EQ(groups.size(), 2u);
     EXPECT_EQ(groups[0].name, "box");

@@ -4,12 +4,12 @@
 
 #include "demos/film/data_json.h"
 #include "demos/player.h"
-#include "demos/scene/reader.h"
+#include "tests/demos/reading.h"
 
 namespace demos {
 namespace {
 
-SceneDescription sceneFrom(const std::string& text) { return readScene(text, "test", "test"); }
+using test::sceneFrom;
 
 /// A ball that bounces on a floor: up from the first touch, after 0.45 s of falling.
 std::string bouncingFrom(double height) {

@@ -33,7 +33,7 @@ protected:
     support::TemporaryFolder folder_;
 };
 
-const std::string kScene =
+const std::string kFall =
     "title = 'fall: a ball'\npurpose = 'It *falls*'\nseconds = 3\n" + kFloor + kBall;
 const std::string kSections =
     "[[section]]\nat = 0\nname = 'up'\ncaption = 'a * b * c $'\n"
@@ -61,7 +61,7 @@ TEST_F(DeckFiles, NameScenesBesideThem) {
 
 TEST_F(DeckFiles, AreToldFromScenes) {
     write("deck.toml", "title = 'T'\n[[slide]]\n");
-    write("scene.toml", kScene);
+    write("scene.toml", kFall);
     write("broken.toml", "[[slide\n");
     write("slides.toml", "title = 'T'\n[[slides]]\ntitle = 'x'\n");
     write("talk.toml", "title = 'T'\nsubtitle = 'S'\n[opening]\nscene = 'stack'\n");
@@ -77,7 +77,7 @@ TEST_F(DeckFiles, AreToldFromScenes) {
 }
 
 TEST_F(DeckFiles, TakeSectionsAndSayOtherwiseWhereTheyWish) {
-    write("a.toml", kScene + kSections + kExpect);
+    write("a.toml", kFall + kSections + kExpect);
     write("deck.toml",
           "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'down'\n"
           "[[slide]]\nscene = 'a.toml'\nsection = 'down'\ntitle = 'Mine'\nslow = 2\nloop = false\n"
@@ -105,7 +105,7 @@ TEST_F(DeckFiles, TakeSectionsAndSayOtherwiseWhereTheyWish) {
 }
 
 TEST_F(DeckFiles, ShowNoTableOfNothing) {
-    write("a.toml", kScene + kSections);
+    write("a.toml", kFall + kSections);
     write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\ntable = ['expectations']\n");
     EXPECT_EQ(error("deck.toml"),
               path("deck.toml") + ":5:10: 'a' has no [[expect]]; leave out expectations");
@@ -114,7 +114,7 @@ TEST_F(DeckFiles, ShowNoTableOfNothing) {
 }
 
 TEST_F(DeckFiles, TellOfASectionInTheFileOfItsScene) {
-    write("a.toml", kScene + "[[section]]\nname = 'one'\nformula = ['a', 'b^c^d']\n");
+    write("a.toml", kFall + "[[section]]\nname = 'one'\nformula = ['a', 'b^c^d']\n");
     write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'one'\n");
     EXPECT_EQ(error("deck.toml"), path("a.toml") + ":15:21: formula: Double superscript");
     Options options;
@@ -129,7 +129,7 @@ TEST_F(DeckFiles, TellOfASectionInTheFileOfItsScene) {
 }
 
 TEST_F(DeckFiles, MayBeMadeOfAScene) {
-    write("a.toml", kScene + kSections + kExpect);
+    write("a.toml", kFall + kSections + kExpect);
     Options options;
     options.scenes = {path("a.toml")};
     options.overrides = {"world.hz=120"};
@@ -153,7 +153,7 @@ TEST_F(DeckFiles, MayBeMadeOfAScene) {
 }
 
 TEST_F(DeckFiles, MadeOfASceneEndWithIt) {
-    write("a.toml", kScene + kSections);
+    write("a.toml", kFall + kSections);
     Options options;
     options.scenes = {path("a.toml")};
     options.seconds = 1.5;
@@ -168,7 +168,7 @@ TEST_F(DeckFiles, MadeOfASceneEndWithIt) {
 }
 
 TEST_F(DeckFiles, MadeOfSeveralScenesBeginWithWhatTheyAre) {
-    write("a.toml", kScene);
+    write("a.toml", kFall);
     Options options;
     options.scenes = {path("a.toml"), "pendulum", "stack"};
     options.theme = "dark";

@@ -12,7 +12,7 @@ namespace {
 const std::string kFalling =
     "format = 1\nseconds = 1\n"
     "[[body]]\nname = 'ball'\nshape = { sphere = 0.1 }\nat = [0, 9, 0]\nvelocity = [2, 0, 0]\n";
-const std::string kPendulum =
+const std::string kSmallSwing =
     "format = 1\nseconds = 5\n[world]\nhz = 240\n"
     "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [0.1, 0, 0]\n"
     "[[joint]]\ntype = 'distance'\nname = 'rod'\na = 'world'\nb = 'bob'\nanchor_a = [0, 1, 0]\n";
@@ -74,9 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
              "what = 'angle_deg'\nof = ['top']\nnear = 57.29578\nwithin = 0.01\n",
              "what = 'angle_deg'\nof = ['top']\nbelow = 57\n", 57.29578, 1e-3},
         // A small swing: 2 pi sqrt(l / g) (1 + A^2 / 16), l^2 = 1.01, A = 0.0997 rad
-        Case{"period", kPendulum, "what = 'period'\nnear = 2.0123\nwithin = 0.002\n",
+        Case{"period", kSmallSwing, "what = 'period'\nnear = 2.0123\nwithin = 0.002\n",
              "what = 'period'\nbelow = 2\n", 2.0123, 0.002},
-        Case{"separation", kPendulum, "what = 'separation'\nof = ['rod']\nbelow = 1e-6\n",
+        Case{"separation", kSmallSwing, "what = 'separation'\nof = ['rod']\nbelow = 1e-6\n",
              "what = 'separation'\nabove = 1e-3\n", 0.0, 1e-6},
         Case{"penetration", kPressed, "what = 'penetration'\nnear = 0.01\nwithin = 1e-9\n",
              "what = 'penetration'\nbelow = 0.01\n", 0.01, 1e-9}),

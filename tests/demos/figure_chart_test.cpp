@@ -9,12 +9,11 @@
 #include "demos/report/inks.h"
 #include "demos/report/layout.h"
 #include "demos/stop.h"
+#include "tests/demos/column.h"
 #include "tests/demos/labels.h"
 
 namespace demos {
 namespace {
-
-const Paper kColumn{85.0, 300};
 
 Chart chartOf(int lines, const std::string& name) {
     Chart chart;

@@ -12,11 +12,10 @@
 #include "demos/scene/reader.h"
 #include "demos/scene/solver_settings.h"
 #include "demos/stop.h"
+#include "tests/demos/column.h"
 
 namespace demos {
 namespace {
-
-const Paper kColumn{85.0, 300};
 
 TEST(Length, IsReadInEveryUnit) {
     EXPECT_NEAR(*lengthFrom("85mm"), 85.0, 1e-12);

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "demos/slides/math_letters.h"
+#include "tests/support/text.h"
 
 namespace demos::test {
 namespace {
+
+using support::repeated;
 
 const std::string kBegin = "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" ";
 
@@ -19,12 +22,6 @@ std::string refused(const std::string& tex) {
         return std::to_string(error.at()) + ": " + error.what();
     }
     return "";
-}
-
-std::string repeated(const std::string& text, int times) {
-    std::string all;
-    for (int i = 0; i < times; ++i) all += text;
-    return all;
 }
 
 /// What is between <math ...> and </math>.

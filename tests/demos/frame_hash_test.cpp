@@ -32,7 +32,7 @@ Frame full() {
     frame.ghosts.resize(1);
     frame.labels.resize(1);
     frame.trails.resize(1);
-    frame.trails[0].points.resize(2, Vec3(0, 0, 0));
+    frame.trails[0].points.resize(2, render::Vec3(0, 0, 0));
     frame.texts.resize(1);
     frame.plates.resize(1);
     frame.plates[0].rows.resize(1);

@@ -7,22 +7,14 @@
 #include <regex>
 
 #include "demos/gallery/gallery_sheet.h"
+#include "tests/demos/page_data.h"
+#include "tests/support/text.h"
 
 namespace {
 
 using namespace demos;
-
-int count(const std::string& text, const std::string& part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
-
-nlohmann::json dataOf(const std::string& page) {
-    const std::string mark = "id=\"data\">";
-    const std::size_t begin = page.find(mark) + mark.size();
-    return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
-}
+using support::count;
+using test::dataOf;
 
 TEST(GalleryPage, NothingBreaksOutOfItsData) {
     const std::string hostile =

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kStepsPerFrame = 2;
 
-const std::string kScene = kFloor + R"(
+const std::string kShapes = kFloor + R"(
 [[body]]
 name = "spinner"
 shape = { box = [0.4, 0.6, 0.8] }
@@ -74,7 +74,7 @@ struct Exported : Recorded {
 };
 
 const Exported& exported() {
-    static const Exported one(kScene);
+    static const Exported one(kShapes);
     return one;
 }
 

@@ -123,7 +123,7 @@ bool anyEndsAt(const std::vector<render::Line>& lines, const render::Vec3& at) {
 }
 
 /// Of the marks about the ball: 1.2 times its radius, and 0.8 of that for a fan.
-constexpr float kSize = 1.2f * 0.2f, kFan = 0.8f * kSize;
+constexpr float kMarkSize = 1.2f * 0.2f, kFan = 0.8f * kMarkSize;
 const render::Vec3 kBallAt(0, -2, 0);
 
 TEST(JointPicture, AFanStandsStillWhileTheHandOfACentredBodyTurns) {
@@ -178,11 +178,11 @@ TEST(JointPicture, ASwingIsAConeAboutTheAxis) {
     for (const render::Line& line : cone) {
         const float off = std::acos(-line.to.normalized().y());
         EXPECT_NEAR(off, swing, 1e-5);
-        EXPECT_NEAR(line.to.norm(), kSize, 1e-6);
+        EXPECT_NEAR(line.to.norm(), kMarkSize, 1e-6);
         spokes += line.from.norm() < 1e-6f ? 1 : 0;
     }
     EXPECT_EQ(spokes, 4);
-    EXPECT_TRUE(anyEndsAt(linesOf(stage, isBlue), {0, -kSize, 0}));  // b's axis, at rest in it
+    EXPECT_TRUE(anyEndsAt(linesOf(stage, isBlue), {0, -kMarkSize, 0}));  // b's axis, at rest in it
 }
 
 TEST(JointPicture, NoConeIsDrawnWhereNoSwingIsTooMuch) {
@@ -247,7 +247,7 @@ TEST(JointPicture, ASixDofShowsItsFrameAndWhatIsLimited) {
     const auto any = linesOf(stage, [](const render::Line&) { return true; });
     for (const render::Vec3& way :
          {render::Vec3(0, 1, 0), render::Vec3(0, 0, 1), render::Vec3(1, 0, 0)})
-        EXPECT_TRUE(anyEndsAt(any, kBallAt + kSize * way)) << way.transpose();
+        EXPECT_TRUE(anyEndsAt(any, kBallAt + kMarkSize * way)) << way.transpose();
     const auto amber = linesOf(stage, isAmber);
     EXPECT_TRUE(anyEndsAt(amber, kBallAt + render::Vec3(0, 0, 1.5f)));
     EXPECT_LT((amber.front().from - (kBallAt + render::Vec3(0, 0, -0.5f))).norm(), 1e-6f);

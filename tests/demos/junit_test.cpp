@@ -56,7 +56,7 @@ ExpectationResult expectation(bool passed) {
             .why = "it lies on a plane"};
 }
 
-PictureVerdict picture(double time, PictureVerdict::Kind kind) {
+PictureVerdict pictureVerdict(double time, PictureVerdict::Kind kind) {
     PictureVerdict picture;
     picture.time = time;
     picture.kind = kind;
@@ -75,7 +75,7 @@ SceneVerdict passedScene() {
     scene.expectations = {expectation(true)};
     scene.physics.kind = PhysicsVerdict::Kind::same;
     for (const double time : {0.0, 1.0, 2.5})
-        scene.pictures.push_back(picture(time, PictureVerdict::Kind::same));
+        scene.pictures.push_back(pictureVerdict(time, PictureVerdict::Kind::same));
     return scene;
 }
 

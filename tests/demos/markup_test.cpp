@@ -9,9 +9,12 @@
 #include "demos/slides/formula.h"
 #include "demos/slides/text_formulas.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace demos::test {
 namespace {
+
+using support::repeated;
 
 const std::string kX =
     "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" "
@@ -168,12 +171,6 @@ TEST(Markup, IsTakenByLatex) {
                                 "' && pdflatex -draftmode -halt-on-error -interaction=nonstopmode "
                                 "a.tex >a.txt 2>&1 </dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0);
-}
-
-std::string repeated(const std::string& text, std::size_t times) {
-    std::string all;
-    for (std::size_t i = 0; i < times; ++i) all += text;
-    return all;
 }
 
 TEST(Markup, SurvivesAnything) {

@@ -6,11 +6,14 @@
 
 #include "tests/demos/mjcf_reading.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace demos::test {
 namespace {
 
-const std::string kBall = "<worldbody><geom size='1'/></worldbody>\n";
+using support::repeated;
+
+const std::string kGeom = "<worldbody><geom size='1'/></worldbody>\n";
 const std::string kFree = "<worldbody>\n<body><freejoint/>";  // ends in line 3
 const std::string kEnd = "</body></worldbody>\n";
 
@@ -40,12 +43,6 @@ std::string deep(int levels) {
     return text;
 }
 
-std::string repeated(const std::string& text, int times) {
-    std::string all;
-    for (int i = 0; i < times; ++i) all += text;
-    return all;
-}
-
 INSTANTIATE_TEST_SUITE_P(
     Files, BadModels,
     testing::Values(
@@ -72,28 +69,28 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Words, BadModels,
     testing::Values(
-        BadModel{"element", "<worldbdy/>" + kBall, "2:1",
+        BadModel{"element", "<worldbdy/>" + kGeom, "2:1",
                  "there is no <worldbdy> in <mujoco>; did you mean 'worldbody'?"},
         BadModel{"element in its wrong place", "<worldbody><joint/></worldbody>", "2:12",
                  "there is no <joint> in <worldbody>"},
         BadModel{"attribute", "<worldbody><geom sise='1'/></worldbody>", "2:18",
                  "unknown attribute 'sise' of <geom>; did you mean 'size'?"},
-        BadModel{"attribute in a default", "<default>\n<geom fricton='1'/></default>" + kBall, "3:7",
+        BadModel{"attribute in a default", "<default>\n<geom fricton='1'/></default>" + kGeom, "3:7",
                  "did you mean 'friction'?"},
         BadModel{"class", "<default><default class='wheel'/></default>\n<worldbody>"
                           "<geom class='weel' size='1'/></worldbody>", "3:18",
                  "no default class is called 'weel'; did you mean 'wheel'?"},
-        BadModel{"class twice", "<default><default class='w'/><default class='w'/></default>" + kBall,
+        BadModel{"class twice", "<default><default class='w'/><default class='w'/></default>" + kGeom,
                  "2:39", "two classes are called 'w'; rename one"},
-        BadModel{"class without a name", "<default><default/></default>" + kBall, "2:10",
+        BadModel{"class without a name", "<default><default/></default>" + kGeom, "2:10",
                  "an inner <default> has no class; write class=\"NAME\""},
         BadModel{"mesh", "<worldbody><geom type='mesh' mesh='cup'/></worldbody>", "2:30",
                  "no mesh is called 'cup'"},
         BadModel{"material", "<worldbody><geom size='1' material='red'/></worldbody>", "2:27",
                  "no material is called 'red'"},
-        BadModel{"body of exclude", kBall + "<contact><exclude body1='a' body2='b'/></contact>", "3:19",
+        BadModel{"body of exclude", kGeom + "<contact><exclude body1='a' body2='b'/></contact>", "3:19",
                  "no body is called 'a'"},
-        BadModel{"body of connect", kBall + "<equality><connect body1='a' anchor='0 0 0'/></equality>",
+        BadModel{"body of connect", kGeom + "<equality><connect body1='a' anchor='0 0 0'/></equality>",
                  "3:20", "no body is called 'a'"},
         BadModel{"two bodies", "<worldbody><geom size='1'/><body name='a'/><body name='a'/></worldbody>",
                  "2:50", "two bodies are called 'a'; rename one"}));
@@ -118,12 +115,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "2:42", "the two ends are one point; move one of them"},
         BadModel{"fromto of a sphere", "<worldbody><geom size='1' fromto='0 0 0 1 1 1'/></worldbody>",
                  "2:27", "fromto of a sphere; give pos"},
-        BadModel{"truth", "<compiler autolimits='yes'/>" + kBall, "2:11",
+        BadModel{"truth", "<compiler autolimits='yes'/>" + kGeom, "2:11",
                  "autolimits is 'yes'; it should be true or false"},
-        BadModel{"global", "<compiler coordinate='global'/>" + kBall, "2:11", "coordinate is 'global'"},
-        BadModel{"sequence", "<compiler eulerseq='xyw'/>" + kBall, "2:11",
+        BadModel{"global", "<compiler coordinate='global'/>" + kGeom, "2:11", "coordinate is 'global'"},
+        BadModel{"sequence", "<compiler eulerseq='xyw'/>" + kGeom, "2:11",
                  "eulerseq is 'xyw'; it should be three of x, y, z, or three of X, Y, Z"},
-        BadModel{"timestep", "<option timestep='0'/>" + kBall, "2:9",
+        BadModel{"timestep", "<option timestep='0'/>" + kGeom, "2:9",
                  "timestep is '0'; it should be 1 number from 0.00001 to 1 s"},
         BadModel{"bits", "<worldbody><geom size='1' contype='1.5'/></worldbody>", "2:27",
                  "contype is 1.5; it should be a whole number"},
@@ -213,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Meshes, BadModels,
     testing::Values(
-        BadModel{"flat", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 1 1 0'/></asset>" + kBall,
+        BadModel{"flat", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 1 1 0'/></asset>" + kGeom,
                  "2:8", "mesh 'm' has no convex hull; its corners should not lie in one plane"},
         BadModel{"not three", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 1 1 0 3'/></asset>",
                  "2:23", "vertex has 13 numbers; it should be three for each corner"},
@@ -348,7 +345,7 @@ TEST(MujocoNotes, PutWhatIsForMujocosWindowInOne) {
                       "<geom size='1'/></worldbody>"),
               std::vector<std::string>{"a.xml:2:1: <visual>, <sensor>, <custom>, <light>, <camera>, "
                                        "<site>: for MuJoCo's own window and readings; left out"});
-    EXPECT_EQ(notesOf("<size njmax='9'/><option solver='CG'/><asset/><tendon/>" + kBall),
+    EXPECT_EQ(notesOf("<size njmax='9'/><option solver='CG'/><asset/><tendon/>" + kGeom),
               std::vector<std::string>{});
 }
 
@@ -358,7 +355,7 @@ TEST(MujocoNotes, TellWhatIsApproximate) {
         return tells(notes, "a.xml:", text);
     };
     const std::string wall = "<worldbody><geom size='1' friction='0.5'/>";
-    EXPECT_TRUE(said("<option timestep='0.003'/>" + kBall,
+    EXPECT_TRUE(said("<option timestep='0.003'/>" + kGeom,
                      "timestep is 0.003 s; taken are 360 steps a second, a multiple of 60"));
     EXPECT_TRUE(said(wall + "<geom size='1'/></worldbody>", "surfaces of different friction meet"));
     EXPECT_TRUE(said("<worldbody><body><freejoint/><geom size='1'/><geom size='1' friction='2'/>" + kEnd,

@@ -16,10 +16,6 @@ std::string world(const std::string& inside) {
     return "<worldbody>" + inside + "</worldbody>";
 }
 
-void expectNear(const Vec3& a, const Vec3& b, double within) {
-    EXPECT_LE((a - b).norm(), within) << a.transpose() << " and " << b.transpose();
-}
-
 /// s, between every second zero of the first joint's angle.
 double periodOf(Stage& stage, double seconds) {
     std::vector<double> zeros;

@@ -1,5 +1,7 @@
 /// MuJoCo models from a few lines of text, for the tests of their reader.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -40,6 +42,10 @@ inline std::vector<std::string> modelErrors(const std::string& text, const Files
         return error.lines();
     }
     return {};
+}
+
+inline void expectNear(const Vec3& a, const Vec3& b, double within = 1e-12) {
+    EXPECT_LE((a - b).norm(), within) << a.transpose() << " and " << b.transpose();
 }
 
 /// Steps for so many seconds.

@@ -16,10 +16,6 @@ using engine::ShapeType;
 
 const std::string kBob = "<geom type='sphere' size='0.01' mass='2'/>";
 
-void expectNear(const Vec3& a, const Vec3& b, double within = 1e-12) {
-    EXPECT_LE((a - b).norm(), within) << a.transpose() << " and " << b.transpose();
-}
-
 /// Two turns are one if they move two directions alike.
 void expectSameTurn(const Quat& a, const Quat& b, double within = 1e-12) {
     expectNear(a * Vec3(1, 2, 3), b * Vec3(1, 2, 3), within);

@@ -108,7 +108,7 @@ TEST(Quantity, AVectorIsAsExactAsItsLargestPart) {
               "(1, 0, 0) \\times 10^{-17}\\,\\mathrm{m/s}");
 }
 
-const char* const kScene = R"(format = 1
+const char* const kBallOnARod = R"(format = 1
 title = "a ball on a rod, and one that lies"
 seconds = 1.0
 [[body]]
@@ -148,7 +148,7 @@ constexpr int kHz = 60;
 /// The numbers of 31 steps, and a stage that was played as far without any of their code.
 class NumberValues : public testing::Test {
 protected:
-    NumberValues() : scene(readScene(kScene, "rod.toml", "rod")), stage(scene) {
+    NumberValues() : scene(readScene(kBallOnARod, "rod.toml", "rod")), stage(scene) {
         scene.hz = stage.scene.hz = kHz;
         runs.askMoment("rod", scene, static_cast<double>(kSteps) / kHz);
         runs.askExpectations("rod", scene);
@@ -285,7 +285,7 @@ TEST(SlideNumbers, MayBeOfNamesWithDollars) {
 }
 
 TEST(DeckRuns, PlayEachRunOnce) {
-    const SceneDescription scene = readScene(kScene, "rod.toml", "rod");
+    const SceneDescription scene = readScene(kBallOnARod, "rod.toml", "rod");
     DeckRuns runs;
     for (const double until : {0.5, 0.25, 0.5}) runs.askMoment("a", scene, until);
     runs.askMoment("b", scene, 0.1);

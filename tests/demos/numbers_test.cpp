@@ -15,7 +15,7 @@ std::string asked(const std::string& text) {
 }
 
 /// "byte: what", or "" where it is taken.
-std::string refused(const std::string& text) {
+std::string mistake(const std::string& text) {
     try {
         numberedText(text);
     } catch (const NumberError& error) {
@@ -59,33 +59,33 @@ TEST(Numbers, AreNotWhereABackslashIs) {
 }
 
 TEST(Numbers, SayWhatIsWrongAndWhere) {
-    EXPECT_EQ(refused("a @{penetraton}"),
+    EXPECT_EQ(mistake("a @{penetraton}"),
               "2: no number is called 'penetraton'; did you mean 'penetration'?");
-    EXPECT_EQ(refused("@{pen}"), "0: no number is called 'pen'; did you mean 'penetration'?");
-    EXPECT_EQ(refused("@{bodies.a.speed}").substr(0, 60),
+    EXPECT_EQ(mistake("@{pen}"), "0: no number is called 'pen'; did you mean 'penetration'?");
+    EXPECT_EQ(mistake("@{bodies.a.speed}").substr(0, 60),
               "0: no number is called 'bodies.a.speed'; known are: drift, s");
-    EXPECT_EQ(refused("@{body.a.velocty}"), "0: a body has no 'velocty'; did you mean 'velocity'?");
-    EXPECT_EQ(refused("@{joint.a.x}"),
+    EXPECT_EQ(mistake("@{body.a.velocty}"), "0: a body has no 'velocty'; did you mean 'velocity'?");
+    EXPECT_EQ(mistake("@{joint.a.x}"),
               "0: a joint has no 'x'; known are: impulse, force, separation");
-    EXPECT_EQ(refused("@{contacts.sum}"),
+    EXPECT_EQ(mistake("@{contacts.sum}"),
               "0: 'contacts' has no 'sum'; known are: impulse, points, largest");
-    EXPECT_EQ(refused("@{body.speed}"),
+    EXPECT_EQ(mistake("@{body.speed}"),
               "0: 'body.speed' has no field; write @{body.NAME.position}");
-    EXPECT_EQ(refused("@{expect.0}"), "0: expectation '0'; they count from 1, as in @{expect.1}");
-    EXPECT_EQ(refused("@{drift:0}"),
+    EXPECT_EQ(mistake("@{expect.0}"), "0: expectation '0'; they count from 1, as in @{expect.1}");
+    EXPECT_EQ(mistake("@{drift:0}"),
               "0: '0' significant digits; it should be a whole number from 1 to 9");
-    EXPECT_EQ(refused("@{0.drift}"), "0: run 0; it should be from 1 to 1000");
-    EXPECT_EQ(refused("ab\n@{drift\n}"),
+    EXPECT_EQ(mistake("@{0.drift}"), "0: run 0; it should be from 1 to 1000");
+    EXPECT_EQ(mistake("ab\n@{drift\n}"),
               "3: '@{drift\n}' has no } in its line; write \\@{ for an @ and a brace");
-    EXPECT_EQ(refused("@{}").substr(0, 27), "0: no number is called ''; ");
+    EXPECT_EQ(mistake("@{}").substr(0, 27), "0: no number is called ''; ");
 }
 
 TEST(Numbers, SurviveAnything) {
     EXPECT_EQ(numberedText(std::string(1 << 20, '@')).numbers.size(), 0u);
-    EXPECT_NE(refused("@{" + std::string(1 << 20, '{')), "");
-    EXPECT_NE(refused("@{99999999999999999999.drift}"), "");
-    EXPECT_NE(refused(std::string("@{\0}", 4)), "");
-    EXPECT_NE(refused("@{\xff.\xfe}"), "");
+    EXPECT_NE(mistake("@{" + std::string(1 << 20, '{')), "");
+    EXPECT_NE(mistake("@{99999999999999999999.drift}"), "");
+    EXPECT_NE(mistake(std::string("@{\0}", 4)), "");
+    EXPECT_NE(mistake("@{\xff.\xfe}"), "");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 const std::string kForce = kBall + "[[force]]\n";  // at line 6
 const std::string kWind = kForce + "type = 'wind'\nvelocity = [3, 0, 0]\n";
-const std::string kCart = "[[body]]\nname = 'cart'\nshape = { box = [1, 1, 1] }\nkinematic = ";
+const std::string kMover = "[[body]]\nname = 'cart'\nshape = { box = [1, 1, 1] }\nkinematic = ";
 const std::string kPath = "{ path = [[0, 1, 0], [1, 1, 0]], times = [0, 1]";
 
 struct BadScene {
@@ -130,20 +130,20 @@ INSTANTIATE_TEST_SUITE_P(
                  "no body is of the group 'whels'; did you mean 'wheels'?"},
         BadScene{"bad group", kBall + "group = 'a b'\n", "6:1", "group is 'a b'"},
         BadScene{"sensor", kBall + "sensor = 1\n", "6:10", "true or false"},
-        BadScene{"path of one", kCart + "{ path = [[0, 1, 0]], times = [0] }\n", "5:15",
+        BadScene{"path of one", kMover + "{ path = [[0, 1, 0]], times = [0] }\n", "5:15",
                  "at least two points"},
-        BadScene{"path of no points", kCart + "{ path = [[0, 1], [1, 1]], times = [0, 1] }\n",
+        BadScene{"path of no points", kMover + "{ path = [[0, 1], [1, 1]], times = [0, 1] }\n",
                  "5:23", "three numbers [x, y, z]"},
-        BadScene{"no times", kCart + "{ path = [[0, 1, 0], [1, 1, 0]] }\n", "5:15",
+        BadScene{"no times", kMover + "{ path = [[0, 1, 0], [1, 1, 0]] }\n", "5:15",
                  "a path has no times"},
-        BadScene{"times fall", kCart + "{ path = [[0, 1, 0], [1, 1, 0]], times = [0, 0] }\n",
+        BadScene{"times fall", kMover + "{ path = [[0, 1, 0], [1, 1, 0]], times = [0, 0] }\n",
                  "5:46", "begin with 0 and rise"},
-        BadScene{"loop", kCart + kPath + ", loop = true }\n", "5:62", "should end where it began"},
-        BadScene{"at", kCart + kPath + " }\nat = [0, 1, 0]\n", "6:1",
+        BadScene{"loop", kMover + kPath + ", loop = true }\n", "5:62", "should end where it began"},
+        BadScene{"at", kMover + kPath + " }\nat = [0, 1, 0]\n", "6:1",
                  "leave it out: the path begins at its first point"},
-        BadScene{"orbit", kCart + "{ orbit = { centre = [0, 1, 0] } }\n", "5:25",
+        BadScene{"orbit", kMover + "{ orbit = { centre = [0, 1, 0] } }\n", "5:25",
                  "an orbit should say about what and how fast"},
-        BadScene{"velocity on a path", kCart + kPath + ", velocity = [1, 0, 0] }\n", "5:62",
+        BadScene{"velocity on a path", kMover + kPath + ", velocity = [1, 0, 0] }\n", "5:62",
                  "velocity of a body on a path; leave it out"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -214,14 +214,14 @@ TEST(ReaderJoints, ThatBreakAreTold) {
         << json;
 }
 
-struct Bad {
+struct BadJoint {
     const char* type;
     std::string keys;
     const char* message;
 };
 
 TEST(ReaderJoints, ComplainOfWhatIsWrong) {
-    const Bad bad[] = {
+    const BadJoint bad[] = {
         {"weld", kAt + "limits = [0, 1]\n",
          "a weld joint has no limits; leave it out, or make it distance, slider, wheel or path"},
         {"slider", kAt + kAxis + "limits_deg = [0, 1]\n", "make it hinge, universal or axis"},
@@ -270,7 +270,7 @@ TEST(ReaderJoints, ComplainOfWhatIsWrong) {
          "leave the last one out"},
         {"weld", kAt + "break_torque = -1\n", "break_torque is -1; it should be"},
     };
-    for (const Bad& b : bad) {
+    for (const BadJoint& b : bad) {
         const auto lines = errorsOf("format = 1\n" + joint(b.type, b.keys));
         EXPECT_TRUE(tells(lines, "a.toml:", b.message)) << b.keys << listed(lines);
     }

@@ -150,14 +150,14 @@ TEST(ReaderShapes, AllButPlanesAreDrawnByTheirParts) {
         EXPECT_EQ(Stage(read(body(shape, "fixed = true\n"))).drawn.at(0).size(), parts) << shape;
 }
 
-struct Bad {
+struct BadShape {
     std::string shape, more;
     const char* message;
 };
 
 TEST(ReaderShapes, ComplainOfWhatIsWrong) {
     const std::string fixed = "fixed = true\n";
-    const Bad bad[] = {
+    const BadShape bad[] = {
         {"cone = { radius = 1 }", "", "a cone has no height; write cone = { radius = 0.1"},
         {"cylinder = { radius = 0, height = 1 }", "", "radius is 0; it should be a number"},
         {"box = [1, 1, 1], scale = 2", "", "scale of a shape that is a box; it should be left out"},
@@ -202,7 +202,7 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
          "mass = 1\n", "its inertia is not positive definite"},
         {"hull = 'rock.obj'", "", "'rock.obj' cannot be looked for, because the scene is no file"},
     };
-    for (const Bad& b : bad) {
+    for (const BadShape& b : bad) {
         const auto lines = errorsOf("format = 1\n" + body(b.shape, b.more));
         EXPECT_TRUE(tells(lines, "a.toml:", b.message)) << b.shape << "\n" << listed(lines);
     }

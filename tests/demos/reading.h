@@ -19,6 +19,11 @@ inline SceneDescription read(const std::string& text,
     return readScene("format = 1\n" + text, "a.toml", "a", overrides);
 }
 
+/// `text` is all of the scene.
+inline SceneDescription sceneFrom(const std::string& text) {
+    return readScene(text, "test", "test");
+}
+
 inline std::vector<std::string> errorsOf(const std::string& text,
                                          const std::vector<std::string>& overrides = {}) {
     try {

@@ -15,27 +15,19 @@
 #include "demos/export/replay_codec.h"
 #include "demos/packed.h"
 #include "demos/page/rounded.h"
+#include "tests/demos/page_data.h"
 #include "tests/demos/recorded.h"
 #include "tests/support/planted_recording.h"
+#include "tests/support/text.h"
 
 namespace {
 
 using namespace demos;
 using Json = nlohmann::json;
+using support::count;
 using support::plantedPose;
 using support::plantedRecording;
-
-int count(const std::string& text, const std::string& part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
-
-Json dataOf(const ReplayPage& page) {
-    const std::string mark = "id=\"data\">";
-    const std::size_t begin = page.html.find(mark) + mark.size();
-    return Json::parse(page.html.substr(begin, page.html.find("</script>", begin) - begin));
-}
+using test::dataOf;
 
 double degreesBetween(const engine::Quat& a, const engine::Quat& b) {
     return a.normalized().angularDistance(b.normalized()) * 180.0 / std::numbers::pi;
@@ -122,7 +114,7 @@ void compare(const Json& ranges, std::span<const std::uint16_t> words, const Rec
 }
 
 Off worstOf(const Recording& recording) {
-    const Json data = dataOf(replayPage(recording));
+    const Json data = dataOf(replayPage(recording).html);
     const std::size_t size = kColumns * recording.frames.size();
     const std::vector<std::uint16_t> words = wordsIn(data["tracks"], recording.frames.size());
     Off off;
@@ -155,7 +147,7 @@ TEST(ReplayPage, HoldsRagdollToATwentiethOfAMillimetre) {
 
 TEST(ReplayPage, HoldsTheContactsOfEveryFrame) {
     const Recording recording = plantedRecording(2, 20, 5);
-    const Json contacts = dataOf(replayPage(recording))["contacts"];
+    const Json contacts = dataOf(replayPage(recording).html)["contacts"];
     EXPECT_EQ(contacts["counts"][0], 0);
     EXPECT_EQ(contacts["counts"][19], 5);
     const std::size_t total = 19 * 5;
@@ -175,7 +167,7 @@ TEST(ReplayPage, HoldsTheContactsOfEveryFrame) {
 TEST(ReplayPage, ABodyThatStaysIsToldOnce) {
     Recording recording = plantedRecording(2, 50, 0);
     for (RecordedFrame& frame : recording.frames) frame.bodies[1].pose = plantedPose(1, 0.0);
-    const Json data = dataOf(replayPage(recording));
+    const Json data = dataOf(replayPage(recording).html);
     EXPECT_TRUE(data["bodies"][0].contains("ranges"));
     EXPECT_FALSE(data["bodies"][1].contains("ranges"));
     EXPECT_NEAR(data["bodies"][1]["at"][0].get<double>(), plantedPose(1, 0.0).position.x(), 1e-4);
@@ -194,7 +186,7 @@ TEST(ReplayPage, NothingBreaksOutOfItsData) {
     for (const char* word : {"<script", "</script", "<!--", "\xe2\x80\xa8"})
         EXPECT_EQ(count(page.html, word), count(harmless, word)) << word;
     EXPECT_EQ(count(harmless, "<script"), 2);
-    EXPECT_EQ(dataOf(page)["bodies"][0]["name"], hostile);
+    EXPECT_EQ(dataOf(page.html)["bodies"][0]["name"], hostile);
 }
 
 TEST(Rounded, ToDigitsWhateverItsSize) {
@@ -225,7 +217,7 @@ TEST(ReplayPage, ALargeRunIsThinnedAndSaysSo) {
     const std::size_t whole = replayPage(recording).html.size();
     const ReplayPage fewer = replayPage(recording, whole * 3 / 4);
     EXPECT_LE(fewer.html.size(), whole * 3 / 4);
-    const Json data = dataOf(fewer);
+    const Json data = dataOf(fewer.html);
     EXPECT_EQ(data["frames"], 120);
     const Json& contacts = data["contacts"];
     const auto kept = contacts["counts"][60].get<std::size_t>();
@@ -248,7 +240,7 @@ TEST(ReplayPage, OfEqualContactsAsManyStayAsAreTold) {
     recording.frames[60].contacts[399].impulse = 3.0;
     const std::size_t whole = replayPage(recording).html.size();
     const ReplayPage fewer = replayPage(recording, whole * 3 / 4);
-    const Json contacts = dataOf(fewer)["contacts"];
+    const Json contacts = dataOf(fewer.html)["contacts"];
     const auto kept = contacts["counts"][60].get<std::size_t>();
     EXPECT_EQ(fewer.left,
               "large run: the " + std::to_string(kept) + " strongest contacts of a frame only");
@@ -260,12 +252,12 @@ TEST(ReplayPage, OfEqualContactsAsManyStayAsAreTold) {
 TEST(ReplayPage, HasTheLookOfTheRun) {
     Recording recording = plantedRecording(1, 2, 0);
     recording.look.ground = {0.25f, 0.5f, 0.75f, 1.0f};
-    EXPECT_EQ(dataOf(replayPage(recording))["look"]["ground"], (Json{0.25, 0.5, 0.75, 1.0}));
+    EXPECT_EQ(dataOf(replayPage(recording).html)["look"]["ground"], (Json{0.25, 0.5, 0.75, 1.0}));
 }
 
 TEST(ReplayPage, NothingIsThinnedBelowTwoFrames) {
     const ReplayPage page = replayPage(plantedRecording(10, 120, 400), 1);
-    const Json data = dataOf(page);
+    const Json data = dataOf(page.html);
     EXPECT_EQ(data["frames"], 2);
     EXPECT_NEAR(data["fps"].get<double>(), 30.0 / 64, 1e-5);
     EXPECT_EQ(page.left, "large run: the 64 strongest contacts of a frame, every 64th frame only");

@@ -10,8 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/regression/report_views.h"
+#include "tests/demos/page_data.h"
 #include "tests/support/planted_report.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace {
 
@@ -19,19 +21,8 @@ using namespace demos;
 using Json = nlohmann::json;
 using Kind = PictureVerdict::Kind;
 using State = SceneVerdict::State;
-
-int count(const std::string& text, const std::string& part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
-
-/// What the page's script reads.
-Json dataOf(const std::string& page) {
-    const std::string mark = "id=\"data\">";
-    const std::size_t begin = page.find(mark) + mark.size();
-    return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
-}
+using support::count;
+using test::dataOf;
 
 TEST(ReportPage, NothingBreaksOutOfItsData) {
     const std::string hostile =

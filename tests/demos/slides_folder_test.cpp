@@ -16,19 +16,15 @@
 #include "render/error.h"
 #include "tests/support/planted_deck.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace {
 
 using namespace demos;
 namespace fs = std::filesystem;
+using support::count;
 using support::plantedDeck;
 using support::saved;
-
-int count(const std::string& text, const std::string& part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
 
 std::string textOf(const fs::path& path) {
     const std::vector<std::uint8_t> bytes = contentOf(path);

@@ -10,17 +10,13 @@
 #include "render/error.h"
 #include "tests/support/planted_deck.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace {
 
 using namespace demos;
+using support::count;
 using support::plantedDeck;
-
-int count(const std::string& text, const std::string& part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
 
 class SlidesPage : public testing::Test {
 protected:

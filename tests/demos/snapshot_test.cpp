@@ -5,14 +5,14 @@
 #include <algorithm>
 
 #include "demos/player.h"
-#include "demos/scene/reader.h"
 #include "demos/snapshot/scale.h"
 #include "demos/stop.h"
+#include "tests/demos/reading.h"
 
 namespace demos {
 namespace {
 
-SceneDescription sceneFrom(const std::string& text) { return readScene(text, "test", "test"); }
+using test::sceneFrom;
 
 const std::string kBall = R"(format = 1
 title = "a ball"
@@ -37,7 +37,7 @@ name = "later"
 caption = "half a second in"
 )";
 
-const std::string kPendulum = R"(format = 1
+const std::string kHangingBob = R"(format = 1
 [[body]]
 name = "bob"
 shape = { sphere = 0.1 }
@@ -94,7 +94,7 @@ TEST(Snapshot, TheCameraGoesAQuarterRoundInASecondAt90Degrees) {
 }
 
 TEST(Snapshot, AnArmReachesTheAnchorThatTheShapeDoesNot) {
-    const Stage stage(sceneFrom(kPendulum));
+    const Stage stage(sceneFrom(kHangingBob));
     const render::Frame frame = snapshot(stage, {}, 0.0);
     ASSERT_EQ(frame.rods.size(), 1u);  // none for the world
     EXPECT_NEAR((frame.rods[0].to - render::Vec3(0, 2, 0)).norm(), 0.0f, 1e-6f);
@@ -126,7 +126,7 @@ TEST(Snapshot, AnImpulseArrowIsAsLongAsItsLegendSays) {
 
 TEST(Snapshot, ThePeakThatArrowsAreMeasuredByHalvesEveryHalfSecond) {
     History history;
-    const Stage stage(sceneFrom(kPendulum));  // no contacts
+    const Stage stage(sceneFrom(kHangingBob));  // no contacts
     history.impulsePeak = 64.0;
     for (int i = 0; i < 60; ++i) remember(stage, {}, history);  // 1 s
     EXPECT_NEAR(history.impulsePeak, 16.0, 1e-9);
@@ -167,7 +167,7 @@ TEST(Snapshot, ADotIsSmallBesideItsBody) {
 
 TEST(Snapshot, GhostsAreWhereTheBodyWas) {
     const Overlays overlays{.ghost = true, .ghostEvery = 0.1};
-    Player player(sceneFrom(kPendulum), overlays);
+    Player player(sceneFrom(kHangingBob), overlays);
     std::vector<Vec3> was;
     for (int step = 0; step <= 30; ++step) {
         if (step > 0) player.step();
@@ -212,7 +212,7 @@ TEST(Snapshot, ABoundingBoxHasTwelveEdgesAndACentreOneMark) {
 }
 
 TEST(Snapshot, TheStatisticsSplitEnergyIntoABar) {
-    Player player(sceneFrom(kPendulum), {.stats = true});
+    Player player(sceneFrom(kHangingBob), {.stats = true});
     player.step(20);
     const render::Frame frame = player.frame(1.0 / 3.0);
     const render::PlateRow* energy = rowOf(frame, "energy");

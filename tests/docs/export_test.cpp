@@ -9,11 +9,11 @@ namespace {
 
 using namespace docs;
 
-const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "export";
-const std::string kText = textOf(kFolder / "README.md");
+const fs::path kExportFolder = demosFolder("export");
+const std::string kExportText = readmeOf(kExportFolder);
 
 TEST(ExportReadme, ItsCommandsExist) {
-    const std::set<std::string> lines = matches(kText, R"(\nimpulse ([a-z]+[^\n]*))");
+    const std::set<std::string> lines = matches(kExportText, R"(\nimpulse ([a-z]+[^\n]*))");
     EXPECT_EQ(lines.size(), 3u);
     const std::string help = outputOf("export --help");
     for (const std::string& line : lines)
@@ -23,27 +23,27 @@ TEST(ExportReadme, ItsCommandsExist) {
 
 TEST(ExportReadme, NamesEveryEndingAndNoOther) {
     const std::string line = outputOf("export stack -o a.usd");
-    EXPECT_EQ(firstCells(kText.substr(0, kText.find("\n## "))),
+    EXPECT_EQ(firstCells(kExportText.substr(0, kExportText.find("\n## "))),
               matches(line.substr(line.find("known are")), R"((\.[a-z]+))"));
 }
 
 TEST(ExportReadme, NamesEveryColumnAndNoOther) {
-    EXPECT_EQ(firstCells(sectionOf(kText, ".csv")), matches(demos::kPoseColumns, "([a-z]+)"));
+    EXPECT_EQ(firstCells(sectionOf(kExportText, ".csv")), matches(demos::kPoseColumns, "([a-z]+)"));
 }
 
 TEST(ExportReadme, NamesEveryArrayAndNoOther) {
     const std::vector<std::uint8_t> bytes = demos::npzOf({});
     const std::set<std::string> written =
         matches(std::string(bytes.begin(), bytes.end()), R"(([a-z_]+)\.npy)");
-    EXPECT_EQ(firstCells(sectionOf(kText, ".npz")), written);
+    EXPECT_EQ(firstCells(sectionOf(kExportText, ".npz")), written);
     EXPECT_EQ(written.size(), 15u);
 }
 
 TEST(ExportReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
-    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+    for (const fs::directory_entry& file : fs::directory_iterator(kExportFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kText, "Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kExportText, "Where what is")), files);
 }
 
 }  // namespace

@@ -9,11 +9,11 @@ namespace {
 
 using namespace docs;
 
-const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "figure";
-const std::string kText = textOf(kFolder / "README.md");
+const fs::path kFigureFolder = demosFolder("figure");
+const std::string kFigureText = readmeOf(kFigureFolder);
 
 TEST(FigureReadme, ItsCommandsExist) {
-    const std::set<std::string> lines = matches(kText, R"(\nimpulse ([a-z]+[^\n]*))");
+    const std::set<std::string> lines = matches(kFigureText, R"(\nimpulse ([a-z]+[^\n]*))");
     EXPECT_EQ(lines.size(), 5u);
     for (const std::string& line : lines) {
         const std::string help = outputOf(line.substr(0, line.find(' ')) + " --help");
@@ -27,12 +27,12 @@ TEST(FigureReadme, EveryCommandThatTakesAWidthIsNamedAndNoOther) {
     for (const std::string& command : matches(outputOf("--help"), R"(\n  ([a-z]+)  )"))
         if (outputOf(command + " --help").find("--width") != std::string::npos)
             taking.insert(command);
-    EXPECT_EQ(firstCells(sectionOf(kText, "What each command draws")), taking);
+    EXPECT_EQ(firstCells(sectionOf(kFigureText, "What each command draws")), taking);
     EXPECT_EQ(taking.size(), 5u);
 }
 
 TEST(FigureReadme, TellsThePointsThatAreDrawn) {
-    const std::string table = sectionOf(kText, "Type and lines");
+    const std::string table = sectionOf(kFigureText, "Type and lines");
     for (const double points : {demos::kLabelPoints, demos::kTitlePoints, demos::kCurvePoints,
                                 demos::kEdgePoints, demos::kTrailPoints, demos::kGapPoints}) {
         std::ostringstream cell;
@@ -58,14 +58,14 @@ TEST(FigureReadme, NamesEveryLineOfACaption) {
         fs::remove(folder / "c.txt");
     }
     written.erase("(b)");
-    EXPECT_EQ(firstCells(sectionOf(kText, "The caption")), written);
+    EXPECT_EQ(firstCells(sectionOf(kFigureText, "The caption")), written);
 }
 
 TEST(FigureReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
-    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+    for (const fs::directory_entry& file : fs::directory_iterator(kFigureFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kText, "Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kFigureText, "Where what is")), files);
 }
 
 }  // namespace

@@ -1,16 +1,13 @@
 // tests/README.md says which test holds which item of the mission: all items, and tests that exist.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <numeric>
-#include <regex>
-#include <set>
-#include <sstream>
+
+#include "tests/docs/texts.h"
 
 namespace {
 
-namespace fs = std::filesystem;
+using namespace docs;
 
 constexpr int kItems = 35;
 
@@ -23,13 +20,6 @@ struct Row {
     int item;
     std::vector<Named> tests;
 };
-
-std::string textOf(const fs::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 std::vector<Named> namesIn(const std::string& cell) {
     std::vector<Named> names;
@@ -84,18 +74,19 @@ std::set<std::string> testsThatExist() {
     return names;
 }
 
-const std::string kReadme = textOf(fs::path(IMPULSE_SOURCE_DIR) / "tests/README.md");
+const std::string kTestsText = readmeOf(fs::path(IMPULSE_SOURCE_DIR) / "tests");
 
-TEST(Mission, EveryItemHasItsRow) { EXPECT_EQ(itemsOf(tableIn(kReadme)), allItems()); }
+TEST(Mission, EveryItemHasItsRow) { EXPECT_EQ(itemsOf(tableIn(kTestsText)), allItems()); }
 
 TEST(Mission, EveryRowNamesATest) {
-    for (const Row& row : tableIn(kReadme)) EXPECT_FALSE(row.tests.empty()) << "item " << row.item;
+    for (const Row& row : tableIn(kTestsText))
+        EXPECT_FALSE(row.tests.empty()) << "item " << row.item;
 }
 
 TEST(Mission, EveryTestInTheTableExists) {
     const std::set<std::string> existing = testsThatExist();
     ASSERT_GT(existing.size(), 100u);
-    for (const Row& row : tableIn(kReadme))
+    for (const Row& row : tableIn(kTestsText))
         for (const Named& test : row.tests)
             EXPECT_TRUE(test.later || existing.count(test.name))
                 << "item " << row.item << ": " << test.name;
@@ -106,7 +97,7 @@ TEST(Mission, OnlyWhatIsKnownToBeMissingIsNotYetThere) {
     const std::set<std::string> known{"(with its joints)", "Pgs.*",            "Direct.*",
                                       "solver_benchmark",  "SoftConstraint.*", "PointBlock.*"};
     const std::set<std::string> existing = testsThatExist();
-    for (const Row& row : tableIn(kReadme))
+    for (const Row& row : tableIn(kTestsText))
         for (const Named& test : row.tests) {
             if (!test.later) continue;
             EXPECT_TRUE(known.count(test.name)) << "item " << row.item << ": " << test.name;
@@ -118,7 +109,7 @@ TEST(Mission, OnlyWhatIsKnownToBeMissingIsNotYetThere) {
 TEST(Mission, ARowTakenAwayIsMissed) {
     for (int item = 1; item <= kItems; ++item) {
         const std::regex row("\\n\\| " + std::to_string(item) + " \\|[^\\n]*");
-        const std::string without = std::regex_replace(kReadme, row, "");
+        const std::string without = std::regex_replace(kTestsText, row, "");
         EXPECT_EQ(itemsOf(tableIn(without)).size(), kItems - 1u) << item;
         EXPECT_NE(itemsOf(tableIn(without)), allItems()) << item;
     }

@@ -10,25 +10,25 @@ namespace {
 
 using namespace docs;
 
-const std::string kReadme = textOf(fs::path(IMPULSE_SOURCE_DIR) / "README.md");
+const std::string kRootText = readmeOf(IMPULSE_SOURCE_DIR);
 
 TEST(Readme, NamesEveryBuiltInSceneAndNoOther) {
     const std::set<std::string> listed =
         matches(outputOf("list --json"), R"re("scene":"([a-z-]+)")re");
     EXPECT_GE(listed.size(), 34u);
-    EXPECT_EQ(matches(kReadme, R"(\n\| `([a-z-]+)` \|)"), listed);
+    EXPECT_EQ(matches(kRootText, R"(\n\| `([a-z-]+)` \|)"), listed);
 }
 
 TEST(Readme, OpensWithTheTwoCommands) {
-    const std::size_t demos = kReadme.find("demos/run"), tests = kReadme.find("tests/run");
+    const std::size_t demos = kRootText.find("demos/run"), tests = kRootText.find("tests/run");
     ASSERT_NE(demos, std::string::npos);
     ASSERT_NE(tests, std::string::npos);
-    EXPECT_LT(demos, kReadme.find("\n## "));
-    EXPECT_LT(tests, kReadme.find("\n## "));
+    EXPECT_LT(demos, kRootText.find("\n## "));
+    EXPECT_LT(tests, kRootText.find("\n## "));
 }
 
 TEST(Readme, ItsCommandsExist) {
-    const std::set<std::string> commands = matches(kReadme, R"(\nimpulse ([a-z]+))");
+    const std::set<std::string> commands = matches(kRootText, R"(\nimpulse ([a-z]+))");
     EXPECT_GE(commands.size(), 5u);
     for (const std::string& command : commands)
         EXPECT_NE(outputOf(command + " --help").find("impulse " + command), std::string::npos)
@@ -38,7 +38,7 @@ TEST(Readme, ItsCommandsExist) {
 /// As large as the command below it makes it of today's scenes, and fit for a page.
 TEST(Readme, ItsGalleryHoldsEveryScene) {
     const std::string command = R"(`impulse gallery -o (\.github/gallery\.png --size \d+x\d+ --columns \d+)`)";
-    const std::set<std::string> found = matches(kReadme, command);
+    const std::set<std::string> found = matches(kRootText, command);
     ASSERT_EQ(found.size(), 1u);
     int width = 0, height = 0, columns = 0;
     ASSERT_EQ(std::sscanf(found.begin()->c_str(), ".github/gallery.png --size %dx%d --columns %d",
@@ -60,8 +60,8 @@ TEST(Readme, ShowsTheExamplesOwnLines) {
     const std::string example =
         textOf(fs::path(IMPULSE_SOURCE_DIR) / "demos/examples/engine_and_render/CMakeLists.txt");
     const std::string lines = R"(\n((?:find_package|target_link_libraries)\([^)]*\)))";
-    EXPECT_EQ(matches(kReadme, lines), matches(example, lines));
-    EXPECT_EQ(matches(kReadme, lines).size(), 2u);
+    EXPECT_EQ(matches(kRootText, lines), matches(example, lines));
+    EXPECT_EQ(matches(kRootText, lines).size(), 2u);
 }
 
 TEST(DemosReadme, NamesEveryOverlayAndNoOther) {

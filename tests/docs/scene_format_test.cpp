@@ -8,15 +8,16 @@ namespace {
 
 using namespace docs;
 
-const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "scene";
-const std::string kText = textOf(kFolder / "README.md");
+const fs::path kSceneFolder = demosFolder("scene");
+const std::string kSceneText = readmeOf(kSceneFolder);
 
 /// The text's scene as a file.
 class SceneReadme : public testing::Test {
 protected:
     void SetUp() override {
-        const std::size_t begin = kText.find("```toml\n") + 8;
-        std::ofstream(folder_ / "a.toml") << kText.substr(begin, kText.find("```", begin) - begin);
+        const std::size_t begin = kSceneText.find("```toml\n") + 8;
+        std::ofstream(folder_ / "a.toml")
+            << kSceneText.substr(begin, kSceneText.find("```", begin) - begin);
     }
 
     std::string sim(const std::string& options) {
@@ -33,7 +34,7 @@ TEST_F(SceneReadme, ItsSceneKeepsItsContract) {
 }
 
 TEST_F(SceneReadme, ItsOptionsAreTaken) {
-    const std::set<std::string> options = matches(kText, R"(`(--set [^`K]+)`)");
+    const std::set<std::string> options = matches(kSceneText, R"(`(--set [^`K]+)`)");
     EXPECT_GE(options.size(), 6u);
     for (const std::string& option : options) {
         const std::string out = sim("--no-expect --seconds 0.1 --hash " + option);
@@ -43,22 +44,22 @@ TEST_F(SceneReadme, ItsOptionsAreTaken) {
 }
 
 TEST_F(SceneReadme, NamesEveryFunctionAndNoOther) {
-    const std::size_t row = kText.find("| functions | `") + 15;
-    const std::string list = kText.substr(row, kText.find('`', row) - row);
-    const std::string source = textOf(kFolder / "expression.cpp");
+    const std::size_t row = kSceneText.find("| functions | `") + 15;
+    const std::string list = kSceneText.substr(row, kSceneText.find('`', row) - row);
+    const std::string source = textOf(kSceneFolder / "expression.cpp");
     EXPECT_EQ(matches(list, "([a-z0-9]+)"), matches(source, R"(DefineFun\("([a-z0-9]+)\")"));
     EXPECT_GE(matches(list, "([a-z0-9]+)").size(), 15u);
 }
 
 TEST_F(SceneReadme, NamesFilesThatAreThere) {
-    for (const std::string& file : matches(kText, R"(`([a-z_]+\.cpp)`)"))
-        EXPECT_TRUE(fs::exists(kFolder / file)) << file;
+    for (const std::string& file : matches(kSceneText, R"(`([a-z_]+\.cpp)`)"))
+        EXPECT_TRUE(fs::exists(kSceneFolder / file)) << file;
 }
 
 TEST(SceneSchema, KnowsEveryKeyThatTheReaderAsksFor) {
     const std::string schema = outputOf("list --schema");
     std::set<std::string> keys;
-    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+    for (const fs::directory_entry& file : fs::directory_iterator(kSceneFolder))
         if (file.path().extension() == ".cpp")
             keys.merge(matches(textOf(file.path()),
                                R"((?:any|number|whole|large|truth|text|vector|texts|numbers)"

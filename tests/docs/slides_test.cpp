@@ -10,8 +10,8 @@ namespace {
 
 using namespace docs;
 
-const fs::path kFolder = fs::path(IMPULSE_SOURCE_DIR) / "demos" / "slides";
-const std::string kText = textOf(kFolder / "README.md");
+const fs::path kSlidesFolder = demosFolder("slides");
+const std::string kSlidesText = readmeOf(kSlidesFolder);
 
 /// The keys that the reader asks for in a table, as complaints call it.
 std::set<std::string> asked(const std::string& table) {
@@ -25,12 +25,12 @@ std::set<std::string> asked(const std::string& table) {
 }
 
 TEST(SlidesReadme, NamesEveryKeyOfADeckAndNoOther) {
-    EXPECT_EQ(firstCells(sectionOf(kText, "The deck")), asked("a deck"));
+    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "The deck")), asked("a deck"));
     EXPECT_EQ(asked("a deck").size(), 10u);
 }
 
 TEST(SlidesReadme, NamesEveryKeyOfASlideAndNoOther) {
-    EXPECT_EQ(firstCells(sectionOf(kText, "A slide")), asked("a [[slide]]"));
+    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "A slide")), asked("a [[slide]]"));
     EXPECT_EQ(asked("a [[slide]]").size(), 26u);
     std::set<std::string> opening = asked("a [[slide]]");
     opening.erase("title");
@@ -38,26 +38,28 @@ TEST(SlidesReadme, NamesEveryKeyOfASlideAndNoOther) {
 }
 
 TEST(SlidesReadme, ItsDeckIsRead) {
-    const std::size_t begin = kText.find("```toml\n") + 8;
-    const demos::Deck deck =
-        demos::readDeck(kText.substr(begin, kText.find("```", begin) - begin), "deck.toml");
+    const std::size_t begin = kSlidesText.find("```toml\n") + 8;
+    const demos::Deck deck = demos::readDeck(
+        kSlidesText.substr(begin, kSlidesText.find("```", begin) - begin), "deck.toml");
     EXPECT_EQ(deck.slides.size(), 4u);
 }
 
 TEST(SlidesReadme, ItsNumbersAreRead) {
-    const std::set<std::string> numbers = firstCells(sectionOf(kText, "Words"));
+    const std::set<std::string> numbers = firstCells(sectionOf(kSlidesText, "Words"));
     EXPECT_EQ(numbers.size(), 7u);
     for (const std::string& number : numbers)
         EXPECT_EQ(demos::numberedText(number).numbers.size(), 1u) << number;
     for (const demos::Measure& measure : demos::measures())
-        EXPECT_NE(sectionOf(kText, "Words").find("`" + std::string(measure.name) + "`"), std::string::npos)
+        EXPECT_NE(sectionOf(kSlidesText, "Words").find("`" + std::string(measure.name) + "`"),
+                  std::string::npos)
             << measure.name;
     for (const auto& [group, thing] : {std::pair("body.x.", "body"),
                                        {"joint.x.", "joint"},
                                        {"contacts.", "contacts"},
                                        {"run.", "run"}}) {
-        const std::set<std::string> row = matches(
-            sectionOf(kText, "Words"), "\\| `@\\{" + std::string(thing) + "\\.[^|]* \\| ([^|]+) \\|");
+        const std::set<std::string> row =
+            matches(sectionOf(kSlidesText, "Words"),
+                    "\\| `@\\{" + std::string(thing) + "\\.[^|]* \\| ([^|]+) \\|");
         ASSERT_EQ(row.size(), 1u) << thing;
         for (const std::string& field : matches(*row.begin(), "`([a-z]+)`"))
             EXPECT_NO_THROW(demos::numberedText("@{" + std::string(group) + field + "}"));
@@ -67,19 +69,19 @@ TEST(SlidesReadme, ItsNumbersAreRead) {
 /// Every header of the folder once.
 TEST(SlidesReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
-    for (const fs::directory_entry& file : fs::directory_iterator(kFolder))
+    for (const fs::directory_entry& file : fs::directory_iterator(kSlidesFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kText, "Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "Where what is")), files);
 }
 
 /// What stands in backquotes in the cells of the first column, "click" is no key.
 TEST(SlidesReadme, NamesEveryKeyOfThePageAndNoOther) {
-    const std::string keys = textOf(kFolder / "page" / "keys.js");
+    const std::string keys = textOf(kSlidesFolder / "page" / "keys.js");
     std::set<std::string> listed{"?"};
     for (const std::string& row : matches(keys, R"(\n  \[\[(".*")\], ")"))
         listed.merge(matches(row, R"re("([^"]+)")re"));
     listed.erase("click");
-    const std::string all = sectionOf(kText, "What is written");
+    const std::string all = sectionOf(kSlidesText, "What is written");
     const std::size_t begin = all.find("| keys |");
     const std::string table = all.substr(begin, all.find("\n\n", begin) - begin);
     std::set<std::string> named;
@@ -92,7 +94,7 @@ TEST(SlidesReadme, NamesEveryKeyOfThePageAndNoOther) {
 TEST(SlidesReadme, ItsCommandsAndTheirOptionsExist) {
     const std::string help = outputOf("slides --help");
     const std::set<std::string> lines =
-        matches(sectionOf(kText, "What is written"), R"(\nimpulse slides ([^\n]*))");
+        matches(sectionOf(kSlidesText, "What is written"), R"(\nimpulse slides ([^\n]*))");
     EXPECT_EQ(lines.size(), 3u);
     for (const std::string& line : lines)
         for (const std::string& option : matches(line, R"( (--?[a-z-]+))"))

@@ -20,6 +20,13 @@ inline std::string textOf(const fs::path& path) {
     return text.str();
 }
 
+/// A folder of demos/.
+inline fs::path demosFolder(const std::string& name) {
+    return fs::path(IMPULSE_SOURCE_DIR) / "demos" / name;
+}
+
+inline std::string readmeOf(const fs::path& folder) { return textOf(folder / "README.md"); }
+
 /// Both streams of the program.
 inline std::string outputOf(const std::string& arguments) {
     FILE* pipe = popen((std::string(IMPULSE_BINARY) + " " + arguments + " 2>&1").c_str(), "r");

@@ -13,7 +13,7 @@ using support::driver;
 using support::Opened;
 using support::told;
 
-constexpr int kWidth = 160, kHeight = 90;  // pixels
+constexpr int kCardWidth = 160, kCardHeight = 90;  // pixels
 
 /// Two stacks and a pendulum; the pendulum's texts try to be markup.
 class GalleryInBrowser : public testing::Test {
@@ -36,11 +36,11 @@ protected:
         card.seconds = 2.0;
         card.bodies = 12;
         card.hz = 60;
-        card.width = kWidth;
-        card.height = kHeight;
+        card.width = kCardWidth;
+        card.height = kCardHeight;
         card.film = true;
         cards_.push_back(card);
-        support::saved(folder_ / (name + ".png"), support::flatImage(kWidth, kHeight, 200));
+        support::saved(folder_ / (name + ".png"), support::flatImage(kCardWidth, kCardHeight, 200));
     }
 
     Opened open(const std::string& hash, const std::string& steps) const {
@@ -156,9 +156,10 @@ TEST_F(GalleryInBrowser, SumsAreWrittenAsPeopleDo) {
 TEST_F(GalleryInBrowser, FilmsPlayUnderThePointerAndByTap) {
     if (!render::haveFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     for (const char* name : {"stack.mp4", "wall.mp4"}) {
-        render::VideoWriter film(folder_ / name, {kWidth, kHeight, 10, false});
+        render::VideoWriter film(folder_ / name, {kCardWidth, kCardHeight, 10, false});
         for (int frame = 0; frame < 20; ++frame)
-            film.add(support::flatImage(kWidth, kHeight, static_cast<std::uint8_t>(10 * frame)));
+            film.add(
+                support::flatImage(kCardWidth, kCardHeight, static_cast<std::uint8_t>(10 * frame)));
         film.close();
     }
     const Opened opened = open("", R"js(

@@ -18,15 +18,16 @@ using support::told;
 using Kind = PictureVerdict::Kind;
 using State = SceneVerdict::State;
 
-constexpr int kWidth = 320, kHeight = 180;            // pixels
-constexpr int kLeft = 200, kTop = 40, kSide = 40;     // of the square that differs
-constexpr std::uint8_t kGround = 100, kSquare = 220;  // levels
+constexpr int kPictureWidth = 320, kPictureHeight = 180;  // pixels
+constexpr int kLeft = 200, kTop = 40, kSide = 40;         // of the square that differs
+constexpr std::uint8_t kGround = 100, kSquare = 220;      // levels
 
 /// Two scenes, "first" with two pictures that differ and physics, "second" without a baseline.
 class ReportInBrowser : public testing::Test {
 protected:
     ReportInBrowser() {
-        render::Image before = support::flatImage(kWidth, kHeight, kGround), after = before;
+        render::Image before = support::flatImage(kPictureWidth, kPictureHeight, kGround);
+        render::Image after = before;
         support::paintSquare(after, kLeft, kTop, kSide, kSquare);
         const std::string a = support::saved(folder_ / "a.png", before),
                           b = support::saved(folder_ / "b.png", after);
@@ -193,10 +194,10 @@ const std::string kStage = driver(R"js(
 /// Of the screen where a pixel of the picture is, the picture fitted to the stage.
 const std::uint8_t* screenAt(const Opened& opened, double x, double y) {
     const Rect stage = support::toldRect(opened);
-    const double zoom = std::min(stage.width / kWidth, stage.height / kHeight);
+    const double zoom = std::min(stage.width / kPictureWidth, stage.height / kPictureHeight);
     return opened.screenshot.at(
-        static_cast<int>(stage.left + stage.width / 2 + (x - 0.5 * kWidth) * zoom),
-        static_cast<int>(stage.top + stage.height / 2 + (y - 0.5 * kHeight) * zoom));
+        static_cast<int>(stage.left + stage.width / 2 + (x - 0.5 * kPictureWidth) * zoom),
+        static_cast<int>(stage.top + stage.height / 2 + (y - 0.5 * kPictureHeight) * zoom));
 }
 
 constexpr double kInX = kLeft + 0.5 * kSide, kInY = kTop + 0.5 * kSide;  // of the square

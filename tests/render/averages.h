@@ -1,10 +1,17 @@
-// A picture beside one of eight times its size.
+// A picture beside one of eight times its size, and how both are drawn.
 #pragma once
 #include <cmath>
 
 #include "render/image.h"
+#include "render/renderer.h"
 
 namespace render {
+
+inline RendererSettings plainSettings(int width, int height, int samples) {
+    RendererSettings s;
+    s.width = width, s.height = height, s.samples = samples, s.threads = 0;
+    return s;
+}
 
 /// Every pixel the mean of 8 x 8 of a picture that much larger.
 inline Image shrunk(const Image& large) {

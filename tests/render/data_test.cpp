@@ -3,31 +3,13 @@
 
 #include <cmath>
 
-#include "render/data_images.h"
-#include "render/renderer.h"
+#include "tests/render/data_frames.h"
 
 namespace render {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 90;
-constexpr DataPasses kAll{true, true, true, true};
-
-Renderer& renderer() {
-    static Renderer one([] {
-        RendererSettings s;
-        s.width = kWidth, s.height = kHeight, s.samples = 1;
-        s.reproducible = true;
-        return s;
-    }());
-    return one;
-}
-
-DataImages dataOf(const Frame& now, const Frame* next = nullptr) {
-    return dataImages(now, next, renderer().surfaces(now), kAll);
-}
-
 /// From (0, 0, 10) along -z, upright.
-Frame empty() {
+Frame emptyAhead() {
     Frame frame;
     frame.camera = {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 40};
     return frame;
@@ -42,30 +24,30 @@ Solid solid(SolidShape shape, const Vec3& at, const Vec3& half, int id) {
     return s;
 }
 
-std::size_t at(int x, int y) { return static_cast<std::size_t>(y) * kWidth + x; }
+std::size_t at(int x, int y) { return static_cast<std::size_t>(y) * kDataWidth + x; }
 
-/// A pixel centre's ray in the frame of empty(), for one metre along the view axis.
+/// A pixel centre's ray in the frame of emptyAhead(), for one metre along the view axis.
 Eigen::Vector3d ray(int x, int y) {
     const double tangent = std::tan(20.0 * 3.14159265358979 / 180.0);
-    return {(2.0 * (x + 0.5) / kWidth - 1.0) * tangent * kWidth / kHeight,
-            (1.0 - 2.0 * (y + 0.5) / kHeight) * tangent, -1.0};
+    return {(2.0 * (x + 0.5) / kDataWidth - 1.0) * tangent * kDataWidth / kDataHeight,
+            (1.0 - 2.0 * (y + 0.5) / kDataHeight) * tangent, -1.0};
 }
 
 Eigen::Vector2d seenAt(const Eigen::Vector3d& fromEye) {
-    const double f = 0.5 * kHeight / std::tan(20.0 * 3.14159265358979 / 180.0);
-    return {0.5 * kWidth - f * fromEye.x() / fromEye.z(),
-            0.5 * kHeight + f * fromEye.y() / fromEye.z()};
+    const double f = 0.5 * kDataHeight / std::tan(20.0 * 3.14159265358979 / 180.0);
+    return {0.5 * kDataWidth - f * fromEye.x() / fromEye.z(),
+            0.5 * kDataHeight + f * fromEye.y() / fromEye.z()};
 }
 
 TEST(DataPass, DepthOfASlantedPlaneIsExactAtEveryPixel) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     // through (0, -1, 0), leaning towards the viewer: n . x = offset
     const Vec3 n = Vec3(0.2f, 1.0f, 0.5f).normalized();
     frame.grounds.push_back({true, n, -n.y(), 0});
     const DataImages data = dataOf(frame);
     int covered = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             const Eigen::Vector3d d = ray(x, y), m = n.cast<double>();
             const double t = (-m.y() - 10.0 * m.z()) / m.dot(d);
             if (data.id[at(x, y)] == 0) continue;
@@ -73,15 +55,15 @@ TEST(DataPass, DepthOfASlantedPlaneIsExactAtEveryPixel) {
             ASSERT_NEAR(data.depth[at(x, y)], t, 1e-5 * t) << x << "," << y;
             ASSERT_LT((data.normal[at(x, y)] - n).norm(), 1e-6f);
         }
-    EXPECT_GT(covered, kWidth * kHeight / 2);
+    EXPECT_GT(covered, kDataWidth * kDataHeight / 2);
 }
 
 TEST(DataPass, ASphereIsRoundAndTheSkyIsNothing) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {2, 2, 2}, 6));
     const DataImages data = dataOf(frame);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             const Eigen::Vector3d d = ray(x, y);
             const double a = d.squaredNorm(), b = 10.0 * d.z(), c = 96.0;
             const double root = b * b - a * c;
@@ -99,17 +81,17 @@ TEST(DataPass, ASphereIsRoundAndTheSkyIsNothing) {
             ASSERT_NEAR(data.depth[at(x, y)], t, hard) << x << "," << y;
             ASSERT_LT((data.normal[at(x, y)].cast<double>() - normal).norm(), hard);
         }
-    EXPECT_NEAR(data.depth[at(kWidth / 2, kHeight / 2)], 8.0f, 1e-3f);
+    EXPECT_NEAR(data.depth[at(kDataWidth / 2, kDataHeight / 2)], 8.0f, 1e-3f);
 }
 
 // The outline of a mesh of 48 slices is within a pixel of the round one.
 TEST(DataPass, TheOutlineIsThatOfTheSphere) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {2, 2, 2}, 0));
     const DataImages data = dataOf(frame);
     int inside = 0, round = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             inside += data.id[at(x, y)] != 0;
             const Eigen::Vector3d d = ray(x, y);
             round += 100.0 * d.z() * d.z() - 96.0 * d.squaredNorm() >= 0.0;
@@ -118,7 +100,7 @@ TEST(DataPass, TheOutlineIsThatOfTheSphere) {
 }
 
 TEST(DataPass, NormalsOfATurnedBoxAreItsAxes) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     Solid box = solid(SolidShape::box, {0.3f, 0.2f, 0}, {1, 1.5f, 0.5f}, 2);
     box.rotation = Quat(Eigen::AngleAxisf(0.7f, Vec3(1, 2, 0.5f).normalized()));
     frame.solids.push_back(box);
@@ -131,7 +113,7 @@ TEST(DataPass, NormalsOfATurnedBoxAreItsAxes) {
         Eigen::Index axis = 0;
         ASSERT_NEAR(local.cwiseAbs().maxCoeff(&axis), 1.0f, 1e-6f);
         const Eigen::Vector3d d =
-            ray(static_cast<int>(i) % kWidth, static_cast<int>(i) / kWidth);
+            ray(static_cast<int>(i) % kDataWidth, static_cast<int>(i) / kDataWidth);
         ASSERT_LT(data.normal[i].cast<double>().dot(d), 0.0);  // towards the viewer
         ++faces[axis];
         // and the point lies in that face
@@ -147,7 +129,7 @@ TEST(DataPass, NormalsOfATurnedBoxAreItsAxes) {
 // Between two boxes of one size a rasteriser's rounding decides; a ray that passes the lower one's
 // front by a hair would find its covered top.
 TEST(DataPass, ACoveredFaceIsNeverSeen) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.camera.from = {4, 3, 9};
     for (int i = 0; i < 8; ++i)
         frame.solids.push_back(solid(SolidShape::box, {0, 0.4f * static_cast<float>(i) - 1.6f, 0},
@@ -163,7 +145,7 @@ TEST(DataPass, ACoveredFaceIsNeverSeen) {
 }
 
 TEST(DataPass, TheNearerOfTwoBodiesIsNamed) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.solids.push_back(solid(SolidShape::box, {0, 0, 0}, {2, 2, 0.5f}, 0));
     frame.solids.push_back(solid(SolidShape::box, {1, 0, 2}, {1, 1, 0.5f}, 40000));
     frame.rods.push_back({{-1.5f, -1, 3}, {-1.5f, 1, 3}, 0.2f, {}, 12});
@@ -180,12 +162,12 @@ TEST(DataPass, TheNearerOfTwoBodiesIsNamed) {
 }
 
 TEST(DataPass, ACapsuleIsRoundAtItsEndsAndStraightBetween) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.solids.push_back(solid(SolidShape::capsule, {0, 0, 0}, {0.8f, 1.2f, 0.8f}, 0));
     const DataImages data = dataOf(frame);
     int covered = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             if (data.id[at(x, y)] == 0) continue;
             ++covered;
             const Eigen::Vector3d p =
@@ -199,7 +181,7 @@ TEST(DataPass, ACapsuleIsRoundAtItsEndsAndStraightBetween) {
 }
 
 TEST(DataPass, FlowOfAMovedAndTurnedBoxIsTheDifferenceOfItsProjections) {
-    Frame now = empty(), next = empty();
+    Frame now = emptyAhead(), next = emptyAhead();
     Solid box = solid(SolidShape::box, {0.1f, 0, 0}, {1, 1.2f, 0.6f}, 0);
     box.rotation = Quat(Eigen::AngleAxisf(0.3f, Vec3::UnitY()));
     now.solids.push_back(box);
@@ -210,8 +192,8 @@ TEST(DataPass, FlowOfAMovedAndTurnedBoxIsTheDifferenceOfItsProjections) {
     next.solids.push_back(box);
     const DataImages data = dataOf(now, &next);
     int covered = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             if (data.id[at(x, y)] == 0) {
                 ASSERT_EQ(data.flow[at(x, y)], Eigen::Vector2f(0, 0));  // a sky that stands still
                 continue;
@@ -227,7 +209,7 @@ TEST(DataPass, FlowOfAMovedAndTurnedBoxIsTheDifferenceOfItsProjections) {
 }
 
 TEST(DataPass, FlowUnderAMovingCameraIsThatOfTheStandingPoints) {
-    Frame now = empty(), next = empty();
+    Frame now = emptyAhead(), next = emptyAhead();
     for (Frame* frame : {&now, &next}) {
         frame->grounds.push_back({true, {0, 1, 0}, -1.5f, 0});
         frame->solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {1, 1, 1}, 1));
@@ -236,8 +218,8 @@ TEST(DataPass, FlowUnderAMovingCameraIsThatOfTheStandingPoints) {
     next.camera.lookAt = {0.5f, 0.25f, 0};
     const DataImages data = dataOf(now, &next);
     int sky = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
             const Eigen::Vector2d flow = data.flow[at(x, y)].cast<double>();
             if (data.id[at(x, y)] == 0) {
@@ -253,9 +235,9 @@ TEST(DataPass, FlowUnderAMovingCameraIsThatOfTheStandingPoints) {
 }
 
 TEST(DataPass, FlowIsUnknownWithoutANextFrameAndForWhatIsGone) {
-    Frame now = empty(), next = empty();
+    Frame now = emptyAhead(), next = emptyAhead();
     now.solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {1, 1, 1}, 1));
-    const std::size_t middle = at(kWidth / 2, kHeight / 2);
+    const std::size_t middle = at(kDataWidth / 2, kDataHeight / 2);
     EXPECT_EQ(dataOf(now).flow[middle].x(), kNoFlow);
     EXPECT_EQ(dataOf(now).flow[0].y(), kNoFlow);
     EXPECT_EQ(dataOf(now, &next).flow[middle].x(), kNoFlow);
@@ -264,17 +246,17 @@ TEST(DataPass, FlowIsUnknownWithoutANextFrameAndForWhatIsGone) {
 
 // A white ball in front of black, lit by nothing but the ambient light: whoever is bright is it.
 TEST(DataPass, LinesUpWithThePicture) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.look.skyTop = frame.look.skyHorizon = frame.look.fog = {0, 0, 0, 1};
     frame.look.ambientOcclusion = frame.look.edges = frame.look.shadows = false;
     frame.solids.push_back(solid(SolidShape::sphere, {1, 0.5f, 0}, {1.5f, 1.5f, 1.5f}, 0));
     frame.solids.push_back(solid(SolidShape::box, {-2, -0.7f, 1}, {0.8f, 0.4f, 1}, 1));
     for (Solid& s : frame.solids) s.color = {1, 1, 1, 1};
-    const Image picture = renderer().draw(frame);
+    const Image picture = dataRenderer().draw(frame);
     const DataImages data = dataOf(frame);
     int covered = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
             const bool seen = picture.at(x, y)[0] > 20, named = data.id[at(x, y)] != 0;
             ASSERT_EQ(seen, named) << x << "," << y;
             covered += seen;
@@ -284,11 +266,11 @@ TEST(DataPass, LinesUpWithThePicture) {
 
 TEST(DataPass, TheLensProjectsAsThePictureDoes) {
     Camera camera{{3, 4, 8}, {0.5f, 1, 0}, {0, 1, 0}, 33};
-    const View view = makeView(camera, static_cast<float>(kWidth) / kHeight);
-    const Lens lens = lensOf(view, kWidth, kHeight);
+    const View view = makeView(camera, static_cast<float>(kDataWidth) / kDataHeight);
+    const Lens lens = lensOf(view, kDataWidth, kDataHeight);
     const Vec3 world(0.7f, 0.4f, -1.2f);
     const Eigen::Vector4f eye = view.view * world.homogeneous();
-    const Projected seen = project(view, world, kWidth, kHeight);
+    const Projected seen = project(view, world, kDataWidth, kDataHeight);
     const double depth = -static_cast<double>(eye.z());
     EXPECT_NEAR(seen.x, lens.centreX + lens.focalX * static_cast<double>(eye.x()) / depth, 1e-3);
     EXPECT_NEAR(seen.y, lens.centreY - lens.focalY * static_cast<double>(eye.y()) / depth, 1e-3);
@@ -296,12 +278,12 @@ TEST(DataPass, TheLensProjectsAsThePictureDoes) {
 }
 
 TEST(DataPass, ThePictureIsTheSameAfterwards) {
-    Frame frame = empty();
+    Frame frame = emptyAhead();
     frame.grounds.push_back({true, {0, 1, 0}, -1.5f, 0});
     frame.solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {1, 1, 1}, 1));
-    const Image before = renderer().draw(frame);
-    renderer().surfaces(frame);
-    EXPECT_EQ(renderer().draw(frame).pixels, before.pixels);
+    const Image before = dataRenderer().draw(frame);
+    dataRenderer().surfaces(frame);
+    EXPECT_EQ(dataRenderer().draw(frame).pixels, before.pixels);
 }
 
 }  // namespace

@@ -15,11 +15,7 @@
 namespace render {
 namespace {
 
-View viewOf(const Frame& frame, int width, int height) {
-    return makeView(frame.camera, static_cast<float>(width) / static_cast<float>(height));
-}
-
-Frame oneOfEach() {
+Frame oneSurfaceOfEach() {
     Frame frame;
     frame.camera = {{2, 3, 7}, {0, 1.6f, 0}, {0, 1, 0}, 40};
     frame.grounds.push_back({});
@@ -37,7 +33,7 @@ Frame oneOfEach() {
 }
 
 TEST(EdgeRays, EnterWhereAWalkAlongThemGetsInside) {
-    const Frame frame = oneOfEach();
+    const Frame frame = oneSurfaceOfEach();
     const Sight sight = sightOf(viewOf(frame, 64, 36), 64, 36);
     std::mt19937 random(7);
     std::uniform_real_distribution<float> share(0.0f, 1.0f);
@@ -83,7 +79,7 @@ TEST(EdgeRays, NameTheFaceOfABox) {
 }
 
 TEST(EdgeRays, DoNotMeetWhatIsBehindTheEye) {
-    Frame frame = oneOfEach();
+    Frame frame = oneSurfaceOfEach();
     frame.camera.lookAt = {4, 6, 14};  // away from all of them
     const Sight sight = sightOf(viewOf(frame, 8, 8), 8, 8);
     const std::vector<Surface> surfaces = surfacesOf(frame);
@@ -93,15 +89,9 @@ TEST(EdgeRays, DoNotMeetWhatIsBehindTheEye) {
     }
 }
 
-RendererSettings plain(int width, int height, int samples) {
-    RendererSettings s;
-    s.width = width, s.height = height, s.samples = samples, s.threads = 0;
-    return s;
-}
-
 /// Nothing but colours that do not change within a surface.
-Frame flatFrame() {
-    Frame frame = oneOfEach();
+Frame flatSurfaces() {
+    Frame frame = oneSurfaceOfEach();
     frame.look.shadows = frame.look.ambientOcclusion = frame.look.edges = false;
     frame.grounds.clear();  // its lines are as wide in a larger picture
     Solid floor;
@@ -115,19 +105,19 @@ Frame flatFrame() {
 }
 
 TEST(EdgeSamples, AreAsGoodAsAMuchLargerPicture) {
-    const Frame frame = flatFrame();
-    const Image exact = shrunk(Renderer(plain(8 * 160, 8 * 90, 1)).draw(frame));
+    const Frame frame = flatSurfaces();
+    const Image exact = shrunk(Renderer(plainSettings(8 * 160, 8 * 90, 1)).draw(frame));
     std::vector<double> off;
     for (const int samples : {1, 2, 4, 8, 16})
-        off.push_back(apart(Renderer(plain(160, 90, samples)).draw(frame), exact));
+        off.push_back(apart(Renderer(plainSettings(160, 90, samples)).draw(frame), exact));
     for (std::size_t i = 1; i < off.size(); ++i) EXPECT_LT(off[i], off[i - 1]) << i;
     EXPECT_LT(off.back(), 0.33 * off.front());
     EXPECT_LT(off[3], 1.5);  // levels
 }
 
 TEST(EdgeSamples, LeaveAllElseAsItIs) {
-    const Frame frame = flatFrame();
-    Renderer renderer(plain(160, 90, 1));
+    const Frame frame = flatSurfaces();
+    Renderer renderer(plainSettings(160, 90, 1));
     const Image before = renderer.draw(frame);
     const SurfaceMap map = renderer.surfaces(frame);
     Image after = before;
@@ -146,7 +136,7 @@ TEST(EdgeSamples, LeaveAllElseAsItIs) {
 }
 
 TEST(EdgeSamples, WorkOnPicturesOfAnySize) {
-    const Frame frame = flatFrame();
+    const Frame frame = flatSurfaces();
     for (const auto& [w, h] : {std::pair(1, 1), {1, 7}, {2, 3}, {5, 1}, {7, 6}}) {
         SurfaceMap map{w, h, std::vector<std::int32_t>(static_cast<std::size_t>(w * h))};
         Image image{w, h, std::vector<std::uint8_t>(static_cast<std::size_t>(4 * w * h), 90)};
@@ -166,7 +156,7 @@ TEST(EdgeSamples, AThinRodHasNoGaps) {
     rod.from = {-0.3f, -2.5f, 0}, rod.to = {0.2f, 2.5f, 0}, rod.radius = 0.002f;  // 0.06 pixels
     rod.color = fromHex(0x101010);
     frame.rods.push_back(rod);
-    const Image image = Renderer(plain(160, 90, 8)).draw(frame);
+    const Image image = Renderer(plainSettings(160, 90, 8)).draw(frame);
     for (int y = 10; y < 80; ++y) {
         int darkest = 255;
         for (int x = 60; x < 100; ++x) darkest = std::min<int>(darkest, image.at(x, y)[1]);
@@ -192,7 +182,7 @@ TEST(RowsOfSky, HoldAllOfItAndLittleElse) {
         const Vec3& from = one.camera.from;
         EXPECT_GE(rows, one.fewest) << from.transpose();
         EXPECT_LE(rows, one.most) << from.transpose();
-        const SurfaceMap map = Renderer(plain(160, 90, 1)).surfaces(frame);
+        const SurfaceMap map = Renderer(plainSettings(160, 90, 1)).surfaces(frame);
         for (int y = rows; y < 90; ++y)
             for (int x = 0; x < 160; ++x)
                 ASSERT_NE(map.at(x, y), kNoSurface) << from.transpose() << ": " << x << "," << y;
@@ -203,13 +193,13 @@ TEST(Trails, CoverAsMuchAsTheyAreWide) {
     Frame frame;
     frame.camera = {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 35};
     frame.look.shadows = frame.look.ambientOcclusion = false;
-    const Image empty = Renderer(plain(160, 90, 1)).draw(frame);
+    const Image empty = Renderer(plainSettings(160, 90, 1)).draw(frame);
     Trail trail;
     trail.color = {0, 0, 0, 1};
     for (float y = -2.0f; y < 2.01f; y += 0.1f) trail.points.push_back({0.1f * (y + 2.0f), y, 0});
     trail.pixels = 16.0f;  // at 720 rows: 2 here
     frame.trails.push_back(trail);
-    const Image image = Renderer(plain(160, 90, 1)).draw(frame);
+    const Image image = Renderer(plainSettings(160, 90, 1)).draw(frame);
     double before = 1e9;
     for (int y = 20; y < 50; ++y) {  // from the newest, which is the widest and darkest, down
         double missing = 0.0;

@@ -7,11 +7,11 @@
 namespace render {
 namespace {
 
-constexpr int kWidth = 192, kHeight = 108;
+constexpr int kFinishWidth = 192, kFinishHeight = 108;
 
 RendererSettings settings(Finish finish = Finish::standard) {
     RendererSettings s;
-    s.width = kWidth, s.height = kHeight;
+    s.width = kFinishWidth, s.height = kFinishHeight;
     s.finish = finish;
     s.threads = 0;
     return s;
@@ -34,18 +34,18 @@ int levelsAt(const Image& image, int x, int y) {
     return p[0] + p[1] + p[2];
 }
 
-constexpr int kMiddle = kHeight / 2;
+constexpr int kMiddle = kFinishHeight / 2;
 
 TEST(Transparent, OnlyBodiesAndTheirShadowsAreThere) {
     Frame frame = boxAt(0);
     frame.look.transparent = true;
     const Image image = Renderer(settings()).draw(frame);
     EXPECT_EQ(image.at(2, 2)[3], 0);                                 // the sky
-    EXPECT_EQ(image.at(2, kHeight - 3)[3], 0);                       // the ground
-    EXPECT_EQ(image.at(kWidth / 2, kMiddle)[3], 255);                // the box
+    EXPECT_EQ(image.at(2, kFinishHeight - 3)[3], 0);                 // the ground
+    EXPECT_EQ(image.at(kFinishWidth / 2, kMiddle)[3], 255);          // the box
     int shadow = 0, red = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kFinishHeight; ++y)
+        for (int x = 0; x < kFinishWidth; ++x) {
             const std::uint8_t* p = image.at(x, y);
             shadow += p[3] > 20 && p[3] < 200 && p[0] < 30;
             red += p[3] > 0 && p[3] < 255 && p[0] > 120;  // an edge keeps the body's colour
@@ -63,8 +63,8 @@ TEST(Transparent, TrailsAreSeenWhereNothingElseIs) {
     frame.trails.push_back(trail);
     const Image image = Renderer(settings()).draw(frame);
     int blue = 0;
-    for (int y = 0; y < kHeight / 2; ++y)
-        for (int x = 0; x < kWidth / 2 - 15; ++x)
+    for (int y = 0; y < kFinishHeight / 2; ++y)
+        for (int x = 0; x < kFinishWidth / 2 - 15; ++x)
             blue += image.at(x, y)[3] > 60 && image.at(x, y)[2] > 150;
     EXPECT_GT(blue, 3);
 }
@@ -107,8 +107,8 @@ TEST(Samples, AreNotSpentWhereThereIsNoBody) {
     one.samples = 1;
     const Image single = Renderer(one).draw(frame);
     int edge = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kFinishHeight; ++y)
+        for (int x = 0; x < kFinishWidth; ++x) {
             const bool same = std::equal(four.at(x, y), four.at(x, y) + 4, single.at(x, y));
             EXPECT_TRUE(same || (x >= 60 && x <= 130)) << x << "," << y;
             edge += !same;
@@ -134,7 +134,7 @@ TEST(Moments, BlurWhatMovesAndNothingElse) {
     const Image blurred = renderer.draw(moving);
     const Image first = renderer.draw(boxAt(-1.0f)), empty = renderer.draw(boxAt(50.0f));
     // Half of the moments have the box over its left edge's place: between box and background.
-    const int x = kWidth / 2 - 20;
+    const int x = kFinishWidth / 2 - 20;
     EXPECT_GT(levelsAt(blurred, x, kMiddle), levelsAt(first, x, kMiddle) + 40);
     EXPECT_LT(levelsAt(blurred, x, kMiddle), levelsAt(empty, x, kMiddle) - 40);
     EXPECT_NEAR(levelsAt(blurred, 4, 4), levelsAt(empty, 4, 4), 4);
@@ -157,7 +157,7 @@ TEST(Moments, WhatIsOutOfFocusIsSoft) {
     const Image soft = renderer.draw(std::vector<Frame>(16, frame));
     const auto steepest = [](const Image& image) {
         int most = 0;
-        for (int x = 1; x < kWidth; ++x)
+        for (int x = 1; x < kFinishWidth; ++x)
             most = std::max(most, std::abs(levelsAt(image, x, kMiddle) -
                                            levelsAt(image, x - 1, kMiddle)));
         return most;

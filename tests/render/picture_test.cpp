@@ -19,9 +19,9 @@
 namespace render {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
+constexpr int kGoldenWidth = 320, kGoldenHeight = 180;
 
-RendererSettings small(int width = kWidth, int height = kHeight) {
+RendererSettings small(int width = kGoldenWidth, int height = kGoldenHeight) {
     RendererSettings s;
     s.width = width, s.height = height;
     s.reproducible = true;

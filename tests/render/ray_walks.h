@@ -1,14 +1,19 @@
-// Where a ray gets inside of a surface, found by walking along it: slow, and without the formulas
-// that the renderer uses.
+// The view that rays start from, and where one gets inside of a surface, found by walking along it:
+// slow, and without the formulas that the renderer uses.
 #pragma once
 #include <algorithm>
 #include <cmath>
 
+#include "render/camera.h"
 #include "render/ray_surface.h"
 
 namespace render {
 
 constexpr double kFarthest = 30.0;  // m
+
+inline View viewOf(const Frame& frame, int width, int height) {
+    return makeView(frame.camera, static_cast<float>(width) / static_cast<float>(height));
+}
 
 /// How many times the mesh goes around a point: the sum of its triangles' solid angles over 4 pi
 /// (Van Oosterom and Strackee 1983).

@@ -4,21 +4,19 @@
 #include <limits>
 #include <random>
 
-#include "render/data_images.h"
 #include "render/edge_rays.h"
 #include "render/mesh_tree.h"
-#include "render/renderer.h"
+#include "tests/render/data_frames.h"
 #include "tests/render/ray_walks.h"
 #include "tests/render/solids.h"
 
 namespace render {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 90;
-
 float shareOf(std::mt19937& random) { return static_cast<float>(random() % 65536u) / 65536.0f; }
 
-Frame empty() {
+/// Seen from above and aside.
+Frame emptyBelow() {
     Frame frame;
     frame.camera = {{2, 3, 7}, {0, 0, 0}, {0, 1, 0}, 30};
     return frame;
@@ -30,16 +28,12 @@ Solid turned(Solid solid) {
     return solid;
 }
 
-std::vector<Solid> oneOfEach() {
+std::vector<Solid> oneSolidOfEach() {
     return {turned(solidOf(SolidShape::cylinder, {0.7f, 0.9f, 0.7f}, {0, 0, 0}, {})),
             turned(solidOf(SolidShape::cone, {0.8f, 0.7f, 0.8f}, {0, 0, 0}, {})),
             turned(solidOf(octahedron(1.2f), {0, 0, 0}, {})),
             turned(solidOf(hexagonalNut(0.4f), {0, 0, 0}, {})),
             turned(solidOf(angleBar(), {0, 0, 0}, {}))};
-}
-
-View viewOf(const Frame& frame, int width, int height) {
-    return makeView(frame.camera, static_cast<float>(width) / static_cast<float>(height));
 }
 
 Vec3d along(const Sight& sight, float x, float y) {
@@ -48,16 +42,17 @@ Vec3d along(const Sight& sight, float x, float y) {
 
 TEST(SolidRays, EnterWhereAWalkAlongThemGetsInside) {
     std::mt19937 random(11);
-    const Sight sight = sightOf(viewOf(empty(), kWidth, kHeight), kWidth, kHeight);
-    for (const Solid& solid : oneOfEach()) {
+    const Sight sight =
+        sightOf(viewOf(emptyBelow(), kDataWidth, kDataHeight), kDataWidth, kDataHeight);
+    for (const Solid& solid : oneSolidOfEach()) {
         const Surface surface = surfaceOf(solid);
         const SeenSurface seen(surface, sight);
         int hits = 0, misses = 0;
         for (int i = 0; i < 60; ++i) {
             Four x, y;
             for (int lane = 0; lane < kFour; ++lane) {
-                x[lane] = (0.3f + 0.4f * shareOf(random)) * kWidth;
-                y[lane] = (0.1f + 0.8f * shareOf(random)) * kHeight;
+                x[lane] = (0.3f + 0.4f * shareOf(random)) * kDataWidth;
+                y[lane] = (0.1f + 0.8f * shareOf(random)) * kDataHeight;
             }
             const FourHits found = seen.enter(x, y);
             for (int lane = 0; lane < kFour; ++lane) {
@@ -84,13 +79,14 @@ TEST(SolidRays, EnterWhereAWalkAlongThemGetsInside) {
 
 // The four-wide rays say whether and which face; asked for that face, the other ones agree.
 TEST(SolidRays, KnowTheFaceThatTheyEnter) {
-    const Sight sight = sightOf(viewOf(empty(), kWidth, kHeight), kWidth, kHeight);
-    for (const Solid& solid : oneOfEach()) {
+    const Sight sight =
+        sightOf(viewOf(emptyBelow(), kDataWidth, kDataHeight), kDataWidth, kDataHeight);
+    for (const Solid& solid : oneSolidOfEach()) {
         const Surface surface = surfaceOf(solid);
         const SeenSurface seen(surface, sight);
         int hits = 0;
-        for (int y = 0; y < kHeight; y += 3)
-            for (int x = 0; x < kWidth; x += 2) {
+        for (int y = 0; y < kDataHeight; y += 3)
+            for (int x = 0; x < kDataWidth; x += 2) {
                 const float px = static_cast<float>(x), py = static_cast<float>(y);
                 const FourHits found = seen.enter(fourOf(px), fourOf(py));
                 if (std::isinf(found.t[0])) continue;
@@ -109,10 +105,10 @@ TEST(SolidRays, KnowTheFaceThatTheyEnter) {
 }
 
 TEST(SolidRays, DoNotMeetWhatIsBehindTheEye) {
-    Frame frame = empty();
+    Frame frame = emptyBelow();
     frame.camera.lookAt = {4, 6, 14};
     const Sight sight = sightOf(viewOf(frame, 8, 8), 8, 8);
-    for (const Solid& solid : oneOfEach()) {
+    for (const Solid& solid : oneSolidOfEach()) {
         const FourHits hits = SeenSurface(surfaceOf(solid), sight).enter(fourOf(4), fourOf(4));
         EXPECT_TRUE(std::isinf(hits.t[0])) << static_cast<int>(solid.shape);
     }
@@ -191,27 +187,18 @@ TEST(MeshTree, FindsWhatTryingAllTrianglesFinds) {
     EXPECT_GT(hits, 100);
 }
 
-DataImages dataOf(const Frame& now, const Frame* next = nullptr) {
-    static Renderer renderer([] {
-        RendererSettings s;
-        s.width = kWidth, s.height = kHeight, s.samples = 1, s.reproducible = true;
-        return s;
-    }());
-    return dataImages(now, next, renderer.surfaces(now), {true, true, true, true});
-}
-
 /// Calls check(point, normal) in the solid's own axes for every pixel that shows it.
 template <class Check>
 int forAllPixels(const Solid& solid, Check check) {
-    Frame frame = empty();
+    Frame frame = emptyBelow();
     frame.solids.push_back(solid);
     const DataImages data = dataOf(frame);
-    const Sight sight = sightOf(viewOf(frame, kWidth, kHeight), kWidth, kHeight);
+    const Sight sight = sightOf(viewOf(frame, kDataWidth, kDataHeight), kDataWidth, kDataHeight);
     const Mat3d back = solid.rotation.cast<double>().toRotationMatrix().transpose();
     int covered = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * kWidth + x;
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * kDataWidth + x;
             if (data.id[i] == 0) continue;
             ++covered;
             const Vec3d way =
@@ -227,7 +214,7 @@ int forAllPixels(const Solid& solid, Check check) {
 
 TEST(SolidData, ACylinderIsRoundAtItsSideAndFlatAtItsEnds) {
     int side = 0, end = 0;
-    forAllPixels(oneOfEach()[0], [&](const Vec3d& p, const Vec3d& n) {
+    forAllPixels(oneSolidOfEach()[0], [&](const Vec3d& p, const Vec3d& n) {
         if (std::abs(n.y()) > 0.5) {
             ++end;
             ASSERT_NEAR(p.y(), n.y() > 0 ? 0.9 : -0.9, 1e-4);
@@ -243,7 +230,7 @@ TEST(SolidData, ACylinderIsRoundAtItsSideAndFlatAtItsEnds) {
 }
 
 TEST(SolidData, AConeGetsThinnerEvenly) {
-    Solid cone = oneOfEach()[1];
+    Solid cone = oneSolidOfEach()[1];
     for (const float turn : {0.9f, 3.5f}) {  // the second shows the base
         cone.rotation = Quat(Eigen::AngleAxisf(turn, Vec3(1, 0.1f, 0.3f).normalized()));
         int side = 0, base = 0;
@@ -268,7 +255,7 @@ TEST(SolidData, AConeGetsThinnerEvenly) {
 }
 
 TEST(SolidData, AnOctahedronHasEightFlatFaces) {
-    const int covered = forAllPixels(oneOfEach()[2], [](const Vec3d& p, const Vec3d& n) {
+    const int covered = forAllPixels(oneSolidOfEach()[2], [](const Vec3d& p, const Vec3d& n) {
         ASSERT_NEAR(n.cwiseAbs().dot(Vec3d::Ones()), std::sqrt(3.0), 1e-5);
         // on the face's plane; a pixel at its border may be beyond by a hair
         ASSERT_NEAR(n.dot(p), 1.2 / std::sqrt(3.0), 1e-4);
@@ -278,7 +265,7 @@ TEST(SolidData, AnOctahedronHasEightFlatFaces) {
 }
 
 TEST(SolidData, AMeshIsWhereItsTrianglesAre) {
-    const int covered = forAllPixels(oneOfEach()[4], [](const Vec3d& p, const Vec3d& n) {
+    const int covered = forAllPixels(oneSolidOfEach()[4], [](const Vec3d& p, const Vec3d& n) {
         const Vec3d size = n.cwiseAbs();
         ASSERT_NEAR(size.maxCoeff(), 1.0, 1e-6);
         if (size.z() > 0.5) {
@@ -303,27 +290,27 @@ TEST(SolidData, AHeightFieldIsAsHighAsItsTriangles) {
 }
 
 TEST(SolidData, FlowOfAMovedAndTurnedConeIsTheDifferenceOfItsProjections) {
-    Frame now = empty(), next = empty();
-    now.solids.push_back(oneOfEach()[1]);
+    Frame now = emptyBelow(), next = emptyBelow();
+    now.solids.push_back(oneSolidOfEach()[1]);
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.2, Vec3d(1, 1, 0).normalized()));
     const Vec3d shift(0.2, -0.1, 0.3), from = now.solids[0].position.cast<double>();
     next.solids = now.solids;
     next.solids[0].rotation = turn.cast<float>() * now.solids[0].rotation;
     next.solids[0].position += shift.cast<float>();
     const DataImages data = dataOf(now, &next);
-    const View view = viewOf(now, kWidth, kHeight);
-    const Sight sight = sightOf(view, kWidth, kHeight);
+    const View view = viewOf(now, kDataWidth, kDataHeight);
+    const Sight sight = sightOf(view, kDataWidth, kDataHeight);
     int covered = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * kWidth + x;
+    for (int y = 0; y < kDataHeight; ++y)
+        for (int x = 0; x < kDataWidth; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * kDataWidth + x;
             if (data.id[i] == 0) continue;
             ++covered;
             const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
             const Vec3d point = sight.eye.cast<double>() +
                                 static_cast<double>(data.depth[i]) * along(sight, px, py);
             const Vec3d moved = turn * (point - from) + from + shift;
-            const Projected seen = project(view, moved.cast<float>(), kWidth, kHeight);
+            const Projected seen = project(view, moved.cast<float>(), kDataWidth, kDataHeight);
             ASSERT_NEAR(data.flow[i].x(), seen.x - px, 2e-3);
             ASSERT_NEAR(data.flow[i].y(), seen.y - py, 2e-3);
         }

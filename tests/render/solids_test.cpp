@@ -134,13 +134,7 @@ TEST(PixelRect, HoldsASolidWithItsTip) {
     EXPECT_EQ(holdingHalfSize(none), Vec3(0, 0, 0));
 }
 
-RendererSettings plain(int width, int height, int samples) {
-    RendererSettings s;
-    s.width = width, s.height = height, s.samples = samples, s.threads = 0;
-    return s;
-}
-
-Frame flatFrame() {
+Frame flatSolids() {
     Frame frame = everySolid();
     frame.look.shadows = frame.look.ambientOcclusion = frame.look.edges = false;
     frame.grounds.clear();  // its lines are as wide in a larger picture
@@ -148,11 +142,11 @@ Frame flatFrame() {
 }
 
 TEST(SolidEdges, AreAsGoodAsAMuchLargerPicture) {
-    const Frame frame = flatFrame();
-    const Image exact = shrunk(Renderer(plain(8 * 160, 8 * 90, 1)).draw(frame));
+    const Frame frame = flatSolids();
+    const Image exact = shrunk(Renderer(plainSettings(8 * 160, 8 * 90, 1)).draw(frame));
     std::vector<double> off;
     for (const int samples : {1, 2, 4, 8, 16})
-        off.push_back(apart(Renderer(plain(160, 90, samples)).draw(frame), exact));
+        off.push_back(apart(Renderer(plainSettings(160, 90, samples)).draw(frame), exact));
     for (std::size_t i = 1; i < off.size(); ++i) EXPECT_LT(off[i], off[i - 1]) << i;
     EXPECT_LT(off.back(), 0.4 * off.front());
     EXPECT_LT(off[3], 1.5);  // levels
@@ -166,14 +160,14 @@ TEST(SolidEdges, ARidgeOfAHeightFieldIsSmoothToo) {
     const auto waves = heightField(
         6, 60, [](float x, float z) { return 0.5f * std::cos(2.5f * (z + 0.2f * x)); });
     frame.solids = {solidOf(waves, {0, 0, 0}, fromHex(0x808890))};
-    const Image exact = shrunk(Renderer(plain(8 * 160, 8 * 90, 1)).draw(frame));
-    const double one = apart(Renderer(plain(160, 90, 1)).draw(frame), exact);
-    EXPECT_LT(apart(Renderer(plain(160, 90, 8)).draw(frame), exact), 0.5 * one);
+    const Image exact = shrunk(Renderer(plainSettings(8 * 160, 8 * 90, 1)).draw(frame));
+    const double one = apart(Renderer(plainSettings(160, 90, 1)).draw(frame), exact);
+    EXPECT_LT(apart(Renderer(plainSettings(160, 90, 8)).draw(frame), exact), 0.5 * one);
 }
 
 TEST(SolidPicture, EverySurfaceIsNumberedAsItIsDrawn) {
     const Frame frame = everySolid();
-    const SurfaceMap map = Renderer(plain(160, 90, 1)).surfaces(frame);
+    const SurfaceMap map = Renderer(plainSettings(160, 90, 1)).surfaces(frame);
     std::vector<std::set<int>> faces(frame.solids.size());
     for (const std::int32_t packed : map.packed) {
         const int surface = surfaceIn(packed);
@@ -191,7 +185,7 @@ TEST(SolidPicture, EverySurfaceIsNumberedAsItIsDrawn) {
 
 TEST(SolidPicture, AMeshThatIsGoneOrIsNotThereDoesNoHarm) {
     Frame frame = everySolid();
-    Renderer renderer(plain(160, 90, 8));
+    Renderer renderer(plainSettings(160, 90, 8));
     const Image first = renderer.draw(frame);
     Frame without = frame;
     without.solids[4].mesh = nullptr;
@@ -206,9 +200,9 @@ TEST(SolidPicture, DraftsAndFilmsShowThemToo) {
     const Frame frame = everySolid();
     Frame bare = frame;
     bare.solids.resize(1);
-    RendererSettings draft = plain(160, 90, 1);
+    RendererSettings draft = plainSettings(160, 90, 1);
     draft.finish = Finish::draft;
-    Renderer one(draft), film(plain(160, 90, 1));
+    Renderer one(draft), film(plainSettings(160, 90, 1));
     EXPECT_GT(apart(one.draw(frame), one.draw(bare)), 10.0);
     const std::vector<Frame> moments(4, frame), others(4, bare);
     EXPECT_GT(apart(film.draw(moments), film.draw(others)), 10.0);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using namespace film_bytes;
 using render::VideoWriter;
 
-constexpr int kWidth = 64, kHeight = 48, kFrames = 10;
+constexpr int kFilmWidth = 64, kFilmHeight = 48, kFilmFrames = 10;
 constexpr std::uint8_t kRed[] = {200, 60, 40, 255}, kGlass[] = {30, 40, 220, 128};
 
 void fill(render::Image& image, int x0, int x1, int y0, int y1, const std::uint8_t (&color)[4]) {
@@ -24,9 +24,10 @@ void fill(render::Image& image, int x0, int x1, int y0, int y1, const std::uint8
 }
 
 /// Nothing on top, glass from row 32 down, and a red square that moves a pixel a frame.
-render::Image frame(int number) {
-    render::Image image{kWidth, kHeight, std::vector<std::uint8_t>(4 * kWidth * kHeight)};
-    fill(image, 0, kWidth, 32, kHeight, kGlass);
+render::Image filmFrame(int number) {
+    render::Image image{kFilmWidth, kFilmHeight,
+                        std::vector<std::uint8_t>(4 * kFilmWidth * kFilmHeight)};
+    fill(image, 0, kFilmWidth, 32, kFilmHeight, kGlass);
     fill(image, number, number + 24, 4, 28, kRed);
     return image;
 }
@@ -34,8 +35,8 @@ render::Image frame(int number) {
 class FilmFile : public testing::Test {
 protected:
     fs::path write(const char* name, int fps, bool alpha) const {
-        VideoWriter film(folder_ / name, {kWidth, kHeight, fps, alpha});
-        for (int i = 0; i < kFrames; ++i) film.add(frame(i));
+        VideoWriter film(folder_ / name, {kFilmWidth, kFilmHeight, fps, alpha});
+        for (int i = 0; i < kFilmFrames; ++i) film.add(filmFrame(i));
         film.close();
         return folder_ / name;
     }
@@ -52,11 +53,12 @@ void expectColor(const render::Image& image, int x, int y, const std::uint8_t (&
 TEST_F(FilmFile, KeepsAlphaInStraightForm) {
     NEED_FFMPEG();
     for (const char* name : {"a.webm", "a.apng", "a.gif"}) {
-        const std::vector<render::Image> frames = decoded(write(name, 25, true), kWidth, kHeight);
-        ASSERT_EQ(frames.size(), static_cast<std::size_t>(kFrames)) << name;
+        const std::vector<render::Image> frames =
+            decoded(write(name, 25, true), kFilmWidth, kFilmHeight);
+        ASSERT_EQ(frames.size(), static_cast<std::size_t>(kFilmFrames)) << name;
         // VP9 at crf 24 is a few levels off, the other two are exact
         const bool exact = fs::path(name).extension() != ".webm";
-        for (const int i : {0, kFrames - 1}) {
+        for (const int i : {0, kFilmFrames - 1}) {
             expectColor(frames[i], i + 12, 16, kRed, exact ? 0 : 6, name);
             EXPECT_LE(frames[i].at(i + 40, 4)[3], 4) << name;
             EXPECT_LE(frames[i].at(60, 2)[3], 4) << name;
@@ -94,8 +96,8 @@ TEST_F(FilmFile, AWebpKeepsAlphaToo) {
     const int top = static_cast<int>(2 * threeBytes(webp, first + 11));
     const int width = static_cast<int>(threeBytes(webp, first + 14)) + 1;
     const int height = static_cast<int>(threeBytes(webp, first + 17)) + 1;
-    ASSERT_EQ(left + width, kWidth);
-    ASSERT_EQ(top + height, kHeight);
+    ASSERT_EQ(left + width, kFilmWidth);
+    ASSERT_EQ(top + height, kFilmHeight);
     const std::vector<render::Image> frames = decoded(folder_ / "first.webp", width, height);
     ASSERT_EQ(frames.size(), 1u);
     expectColor(frames[0], 12 - left, 16 - top, kRed, 8, "webp");  // quality 90: alpha is exact
@@ -106,8 +108,9 @@ TEST_F(FilmFile, AWebpKeepsAlphaToo) {
 TEST_F(FilmFile, WithoutAlphaTheFourthByteIsIgnored) {
     NEED_FFMPEG();
     for (const char* name : {"a.webm", "a.apng", "a.gif", "a.mp4"}) {
-        const std::vector<render::Image> frames = decoded(write(name, 25, false), kWidth, kHeight);
-        ASSERT_EQ(frames.size(), static_cast<std::size_t>(kFrames)) << name;
+        const std::vector<render::Image> frames =
+            decoded(write(name, 25, false), kFilmWidth, kFilmHeight);
+        ASSERT_EQ(frames.size(), static_cast<std::size_t>(kFilmFrames)) << name;
         EXPECT_EQ(frames[0].at(60, 2)[3], 255) << name;
         EXPECT_NEAR(frames[0].at(32, 40)[2], kGlass[2], 8) << name;
     }
@@ -115,7 +118,7 @@ TEST_F(FilmFile, WithoutAlphaTheFourthByteIsIgnored) {
 
 TEST_F(FilmFile, AnMp4WithAlphaIsRefusedBeforeTheFirstFrame) {
     try {
-        VideoWriter(folder_ / "a.mp4", {kWidth, kHeight, 25, true});
+        VideoWriter(folder_ / "a.mp4", {kFilmWidth, kFilmHeight, 25, true});
         FAIL() << "it took the film";
     } catch (const render::Error& error) {
         EXPECT_NE(std::string(error.what())
@@ -133,7 +136,7 @@ TEST_F(FilmFile, PlaysForEver) {
     EXPECT_EQ(byteAt(gif, loop + 13) + byteAt(gif, loop + 14), 0u);
     const std::string apng = contentOf(write("a.apng", 25, false));
     const std::size_t control = find(apng, "acTL");  // frames(4) plays(4)
-    EXPECT_EQ(byteAt(apng, control + 7), static_cast<unsigned>(kFrames));
+    EXPECT_EQ(byteAt(apng, control + 7), static_cast<unsigned>(kFilmFrames));
     EXPECT_EQ(byteAt(apng, control + 11), 0u);
     const std::string webp = contentOf(write("a.webp", 25, false));
     const std::size_t animation = find(webp, "ANIM");  // size(4) background(4) loop(2)
@@ -146,9 +149,9 @@ TEST_F(FilmFile, AGifKeepsTimeOverAll) {
     for (const int fps : {10, 15, 25, 30, 50}) {
         const std::string name = "at" + std::to_string(fps) + ".gif";
         const std::vector<unsigned> delays = gifDelays(contentOf(write(name.c_str(), fps, false)));
-        ASSERT_EQ(delays.size(), static_cast<std::size_t>(kFrames)) << name;
+        ASSERT_EQ(delays.size(), static_cast<std::size_t>(kFilmFrames)) << name;
         const double seconds = std::accumulate(delays.begin(), delays.end(), 0u) / 100.0;
-        EXPECT_NEAR(seconds, static_cast<double>(kFrames) / fps, 0.011) << name;
+        EXPECT_NEAR(seconds, static_cast<double>(kFilmFrames) / fps, 0.011) << name;
         EXPECT_GE(*std::min_element(delays.begin(), delays.end()), 2u) << "browsers slow it down";
     }
 }

@@ -17,14 +17,15 @@ using render::Encoding;
 using render::Fit;
 using render::VideoWriter;
 
-constexpr int kWidth = 128, kHeight = 96, kFrames = 12, kFps = 30;
+constexpr int kNoiseWidth = 128, kNoiseHeight = 96, kNoiseFrames = 12, kNoiseFps = 30;
 
 /// Noise that moves, which no codec likes, over a ramp.
-render::Image frame(int number) {
-    render::Image image{kWidth, kHeight, std::vector<std::uint8_t>(4 * kWidth * kHeight, 255)};
+render::Image noiseFrame(int number) {
+    render::Image image{kNoiseWidth, kNoiseHeight,
+                        std::vector<std::uint8_t>(4 * kNoiseWidth * kNoiseHeight, 255)};
     std::uint32_t noise = static_cast<std::uint32_t>(number) + 1;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x)
+    for (int y = 0; y < kNoiseHeight; ++y)
+        for (int x = 0; x < kNoiseWidth; ++x)
             for (int c = 0; c < 3; ++c) {
                 noise = noise * 1664525 + 1013904223;
                 image.at(x, y)[c] = static_cast<std::uint8_t>(x + (noise >> 26));
@@ -36,8 +37,8 @@ class FitInto : public testing::Test {
 protected:
     /// The writer's summary.
     std::string write(const std::string& name, const Fit& fit) const {
-        VideoWriter film(folder_ / name, {kWidth, kHeight, kFps}, fit);
-        for (int i = 0; i < kFrames; ++i) film.add(frame(i));
+        VideoWriter film(folder_ / name, {kNoiseWidth, kNoiseHeight, kNoiseFps}, fit);
+        for (int i = 0; i < kNoiseFrames; ++i) film.add(noiseFrame(i));
         film.close();
         return film.summary();
     }
@@ -79,7 +80,8 @@ TEST_F(FitInto, DroppedFramesLeaveTheTimeAsItWas) {
     NEED_FFMPEG();
     write("all.gif", {});
     const render::VideoFormat& gif = *render::videoFormatOf("x.gif");
-    const std::vector<Encoding> ladder = render::ladderOf(gif, {kWidth, kHeight, kFps});
+    const std::vector<Encoding> ladder =
+        render::ladderOf(gif, {kNoiseWidth, kNoiseHeight, kNoiseFps});
     const auto halved = std::find_if(ladder.begin(), ladder.end(),
                                      [](const Encoding& e) { return e.everyNth == 2; });
     ASSERT_NE(halved, ladder.end());
@@ -90,10 +92,10 @@ TEST_F(FitInto, DroppedFramesLeaveTheTimeAsItWas) {
         summary = write("half.gif", {limit, {}, {}});
     }
     const std::vector<unsigned> delays = gifDelays(contentOf(folder_ / "half.gif"));
-    ASSERT_EQ(delays.size(), static_cast<std::size_t>(kFrames / 2)) << summary;
+    ASSERT_EQ(delays.size(), static_cast<std::size_t>(kNoiseFrames / 2)) << summary;
     unsigned sum = 0;
     for (const unsigned delay : delays) sum += delay;
-    EXPECT_NEAR(sum / 100.0, static_cast<double>(kFrames) / kFps, 0.021);
+    EXPECT_NEAR(sum / 100.0, static_cast<double>(kNoiseFrames) / kNoiseFps, 0.021);
 }
 
 TEST_F(FitInto, WhatCannotFitIsToldAndLeavesNothing) {
@@ -119,17 +121,17 @@ TEST_F(FitInto, ACancelledFilmLeavesNothing) {
 
 TEST_F(FitInto, FramesAreStoredWithoutAName) {
     NEED_FFMPEG();
-    VideoWriter film(folder_ / "a.gif", {kWidth, kHeight, kFps});
-    film.add(frame(0));
+    VideoWriter film(folder_ / "a.gif", {kNoiseWidth, kNoiseHeight, kNoiseFps});
+    film.add(noiseFrame(0));
     EXPECT_EQ(filesLeft(), 1) << "the film's temporary name, and nothing else";
 }
 
 /// White that nobody sees, beside darkness: an edge between them must stay dark.
 render::Image halfSeen(int number) {
-    render::Image image = frame(number);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const bool seen = x > kWidth / 2;
+    render::Image image = noiseFrame(number);
+    for (int y = 0; y < kNoiseHeight; ++y)
+        for (int x = 0; x < kNoiseWidth; ++x) {
+            const bool seen = x > kNoiseWidth / 2;
             for (int c = 0; c < 3; ++c) {
                 std::uint8_t& level = image.at(x, y)[c];
                 level = seen ? static_cast<std::uint8_t>(level / 8) : std::uint8_t{255};
@@ -141,12 +143,13 @@ render::Image halfSeen(int number) {
 
 TEST_F(FitInto, WhatIsNotSeenDoesNotBleedIntoASmallerPicture) {
     NEED_FFMPEG();
-    VideoWriter film(folder_ / "a.apng", {kWidth, kHeight, kFps, true}, {60'000, {}, {}});
-    for (int i = 0; i < kFrames; ++i) film.add(halfSeen(i));
+    VideoWriter film(folder_ / "a.apng", {kNoiseWidth, kNoiseHeight, kNoiseFps, true},
+                     {60'000, {}, {}});
+    for (int i = 0; i < kNoiseFrames; ++i) film.add(halfSeen(i));
     film.close();
     int width = 0, height = 0;
     ASSERT_EQ(std::sscanf(film.summary().c_str(), "%*[^:]: %dx%d", &width, &height), 2);
-    ASSERT_LT(width, kWidth) << film.summary() << ": the limit above should cost size";
+    ASSERT_LT(width, kNoiseWidth) << film.summary() << ": the limit above should cost size";
     const std::vector<render::Image> frames = decoded(folder_ / "a.apng", width, height);
     ASSERT_FALSE(frames.empty());
     int halfCovered = 0;

@@ -20,6 +20,10 @@ using engine::World;
 constexpr double kStep = 1.0 / 60.0;  // s
 constexpr double kGravity = 9.81;     // m/s^2
 
+inline engine::Pose at(const Vec3& position, const Quat& rotation = Quat::Identity()) {
+    return {position, rotation};
+}
+
 inline BodyDef body(const Shape& shape, const Vec3& at, double mass = 1.0) {
     BodyDef def;
     def.shape = shape;

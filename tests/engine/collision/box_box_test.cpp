@@ -9,9 +9,9 @@
 namespace engine {
 namespace {
 
-const Shape kCube = Shape::box({1, 1, 1});
+using support::at;
 
-Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return {p, q}; }
+const Shape kCube = Shape::box({1, 1, 1});
 
 std::set<int> features(const Manifold& m) {
     std::set<int> result;

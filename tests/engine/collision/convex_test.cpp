@@ -33,13 +33,13 @@ const std::vector<Shape>& shapes() {
     return all;
 }
 
-struct Pair {
+struct ConvexPair {
     int a, b;
 };
-void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.a << " and " << pair.b; }
+void PrintTo(const ConvexPair& pair, std::ostream* out) { *out << pair.a << " and " << pair.b; }
 
-std::vector<Pair> pairsWithNew() {
-    std::vector<Pair> pairs;
+std::vector<ConvexPair> pairsWithNew() {
+    std::vector<ConvexPair> pairs;
     for (int a = 0; a < 7; ++a)
         for (int b = a < 3 ? 3 : a; b < 7; ++b) pairs.push_back({a, b});
     return pairs;
@@ -75,7 +75,7 @@ double largestSeparation(const Convex& a, const Convex& b) {
     return best;
 }
 
-class ConvexPairs : public testing::TestWithParam<Pair> {};
+class ConvexPairs : public testing::TestWithParam<ConvexPair> {};
 
 TEST_P(ConvexPairs, ClosestPointsAreApartByTheLargestSeparation) {
     const Shape &shapeA = shapes()[GetParam().a], &shapeB = shapes()[GetParam().b];

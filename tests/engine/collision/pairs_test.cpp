@@ -24,7 +24,7 @@ double distanceTo(const Shape& s, const Pose& pose, const Vec3& world) {
 }
 
 /// Smallest distance from points of the core of a round shape `a` to `b`, less a's radius.
-double gapOf(const Shape& round, const Pose& pose, const Shape& other, const Pose& otherPose) {
+double sampledGap(const Shape& round, const Pose& pose, const Shape& other, const Pose& otherPose) {
     double least = 1e9;
     for (int i = 0; i <= 400; ++i) {
         const double y = (i / 200.0 - 1.0) * round.halfLength;
@@ -33,30 +33,30 @@ double gapOf(const Shape& round, const Pose& pose, const Shape& other, const Pos
     return least - round.radius;
 }
 
-struct Pair {
+struct RoundPair {
     Shape round, other;
 };
 
 class RoundPairs : public testing::TestWithParam<int> {
 protected:
-    static Pair pair(int i) {
+    static RoundPair pair(int i) {
         const Shape ball = Shape::sphere(0.4), pill = Shape::capsule(0.25, 1.3);
         const Shape box = Shape::box({1.0, 0.7, 1.4}), plane = Shape::plane({0, 1, 0});
-        const Pair all[] = {{ball, ball}, {ball, box},  {ball, pill}, {ball, plane},
-                            {pill, pill}, {pill, box}, {pill, plane}};
+        const RoundPair all[] = {{ball, ball}, {ball, box}, {ball, pill}, {ball, plane},
+                                 {pill, pill}, {pill, box}, {pill, plane}};
         return all[i];
     }
 };
 
 TEST_P(RoundPairs, TheDeepestPointIsTheGap) {
-    const Pair p = pair(GetParam());
+    const RoundPair p = pair(GetParam());
     support::Random random(10 + GetParam());
     int touching = 0;
     for (int i = 0; i < 2000; ++i) {
         const Pose a{random.vector(1.2), random.rotation()};
         const Pose b{Vec3::Zero(), p.other.type == ShapeType::plane ? Quat::Identity()
                                                                     : random.rotation()};
-        const double gap = gapOf(p.round, a, p.other, b);
+        const double gap = sampledGap(p.round, a, p.other, b);
         const bool coreOutside = gap > -p.round.radius + 1e-3;
         const Manifold m = collide(p.round, a, p.other, b, 0.05);
         if (gap > 0.051) {

@@ -93,7 +93,7 @@ Contact onlyContact(const Bodies& bodies, double margin = 0.02) {
     return finder.contacts.empty() ? Contact{} : finder.contacts[0];
 }
 
-double gapOf(const Bodies& bodies, const Contact& c, int i = 0) {
+double gapAt(const Bodies& bodies, const Contact& c, int i = 0) {
     return c.normal.dot(bodies.poses[c.b].toWorld(c.points[i].anchorB) -
                         bodies.poses[c.a].toWorld(c.points[i].anchorA));
 }
@@ -107,7 +107,7 @@ TEST(MovingContact, HasTheNormalOfTheImpact) {
     addBody(bodies, ball);
     const Contact c = onlyContact(bodies);
     EXPECT_NEAR(c.normal.x(), -1.0, 1e-12);
-    EXPECT_NEAR(gapOf(bodies, c), 1.85, 1e-3);  // along x, from face to ball
+    EXPECT_NEAR(gapAt(bodies, c), 1.85, 1e-3);  // along x, from face to ball
 }
 
 TEST(MovingContact, CountsTheTurnIntoTheWayToGo) {
@@ -118,7 +118,7 @@ TEST(MovingContact, CountsTheTurnIntoTheWayToGo) {
     addBody(bodies, rod);
     const Contact c = onlyContact(bodies);
     double least = 1e9;
-    for (int i = 0; i < c.count; ++i) least = smaller(least, gapOf(bodies, c, i));
+    for (int i = 0; i < c.count; ++i) least = smaller(least, gapAt(bodies, c, i));
     // C = t * 60 rad/s * the arm at the impact, cos 30 degrees
     EXPECT_NEAR(least, kPi / 6 * std::sqrt(0.75), 0.02);
 }

@@ -11,11 +11,9 @@
 namespace engine {
 namespace {
 
-constexpr double kEverything = 1e9;
+using support::at;
 
-Pose at(const Vec3& position, const Quat& rotation = Quat::Identity()) {
-    return {position, rotation};
-}
+constexpr double kEverything = 1e9;
 
 TEST(Submerged, HalfABallHasItsMiddleThreeEighthsOfARadiusDown) {
     const Shape ball = Shape::sphere(0.5);

@@ -39,7 +39,7 @@ struct HangingChain {
     }
 };
 
-int sweepsTo95Percent(int count) {
+int chainSweepsTo95Percent(int count) {
     HangingChain chain(count);
     int sweeps = 0;
     while (chain.share() < 0.95) chain.sweepOnce(), ++sweeps;
@@ -48,9 +48,9 @@ int sweepsTo95Percent(int count) {
 
 // 5 for two, 31 for five: it grows with the square of the length
 TEST(ChainConvergence, TakesMoreSweepsTheLongerItIs) {
-    EXPECT_EQ(sweepsTo95Percent(1), 1);
-    EXPECT_EQ(sweepsTo95Percent(2), 5);
-    EXPECT_EQ(sweepsTo95Percent(5), 31);
+    EXPECT_EQ(chainSweepsTo95Percent(1), 1);
+    EXPECT_EQ(chainSweepsTo95Percent(2), 5);
+    EXPECT_EQ(chainSweepsTo95Percent(5), 31);
 }
 
 // Two links, by hand: every sweep halves what is missing.

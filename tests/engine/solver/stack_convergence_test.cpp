@@ -37,7 +37,7 @@ struct SphereStack {
     }
 };
 
-int sweepsTo95Percent(const std::vector<double>& masses) {
+int stackSweepsTo95Percent(const std::vector<double>& masses) {
     SphereStack stack(masses);
     JointTrees trees;
     int sweeps = 0;
@@ -48,23 +48,23 @@ int sweepsTo95Percent(const std::vector<double>& masses) {
 
 // 1, 5, 20 sweeps for 1, 2, 4 equal spheres
 TEST(StackConvergence, TakesMoreSweepsTheHigherItIs) {
-    EXPECT_EQ(sweepsTo95Percent({1}), 1);
-    EXPECT_EQ(sweepsTo95Percent({1, 1}), 5);
-    EXPECT_EQ(sweepsTo95Percent({1, 1, 1, 1}), 20);
+    EXPECT_EQ(stackSweepsTo95Percent({1}), 1);
+    EXPECT_EQ(stackSweepsTo95Percent({1, 1}), 5);
+    EXPECT_EQ(stackSweepsTo95Percent({1, 1, 1, 1}), 20);
 }
 
 // 3 ratio + 2
 TEST(StackConvergence, TakesThreeSweepsMoreForEveryMassOfTheUpper) {
     const std::pair<double, int> expected[] = {{1, 5}, {2, 8}, {3, 11}, {5, 17}, {8, 26}, {10, 32}};
     for (const auto& [ratio, sweeps] : expected) {
-        EXPECT_EQ(sweepsTo95Percent({1, ratio}), sweeps) << ratio;
+        EXPECT_EQ(stackSweepsTo95Percent({1, ratio}), sweeps) << ratio;
         EXPECT_EQ(sweeps, 3 * static_cast<int>(ratio) + 2);
     }
 }
 
 // Light on heavy is no trouble: what the upper adds is a small part of the whole.
 TEST(StackConvergence, TakesAFewSweepsForLightOnHeavy) {
-    EXPECT_LE(sweepsTo95Percent({10, 1}), 3);
+    EXPECT_LE(stackSweepsTo95Percent({10, 1}), 3);
 }
 
 }  // namespace

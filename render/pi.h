@@ -1,0 +1,8 @@
+/// Half a turn in radians, for pictures.
+#pragma once
+
+namespace render {
+
+inline constexpr float kPi = 3.14159265f;
+
+}  // namespace render

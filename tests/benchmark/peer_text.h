@@ -1,0 +1,15 @@
+/// printf into a text, of 255 characters at most.
+#pragma once
+#include <cstdio>
+#include <string>
+
+namespace peers {
+
+template <class... Arguments>
+std::string text(const char* format, Arguments... arguments) {
+    char buffer[256];
+    std::snprintf(buffer, sizeof buffer, format, arguments...);
+    return buffer;
+}
+
+}  // namespace peers
