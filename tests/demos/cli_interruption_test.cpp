@@ -80,7 +80,7 @@ TEST_F(Interruption, KilledAtAnyMomentTheSameCommandGivesTheSameFiles) {
 }
 
 TEST_F(Interruption, ASecondSignalEndsAtOnceAndTearsNothing) {
-    Launch launch = small(folder.path(), {"-o", "out", "--seconds", "20", "--json"});
+    Launch launch = small(folder.path(), {"-o", "out", "--seconds", "600", "--json"});
     launch.awaited = "\"frame\":4,";
     launch.awaitedCall = [](pid_t child) {
         kill(child, SIGSTOP);  // so that both are there when it looks
@@ -113,7 +113,7 @@ TEST_F(Interruption, AFullDiskKeepsTheFramesBeforeWhole) {
     if (!mayMount()) GTEST_SKIP() << "this user may not mount a small disk";
     fs::create_directories(folder / "disk");
     fs::create_directories(folder / "kept");
-    Launch launch = small(folder.path(), {"-o", "disk/out", "--seconds", "20"});
+    Launch launch = small(folder.path(), {"-o", "disk/out", "--seconds", "600"});
     launch.beforeExec = [disk = (folder / "disk").string(), kept = (folder / "kept").string()] {
         if (!ownMounts() || mount("small", disk.c_str(), "tmpfs", 0, "size=64k") != 0) _exit(125);
         const pid_t run = fork();  // goes on as the program; this process looks afterwards
@@ -160,11 +160,11 @@ TEST_F(Interruption, AFullDevice) {
 }
 
 TEST_F(Interruption, TwoRunsInOneFolderAreToldApart) {
-    Launch first = small(folder.path(), {"-o", "out", "--seconds", "20", "--json"});
+    Launch first = small(folder.path(), {"-o", "out", "--seconds", "600", "--json"});
     first.awaited = "\"frame\":3,";
     Ended second;
     first.awaitedCall = [&](pid_t child) {
-        second = film({"-o", "out", "--seconds", "20"});
+        second = film({"-o", "out", "--seconds", "600"});
         kill(child, SIGINT);
     };
     EXPECT_EQ(run(first).code, 130);
@@ -175,7 +175,7 @@ TEST_F(Interruption, TwoRunsInOneFolderAreToldApart) {
 
 TEST_F(Interruption, AKilledFilmLeavesNothingForTheNextRun) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
-    Launch launch = small(folder.path(), {"-o", "film.mp4", "--seconds", "20", "--json"});
+    Launch launch = small(folder.path(), {"-o", "film.mp4", "--seconds", "600", "--json"});
     launch.awaited = "\"frame\":9,";
     launch.signal = SIGKILL;
     EXPECT_EQ(run(launch).signal, SIGKILL);
@@ -188,7 +188,7 @@ TEST_F(Interruption, AKilledFilmLeavesNothingForTheNextRun) {
 
 TEST_F(Interruption, TwoRunsOfOneFilmAreToldApart) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
-    Launch first = small(folder.path(), {"-o", "film.mp4", "--seconds", "20", "--json"});
+    Launch first = small(folder.path(), {"-o", "film.mp4", "--seconds", "600", "--json"});
     first.awaited = "\"frame\":3,";
     Ended second;
     first.awaitedCall = [&](pid_t child) {
@@ -202,7 +202,7 @@ TEST_F(Interruption, TwoRunsOfOneFilmAreToldApart) {
 }
 
 TEST_F(Interruption, ADyingFfmpegIsCode4AndTheFramesBesideStay) {
-    Launch launch = small(folder.path(), {"-o", "film.mp4", "-o", "frames", "--seconds", "20"});
+    Launch launch = small(folder.path(), {"-o", "film.mp4", "-o", "frames", "--seconds", "600"});
     replaceFfmpeg(launch, "head -c 100000 > /dev/null; echo 'Encoder broke' >&2; exit 7");
     const Ended ended = run(launch);
     EXPECT_EQ(ended.code, 4) << ended.err;
@@ -210,13 +210,13 @@ TEST_F(Interruption, ADyingFfmpegIsCode4AndTheFramesBesideStay) {
     EXPECT_FALSE(fs::exists(folder / "film.mp4"));
     EXPECT_GE(framesIn(folder / "frames").size(), 4u);
     expectAllWhole(folder / "frames");
-    const Ended without = film({"-o", "frames", "--seconds", "20"});
+    const Ended without = film({"-o", "frames", "--seconds", "600"});
     EXPECT_EQ(without.code, 0) << without.err;
     EXPECT_NE(without.out.find(" kept"), std::string::npos) << without.out;
 }
 
 TEST_F(Interruption, AHangingFfmpegIsEndedAndTold) {
-    Launch launch = small(folder.path(), {"-o", "film.mp4", "--seconds", "20"});
+    Launch launch = small(folder.path(), {"-o", "film.mp4", "--seconds", "600"});
     replaceFfmpeg(launch, "[ \"$1\" = -version ] && exit 0\nexec sleep 1000");
     const Ended ended = run(launch);
     EXPECT_EQ(ended.code, 4) << ended.err;
