@@ -8,7 +8,7 @@ namespace render {
 /// q = (cos(phi / 2), sin(phi / 2) n) = (s / 2, (a x b) / s), s = sqrt(2 (1 + a . b)), of the two
 /// unit vectors. Opposite ones: half a turn about something across. As Eigen's
 /// Quaternion::FromTwoVectors to the bit, but for that something, which costs Eigen a singular
-/// value decomposition, and a compiler six seconds.
+/// value decomposition, and a compiler long.
 template <class Real>
 Eigen::Quaternion<Real> shortestTurn(const Eigen::Matrix<Real, 3, 1>& from,
                                      const Eigen::Matrix<Real, 3, 1>& to) {
