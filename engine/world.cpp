@@ -240,7 +240,7 @@ void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
     Bodies& bodies = state_->bodies;
     state_->sleep.call(bodies, id.index);
     // dv = P / m, dw = I^-1 (r x P)
-    const InverseMass<double>& m = bodies.inverseMasses[id.index];
+    const InverseMass& m = bodies.inverseMasses[id.index];
     const Vec3 arm = at - bodies.poses[id.index].position;
     bodies.velocities[id.index].linear += m.linear * impulse;
     bodies.velocities[id.index].angular += m.angular * arm.cross(impulse);

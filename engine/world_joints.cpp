@@ -63,7 +63,7 @@ void measurePath(const Pose& a, const Pose& b, Joint& joint) {
 double beyondLimits(const Joint& joint, const Pose& a, const Pose& b) {
     double worst = 0.0;
     if (!joint.acts) return worst;
-    const JointRows<double> free = coordinatesOf(joint, a, b);
+    const JointRows free = coordinatesOf(joint, a, b);
     for (int i = 0; i < free.count; ++i) {
         const Limits& limits = joint.def.free[i].limits;
         if (!limits.any() || free.j[i].linear.isZero(0.0)) continue;
@@ -80,7 +80,7 @@ double missOf(const Joint& joint, const Pose& a, const Pose& b) {
         (b.toWorld(def.anchorB) - a.toWorld(def.anchorA)).norm();
     if (def.type == JointType::distance) return std::abs(distance - def.length);
     if (def.type <= JointType::weld) return distance;
-    const JointRows<double> rows = rowsOf(def.type, geometryOf(joint, a, b));
+    const JointRows rows = rowsOf(def.type, geometryOf(joint, a, b));
     double sum = 0.0;
     for (int i = 0; i < rows.count; ++i)
         if (!rows.j[i].linear.isZero(0.0)) sum += rows.error[i] * rows.error[i];
@@ -177,7 +177,7 @@ JointState stateOf(const WorldState& s, const Joint& joint) {
     state.worldAxis = a.rotation * joint.axisA;
     state.worldAxis2 = b.rotation * joint.axis2B;
     state.worldAxis2A = a.rotation * joint.axis2A;
-    const JointRows<double> free = coordinatesOf(joint, a, b);
+    const JointRows free = coordinatesOf(joint, a, b);
     for (int i = 0; i < free.count; ++i) {
         state.positions[i] = free.error[i];
         state.speeds[i] = velocityAlong(free.j[i], s.bodies.velocities[joint.def.a.index],

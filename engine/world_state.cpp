@@ -43,9 +43,9 @@ void rescaleImpulses(WorldState& s, double dt) {
         for (Joint& joint : s.joints)
             if (isAsleep(joint, s.bodies))
                 scaleImpulses(joint, scale);
-        for (JointDrive<double>& drive : s.solver.constraints.drives)
-            for (DriveRow<double>& row : drive.rows) row.lambda *= scale;
-        for (JointConstraint<double>& joint : s.solver.constraints.joints)
+        for (JointDrive& drive : s.solver.constraints.drives)
+            for (DriveRow& row : drive.rows) row.lambda *= scale;
+        for (JointConstraint& joint : s.solver.constraints.joints)
             for (double& lambda : joint.lambda) lambda *= scale;
         s.solver.trees.scaleImpulses(scale);
     }
@@ -60,7 +60,7 @@ Trouble findTrouble(const WorldState& s, BodyId& who) {
         if (!s.bodies.isMoving(i)) continue;
         who = {i};
         const Pose& pose = s.bodies.poses[i];
-        const Velocity<double>& v = s.bodies.velocities[i];
+        const Velocity& v = s.bodies.velocities[i];
         if (!pose.position.allFinite() || !pose.rotation.coeffs().allFinite())
             return Trouble::positionNotFinite;
         if (!v.linear.allFinite() || !v.angular.allFinite()) return Trouble::velocityNotFinite;
@@ -159,9 +159,9 @@ bool beginStep(WorldState& s, double dt) {
     s.report.sweeps.clear();
     s.report.direct = {};
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
-    for (JointConstraint<double>& joint : s.solver.constraints.joints)
+    for (JointConstraint& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
-    for (JointDrive<double>& drive : s.solver.constraints.drives)
+    for (JointDrive& drive : s.solver.constraints.drives)
         drive.totalImpulse.setZero(), drive.totalTwist.setZero();
     s.solver.trees.beginStep();
     return true;

@@ -43,7 +43,7 @@ struct WorldState {
     double lastDt = 0.0;        // s; impulses are kept per sub-step of this length
     int lastSubsteps = 0;
 
-    std::vector<Velocity<double>> velocitiesBefore;  // to go back to when a step turns out wrong
+    std::vector<Velocity> velocitiesBefore;  // to go back to when a step turns out wrong
 
     /// Whether forces depend on where bodies are: they are looked at in every sub-step.
     bool hasForces() const { return field || !forces.empty(); }

@@ -9,7 +9,7 @@ namespace {
 
 /// m/s, of the two bodies towards each other at p along n.
 double approachAt(const Vec3& p, const Vec3& n, const PairKey& pair, std::span<const Pose> poses,
-                  std::span<const Velocity<double>> velocities) {
+                  std::span<const Velocity> velocities) {
     const auto velocityOf = [&](int body) {
         const Vec3 arm = p - poses[body].position;
         return Vec3(velocities[body].linear + velocities[body].angular.cross(arm));

@@ -1,5 +1,4 @@
-/// The vocabulary: Eigen's fixed-size types by the scalar they hold. The world is in double; the
-/// solver's text is templated, so that tests can run it in float as well.
+/// The vocabulary: Eigen's fixed-size types. The world is in double.
 /// Only + - * / and sqrt appear below this line: they round the same on every machine.
 #pragma once
 #include <Eigen/Core>
@@ -9,59 +8,44 @@
 
 namespace engine {
 
-template <class Real>
-using Vec2T = Eigen::Matrix<Real, 2, 1>;  // a column of 2
-template <class Real>
-using Vec3T = Eigen::Matrix<Real, 3, 1>;  // a column of 3
-template <class Real>
-using Vec4T = Eigen::Matrix<Real, 4, 1>;  // a column of 4
-template <class Real>
-using Mat2T = Eigen::Matrix<Real, 2, 2>;  // 2 x 2
-template <class Real>
-using Mat3T = Eigen::Matrix<Real, 3, 3>;  // 3 x 3
-template <class Real>
-using Mat4T = Eigen::Matrix<Real, 4, 4>;  // 4 x 4
-template <class Real>
-using QuatT = Eigen::Quaternion<Real>;  // made as (w, x, y, z)
-
-using Vec2 = Vec2T<double>;  // x, y
-using Vec3 = Vec3T<double>;  // x, y, z; right-handed
-using Vec4 = Vec4T<double>;  // four of a kind
-using Mat3 = Mat3T<double>;  // inertia, rotation
-using Quat = QuatT<double>;  // a rotation, of length 1
+using Vec2 = Eigen::Vector2d;  // x, y
+using Vec3 = Eigen::Vector3d;  // x, y, z; right-handed
+using Vec4 = Eigen::Vector4d;  // four of a kind
+using Mat2 = Eigen::Matrix2d;
+using Mat3 = Eigen::Matrix3d;  // inertia, rotation
+using Mat4 = Eigen::Matrix4d;
+using Quat = Eigen::Quaterniond;  // a rotation, of length 1; made as (w, x, y, z)
 
 /// Ties and NaNs are defined: a when the two are equal, b when a is not a number.
-template <class Real>
-Real smaller(Real a, Real b) {
+template <class Value>
+Value smaller(Value a, Value b) {
     return a <= b ? a : b;
 }
 /// The larger one, with the same ties.
-template <class Real>
-Real larger(Real a, Real b) {
+template <class Value>
+Value larger(Value a, Value b) {
     return a >= b ? a : b;
 }
 /// x, or the bound it is beyond.
-template <class Real>
-Real clamped(Real x, Real low, Real high) {
+template <class Value>
+Value clamped(Value x, Value low, Value high) {
     return smaller(larger(x, low), high);
 }
 
 /// The matrix that crosses: crossMatrix(a) b = a x b.
-template <class Real>
-Mat3T<Real> crossMatrix(const Vec3T<Real>& a) {
-    Mat3T<Real> m;
-    m << Real(0), -a.z(), a.y(), a.z(), Real(0), -a.x(), -a.y(), a.x(), Real(0);
+inline Mat3 crossMatrix(const Vec3& a) {
+    Mat3 m;
+    m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
     return m;
 }
 
 /// Two unit vectors that complete the unit vector n to a right-handed frame (n, t1, t2).
 /// The axis least along n is the helper, so that nothing cancels.
-template <class Real>
-void tangents(const Vec3T<Real>& n, Vec3T<Real>& t1, Vec3T<Real>& t2) {
-    const Real x = std::abs(n.x()), y = std::abs(n.y()), z = std::abs(n.z());
-    const Vec3T<Real> helper = x <= y && x <= z ? Vec3T<Real>(Vec3T<Real>::UnitX())
-                               : y <= z         ? Vec3T<Real>(Vec3T<Real>::UnitY())
-                                                : Vec3T<Real>(Vec3T<Real>::UnitZ());
+inline void tangents(const Vec3& n, Vec3& t1, Vec3& t2) {
+    const double x = std::abs(n.x()), y = std::abs(n.y()), z = std::abs(n.z());
+    const Vec3 helper = x <= y && x <= z ? Vec3(Vec3::UnitX())
+                        : y <= z         ? Vec3(Vec3::UnitY())
+                                         : Vec3(Vec3::UnitZ());
     t1 = n.cross(helper).normalized();
     t2 = n.cross(t1);
 }

@@ -14,7 +14,7 @@ void addBalls(Manifold& m, const Vec3& p, double rp, const Vec3& q, double rq, d
     }
 }
 
-/// Closest parameters of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
+/// Closest parameters of two segments (Ericson, double-Time Collision Detection, 5.1.9).
 void closestParameters(const Segment& a, const Segment& b, double& s, double& t) {
     const Vec3 r = b.centre - a.centre;
     const double aa = a.half.squaredNorm(), bb = b.half.squaredNorm(), ab = a.half.dot(b.half);

@@ -7,8 +7,7 @@
 
 namespace engine {
 
-template <class Real>
-void addAxisRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addAxisRows(const JointGeometry& g, JointRows& rows) {
     addParallelRows(g.acrossA, g.axis2B, rows);
 }
 

@@ -9,16 +9,14 @@
 
 namespace engine {
 
-template <class Real>
-void addBallRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addBallRows(const JointGeometry& g, JointRows& rows) {
     for (int i = 0; i < 3; ++i)
-        rows.add(alongDirection<Real>(Vec3T<Real>::Unit(i), g.armA, g.armB), g.between[i]);
+        rows.add(alongDirection(Vec3::Unit(i), g.armA, g.armB), g.between[i]);
 }
 
-template <class Real>
-void addBallCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    addTurn(twistAbout<Real>(g.axisA, turnSinceStart(g), g.near[0]), coordinates);
-    addTurn(swingOf<Real>(g.axisA, g.axis2B), coordinates);
+inline void addBallCoordinates(const JointGeometry& g, JointRows& coordinates) {
+    addTurn(twistAbout(g.axisA, turnSinceStart(g), g.near[0]), coordinates);
+    addTurn(swingOf(g.axisA, g.axis2B), coordinates);
 }
 
 }  // namespace engine

@@ -9,17 +9,15 @@
 
 namespace engine {
 
-template <class Real>
-void addConstantVelocityRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addConstantVelocityRows(const JointGeometry& g, JointRows& rows) {
     addBallRows(g, rows);
-    addTurn(twistAbout<Real>(g.axisA, turnSinceStart(g)), rows);
+    addTurn(twistAbout(g.axisA, turnSinceStart(g)), rows);
 }
 
 /// Coordinate 0 would be the twist, which is held.
-template <class Real>
-void addConstantVelocityCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    coordinates.add({}, Real(0));
-    addTurn(swingOf<Real>(g.axisA, g.axis2B), coordinates);
+inline void addConstantVelocityCoordinates(const JointGeometry& g, JointRows& coordinates) {
+    coordinates.add({}, 0.0);
+    addTurn(swingOf(g.axisA, g.axis2B), coordinates);
 }
 
 }  // namespace engine

@@ -10,22 +10,18 @@
 
 namespace engine {
 
-template <class Real>
-void addDistance(const JointGeometry<Real>& g, Real length, JointRows<Real>& rows) {
-    const Real distance = g.between.norm();
-    const Vec3T<Real> n = distance > Real(0) ? Vec3T<Real>(g.between / distance)
-                                             : Vec3T<Real>(Vec3T<Real>::UnitY());
+inline void addDistance(const JointGeometry& g, double length, JointRows& rows) {
+    const double distance = g.between.norm();
+    const Vec3 n = distance > 0.0 ? Vec3(g.between / distance) : Vec3(Vec3::UnitY());
     rows.add(alongDirection(n, g.armA, g.armB), distance - length);
 }
 
-template <class Real>
-void addDistanceRow(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addDistanceRow(const JointGeometry& g, JointRows& rows) {
     addDistance(g, g.length, rows);
 }
 
-template <class Real>
-void addDistanceCoordinate(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    addDistance(g, Real(0), coordinates);
+inline void addDistanceCoordinate(const JointGeometry& g, JointRows& coordinates) {
+    addDistance(g, 0.0, coordinates);
 }
 
 }  // namespace engine

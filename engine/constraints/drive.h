@@ -18,35 +18,33 @@ namespace engine {
 
 enum class DriveKind { spring, motor, limit };
 
-template <class Real>
 struct DriveRow {
     DriveKind kind = DriveKind::limit;
     int coordinate = 0;
     Freedom freedom;
-    Real sign = Real(1);               // s of a limit
-    Real error = Real(0);              // C, m or rad
-    Real bias = Real(0);               // b, m/s or rad/s
-    Real softness = Real(0);           // of a spring
-    Real low = Real(0), high = Real(0);  // bounds of lambda
-    Real lambda = Real(0);             // N s (N m s), of one sub-step
+    double sign = 1.0;             // s of a limit
+    double error = 0.0;            // C, m or rad
+    double bias = 0.0;             // b, m/s or rad/s
+    double softness = 0.0;         // of a spring
+    double low = 0.0, high = 0.0;  // bounds of lambda
+    double lambda = 0.0;           // N s (N m s), of one sub-step
 
     int slot() const { return 3 * coordinate + static_cast<int>(kind); }  // in Joint::driven
 };
 
-template <class Real>
 struct JointDrive {
     static constexpr int kMaxRows = 18;
     int a = -1, b = -1;
     int joint = -1;                      // its number in the world
     int count = 0;
-    std::array<DriveRow<Real>, kMaxRows> rows;
-    std::array<Row<Real>, 6> along;      // by coordinate, freed of what the joint holds
-    Vec3T<Real> totalImpulse = Vec3T<Real>::Zero();  // N s on b, over the whole step
-    Vec3T<Real> totalTwist = Vec3T<Real>::Zero();    // N m s on b about its centre of mass
+    std::array<DriveRow, kMaxRows> rows;
+    std::array<Row, 6> along;          // by coordinate, freed of what the joint holds
+    Vec3 totalImpulse = Vec3::Zero();  // N s on b, over the whole step
+    Vec3 totalTwist = Vec3::Zero();    // N m s on b about its centre of mass
 
     /// s J
-    Row<Real> rowOf(const DriveRow<Real>& row) const {
-        Row<Real> r = along[row.coordinate];
+    Row rowOf(const DriveRow& row) const {
+        Row r = along[row.coordinate];
         r.j = {row.sign * r.j.linear, row.sign * r.j.angularA, row.sign * r.j.angularB};
         r.turnA *= row.sign, r.turnB *= row.sign;
         return r;
@@ -54,32 +52,27 @@ struct JointDrive {
 };
 
 /// Applies an impulse along one row and books it as the joint's reaction.
-template <class Real>
-void push(JointDrive<Real>& drive, const DriveRow<Real>& row, Real lambda, Velocity<Real>& a,
-          Velocity<Real>& b) {
-    const Row<Real>& along = drive.along[row.coordinate];
-    const Real signedLambda = row.sign * lambda;
+inline void push(JointDrive& drive, const DriveRow& row, double lambda, Velocity& a, Velocity& b) {
+    const Row& along = drive.along[row.coordinate];
+    const double signedLambda = row.sign * lambda;
     apply(along, signedLambda, a, b);
     drive.totalImpulse += signedLambda * along.j.linear;
     drive.totalTwist += signedLambda * along.j.angularB;
 }
 
 /// lambda = -(s J v + b + gamma total) / (K + gamma), the total clamped; gives what was added.
-template <class Real>
-Real pushWithin(const Row<Real>& along, DriveRow<Real>& row, const Velocity<Real>& a,
-                const Velocity<Real>& b) {
-    if (!(along.k > Real(0))) return Real(0);
-    const Real rate = row.sign * velocityAlong(along.j, a, b);
-    const Real before = row.lambda;
-    const Real lambda = -(rate + row.bias + row.softness * before) / (along.k + row.softness);
+inline double pushWithin(const Row& along, DriveRow& row, const Velocity& a, const Velocity& b) {
+    if (!(along.k > 0.0)) return 0.0;
+    const double rate = row.sign * velocityAlong(along.j, a, b);
+    const double before = row.lambda;
+    const double lambda = -(rate + row.bias + row.softness * before) / (along.k + row.softness);
     row.lambda = clamped(before + lambda, row.low, row.high);
     return row.lambda - before;
 }
 
 /// The rows of what acts on a joint, springs first and limits last: in a sweep the last one wins.
-template <class Real>
-JointDrive<Real> driveOf(const JointDef& def) {
-    JointDrive<Real> drive;
+inline JointDrive driveOf(const JointDef& def) {
+    JointDrive drive;
     drive.a = def.a.index, drive.b = def.b.index;
     for (const DriveKind kind : {DriveKind::spring, DriveKind::motor, DriveKind::limit})
         for (int i = 0; i < 6; ++i) {
@@ -88,7 +81,7 @@ JointDrive<Real> driveOf(const JointDef& def) {
                               : kind == DriveKind::motor ? f.motor.isOn()
                                                          : f.limits.any();
             if (!acts) continue;
-            DriveRow<Real>& row = drive.rows[drive.count++];
+            DriveRow& row = drive.rows[drive.count++];
             row.kind = kind;
             row.coordinate = i;
             row.freedom = f;
@@ -97,39 +90,37 @@ JointDrive<Real> driveOf(const JointDef& def) {
 }
 
 /// C of a row, and the nearer bound of a limit.
-template <class Real>
-void place(DriveRow<Real>& row, Real x) {
+inline void place(DriveRow& row, double x) {
     const Limits& limits = row.freedom.limits;
     if (row.kind == DriveKind::motor) return;
     if (row.kind == DriveKind::spring) {
-        row.error = x - static_cast<Real>(row.freedom.rest);
+        row.error = x - row.freedom.rest;
         return;
     }
-    const Real low = static_cast<Real>(limits.low), high = static_cast<Real>(limits.high);
+    const double low = limits.low, high = limits.high;
     const bool lower = x - low <= high - x || low >= high;
-    const Real sign = lower ? Real(1) : Real(-1);
-    if (sign != row.sign) row.lambda = Real(0);
+    const double sign = lower ? 1.0 : -1.0;
+    if (sign != row.sign) row.lambda = 0.0;
     row.sign = sign;
-    row.error = sign > Real(0) ? x - low : high - x;
+    row.error = sign > 0.0 ? x - low : high - x;
 }
 
 /// b, gamma and the bounds of lambda, for a sub-step of length h (s); beta is Baumgarte's.
-template <class Real>
-void setBias(DriveRow<Real>& row, Real k, Real beta, Real h) {
-    constexpr Real kAny = std::numeric_limits<Real>::infinity();
+inline void setBias(DriveRow& row, double k, double beta, double h) {
+    constexpr double kAny = std::numeric_limits<double>::infinity();
     row.low = -kAny, row.high = kAny;
     if (row.kind == DriveKind::spring) {
-        const SoftRow<Real> soft = softRow(row.freedom.spring, k, row.error, h);
+        const SoftRow soft = softRow(row.freedom.spring, k, row.error, h);
         row.softness = soft.softness;
         row.bias = soft.bias;
     } else if (row.kind == DriveKind::motor) {
-        row.bias = -static_cast<Real>(row.freedom.motor.speed);
-        row.high = static_cast<Real>(row.freedom.motor.strength) * h;
+        row.bias = -row.freedom.motor.speed;
+        row.high = row.freedom.motor.strength * h;
         row.low = -row.high;
     } else {
         const bool held = row.freedom.limits.low >= row.freedom.limits.high;
-        if (!held) row.low = Real(0);
-        row.bias = (row.error > Real(0) && !held ? Real(1) : beta) * row.error / h;
+        if (!held) row.low = 0.0;
+        row.bias = (row.error > 0.0 && !held ? 1.0 : beta) * row.error / h;
     }
 }
 

@@ -10,27 +10,22 @@
 
 namespace engine {
 
-template <class Real>
-Angle<Real> turnOfA(const JointGeometry<Real>& g) {
-    return twistAbout<Real>(g.startAxisA, g.sinceStartA, g.near[0]);
+inline Angle turnOfA(const JointGeometry& g) {
+    return twistAbout(g.startAxisA, g.sinceStartA, g.near[0]);
 }
-template <class Real>
-Angle<Real> turnOfB(const JointGeometry<Real>& g) {
-    return twistAbout<Real>(g.startAxisB, g.sinceStartB, g.near[1]);
+inline Angle turnOfB(const JointGeometry& g) {
+    return twistAbout(g.startAxisB, g.sinceStartB, g.near[1]);
 }
 
-template <class Real>
-void addGearRow(const JointGeometry<Real>& g, JointRows<Real>& rows) {
-    const Angle<Real> a = turnOfA(g), b = turnOfB(g);
-    rows.add({Vec3T<Real>::Zero(), Vec3T<Real>(-g.ratio * a.rate), b.rate},
-             b.value - g.ratio * a.value);
+inline void addGearRow(const JointGeometry& g, JointRows& rows) {
+    const Angle a = turnOfA(g), b = turnOfB(g);
+    rows.add({Vec3::Zero(), Vec3(-g.ratio * a.rate), b.rate}, b.value - g.ratio * a.value);
 }
 
-template <class Real>
-void addGearCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    const Angle<Real> a = turnOfA(g), b = turnOfB(g);
-    coordinates.add({Vec3T<Real>::Zero(), a.rate, Vec3T<Real>::Zero()}, a.value);
-    coordinates.add({Vec3T<Real>::Zero(), Vec3T<Real>::Zero(), b.rate}, b.value);
+inline void addGearCoordinates(const JointGeometry& g, JointRows& coordinates) {
+    const Angle a = turnOfA(g), b = turnOfB(g);
+    coordinates.add({Vec3::Zero(), a.rate, Vec3::Zero()}, a.value);
+    coordinates.add({Vec3::Zero(), Vec3::Zero(), b.rate}, b.value);
 }
 
 }  // namespace engine

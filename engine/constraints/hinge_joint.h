@@ -10,24 +10,20 @@
 namespace engine {
 
 /// An axis of b stays parallel to the one of a that the two `across` are across.
-template <class Real>
-void addParallelRows(const Vec3T<Real> (&acrossA)[2], const Vec3T<Real>& axisB,
-                     JointRows<Real>& rows) {
-    for (const Vec3T<Real>& across : acrossA) {
-        const Vec3T<Real> turn = across.cross(axisB);
-        rows.add({Vec3T<Real>::Zero(), turn, Vec3T<Real>(-turn)}, across.dot(axisB));
+inline void addParallelRows(const Vec3 (&acrossA)[2], const Vec3& axisB, JointRows& rows) {
+    for (const Vec3& across : acrossA) {
+        const Vec3 turn = across.cross(axisB);
+        rows.add({Vec3::Zero(), turn, Vec3(-turn)}, across.dot(axisB));
     }
 }
 
-template <class Real>
-void addHingeRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addHingeRows(const JointGeometry& g, JointRows& rows) {
     addBallRows(g, rows);
     addParallelRows(g.acrossA, g.axisB, rows);
 }
 
-template <class Real>
-void addHingeCoordinate(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    addTurn(twistAbout<Real>(g.axisA, turnSinceStart(g), g.near[0]), coordinates);
+inline void addHingeCoordinate(const JointGeometry& g, JointRows& coordinates) {
+    addTurn(twistAbout(g.axisA, turnSinceStart(g), g.near[0]), coordinates);
 }
 
 }  // namespace engine

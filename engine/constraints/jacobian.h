@@ -11,65 +11,55 @@
 
 namespace engine {
 
-template <class Real>
 struct Jacobian {
-    Vec3T<Real> linear = Vec3T<Real>::Zero();    // n
-    Vec3T<Real> angularA = Vec3T<Real>::Zero();  // j_a
-    Vec3T<Real> angularB = Vec3T<Real>::Zero();  // j_b
+    Vec3 linear = Vec3::Zero();    // n
+    Vec3 angularA = Vec3::Zero();  // j_a
+    Vec3 angularB = Vec3::Zero();  // j_b
 };
 
 /// J of (p_b - p_a) . n, the relative motion along n of two points at the arms r_a and r_b:
 ///   J = [-n, -(r_a x n), n, r_b x n]
-template <class Real>
-Jacobian<Real> alongDirection(const Vec3T<Real>& n, const Vec3T<Real>& armA,
-                              const Vec3T<Real>& armB) {
-    return {n, Vec3T<Real>(-armA.cross(n)), Vec3T<Real>(armB.cross(n))};
+inline Jacobian alongDirection(const Vec3& n, const Vec3& armA, const Vec3& armB) {
+    return {n, Vec3(-armA.cross(n)), Vec3(armB.cross(n))};
 }
 
 /// J v
-template <class Real>
-Real velocityAlong(const Jacobian<Real>& j, const Velocity<Real>& a, const Velocity<Real>& b) {
+inline double velocityAlong(const Jacobian& j, const Velocity& a, const Velocity& b) {
     return j.linear.dot(b.linear - a.linear) + j.angularA.dot(a.angular) +
            j.angularB.dot(b.angular);
 }
 
 /// A row with what does not change while it is swept: M^-1 J^T and K.
-template <class Real>
 struct Row {
-    Jacobian<Real> j;
-    Real massA = Real(0), massB = Real(0);      // 1/kg
-    Vec3T<Real> turnA = Vec3T<Real>::Zero();    // I_a^-1 j_a
-    Vec3T<Real> turnB = Vec3T<Real>::Zero();    // I_b^-1 j_b
-    Real k = Real(0);                           // J M^-1 J^T
+    Jacobian j;
+    double massA = 0.0, massB = 0.0;  // 1/kg
+    Vec3 turnA = Vec3::Zero();        // I_a^-1 j_a
+    Vec3 turnB = Vec3::Zero();        // I_b^-1 j_b
+    double k = 0.0;                   // J M^-1 J^T
 };
 
 /// J_i M^-1 J_j^T of two rows between the same two bodies.
-template <class Real>
-Real coupling(const Row<Real>& i, const Row<Real>& j) {
+inline double coupling(const Row& i, const Row& j) {
     return (i.massA + i.massB) * i.j.linear.dot(j.j.linear) + i.j.angularA.dot(j.turnA) +
            i.j.angularB.dot(j.turnB);
 }
 
 /// The part of J_i M^-1 J_k^T that goes through one body: i's b or a, and k's b or a.
-template <class Real>
-Real couplingThrough(const Row<Real>& i, bool ofB, const Row<Real>& k, bool toB) {
-    const Real mass = ofB ? i.massB : i.massA;
-    const Real sign = ofB == toB ? Real(1) : Real(-1);
+inline double couplingThrough(const Row& i, bool ofB, const Row& k, bool toB) {
+    const double mass = ofB ? i.massB : i.massA;
+    const double sign = ofB == toB ? 1.0 : -1.0;
     return sign * mass * i.j.linear.dot(k.j.linear) +
            (ofB ? i.j.angularB : i.j.angularA).dot(toB ? k.turnB : k.turnA);
 }
 
-template <class Real>
-Row<Real> makeRow(const Jacobian<Real>& j, const InverseMass<Real>& a,
-                  const InverseMass<Real>& b) {
-    Row<Real> row{j, a.linear, b.linear, a.angular * j.angularA, b.angular * j.angularB, Real(0)};
+inline Row makeRow(const Jacobian& j, const InverseMass& a, const InverseMass& b) {
+    Row row{j, a.linear, b.linear, a.angular * j.angularA, b.angular * j.angularB, 0.0};
     row.k = coupling(row, row);
     return row;
 }
 
 /// v += M^-1 J^T lambda
-template <class Real>
-void apply(const Row<Real>& row, Real lambda, Velocity<Real>& a, Velocity<Real>& b) {
+inline void apply(const Row& row, double lambda, Velocity& a, Velocity& b) {
     a.linear -= (row.massA * lambda) * row.j.linear;
     a.angular += lambda * row.turnA;
     b.linear += (row.massB * lambda) * row.j.linear;
@@ -77,10 +67,8 @@ void apply(const Row<Real>& row, Real lambda, Velocity<Real>& a, Velocity<Real>&
 }
 
 /// lambda = -(J v + b) / K: the impulse after which J v + b = 0. No mass, no impulse.
-template <class Real>
-Real correctiveImpulse(const Row<Real>& row, Real bias, const Velocity<Real>& a,
-                       const Velocity<Real>& b) {
-    return row.k > Real(0) ? -(velocityAlong(row.j, a, b) + bias) / row.k : Real(0);
+inline double correctiveImpulse(const Row& row, double bias, const Velocity& a, const Velocity& b) {
+    return row.k > 0.0 ? -(velocityAlong(row.j, a, b) + bias) / row.k : 0.0;
 }
 
 }  // namespace engine

@@ -24,7 +24,7 @@ void acrossOf(const Vec3& axis, const Quat& body, Vec3 (&across)[2]) {
     for (Vec3& t : across) t = body * t;
 }
 
-void addPath(const Joint& joint, const Pose& a, JointGeometry<double>& g) {
+void addPath(const Joint& joint, const Pose& a, JointGeometry& g) {
     const JointDef& def = joint.def;
     g.armToB = g.armA + g.between;
     const Vec3 local = a.rotation.conjugate() * g.armToB;
@@ -38,7 +38,7 @@ void addPath(const Joint& joint, const Pose& a, JointGeometry<double>& g) {
 }
 
 /// What only the types after weld and coordinates need.
-void addMore(const Joint& joint, const Pose& a, const Pose& b, JointGeometry<double>& g) {
+void addMore(const Joint& joint, const Pose& a, const Pose& b, JointGeometry& g) {
     g.axisA = a.rotation * joint.axisA;
     g.axis2A = a.rotation * joint.axis2A;
     g.axis2B = b.rotation * joint.axis2B;
@@ -55,8 +55,8 @@ void addMore(const Joint& joint, const Pose& a, const Pose& b, JointGeometry<dou
     if (joint.def.type == JointType::path) addPath(joint, a, g);
 }
 
-JointGeometry<double> usualGeometry(const Joint& joint, const Pose& a, const Pose& b) {
-    JointGeometry<double> g;
+JointGeometry usualGeometry(const Joint& joint, const Pose& a, const Pose& b) {
+    JointGeometry g;
     g.armA = a.rotation * joint.def.anchorA;
     g.armB = b.rotation * joint.def.anchorB;
     g.between = (b.position + g.armB) - (a.position + g.armA);
@@ -71,8 +71,8 @@ JointGeometry<double> usualGeometry(const Joint& joint, const Pose& a, const Pos
 
 }  // namespace
 
-JointGeometry<double> geometryOf(const Joint& joint, const Pose& a, const Pose& b) {
-    JointGeometry<double> g = usualGeometry(joint, a, b);
+JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b) {
+    JointGeometry g = usualGeometry(joint, a, b);
     if (joint.def.type > JointType::weld) addMore(joint, a, b, g);
     return g;
 }
@@ -104,9 +104,8 @@ int rowCount(const JointDef& def) {
     return count;
 }
 
-template <class Real>
-JointRows<Real> rowsOf(JointType type, const JointGeometry<Real>& geometry) {
-    JointRows<Real> rows;
+JointRows rowsOf(JointType type, const JointGeometry& geometry) {
+    JointRows rows;
     switch (type) {
         case JointType::ball: addBallRows(geometry, rows); break;
         case JointType::distance: addDistanceRow(geometry, rows); break;
@@ -125,13 +124,10 @@ JointRows<Real> rowsOf(JointType type, const JointGeometry<Real>& geometry) {
     return rows;
 }
 
-template JointRows<float> rowsOf(JointType, const JointGeometry<float>&);
-template JointRows<double> rowsOf(JointType, const JointGeometry<double>&);
-
-JointRows<double> coordinatesOf(const Joint& joint, const Pose& a, const Pose& b) {
-    JointGeometry<double> g = usualGeometry(joint, a, b);
+JointRows coordinatesOf(const Joint& joint, const Pose& a, const Pose& b) {
+    JointGeometry g = usualGeometry(joint, a, b);
     addMore(joint, a, b, g);
-    JointRows<double> free;
+    JointRows free;
     switch (joint.def.type) {
         case JointType::ball: addBallCoordinates(g, free); break;
         case JointType::distance: addDistanceCoordinate(g, free); break;
@@ -151,7 +147,7 @@ JointRows<double> coordinatesOf(const Joint& joint, const Pose& a, const Pose& b
 }
 
 void followCoordinates(Joint& joint, const Pose& a, const Pose& b) {
-    const JointRows<double> free = coordinatesOf(joint, a, b);
+    const JointRows free = coordinatesOf(joint, a, b);
     for (int i = 0; i < free.count; ++i) joint.position[i] = free.error[i];
     if (joint.def.type == JointType::path)
         joint.nearest = nearestOnCurve(joint.def.path, joint.def.closed,

@@ -28,79 +28,71 @@ struct Joint {
 };
 
 /// Everything a joint's C and J are made of, in world axes.
-template <class Real>
 struct JointGeometry {
-    Vec3T<Real> armA, armB;     // m, from the centres of mass to the anchors
-    Vec3T<Real> between;        // m, p_b - p_a
-    Vec3T<Real> axisB;          // hinge: its axis, fixed in b
-    Vec3T<Real> acrossA[2];     // hinge: two unit vectors across its axis, fixed in a
-    QuatT<Real> turnA, turnB;   // rotations of the two bodies
-    QuatT<Real> turnAtStart;    // weld
-    Real length;                // m, distance
+    Vec3 armA, armB;    // m, from the centres of mass to the anchors
+    Vec3 between;       // m, p_b - p_a
+    Vec3 axisB;         // hinge: its axis, fixed in b
+    Vec3 acrossA[2];    // hinge: two unit vectors across its axis, fixed in a
+    Quat turnA, turnB;  // rotations of the two bodies
+    Quat turnAtStart;   // weld
+    double length;      // m, distance
 
     // From here on only of the types after weld, and for coordinates.
-    Vec3T<Real> axisA, axis2A, axis2B;           // fixed in a, a, b
-    Vec3T<Real> across2A[2], acrossB[2];         // across axis2A, axisB
-    std::array<Real, 6> near{};                  // the coordinates not long ago
+    Vec3 axisA, axis2A, axis2B;                  // fixed in a, a, b
+    Vec3 across2A[2], acrossB[2];                // across axis2A, axisB
+    std::array<double, 6> near{};                // the coordinates not long ago
     unsigned locked = 0;                         // sixDof: a bit for every coordinate
-    Real ratio = Real(1);                        // gear
-    Vec3T<Real> startAxisA, startAxisB;          // gear: axisA and axis2B at first,
-    QuatT<Real> sinceStartA, sinceStartB;        // and q q_0^-1
-    Vec3T<Real> armToB, fromPath;                // path: p_b - x_a, p_b - p(s)
-    Vec3T<Real> alongPath, acrossPath[2];
-    Real wayOnPath = Real(0);                    // m
+    double ratio = 1.0;                          // gear
+    Vec3 startAxisA, startAxisB;                 // gear: axisA and axis2B at first,
+    Quat sinceStartA, sinceStartB;               // and q q_0^-1
+    Vec3 armToB, fromPath;                       // path: p_b - x_a, p_b - p(s)
+    Vec3 alongPath, acrossPath[2];
+    double wayOnPath = 0.0;  // m
 };
 
 /// What b has turned as seen from a, in world axes.
-template <class Real>
-QuatT<Real> turnSinceStart(const JointGeometry<Real>& g) {
+inline Quat turnSinceStart(const JointGeometry& g) {
     return g.turnB * (g.turnA * g.turnAtStart).conjugate();
 }
 
-template <class Real>
 struct JointRows {
     static constexpr int kMaxRows = 6;
     int count = 0;
-    std::array<Jacobian<Real>, kMaxRows> j;
-    std::array<Real, kMaxRows> error;  // C, m or rad
+    std::array<Jacobian, kMaxRows> j;
+    std::array<double, kMaxRows> error;  // C, m or rad
 
-    void add(const Jacobian<Real>& jacobian, Real c) {
+    void add(const Jacobian& jacobian, double c) {
         j[count] = jacobian;
         error[count++] = c;
     }
 };
 
 /// The row of an angle; `sign` is that of its rate.
-template <class Real>
-void addTurn(const Angle<Real>& angle, JointRows<Real>& rows, Real sign = Real(1)) {
-    rows.add({Vec3T<Real>::Zero(), Vec3T<Real>(-sign * angle.rate), Vec3T<Real>(sign * angle.rate)},
-             angle.value);
+inline void addTurn(const Angle& angle, JointRows& rows, double sign = 1.0) {
+    rows.add({Vec3::Zero(), Vec3(-sign * angle.rate), Vec3(sign * angle.rate)}, angle.value);
 }
 
-template <class Real>
 struct JointConstraint {
     int a = -1, b = -1;
     int count = 0;
     int joint = -1;      // its number in the world
     bool inTree = false; // solved with its tree, not in the sweep
     bool torn = false;   // see Joint
-    std::array<Row<Real>, 6> rows;
-    std::array<Real, 6> error{}, bias{}, softness{}, lambda{};
+    std::array<Row, 6> rows;
+    std::array<double, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;
     bool pointAtOnce = false;  // the first three rows, a point's, are solved as one
-    Mat3T<Real> pointMass = Mat3T<Real>::Zero();     // (J M^-1 J^T)^-1 of these three
+    Mat3 pointMass = Mat3::Zero();  // (J M^-1 J^T)^-1 of these three
     bool asBlock = false;      // a type after weld: where points are blocks, it is one as a whole,
                                // and no part of a tree
     bool allAtOnce = false;    // and is solved so
-    Eigen::Matrix<Real, 6, 6> mass = Eigen::Matrix<Real, 6, 6>::Zero();  // likewise of all
-    Vec3T<Real> totalImpulse = Vec3T<Real>::Zero();  // N s on b, over the whole step
-    Vec3T<Real> totalTwist = Vec3T<Real>::Zero();    // N m s on b about its centre of mass
+    Eigen::Matrix<double, 6, 6> mass = Eigen::Matrix<double, 6, 6>::Zero();  // likewise of all
+    Vec3 totalImpulse = Vec3::Zero();  // N s on b, over the whole step
+    Vec3 totalTwist = Vec3::Zero();    // N m s on b about its centre of mass
 };
 
 /// Applies an impulse along one row and books it as the joint's reaction; `lambda` is the caller's.
-template <class Real>
-void push(JointConstraint<Real>& joint, int i, Real lambda, Velocity<Real>& a,
-          Velocity<Real>& b) {
+inline void push(JointConstraint& joint, int i, double lambda, Velocity& a, Velocity& b) {
     apply(joint.rows[i], lambda, a, b);
     joint.totalImpulse += lambda * joint.rows[i].j.linear;
     joint.totalTwist += lambda * joint.rows[i].j.angularB;
@@ -111,17 +103,13 @@ int rowCount(JointType type);
 /// The same where it depends on more: none of a distance that is free, what a sixDof locks.
 int rowCount(const JointDef& def);
 
-JointGeometry<double> geometryOf(const Joint& joint, const Pose& a, const Pose& b);
+JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b);
 
 /// C and J of any joint.
-template <class Real>
-JointRows<Real> rowsOf(JointType type, const JointGeometry<Real>& geometry);
-
-extern template JointRows<float> rowsOf(JointType, const JointGeometry<float>&);
-extern template JointRows<double> rowsOf(JointType, const JointGeometry<double>&);
+JointRows rowsOf(JointType type, const JointGeometry& geometry);
 
 /// The coordinates that a joint leaves free, and how they change with the velocities: x and J.
-JointRows<double> coordinatesOf(const Joint& joint, const Pose& a, const Pose& b);
+JointRows coordinatesOf(const Joint& joint, const Pose& a, const Pose& b);
 
 /// Keeps in mind where the coordinates are. To be called before any has gone on by half a turn.
 void followCoordinates(Joint& joint, const Pose& a, const Pose& b);

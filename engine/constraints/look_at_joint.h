@@ -9,11 +9,9 @@
 
 namespace engine {
 
-template <class Real>
-void addLookAtRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
-    for (const Vec3T<Real>& across : g.acrossB)
-        rows.add(alongDirection<Real>(across, g.armA, Vec3T<Real>(g.armB - g.between)),
-                 across.dot(g.between));
+inline void addLookAtRows(const JointGeometry& g, JointRows& rows) {
+    for (const Vec3& across : g.acrossB)
+        rows.add(alongDirection(across, g.armA, Vec3(g.armB - g.between)), across.dot(g.between));
 }
 
 }  // namespace engine

@@ -15,55 +15,53 @@
 
 namespace engine {
 
-template <class Real>
 struct NormalBlock {
     static constexpr int kMaxRows = 4;
     int count = 0;
-    Vec4T<Real> exact = Vec4T<Real>::Zero();    // the diagonal of J M^-1 J^T
-    Mat4T<Real> k = Mat4T<Real>::Zero();        // J M^-1 J^T, diagonal raised
-    Mat4T<Real> inverse = Mat4T<Real>::Zero();  // used when every point pushes, the common case
+    Vec4 exact = Vec4::Zero();    // the diagonal of J M^-1 J^T
+    Mat4 k = Mat4::Zero();        // J M^-1 J^T, diagonal raised
+    Mat4 inverse = Mat4::Zero();  // used when every point pushes, the common case
 };
 
 /// The rows of the set bits of `active`, by elimination without pivoting (K is positive definite).
-template <class Real>
-Vec4T<Real> solveActive(const NormalBlock<Real>& block, const Vec4T<Real>& q, unsigned active) {
-    Mat4T<Real> m = block.k;
-    Vec4T<Real> x = -q;
+inline Vec4 solveActive(const NormalBlock& block, const Vec4& q, unsigned active) {
+    Mat4 m = block.k;
+    Vec4 x = -q;
     const auto on = [active](int i) { return (active >> i & 1u) != 0; };
     for (int p = 0; p < block.count; ++p) {
         if (!on(p)) continue;
         for (int i = p + 1; i < block.count; ++i) {
             if (!on(i)) continue;
-            const Real factor = m(i, p) / m(p, p);
+            const double factor = m(i, p) / m(p, p);
             for (int j = p; j < block.count; ++j) m(i, j) -= factor * m(p, j);
             x[i] -= factor * x[p];
         }
     }
     for (int p = block.count - 1; p >= 0; --p) {
         if (!on(p)) {
-            x[p] = Real(0);
+            x[p] = 0.0;
             continue;
         }
         for (int j = p + 1; j < block.count; ++j)
             if (on(j)) x[p] -= m(p, j) * x[j];
         x[p] /= m(p, p);
     }
-    for (int p = block.count; p < NormalBlock<Real>::kMaxRows; ++p) x[p] = Real(0);
+    for (int p = block.count; p < NormalBlock::kMaxRows; ++p) x[p] = 0.0;
     return x;
 }
 
 /// Of the given rows; both bodies are the same in all of them.
-template <class Real, class RowAt>
-NormalBlock<Real> makeNormalBlock(int count, RowAt rowAt) {
-    NormalBlock<Real> block;
+template <class RowAt>
+NormalBlock makeNormalBlock(int count, RowAt rowAt) {
+    NormalBlock block;
     block.count = count;
     for (int i = 0; i < count; ++i)
-        for (int j = 0; j < count; ++j) block.k(i, j) = coupling<Real>(rowAt(i), rowAt(j));
+        for (int j = 0; j < count; ++j) block.k(i, j) = coupling(rowAt(i), rowAt(j));
     block.exact = block.k.diagonal();
-    for (int i = 0; count > 1 && i < count; ++i) block.k(i, i) *= Real(1.001);
+    for (int i = 0; count > 1 && i < count; ++i) block.k(i, i) *= 1.001;
     for (int i = 0; i < count; ++i) {
-        Vec4T<Real> unit = Vec4T<Real>::Zero();
-        unit[i] = Real(-1);
+        Vec4 unit = Vec4::Zero();
+        unit[i] = -1.0;
         block.inverse.col(i) = solveActive(block, unit, (1u << count) - 1u);
     }
     return block;
@@ -72,27 +70,26 @@ NormalBlock<Real> makeNormalBlock(int count, RowAt rowAt) {
 /// The complementary solution. First all points push; if one would have to pull it is let go, if one
 /// left alone would sink it is taken back. A set that was not found after a few changes (it may
 /// cycle when the problem is degenerate) is cut off at zero: the next sweep goes on from there.
-template <class Real>
-Vec4T<Real> solveNormalBlock(const NormalBlock<Real>& block, const Vec4T<Real>& q) {
-    Vec4T<Real> lambda = -(block.inverse * q);
-    if (lambda.head(block.count).minCoeff() >= Real(0)) return lambda;
+inline Vec4 solveNormalBlock(const NormalBlock& block, const Vec4& q) {
+    Vec4 lambda = -(block.inverse * q);
+    if (lambda.head(block.count).minCoeff() >= 0.0) return lambda;
     unsigned active = (1u << block.count) - 1u;
     for (int change = 0; change < 8; ++change) {
         lambda = solveActive(block, q, active);
         int worst = -1;
-        Real least = Real(0);
+        double least = 0.0;
         for (int i = 0; i < block.count; ++i)
             if (lambda[i] < least) least = lambda[i], worst = i;
         if (worst < 0) {
-            const Vec4T<Real> w = block.k * lambda + q;
-            least = Real(-1e-9);
+            const Vec4 w = block.k * lambda + q;
+            least = -1e-9;
             for (int i = 0; i < block.count; ++i)
                 if ((active >> i & 1u) == 0 && w[i] < least) least = w[i], worst = i;
             if (worst < 0) return lambda;
         }
         active ^= 1u << worst;
     }
-    return lambda.cwiseMax(Real(0));
+    return lambda.cwiseMax(0.0);
 }
 
 }  // namespace engine

@@ -9,15 +9,13 @@
 
 namespace engine {
 
-template <class Real>
-void addPathRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
-    for (const Vec3T<Real>& across : g.acrossPath)
-        rows.add(alongDirection<Real>(across, g.armToB, g.armB), across.dot(g.fromPath));
+inline void addPathRows(const JointGeometry& g, JointRows& rows) {
+    for (const Vec3& across : g.acrossPath)
+        rows.add(alongDirection(across, g.armToB, g.armB), across.dot(g.fromPath));
 }
 
-template <class Real>
-void addPathCoordinate(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    coordinates.add(alongDirection<Real>(g.alongPath, g.armToB, g.armB),
+inline void addPathCoordinate(const JointGeometry& g, JointRows& coordinates) {
+    coordinates.add(alongDirection(g.alongPath, g.armToB, g.armB),
                     g.wayOnPath + g.alongPath.dot(g.fromPath));
 }
 

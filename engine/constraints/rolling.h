@@ -11,32 +11,27 @@
 namespace engine {
 
 /// What the rolling of a contact can be held with, N m s.
-template <class Real>
-Real rollingLimit(const ContactConstraint<Real>& c) {
-    Real load = Real(0);
+inline double rollingLimit(const ContactConstraint& c) {
+    double load = 0.0;
     for (int i = 0; i < c.count; ++i) load += c.rows[i].lambda + c.rows[i].bounce;
     return c.rolling * load;
 }
 
 /// The angular impulse on b, and its opposite on a.
-template <class Real>
-void applyRolling(const ContactConstraint<Real>& c, const Vec2T<Real>& moment, Velocity<Real>& a,
-                  Velocity<Real>& b) {
-    const Vec3T<Real> turn = moment[0] * c.t1 + moment[1] * c.t2;
+inline void applyRolling(const ContactConstraint& c, const Vec2& moment, Velocity& a, Velocity& b) {
+    const Vec3 turn = moment[0] * c.t1 + moment[1] * c.t2;
     a.angular -= c.massA.angular * turn;
     b.angular += c.massB.angular * turn;
 }
 
-template <class Real>
-void solveRolling(ContactConstraint<Real>& c, Velocity<Real>& a, Velocity<Real>& b,
-                  Correction<Real>& correction) {
-    if (c.rolling <= Real(0)) return;
-    const Vec3T<Real> turn = b.angular - a.angular;
-    const Vec2T<Real> before = c.rollingMoment;
-    c.rollingMoment = solveInCone<Real>(c.rollingMass, before, {c.t1.dot(turn), c.t2.dot(turn)},
-                                        rollingLimit(c));
-    const Vec2T<Real> change = c.rollingMoment - before;
-    applyRolling<Real>(c, change, a, b);
+inline void solveRolling(ContactConstraint& c, Velocity& a, Velocity& b, Correction& correction) {
+    if (c.rolling <= 0.0) return;
+    const Vec3 turn = b.angular - a.angular;
+    const Vec2 before = c.rollingMoment;
+    c.rollingMoment =
+        solveInCone(c.rollingMass, before, {c.t1.dot(turn), c.t2.dot(turn)}, rollingLimit(c));
+    const Vec2 change = c.rollingMoment - before;
+    applyRolling(c, change, a, b);
     correction.add(c.rollingMass, change);
 }
 

@@ -8,25 +8,22 @@
 
 namespace engine {
 
-template <class Real>
-void addSixDofRow(const JointGeometry<Real>& g, int coordinate, Real near, JointRows<Real>& rows) {
-    const Vec3T<Real> frame[3] = {g.axisA, g.axis2A, g.axisA.cross(g.axis2A)};
-    const Vec3T<Real>& e = frame[coordinate % 3];
+inline void addSixDofRow(const JointGeometry& g, int coordinate, double near, JointRows& rows) {
+    const Vec3 frame[3] = {g.axisA, g.axis2A, g.axisA.cross(g.axis2A)};
+    const Vec3& e = frame[coordinate % 3];
     if (coordinate < 3)
-        rows.add(alongFixedInA<Real>(e, g), e.dot(g.between));
+        rows.add(alongFixedInA(e, g), e.dot(g.between));
     else
-        addTurn(twistAbout<Real>(e, turnSinceStart(g), near), rows);
+        addTurn(twistAbout(e, turnSinceStart(g), near), rows);
 }
 
-template <class Real>
-void addSixDofRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addSixDofRows(const JointGeometry& g, JointRows& rows) {
     for (int i = 0; i < 6; ++i)
-        if (g.locked >> i & 1u) addSixDofRow<Real>(g, i, Real(0), rows);
+        if (g.locked >> i & 1u) addSixDofRow(g, i, 0.0, rows);
 }
 
-template <class Real>
-void addSixDofCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    for (int i = 0; i < 6; ++i) addSixDofRow<Real>(g, i, g.near[i], coordinates);
+inline void addSixDofCoordinates(const JointGeometry& g, JointRows& coordinates) {
+    for (int i = 0; i < 6; ++i) addSixDofRow(g, i, g.near[i], coordinates);
 }
 
 }  // namespace engine

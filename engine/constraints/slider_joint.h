@@ -10,26 +10,21 @@
 namespace engine {
 
 /// Of the way along n, fixed in a, from a's anchor to b's.
-template <class Real>
-Jacobian<Real> alongFixedInA(const Vec3T<Real>& n, const JointGeometry<Real>& g) {
-    return alongDirection<Real>(n, Vec3T<Real>(g.armA + g.between), g.armB);
+inline Jacobian alongFixedInA(const Vec3& n, const JointGeometry& g) {
+    return alongDirection(n, Vec3(g.armA + g.between), g.armB);
 }
 
-template <class Real>
-void addAcrossRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
-    for (const Vec3T<Real>& across : g.acrossA)
-        rows.add(alongFixedInA<Real>(across, g), across.dot(g.between));
+inline void addAcrossRows(const JointGeometry& g, JointRows& rows) {
+    for (const Vec3& across : g.acrossA) rows.add(alongFixedInA(across, g), across.dot(g.between));
 }
 
-template <class Real>
-void addSliderRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addSliderRows(const JointGeometry& g, JointRows& rows) {
     addAcrossRows(g, rows);
     addTurnRows(g, rows);
 }
 
-template <class Real>
-void addSliderCoordinate(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    coordinates.add(alongFixedInA<Real>(g.axisA, g), g.axisA.dot(g.between));
+inline void addSliderCoordinate(const JointGeometry& g, JointRows& coordinates) {
+    coordinates.add(alongFixedInA(g.axisA, g), g.axisA.dot(g.between));
 }
 
 }  // namespace engine

@@ -12,28 +12,25 @@
 
 namespace engine {
 
-template <class Real>
 struct SoftRow {
-    Real softness = Real(0);  // gamma, 1/kg
-    Real bias = Real(0);      // beta C / h, m/s
+    double softness = 0.0;  // gamma, 1/kg
+    double bias = 0.0;      // beta C / h, m/s
 };
 
 /// Of a row with the inverse effective mass k and the error C, for a step of length h.
-template <class Real>
-SoftRow<Real> softRow(const Spring& spring, Real k, Real error, Real h) {
-    if (k <= Real(0)) return {};
-    const auto inverseMass = static_cast<double>(k);
-    const Real stiffness = static_cast<Real>(spring.stiffnessOf(inverseMass));
-    const Real damping = static_cast<Real>(spring.resistanceOf(inverseMass));
-    const Real softness = Real(1) / (h * (damping + h * stiffness));
+inline SoftRow softRow(const Spring& spring, double k, double error, double h) {
+    if (k <= 0.0) return {};
+    const auto inverseMass = k;
+    const double stiffness = spring.stiffnessOf(inverseMass);
+    const double damping = spring.resistanceOf(inverseMass);
+    const double softness = 1.0 / (h * (damping + h * stiffness));
     return {softness, error * h * stiffness * softness};
 }
 
 /// lambda = -(J v + b + gamma lambda_total) / (K + gamma); with gamma = 0 the rigid row's.
-template <class Real>
-Real correctiveImpulse(const Row<Real>& row, Real bias, Real softness, Real total,
-                       const Velocity<Real>& a, const Velocity<Real>& b) {
-    if (row.k <= Real(0)) return Real(0);
+inline double correctiveImpulse(const Row& row, double bias, double softness, double total,
+                                const Velocity& a, const Velocity& b) {
+    if (row.k <= 0.0) return 0.0;
     return -(velocityAlong(row.j, a, b) + bias + softness * total) / (row.k + softness);
 }
 

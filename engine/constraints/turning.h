@@ -11,52 +11,41 @@
 
 namespace engine {
 
-template <class Real>
 struct Angle {
-    Real value = Real(0);  // rad
-    Vec3T<Real> rate = Vec3T<Real>::Zero();
+    double value = 0.0;  // rad
+    Vec3 rate = Vec3::Zero();
 };
 
-template <class Real>
-Real arctangentOf(Real y, Real x) {
-    return static_cast<Real>(arctangent(static_cast<double>(y), static_cast<double>(x)));
-}
-
 /// The same angle, by whole turns as near as can be to `near`.
-template <class Real>
-Real counted(Real angle, Real near) {
-    constexpr Real kTurn = static_cast<Real>(2.0 * kPi);
-    return angle + kTurn * std::floor((near - angle) / kTurn + Real(0.5));
+inline double counted(double angle, double near) {
+    constexpr double kTurn = 2.0 * kPi;
+    return angle + kTurn * std::floor((near - angle) / kTurn + 0.5);
 }
 
-template <class Real>
-Angle<Real> twistAbout(const Vec3T<Real>& h, const QuatT<Real>& turn, Real near = Real(0)) {
-    const Real s = turn.w();
-    const Vec3T<Real> u = turn.vec();
-    const Real along = u.dot(h), size = s * s + along * along;
-    if (size <= Real(0)) return {counted(Real(0), near), h};  // swung by half a turn: any twist
-    return {counted(Real(2) * arctangentOf(along, s), near),
+inline Angle twistAbout(const Vec3& h, const Quat& turn, double near = 0.0) {
+    const double s = turn.w();
+    const Vec3 u = turn.vec();
+    const double along = u.dot(h), size = s * s + along * along;
+    if (size <= 0.0) return {counted(0.0, near), h};  // swung by half a turn: any twist
+    return {counted(2.0 * arctangent(along, s), near),
             (s * s * h - s * h.cross(u) + along * u) / size};
 }
 
-template <class Real>
-Angle<Real> swingOf(const Vec3T<Real>& axisA, const Vec3T<Real>& axisB) {
-    const Vec3T<Real> across = axisA.cross(axisB);
-    const Real sine = across.norm();
-    Vec3T<Real> rate, other;
-    if (sine > Real(0))
+inline Angle swingOf(const Vec3& axisA, const Vec3& axisB) {
+    const Vec3 across = axisA.cross(axisB);
+    const double sine = across.norm();
+    Vec3 rate, other;
+    if (sine > 0.0)
         rate = across / sine;
     else
         tangents(axisA, rate, other);
-    return {arctangentOf(sine, axisA.dot(axisB)), rate};
+    return {arctangent(sine, axisA.dot(axisB)), rate};
 }
 
-template <class Real>
-Angle<Real> turnAround(const Vec3T<Real>& p, const Vec3T<Real>& q, const Vec3T<Real>& axisB,
-                       Real near) {
-    const Real x = p.dot(axisB), y = q.dot(axisB), size = x * x + y * y;
-    if (size <= Real(0)) return {near, Vec3T<Real>::Zero()};
-    return {counted(arctangentOf(y, x), near),
+inline Angle turnAround(const Vec3& p, const Vec3& q, const Vec3& axisB, double near) {
+    const double x = p.dot(axisB), y = q.dot(axisB), size = x * x + y * y;
+    if (size <= 0.0) return {near, Vec3::Zero()};
+    return {counted(arctangent(y, x), near),
             (x * axisB.cross(q) - y * axisB.cross(p)) / size};
 }
 

@@ -9,20 +9,16 @@
 
 namespace engine {
 
-template <class Real>
-void addUniversalRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addUniversalRows(const JointGeometry& g, JointRows& rows) {
     addBallRows(g, rows);
-    const Vec3T<Real> turn = g.axis2B.cross(g.axisA);
-    rows.add({Vec3T<Real>::Zero(), Vec3T<Real>(-turn), turn}, g.axisA.dot(g.axis2B));
+    const Vec3 turn = g.axis2B.cross(g.axisA);
+    rows.add({Vec3::Zero(), Vec3(-turn), turn}, g.axisA.dot(g.axis2B));
 }
 
-template <class Real>
-void addUniversalCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
-    addTurn(turnAround<Real>(g.axis2A, g.axisA.cross(g.axis2A), g.axis2B, g.near[0]),
-            coordinates);
+inline void addUniversalCoordinates(const JointGeometry& g, JointRows& coordinates) {
+    addTurn(turnAround(g.axis2A, g.axisA.cross(g.axis2A), g.axis2B, g.near[0]), coordinates);
     // a as seen from b goes round the other way, and w_a - w_b is the rate that counts there
-    addTurn(turnAround<Real>(g.axisB, g.axisB.cross(g.axis2B), g.axisA, g.near[1]), coordinates,
-            Real(-1));
+    addTurn(turnAround(g.axisB, g.axisB.cross(g.axis2B), g.axisA, g.near[1]), coordinates, -1.0);
 }
 
 }  // namespace engine

@@ -10,21 +10,18 @@
 namespace engine {
 
 /// b does not turn as seen from a.
-template <class Real>
-void addTurnRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
-    QuatT<Real> tooFar = g.turnB * (g.turnA * g.turnAtStart).conjugate();
-    if (tooFar.w() < Real(0)) tooFar.coeffs() = -tooFar.coeffs();  // the short way round
-    const Vec3T<Real> u = tooFar.vec();
-    const Mat3T<Real> s = tooFar.w() * Mat3T<Real>::Identity();
-    const Mat3T<Real> turnA = -(s + crossMatrix<Real>(u));
-    const Mat3T<Real> turnB = s - crossMatrix<Real>(u);
+inline void addTurnRows(const JointGeometry& g, JointRows& rows) {
+    Quat tooFar = g.turnB * (g.turnA * g.turnAtStart).conjugate();
+    if (tooFar.w() < 0.0) tooFar.coeffs() = -tooFar.coeffs();  // the short way round
+    const Vec3 u = tooFar.vec();
+    const Mat3 s = tooFar.w() * Mat3::Identity();
+    const Mat3 turnA = -(s + crossMatrix(u));
+    const Mat3 turnB = s - crossMatrix(u);
     for (int i = 0; i < 3; ++i)
-        rows.add({Vec3T<Real>::Zero(), turnA.row(i).transpose(), turnB.row(i).transpose()},
-                 Real(2) * u[i]);
+        rows.add({Vec3::Zero(), turnA.row(i).transpose(), turnB.row(i).transpose()}, 2.0 * u[i]);
 }
 
-template <class Real>
-void addWeldRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addWeldRows(const JointGeometry& g, JointRows& rows) {
     addBallRows(g, rows);
     addTurnRows(g, rows);
 }

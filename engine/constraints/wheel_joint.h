@@ -8,16 +8,14 @@
 
 namespace engine {
 
-template <class Real>
-void addWheelRows(const JointGeometry<Real>& g, JointRows<Real>& rows) {
+inline void addWheelRows(const JointGeometry& g, JointRows& rows) {
     addAcrossRows(g, rows);
     addParallelRows(g.across2A, g.axis2B, rows);
 }
 
-template <class Real>
-void addWheelCoordinates(const JointGeometry<Real>& g, JointRows<Real>& coordinates) {
+inline void addWheelCoordinates(const JointGeometry& g, JointRows& coordinates) {
     addSliderCoordinate(g, coordinates);
-    addTurn(twistAbout<Real>(g.axis2A, turnSinceStart(g), g.near[1]), coordinates);
+    addTurn(twistAbout(g.axis2A, turnSinceStart(g), g.near[1]), coordinates);
 }
 
 }  // namespace engine

@@ -37,8 +37,7 @@ int addBody(Bodies& bodies, const BodyDef& def) {
     bodies.defs.push_back(filled);
     bodies.poses.push_back(filled.pose);
     const bool moves = def.kind != BodyKind::fixed;
-    bodies.velocities.push_back(moves ? Velocity<double>{def.velocity, def.spin}
-                                      : Velocity<double>{});
+    bodies.velocities.push_back(moves ? Velocity{def.velocity, def.spin} : Velocity{});
     bodies.inverseMasses.push_back({mass.mass > 0.0 ? 1.0 / mass.mass : 0.0, Mat3::Zero()});
     bodies.masses.push_back(mass);
     bodies.loads.push_back({});

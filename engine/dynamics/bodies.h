@@ -9,17 +9,15 @@
 namespace engine {
 
 /// [v; w], m/s and rad/s in world axes, w about the centre of mass.
-template <class Real>
 struct Velocity {
-    Vec3T<Real> linear = Vec3T<Real>::Zero();
-    Vec3T<Real> angular = Vec3T<Real>::Zero();
+    Vec3 linear = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
 };
 
 /// M^-1 of one body: 1/m and the inverse inertia in world axes. All zero: no impulse moves it.
-template <class Real>
 struct InverseMass {
-    Real linear = Real(0);                          // 1/kg
-    Mat3T<Real> angular = Mat3T<Real>::Zero();      // 1/(kg m^2)
+    double linear = 0.0;          // 1/kg
+    Mat3 angular = Mat3::Zero();  // 1/(kg m^2)
 };
 
 /// Mass in body axes: what does not change from step to step.
@@ -38,8 +36,8 @@ struct Acceleration {
 struct Bodies {
     std::vector<BodyDef> defs;
     std::vector<Pose> poses;
-    std::vector<Velocity<double>> velocities;
-    std::vector<InverseMass<double>> inverseMasses;  // world axes, of the current pose
+    std::vector<Velocity> velocities;
+    std::vector<InverseMass> inverseMasses;  // world axes, of the current pose
     std::vector<BodyMass> masses;
     std::vector<Load> loads;                         // of the coming step
     std::vector<Acceleration> accelerations;         // of this sub-step

@@ -16,7 +16,7 @@ Energy energyOf(const Bodies& bodies, const Vec3& gravity) {
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isDynamic(i)) continue;
         const double m = bodies.masses[i].mass;
-        const Velocity<double>& v = bodies.velocities[i];
+        const Velocity& v = bodies.velocities[i];
         e.potential -= m * gravity.dot(bodies.poses[i].position);
         if (bodies.isStill(i)) continue;
         e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));

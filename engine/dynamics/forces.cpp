@@ -10,7 +10,7 @@ void applyForces(Bodies& bodies, const Vec3& gravity, std::span<const Load> fiel
             load.force += field[i].force;
             load.torque += field[i].torque;
         }
-        const InverseMass<double>& m = bodies.inverseMasses[i];
+        const InverseMass& m = bodies.inverseMasses[i];
         bodies.accelerations[i] = {gravity + m.linear * load.force, m.angular * load.torque};
     }
 }

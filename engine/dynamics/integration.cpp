@@ -7,7 +7,7 @@ namespace engine {
 void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h) {
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isAwake(i)) continue;
-        Velocity<double>& v = bodies.velocities[i];
+        Velocity& v = bodies.velocities[i];
         v.linear += h * bodies.accelerations[i].linear;
         v.angular += h * bodies.accelerations[i].angular;
         if (gyroscope == Gyroscope::implicitEuler)
@@ -19,7 +19,7 @@ void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h) {
 void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h) {
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isMoving(i)) continue;
-        Velocity<double>& v = bodies.velocities[i];
+        Velocity& v = bodies.velocities[i];
         Pose& pose = bodies.poses[i];
         pose.position += h * v.linear;
         if (gyroscope == Gyroscope::momentum && bodies.isDynamic(i))

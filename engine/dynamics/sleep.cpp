@@ -8,7 +8,7 @@ namespace {
 constexpr double kSlow = 0.03;  // m/s, of any of a body's points
 
 bool isSlow(const Bodies& bodies, int i) {
-    const Velocity<double>& v = bodies.velocities[i];
+    const Velocity& v = bodies.velocities[i];
     return v.linear.norm() + v.angular.norm() * reachOf(bodies.defs[i].shape) < kSlow;
 }
 

@@ -30,7 +30,7 @@ void addLoads(const Airfoil& airfoil, std::span<const BodyId> on, const Bodies& 
     for (const BodyId id : on) {
         if (!bodies.isAwake(id.index)) continue;
         const Quat& q = bodies.poses[id.index].rotation;
-        const Velocity<double>& v = bodies.velocities[id.index];
+        const Velocity& v = bodies.velocities[id.index];
         const Vec3 arm = q * airfoil.at, chord = q * airfoil.chord, normal = q * airfoil.normal;
         const Vec3 air = airfoil.wind - v.linear - v.angular.cross(arm);
         const double against = -air.dot(chord), up = air.dot(normal);

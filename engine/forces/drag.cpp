@@ -16,7 +16,7 @@ void addLoads(const Drag& drag, std::span<const BodyId> on, const Bodies& bodies
               const ForceMoment& now, std::span<Load> loads) {
     for (const BodyId id : on) {
         if (!bodies.isAwake(id.index)) continue;
-        const Velocity<double>& v = bodies.velocities[id.index];
+        const Velocity& v = bodies.velocities[id.index];
         const double c = smaller(drag.linear, largestDrag(bodies, id.index, now.h));
         const double k = smaller(drag.angular, largestSpinDrag(bodies, id.index, now.h));
         loads[id.index].force -= c * v.linear;

@@ -15,7 +15,7 @@ struct SpringEnd {
                    bodies.velocities[id.index].angular.cross(arm)) {}
     /// What an impulse along n changes of the end's velocity along n, 1/kg.
     double ease(const Bodies& bodies, BodyId id, const Vec3& n) const {
-        const InverseMass<double>& m = bodies.inverseMasses[id.index];
+        const InverseMass& m = bodies.inverseMasses[id.index];
         const Vec3 turn = arm.cross(n);
         return m.linear + turn.dot(m.angular * turn);
     }

@@ -13,17 +13,15 @@
 
 namespace engine {
 
-template <class Real>
 struct Constraints {
-    std::vector<ContactConstraint<Real>> contacts;
-    std::vector<JointConstraint<Real>> joints;
-    std::vector<JointDrive<Real>> drives;  // of joints that are limited, driven or sprung
+    std::vector<ContactConstraint> contacts;
+    std::vector<JointConstraint> joints;
+    std::vector<JointDrive> drives;  // of joints that are limited, driven or sprung
     std::vector<int> order;  // of the contacts in a sweep
 };
 
 /// One solve is enough: there is nothing but trees.
-template <class Real>
-bool solvedAtOnce(const Constraints<Real>& c, const JointTrees& trees) {
+inline bool solvedAtOnce(const Constraints& c, const JointTrees& trees) {
     return c.contacts.empty() && c.drives.empty() && !trees.empty() && trees.exact() &&
            trees.order().size() == c.joints.size();
 }

@@ -81,7 +81,7 @@ private:
 /// The search for the set of rows that hold.
 class ActiveSet {
 public:
-    ActiveSet(GlobalRows<double>& g, int bodies)
+    ActiveSet(GlobalRows& g, int bodies)
         : g_(g), wanted_(Eigen::Map<const Vector>(g.wanted.data(), g.count())), active_(g.count()) {
         a_ = systemMatrix(g, bodies);
         for (int i = 0; i < g.count(); ++i) {
@@ -114,7 +114,7 @@ public:
         return false;
     }
 
-    DirectReport report(const Constraints<double>& c) const {
+    DirectReport report(const Constraints& c) const {
         DirectReport report = report_;
         for (const int i : redundant_)
             if (g_.rows[i].joint >= 0)
@@ -158,7 +158,7 @@ private:
     std::vector<int> wrongRows() const {
         std::vector<int> wrong;
         for (int i = 0; i < g_.count(); ++i) {
-            const GlobalRow<double>& row = g_.rows[i];
+            const GlobalRow& row = g_.rows[i];
             if (a_(i, i) <= 0.0) continue;
             if (row.kind == RowKind::push) {
                 const double scale = a_(i, i);
@@ -231,8 +231,7 @@ private:
     double turnFriction(int i, bool& sticks) {
         const Vec2 before(g_.force[i], g_.force[i + 1]);
         const double limit = larger(g_.coneLimit(i), 0.0);
-        const Vec2 after =
-            solveInCone<double>(*g_.rows[i].mass, before, {slack(i), slack(i + 1)}, limit);
+        const Vec2 after = solveInCone(*g_.rows[i].mass, before, {slack(i), slack(i + 1)}, limit);
         if (after.norm() < limit * (1.0 - 1e-9)) {
             active_[i] = active_[i + 1] = true;
             sticks = true;
@@ -241,7 +240,7 @@ private:
         return a_(i, i) * (after - before).norm();
     }
 
-    GlobalRows<double>& g_;
+    GlobalRows& g_;
     Matrix a_;
     Vector wanted_;
     std::vector<char> active_;  // held at slack 0; of a cone row: sticking
@@ -250,7 +249,7 @@ private:
     std::vector<int> redundant_;
 };
 
-DirectReport solveIsland(GlobalRows<double>& g, const Constraints<double>& c, int bodies) {
+DirectReport solveIsland(GlobalRows& g, const Constraints& c, int bodies) {
     ActiveSet set(g, bodies);
     const bool found = set.search();
     DirectReport report = set.report(c);
@@ -259,7 +258,7 @@ DirectReport solveIsland(GlobalRows<double>& g, const Constraints<double>& c, in
     report.contradiction = false;  // not known
     for (double& force : g.force)
         if (!std::isfinite(force)) force = 0.0;
-    Pgs<double> pgs(g, bodies);
+    Pgs pgs(g, bodies);
     for (int i = 0; i < kMostSweeps && pgs.sweep().residual > kExact; ++i) {
     }
     return report;
@@ -275,8 +274,7 @@ void merge(const DirectReport& part, DirectReport& whole) {
 
 }  // namespace
 
-std::optional<DirectReport> solveDirect(GlobalRows<double>& g, const Constraints<double>& c,
-                                        int bodies) {
+std::optional<DirectReport> solveDirect(GlobalRows& g, const Constraints& c, int bodies) {
     std::vector<Island> islands = islandsOf(g, bodies);
     for (const Island& island : islands)
         if (island.rows.count() > kMostDirectRows) return std::nullopt;

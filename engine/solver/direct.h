@@ -20,7 +20,6 @@ namespace engine {
 constexpr int kMostDirectRows = 1000;
 
 /// Sets `g.force`, island by island. Nothing where one has more than kMostDirectRows rows.
-std::optional<DirectReport> solveDirect(GlobalRows<double>& g, const Constraints<double>& c,
-                                        int bodies);
+std::optional<DirectReport> solveDirect(GlobalRows& g, const Constraints& c, int bodies);
 
 }  // namespace engine

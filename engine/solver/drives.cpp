@@ -15,7 +15,7 @@ class HeldRows {
 public:
     HeldRows(const Joint& joint, const Bodies& bodies, int a, int b) {
         if (joint.def.spring.isSoft() || rowCount(joint.def) == 0) return;
-        const JointRows<double> held =
+        const JointRows held =
             rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
         count_ = held.count;
         for (int i = 0; i < count_; ++i)
@@ -28,11 +28,11 @@ public:
     }
 
     /// J - (J M^-1 J_r^T) (J_r M^-1 J_r^T)^-1 J_r
-    Jacobian<double> free(const Row<double>& row) const {
+    Jacobian free(const Row& row) const {
         Rates across = Rates::Zero();
         for (int i = 0; i < count_; ++i) across[i] = coupling(row, rows_[i]);
         const Rates share = inverse_ * across;
-        Jacobian<double> j = row.j;
+        Jacobian j = row.j;
         for (int i = 0; i < count_; ++i) {
             j.linear -= share[i] * rows_[i].j.linear;
             j.angularA -= share[i] * rows_[i].j.angularA;
@@ -43,32 +43,31 @@ public:
 
 private:
     int count_ = 0;
-    std::array<Row<double>, 6> rows_;
+    std::array<Row, 6> rows_;
     Block inverse_ = Block::Zero();
 };
 
 /// A coordinate that the joint holds after all has next to no K left, and nothing to drive.
 constexpr double kNone = 1e-9;
 
-Row<double> freeRow(const HeldRows& held, const Jacobian<double>& j, const InverseMass<double>& a,
-                    const InverseMass<double>& b) {
-    const Row<double> whole = makeRow(j, a, b);
-    Row<double> row = makeRow(held.free(whole), a, b);
+Row freeRow(const HeldRows& held, const Jacobian& j, const InverseMass& a, const InverseMass& b) {
+    const Row whole = makeRow(j, a, b);
+    Row row = makeRow(held.free(whole), a, b);
     if (!(row.k > kNone * whole.k)) row.k = 0.0;
     return row;
 }
 
-void nudgeRow(const Joint& joint, DriveRow<double> row, Bodies& bodies, const Settings& settings) {
+void nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& settings) {
     const int a = joint.def.a.index, b = joint.def.b.index;
-    const JointRows<double> free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
+    const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     place(row, free.error[row.coordinate]);
     const bool held = row.freedom.limits.low >= row.freedom.limits.high;
     if (row.error >= 0.0 && !held) return;
-    const Row<double> along = freeRow(HeldRows(joint, bodies, a, b), free.j[row.coordinate],
-                                      bodies.inverseMasses[a], bodies.inverseMasses[b]);
+    const Row along = freeRow(HeldRows(joint, bodies, a, b), free.j[row.coordinate],
+                              bodies.inverseMasses[a], bodies.inverseMasses[b]);
     if (along.k <= 0.0) return;
     const double c = clamped(settings.nudgeFactor * row.error, -kMostNudge, kMostNudge);
-    Velocity<double> wayA, wayB;  // m, rad
+    Velocity wayA, wayB;  // m, rad
     apply(along, -row.sign * c / along.k, wayA, wayB);
     moveBy(wayA, a, bodies);
     moveBy(wayB, b, bodies);
@@ -76,11 +75,11 @@ void nudgeRow(const Joint& joint, DriveRow<double> row, Bodies& bodies, const Se
 
 }  // namespace
 
-JointDrive<double> makeDrive(const Joint& joint, int number) {
-    JointDrive<double> drive = driveOf<double>(joint.def);
+JointDrive makeDrive(const Joint& joint, int number) {
+    JointDrive drive = driveOf(joint.def);
     drive.joint = number;
     for (int i = 0; i < drive.count; ++i) {
-        DriveRow<double>& row = drive.rows[i];
+        DriveRow& row = drive.rows[i];
         const double kept = joint.driven[row.slot()];
         if (row.kind == DriveKind::limit && kept < 0.0) row.sign = -1.0;
         row.lambda = row.sign * kept;
@@ -88,15 +87,15 @@ JointDrive<double> makeDrive(const Joint& joint, int number) {
     return drive;
 }
 
-void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints<double>& c) {
-    for (JointDrive<double>& drive : c.drives) {
+void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c) {
+    for (JointDrive& drive : c.drives) {
         Joint& joint = joints[drive.joint];
         const Pose &a = bodies.poses[drive.a], &b = bodies.poses[drive.b];
         followCoordinates(joint, a, b);
-        const JointRows<double> free = coordinatesOf(joint, a, b);
+        const JointRows free = coordinatesOf(joint, a, b);
         const HeldRows held(joint, bodies, drive.a, drive.b);
         for (int i = 0; i < drive.count; ++i) {
-            DriveRow<double>& row = drive.rows[i];
+            DriveRow& row = drive.rows[i];
             place(row, free.error[row.coordinate]);
             drive.along[row.coordinate] =
                 freeRow(held, free.j[row.coordinate], bodies.inverseMasses[drive.a],
@@ -105,48 +104,43 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints<do
     }
 }
 
-template <class Real>
-void setDriveBiases(Constraints<Real>& c, const Settings& settings, Real h) {
-    for (JointDrive<Real>& drive : c.drives)
+void setDriveBiases(Constraints& c, const Settings& settings, double h) {
+    for (JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i)
-            setBias(drive.rows[i], drive.along[drive.rows[i].coordinate].k,
-                    static_cast<Real>(settings.baumgarte), h);
+            setBias(drive.rows[i], drive.along[drive.rows[i].coordinate].k, settings.baumgarte, h);
 }
 
-template <class Real>
-void warmStartDrives(Constraints<Real>& c, Real keep, std::span<Velocity<Real>> v) {
-    for (JointDrive<Real>& drive : c.drives)
+void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v) {
+    for (JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i) {
-            DriveRow<Real>& row = drive.rows[i];
+            DriveRow& row = drive.rows[i];
             row.lambda = clamped(keep * row.lambda, row.low, row.high);
             push(drive, row, row.lambda, v[drive.a], v[drive.b]);
         }
 }
 
-template <class Real>
-void sweepDrives(Constraints<Real>& c, std::span<Velocity<Real>> v, Correction<Real>& correction) {
-    for (JointDrive<Real>& drive : c.drives)
+void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction) {
+    for (JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i) {
-            DriveRow<Real>& row = drive.rows[i];
-            const Row<Real>& along = drive.along[row.coordinate];
-            Velocity<Real>&a = v[drive.a], &b = v[drive.b];
-            const Real lambda = pushWithin(along, row, a, b);
+            DriveRow& row = drive.rows[i];
+            const Row& along = drive.along[row.coordinate];
+            Velocity &a = v[drive.a], &b = v[drive.b];
+            const double lambda = pushWithin(along, row, a, b);
             push(drive, row, lambda, a, b);
             correction.add((along.k + row.softness) * lambda, lambda);
         }
 }
 
-void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints<double>& c,
+void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
                  const Settings& settings) {
-    for (const JointDrive<double>& drive : c.drives)
+    for (const JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i)
             if (drive.rows[i].kind == DriveKind::limit)
                 nudgeRow(joints[drive.joint], drive.rows[i], bodies, settings);
 }
 
-void storeDrives(const Constraints<double>& c, const Bodies& bodies, std::span<Joint> joints,
-                 double dt) {
-    for (const JointDrive<double>& drive : c.drives) {
+void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> joints, double dt) {
+    for (const JointDrive& drive : c.drives) {
         Joint& joint = joints[drive.joint];
         for (int i = 0; i < drive.count; ++i)
             joint.driven[drive.rows[i].slot()] = drive.rows[i].sign * drive.rows[i].lambda;
@@ -159,7 +153,7 @@ void storeDrives(const Constraints<double>& c, const Bodies& bodies, std::span<J
 
 double driveEnergy(const Joint& joint, const Bodies& bodies) {
     const int a = joint.def.a.index, b = joint.def.b.index;
-    const JointRows<double> free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
+    const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     const HeldRows held(joint, bodies, a, b);
     double energy = 0.0;
     for (int i = 0; i < free.count; ++i) {
@@ -172,14 +166,5 @@ double driveEnergy(const Joint& joint, const Bodies& bodies) {
     }
     return energy;
 }
-
-#define ENGINE_INSTANTIATE(Real)                                                              \
-    template void setDriveBiases<Real>(Constraints<Real>&, const Settings&, Real);            \
-    template void warmStartDrives<Real>(Constraints<Real>&, Real, std::span<Velocity<Real>>); \
-    template void sweepDrives<Real>(Constraints<Real>&, std::span<Velocity<Real>>,            \
-                                    Correction<Real>&);
-ENGINE_INSTANTIATE(float)
-ENGINE_INSTANTIATE(double)
-#undef ENGINE_INSTANTIATE
 
 }  // namespace engine

@@ -6,28 +6,24 @@
 namespace engine {
 
 /// Rows of a joint for which something acts; for when joints come or go.
-JointDrive<double> makeDrive(const Joint& joint, int number);
+JointDrive makeDrive(const Joint& joint, int number);
 
 /// J, K and C at the bodies' present poses; turns are counted on.
-void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints<double>& c);
+void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c);
 
 /// b, softness and bounds of a sub-step of length h (s).
-template <class Real>
-void setDriveBiases(Constraints<Real>& c, const Settings& settings, Real h);
+void setDriveBiases(Constraints& c, const Settings& settings, double h);
 
-template <class Real>
-void warmStartDrives(Constraints<Real>& c, Real keep, std::span<Velocity<Real>> v);
+void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v);
 
-template <class Real>
-void sweepDrives(Constraints<Real>& c, std::span<Velocity<Real>> v, Correction<Real>& correction);
+void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction);
 
 /// One nudge of what has passed its limit:  lambda_n = -beta C / K, C < 0
-void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints<double>& c,
+void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
                  const Settings& settings);
 
 /// Impulses go back to where the next step finds them, and into the joints' mean forces.
-void storeDrives(const Constraints<double>& c, const Bodies& bodies, std::span<Joint> joints,
-                 double dt);
+void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> joints, double dt);
 
 /// J, in the springs along a joint's coordinates.
 double driveEnergy(const Joint& joint, const Bodies& bodies);

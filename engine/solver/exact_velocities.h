@@ -4,22 +4,18 @@
 
 namespace engine {
 
-template <class Real>
 class ExactVelocities {
 public:
-    /// From the velocities before solving. Unknown (distance -1) unless the settings ask for it, in
-    /// float, and for more rows than the direct solver takes.
-    ExactVelocities(const Constraints<Real>& c, std::span<const Velocity<Real>> v,
-                    const Settings& settings, Real h);
+    /// From the velocities before solving. Unknown (distance -1) unless the settings ask for it,
+    /// and for more rows than the direct solver takes.
+    ExactVelocities(const Constraints& c, std::span<const Velocity> v, const Settings& settings,
+                    double h);
 
     /// The largest difference of any velocity, m/s (rad/s).
-    double distance(std::span<const Velocity<Real>> v) const;
+    double distance(std::span<const Velocity> v) const;
 
 private:
-    std::vector<Velocity<Real>> exact_;  // empty: not known
+    std::vector<Velocity> exact_;  // empty: not known
 };
-
-extern template class ExactVelocities<float>;
-extern template class ExactVelocities<double>;
 
 }  // namespace engine

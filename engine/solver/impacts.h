@@ -10,13 +10,6 @@
 
 namespace engine {
 
-template <class Real>
-void solveImpacts(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings,
-                  Real h);
-
-extern template void solveImpacts(Constraints<float>&, std::span<Velocity<float>>,
-                                  const Settings&, float);
-extern template void solveImpacts(Constraints<double>&, std::span<Velocity<double>>,
-                                  const Settings&, double);
+void solveImpacts(Constraints& c, std::span<Velocity> v, const Settings& settings, double h);
 
 }  // namespace engine

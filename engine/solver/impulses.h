@@ -12,27 +12,20 @@ namespace engine {
 ///   still apart by C     b = C / h: the gap may close, no more
 ///   overlapping          b = beta (C + slop) / h with Baumgarte; else 0, the nudges' business
 ///   bouncing             b = e (J v1) where it will touch at more than the bounce speed
-template <class Real>
-void setBiases(Constraints<Real>& c, std::span<const Velocity<Real>> v, const Settings& settings,
-               Real h);
+void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& settings, double h);
 
 /// v += M^-1 J^T lambda of the last step; with warm starting off the totals are set to 0 instead.
-template <class Real>
-void warmStart(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings);
+void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings);
 
 /// One sweep over everything; trees of joints are solved exactly, each at its place.
-template <class Real>
-SweepReport sweep(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
+SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                   const Settings& settings);
 
 /// Biases and bounces: what comes before the sweeps of every method.
-template <class Real>
-void beginSolving(Constraints<Real>& c, std::span<Velocity<Real>> v, const Settings& settings,
-                  Real h);
+void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& settings, double h);
 
 /// Adds a sub-step's impulses to the totals of the step: what comes after them.
-template <class Real>
-void bookImpulses(Constraints<Real>& c);
+void bookImpulses(Constraints& c);
 
 /// 'While not satisfied': until the residual is small or the count is reached; a report per sweep.
 template <class Sweep>
@@ -45,8 +38,7 @@ void sweepUntilSatisfied(const Settings& settings, std::vector<SweepReport>& rep
 }
 
 /// All of the above.
-template <class Real>
-void solveImpulses(Constraints<Real>& c, JointTrees& trees, std::span<Velocity<Real>> v,
-                   const Settings& settings, Real h, std::vector<SweepReport>& report);
+void solveImpulses(Constraints& c, JointTrees& trees, std::span<Velocity> v,
+                   const Settings& settings, double h, std::vector<SweepReport>& report);
 
 }  // namespace engine

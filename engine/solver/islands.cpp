@@ -6,16 +6,16 @@ namespace engine {
 namespace {
 
 /// A movable body of the row; -1 where it moves none.
-int bodyOf(const GlobalRow<double>& row) {
+int bodyOf(const GlobalRow& row) {
     return row.row.massB > 0.0 ? row.b : row.row.massA > 0.0 ? row.a : -1;
 }
 
 }  // namespace
 
-std::vector<Island> islandsOf(const GlobalRows<double>& g, int bodies) {
+std::vector<Island> islandsOf(const GlobalRows& g, int bodies) {
     DisjointSets sets;
     sets.reset(bodies);
-    for (const GlobalRow<double>& row : g.rows) {
+    for (const GlobalRow& row : g.rows) {
         if (row.row.massA <= 0.0 || row.row.massB <= 0.0) continue;
         sets.join(row.a, row.b);
     }
@@ -31,7 +31,7 @@ std::vector<Island> islandsOf(const GlobalRows<double>& g, int bodies) {
         }
         Island& island = islands[number];
         newPlace[i] = island.rows.count();
-        GlobalRow<double> row = g.rows[i];
+        GlobalRow row = g.rows[i];
         if (row.normal >= 0) row.normal = newPlace[row.normal];
         island.rows.rows.push_back(row);
         island.rows.wanted.push_back(g.wanted[i]);

@@ -5,11 +5,11 @@
 namespace engine {
 
 struct Island {
-    GlobalRows<double> rows;
+    GlobalRows rows;
     std::vector<int> places;  // of its rows in the whole list, ascending
 };
 
 /// In the order of their first rows.
-std::vector<Island> islandsOf(const GlobalRows<double>& g, int bodies);
+std::vector<Island> islandsOf(const GlobalRows& g, int bodies);
 
 }  // namespace engine

@@ -9,8 +9,8 @@
 namespace engine {
 namespace {
 
-using Joints = std::span<JointConstraint<double>>;
-using Masses = std::span<const InverseMass<double>>;
+using Joints = std::span<JointConstraint>;
+using Masses = std::span<const InverseMass>;
 
 constexpr int kMostForests = 4;
 /// A body that many joints meet in couples each of them with all others, which costs their number
@@ -28,12 +28,10 @@ public:
 
     int of(int body) { return sets_.leaderOf(body); }
     /// The tree of a joint's movable end.
-    int of(const JointConstraint<double>& joint) {
-        return of(moves(masses_, joint.a) ? joint.a : joint.b);
-    }
+    int of(const JointConstraint& joint) { return of(moves(masses_, joint.a) ? joint.a : joint.b); }
     bool isHeld(int body) { return !moves(masses_, body) || held_[of(body)]; }
 
-    void link(const JointConstraint<double>& joint) {
+    void link(const JointConstraint& joint) {
         const bool held = isHeld(joint.a) || isHeld(joint.b);
         if (moves(masses_, joint.a) && moves(masses_, joint.b)) sets_.join(joint.a, joint.b);
         held_[of(joint)] = held;
@@ -48,13 +46,13 @@ private:
 /// Of every body, whether a joint is torn of all that hang together with it.
 std::vector<char> findTorn(Joints joints, Masses masses) {
     std::vector<char> torn(masses.size(), 0);
-    const auto isTorn = [](const JointConstraint<double>& joint) { return joint.torn; };
+    const auto isTorn = [](const JointConstraint& joint) { return joint.torn; };
     if (std::none_of(joints.begin(), joints.end(), isTorn)) return torn;
     DisjointSets sets;
     sets.reset(static_cast<int>(masses.size()));
-    for (const JointConstraint<double>& joint : joints)
+    for (const JointConstraint& joint : joints)
         if (moves(masses, joint.a) && moves(masses, joint.b)) sets.join(joint.a, joint.b);
-    for (const JointConstraint<double>& joint : joints)
+    for (const JointConstraint& joint : joints)
         if (joint.torn) torn[sets.leaderOf(moves(masses, joint.a) ? joint.a : joint.b)] = 1;
     for (int i = 0; i < static_cast<int>(masses.size()); ++i) torn[i] = torn[sets.leaderOf(i)];
     return torn;
@@ -65,7 +63,7 @@ std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& t
                         std::vector<char>& closes) {
     std::vector<int> chosen, degree(masses.size(), 0);
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
-        JointConstraint<double>& joint = joints[i];
+        JointConstraint& joint = joints[i];
         if (joint.inTree || joint.spring.isSoft() || joint.asBlock) continue;
         bool fits = true;
         for (const int body : {joint.a, joint.b})
@@ -131,7 +129,7 @@ private:
     std::set<std::tuple<int, int, int>> ranked_;
 };
 
-int commonBody(const JointConstraint<double>& x, const JointConstraint<double>& y, Masses masses) {
+int commonBody(const JointConstraint& x, const JointConstraint& y, Masses masses) {
     for (const int body : {x.a, x.b})
         if (moves(masses, body) && (body == y.a || body == y.b)) return body;
     return -1;
@@ -159,7 +157,7 @@ void addPlaces(Joints joints, Masses masses, const std::vector<int>& chosen, For
 void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
     std::vector<int> number(bodies, -1);
     for (ForestPlan::Place& place : plan.places) {
-        const JointConstraint<double>& joint = joints[place.joint];
+        const JointConstraint& joint = joints[place.joint];
         int& tree = number[trees.of(joint)];
         if (tree < 0) {
             tree = static_cast<int>(plan.trees.size());
@@ -188,7 +186,7 @@ std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
     std::vector<ForestPlan> plans;
     std::vector<char> closes(joints.size(), 0);
     const std::vector<char> torn = findTorn(joints, masses);
-    for (JointConstraint<double>& joint : joints) joint.inTree = false;
+    for (JointConstraint& joint : joints) joint.inTree = false;
     for (int i = 0; i < kMostForests; ++i) {
         Trees trees(masses);
         const std::vector<int> chosen = choose(joints, masses, torn, trees, closes);

@@ -37,7 +37,7 @@ struct ForestPlan {
 };
 
 /// Sets `inTree` of the joints that found a place.
-std::vector<ForestPlan> planForests(std::span<JointConstraint<double>> joints,
-                                    std::span<const InverseMass<double>> masses);
+std::vector<ForestPlan> planForests(std::span<JointConstraint> joints,
+                                    std::span<const InverseMass> masses);
 
 }  // namespace engine

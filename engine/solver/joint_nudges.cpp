@@ -13,12 +13,11 @@ namespace {
 void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
     if (joint.def.spring.isSoft()) return;
     const int a = joint.def.a.index, b = joint.def.b.index;
-    JointRows<double> rows =
-        rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
-    Row<double> made[JointRows<double>::kMaxRows];
+    JointRows rows = rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
+    Row made[JointRows::kMaxRows];
     for (int i = 0; i < rows.count; ++i)
         made[i] = makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]);
-    Velocity<double> wayA, wayB;  // m, rad
+    Velocity wayA, wayB;  // m, rad
     for (int i = 0; i < rows.count; ++i) {
         if (made[i].k <= 0.0) continue;
         const double c = clamped(settings.nudgeFactor * rows.error[i], -kMostNudge, kMostNudge);
@@ -32,7 +31,7 @@ void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
 
 }  // namespace
 
-void moveBy(const Velocity<double>& way, int body, Bodies& bodies) {
+void moveBy(const Velocity& way, int body, Bodies& bodies) {
     if (bodies.inverseMasses[body].linear == 0.0) return;
     Pose& pose = bodies.poses[body];
     pose.position += way.linear;
@@ -41,7 +40,7 @@ void moveBy(const Velocity<double>& way, int body, Bodies& bodies) {
 
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h) {
-    for (const JointConstraint<double>& c : solver.constraints.joints)
+    for (const JointConstraint& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
     nudgeDrives(joints, bodies, solver.constraints, settings);
     const TreeNudge nudge{kMostNudge, h > 0.0 ? 1.0 / h : 0.0};

@@ -15,7 +15,7 @@ void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h);
 
 /// One body by a way (m) and a turn (rad), unless nothing can move it.
-void moveBy(const Velocity<double>& way, int body, Bodies& bodies);
+void moveBy(const Velocity& way, int body, Bodies& bodies);
 
 /// After the last nudge: all joints at the new poses, and J v = 0 for trees. Unseen and with nothing
 /// but trees that is left to the next sub-step, whose poses are the same:  P (P v + h a) = P (v + h a).

@@ -16,8 +16,8 @@ void report(const TreeJoint<N>& t, double dt, Joint& joint) {
 
 }  // namespace
 
-void JointTrees::build(std::span<JointConstraint<double>> list, std::span<const Joint> joints,
-                       std::span<const InverseMass<double>> masses) {
+void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> joints,
+                       std::span<const InverseMass> masses) {
     forests_.clear(), order_.clear(), whole_.clear();
     for (const ForestPlan& plan : planForests(list, masses)) {
         Forest& forest = forests_.emplace_back();
@@ -39,22 +39,22 @@ void JointTrees::prepare(std::span<const Joint> joints, const Bodies& bodies) {
         });
 }
 
-void JointTrees::begin(double keep, double biasRate, std::span<Velocity<double>> v) {
+void JointTrees::begin(double keep, double biasRate, std::span<Velocity> v) {
     biasRate_ = biasRate;
     for (Forest& forest : forests_)
         forest.each([&](auto& part) { part.warmStart(&forest == &forests_[0] ? 0.0 : keep, v); });
 }
 
-void JointTrees::solveVelocities(std::span<Velocity<double>> v, Correction<double>& correction) {
-    Correction<double> own;
+void JointTrees::solveVelocities(std::span<Velocity> v, Correction& correction) {
+    Correction own;
     for (Forest& forest : forests_)
         forest.each([&](auto& part) { part.solveVelocities(biasRate_, false, v, own); });
     correction.add(exact() ? 0.0 : own.velocity, own.impulse);
 }
 
-void JointTrees::projectVelocities(std::span<Velocity<double>> v) {
+void JointTrees::projectVelocities(std::span<Velocity> v) {
     if (empty()) return;
-    Correction<double> unused;
+    Correction unused;
     forests_[0].each([&](auto& part) { part.solveVelocities(0.0, true, v, unused); });
 }
 

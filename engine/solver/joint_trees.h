@@ -16,8 +16,8 @@ namespace engine {
 class JointTrees {
 public:
     /// Chooses the forests and the order of elimination; sets `inTree`. For when joints come or go.
-    void build(std::span<JointConstraint<double>> list, std::span<const Joint> joints,
-               std::span<const InverseMass<double>> masses);
+    void build(std::span<JointConstraint> list, std::span<const Joint> joints,
+               std::span<const InverseMass> masses);
     bool empty() const { return forests_.empty(); }
     /// One solve meets all joints: there is one forest only.
     bool exact() const { return forests_.size() <= 1; }
@@ -27,17 +27,14 @@ public:
 
     /// Before the sweeps of a sub-step. What the first forest got last time makes no difference to
     /// an exact solve; the others start from it. biasRate: Baumgarte's beta / h, 1/s.
-    void begin(double keep, double biasRate, std::span<Velocity<double>> v);
+    void begin(double keep, double biasRate, std::span<Velocity> v);
     /// J v + b = 0 in one forest after the other: lambda is added up and applied. What an exact solve
     /// had to correct is no residual, however much it was: nothing is left of it.
-    void solveVelocities(std::span<Velocity<double>> v, Correction<double>& correction);
+    void solveVelocities(std::span<Velocity> v, Correction& correction);
     /// J v = 0 once more, for the trees that no other joint pulls at.
-    void projectVelocities(std::span<Velocity<double>> v);
+    void projectVelocities(std::span<Velocity> v);
     /// C = 0 in one forest after the other (joint_nudges.h).
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
-    /// Trees live in double; a float problem has its joints in the sweep.
-    void begin(float, float, std::span<Velocity<float>>) {}
-    void solveVelocities(std::span<Velocity<float>>, Correction<float>&) {}
 
     void beginStep();                                           // empties the step's books
     void scaleImpulses(double scale);                           // for a sub-step of another length

@@ -15,15 +15,15 @@ void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& s
 }
 
 /// The joints' share of a sweep; contacts see what it changed, and it sees what they did.
-SweepReport sweepJoints(Solver& s, std::span<Velocity<double>> v, const Settings& settings) {
+SweepReport sweepJoints(Solver& s, std::span<Velocity> v, const Settings& settings) {
     const std::span<const int> shared = s.wide.groups().jointedBodies();
     s.wide.give(v, shared);
-    const SweepReport swept = sweep<double>(s.constraints, s.trees, v, settings);
+    const SweepReport swept = sweep(s.constraints, s.trees, v, settings);
     s.wide.take(v, shared);
     return swept;
 }
 
-void solveGroup(Solver& s, int group, std::span<Velocity<double>> v, const Settings& settings,
+void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
     const bool joints = group == 0 && s.wide.groups().hasJoints();
     const bool atOnce = joints && solvedAtOnce(s);
@@ -51,8 +51,8 @@ void solveGroup(Solver& s, int group, std::span<Velocity<double>> v, const Setti
 }
 
 void move(Pose& pose, const WideVelocity& way) {
-    const Vec3 ahead = Vec3T<float>(way.linear).cast<double>();
-    const Vec3 turn = Vec3T<float>(way.angular).cast<double>();
+    const Vec3 ahead = Eigen::Vector3f(way.linear).cast<double>();
+    const Vec3 turn = Eigen::Vector3f(way.angular).cast<double>();
     if (ahead.isZero(0.0) && turn.isZero(0.0)) return;
     pose.position += ahead;
     pose.rotation = cayley(turn, pose.rotation);
@@ -65,16 +65,16 @@ bool solvedAtOnce(const Solver& s) {
     return !touched && solvedAtOnce(s.constraints, s.trees);
 }
 
-void solveInLanes(Solver& s, std::span<Velocity<double>> v, const Settings& settings, double h,
+void solveInLanes(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report) {
     if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
         return;  // all asleep, or in free flight
-    beginSolving<double>(s.constraints, v, settings, h);  // of the joints
+    beginSolving(s.constraints, v, settings, h);  // of the joints
     s.wide.begin(v, settings, h);
     const std::size_t first = report.size();
     const std::span<const int> shared = s.wide.groups().jointedBodies();
     s.wide.give(v, shared);
-    warmStart<double>(s.constraints, v, settings);
+    warmStart(s.constraints, v, settings);
     s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / h, v);
     s.wide.take(v, shared);
     for (int group = 0; group < s.wide.groups().count(); ++group)

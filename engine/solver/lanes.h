@@ -6,7 +6,7 @@
 
 namespace engine {
 
-void solveInLanes(Solver& solver, std::span<Velocity<double>> v, const Settings& settings, double h,
+void solveInLanes(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report);
 
 /// One solve is enough for the joints: there is nothing but trees, and no contact on them.

@@ -8,7 +8,7 @@ namespace engine {
 namespace {
 
 /// x += M^-1 J^T lambda, q turned by I^-1 j lambda.
-void nudge(const Row<double>& row, double lambda, int a, int b, Bodies& bodies) {
+void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies) {
     if (lambda == 0.0) return;
     const auto move = [&](int body, double mass, double sign, const Vec3& turn) {
         if (mass == 0.0) return;
@@ -26,7 +26,7 @@ double goal(double separation, const Settings& settings) {
     return beyond < 0.0 ? larger(settings.nudgeFactor * beyond, -kMostNudge) : beyond;
 }
 
-void nudgeContact(const ContactConstraint<double>& contact, Bodies& bodies, Solver& solver,
+void nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solver,
                   const Settings& settings) {
     Vec4 q = Vec4::Zero();
     bool any = false;
@@ -42,7 +42,7 @@ void nudgeContact(const ContactConstraint<double>& contact, Bodies& bodies, Solv
         return;
     }
     for (int i = 0; i < contact.count; ++i) {
-        const Row<double> row = rowAlong(contact, i, contact.n);
+        const Row row = rowAlong(contact, i, contact.n);
         const double lambda = q[i] < 0.0 && row.k > 0.0 ? -q[i] / row.k : 0.0;
         nudge(row, lambda, contact.a, contact.b, bodies);
         for (int k = i + 1; k < contact.count; ++k)

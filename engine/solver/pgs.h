@@ -10,19 +10,15 @@
 
 namespace engine {
 
-template <class Real>
 class Pgs {
 public:
     /// Works on the forces of `rows`, which has to stay.
-    Pgs(GlobalRows<Real>& rows, int bodies);
+    Pgs(GlobalRows& rows, int bodies);
     SweepReport sweep();
 
 private:
-    GlobalRows<Real>& g_;
-    std::vector<Velocity<Real>> accelerations_;  // B lambda
+    GlobalRows& g_;
+    std::vector<Velocity> accelerations_;  // B lambda
 };
-
-extern template class Pgs<float>;
-extern template class Pgs<double>;
 
 }  // namespace engine

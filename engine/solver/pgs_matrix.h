@@ -12,22 +12,17 @@
 namespace engine {
 
 /// A, with the rows' softness left out; row-major, columns ascending.
-template <class Real>
-Eigen::SparseMatrix<Real, Eigen::RowMajor> systemMatrix(const GlobalRows<Real>& g, int bodies);
+Eigen::SparseMatrix<double, Eigen::RowMajor> systemMatrix(const GlobalRows& g, int bodies);
 
-template <class Real>
 class PgsMatrix {
 public:
     /// Works on the forces of `rows`, which has to stay.
-    PgsMatrix(GlobalRows<Real>& rows, int bodies) : g_(rows), matrix_(systemMatrix(rows, bodies)) {}
+    PgsMatrix(GlobalRows& rows, int bodies) : g_(rows), matrix_(systemMatrix(rows, bodies)) {}
     SweepReport sweep();
 
 private:
-    GlobalRows<Real>& g_;
-    Eigen::SparseMatrix<Real, Eigen::RowMajor> matrix_;
+    GlobalRows& g_;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_;
 };
-
-extern template class PgsMatrix<float>;
-extern template class PgsMatrix<double>;
 
 }  // namespace engine

@@ -9,7 +9,7 @@ namespace {
 
 /// Where the points of a contact are: in one plane (constraints/manifold_frame.h).
 void placePoints(const Contact& contact, const Pose& a, const Pose& b,
-                 ContactGeometry<double> (&points)[Contact::kMaxPoints]) {
+                 ContactGeometry (&points)[Contact::kMaxPoints]) {
     ManifoldFrame frame;
     for (int i = 0; i < contact.count; ++i) {
         const Vec3 onA = a.toWorld(contact.points[i].anchorA);
@@ -48,7 +48,7 @@ void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3
 void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
                      const Bodies& bodies, const Vec3& gravity, const Settings& settings,
                      Solver& solver) {
-    Constraints<double>& c = solver.constraints;
+    Constraints& c = solver.constraints;
     c.contacts.clear();
     solver.posesAtStart = bodies.poses;
     orderContacts(contacts, bodies, gravity, settings.order, solver.keys, c.order);
@@ -59,7 +59,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
         return;
     }
     for (const Contact& contact : contacts) {
-        ContactGeometry<double> points[Contact::kMaxPoints];
+        ContactGeometry points[Contact::kMaxPoints];
         placePoints(contact, bodies.poses[contact.a], bodies.poses[contact.b], points);
         c.contacts.push_back(makeContactConstraint(contact, points,
                                                    bodies.inverseMasses[contact.a],
@@ -69,19 +69,19 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
 
 PointImpulses impulsesOf(const Solver& solver, int k, int i) {
     if (solver.lanes) return solver.wide.impulses(k, i);
-    const ContactConstraint<double>& c = solver.constraints.contacts[k];
-    const ContactRow<double>& row = c.rows[i];
+    const ContactConstraint& c = solver.constraints.contacts[k];
+    const ContactRow& row = c.rows[i];
     return {row.lambda, row.total, row.friction[0] * c.t1 + row.friction[1] * c.t2,
             row.totalFriction[0] * c.t1 + row.totalFriction[1] * c.t2};
 }
 
-double separationNow(const ContactConstraint<double>& contact, const ContactRow<double>& row,
-                     const Bodies& bodies, const Solver& solver) {
+double separationNow(const ContactConstraint& contact, const ContactRow& row, const Bodies& bodies,
+                     const Solver& solver) {
     const auto since = [&](int body) {
         const Pose &now = bodies.poses[body], &start = solver.posesAtStart[body];
         Quat turn = now.rotation * start.rotation.conjugate();
         if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-        return Velocity<double>{now.position - start.position, 2.0 * turn.vec()};
+        return Velocity{now.position - start.position, 2.0 * turn.vec()};
     };
     return row.gapAtStart +
            contact.n.dot(velocityBetween(row, since(contact.a), since(contact.b)));
@@ -89,7 +89,7 @@ double separationNow(const ContactConstraint<double>& contact, const ContactRow<
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     if (solver.lanes) return;  // they are up to date since the nudges
-    for (ContactConstraint<double>& contact : solver.constraints.contacts)
+    for (ContactConstraint& contact : solver.constraints.contacts)
         for (int i = 0; i < contact.count; ++i)
             contact.rows[i].separation =
                 separationNow(contact, contact.rows[i], bodies, solver);
@@ -101,7 +101,7 @@ void storeImpulses(const Solver& solver, std::span<Contact> contacts) {
         return;
     }
     for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
-        const ContactConstraint<double>& c = solver.constraints.contacts[k];
+        const ContactConstraint& c = solver.constraints.contacts[k];
         contacts[k].rollingMoment = c.rollingMoment[0] * c.t1 + c.rollingMoment[1] * c.t2;
         for (int i = 0; i < contacts[k].count; ++i) {
             const PointImpulses got = impulsesOf(solver, k, i);

@@ -10,7 +10,7 @@ namespace engine {
 
 /// Everything the solver of a world keeps from one sub-step to the next.
 struct Solver {
-    Constraints<double> constraints;
+    Constraints constraints;
     Workers workers;
     WideContacts wide;               // the contacts instead, when they are solved in lanes
     bool lanes = false;              // they are
@@ -33,8 +33,8 @@ PointImpulses impulsesOf(const Solver& solver, int k, int i);
 /// A ball's contact stays below it while it rolls, which an anchor fixed on the ball would not.
 /// Every sub-step.
 void updateSeparations(const Bodies& bodies, Solver& solver);
-double separationNow(const ContactConstraint<double>& contact, const ContactRow<double>& row,
-                     const Bodies& bodies, const Solver& solver);
+double separationNow(const ContactConstraint& contact, const ContactRow& row, const Bodies& bodies,
+                     const Solver& solver);
 
 /// Gravity order: contacts from the top down, ties in the order of pairs. The height that counts is the
 /// one at which a contact was last seen to move: if noise in the heights of a layer shuffled its

@@ -6,7 +6,7 @@ namespace engine {
 
 void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
-    std::vector<JointConstraint<double>>& list = solver.constraints.joints;
+    std::vector<JointConstraint>& list = solver.constraints.joints;
     list.clear();
     solver.constraints.drives.clear();
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
@@ -14,7 +14,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         const JointDef& def = joints[i].def;
         if (def.acts()) solver.constraints.drives.push_back(makeDrive(joints[i], i));
         if (rowCount(def) == 0) continue;
-        JointConstraint<double> joint;
+        JointConstraint joint;
         joint.a = def.a.index, joint.b = def.b.index;
         joint.joint = i;
         joint.count = rowCount(def);
@@ -32,12 +32,12 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
 
 void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
-    for (JointConstraint<double>& c : solver.constraints.joints) {
+    for (JointConstraint& c : solver.constraints.joints) {
         if (c.inTree && !settings.compareExact) continue;
         Joint& joint = joints[c.joint];
         if (joint.def.type == JointType::gear || joint.def.type == JointType::path)
             followCoordinates(joint, bodies.poses[c.a], bodies.poses[c.b]);
-        const JointRows<double> rows =
+        const JointRows rows =
             rowsOf(joint.def.type, geometryOf(joint, bodies.poses[c.a], bodies.poses[c.b]));
         c.count = rows.count;
         for (int i = 0; i < rows.count; ++i) {
@@ -53,7 +53,7 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
     double energy = joint.acts ? driveEnergy(joint, bodies) : 0.0;
     if (!joint.def.spring.isSoft()) return energy;
     const int a = joint.def.a.index, b = joint.def.b.index;
-    const JointRows<double> rows =
+    const JointRows rows =
         rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
     for (int i = 0; i < rows.count; ++i) {
         const double k =
@@ -64,9 +64,9 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
 }
 
 void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> joints, double dt) {
-    for (const JointDrive<double>& drive : solver.constraints.drives)
+    for (const JointDrive& drive : solver.constraints.drives)
         joints[drive.joint].force = joints[drive.joint].torque = Vec3::Zero();
-    for (const JointConstraint<double>& c : solver.constraints.joints) {
+    for (const JointConstraint& c : solver.constraints.joints) {
         if (c.inTree) continue;
         Joint& joint = joints[c.joint];
         const Vec3 armB = bodies.poses[c.b].rotation * joint.def.anchorB;

@@ -10,23 +10,23 @@
 namespace engine {
 namespace {
 
-using Velocities = std::span<Velocity<double>>;
+using Velocities = std::span<Velocity>;
 
 /// The velocities that the forces so far would give.
-double distanceOf(const GlobalRows<double>& g, Velocities v, const ExactVelocities<double>& exact) {
-    std::vector<Velocity<double>> now(v.begin(), v.end());
+double distanceOf(const GlobalRows& g, Velocities v, const ExactVelocities& exact) {
+    std::vector<Velocity> now(v.begin(), v.end());
     std::vector<double> impulses = g.force;
     for (double& lambda : impulses) lambda *= g.h;
-    addAlongRows<double>(g, impulses, now);
+    addAlongRows(g, impulses, now);
     return exact.distance(now);
 }
 
 template <class Method>
-void solveByForces(Constraints<double>& c, Velocities v, const Settings& settings, double h,
+void solveByForces(Constraints& c, Velocities v, const Settings& settings, double h,
                    StepReport& report) {
     beginSolving(c, v, settings, h);
-    GlobalRows<double> g = globalRows<double>(c, v, settings, h);
-    const ExactVelocities<double> exact(c, v, settings, h);
+    GlobalRows g = globalRows(c, v, settings, h);
+    const ExactVelocities exact(c, v, settings, h);
     Method method(g, static_cast<int>(v.size()));
     sweepUntilSatisfied(settings, report.sweeps, [&] {
         SweepReport swept = method.sweep();
@@ -45,10 +45,10 @@ void keepWorst(const DirectReport& now, DirectReport& kept) {
     if (badness(now) >= badness(kept)) kept = now;
 }
 
-void solveDirectly(Constraints<double>& c, Velocities v, const Settings& settings, double h,
+void solveDirectly(Constraints& c, Velocities v, const Settings& settings, double h,
                    StepReport& report) {
     beginSolving(c, v, settings, h);
-    GlobalRows<double> g = globalRows<double>(c, v, settings, h);
+    GlobalRows g = globalRows(c, v, settings, h);
     const std::optional<DirectReport> solved = solveDirect(g, c, static_cast<int>(v.size()));
     if (!solved) {
         report.trouble = Trouble::tooManyRows;
@@ -64,17 +64,17 @@ void solveDirectly(Constraints<double>& c, Velocities v, const Settings& setting
 
 }  // namespace
 
-void solveConstraints(Constraints<double>& c, JointTrees& trees, std::span<Velocity<double>> v,
+void solveConstraints(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                       const Settings& settings, double h, StepReport& report) {
     switch (settings.method) {
         case Method::impulses:
-            solveImpulses<double>(c, trees, v, settings, h, report.sweeps);
+            solveImpulses(c, trees, v, settings, h, report.sweeps);
             break;
         case Method::pgs:
-            solveByForces<Pgs<double>>(c, v, settings, h, report);
+            solveByForces<Pgs>(c, v, settings, h, report);
             break;
         case Method::pgsMatrix:
-            solveByForces<PgsMatrix<double>>(c, v, settings, h, report);
+            solveByForces<PgsMatrix>(c, v, settings, h, report);
             break;
         case Method::direct:
             solveDirectly(c, v, settings, h, report);
@@ -82,8 +82,8 @@ void solveConstraints(Constraints<double>& c, JointTrees& trees, std::span<Veloc
     }
 }
 
-void solveConstraints(Solver& solver, std::span<Velocity<double>> v, const Settings& settings,
-                      double h, StepReport& report) {
+void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
+                      StepReport& report) {
     if (solver.lanes)
         solveInLanes(solver, v, settings, h, report.sweeps);
     else

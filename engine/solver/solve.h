@@ -6,11 +6,11 @@
 namespace engine {
 
 /// h: length of the sub-step, s. Sets report.trouble where a method has to refuse.
-void solveConstraints(Constraints<double>& c, JointTrees& trees, std::span<Velocity<double>> v,
+void solveConstraints(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                       const Settings& settings, double h, StepReport& report);
 
 /// The same of a world's solver, which may hold its contacts in lanes.
-void solveConstraints(Solver& solver, std::span<Velocity<double>> v, const Settings& settings,
-                      double h, StepReport& report);
+void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
+                      StepReport& report);
 
 }  // namespace engine

@@ -10,7 +10,7 @@ constexpr int kHeavySubsteps = 8;
 constexpr double kCalm = 1.0;             // s
 
 /// omega^2 of a body pulled by the force f at the arm r: f r / I across the arm.
-double swingSquared(const InverseMass<double>& mass, const Vec3& arm, double force) {
+double swingSquared(const InverseMass& mass, const Vec3& arm, double force) {
     const double r = arm.norm();
     if (r == 0.0 || mass.linear == 0.0) return 0.0;
     const Vec3 along = arm / r;
@@ -31,7 +31,7 @@ double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const
                       double dt) {
     double most = 0.0;
     for (const int i : solver.trees.whole()) {
-        const JointConstraint<double>& c = solver.constraints.joints[i];
+        const JointConstraint& c = solver.constraints.joints[i];
         const Joint& joint = joints[c.joint];
         const double force = joint.force.norm();
         const double swing = larger(
@@ -66,14 +66,14 @@ int nextNumber(int number, int least) {
 void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& gravity,
                      Solver& solver, double dt) {
     if (solver.trees.empty()) return;
-    std::vector<Velocity<double>> v = bodies.velocities;
+    std::vector<Velocity> v = bodies.velocities;
     for (int i = 0; i < bodies.count(); ++i) {
-        const InverseMass<double>& m = bodies.inverseMasses[i];
+        const InverseMass& m = bodies.inverseMasses[i];
         if (!bodies.isDynamic(i)) continue;
         v[i].linear += dt * (gravity + m.linear * bodies.loads[i].force);
         v[i].angular += dt * (m.angular * bodies.loads[i].torque);
     }
-    Correction<double> unused;
+    Correction unused;
     solver.trees.beginStep();
     solver.trees.begin(0.0, 0.0, v);
     solver.trees.solveVelocities(v, unused);

@@ -110,8 +110,7 @@ TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& 
 
 /// J v
 template <int N>
-inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity<double>& a,
-                          const Velocity<double>& b) {
+inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity& a, const Velocity& b) {
     TreeRows<N> result;
     result.template head<3>() = (b.linear - a.linear) + b.angular.cross(joint.now.armB) -
                                 a.angular.cross(joint.now.armA);
@@ -141,9 +140,8 @@ inline void book(TreeJoint<N>& joint, const TreeRows<N>& lambda, double share) {
 
 /// v += M^-1 J^T lambda
 template <int N>
-inline void apply(const TreeJoint<N>& joint, const TreeRows<N>& lambda,
-           const InverseMass<double>& massA, const InverseMass<double>& massB,
-           Velocity<double>& a, Velocity<double>& b) {
+inline void apply(const TreeJoint<N>& joint, const TreeRows<N>& lambda, const InverseMass& massA,
+                  const InverseMass& massB, Velocity& a, Velocity& b) {
     const Vec3 push = lambda.template head<3>();
     Vec3 turnA = joint.now.armA.cross(push), turnB = joint.now.armB.cross(push);
     if constexpr (N > 3) {
@@ -174,8 +172,9 @@ Eigen::Matrix<double, N, Matrix::ColsAtCompileTime> leverTimes(const Vec3& r, co
 
 /// R_i I^-1 R_k^T + E E^T / m: what goes through one body from the arm of k to the arm of i.
 template <int N>
-inline TreeBlock<N> couplingThrough(const InverseMass<double>& mass, const Vec3& armI,
-                             const Twist<N>& twistI, const Vec3& armK, const Twist<N>& twistK) {
+inline TreeBlock<N> couplingThrough(const InverseMass& mass, const Vec3& armI,
+                                    const Twist<N>& twistI, const Vec3& armK,
+                                    const Twist<N>& twistK) {
     const Eigen::Matrix<double, 3, N> turn =
         leverTimes<N>(armK, twistK, mass.angular).transpose();  // I^-1 is symmetric
     TreeBlock<N> block = leverTimes<N>(armI, twistI, turn);

@@ -14,7 +14,7 @@ constexpr double kPlay = 1e-2;
 double feedbackShare(double ratio) { return clamped((0.04 - ratio) / 0.02, 0.0, 1.0); }
 
 template <int N>
-TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint<double>& constraint,
+TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint& constraint,
                        const Joint& joint) {
     TreeJoint<N> t;
     t.a = constraint.a, t.b = constraint.b;
@@ -56,22 +56,21 @@ int TreePart<N>::own(int body, int tree, std::vector<int>& places) {
 }
 
 template <int N>
-void TreePart<N>::build(const ForestPlan& plan, int fewest,
-                        std::span<const JointConstraint<double>> list,
+void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const JointConstraint> list,
                         std::span<const Joint> joints) {
     std::vector<int> placeHere(plan.places.size(), -1), ownPlaces;
     const auto isHere = [&](const ForestPlan::Place& place) {
         return plan.trees[place.tree].rows > fewest && plan.trees[place.tree].rows <= N;
     };
     int count = 0, bodies = 0;
-    for (const JointConstraint<double>& c : list) bodies = larger(bodies, larger(c.a, c.b) + 1);
+    for (const JointConstraint& c : list) bodies = larger(bodies, larger(c.a, c.b) + 1);
     for (std::size_t k = 0; k < plan.places.size(); ++k)
         if (isHere(plan.places[k])) placeHere[k] = count++;
     ownPlaces.assign(bodies, -1);
     for (const ForestPlan::Tree& tree : plan.trees) trees_.push_back({tree.whole});
     for (const ForestPlan::Place& place : plan.places) {
         if (!isHere(place)) continue;
-        const JointConstraint<double>& c = list[place.joint];
+        const JointConstraint& c = list[place.joint];
         TreeJoint<N>& joint = joints_.emplace_back(treeJoint<N>(place, c, joints[c.joint]));
         joint.tree = place.tree;
         trees_[place.tree].closed = trees_[place.tree].closed || place.closes;
@@ -97,7 +96,7 @@ void TreePart<N>::place(std::span<const Joint> joints, std::span<const Pose> pos
 }
 
 template <int N>
-void TreePart<N>::factor(std::span<const InverseMass<double>> masses) {
+void TreePart<N>::factor(std::span<const InverseMass> masses) {
     for (std::size_t i = 0; i < members_.size(); ++i) masses_[i] = masses[members_[i].body];
     for (int k = 0; k < factors_.count(); ++k) {
         const TreeJoint<N>& joint = joints_[k];
@@ -125,7 +124,7 @@ void TreePart<N>::factor(std::span<const InverseMass<double>> masses) {
 }
 
 template <int N>
-void TreePart<N>::warmStart(double keep, std::span<Velocity<double>> v) {
+void TreePart<N>::warmStart(double keep, std::span<Velocity> v) {
     for (TreeJoint<N>& joint : joints_) {
         // Of a rod that has turned: what is not along it any more no sweep would ever take back.
         TreeRows<N> lambda = keep * joint.lambda;
@@ -138,8 +137,8 @@ void TreePart<N>::warmStart(double keep, std::span<Velocity<double>> v) {
 }
 
 template <int N>
-void TreePart<N>::solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity<double>> v,
-                                  Correction<double>& correction) {
+void TreePart<N>::solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity> v,
+                                  Correction& correction) {
     if (wholeOnly && !anyWhole_) return;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         const TreeJoint<N>& joint = joints_[k];
@@ -180,7 +179,7 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
         if (tree.worst > nudge.most) x_[k] *= nudge.most / tree.worst;
         if (isInVain(tree)) x_[k].setZero();
     }
-    for (Velocity<double>& moved : moved_) moved = {};
+    for (Velocity& moved : moved_) moved = {};
     factors_.solve(x_, [&](int k, TreeRows<N>& lambda) {
         const TreeJoint<N>& joint = joints_[k];
         project(joint, lambda);
@@ -199,7 +198,7 @@ void TreePart<N>::limitMoves() {
     constexpr double kFar = 4.0;  // times the sum of a tree's errors
     for (Tree& tree : trees_) tree.farthest = 0.0;
     const auto wayOf = [&](int member, const Vec3& arm) {
-        const Velocity<double>& moved = moved_[member];
+        const Velocity& moved = moved_[member];
         return masses_[member].linear > 0.0 ? moved.linear.norm() + moved.angular.norm() * arm.norm()
                                             : 0.0;
     };

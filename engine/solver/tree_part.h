@@ -20,19 +20,19 @@ template <int N>
 class TreePart {
 public:
     /// The trees of the plan that have more than `fewest` rows a joint, and at most N.
-    void build(const ForestPlan& plan, int fewest, std::span<const JointConstraint<double>> list,
+    void build(const ForestPlan& plan, int fewest, std::span<const JointConstraint> list,
                std::span<const Joint> joints);
 
     /// J and C at the bodies' poses.
     void place(std::span<const Joint> joints, std::span<const Pose> poses);
     /// The factors of A, for J as it is; `masses` are those of the same poses.
-    void factor(std::span<const InverseMass<double>> masses);
+    void factor(std::span<const InverseMass> masses);
 
     /// Applies `keep` of the impulses of the last step; 0 only forgets them.
-    void warmStart(double keep, std::span<Velocity<double>> v);
+    void warmStart(double keep, std::span<Velocity> v);
     /// Afterwards J v + biasRate C = 0; of `wholeOnly` trees.
-    void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity<double>> v,
-                         Correction<double>& correction);
+    void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity> v,
+                         Correction& correction);
     /// Afterwards C = 0 to first order, and v as a whole tree's feedback wants it.
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
@@ -73,8 +73,8 @@ private:
     BlockFactors<N> factors_;
     std::vector<Tree> trees_;
     std::vector<Member> members_;
-    std::vector<InverseMass<double>> masses_;  // of the members
-    std::vector<Velocity<double>> moved_;      // of the members, by the nudge: m, rad
+    std::vector<InverseMass> masses_;  // of the members
+    std::vector<Velocity> moved_;      // of the members, by the nudge: m, rad
     std::vector<TreeRows<N>> x_;
     bool anyWhole_ = false;
 };

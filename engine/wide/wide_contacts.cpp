@@ -19,13 +19,13 @@ void set3(float (&x)[4], const Vec3& v) {
     for (int i = 0; i < 3; ++i) x[i] = static_cast<float>(v[i]);
 }
 Vec3 get3(const float (&x)[3][8], int lane) {
-    return Vec3T<float>(x[0][lane], x[1][lane], x[2][lane]).cast<double>();
+    return Eigen::Vector3f(x[0][lane], x[1][lane], x[2][lane]).cast<double>();
 }
 
 /// Apart from each other, so that no two threads write to one cache line.
 int wasteOf(int bodies, int half) { return bodies + 4 * (half + 1); }
 
-WideVelocity narrowed(const Velocity<double>& v) {
+WideVelocity narrowed(const Velocity& v) {
     WideVelocity w;
     set3(w.linear, v.linear), set3(w.angular, v.angular);
     return w;
@@ -177,7 +177,7 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
     for (int i = 0; i < ContactBatch::kPoints; ++i) fillNoPoint(batch, lane, i);
 }
 
-void WideContacts::begin(std::span<const Velocity<double>> v, const Settings& settings, double h) {
+void WideContacts::begin(std::span<const Velocity> v, const Settings& settings, double h) {
     if (empty()) return;
     step_.h = static_cast<float>(h);
     step_.slop = static_cast<float>(settings.slop);
@@ -214,13 +214,13 @@ SweepReport WideContacts::sweep(int group) {
     return sweepBatches(firstBatch_[group], firstBatch_[group + 1]);
 }
 
-void WideContacts::take(std::span<const Velocity<double>> v, std::span<const int> bodies) {
+void WideContacts::take(std::span<const Velocity> v, std::span<const int> bodies) {
     for (const int i : bodies)
         now_[i] = before_[i] = narrowed({v[i].linear - atStart_[i].linear,
                                          v[i].angular - atStart_[i].angular});
 }
 
-void WideContacts::give(Velocity<double>& v, int body) {
+void WideContacts::give(Velocity& v, int body) {
     const WideVelocity &now = now_[body], &before = before_[body];
     for (int k = 0; k < 3; ++k) {
         v.linear[k] += static_cast<double>(now.linear[k] - before.linear[k]);
@@ -229,11 +229,11 @@ void WideContacts::give(Velocity<double>& v, int body) {
     before_[body] = now;
 }
 
-void WideContacts::give(std::span<Velocity<double>> v, std::span<const int> bodies) {
+void WideContacts::give(std::span<Velocity> v, std::span<const int> bodies) {
     for (const int i : bodies) give(v[i], i);
 }
 
-void WideContacts::finish(std::span<Velocity<double>> v) {
+void WideContacts::finish(std::span<Velocity> v) {
     if (empty()) return;
     eachBody([&](int i) { give(v[i], i); });
     eachBatch([&](int k) { kernels_->book(batches_[k], records_[k]); });

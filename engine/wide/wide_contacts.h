@@ -36,17 +36,17 @@ public:
     const ContactGroups& groups() const { return groups_; }
 
     /// Biases and bounces of a sub-step of length h (s), from the velocities before solving.
-    void begin(std::span<const Velocity<double>> v, const Settings& settings, double h);
+    void begin(std::span<const Velocity> v, const Settings& settings, double h);
     void warmStart(int group);
     SweepReport sweep(int group);
     /// Warm start and sweeps of a large group (overlap.h), which may be shared by two threads.
     bool isLarge(int group) const { return middle_[group] < firstBatch_[group + 1]; }
     std::span<const SweepReport> solveLarge(int group, const SweepLimits& limits);
     /// Takes in the velocities of bodies that others have changed; gives back what sweeps changed.
-    void take(std::span<const Velocity<double>> v, std::span<const int> bodies);
-    void give(std::span<Velocity<double>> v, std::span<const int> bodies);
+    void take(std::span<const Velocity> v, std::span<const int> bodies);
+    void give(std::span<Velocity> v, std::span<const int> bodies);
     /// All of them, and the sub-step's impulses into the totals.
-    void finish(std::span<Velocity<double>> v);
+    void finish(std::span<Velocity> v);
 
     /// C of every point at the bodies' present poses; true: some overlap is deeper than the slop.
     bool separate(const Bodies& bodies, double slop);
@@ -67,7 +67,7 @@ private:
     void fillPoint(int batch, int lane, int i, const ContactPoint& from,
                    const ManifoldFrame& frame);
     void fillNoPoint(int batch, int lane, int i);
-    void give(Velocity<double>& v, int body);
+    void give(Velocity& v, int body);
     void store(int k, Contact& contact) const;
     SweepReport sweepBatches(int first, int end);
     int solveHalf(int group, int half, const SweepLimits& limits);
@@ -92,7 +92,7 @@ private:
     std::vector<BodyPair> pairs_;
     // Of every body; then a slot of zeros for empty lanes to read, and for either half one for waste.
     std::vector<WideVelocity> now_, before_, motions_, ways_;
-    std::vector<Velocity<double>> atStart_;  // of the sub-step, before solving
+    std::vector<Velocity> atStart_;          // of the sub-step, before solving
     std::vector<Pose> start_;                // where the rows were made
     std::vector<Mat3> axes_;                 // their rotations
     WideStep step_;

@@ -15,33 +15,31 @@ constexpr double kStep = 1.0 / 60.0;
 constexpr int kHeight = 10;  // boxes a stack
 
 struct Problem {
-    Constraints<double> constraints;
-    std::vector<Velocity<double>> velocities;
+    Constraints constraints;
+    std::vector<Velocity> velocities;
     JointTrees trees;
     Settings settings = Settings::seed();
 
     explicit Problem(int bodies) : velocities(bodies + 1) {
-        const InverseMass<double> still, box{1.0, 6.0 * Mat3::Identity()};
+        const InverseMass still, box{1.0, 6.0 * Mat3::Identity()};
         for (int i = 1; i <= bodies; ++i) {
             velocities[i].linear = {0.01 * (i % 7), -9.81 * kStep, 0.01 * (i % 5)};
             const bool lowest = (i - 1) % kHeight == 0;
             addContact(lowest ? 0 : i - 1, i, lowest ? still : box, box);
         }
         for (int i = 0; i < bodies; ++i) constraints.order.push_back(i);
-        beginSolving<double>(constraints, velocities, settings, kStep);
+        beginSolving(constraints, velocities, settings, kStep);
     }
 
-    void addContact(int a, int b, const InverseMass<double>& massA,
-                    const InverseMass<double>& massB) {
+    void addContact(int a, int b, const InverseMass& massA, const InverseMass& massB) {
         Contact contact;
         contact.a = a, contact.b = b, contact.count = 4, contact.friction = 0.6;
-        ContactGeometry<double> points[4];
+        ContactGeometry points[4];
         for (int i = 0; i < 4; ++i) {
             const double x = i % 2 ? 0.5 : -0.5, z = i / 2 ? 0.5 : -0.5;
             points[i] = {{x, 0.5, z}, {x, -0.5, z}, 0.0};
         }
-        constraints.contacts.push_back(
-            makeContactConstraint<double>(contact, points, massA, massB));
+        constraints.contacts.push_back(makeContactConstraint(contact, points, massA, massB));
     }
 
     int rows() const { return 12 * static_cast<int>(constraints.contacts.size()); }
@@ -56,16 +54,15 @@ void countRows(benchmark::State& state, const Problem& problem) {
 void impulses(benchmark::State& state) {
     Problem problem(static_cast<int>(state.range(0)));
     for (auto _ : state)
-        benchmark::DoNotOptimize(sweep<double>(problem.constraints, problem.trees,
-                                               problem.velocities, problem.settings));
+        benchmark::DoNotOptimize(
+            sweep(problem.constraints, problem.trees, problem.velocities, problem.settings));
     countRows(state, problem);
 }
 
 template <class Method>
 void forces(benchmark::State& state) {
     Problem problem(static_cast<int>(state.range(0)));
-    GlobalRows<double> rows =
-        globalRows<double>(problem.constraints, problem.velocities, problem.settings, kStep);
+    GlobalRows rows = globalRows(problem.constraints, problem.velocities, problem.settings, kStep);
     Method method(rows, static_cast<int>(problem.velocities.size()));
     for (auto _ : state) benchmark::DoNotOptimize(method.sweep());
     countRows(state, problem);
@@ -76,8 +73,8 @@ template <class Method>
 void preparation(benchmark::State& state) {
     Problem problem(static_cast<int>(state.range(0)));
     for (auto _ : state) {
-        GlobalRows<double> rows =
-            globalRows<double>(problem.constraints, problem.velocities, problem.settings, kStep);
+        GlobalRows rows =
+            globalRows(problem.constraints, problem.velocities, problem.settings, kStep);
         Method method(rows, static_cast<int>(problem.velocities.size()));
         benchmark::DoNotOptimize(method);
     }
@@ -85,10 +82,10 @@ void preparation(benchmark::State& state) {
 }
 
 BENCHMARK(impulses)->Name("sweep/impulses")->Arg(10)->Arg(100)->Arg(1000);
-BENCHMARK(forces<Pgs<double>>)->Name("sweep/pgs")->Arg(10)->Arg(100)->Arg(1000);
-BENCHMARK(forces<PgsMatrix<double>>)->Name("sweep/pgs-matrix")->Arg(10)->Arg(100)->Arg(1000);
-BENCHMARK(preparation<Pgs<double>>)->Name("before/pgs")->Arg(10)->Arg(100)->Arg(1000);
-BENCHMARK(preparation<PgsMatrix<double>>)->Name("before/pgs-matrix")->Arg(10)->Arg(100)->Arg(1000);
+BENCHMARK(forces<Pgs>)->Name("sweep/pgs")->Arg(10)->Arg(100)->Arg(1000);
+BENCHMARK(forces<PgsMatrix>)->Name("sweep/pgs-matrix")->Arg(10)->Arg(100)->Arg(1000);
+BENCHMARK(preparation<Pgs>)->Name("before/pgs")->Arg(10)->Arg(100)->Arg(1000);
+BENCHMARK(preparation<PgsMatrix>)->Name("before/pgs-matrix")->Arg(10)->Arg(100)->Arg(1000);
 
 }  // namespace
 

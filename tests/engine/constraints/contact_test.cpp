@@ -11,7 +11,7 @@ namespace {
 /// A body at rest relative to nothing: pose and velocity, moved on by a time t to second order.
 struct Moving {
     Pose pose;
-    Velocity<double> v;
+    Velocity v;
     Pose after(double t) const {
         return {pose.position + t * v.linear, cayley(t * v.angular, pose.rotation)};
     }
@@ -39,7 +39,7 @@ TEST(Contact, TheVelocityIsTheDerivativeOfTheGap) {
         const Vec3 n = a.pose.rotation * nLocal;
         const Vec3 ra = a.pose.rotation * anchorA, rb = b.pose.rotation * anchorB;
         const Vec3 d = b.pose.position + rb - a.pose.position - ra;
-        const Jacobian<double> j = alongDirection<double>(n, ra + d, rb);
+        const Jacobian j = alongDirection(n, ra + d, rb);
         const double dt = 1e-5;
         const double slope = (gap(dt) - gap(-dt)) / (2 * dt);
         EXPECT_NEAR(velocityAlong(j, a.v, b.v), slope, 1e-6 * larger(1.0, std::abs(slope)));
@@ -49,12 +49,12 @@ TEST(Contact, TheVelocityIsTheDerivativeOfTheGap) {
 // mission 13: J = [-n, -(r_a x n), n, r_b x n]
 TEST(Contact, HasTheFourBlocks) {
     const Vec3 n(0.6, 0.0, 0.8), ra(1, 2, 3), rb(-2, 1, 4);
-    const Jacobian<double> j = alongDirection<double>(n, ra, rb);
+    const Jacobian j = alongDirection(n, ra, rb);
     EXPECT_LT((j.angularA - -ra.cross(n)).norm(), 1e-15);
     EXPECT_LT((j.angularB - rb.cross(n)).norm(), 1e-15);
-    const Velocity<double> still;
+    const Velocity still;
     for (int i = 0; i < 3; ++i) {
-        const Velocity<double> one{Vec3::Unit(i), Vec3::Zero()};
+        const Velocity one{Vec3::Unit(i), Vec3::Zero()};
         EXPECT_EQ(velocityAlong(j, one, still), -n[i]);
         EXPECT_EQ(velocityAlong(j, still, one), n[i]);
     }
@@ -66,19 +66,18 @@ TEST(Contact, AGapAlongTheNormalDropsOutOfTheFullDerivative) {
     support::Random random(2);
     for (int i = 0; i < 100; ++i) {
         const Vec3 n = random.vector(1).normalized(), ra = random.vector(1);
-        const Jacobian<double> printed = alongDirection<double>(n, ra, Vec3::Zero());
-        const Jacobian<double> full =
-            alongDirection<double>(n, ra + random.number(-0.1, 0.1) * n, Vec3::Zero());
+        const Jacobian printed = alongDirection(n, ra, Vec3::Zero());
+        const Jacobian full = alongDirection(n, ra + random.number(-0.1, 0.1) * n, Vec3::Zero());
         EXPECT_LT((printed.angularA - full.angularA).norm(), 1e-15);
     }
 }
 
-ContactConstraint<double> onePoint(double mu) {
+ContactConstraint onePoint(double mu) {
     Contact contact;
     contact.a = 0, contact.b = 1, contact.count = 1;
     contact.friction = mu;
-    const ContactGeometry<double> point{Vec3::Zero(), Vec3::Zero(), 0.0};
-    return makeContactConstraint<double>(contact, &point, {}, {0.5, Mat3::Identity()});
+    const ContactGeometry point{Vec3::Zero(), Vec3::Zero(), 0.0};
+    return makeContactConstraint(contact, &point, {}, {0.5, Mat3::Identity()});
 }
 
 // mission 18: lambda in [0, inf), and it is the total that is clamped
@@ -94,11 +93,11 @@ TEST(Contact, OnlyPushesInTotal) {
 TEST(Friction, IsACone) {
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const double angle = degrees * 3.14159265358979 / 180;
-        ContactConstraint<double> c = onePoint(0.5);
+        ContactConstraint c = onePoint(0.5);
         c.rows[0].lambda = 1.0;
-        Velocity<double> a, b;
+        Velocity a, b;
         b.linear = Vec3(3 * std::cos(angle), 0, 3 * std::sin(angle));
-        Correction<double> correction;
+        Correction correction;
         solveFriction(c, a, b, correction);
         EXPECT_NEAR(c.rows[0].friction.norm(), 0.5, 1e-14);
         EXPECT_NEAR(b.linear.norm(), 3.0 - 0.5 * 0.5, 1e-14);  // straight back: mu lambda / m
@@ -107,10 +106,10 @@ TEST(Friction, IsACone) {
 }
 
 TEST(Friction, StopsASlowSlipWithLessThanItsLimit) {
-    ContactConstraint<double> c = onePoint(0.5);
+    ContactConstraint c = onePoint(0.5);
     c.rows[0].lambda = 1.0;
-    Velocity<double> a, b{{0.1, 0, 0.1}, Vec3::Zero()};
-    Correction<double> correction;
+    Velocity a, b{{0.1, 0, 0.1}, Vec3::Zero()};
+    Correction correction;
     solveFriction(c, a, b, correction);
     EXPECT_LT(b.linear.norm(), 1e-16);
     EXPECT_NEAR(c.rows[0].friction.norm(), 0.1 * std::sqrt(2.0) * 2.0, 1e-14);

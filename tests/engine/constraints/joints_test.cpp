@@ -21,7 +21,7 @@ constexpr JointType kAll[] = {
 struct State {
     Joint joint;
     Pose a, b;
-    Velocity<double> va, vb;
+    Velocity va, vb;
 
     State(JointType type, support::Random& random) {
         joint.def.type = type;
@@ -37,13 +37,13 @@ struct State {
         a = {random.vector(2), random.rotation()}, b = {random.vector(2), random.rotation()};
         va = {random.vector(2), random.vector(2)}, vb = {random.vector(2), random.vector(2)};
     }
-    static Pose moved(const Pose& pose, const Velocity<double>& v, double t) {
+    static Pose moved(const Pose& pose, const Velocity& v, double t) {
         return {pose.position + t * v.linear, cayley(t * v.angular, pose.rotation)};
     }
-    JointRows<double> rows(double t) const {
+    JointRows rows(double t) const {
         return rowsOf(joint.def.type, geometryOf(joint, moved(a, va, t), moved(b, vb, t)));
     }
-    JointRows<double> coordinates(double t) const {
+    JointRows coordinates(double t) const {
         return coordinatesOf(joint, moved(a, va, t), moved(b, vb, t));
     }
 };
@@ -52,7 +52,7 @@ struct State {
 template <class At>
 void expectDerivative(const State& state, At at) {
     const double dt = 1e-5;
-    const JointRows<double> now = at(0.0), before = at(-dt), after = at(dt);
+    const JointRows now = at(0.0), before = at(-dt), after = at(dt);
     for (int k = 0; k < now.count; ++k) {
         const double change = after.error[k] - before.error[k];
         const double slope = change / (2 * dt);
@@ -121,15 +121,15 @@ TEST(PathJoint, JvIsTheDerivativeOfCOnTheCurve) {
         state.joint.nearest = t;
         const Vec3 at = state.a.toWorld(curveAt(state.joint.def.path, false, t).at);
         state.b.position = at - state.b.rotation * state.joint.def.anchorB;
-        const JointRows<double> now = state.rows(0.0);
+        const JointRows now = state.rows(0.0);
         const double dt = 1e-6;
-        const JointGeometry<double> g = geometryOf(state.joint, state.a, state.b);
+        const JointGeometry g = geometryOf(state.joint, state.a, state.b);
         for (int k = 0; k < 2; ++k) {
             EXPECT_NEAR(now.error[k], 0.0, 1e-12);
             const auto error = [&](double when) {  // along the row's direction as it turns with a
                 const Pose a = State::moved(state.a, state.va, when);
                 const Pose b = State::moved(state.b, state.vb, when);
-                const JointGeometry<double> then = geometryOf(state.joint, a, b);
+                const JointGeometry then = geometryOf(state.joint, a, b);
                 const Vec3 held = a.rotation * (state.a.rotation.conjugate() * g.acrossPath[k]);
                 return held.dot(then.fromPath);
             };
@@ -156,7 +156,7 @@ TEST(DistanceJoint, IsTheDistanceLessTheLength) {
     Joint joint;
     joint.def.type = JointType::distance;
     joint.def.length = 4.0;
-    const JointRows<double> rows =
+    const JointRows rows =
         rowsOf(JointType::distance, geometryOf(joint, {}, {{3, 4, 0}, Quat::Identity()}));
     EXPECT_NEAR(rows.error[0], 1.0, 1e-15);
     EXPECT_LT((rows.j[0].linear - Vec3(0.6, 0.8, 0)).norm(), 1e-15);  // unit(p - p0)
@@ -168,12 +168,12 @@ TEST(DistanceJoint, GivesTheSeedsImpulseAtAnArm) {
     joint.def.type = JointType::distance;
     joint.def.length = 4.0;
     joint.def.anchorB = {0, -0.5, 0};
-    const JointRows<double> rows =
+    const JointRows rows =
         rowsOf(JointType::distance, geometryOf(joint, {}, {{3, 4.5, 0}, Quat::Identity()}));
-    const Row<double> row = makeRow<double>(rows.j[0], {}, {0.5, Mat3::Identity() / 0.4});
+    const Row row = makeRow(rows.j[0], {}, {0.5, Mat3::Identity() / 0.4});
     EXPECT_NEAR(rows.error[0], 1.0, 1e-15);
     EXPECT_NEAR(row.k, 0.725, 1e-15);
-    EXPECT_NEAR(correctiveImpulse<double>(row, 0.0, {}, {{1, 2, 3}, {0, 0, 1}}), -3.4482759, 5e-8);
+    EXPECT_NEAR(correctiveImpulse(row, 0.0, {}, {{1, 2, 3}, {0, 0, 1}}), -3.4482759, 5e-8);
 }
 
 }  // namespace

@@ -11,17 +11,17 @@ constexpr int kBoxes = 5;
 
 /// Five unit boxes of 2 kg, one on the other: four contact points a face, written by hand.
 struct Pile {
-    Constraints<double> constraints;
-    std::vector<Velocity<double>> v{kBoxes + 1};
+    Constraints constraints;
+    std::vector<Velocity> v{kBoxes + 1};
     JointTrees trees;
 
     Pile() {
-        const InverseMass<double> still, box{0.5, 3.0 * Mat3::Identity()};  // I = m / 6
+        const InverseMass still, box{0.5, 3.0 * Mat3::Identity()};  // I = m / 6
         const double corners[4][2] = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}};
         for (int i = 0; i < kBoxes; ++i) {
             Contact contact;
             contact.a = i, contact.b = i + 1, contact.count = 4;
-            ContactGeometry<double> points[4];
+            ContactGeometry points[4];
             for (int k = 0; k < 4; ++k)
                 points[k] = {{corners[k][0], 0.5, corners[k][1]},
                              {corners[k][0], -0.5, corners[k][1]}, 0.0};
@@ -34,7 +34,7 @@ struct Pile {
         for (int i = 1; i <= kBoxes; ++i)
             v[i].linear.y() -= support::kGravity * support::kStep;
         std::vector<SweepReport> report;
-        solveImpulses<double>(constraints, trees, v, Settings::seed(), support::kStep, report);
+        solveImpulses(constraints, trees, v, Settings::seed(), support::kStep, report);
     }
     /// N: sum of lambda / dt over the points of a contact.
     double force(int contact) const {

@@ -11,17 +11,17 @@ constexpr int kSpheres = 10;
 
 /// One point per pair, on the common axis: nothing turns, every ball weighs 1 kg.
 struct Tower {
-    Constraints<double> constraints;
-    std::vector<Velocity<double>> v{kSpheres + 1};
+    Constraints constraints;
+    std::vector<Velocity> v{kSpheres + 1};
     JointTrees trees;
     Settings settings = Settings::seed();
 
     Tower() {
-        const InverseMass<double> still, ball{1.0, 10.0 * Mat3::Identity()};
+        const InverseMass still, ball{1.0, 10.0 * Mat3::Identity()};
         for (int i = 0; i < kSpheres; ++i) {
             Contact contact;
             contact.a = i, contact.b = i + 1, contact.count = 1;
-            const ContactGeometry<double> point{{0, 0.5, 0}, {0, -0.5, 0}, 0.0};
+            const ContactGeometry point{{0, 0.5, 0}, {0, -0.5, 0}, 0.0};
             constraints.contacts.push_back(
                 makeContactConstraint(contact, &point, i == 0 ? still : ball, ball));
             constraints.order.push_back(i);
@@ -35,7 +35,7 @@ struct Tower {
             v[i].linear.y() = -support::kGravity * support::kStep;
         }
         std::vector<SweepReport> report;
-        solveImpulses<double>(constraints, trees, v, settings, support::kStep, report);
+        solveImpulses(constraints, trees, v, settings, support::kStep, report);
     }
     /// A contact's impulse against what the balls above it weigh in a step.
     double share(int contact) const {

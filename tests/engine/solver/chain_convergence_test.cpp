@@ -12,23 +12,23 @@ constexpr double kWeight = support::kGravity * support::kStep;  // N s: 1 kg in 
 /// Balls of 1 kg hanging one below the other, a row along y for each link, the top one first. The
 /// exact impulse of a link is what hangs on it.
 struct HangingChain {
-    Constraints<double> constraints;
-    std::vector<Velocity<double>> v;
+    Constraints constraints;
+    std::vector<Velocity> v;
     JointTrees trees;
 
     explicit HangingChain(int count) : v(count + 1) {
-        const InverseMass<double> still, ball{1.0, 10.0 * Mat3::Identity()};
+        const InverseMass still, ball{1.0, 10.0 * Mat3::Identity()};
         for (int i = 0; i < count; ++i) {
-            JointConstraint<double> link;
+            JointConstraint link;
             link.a = i, link.b = i + 1, link.count = 1;
             const Vec3 none = Vec3::Zero();
-            link.rows[0] = makeRow(alongDirection<double>({0, 1, 0}, none, none),
-                                   i == 0 ? still : ball, ball);
+            link.rows[0] =
+                makeRow(alongDirection({0, 1, 0}, none, none), i == 0 ? still : ball, ball);
             constraints.joints.push_back(link);
             v[i + 1].linear.y() = -kWeight;
         }
     }
-    SweepReport sweepOnce() { return sweep<double>(constraints, trees, v, Settings::seed()); }
+    SweepReport sweepOnce() { return sweep(constraints, trees, v, Settings::seed()); }
     /// The smallest share of its exact impulse that any link has.
     double share() const {
         const int count = static_cast<int>(constraints.joints.size());
@@ -81,7 +81,7 @@ TEST(ChainConvergence, WhatIsReportedBoundsWhatIsLeft) {
     for (int i = 0; i < 50; ++i) {
         const double residual = chain.sweepOnce().residual;
         double left = 0.0;
-        for (const JointConstraint<double>& link : chain.constraints.joints)
+        for (const JointConstraint& link : chain.constraints.joints)
             left = larger(left, std::abs(velocityAlong(link.rows[0].j, chain.v[link.a],
                                                        chain.v[link.b])));
         EXPECT_LE(left, residual) << i;

@@ -10,12 +10,12 @@ namespace engine {
 namespace {
 
 struct Collision {
-    InverseMass<double> massA, massB;
+    InverseMass massA, massB;
     Vec3 ra, rb, n;
-    Velocity<double> a, b;
+    Velocity a, b;
 };
 
-InverseMass<double> boxMass(support::Random& random) {
+InverseMass boxMass(support::Random& random) {
     const double m = random.number(0.5, 20.0);
     const Vec3 edge = random.vector(0.7).cwiseAbs() + Vec3::Constant(0.2);
     const Vec3 s = edge.cwiseProduct(edge);
@@ -51,18 +51,18 @@ TEST(Eberly, EqualsTheSequentialImpulse) {
         Contact contact;
         contact.a = 0, contact.b = 1, contact.count = 1;
         contact.normal = c.n, contact.restitution = e;
-        const ContactGeometry<double> point{c.ra, c.rb, 0.0};
-        Constraints<double> constraints;
+        const ContactGeometry point{c.ra, c.rb, 0.0};
+        Constraints constraints;
         constraints.contacts.push_back(makeContactConstraint(contact, &point, c.massA, c.massB));
         constraints.order = {0};
-        std::vector<Velocity<double>> v{c.a, c.b};
+        std::vector<Velocity> v{c.a, c.b};
         std::vector<SweepReport> report;
         JointTrees trees;
-        solveImpulses<double>(constraints, trees, v, Settings::seed(), support::kStep, report);
+        solveImpulses(constraints, trees, v, Settings::seed(), support::kStep, report);
         const double expected = eberly(c, e);
         EXPECT_NEAR(constraints.contacts[0].rows[0].lambda, expected, 1e-12 * expected);
         // mission 34: J v2 = -e J v1
-        const Jacobian<double> j = alongDirection(c.n, c.ra, c.rb);
+        const Jacobian j = alongDirection(c.n, c.ra, c.rb);
         const double approach = velocityAlong(j, c.a, c.b);
         EXPECT_NEAR(velocityAlong(j, v[0], v[1]), -e * approach, 1e-12 * std::abs(approach));
     }

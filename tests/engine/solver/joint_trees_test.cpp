@@ -13,7 +13,7 @@ namespace {
 struct Jointed {
     Bodies bodies;
     std::vector<Joint> joints;
-    std::vector<JointConstraint<double>> list;
+    std::vector<JointConstraint> list;
     JointTrees trees;
     support::Random random;
 
@@ -47,7 +47,7 @@ struct Jointed {
     void build() {
         list.clear();
         for (const Joint& joint : joints) {
-            JointConstraint<double> c;
+            JointConstraint c;
             c.a = joint.def.a.index, c.b = joint.def.b.index;
             c.joint = static_cast<int>(list.size());
             c.count = rowCount(joint.def.type);
@@ -56,12 +56,12 @@ struct Jointed {
         trees.build(list, joints, bodies.inverseMasses);
         trees.prepare(joints, bodies);
     }
-    Correction<double> solve() {
-        Correction<double> correction;
+    Correction solve() {
+        Correction correction;
         trees.solveVelocities(bodies.velocities, correction);
         return correction;
     }
-    JointRows<double> rows(const Joint& joint) const {
+    JointRows rows(const Joint& joint) const {
         return rowsOf(joint.def.type, geometryOf(joint, bodies.poses[joint.def.a.index],
                                                  bodies.poses[joint.def.b.index]));
     }
@@ -69,7 +69,7 @@ struct Jointed {
     double worst(bool ofError) const {
         double most = 0.0;
         for (std::size_t k = 0; k < joints.size(); ++k) {
-            const JointRows<double> r = rows(joints[k]);
+            const JointRows r = rows(joints[k]);
             const JointDef& def = joints[k].def;
             for (int i = 0; i < r.count && list[k].inTree; ++i)
                 most = larger(most, std::abs(ofError ? r.error[i]
@@ -121,7 +121,7 @@ TEST(JointTrees, AgreeWithTheDenseSystem) {
     Eigen::VectorXd rhs(rows);
     int r = 0;
     for (const Joint& joint : j.joints) {
-        const JointRows<double> made = j.rows(joint);
+        const JointRows made = j.rows(joint);
         const int a = joint.def.a.index, b = joint.def.b.index;
         for (int i = 0; i < made.count; ++i, ++r) {
             jacobian.row(r).segment<3>(6 * a) -= made.j[i].linear.transpose();
@@ -160,7 +160,7 @@ TEST_P(EveryType, ANudgePutsAllErrorsRight) {
     }
     j.build();
     EXPECT_GT(j.worst(true), 1e-5);
-    const std::vector<Velocity<double>> before = j.bodies.velocities;
+    const std::vector<Velocity> before = j.bodies.velocities;
     j.trees.nudge({0.2, 0.0}, j.joints, j.bodies);
     EXPECT_LT(j.worst(true), 1e-6);
     for (int i = 1; i < 30; ++i) {

@@ -27,8 +27,8 @@ private:
     std::uint64_t state_ = 20151;
 };
 
-InverseMass<double> randomMass(Numbers& numbers) {
-    InverseMass<double> mass;
+InverseMass randomMass(Numbers& numbers) {
+    InverseMass mass;
     mass.linear = 1.0 + 0.5 * numbers.next();
     const Mat3 m = crossMatrix(numbers.vector());
     mass.angular = 3.0 * Mat3::Identity() - 0.5 * m * m;
@@ -38,13 +38,13 @@ InverseMass<double> randomMass(Numbers& numbers) {
 /// Five bodies, two of them linked by a ball joint, and five contacts of four points with friction:
 /// 63 rows, 40 of them tangents.
 struct Problem {
-    Constraints<double> constraints;
-    std::vector<Velocity<double>> v{6};
+    Constraints constraints;
+    std::vector<Velocity> v{6};
     JointTrees trees;
 
     Problem() {
         Numbers numbers;
-        std::vector<InverseMass<double>> masses(6);
+        std::vector<InverseMass> masses(6);
         for (int i = 1; i < 6; ++i) {
             masses[i] = randomMass(numbers);
             v[i] = {numbers.vector() - Vec3(0, 2, 0), numbers.vector()};
@@ -54,38 +54,37 @@ struct Problem {
         constraints.order = {0, 1, 2, 3, 4};
     }
 
-    void addJoint(Numbers& numbers, const std::vector<InverseMass<double>>& masses) {
-        JointConstraint<double> joint;
+    void addJoint(Numbers& numbers, const std::vector<InverseMass>& masses) {
+        JointConstraint joint;
         joint.a = 2, joint.b = 4, joint.count = 3;
         const Vec3 armA = numbers.vector(), armB = numbers.vector();
         for (int i = 0; i < 3; ++i) {
-            joint.rows[i] = makeRow(alongDirection<double>(Vec3::Unit(i), armA, armB),
-                                    masses[joint.a], masses[joint.b]);
+            joint.rows[i] = makeRow(alongDirection(Vec3::Unit(i), armA, armB), masses[joint.a],
+                                    masses[joint.b]);
             joint.lambda[i] = 0.1 * numbers.next();
         }
         constraints.joints.push_back(joint);
     }
 
-    void addContact(Numbers& numbers, const std::vector<InverseMass<double>>& masses, int a,
-                    int b) {
+    void addContact(Numbers& numbers, const std::vector<InverseMass>& masses, int a, int b) {
         Contact contact;
         contact.a = a, contact.b = b, contact.count = 4;
         contact.normal = (Vec3::UnitY() + 0.3 * numbers.vector()).normalized();
         contact.friction = 0.4;
-        ContactGeometry<double> points[4];
+        ContactGeometry points[4];
         for (int i = 0; i < 4; ++i) {
             points[i] = {numbers.vector(), numbers.vector(), 0.002 * numbers.next()};
             contact.points[i].impulse = 0.2 + 0.1 * numbers.next();  // from a step before
             contact.points[i].friction = 0.02 * numbers.vector();
         }
         constraints.contacts.push_back(
-            makeContactConstraint<double>(contact, points, masses[a], masses[b]));
+            makeContactConstraint(contact, points, masses[a], masses[b]));
     }
 
     std::vector<double> impulses() const {
         std::vector<double> all(constraints.joints[0].lambda.begin(),
                                 constraints.joints[0].lambda.begin() + 3);
-        for (const ContactConstraint<double>& contact : constraints.contacts) {
+        for (const ContactConstraint& contact : constraints.contacts) {
             for (int i = 0; i < 4; ++i) all.push_back(contact.rows[i].lambda);
             for (int i = 0; i < 4; ++i)
                 for (int t = 0; t < 2; ++t) all.push_back(contact.rows[i].friction[t]);
@@ -96,7 +95,7 @@ struct Problem {
 
 template <class Method>
 class PgsForms : public testing::Test {};
-using Forms = testing::Types<Pgs<double>, PgsMatrix<double>>;
+using Forms = testing::Types<Pgs, PgsMatrix>;
 TYPED_TEST_SUITE(PgsForms, Forms);
 
 TYPED_TEST(PgsForms, GiveTheImpulsesAfterEverySweep) {
@@ -104,15 +103,15 @@ TYPED_TEST(PgsForms, GiveTheImpulsesAfterEverySweep) {
     Settings settings = Settings::seed();
     settings.baumgarte = 0.2, settings.nudges = 0;
     const double h = support::kStep;
-    beginSolving<double>(swept.constraints, swept.v, settings, h);
-    beginSolving<double>(forces.constraints, forces.v, settings, h);
-    GlobalRows<double> rows = globalRows<double>(forces.constraints, forces.v, settings, h);
+    beginSolving(swept.constraints, swept.v, settings, h);
+    beginSolving(forces.constraints, forces.v, settings, h);
+    GlobalRows rows = globalRows(forces.constraints, forces.v, settings, h);
     ASSERT_EQ(rows.count(), 63);
     TypeParam pgs(rows, 6);
-    warmStart<double>(swept.constraints, swept.v, settings);
+    warmStart(swept.constraints, swept.v, settings);
     double largest = 0.0;
     for (int i = 0; i < 200; ++i) {
-        const SweepReport a = sweep<double>(swept.constraints, swept.trees, swept.v, settings);
+        const SweepReport a = sweep(swept.constraints, swept.trees, swept.v, settings);
         const SweepReport b = pgs.sweep();
         EXPECT_NEAR(a.residual, b.residual, 1e-10) << "sweep " << i;
         const std::vector<double> impulses = swept.impulses();
@@ -130,12 +129,12 @@ TYPED_TEST(PgsForms, GiveTheVelocities) {
     settings.sweeps = settings.minSweeps = 50;
     const double h = support::kStep;
     std::vector<SweepReport> report;
-    solveImpulses<double>(swept.constraints, swept.trees, swept.v, settings, h, report);
-    beginSolving<double>(forces.constraints, forces.v, settings, h);
-    GlobalRows<double> rows = globalRows<double>(forces.constraints, forces.v, settings, h);
+    solveImpulses(swept.constraints, swept.trees, swept.v, settings, h, report);
+    beginSolving(forces.constraints, forces.v, settings, h);
+    GlobalRows rows = globalRows(forces.constraints, forces.v, settings, h);
     TypeParam pgs(rows, 6);
     for (int i = 0; i < 50; ++i) pgs.sweep();
-    takeForces<double>(rows, forces.constraints, forces.v);
+    takeForces(rows, forces.constraints, forces.v);
     for (int i = 0; i < 6; ++i) {
         EXPECT_NEAR((swept.v[i].linear - forces.v[i].linear).norm(), 0.0, 1e-12);
         EXPECT_NEAR((swept.v[i].angular - forces.v[i].angular).norm(), 0.0, 1e-12);
@@ -144,8 +143,8 @@ TYPED_TEST(PgsForms, GiveTheVelocities) {
 
 TEST(Pgs, TheMatrixIsSymmetricWithKOnItsDiagonal) {
     Problem problem;
-    const GlobalRows<double> rows =
-        globalRows<double>(problem.constraints, problem.v, Settings::seed(), support::kStep);
+    const GlobalRows rows =
+        globalRows(problem.constraints, problem.v, Settings::seed(), support::kStep);
     const Eigen::MatrixXd a = systemMatrix(rows, 6);
     EXPECT_NEAR((a - a.transpose()).cwiseAbs().maxCoeff(), 0.0, 1e-14);
     for (int i = 0; i < rows.count(); ++i) EXPECT_NEAR(a(i, i), rows.rows[i].row.k, 1e-14);

@@ -9,18 +9,18 @@ namespace {
 
 /// Spheres one on the other, a contact for each, the lowest first; they have fallen for one step.
 struct SphereStack {
-    Constraints<double> constraints;
-    std::vector<Velocity<double>> v{1};
+    Constraints constraints;
+    std::vector<Velocity> v{1};
     std::vector<double> exact;  // N s: what lies on each contact
 
     explicit SphereStack(const std::vector<double>& masses) {
-        InverseMass<double> below;
+        InverseMass below;
         for (const double mass : masses) {
-            const InverseMass<double> ball{1.0 / mass, 10.0 / mass * Mat3::Identity()};
+            const InverseMass ball{1.0 / mass, 10.0 / mass * Mat3::Identity()};
             const int i = static_cast<int>(exact.size());
             Contact contact;
             contact.a = i, contact.b = i + 1, contact.count = 1;
-            const ContactGeometry<double> point{{0, 0.5, 0}, {0, -0.5, 0}, 0.0};
+            const ContactGeometry point{{0, 0.5, 0}, {0, -0.5, 0}, 0.0};
             constraints.contacts.push_back(makeContactConstraint(contact, &point, below, ball));
             constraints.order.push_back(i);
             v.push_back({{0, -support::kGravity * support::kStep, 0}, Vec3::Zero()});
@@ -42,7 +42,7 @@ int stackSweepsTo95Percent(const std::vector<double>& masses) {
     JointTrees trees;
     int sweeps = 0;
     while (stack.share() < 0.95)
-        sweep<double>(stack.constraints, trees, stack.v, Settings::seed()), ++sweeps;
+        sweep(stack.constraints, trees, stack.v, Settings::seed()), ++sweeps;
     return sweeps;
 }
 
