@@ -6,17 +6,23 @@
 #include <charconv>
 
 #include "demos/commands/commands.h"
-#include "demos/file_content.h"
-#include "demos/film/folder_lock.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
+#include "demos/processes/folder_lock.h"
 #include "demos/regression/accept.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/verdict_json.h"
-#include "demos/scene/complaints.h"
-#include "demos/scene/nearest.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {
+
+struct ApproveOptions : Options {
+    std::string results = "output/test";  // of which test
+    bool all = false, prune = false;
+};
 
 namespace fs = std::filesystem;
 
@@ -69,7 +75,7 @@ void checkContract(const SceneVerdict& scene) {
 
 class Approval {
 public:
-    explicit Approval(const Options& options)
+    explicit Approval(const ApproveOptions& options)
         : options_(options), talk_(options, false), results_(options.results) {}
 
     Exit run() {
@@ -166,15 +172,40 @@ private:
         talk_.say("removed " + printable(file.string()));
     }
 
-    const Options& options_;
+    const ApproveOptions& options_;
     Talk talk_;
     fs::path results_;
     TestVerdict verdict_;
     int accepted_ = 0, pruned_ = 0;
 };
 
+Exit approve(const ApproveOptions& options) { return Approval(options).run(); }
+
+Run addApprove(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<ApproveOptions>>();
+    auto& options = asked->options;
+    app.add_option("name", options.scenes,
+                   "a scene, one picture (NAME@TIME) or its physics (NAME@physics)")
+        ->type_name("NAME")
+        ->expected(0, kMostScenes);
+    app.add_flag("--all", options.all,
+                 "everything that the last test found different; default: off");
+    app.add_flag("--prune", options.prune,
+                 "remove baselines that no scene asks for any more; default: off");
+    app.add_option("--results", options.results, "the folder of impulse test; default: output/test")
+        ->type_name("DIR");
+    addFeedback(app, options);
+    return
+        [asked](const std::string& commandLine) { return approve(settled(*asked, commandLine)); };
+}
+
 }  // namespace
 
-Exit approveCommand(const Options& options) { return Approval(options).run(); }
+Command approveCommand() {
+    return {"approve",
+            "take what a test drew as the new baseline",
+            {"impulse approve stack@2.5 wall", "impulse approve --all", "impulse approve --prune"},
+            addApprove};
+}
 
 }  // namespace demos

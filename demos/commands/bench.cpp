@@ -6,19 +6,26 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/film_plan.h"
+#include "demos/film/film_timing.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
-#include "demos/hex_text.h"
-#include "demos/report/film_timing.h"
-#include "demos/report/timing.h"
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
+#include "demos/load/builtin.h"
+#include "demos/measures/timing.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/shell_word.h"
 #include "render/error.h"
 
 namespace demos {
 namespace {
+
+struct BenchOptions : Options {
+    bool film = false;    // time drawing instead of steps
+    bool phases = false;  // and every phase of the loop
+    std::string against;  // an earlier run's JSON lines
+};
 
 /// One scene of an earlier run.
 struct Earlier {
@@ -84,7 +91,8 @@ void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     std::fflush(stdout);
 }
 
-void benchScene(const SceneDescription& scene, const EarlierRun& earlier, const Options& options) {
+void benchScene(const SceneDescription& scene, const EarlierRun& earlier,
+                const BenchOptions& options) {
     const Timing timing = timeScene(scene);
     PhaseTimes phases{};
     if (options.phases) phases = timePhases(scene);
@@ -119,30 +127,28 @@ void sayFilmHeader() {
     fmt::print(" {:>8} {:>6} {:>9} {:>8}\n", "drawing", "kB", "frames/s", "of goal");
 }
 
-void benchFilm(const Options& options) {
+void benchFilm(const BenchOptions& options) {
     const FilmPlan plan = planFilm(options);
     const FilmTiming timing = timeFilm(plan, options.jobs);
     (options.json ? sayFilmJson : sayFilm)(plan, timing);
     std::fflush(stdout);
 }
 
-}  // namespace
-
-Exit benchCommand(const Options& options) {
+Exit bench(const BenchOptions& options) {
     std::vector<std::string> scenes = options.scenes;
     if (scenes.empty())
         for (const BuiltinScene& scene : builtinScenes()) scenes.emplace_back(scene.name);
     EarlierRun earlier;
     if (!options.against.empty()) earlier = readEarlier(options.against);
     watchSignals();
-    if (options.benchFilm && !options.json && !options.quiet) sayFilmHeader();
-    if (!options.benchFilm && !options.json && !options.quiet)
+    if (options.film && !options.json && !options.quiet) sayFilmHeader();
+    if (!options.film && !options.json && !options.quiet)
         fmt::print("{:18} {:>6} {:>6} {:>8}  {:>8} {:>8} {:>8}  {:>8}  {}\n", "scene", "bodies",
                    "joints", "contacts", "ms/step", "least", "most", "ns/point", "state");
     for (const std::string& name : scenes) {
-        Options one = options;
+        BenchOptions one = options;
         one.scenes = {name};
-        if (options.benchFilm)
+        if (options.film)
             benchFilm(one);
         else
             benchScene(sceneOf(one), earlier, options);
@@ -150,6 +156,38 @@ Exit benchCommand(const Options& options) {
     const Talk talk(options, false);
     talk.say(fmt::format("next: impulse bench {} --json", printable(shellWord(scenes.front()))));
     return Exit::ok;
+}
+
+Run addBench(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<BenchOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    app.get_option("scene")->expected(0, kMostScenes)->required(false);
+    addSeconds(app, options);
+    app.add_flag("--film", options.film,
+                 "processor time of every stage of a frame, and frames/s, of the film as it would "
+                 "be rendered with the options below; default: off");
+    addPicture(app, options, texts);
+    addJobs(app, options);
+    app.add_flag("--phases", options.phases,
+                 "ms of every phase of the step, from a second run; default: off");
+    app.add_option("--against", options.against,
+                   "compare with an earlier 'impulse bench --json > FILE'; default: none")
+        ->type_name("FILE");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) { return bench(settled(*asked, commandLine)); };
+}
+
+}  // namespace
+
+Command benchCommand() {
+    return {
+        "bench",
+        "time per step over the last 2 s of a scene, or per frame of its film",
+        {"impulse bench stack chain --json", "impulse bench wall --phases --against before.json",
+         "impulse bench wall --film -q film"},
+        addBench};
 }
 
 }  // namespace demos

@@ -5,20 +5,22 @@
 #include <optional>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/runs_command.h"
+#include "demos/comparisons/comparing.h"
+#include "demos/comparisons/comparisons.h"
+#include "demos/comparisons/measure_table.h"
 #include "demos/figure/runs_figure.h"
 #include "demos/film/film.h"
 #include "demos/film/plot_strip.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
 #include "demos/film/variant_panels.h"
-#include "demos/report/comparing.h"
-#include "demos/report/comparisons.h"
-#include "demos/report/measure_table.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {
 
-void sayComparisons(const Options& options) {
+void sayComparisons(const CompareOptions& options) {
     for (const Comparison& comparison : builtinComparisons()) {
         if (options.json)
             fmt::print("{{\"name\":{},\"scene\":{},\"point\":{}}}\n", jsonString(comparison.name),
@@ -63,9 +65,7 @@ RunsFigure figureOf(const Comparing& plan) {
     return RunsFigure(std::move(settings), plan.options);
 }
 
-}  // namespace
-
-Exit compareCommand(const Options& options) {
+Exit compare(const CompareOptions& options) {
     if (options.listOnly) {
         sayComparisons(options);
         return Exit::ok;
@@ -78,7 +78,12 @@ Exit compareCommand(const Options& options) {
                                             fmt::join(names, ", ")));
     }
     const Comparing plan = comparingOf(options);
-    checkFigureOptions(options);
+    if (!options.film && !options.outputs.empty())
+        refuse(
+            fmt::format("--output '{}' and --no-film: without pictures nothing goes there; leave "
+                        "one of them out",
+                        printable(options.outputs.front())));
+    checkFigureOptions(options, options.film, "--plot FILE, or leave --no-film out");
     const RunsFigure figure = figureOf(plan);
     std::optional<FilmPlan> film;
     if (options.film && !options.width) {
@@ -103,6 +108,50 @@ Exit compareCommand(const Options& options) {
     if (options.strip) addStrip({chart}, *film);
     makeFilm(*film, plan.options);
     return Exit::ok;
+}
+
+Run addCompare(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<CompareOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addRuns(app, options, texts);
+    app.get_option("scene")->expected(0, 1)->required(false);
+    takesAgain(app.add_option(
+                      "--vary", options.vary,
+                      "a setting and its values, e.g. solver.nudges=0,4; several: all combinations")
+                   ->type_name("KEY=A,B"));
+    takesAgain(
+        app.add_option(
+               "--case", options.cases,
+               "settings that go together: 'LABEL: KEY=VALUE KEY=VALUE'; two to four of them")
+            ->type_name("CASE"));
+    app.add_option("--plot", options.plot,
+                   "the measure over time alone, as .svg or .png; default: not drawn")
+        ->type_name("FILE");
+    takesAgain(
+        app.add_option("-o,--output", options.outputs,
+                       "as for render, with --width one .png; default: output/<scene>-compare")
+            ->type_name("OUT"));
+    app.add_flag("--film,!--no-film", options.film, "draw it; default: on");
+    app.add_flag("--strip,!--no-strip", options.strip, "a plot below the pictures; default: on");
+    app.add_flag("--list", options.listOnly, "the built-in comparisons; default: off");
+    return [asked](const std::string& commandLine) {
+        const CompareOptions& given = settled(*asked, commandLine);
+        checkRuns(given);
+        return compare(given);
+    };
+}
+
+}  // namespace
+
+Command compareCommand() {
+    return {
+        "compare",
+        "one scene under two to four settings, side by side in one film, with a table",
+        {"impulse compare clamping", "impulse compare stack --vary solver.nudges=0,4 -o nudges.mp4",
+         "impulse compare chain --no-film --vary solver.type=impulses,pgs --set "
+         "solver.preset=seed"},
+        addCompare};
 }
 
 }  // namespace demos

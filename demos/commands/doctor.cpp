@@ -5,9 +5,12 @@
 #include <thread>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
+#include "demos/text/version.h"
+#ifdef IMPULSE_HAVE_SLIDES
 #include "demos/slides/deck_files.h"
-#include "demos/version.h"
+#endif
 #include "render/driver_environment.h"
 #include "render/encode/ffmpeg.h"
 #include "render/encode/png.h"
@@ -91,10 +94,12 @@ std::vector<Finding> examine() {
     const bool ffmpeg = render::haveFfmpeg();
     findings.push_back({"ffmpeg", ffmpeg ? "found" : "not found", ffmpeg,
                         "install ffmpeg for .mp4 .webm .gif; PNG frames work without"});
+#ifdef IMPULSE_HAVE_SLIDES
     const bool chromium = !pdfBrowser().empty();
     findings.push_back({"chromium", chromium ? "found" : "not found", chromium,
                         "install chromium for slides as .pdf; .html and folders work without",
                         false});
+#endif
     std::error_code error;
     const auto space = std::filesystem::space(".", error);
     const double free = error ? 0.0 : static_cast<double>(space.available) / 1e9;
@@ -103,9 +108,7 @@ std::vector<Finding> examine() {
     return findings;
 }
 
-}  // namespace
-
-Exit doctorCommand(const Options& options) {
+Exit doctor(const Options& options) {
     const Talk talk(options, false);
     bool allGood = true;
     for (const Finding& finding : examine()) {
@@ -118,6 +121,23 @@ Exit doctorCommand(const Options& options) {
     }
     talk.say(allGood ? "next: impulse render stack -q draft" : "next: impulse sim stack");
     return allGood ? Exit::ok : Exit::environment;
+}
+
+Run addDoctor(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<Options>>();
+    auto& options = asked->options;
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) { return doctor(settled(*asked, commandLine)); };
+}
+
+}  // namespace
+
+Command doctorCommand() {
+    return {"doctor",
+            "what this machine can do",
+            {"impulse doctor", "impulse doctor --json",
+             "impulse doctor --quiet && impulse render stack"},
+            addDoctor};
 }
 
 }  // namespace demos

@@ -4,15 +4,16 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/play_through.h"
-#include "demos/commands/table.h"
-#include "demos/counted.h"
+#include "demos/commands/shared_options.h"
 #include "demos/export/export_file.h"
 #include "demos/export/recording.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/hex_text.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
+#include "demos/text/complaints.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/plural.h"
+#include "demos/text/shell_word.h"
+#include "demos/text/table.h"
 
 namespace demos {
 namespace {
@@ -45,11 +46,11 @@ void tellShort(const FilmPlan& plan, const Options& options) {
 }
 
 std::string contentText(ExportKind kind, const Recording& run, std::size_t bytes) {
-    if (kind == ExportKind::events) return counted(run.events.size(), "event");
+    if (kind == ExportKind::events) return plural(run.events.size(), "event");
     if (kind == ExportKind::replay)
-        return fmt::format("{}, {} kB", counted(run.frames.size(), "frame"), bytes / 1000);
-    return fmt::format("{}, {}", counted(run.frames.size(), "frame"),
-                       counted(run.bodies.size(), "body", "bodies"));
+        return fmt::format("{}, {} kB", plural(run.frames.size(), "frame"), bytes / 1000);
+    return fmt::format("{}, {}", plural(run.frames.size(), "frame"),
+                       plural(run.bodies.size(), "body", "bodies"));
 }
 
 /// One run from time 0 to the end of the film.
@@ -97,9 +98,7 @@ private:
     RunRecorder recorder_;
 };
 
-}  // namespace
-
-Exit exportCommand(const Options& options) {
+Exit exportRun(const Options& options) {
     const FilmPlan plan = planOf(options);
     checkLength(plan);
     tellShort(plan, options);
@@ -107,6 +106,42 @@ Exit exportCommand(const Options& options) {
     Talk(options, false)
         .say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
     return Exit::ok;
+}
+
+Run addExport(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<Options>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    takesAgain(
+        app.add_option(
+               "-o,--output", options.outputs,
+               ".glb: bodies, colours and camera with their motion; .csv: poses, a row a frame "
+               "and body, columns of 'sim --bodies'; .npz: the same, energies and contacts as "
+               "arrays for numpy; .json: the events of 'sim --events'; .html: a page to look at "
+               "the "
+               "run from all sides, without a network; may be given again; "
+               "default: output/<scene>.glb")
+            ->type_name("FILE"));
+    app.add_option("--fps", options.fps,
+                   "frames a second; the scene's steps a second must be a multiple; default: 30")
+        ->type_name("N");
+    addSeconds(app, options);
+    app.add_flag("--overwrite", options.overwrite, "replace what is there; default: off");
+    addFeedback(app, options);
+    return
+        [asked](const std::string& commandLine) { return exportRun(settled(*asked, commandLine)); };
+}
+
+}  // namespace
+
+Command exportCommand() {
+    return {"export",
+            "how the bodies move, for other programs: glTF, CSV, numpy, events",
+            {"impulse export wall -o wall.glb -o replay.html",
+             "impulse export stack -o stack.csv -o stack.npz --fps 60",
+             "impulse export my.toml -o events.json --seconds 2"},
+            addExport};
 }
 
 }  // namespace demos

@@ -3,15 +3,21 @@
 #include <algorithm>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
-#include "demos/scene/nearest.h"
+#include "demos/load/builtin.h"
 #include "demos/scene/reader.h"
 #include "demos/scene/schema.h"
+#include "demos/text/complaints.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {
+
+struct ListOptions : Options {
+    bool print = false;   // the scene file itself
+    bool schema = false;  // the JSON Schema of scene files
+};
 
 SceneDescription described(const BuiltinScene& scene) {
     const std::string name(scene.name);
@@ -72,9 +78,7 @@ void sayOne(const SceneDescription& scene) {
     fmt::print("next: impulse render {}\n", scene.name);
 }
 
-}  // namespace
-
-Exit listCommand(const Options& options) {
+Exit listScenes(const ListOptions& options) {
     if (options.schema) {
         if (!options.scenes.empty() || options.print || options.json)
             throw Stop(Exit::usage, "--schema stands alone, as in 'impulse list --schema'");
@@ -98,6 +102,30 @@ Exit listCommand(const Options& options) {
     else
         sayOne(described(scene));
     return Exit::ok;
+}
+
+Run addList(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<ListOptions>>();
+    auto& options = asked->options;
+    app.add_option("scene", options.scenes, "a scene to describe; default: all")
+        ->type_name("SCENE")
+        ->expected(0, kMostScenes);
+    app.add_flag("--print", options.print, "the scene file itself; default: off");
+    app.add_flag("--schema", options.schema,
+                 "the JSON Schema of scene files, for editors; default: off");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        return listScenes(settled(*asked, commandLine));
+    };
+}
+
+}  // namespace
+
+Command listCommand() {
+    return {"list",
+            "the built-in scenes",
+            {"impulse list", "impulse list stack --print > my.toml", "impulse list --schema"},
+            addList};
 }
 
 }  // namespace demos

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/film/signals.h"
-#include "demos/stop.h"
+#include "demos/processes/signals.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <functional>
 
-#include "demos/options.h"
-#include "demos/player.h"
+#include "demos/options/options.h"
+#include "demos/snapshot/player.h"
 
 namespace demos {
 

@@ -2,20 +2,26 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/play_through.h"
-#include "demos/commands/table.h"
+#include "demos/commands/shared_options.h"
 #include "demos/figure/caption.h"
 #include "demos/figure/figure_file.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/player.h"
-#include "demos/report/plot_file.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
+#include "demos/look/measure_names.h"
+#include "demos/measures/plot_file.h"
+#include "demos/snapshot/player.h"
+#include "demos/text/complaints.h"
+#include "demos/text/shell_word.h"
+#include "demos/text/table.h"
 
 namespace demos {
 namespace {
 
-std::vector<std::string> filesOf(const Options& options, const SceneDescription& scene) {
+struct PlotOptions : Options {
+    std::vector<std::string> what;  // charts; empty = the most telling ones that have data
+};
+
+std::vector<std::string> filesOf(const PlotOptions& options, const SceneDescription& scene) {
     if (options.outputs.empty()) return {"output/" + scene.name + ".svg"};
     for (std::size_t i = 0; i < options.outputs.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -28,9 +34,9 @@ std::vector<std::string> filesOf(const Options& options, const SceneDescription&
 /// One run from time 0 to the end of the film.
 class Plotting {
 public:
-    Plotting(const Options& options, const SceneDescription& scene)
+    Plotting(const PlotOptions& options, const SceneDescription& scene)
         : options_(options),
-          choice_(plotChoiceOf(options, scene)),
+          choice_(plotChoiceOf(options, options.what, scene)),
           files_(filesOf(options, scene)),
           talk_(options, false),
           player_(scene, Overlays{.trails = false}) {
@@ -83,7 +89,7 @@ private:
         return caption;
     }
 
-    const Options& options_;
+    const PlotOptions& options_;
     PlotChoice choice_;
     std::vector<std::string> files_;
     Talk talk_;
@@ -91,8 +97,51 @@ private:
     Recorder recorder_;
 };
 
+Exit plot(const PlotOptions& options) { return Plotting(options, sceneOf(options)).play(); }
+
+Run addPlot(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<PlotOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    takesAgain(app.add_option("-o,--output", options.outputs,
+                              "a .svg or a .png; may be given again; default: output/<scene>.svg")
+                   ->type_name("FILE"));
+    takesList(
+        app.add_option(
+               "--what", texts.what,
+               "charts, with commas: energy penetration separation contacts impulse residual; "
+               "default: energy,penetration,separation,residual where there is something")
+            ->type_name("NAMES"));
+    app.add_option("--size", texts.size,
+                   "pixels, 1..16384 a side; default: 1280 wide, 360 high a chart, 720 at least")
+        ->type_name("WxH");
+    app.add_option("--theme", options.theme,
+                   "studio, dark, print or transparent; default: the scene's")
+        ->type_name("NAME");
+    addFigure(app, options, texts);
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace a figure and its caption; a plot without a caption is always replaced; "
+                 "default: off");
+    addSeconds(app, options);
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        PlotOptions& given = settled(*asked, commandLine);
+        given.what = asked->texts.what;
+        for (const std::string& name : given.what) checkName("--what", name, measureNames());
+        return plot(given);
+    };
+}
+
 }  // namespace
 
-Exit plotCommand(const Options& options) { return Plotting(options, sceneOf(options)).play(); }
+Command plotCommand() {
+    return {
+        "plot",
+        "physics only: charts of energy, penetration, impulses, residuals",
+        {"impulse plot stack", "impulse plot stack -o stack.png --what energy,impulse --theme dark",
+         "impulse plot my.toml -o a.svg -o a.png --size 1920x1080 --set solver.sweeps=4"},
+        addPlot};
+}
 
 }  // namespace demos

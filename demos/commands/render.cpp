@@ -1,11 +1,101 @@
+#include <fmt/format.h>
+
+#include <charconv>
+
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/film.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
+namespace {
 
-Exit renderCommand(const Options& options) {
-    makeFilm(planFilm(options), options);
+/// "8M", "1.5G", "500k", "8MB" or a plain number of bytes; K, M, G count in thousands.
+std::uint64_t bytesFrom(const std::string& given) {
+    std::string text = given;
+    if (text.ends_with('B') || text.ends_with('b')) text.pop_back();
+    double unit = 1.0;
+    const std::string units = "kKmMgG";
+    if (const std::size_t at = text.empty() ? units.npos : units.find(text.back());
+        at != units.npos) {
+        for (std::size_t i = 0; i <= at / 2; ++i) unit *= 1000.0;
+        text.pop_back();
+    }
+    double number = 0.0;
+    const char* end = text.data() + text.size();
+    const auto got = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    const bool whole = got.ec == std::errc{} && got.ptr == end;
+    if (!whole || !(number * unit >= 1000.0 && number * unit <= 1e12))
+        refuse(fmt::format("--max-size '{}': must be 1K to 1000G bytes, for example 8M (8 000 000)",
+                           printable(given)));
+    return static_cast<std::uint64_t>(number * unit);
+}
+
+/// What a film is made for: a limit of a page or a chat, a picture to show before it plays.
+void addDelivery(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
+    app.add_option("--max-size", texts.maxSize,
+                   "bytes a film may have, e.g. 8M (K, M, G count in thousands); exactness, then "
+                   "frames, then size are given up for it; default: no limit")
+        ->type_name("BYTES");
+    app.add_option("--poster", options.poster,
+                   "one frame as a .png of its own, patterns as above; default: not written")
+        ->type_name("FILE");
+    app.add_option("--poster-time", options.posterTime,
+                   "which, in s; default: the scene's section.poster, else the middle of the film")
+        ->type_name("S");
+}
+
+Exit render(const FilmOptions& options) {
+    FilmPlan plan = planFilm(options);
+    plan.passes = passesCalled(options.passes);
+    makeFilm(plan, options);
     return Exit::ok;
+}
+
+Run addRender(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<FilmOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    takesAgain(app.add_option(
+                      "-o,--output", options.outputs,
+                      "a folder, a pattern (#### {frame:6} {scene} {quality} {time}), a film (.mp4 "
+                      ".webm .gif .webp .apng) or - for raw RGBA; may be given again; "
+                      "default: output/<scene>")
+                   ->type_name("OUT"));
+    addDelivery(app, options, texts);
+    addSeconds(app, options);
+    addPicture(app, options, texts);
+    takesList(app.add_option(
+                     "--pass", texts.passes,
+                     "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
+                     "poses contacts events; described in passes.json; default: none")
+                  ->type_name("NAMES"));
+    addJobs(app, options);
+    app.add_flag("-n,--dry-run", options.dryRun,
+                 "say how many frames, memory and disk it takes; draw nothing; default: off");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        FilmOptions& given = settled(*asked, commandLine);
+        given.passes = asked->texts.passes;
+        for (const std::string& name : given.passes) checkName("--pass", name, passNames());
+        if (!asked->texts.maxSize.empty()) given.maxSize = bytesFrom(asked->texts.maxSize);
+        if (given.posterTime && given.poster.empty())
+            refuse("--poster-time belongs to --poster; name a file for it");
+        checkTime("--poster-time", given.posterTime);
+        spareScenes(given.scenes, {given.poster});
+        return render(given);
+    };
+}
+
+}  // namespace
+
+Command renderCommand() {
+    return {"render",
+            "simulate and write a film: PNG frames, or a video",
+            {"impulse render stack", "impulse render stack -o stack.mp4 -q high",
+             "impulse render my.toml -o 'frames/{scene}_####.png' --show contacts,impulses"},
+            addRender};
 }
 
 }  // namespace demos

@@ -4,14 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "demos/commands/commands.h"
+#include "demos/commands/self_test.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
+#include "demos/processes/process_pool.h"
+#include "demos/processes/signals.h"
 #include "demos/regression/mutants.h"
-#include "demos/regression/process_pool.h"
 #include "demos/regression/scene_test.h"
-#include "demos/scene/complaints.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {
@@ -84,7 +84,7 @@ void addTable(const std::string& scene, const FilmPlan& plan,
         findings.objects.push_back(objectOf(scene, verdict));
 }
 
-Findings findingsOf(const ChosenScene& chosen, const Options& options) noexcept {
+Findings findingsOf(const ChosenScene& chosen, const TestOptions& options) noexcept {
     Findings findings;
     try {
         const FilmPlan plan = planOfTest(chosen, options);
@@ -103,7 +103,7 @@ Findings findingsOf(const ChosenScene& chosen, const Options& options) noexcept 
 
 }  // namespace
 
-Exit selfTestCommand(const Options& options) {
+Exit selfTest(const TestOptions& options) {
     const Talk talk(options, false);
     const SceneChoice choice = chooseScenes(options);
     const int count = static_cast<int>(choice.scenes.size());

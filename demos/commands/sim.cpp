@@ -6,22 +6,34 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/play_through.h"
-#include "demos/commands/table.h"
+#include "demos/commands/shared_options.h"
 #include "demos/export/pose_table.h"
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
-#include "demos/hex_text.h"
-#include "demos/player.h"
-#include "demos/put_text.h"
-#include "demos/report/direct_note.h"
-#include "demos/report/plot_file.h"
-#include "demos/scene/complaints.h"
-#include "demos/scene/expect.h"
-#include "demos/shell_word.h"
+#include "demos/measures/direct_note.h"
+#include "demos/measures/plot_file.h"
+#include "demos/play/expect.h"
+#include "demos/snapshot/player.h"
+#include "demos/text/complaints.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/put_text.h"
+#include "demos/text/shell_word.h"
+#include "demos/text/table.h"
 
 namespace demos {
 namespace {
+
+struct SimOptions : Options {
+    std::string csv, bodies, joints, contacts, sweeps,
+        events;          // a file or "-"; empty = not asked for
+    bool exact = false;  // sweeps are compared with the direct solution
+    int every = 1;       // step that has rows
+    bool hash = false;
+    int hashEvery = 0;  // 0 = the last step only
+    bool expect = true;
+    std::string plot;  // a file; empty = not asked for
+};
 
 namespace fs = std::filesystem;
 
@@ -29,7 +41,7 @@ namespace fs = std::filesystem;
 struct Tables {
     Table energies, bodies, joints, contacts, sweeps;
 
-    explicit Tables(const Options& options)
+    explicit Tables(const SimOptions& options)
         : energies(
               options.csv,
               "time,energy,kinetic,potential,contacts,penetration_max,separation_max,residual"),
@@ -116,7 +128,7 @@ void writeAll(const Tables& tables, const Talk& talk) {
 }
 
 /// True when standard output carries a table or the events.
-bool checkTargets(const Tables& tables, const Options& options) {
+bool checkTargets(const Tables& tables, const SimOptions& options) {
     std::vector<fs::path> seen;
     const auto add = [&](const std::string& target, const char* what) {
         const fs::path path = placeOf(target);
@@ -135,7 +147,7 @@ bool checkTargets(const Tables& tables, const Options& options) {
 }
 
 /// Asked for by name, so said with --quiet too.
-void sayHash(const Stage& stage, long step, const Options& options, bool dataOnStdout) {
+void sayHash(const Stage& stage, long step, const SimOptions& options, bool dataOnStdout) {
     const std::string hash = hexText(stage.world.hash());
     if (options.json)
         putText(stdout, fmt::format("{{\"event\":\"hash\",\"step\":{},\"state\":\"{}\"}}\n", step,
@@ -167,16 +179,16 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
 }
 
 /// One run from time 0 to the end of the film.
-class Run {
+class Simulation {
 public:
-    Run(const Options& options, const SceneDescription& scene)
+    Simulation(const SimOptions& options, const SceneDescription& scene)
         : options_(options),
           tables_(options),
           dataOnStdout_(checkTargets(tables_, options)),
           talk_(options, dataOnStdout_),
           player_(scene, Overlays{.trails = false}),
           checker_(player_.stage()),
-          choice_(plotChoiceOf(options, scene)),
+          choice_(plotChoiceOf(options, {}, scene)),
           steps_(stepsOf(scene)) {
         if (!options.plot.empty()) checkPlotFile(options.plot, choice_);
         if (!options.events.empty()) player_.watchTouches();
@@ -232,7 +244,7 @@ private:
         return passed ? Exit::ok : Exit::failed;
     }
 
-    const Options& options_;
+    const SimOptions& options_;
     Tables tables_;
     bool dataOnStdout_;
     Talk talk_;
@@ -245,12 +257,63 @@ private:
     long steps_;
 };
 
-}  // namespace
-
-Exit simCommand(const Options& options) {
+Exit sim(const SimOptions& options) {
     SceneDescription scene = sceneOf(options);
     scene.settings.compareExact = options.exact;
-    return Run(options, scene).play();
+    return Simulation(options, scene).play();
+}
+
+Run addSim(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<SimOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    addSeconds(app, options);
+    const auto table = [&](const char* name, std::string& file, const char* columns) {
+        app.add_option(name, file, std::string(columns) + "; default: not written")
+            ->type_name("FILE|-");
+    };
+    table("--csv", options.csv, "a row a step: energies (J), contacts, penetration (m), residual");
+    table("--bodies", options.bodies, "a row a step and body: position (m), rotation, velocities");
+    table("--joints", options.joints, "a row a step and joint: separation (m), force, position");
+    table("--contacts", options.contacts, "a row a contact point: where, normal, impulse (N s)");
+    table("--sweeps", options.sweeps, "a row a sweep: residual (m/s), change (N s)");
+    table("--events", options.events, "JSON: contacts that begin and end, joints that break");
+    app.add_flag("--exact", options.exact,
+                 "with --sweeps: the distance to the direct solution; slow; default: off");
+    app.add_option("--every", options.every, "rows of every Nth step only; default: 1")
+        ->type_name("N");
+    app.add_option("--plot", options.plot,
+                   "energy, penetration, joints and residual over time, as .svg or .png; "
+                   "default: not drawn")
+        ->type_name("FILE");
+    app.add_flag("--hash", options.hash, "print the last step's state hash; default: off");
+    app.add_option("--hash-every", options.hashEvery, "and every Nth step's; default: 0, off")
+        ->type_name("N");
+    app.add_flag("--expect,!--no-expect", options.expect,
+                 "check the scene's [[expect]]; default: on");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        const SimOptions& given = settled(*asked, commandLine);
+        checkRange("--every", given.every, 1, 1'000'000'000);
+        checkRange("--hash-every", given.hashEvery, 0, 1'000'000'000);
+        if (given.exact && given.sweeps.empty())
+            refuse("--exact belongs to --sweeps; name a file for them");
+        spareScenes(given.scenes, {given.csv, given.bodies, given.joints, given.contacts,
+                                   given.sweeps, given.events, given.plot});
+        return sim(given);
+    };
+}
+
+}  // namespace
+
+Command simCommand() {
+    return {
+        "sim",
+        "physics only: tables, state hash, the scene's expectations",
+        {"impulse sim stack", "impulse sim stack --csv energy.csv --bodies bodies.csv --every 4",
+         "impulse sim my.toml --set solver.sweeps=4 --hash"},
+        addSim};
 }
 
 }  // namespace demos

@@ -1,13 +1,12 @@
+#ifdef IMPULSE_HAVE_SLIDES
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "demos/commands/commands.h"
-#include "demos/commands/table.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
-#include "demos/options_check.h"
-#include "demos/scene/complaints.h"
-#include "demos/slides/amount.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/deck_of_scenes.h"
 #include "demos/slides/make_deck.h"
@@ -15,15 +14,22 @@
 #include "demos/slides/scratch_folder.h"
 #include "demos/slides/slide_media.h"
 #include "demos/slides/slides_output.h"
+#include "demos/text/complaints.h"
+#include "demos/text/plural.h"
+#include "demos/text/table.h"
 #include "render/error.h"
 
 namespace demos {
 namespace {
 
+struct SlidesOptions : Options {
+    bool dryRun = false;  // say what the deck holds, draw nothing
+};
+
 constexpr std::size_t kLargePage = 50'000'000;  // bytes, which some browsers take their time for
 
 /// What a deck says itself cannot be said again for all of its slides.
-void checkDeckAlone(const std::string& deckFile, const Options& options) {
+void checkDeckAlone(const std::string& deckFile, const SlidesOptions& options) {
     if (options.scenes.size() > 1)
         refuse(fmt::format("'{}' is a deck, which is shown alone", printable(deckFile)));
     if (!options.overrides.empty())
@@ -32,7 +38,7 @@ void checkDeckAlone(const std::string& deckFile, const Options& options) {
 }
 
 /// As a deck may say it.
-void checkLook(const Options& options) {
+void checkLook(const SlidesOptions& options) {
     if (options.theme == "transparent")
         refuse("--theme transparent: slides have a ground; studio, dark or print");
     if (!options.size) return;
@@ -43,7 +49,7 @@ void checkLook(const Options& options) {
                                size.width, size.height, kLeastSlideSide, kMostSlideSide));
 }
 
-Deck deckOf(const Options& options) {
+Deck deckOf(const SlidesOptions& options) {
     checkLook(options);
     const auto deckFile = std::find_if(options.scenes.begin(), options.scenes.end(), isDeckFile);
     if (deckFile == options.scenes.end()) return deckOfScenes(options);
@@ -78,7 +84,7 @@ std::string megabytes(std::size_t bytes) {
 
 class SlidesWriter {
 public:
-    SlidesWriter(const Options& options, const MadeDeck& deck)
+    SlidesWriter(const SlidesOptions& options, const MadeDeck& deck)
         : options_(options), talk_(options, false), deck_(deck) {}
 
     void write(const SlidesOutput& output) {
@@ -105,12 +111,12 @@ private:
         return static_cast<std::size_t>(
             std::count_if(deck_.slides.begin(), deck_.slides.end(), hasFilm));
     }
-    std::string slides() const { return amount(deck_.slides.size(), "slide"); }
+    std::string slides() const { return plural(deck_.slides.size(), "slide"); }
 
     void writePage(const std::string& name) {
         const std::string page = slidesPage(deck_);
         writeResult(name, {reinterpret_cast<const std::uint8_t*>(page.data()), page.size()});
-        tell(name, slides() + ", " + amount(films(), "film"), page.size());
+        tell(name, slides() + ", " + plural(films(), "film"), page.size());
         if (page.size() > kLargePage)
             talk_.mention(
                 fmt::format("{} is large for one page; a folder (-o talk/) loads films "
@@ -139,10 +145,10 @@ private:
             std::error_code ignored;
             bytes += std::filesystem::file_size(std::filesystem::path(name) / file, ignored);
         }
-        tell(name, slides() + ", " + amount(files.size(), "file"), bytes);
+        tell(name, slides() + ", " + plural(files.size(), "file"), bytes);
     }
 
-    const Options& options_;
+    const SlidesOptions& options_;
     Talk talk_;
     const MadeDeck& deck_;
     std::vector<std::string> troubles_;
@@ -164,17 +170,15 @@ Exit sayPlan(const Deck& deck, const std::vector<SlidesOutput>& outputs, const T
                              [&](const Slide& slide) { return slide.exhibit == exhibit; });
     };
     talk.say(
-        fmt::format("{}: {}, {}, {}", printable(deck.name), amount(deck.slides.size(), "slide"),
-                    amount(static_cast<std::size_t>(count(Exhibit::film)), "film"),
-                    amount(static_cast<std::size_t>(count(Exhibit::still) + count(Exhibit::strip)),
+        fmt::format("{}: {}, {}, {}", printable(deck.name), plural(deck.slides.size(), "slide"),
+                    plural(static_cast<std::size_t>(count(Exhibit::film)), "film"),
+                    plural(static_cast<std::size_t>(count(Exhibit::still) + count(Exhibit::strip)),
                            "picture")));
     for (const SlidesOutput& output : outputs) talk.say("would write " + printable(output.name));
     return Exit::ok;
 }
 
-}  // namespace
-
-Exit slidesCommand(const Options& options) {
+Exit slides(const SlidesOptions& options) {
     const Deck deck = deckOf(options);
     const std::vector<SlidesOutput> outputs = slidesOutputsOf(options, deck);
     const Talk talk(options, false);
@@ -191,4 +195,56 @@ Exit slidesCommand(const Options& options) {
     return Exit::ok;
 }
 
+Run addSlides(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<SlidesOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    texts.opaque = true;
+    addSceneChoice(app, options, texts);
+    app.get_option("scene")
+        ->expected(1, kMostScenes)
+        ->description("a deck file, or scenes whose sections become slides");
+    takesAgain(
+        app.add_option(
+               "-o,--output", options.outputs,
+               ".html: one page with everything in it; .pdf: a picture a slide, by Chromium; a "
+               "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
+               "again; default: output/<name>.html")
+            ->type_name("OUT"));
+    addSeconds(app, options);
+    app.add_option(
+           "--size", texts.size,
+           "pixels of a picture that fills a slide, even, 64..8192 a side; default: the deck's, "
+           "1280x720")
+        ->type_name("WxH");
+    app.add_option("--fps", options.fps, "frames a second of films; default: the deck's, 30")
+        ->type_name("N");
+    app.add_option("--samples", options.samples,
+                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: 4")
+        ->type_name("N");
+    app.add_option("--theme", options.theme, "studio, dark or print; default: the deck's, studio")
+        ->type_name("NAME");
+    addJobs(app, options);
+    app.add_flag("-n,--dry-run", options.dryRun,
+                 "say what the deck holds and where it goes; draw nothing; default: off");
+    addRenderer(app, options);
+    app.add_flag("--overwrite", options.overwrite,
+                 "replace what is there; in a folder, what slides has made; default: off");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) { return slides(settled(*asked, commandLine)); };
+}
+
+}  // namespace
+
+Command slidesCommand() {
+    return {"slides",
+            "a talk of scenes or of a deck file: one page with films and notes, a PDF, a folder",
+            {"impulse slides stack wall -o talk.html",
+             "impulse slides talk.toml -o talk.html -o talk.pdf",
+             "impulse slides talk.toml -o talk/ --theme dark --overwrite"},
+            addSlides};
+}
+
 }  // namespace demos
+
+#endif

@@ -3,20 +3,28 @@
 #include <utility>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/figure/figure_file.h"
 #include "demos/figure/moments_figure.h"
+#include "demos/film/composite.h"
 #include "demos/film/exposure.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
-#include "demos/film/screen.h"
-#include "demos/player.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
+#include "demos/options/picture_options.h"
+#include "demos/snapshot/player.h"
+#include "demos/text/complaints.h"
+#include "demos/text/shell_word.h"
 
 namespace demos {
 namespace {
+
+/// What `impulse still` is asked for: one frame, by its time or its number.
+struct StillOptions : Options {
+    std::optional<double> time;  // s
+    std::optional<int> frame;    // negative counts from the end
+};
 
 /// Which picture: after so many steps.
 struct Moment {
@@ -25,7 +33,7 @@ struct Moment {
     double time = 0.0;  // s
 };
 
-Moment momentOf(const FilmPlan& plan, const Options& options) {
+Moment momentOf(const FilmPlan& plan, const StillOptions& options) {
     Moment moment;
     if (options.time) {
         moment.steps = stepAt(*options.time, plan, "--time");
@@ -43,7 +51,7 @@ Moment momentOf(const FilmPlan& plan, const Options& options) {
     return moment;
 }
 
-std::string targetOf(const FilmPlan& plan, const Options& options, const Moment& moment) {
+std::string targetOf(const FilmPlan& plan, const StillOptions& options, const Moment& moment) {
     const std::string pattern =
         options.outputs.empty() ? "output/{scene}/still_{time}.png" : options.outputs.front();
     if (pattern == "-") return pattern;
@@ -55,10 +63,8 @@ std::string targetOf(const FilmPlan& plan, const Options& options, const Moment&
     return name;
 }
 
-}  // namespace
-
-Exit stillCommand(const Options& asked) {
-    const Options options = figureOptions(asked);
+Exit still(StillOptions options) {
+    if (options.width) options.size = figureSize(options);
     const Paper paper = paperOf(options);
     const FilmPlan plan = planFilm(options);
     const Moment moment = momentOf(plan, options);
@@ -71,9 +77,9 @@ Exit stillCommand(const Options& asked) {
     render::Image picture = exposed(seen, plan, renderer);
     picture = withStrip(std::move(picture), plan, moment.time);
     const Talk talk(options, target == "-");
-    const MomentsFigure figure{target, paper, plan, {shotOf(player, plan, seen.back(), paper)}};
+    const MomentsFigure figure{target, paper, plan, {factsOf(player, plan, seen.back(), paper)}};
     writeMoments(figure, picture, options);
-    tellLeftOut(figure.shots, {plan.picture.width, plan.picture.height}, paper, talk);
+    tellLeftOut(figure.facts, {plan.picture.width, plan.picture.height}, paper, talk);
     const std::string hash = hexText(player.stage().world.hash());
     talk.json(fmt::format(R"({{"event":"done","file":{},"time":{},"state":"{}"}})",
                           jsonString(target), numberText(moment.time), hash));
@@ -82,6 +88,44 @@ Exit stillCommand(const Options& asked) {
     tellCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
     return Exit::ok;
+}
+
+Run addStill(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<StillOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    CLI::Option* time = app.add_option("-t,--time", options.time, "time in s; default: the end");
+    time->type_name("S");
+    app.add_option("-f,--frame", options.frame,
+                   "number of the frame in the film; negative: from the end; default: the last")
+        ->type_name("N")
+        ->excludes(time);
+    app.add_option(
+           "-o,--output", options.outputs,
+           "a .png, patterns as for render, or - ; default: output/<scene>/still_<time>.png")
+        ->type_name("OUT")
+        ->expected(1);
+    addSeconds(app, options);
+    addPicture(app, options, texts);
+    addFigure(app, options, texts);
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        StillOptions& given = settled(*asked, commandLine);
+        checkTime("--time", given.time);
+        given.anyStep = given.time.has_value();
+        return still(given);
+    };
+}
+
+}  // namespace
+
+Command stillCommand() {
+    return {"still",
+            "draw one frame",
+            {"impulse still stack -t 2.0", "impulse still stack -f -1 -o last.png -q 4k",
+             "impulse still my.toml -t 0.5 --show impulses --theme print"},
+            addStill};
 }
 
 }  // namespace demos

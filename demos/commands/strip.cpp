@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/figure/figure_file.h"
 #include "demos/figure/figure_grid.h"
 #include "demos/figure/moments_figure.h"
@@ -12,9 +15,10 @@
 #include "demos/film/progress.h"
 #include "demos/film/quality.h"
 #include "demos/film/strip_plan.h"
-#include "demos/player.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
+#include "demos/options/picture_options.h"
+#include "demos/snapshot/player.h"
+#include "demos/text/complaints.h"
+#include "demos/text/shell_word.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
 
@@ -22,12 +26,12 @@ namespace demos {
 namespace {
 
 /// The pictures' size, or on paper their ratio.
-PictureSize pictureSize(const Options& options) {
+PictureSize pictureSize(const StripOptions& options) {
     const Quality& quality = qualityOf(options.quality);
     return options.size.value_or(PictureSize{quality.width / 2, quality.height / 2});
 }
 
-StripLayout layoutOf(const Options& options) {
+StripLayout layoutOf(const StripOptions& options) {
     const int moments =
         options.times.empty() ? options.moments : static_cast<int>(options.times.size());
     const Paper paper = paperOf(options);
@@ -37,12 +41,12 @@ StripLayout layoutOf(const Options& options) {
                         options.clean ? 0 : 1);
 }
 
-FilmPlan planOf(Options options, const StripLayout& layout) {
+FilmPlan planOf(StripOptions options, const StripLayout& layout) {
     options.size = layout.picture;
     return planStrip(options);
 }
 
-std::string targetOf(const FilmPlan& plan, const Options& options) {
+std::string targetOf(const FilmPlan& plan, const StripOptions& options) {
     const std::string pattern =
         options.outputs.empty() ? "output/{scene}/strip.png" : options.outputs.front();
     if (pattern == "-") return pattern;
@@ -66,7 +70,7 @@ void label(const StripLayout& layout, int moment, double time, const render::Col
 
 struct Strip {
     render::Image image;
-    std::vector<Shot> shots;
+    std::vector<PictureFacts> facts;
 };
 
 Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vector<int>& steps,
@@ -82,7 +86,7 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
         played = steps[i];
         const int moment = static_cast<int>(i);
         const render::Image picture = exposed(seen, plan, renderer);
-        strip.shots.push_back(shotOf(player, plan, seen.back(), paper));
+        strip.facts.push_back(factsOf(player, plan, seen.back(), paper));
         if (paper.given()) {
             placePicture(layout, moment, picture, strip.image);
             label(layout, moment, time, ink, strip.image);
@@ -93,9 +97,7 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
     return strip;
 }
 
-}  // namespace
-
-Exit stripCommand(const Options& options) {
+Exit strip(const StripOptions& options) {
     const Paper paper = paperOf(options);
     const StripLayout layout = layoutOf(options);
     const FilmPlan plan = planOf(options, layout);
@@ -104,9 +106,9 @@ Exit stripCommand(const Options& options) {
     checkFigure({target}, options);
     if (paper.given()) checkNeeds(needsOf(plan, 1, {}), plan);
     const Strip strip = drawStrip(plan, layout, steps, paper);
-    writeMoments({target, paper, plan, strip.shots}, strip.image, options);
+    writeMoments({target, paper, plan, strip.facts}, strip.image, options);
     const Talk talk(options, target == "-");
-    tellLeftOut(strip.shots, layout.picture, paper, talk);
+    tellLeftOut(strip.facts, layout.picture, paper, talk);
     talk.json(fmt::format(R"({{"event":"done","file":{},"moments":{},"size":[{},{}]}})",
                           jsonString(target), layout.moments, layout.width, layout.height));
     talk.say(fmt::format("wrote {} ({} moments, {}x{})", printable(target), layout.moments,
@@ -115,6 +117,72 @@ Exit stripCommand(const Options& options) {
     talk.say(fmt::format("next: impulse render {} -o film.mp4",
                          printable(shellWord(options.scene()))));
     return Exit::ok;
+}
+
+/// --times, rising.
+std::vector<double> timesFrom(const std::vector<std::string>& texts) {
+    std::vector<double> times;
+    for (const std::string& text : texts) {
+        double time = -1.0;
+        const char* end = text.data() + text.size();
+        const auto got = std::from_chars(text.data(), end, time);
+        if (got.ec != std::errc{} || got.ptr != end || !(time >= 0.0 && time <= kLongest))
+            refuse(fmt::format("--times '{}': must be times of 0 to 100000 s, with commas",
+                               printable(text)));
+        if (!times.empty() && time <= times.back())
+            refuse(fmt::format("--times: {} does not come after {}; the times must rise", time,
+                               times.back()));
+        times.push_back(time);
+    }
+    if (times.size() > 100) refuse(fmt::format("--times: {} of them; at most 100", times.size()));
+    return times;
+}
+
+Run addStrip(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<StripOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    CLI::Option* moments = app.add_option(
+        "-n,--moments", options.moments,
+        "how many, 1..100, evenly from the film's first frame to its last; default: 6");
+    moments->type_name("N");
+    app.add_option("--times", texts.times, "which, in s, with commas, rising; default: evenly")
+        ->type_name("S,S")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes(moments);
+    app.add_option("--columns", options.columns,
+                   "moments in a row; default: 0, up to six, and all rows alike")
+        ->type_name("N");
+    app.add_option("-o,--output", options.outputs,
+                   "a .png, patterns as for render, or - ; default: output/<scene>/strip.png")
+        ->type_name("OUT")
+        ->expected(1);
+    addSeconds(app, options);
+    addPicture(app, options, texts);
+    app.get_option("--size")->description(
+        "pixels of one picture, 1..16384 a side; default: half of the quality's");
+    app.get_option("--clean")->description("no times below the pictures; default: off");
+    addFigure(app, options, texts);
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        StripOptions& given = settled(*asked, commandLine);
+        checkRange("--moments", given.moments, 1, 100);
+        checkRange("--columns", given.columns, 0, 100);
+        given.times = timesFrom(asked->texts.times);
+        return strip(given);
+    };
+}
+
+}  // namespace
+
+Command stripCommand() {
+    return {"strip",
+            "a row of moments as one picture, for paper or a slide",
+            {"impulse strip stack", "impulse strip wall -n 8 --columns 4 --theme print -o wall.png",
+             "impulse strip chain --times 0,0.5,1,2 --width 85mm -o figure.png"},
+            addStrip};
 }
 
 }  // namespace demos

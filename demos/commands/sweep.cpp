@@ -5,26 +5,27 @@
 #include <span>
 
 #include "demos/commands/commands.h"
-#include "demos/commands/table.h"
+#include "demos/commands/runs_command.h"
+#include "demos/comparisons/measure_table.h"
+#include "demos/comparisons/sweeping.h"
 #include "demos/figure/runs_figure.h"
 #include "demos/film/film.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
 #include "demos/film/variant_panels.h"
-#include "demos/report/measure_table.h"
-#include "demos/report/sweeping.h"
-#include "demos/scene/complaints.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
+#include "demos/text/table.h"
 
 namespace demos {
 namespace {
 
-FilmPlan gridOf(const std::vector<Variant>& variants, const Options& options) {
+FilmPlan gridOf(const std::vector<Variant>& variants, const SweepOptions& options) {
     FilmPlan film = planFilm(panelsOf(spread(variants)), false, options);
     film.name = film.scene().name + "-sweep";
     return film;
 }
 
-std::vector<int> plotted(const Options& options) {
+std::vector<int> plotted(const SweepOptions& options) {
     if (!options.measure.empty()) return {measureCalled(options.measure)};
     std::vector<int> all = {measureCalled("drift"), measureCalled("penetration"),
                             measureCalled("separation"), measureCalled("residual")};
@@ -33,7 +34,7 @@ std::vector<int> plotted(const Options& options) {
 }
 
 std::vector<Chart> chartsOf(const std::vector<Measured>& runs, const std::string& key,
-                            const Options& options) {
+                            const SweepOptions& options) {
     std::vector<Chart> charts;
     for (const int measure : plotted(options)) {
         const bool all0 = std::all_of(runs.begin(), runs.end(), [&](const Measured& run) {
@@ -44,7 +45,7 @@ std::vector<Chart> chartsOf(const std::vector<Measured>& runs, const std::string
     return charts;
 }
 
-RunsFigure figureOf(const std::vector<Variant>& variants, const Options& options) {
+RunsFigure figureOf(const std::vector<Variant>& variants, const SweepOptions& options) {
     RunsFigureSettings settings;
     settings.runs = variants;
     if (options.width && !options.outputs.empty())
@@ -53,14 +54,12 @@ RunsFigure figureOf(const std::vector<Variant>& variants, const Options& options
     return RunsFigure(std::move(settings), options);
 }
 
-}  // namespace
-
-Exit sweepCommand(const Options& options) {
+Exit sweep(const SweepOptions& options) {
     if (options.over.empty())
         throw Stop(Exit::usage, "sweep needs --over, for example --over solver.sweeps=1..64:x2");
     const Sweeping sweeping = sweepingOf(options);
     const std::vector<Variant>& variants = sweeping.variants;
-    checkFigureOptions(options);
+    checkFigureOptions(options, !options.outputs.empty(), "-o FIGURE.png or --plot FILE");
     const RunsFigure figure = figureOf(variants, options);
     std::optional<FilmPlan> grid;
     if (!options.outputs.empty() && !options.width) {
@@ -88,6 +87,44 @@ Exit sweepCommand(const Options& options) {
     figure.write({}, chartsOf(runs, sweeping.key, options), talk);
     if (grid) makeFilm(*grid, options);
     return Exit::ok;
+}
+
+Run addSweep(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<SweepOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addRuns(app, options, texts);
+    app.add_option("--over", options.over,
+                   "a setting and its values: KEY=1,4,16 or a range: 1..64, 1..64:x2, 0..1:0.25")
+        ->type_name("KEY=RANGE");
+    app.add_option("--csv", options.csv, "a row a value, all measures; default: not written")
+        ->type_name("FILE|-");
+    app.add_option("--plot", options.plot,
+                   "the measures over the values, as .svg or .png; default: not drawn")
+        ->type_name("FILE");
+    takesAgain(
+        app.add_option(
+               "-o,--output", options.outputs,
+               "a grid of up to 16 of the runs as a film, as for render, with --width as one "
+               ".png; default: none")
+            ->type_name("OUT"));
+    return [asked](const std::string& commandLine) {
+        const SweepOptions& given = settled(*asked, commandLine);
+        checkRuns(given);
+        spareScenes(given.scenes, {given.csv});
+        return sweep(given);
+    };
+}
+
+}  // namespace
+
+Command sweepCommand() {
+    return {"sweep",
+            "one setting over many values: a table, a plot, a grid of films",
+            {"impulse sweep chain --over solver.substeps=1..32:x2",
+             "impulse sweep stack --over solver.sweeps=1..20 --csv sweeps.csv --plot sweeps.svg",
+             "impulse sweep bridge --over world.hz=30,60,120,240 -o grid.mp4"},
+            addSweep};
 }
 
 }  // namespace demos

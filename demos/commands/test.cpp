@@ -5,22 +5,25 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/commands/commands.h"
-#include "demos/film/folder_lock.h"
+#include "demos/commands/self_test.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
-#include "demos/hex_text.h"
+#include "demos/film/renderer_name.h"
+#include "demos/processes/folder_lock.h"
+#include "demos/processes/process_pool.h"
+#include "demos/processes/signals.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/pass_cache.h"
-#include "demos/regression/process_pool.h"
-#include "demos/regression/renderer_name.h"
 #include "demos/regression/report_files.h"
 #include "demos/regression/scene_test.h"
-#include "demos/regression/tell.h"
 #include "demos/regression/verdict_json.h"
-#include "demos/scene/complaints.h"
+#include "demos/regression/verdict_text.h"
+#include "demos/text/complaints.h"
+#include "demos/text/hex_text.h"
 #include "render/driver_environment.h"
+#include "render/encode/file.h"
 
 namespace demos {
 namespace {
@@ -54,7 +57,7 @@ SceneVerdict crashed(const ChosenScene& scene, const std::string& how) {
 
 class Test {
 public:
-    explicit Test(const Options& options)
+    explicit Test(const TestOptions& options)
         : options_(options),
           talk_(options, false),
           choice_(chooseScenes(options)),
@@ -65,7 +68,7 @@ public:
     }
 
     Exit play() {
-        makeFolder(results_);
+        render::makeFolder(results_);
         const FolderLock lock(results_);
         for (const std::string& note : choice_.notes) talk_.mention(note);
         watchSignals();
@@ -157,17 +160,66 @@ private:
         return "next: impulse test --self-test tells which damage this would notice";
     }
 
-    const Options& options_;
+    const TestOptions& options_;
     Talk talk_;
     SceneChoice choice_;
     fs::path results_;
     PassCache cache_;
-    TestRun run_;
+    TestSetup run_;
     TestVerdict verdict_;
 };
 
+Exit test(const TestOptions& options) { return Test(options).play(); }
+
+Run addTest(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<TestOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    app.get_option("scene")
+        ->expected(0, kMostScenes)
+        ->required(false)
+        ->description(
+            "built-in scenes, scene files or folders of them; default: all built-in ones");
+    app.add_option("--baselines", options.baselines,
+                   "the folder of all NAME.snapshots; default: beside each scene file, and "
+                   "snapshots/ for built-in scenes")
+        ->type_name("DIR");
+    app.add_option("-o,--output", options.outputs,
+                   "a folder for the report and what was drawn; default: output/test")
+        ->type_name("DIR")
+        ->expected(1);
+    app.add_option("--update", options.update,
+                   "which baselines are written: missing, changed (and missing), all or none; "
+                   "default: missing, and none where CI=true; with none a missing one fails")
+        ->type_name("WHICH");
+    app.add_flag("--cache,!--no-cache", options.cache,
+                 "leave out what has passed and not changed since; default: on");
+    app.add_flag("--self-test", options.selfTest,
+                 "damage every picture on purpose and tell what would be noticed; default: off");
+    app.add_option("--size", texts.size,
+                   "pixels, 1..16384 a side; default: the scene's [snapshot] size")
+        ->type_name("WxH");
+    addRenderer(app, options);
+    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
+        ->type_name("N");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) {
+        TestOptions& given = settled(*asked, commandLine);
+        if (!given.update.empty())
+            checkName("--update", given.update, {"missing", "changed", "all", "none"});
+        return given.selfTest ? selfTest(given) : test(given);
+    };
+}
+
 }  // namespace
 
-Exit testCommand(const Options& options) { return Test(options).play(); }
+Command testCommand() {
+    return {"test",
+            "pictures, states and expectations of scenes against their baselines",
+            {"impulse test", "impulse test scenes/ --baselines snapshots -o results",
+             "impulse test my.toml --self-test"},
+            addTest};
+}
 
 }  // namespace demos

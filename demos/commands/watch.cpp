@@ -7,30 +7,39 @@
 #include <optional>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/shared_options.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
 #include "demos/film/scene_fps.h"
-#include "demos/film/signals.h"
-#include "demos/put_text.h"
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
+#include "demos/load/builtin.h"
+#include "demos/load/load_scene.h"
+#include "demos/processes/signals.h"
 #include "demos/scene/reader.h"
+#include "demos/text/complaints.h"
+#include "demos/text/put_text.h"
 #include "demos/watch/draft_lock.h"
-#include "demos/watch/draft_tell.h"
+#include "demos/watch/draft_text.h"
 #include "demos/watch/file_watch.h"
 #include "render/encode/ffmpeg.h"
+#include "render/encode/file.h"
 #include "render/error.h"
 
 namespace demos {
 namespace {
 
+struct WatchOptions : Options {
+    bool once = false;  // one draft, then the end
+};
+
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string nameOf(const Options& options) { return fs::path(options.scene()).stem().string(); }
+std::string nameOf(const WatchOptions& options) {
+    return fs::path(options.scene()).stem().string();
+}
 
-DraftPlaces placesOf(const Options& options) {
+DraftPlaces placesOf(const WatchOptions& options) {
     DraftPlaces places;
     places.folder = options.outputs.empty() ? fs::path("output") / nameOf(options)
                                             : fs::path(options.outputs.front());
@@ -40,7 +49,7 @@ DraftPlaces placesOf(const Options& options) {
 
 class Watching {
 public:
-    explicit Watching(const Options& options)
+    explicit Watching(const WatchOptions& options)
         : options_(options), talk_(options, false), drafts_(placesOf(options)) {
         options_.quality = "draft";
     }
@@ -113,7 +122,7 @@ private:
         checkOutputs(films, plan, true);
         checkNeeds(needsOf(plan, 1, films), plan);
         if (!lock_) {
-            makeFolder(drafts_.places().folder);
+            render::makeFolder(drafts_.places().folder);
             lock_.emplace(drafts_.places());
         }
         const Draft draft = drafts_.make(plan, own, [this] {
@@ -157,7 +166,7 @@ private:
         talk_.json(fmt::format(R"({{"event":"watching","files":{}}})", read_ + 1));
     }
 
-    Options options_;
+    WatchOptions options_;
     Talk talk_;
     DraftMaker drafts_;
     std::optional<DraftLock> lock_;    // from the first draft on
@@ -166,8 +175,46 @@ private:
     std::size_t read_ = 0;             // files besides the scene's own
 };
 
+Exit watch(const WatchOptions& options) { return Watching(options).play(); }
+
+Run addWatch(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<WatchOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    app.add_flag("--once", options.once,
+                 "one draft, then the end; default: off, until Ctrl-C (130)");
+    app.add_option("-o,--output", options.outputs,
+                   "a folder for draft.mp4 and draft.png; default: output/<scene>")
+        ->type_name("DIR")
+        ->expected(1);
+    addSeconds(app, options);
+    app.add_option("--size", texts.size, "pixels, 1..16384 a side; default: 480x270")
+        ->type_name("WxH");
+    takesList(
+        app.add_option("--show", texts.show,
+                       "overlays, with commas, see impulse render --help; default: the scene's")
+            ->type_name("NAMES"));
+    app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--colour-by,--color-by", options.colorBy,
+                   "what colours bodies, see impulse render --help; default: the scene's")
+        ->type_name("NAME");
+    app.add_option("--context", options.context,
+                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+        ->type_name("NAME");
+    addFeedback(app, options);
+    return [asked](const std::string& commandLine) { return watch(settled(*asked, commandLine)); };
+}
+
 }  // namespace
 
-Exit watchCommand(const Options& options) { return Watching(options).play(); }
+Command watchCommand() {
+    return {"watch",
+            "a draft of a scene file whenever it is saved: what changed is drawn anew",
+            {"impulse watch my.toml", "impulse watch my.toml --show contacts --seconds 3",
+             "impulse watch stack --once"},
+            addWatch};
+}
 
 }  // namespace demos

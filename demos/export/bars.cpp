@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "demos/snapshot/coil.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 #include "render/shortest_turn.h"
 
 namespace demos {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "demos/export/recording.h"
-#include "demos/options.h"
+#include "demos/options/options.h"
 
 namespace demos {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <bit>
 
-#include "demos/little_endian.h"
+#include "demos/text/little_endian.h"
 #include "render/error.h"
 
 namespace demos {

@@ -7,7 +7,7 @@
 #include "demos/export/bars.h"
 #include "demos/export/glb_meshes.h"
 #include "demos/export/glb_motion.h"
-#include "demos/version.h"
+#include "demos/text/version.h"
 #include "render/camera.h"
 #include "render/palette.h"
 #include "render/shortest_turn.h"

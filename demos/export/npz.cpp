@@ -64,7 +64,7 @@ public:
         }
         add(name, fmt::format("<U{}", longest), {texts.size()}, std::as_bytes(std::span(letters)));
     }
-    std::vector<std::uint8_t> packed() const { return zipOf(entries_); }
+    std::vector<std::uint8_t> archive() const { return zipOf(entries_); }
 
 private:
     void add(const std::string& name, const std::string& type, const Shape& shape,
@@ -143,7 +143,7 @@ std::vector<std::uint8_t> npzOf(const Recording& recording) {
     addMotions(recording, names.size(), arrays);
     arrays.add("energy", {times.size(), 3}, energies);
     addContacts(recording, names.size(), arrays);
-    return arrays.packed();
+    return arrays.archive();
 }
 
 }  // namespace demos

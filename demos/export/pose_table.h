@@ -1,7 +1,7 @@
 /// Poses and velocities as a table, a row a time and body: of `impulse export` and `impulse sim`.
 #pragma once
-#include "demos/commands/table.h"
 #include "demos/export/recording.h"
+#include "demos/text/table.h"
 
 namespace demos {
 

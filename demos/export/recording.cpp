@@ -1,10 +1,10 @@
 #include "demos/export/recording.h"
 
+#include "demos/look/theme.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/colors.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/scale.h"
-#include "demos/theme.h"
 
 namespace demos {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
-#include "demos/player.h"
-#include "demos/report/measures.h"
+#include "demos/measures/measures.h"
+#include "demos/play/solids.h"
 #include "demos/snapshot/joint_bars.h"
-#include "demos/snapshot/solids.h"
+#include "demos/snapshot/player.h"
 #include "render/frame.h"
 
 namespace demos {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/base64.h"
-#include "demos/packed.h"
+#include "demos/text/base64.h"
+#include "demos/text/deflate.h"
 
 namespace demos {
 namespace {
@@ -88,7 +88,7 @@ std::string textOfColumns(std::span<const std::uint16_t> words, std::size_t leng
         bytes[i] = static_cast<std::uint8_t>(step & 0xff);
         bytes[words.size() + i] = static_cast<std::uint8_t>(step >> 8);
     }
-    return toBase64(packed(bytes));
+    return toBase64(deflated(bytes));
 }
 
 }  // namespace demos

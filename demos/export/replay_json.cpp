@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/export/replay_codec.h"
-#include "demos/page/rounded.h"
-#include "demos/theme.h"
+#include "demos/look/theme.h"
+#include "demos/text/rounded.h"
 #include "render/solid_mesh.h"
 
 namespace demos {

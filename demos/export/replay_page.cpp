@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/export/replay_json.h"
-#include "demos/page/page_text.h"
-#include "demos/page/script_safe.h"
+#include "demos/text/page_text.h"
+#include "demos/text/script_safe.h"
 
 namespace demos {
 namespace {

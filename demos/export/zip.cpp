@@ -10,7 +10,7 @@
 #include <memory>
 #include <new>
 
-#include "demos/little_endian.h"
+#include "demos/text/little_endian.h"
 #include "render/error.h"
 
 namespace demos {

@@ -5,31 +5,31 @@
 #include <algorithm>
 
 #include "demos/film/progress.h"
-#include "demos/scene/complaints.h"
 #include "demos/scene/solver_settings.h"
-#include "demos/version.h"
+#include "demos/text/complaints.h"
+#include "demos/text/version.h"
 
 namespace demos {
 namespace {
 
-std::string listOf(const std::vector<Shot>& shots, std::string (*text)(const Shot&)) {
+std::string listOf(const std::vector<PictureFacts>& facts,
+                   std::string (*text)(const PictureFacts&)) {
     std::string list;
-    for (const Shot& shot : shots) list += (list.empty() ? "" : ", ") + text(shot);
+    for (const PictureFacts& fact : facts) list += (list.empty() ? "" : ", ") + text(fact);
     return list;
 }
 
-bool isNowhere(const std::string& name, const std::vector<Shot>& shots) {
-    return !shots.empty() && std::all_of(shots.begin(), shots.end(), [&](const Shot& shot) {
-        return std::find(shot.leftOut.begin(), shot.leftOut.end(), name) != shot.leftOut.end();
+bool isNowhere(const std::string& name, const std::vector<PictureFacts>& facts) {
+    return !facts.empty() && std::all_of(facts.begin(), facts.end(), [&](const PictureFacts& fact) {
+        return std::find(fact.leftOut.begin(), fact.leftOut.end(), name) != fact.leftOut.end();
     });
 }
 
 /// Those that decide about what is seen, and have room somewhere.
-std::string shownText(const Overlays& shown, const std::vector<Shot>& shots) {
+std::string shownText(const Overlays& shown, const std::vector<PictureFacts>& facts) {
     std::string text;
     for (const std::string& name : overlayNames())
-        if (isOn(shown, name) && !isNowhere(name, shots))
-            text += (text.empty() ? "" : " ") + name;
+        if (isOn(shown, name) && !isNowhere(name, facts)) text += (text.empty() ? "" : " ") + name;
     return text;
 }
 
@@ -64,9 +64,9 @@ void addFiles(const std::vector<std::string>& files, PictureSize size, const Pap
         caption.add("size", fmt::format("{}x{} pixels", size.width, size.height));
 }
 
-void addLook(const Overlays& overlays, const std::vector<Shot>& shots, Caption& caption) {
+void addLook(const Overlays& overlays, const std::vector<PictureFacts>& facts, Caption& caption) {
     caption.add("theme", overlays.theme);
-    caption.add("shown", shownText(overlays, shots));
+    caption.add("shown", shownText(overlays, facts));
     if (overlays.colorBy != "body") caption.add("colours", overlays.colorBy);
 }
 
@@ -92,13 +92,14 @@ void addPhysics(const SceneDescription& scene, const Options& options, Caption& 
     caption.add("set", fmt::format("{}", fmt::join(options.overrides, " ")));
 }
 
-void addShots(const std::vector<Shot>& shots, Caption& caption) {
-    caption.add(shots.size() > 1 ? "times" : "time",
-                listOf(shots, [](const Shot& shot) { return fmt::format("{:.3f} s", shot.time); }));
-    caption.add(shots.size() > 1 ? "steps" : "step",
-                listOf(shots, [](const Shot& shot) { return std::to_string(shot.step); }));
-    caption.add(shots.size() > 1 ? "states" : "state",
-                listOf(shots, [](const Shot& shot) { return hexText(shot.state); }));
+void addShots(const std::vector<PictureFacts>& facts, Caption& caption) {
+    caption.add(facts.size() > 1 ? "times" : "time", listOf(facts, [](const PictureFacts& fact) {
+                    return fmt::format("{:.3f} s", fact.time);
+                }));
+    caption.add(facts.size() > 1 ? "steps" : "step",
+                listOf(facts, [](const PictureFacts& fact) { return std::to_string(fact.step); }));
+    caption.add(facts.size() > 1 ? "states" : "state",
+                listOf(facts, [](const PictureFacts& fact) { return hexText(fact.state); }));
 }
 
 void addProgram(const Options& options, Caption& caption) {

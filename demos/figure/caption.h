@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "demos/figure/paper.h"
-#include "demos/figure/shot.h"
+#include "demos/figure/picture_facts.h"
+#include "demos/look/paper.h"
 
 namespace demos {
 
@@ -31,7 +31,7 @@ std::string titleOf(const SceneDescription& scene);
 void addFiles(const std::vector<std::string>& files, PictureSize size, const Paper& paper,
               Caption& caption);
 /// Theme, colours, and what is shown in one of the pictures at least.
-void addLook(const Overlays& overlays, const std::vector<Shot>& shots, Caption& caption);
+void addLook(const Overlays& overlays, const std::vector<PictureFacts>& facts, Caption& caption);
 /// The scene's name, its steps, and where the world is not as usual.
 void addWorld(const SceneDescription& scene, const Options& options, Caption& caption);
 /// The same, the solver, and what was set.
@@ -39,7 +39,7 @@ void addPhysics(const SceneDescription& scene, const Options& options, Caption& 
 /// "steady; substeps=8": the preset, and what differs from it.
 std::string solverText(const SceneDescription& scene);
 /// Times, steps and state hashes.
-void addShots(const std::vector<Shot>& shots, Caption& caption);
+void addShots(const std::vector<PictureFacts>& facts, Caption& caption);
 /// What made it: the last lines.
 void addProgram(const Options& options, Caption& caption);
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "demos/commands/table.h"
 #include "demos/film/outputs.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
+#include "demos/text/table.h"
 #include "render/encode/file.h"
 
 namespace demos {
@@ -61,7 +61,7 @@ void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& 
     const auto* text = reinterpret_cast<const std::uint8_t*>(caption.data());
     for (const std::string& name : captionFiles(names, options))
         files.push_back({name, {text, caption.size()}});
-    for (const render::NamedBytes& file : files) makeFolder(file.path.parent_path());
+    for (const render::NamedBytes& file : files) render::makeFolder(file.path.parent_path());
     render::writeFilesTogether(files);
     for (const FigurePicture& picture : pictures)
         if (picture.file == "-") writeResult("-", picture.bytes);

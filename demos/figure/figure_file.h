@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "demos/film/progress.h"
-#include "demos/options.h"
+#include "demos/options/options.h"
 
 namespace demos {
 

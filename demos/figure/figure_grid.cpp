@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/figure/type.h"
-#include "demos/stop.h"
+#include "demos/look/type.h"
+#include "demos/text/stop.h"
 #include "render/corners.h"
 #include "render/encode/png.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/figure/paper.h"
 #include "demos/film/film_strip.h"
+#include "demos/look/paper.h"
 
 namespace demos {
 

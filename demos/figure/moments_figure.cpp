@@ -1,4 +1,5 @@
 #include "demos/figure/moments_figure.h"
+#include "demos/options/picture_options.h"
 
 #include <fmt/format.h>
 
@@ -13,24 +14,22 @@ namespace {
 Caption captionOf(const MomentsFigure& figure, PictureSize size, const Options& options) {
     const Overlays& overlays = figure.plan.panels.front().overlays;
     const SceneDescription& scene = figure.plan.scene();
-    Caption caption(titleOf(scene) + ". " + timesText(figure.shots) +
-                    scalesText(overlays, figure.shots));
+    Caption caption(titleOf(scene) + ". " + timesText(figure.facts) +
+                    scalesText(overlays, figure.facts));
     addFiles({figure.file}, size, figure.paper, caption);
-    addLook(overlays, figure.shots, caption);
+    addLook(overlays, figure.facts, caption);
     addPhysics(scene, options, caption);
-    addShots(figure.shots, caption);
+    addShots(figure.facts, caption);
     addProgram(options, caption);
     return caption;
 }
 
 }  // namespace
 
-Options figureOptions(Options options) {
-    if (!options.width) return options;
+PictureSize figureSize(const Options& options) {
     const Quality& quality = qualityOf(options.quality);
-    options.size = figureSize(paperOf(options),
-                              options.size.value_or(PictureSize{quality.width, quality.height}));
-    return options;
+    return figureSize(paperOf(options),
+                      options.size.value_or(PictureSize{quality.width, quality.height}));
 }
 
 void writeMoments(const MomentsFigure& figure, const render::Image& picture,
@@ -40,9 +39,9 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
     writeFigure({{figure.file, render::encodePng(picture, dpi)}}, caption.text(), options);
 }
 
-void tellLeftOut(const std::vector<Shot>& shots, PictureSize picture, const Paper& paper,
+void tellLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
                  const Talk& talk) {
-    const std::vector<std::string> names = leftOut(shots);
+    const std::vector<std::string> names = leftOut(facts);
     if (names.empty()) return;
     talk.mention(fmt::format(
         "{}: no room in a picture of {:.0f} x {:.0f} mm, left out; use a larger --width or a "

@@ -3,20 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "demos/figure/shot.h"
+#include "demos/figure/picture_facts.h"
 #include "demos/film/progress.h"
 #include "render/image.h"
 
 namespace demos {
 
-/// As asked for; with --width, of that many pixels, by the ratio of --size or of the quality.
-Options figureOptions(Options options);
+/// Pixels of a figure of --width, by the ratio of --size or of the quality.
+PictureSize figureSize(const Options& options);
 
 struct MomentsFigure {
     std::string file;  // or "-"
     Paper paper;
     const FilmPlan& plan;
-    std::vector<Shot> shots;
+    std::vector<PictureFacts> facts;
 };
 
 /// The PNG and its caption. Throws render::Error.
@@ -24,7 +24,7 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
                   const Options& options);
 
 /// Says on standard error what has no room in a figure, whose letters do not shrink.
-void tellLeftOut(const std::vector<Shot>& shots, PictureSize picture, const Paper& paper,
+void tellLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
                  const Talk& talk);
 
 }  // namespace demos

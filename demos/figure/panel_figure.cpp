@@ -1,4 +1,5 @@
 #include "demos/figure/panel_figure.h"
+#include "demos/options/picture_options.h"
 
 #include <fmt/format.h>
 
@@ -6,14 +7,14 @@
 #include <cmath>
 #include <optional>
 
-#include "demos/figure/type.h"
 #include "demos/film/exposure.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/framing.h"
 #include "demos/film/quality.h"
-#include "demos/film/signals.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/look/type.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 #include "render/palette.h"
 
 namespace demos {
@@ -21,8 +22,7 @@ namespace {
 
 /// The scene's own text would stand in every picture, the same.
 FilmPlan planOf(const Variant& run, Options options) {
-    options.command = Command::still;  // any step will do
-    if (!options.time) options.time = 0.0;
+    options.anyStep = true;
     Panel panel;
     panel.scene = run.scene;
     FilmPlan plan = planFilm({std::move(panel)}, false, options);
@@ -81,7 +81,7 @@ void drawPanel(const PanelFigure& figure, std::size_t i, render::Renderer& rende
         drawn.diverged.back() = stop.what();
         seen = lastGood(plan, player, time);
     }
-    drawn.shots.push_back(shotOf(player, plan, seen.back(), figure.paper));
+    drawn.facts.push_back(factsOf(player, plan, seen.back(), figure.paper));
     const bool whole = drawn.diverged.back().empty();
     placePicture(figure.layout, static_cast<int>(i),
                  whole ? exposed(seen, plan, renderer) : renderer.draw(seen.back()), drawn.image);
@@ -113,7 +113,7 @@ StripLayout wholeOf(const PanelFigure& figure) {
 }  // namespace
 
 PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart,
-                       const Options& options) {
+                       const RunsOptions& options) {
     PanelFigure figure;
     figure.paper = paperOf(options);
     const int count = static_cast<int>(runs.size());

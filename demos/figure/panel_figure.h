@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "demos/charts/chart.h"
+#include "demos/comparisons/runs_options.h"
 #include "demos/figure/figure_grid.h"
-#include "demos/figure/shot.h"
-#include "demos/report/chart.h"
-#include "demos/report/variants.h"
+#include "demos/figure/picture_facts.h"
+#include "demos/film/variants.h"
 
 namespace demos {
 
@@ -25,11 +26,11 @@ struct PanelFigure {
 /// `columns`: 0 = as many as there is room for. Throws Stop (usage, environment) for what cannot
 /// be.
 PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart,
-                       const Options& options);
+                       const RunsOptions& options);
 
 struct DrawnPanels {
     render::Image image;
-    std::vector<Shot> shots;            // one a run
+    std::vector<PictureFacts> facts;    // one a run
     std::vector<std::string> diverged;  // likewise; empty = it did not
 };
 /// Throws Stop (interrupted), render::Error. A run that diverges is shown as it was last.

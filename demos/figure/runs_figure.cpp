@@ -1,17 +1,18 @@
 #include "demos/figure/runs_figure.h"
+#include "demos/options/picture_options.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-#include "demos/commands/table.h"
 #include "demos/figure/figure_file.h"
 #include "demos/figure/moments_figure.h"
 #include "demos/film/pattern.h"
-#include "demos/report/plot_file.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/measures/plot_file.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
+#include "demos/text/table.h"
 #include "render/encode/png.h"
 
 namespace demos {
@@ -87,27 +88,19 @@ void checkApart(const std::vector<Written>& all) {
 
 }  // namespace
 
-void checkFigureOptions(const Options& options) {
-    const bool sweep = options.command == Command::sweep;
+void checkFigureOptions(const RunsOptions& options, bool pictured, const char* remedy) {
     if (options.time && !options.width)
         throw Stop(Exit::usage, fmt::format("--time {}: belongs to a figure; give --width, for "
                                             "example --width 85mm",
                                             *options.time));
-    if (!sweep && !options.film && !options.outputs.empty())
-        throw Stop(Exit::usage, fmt::format("--output '{}' and --no-film: without pictures nothing "
-                                            "goes there; leave one of them out",
-                                            printable(options.outputs.front())));
-    const bool pictures = options.width && (sweep ? !options.outputs.empty() : options.film);
-    if (pictures || !options.plot.empty()) return;
+    if ((options.width && pictured) || !options.plot.empty()) return;
     if (!options.caption.empty() || options.width)
         throw Stop(Exit::usage, fmt::format("{} belongs to a figure; give {}",
                                             options.width ? "--width" : "--caption",
-                                            !options.width ? "--width or --plot FILE"
-                                            : sweep        ? "-o FIGURE.png or --plot FILE"
-                                                    : "--plot FILE, or leave --no-film out"));
+                                            options.width ? remedy : "--width or --plot FILE"));
 }
 
-RunsFigure::RunsFigure(RunsFigureSettings settings, const Options& options)
+RunsFigure::RunsFigure(RunsFigureSettings settings, const RunsOptions& options)
     : settings_(std::move(settings)), options_(options), chartOptions_(options) {
     if (!settings_.pictured.empty()) {
         panels_ = planPanels(settings_.pictured, settings_.columns, settings_.chart, options_);
@@ -163,7 +156,7 @@ void RunsFigure::addRuns(const std::vector<Variant>& runs, const DrawnPanels* dr
         std::string text =
             fmt::format("{}: {} ({}, {} steps a second)", run.label, fmt::join(run.settings, " "),
                         solverText(run.scene), run.scene.hz);
-        if (drawn) text += fmt::format(", state {}", hexText(drawn->shots[i].state));
+        if (drawn) text += fmt::format(", state {}", hexText(drawn->facts[i].state));
         if (drawn && !drawn->diverged[i].empty()) text += ", diverged: " + drawn->diverged[i];
         caption.add(drawn ? panelLetter(static_cast<int>(i)) : fmt::format("run {}", i + 1), text);
     }
@@ -172,12 +165,12 @@ void RunsFigure::addRuns(const std::vector<Variant>& runs, const DrawnPanels* dr
 void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& talk) const {
     const DrawnPanels drawn = drawPanels(*panels_, charts);
     const Overlays& overlays = panels_->plans.front().panels.front().overlays;
-    Caption caption(settings_.title + runsText() + ". " + timesText(drawn.shots) +
-                    scalesText(overlays, drawn.shots) +
+    Caption caption(settings_.title + runsText() + ". " + timesText(drawn.facts) +
+                    scalesText(overlays, drawn.facts) +
                     (settings_.chart ? "; below: " + plottedText(charts) : ""));
     const PictureSize size{drawn.image.width, drawn.image.height};
     addFiles({target_}, size, panels_->paper, caption);
-    addLook(overlays, drawn.shots, caption);
+    addLook(overlays, drawn.facts, caption);
     addShared(caption);
     caption.add("time", fmt::format("{:.3f} s", panels_->time));
     caption.add("set", fmt::format("{}", fmt::join(options_.overrides, " ")));
@@ -188,8 +181,8 @@ void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& tal
     talk.json(fmt::format(R"({{"event":"figure","file":{},"time":{},"size":[{},{}]}})",
                           jsonString(target_), numberText(panels_->time), size.width, size.height));
     talk.say(fmt::format("wrote {} ({} pictures, t = {:.3f} s, {}x{})", printable(target_),
-                         drawn.shots.size(), panels_->time, size.width, size.height));
-    tellLeftOut(drawn.shots, panels_->layout.picture, panels_->paper, talk);
+                         drawn.facts.size(), panels_->time, size.width, size.height));
+    tellLeftOut(drawn.facts, panels_->layout.picture, panels_->paper, talk);
     tellCaptions({target_}, options_, talk);
 }
 

@@ -20,13 +20,14 @@ struct RunsFigureSettings {
     std::string picture;            // the pictures' file where --output names none
 };
 
-/// Throws Stop (usage) for options of a figure where there is none.
-void checkFigureOptions(const Options& options);
+/// Throws Stop (usage) for options of a figure where there is none. `pictured`: it has pictures
+/// where it has a width; else `remedy` says how to come by them.
+void checkFigureOptions(const RunsOptions& options, bool pictured, const char* remedy);
 
 class RunsFigure {
 public:
     /// Throws Stop and render::Error for what cannot be made or written.
-    RunsFigure(RunsFigureSettings settings, const Options& options);
+    RunsFigure(RunsFigureSettings settings, const RunsOptions& options);
 
     /// `below`: charts under the pictures; `alone`: those of --plot.
     void write(const std::vector<Chart>& below, const std::vector<Chart>& alone,
@@ -41,7 +42,7 @@ private:
                  Caption& caption) const;
 
     RunsFigureSettings settings_;
-    Options options_, chartOptions_;
+    RunsOptions options_, chartOptions_;
     std::optional<PanelFigure> panels_;
     std::string target_;  // of the pictures; empty = none
 };

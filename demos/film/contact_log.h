@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "demos/scene/stage.h"
+#include "demos/play/stage.h"
 
 namespace demos {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "demos/film/data_json.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 #include "render/data_images.h"
 #include "render/encode/float_files.h"
 #include "render/encode/png16.h"
@@ -60,9 +60,9 @@ bool isText(Pass pass) {
 
 }  // namespace
 
-DataFiles::DataFiles(const FilmPlan& plan, Screen& screen)
+DataFiles::DataFiles(const FilmPlan& plan, Composite& composite)
     : plan_(plan),
-      screen_(screen),
+      composite_(composite),
       log_(plan.stepsPerFrame),
       eventLog_(plan.stepsPerFrame),
       images_(imagesFor(plan.passes)),
@@ -76,22 +76,22 @@ void DataFiles::watch() {
     };
     const bool contacts = isWanted(Pass::contacts), events = isWanted(Pass::events);
     if (!contacts && !events) return;
-    if (events) screen_.watchTouches();
-    screen_.watchSteps([this, contacts, events](const Stage& stage) {
+    if (events) composite_.watchTouches();
+    composite_.watchSteps([this, contacts, events](const Stage& stage) {
         if (contacts) log_.look(stage);
         if (events) eventLog_.look(stage);
     });
 }
 
 void DataFiles::advance(bool drawn) {
-    if (!ahead_) screen_.advance(drawn);
+    if (!ahead_) composite_.advance(drawn);
     ahead_ = false;
 }
 
 std::vector<Bytes> DataFiles::make(int frame, render::Renderer& renderer) {
     std::vector<Bytes> files(plan_.passes.size());
     if (files.empty()) return files;
-    const render::Frame now = screen_.plainFrame(frame);
+    const render::Frame now = composite_.plainFrame(frame);
     for (std::size_t i = 0; i < files.size(); ++i)
         if (isText(plan_.passes[i])) files[i] = textOf(plan_.passes[i], frame, now.camera);
     if (!images_.any()) return files;
@@ -109,20 +109,20 @@ std::vector<Bytes> DataFiles::make(int frame, render::Renderer& renderer) {
 /// frame is told why.
 bool DataFiles::goOn(int frame, render::Frame& next) {
     try {
-        screen_.advance(true);  // the next frame may be this worker's too
+        composite_.advance(true);  // the next frame may be this worker's too
     } catch (const Stop&) {
         return false;
     }
-    next = screen_.plainFrame(frame);
+    next = composite_.plainFrame(frame);
     return true;
 }
 
 Bytes DataFiles::textOf(Pass pass, int frame, const render::Camera& camera) const {
     if (pass == Pass::camera) return bytesOf(cameraJson(plan_, frame, camera));
-    if (pass == Pass::poses) return bytesOf(posesJson(plan_, frame, screen_.stage()));
+    if (pass == Pass::poses) return bytesOf(posesJson(plan_, frame, composite_.stage()));
     if (pass == Pass::events)
-        return bytesOf(eventsJson(plan_, frame, screen_.stage(), eventLog_.events()));
-    return bytesOf(contactsJson(plan_, frame, screen_.stage(), log_.events()));
+        return bytesOf(eventsJson(plan_, frame, composite_.stage(), eventLog_.events()));
+    return bytesOf(contactsJson(plan_, frame, composite_.stage(), log_.events()));
 }
 
 Bytes DataFiles::imageOf(Pass pass, const render::DataImages& images) const {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "demos/film/composite.h"
 #include "demos/film/contact_log.h"
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
-#include "demos/film/screen.h"
 #include "render/data_images.h"
 
 namespace demos {
@@ -17,12 +17,12 @@ using Bytes = std::vector<std::uint8_t>;
 class DataFiles {
 public:
     /// Watches the screen's steps from now on; `plan` and `screen` have to stay.
-    DataFiles(const FilmPlan& plan, Screen& screen);
+    DataFiles(const FilmPlan& plan, Composite& composite);
 
     /// A file's content for each of the plan's passes, of the frame the screen is at. For the flow
     /// the screen goes on to the next frame.
     std::vector<Bytes> make(int frame, render::Renderer& renderer);
-    /// One frame further, unless the screen is there already. `drawn`: as Screen::advance.
+    /// One frame further, unless the screen is there already. `drawn`: as Composite::advance.
     void advance(bool drawn);
 
 private:
@@ -32,7 +32,7 @@ private:
     Bytes imageOf(Pass pass, const render::DataImages& images) const;
 
     const FilmPlan& plan_;
-    Screen& screen_;
+    Composite& composite_;
     ContactLog log_;
     EventLog eventLog_;
     render::DataPasses images_;

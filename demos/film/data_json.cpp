@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/film/json_list.h"
-#include "demos/version.h"
+#include "demos/text/version.h"
 #include "render/data_images.h"
 
 namespace demos {

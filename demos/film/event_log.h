@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/stage.h"
+#include "demos/play/stage.h"
 
 namespace demos {
 

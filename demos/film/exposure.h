@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "demos/film/film_plan.h"
-#include "demos/player.h"
+#include "demos/snapshot/player.h"
 
 namespace demos {
 

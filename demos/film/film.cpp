@@ -8,18 +8,18 @@
 #include <memory>
 #include <utility>
 
-#include "demos/counted.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
 #include "demos/film/outputs.h"
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
-#include "demos/film/signals.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
-#include "demos/stop.h"
-#include "demos/text_hash.h"
-#include "demos/version.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
+#include "demos/text/plural.h"
+#include "demos/text/shell_word.h"
+#include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
+#include "demos/text/version.h"
 #include "render/driver_environment.h"
 #include "render/encode/ffmpeg.h"
 #include "render/encode/file.h"
@@ -49,7 +49,7 @@ render::VideoSource sourceOf(const FilmPlan& plan) {
     return {plan.layout.width, plan.layout.height, plan.fps, plan.alpha()};
 }
 
-render::Fit fitOf(const Options& options, const Talk& talk) {
+render::Fit fitOf(const FilmOptions& options, const Talk& talk) {
     return {options.maxSize.value_or(0), interrupted,
             [&talk](const std::string& line) { talk.mention(line); }};
 }
@@ -58,7 +58,7 @@ render::Fit fitOf(const Options& options, const Talk& talk) {
 class Writers {
 public:
     Writers(const FilmPlan& plan, const std::vector<Output>& outputs, const RunRecord& record,
-            Poster poster, const Options& options, const Talk& talk)
+            Poster poster, const FilmOptions& options, const Talk& talk)
         : poster_(std::move(poster)) {
         for (const Output& output : outputs) {
             if (output.kind == OutputKind::raw) raw_ = true;
@@ -69,7 +69,7 @@ public:
                     std::make_unique<FrameFiles>(plan, output.path, own, options.overwrite));
             }
             if (output.kind == OutputKind::film) {
-                makeFolder(output.path.parent_path());
+                render::makeFolder(output.path.parent_path());
                 films_.push_back(
                     {output.path, std::make_unique<render::VideoWriter>(output.path, sourceOf(plan),
                                                                         fitOf(options, talk))});
@@ -106,11 +106,11 @@ public:
             }
     }
 
-    void tell(const FilmPlan& plan, const Options& options, const Talk& talk) const {
+    void tell(const FilmPlan& plan, const FilmOptions& options, const Talk& talk) const {
         for (const auto& files : files_)
             talk.say(fmt::format("wrote {} ... {} ({}{})", printable(files->nameOf(0).string()),
                                  printable(files->nameOf(plan.frames - 1).filename().string()),
-                                 counted(plan.frames, "frame"),
+                                 plural(plan.frames, "frame"),
                                  files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
         for (const auto& files : files_)
             if (!plan.passes.empty())
@@ -120,7 +120,7 @@ public:
             talk.say(fmt::format("wrote {} ({})", printable(film.path.string()),
                                  options.maxSize
                                      ? film.writer->summary()
-                                     : fmt::format("{}, {:.3g} s", counted(plan.frames, "frame"),
+                                     : fmt::format("{}, {:.3g} s", plural(plan.frames, "frame"),
                                                    plan.timeOf(plan.frames))));
         poster_.tell(plan, talk);
     }
@@ -134,7 +134,7 @@ private:
     bool raw_ = false;
 };
 
-RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::string& renderer) {
+RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::string& renderer) {
     TextHash hash;
     hash.add(hexText(fingerprintOf(plan, options)));
     hash.add(renderer);
@@ -159,7 +159,7 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
     return record;
 }
 
-[[noreturn]] void stopInterrupted(const Writers& writers, const Options& options,
+[[noreturn]] void stopInterrupted(const Writers& writers, const FilmOptions& options,
                                   const std::string& what) {
     const bool again = writers.hasFilms() && !options.overwrite;
     throw Stop(Exit::interrupted, fmt::format("{}; to go on: {}{}", what, options.commandLine,
@@ -167,7 +167,7 @@ RunRecord recordOf(const FilmPlan& plan, const Options& options, const std::stri
 }
 
 /// Frame by frame, until the last one or a signal.
-void drawAll(FrameSource& source, Writers& writers, const Options& options, const Talk& talk,
+void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, const Talk& talk,
              Progress& progress) {
     DrawnFrame frame;
     while (source.next(frame)) {
@@ -189,7 +189,7 @@ std::vector<bool> wantedFrames(const Writers& writers, int frames) {
     return wanted;
 }
 
-void tellNext(const Writers& writers, const Options& options, const Talk& talk) {
+void tellNext(const Writers& writers, const FilmOptions& options, const Talk& talk) {
     if (writers.hasFilms())
         talk.say(fmt::format("next: impulse sim {} --hash", printable(shellWord(options.scene()))));
     else
@@ -205,13 +205,13 @@ void tellPlan(const FilmNeeds& needs, const FilmPlan& plan, const std::vector<Ou
 
 }  // namespace
 
-void checkFilmPlan(const FilmPlan& plan, const Options& options) {
+void checkFilmPlan(const FilmPlan& plan, const FilmOptions& options) {
     const std::vector<Output> outputs = outputsOf(plan, options);
     checkOutputs(outputs, plan, options.overwrite);
     checkNeeds(needsOf(plan, workerCount(options.jobs, plan.frames), outputs), plan);
 }
 
-void makeFilm(const FilmPlan& plan, const Options& options) {
+void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
     checkFilmPlan(plan, options);
     const std::vector<Output> outputs = outputsOf(plan, options);
     Poster poster(plan, options);

@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "demos/film/progress.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {

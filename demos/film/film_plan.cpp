@@ -1,18 +1,19 @@
 #include "demos/film/film_plan.h"
+#include "demos/load/load_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "demos/figure/paper.h"
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
-#include "demos/put_text.h"
+#include "demos/options/picture_options.h"
 #include "demos/scene/reader.h"
-#include "demos/stop.h"
-#include "demos/text_hash.h"
-#include "demos/version.h"
+#include "demos/text/put_text.h"
+#include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
+#include "demos/text/version.h"
 
 namespace demos {
 namespace {
@@ -99,15 +100,10 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     for (Panel& panel : plan.panels) panel.overlays = overlaysOf(panel.scene, options);
     plan.quality = quality.name;
     plan.fps = options.fps.value_or(quality.fps);
-    // A picture of a given time falls on a step, whether or not a film would have a frame there.
-    const bool anyStep = options.command == Command::test ||
-                         (options.command == Command::still && options.time) ||
-                         (options.command == Command::strip && !options.times.empty());
     plan.stepsPerFrame =
-        anyStep ? std::max(scene.hz / plan.fps, 1) : stepsPerFrame(scene.hz, plan.fps);
+        options.anyStep ? std::max(scene.hz / plan.fps, 1) : stepsPerFrame(scene.hz, plan.fps);
     for (const Panel& panel : plan.panels)
-        if (!anyStep) stepsPerFrame(panel.scene.hz, plan.fps);
-    plan.passes = passesCalled(options.passes);
+        if (!options.anyStep) stepsPerFrame(panel.scene.hz, plan.fps);
     plan.frames = frameCount(scene.seconds, plan.fps);
     const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
@@ -132,9 +128,7 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
 FilmPlan planFilm(const Options& options) {
     Panel panel;
     panel.scene = sceneOf(options);
-    // A row of moments (impulse strip) has no time for a plot's cursor, and a snapshot is of one.
-    const bool strip = overlaysOf(panel.scene, options).plot && options.command != Command::strip &&
-                       options.command != Command::test;
+    const bool strip = overlaysOf(panel.scene, options).plot && options.plotBelow;
     FilmPlan plan = planFilm({std::move(panel)}, strip, options);
     if (strip) addStrip({playedChart(plan.scene())}, plan, paperOf(options));
     return plan;

@@ -6,8 +6,8 @@
 #include "demos/film/data_pass.h"
 #include "demos/film/panel_layout.h"
 #include "demos/film/shutter.h"
-#include "demos/options.h"
-#include "demos/overlays.h"
+#include "demos/look/overlays.h"
+#include "demos/options/options.h"
 #include "demos/scene/description.h"
 #include "render/renderer.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "demos/counted.h"
-#include "demos/stop.h"
+#include "demos/text/plural.h"
+#include "demos/text/stop.h"
 #include "render/encode/png.h"
 #include "render/overlay.h"
 
@@ -46,7 +46,7 @@ void checkSides(const StripLayout& layout) {
         Exit::usage,
         fmt::format("{} of {}x{} in one picture of {}x{} pixels; at most {} a side and 134 "
                     "million in all; use a smaller --size{}",
-                    counted(layout.moments, "picture"), layout.picture.width, layout.picture.height,
+                    plural(layout.moments, "picture"), layout.picture.width, layout.picture.height,
                     layout.width, layout.height, render::kLargestSide, adviceFor(layout)));
 }
 

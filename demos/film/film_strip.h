@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/options.h"
-#include "demos/report/inks.h"
+#include "demos/look/inks.h"
+#include "demos/options/options.h"
 #include "render/canvas.h"
 #include "render/image.h"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "demos/file_content.h"
 #include "demos/film/data_json.h"
 #include "demos/film/outputs.h"
-#include "demos/scene/complaints.h"
-#include "demos/text_hash.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
+#include "demos/text/text_hash.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
 #include "render/error.h"
@@ -47,7 +47,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
                        bool overwrite)
     : plan_(plan), folder_(folder), record_(std::move(record)) {
     record_.frames.assign(static_cast<std::size_t>(plan.frames), {});
-    makeFolder(folder_);
+    render::makeFolder(folder_);
     lock_.emplace(folder_);
     const std::vector<std::uint8_t> bytes = contentOf(recordName());
     const auto old = recordFromJson({bytes.begin(), bytes.end()});
@@ -116,7 +116,7 @@ void FrameFiles::prepareData() const {
             throw render::Error(fmt::format(
                 "cannot write into '{}': it is a symbolic link; remove it or name another folder",
                 printable(folder.string())));
-        makeFolder(folder);
+        render::makeFolder(folder);
     }
     if (!plan_.passes.empty())
         render::writeFileAtomically(dataName(), passesJson(plan_, record_.pattern));

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "demos/film/film_plan.h"
-#include "demos/film/folder_lock.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/run_record.h"
+#include "demos/processes/folder_lock.h"
 
 namespace demos {
 

@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <thread>
 
-#include "demos/film/child_process.h"
 #include "demos/film/worker.h"
-#include "demos/stop.h"
+#include "demos/processes/child_process.h"
+#include "demos/text/stop.h"
 #include "render/encode/file.h"
 #include "render/error.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/film/channel.h"
 #include "demos/film/film_plan.h"
+#include "demos/processes/channel.h"
 
 namespace demos {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 #include "render/encode/ffmpeg.h"
 #include "render/encode/file.h"
 #include "render/encode/video.h"
@@ -124,7 +124,7 @@ PatternValues valuesOf(const FilmPlan& plan, int frame) {
     return {frame, plan.timeOf(frame), plan.name, plan.quality};
 }
 
-std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options) {
+std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options) {
     std::vector<std::string> patterns = options.outputs;
     if (patterns.empty()) patterns = {"output/{scene}"};
     std::vector<Output> outputs;
@@ -151,19 +151,6 @@ void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool
 
 void refuseToReplace(const fs::path& path, const std::string& what) {
     throw Stop(Exit::wouldOverwrite, fmt::format("'{}' {}", printable(path.string()), what));
-}
-
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    if (folder.empty() || fs::is_directory(folder, error)) return;
-    if (fs::exists(folder, error))
-        throw render::Error(
-            fmt::format("cannot write into '{}': it is not a folder", printable(folder.string())));
-    fs::create_directories(folder, error);
-    if (error)
-        throw render::Error(fmt::format("cannot make the folder '{}': {}",
-                                        printable(folder.string()),
-                                        render::describeError(error.value())));
 }
 
 }  // namespace demos

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/film/film_options.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/pattern.h"
 
@@ -24,16 +25,13 @@ struct Output {
 bool has(const std::vector<Output>& outputs, OutputKind kind);
 
 /// Throws Stop (usage) for what cannot be written, or twice to one place.
-std::vector<Output> outputsOf(const FilmPlan& plan, const Options& options);
+std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options);
 
 /// Throws Stop (wouldOverwrite) or render::Error where that can be known before drawing.
 void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite);
 
 /// Throws Stop (wouldOverwrite); `what`: the path is.
 [[noreturn]] void refuseToReplace(const std::filesystem::path& path, const std::string& what);
-
-/// The folder and its parents; throws render::Error.
-void makeFolder(const std::filesystem::path& folder);
 
 PatternValues valuesOf(const FilmPlan& plan, int frame);
 

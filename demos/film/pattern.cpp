@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "demos/scene/complaints.h"
-#include "demos/scene/nearest.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/nearest.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {

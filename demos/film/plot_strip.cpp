@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "demos/film/signals.h"
-#include "demos/report/layout.h"
-#include "demos/report/measures.h"
-#include "demos/stop.h"
+#include "demos/charts/layout.h"
+#include "demos/measures/measures.h"
+#include "demos/processes/signals.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "demos/charts/chart.h"
 #include "demos/film/film_plan.h"
-#include "demos/report/chart.h"
 
 namespace demos {
 

@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "demos/commands/table.h"
 #include "demos/film/outputs.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
+#include "demos/text/table.h"
 #include "render/encode/png.h"
 
 namespace demos {
@@ -35,14 +35,14 @@ int frameOf(const FilmPlan& plan, std::size_t index) {
 
 }  // namespace
 
-int posterFrame(const FilmPlan& plan, const Options& options) {
-    if (options.posterTime) {
+int posterFrame(const FilmPlan& plan, const std::optional<double>& time) {
+    if (time) {
         const double last = plan.timeOf(plan.frames - 1);
-        if (*options.posterTime > last + 0.5 / plan.fps)
+        if (*time > last + 0.5 / plan.fps)
             throw Stop(Exit::usage, fmt::format("--poster-time {}: the film's last frame is at "
                                                 "{:.4g} s",
-                                                *options.posterTime, last));
-        return frameAt(plan, *options.posterTime);
+                                                *time, last));
+        return frameAt(plan, *time);
     }
     const std::vector<Section>& sections = plan.scene().sections;
     for (std::size_t i = 0; i < sections.size(); ++i)
@@ -50,9 +50,9 @@ int posterFrame(const FilmPlan& plan, const Options& options) {
     return plan.frames / 2;
 }
 
-Poster::Poster(const FilmPlan& plan, const Options& options) {
+Poster::Poster(const FilmPlan& plan, const FilmOptions& options) {
     if (options.poster.empty()) return;
-    const int frame = posterFrame(plan, options);
+    const int frame = posterFrame(plan, options.posterTime);
     target_ = expandPattern(options.poster, valuesOf(plan, frame));
     if (!target_.ends_with(".png"))
         throw Stop(Exit::usage,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/film/film_options.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/progress.h"
@@ -14,7 +15,7 @@ namespace demos {
 class Poster {
 public:
     /// Throws Stop (usage, wouldOverwrite). Without --poster nothing is wanted.
-    Poster(const FilmPlan& plan, const Options& options);
+    Poster(const FilmPlan& plan, const FilmOptions& options);
     bool wants(int frame) const { return frame == frame_; }
     void add(const DrawnFrame& frame);
     /// Throws render::Error.
@@ -28,6 +29,6 @@ private:
 };
 
 /// --poster-time, else what the first section with a poster says, else the middle.
-int posterFrame(const FilmPlan& plan, const Options& options);
+int posterFrame(const FilmPlan& plan, const std::optional<double>& time = std::nullopt);
 
 }  // namespace demos

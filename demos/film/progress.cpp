@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "demos/put_text.h"
+#include "demos/text/put_text.h"
 
 namespace demos {
 namespace {

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <string>
 
-#include "demos/hex_text.h"
-#include "demos/options.h"
+#include "demos/options/options.h"
+#include "demos/text/hex_text.h"
 
 namespace demos {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/film/film_plan.h"
-#include "demos/hex_text.h"
+#include "demos/text/hex_text.h"
 
 namespace demos {
 namespace {

@@ -1,7 +1,7 @@
 /// A frame rate that a scene's steps allow, and what else suits its film.
 #pragma once
 #include "demos/film/quality.h"
-#include "demos/options.h"
+#include "demos/options/options.h"
 #include "demos/scene/description.h"
 
 namespace demos {

@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "demos/film/quality.h"
-#include "demos/report/inks.h"
-#include "demos/stop.h"
+#include "demos/look/inks.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 
-FilmPlan planStrip(Options options) {
+FilmPlan planStrip(StripOptions options) {
+    options.anyStep = !options.times.empty();
+    options.plotBelow = false;  // a row of moments has no time for a cursor
     const Quality& quality = qualityOf(options.quality);
     if (!options.size) options.size = PictureSize{quality.width / 2, quality.height / 2};
     FilmPlan plan = planFilm(options);
@@ -25,7 +27,7 @@ FilmPlan planStrip(Options options) {
     return plan;
 }
 
-std::vector<int> stripSteps(const FilmPlan& plan, const Options& options) {
+std::vector<int> stripSteps(const FilmPlan& plan, const StripOptions& options) {
     std::vector<int> steps;
     for (const double time : options.times) {
         steps.push_back(stepAt(time, plan, "--times"));

@@ -7,12 +7,18 @@
 
 namespace demos {
 
+struct StripOptions : Options {
+    int moments = 6;
+    std::vector<double> times;  // s; empty = evenly over the film
+    int columns = 0;            // 0 = up to six, all rows alike
+};
+
 /// Pictures of half the quality's size; the scene's own text would stand in every one of them, six
 /// times the same. Throws as planFilm does.
-FilmPlan planStrip(Options options);
+FilmPlan planStrip(StripOptions options);
 
 /// After how many steps each picture is taken; rising. Throws Stop (usage).
-std::vector<int> stripSteps(const FilmPlan& plan, const Options& options);
+std::vector<int> stripSteps(const FilmPlan& plan, const StripOptions& options);
 
 /// Empty paper of the plan's theme.
 render::Image stripPaper(const StripLayout& layout, const FilmPlan& plan);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "demos/film/film_plan.h"
-#include "demos/report/variants.h"
+#include "demos/film/variants.h"
 
 namespace demos {
 

@@ -3,7 +3,7 @@
 #include <exception>
 
 #include "demos/film/data_files.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 #include "render/encode/png.h"
 #include "render/renderer.h"
 
@@ -13,19 +13,19 @@ namespace {
 /// What a worker plays and draws with.
 struct Desk {
     render::Renderer renderer;
-    Screen screen;
+    Composite composite;
     DataFiles data;
 
     Desk(const FilmPlan& plan, const render::RendererSettings& settings)
-        : renderer(settings), screen(plan), data(plan, screen) {}
+        : renderer(settings), composite(plan), data(plan, composite) {}
 };
 
 Message drawnMessage(Desk& desk, int frame, const WorkerTask& task) {
-    render::Image image = desk.screen.draw(frame, desk.renderer);
+    render::Image image = desk.composite.draw(frame, desk.renderer);
     Message message;
     message.kind = MessageKind::frame;
     message.frame = frame;
-    message.stateHash = desk.screen.hash();
+    message.stateHash = desk.composite.hash();
     if (task.png) message.first = render::encodePng(image);
     if (task.raw) message.second = std::move(image.pixels);
     message.data = desk.data.make(frame, desk.renderer);

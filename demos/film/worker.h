@@ -1,7 +1,7 @@
 /// The life of a drawing process.
 #pragma once
-#include "demos/film/channel.h"
 #include "demos/film/film_plan.h"
+#include "demos/processes/channel.h"
 
 namespace demos {
 

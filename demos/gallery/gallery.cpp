@@ -5,22 +5,22 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "demos/counted.h"
-#include "demos/file_content.h"
 #include "demos/film/film_needs.h"
-#include "demos/film/folder_lock.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/outputs.h"
-#include "demos/film/signals.h"
+#include "demos/film/renderer_name.h"
 #include "demos/gallery/gallery_film.h"
 #include "demos/gallery/gallery_page.h"
 #include "demos/gallery/gallery_record.h"
 #include "demos/gallery/gallery_sheet.h"
 #include "demos/gallery/gallery_work.h"
-#include "demos/regression/renderer_name.h"
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
-#include "demos/text_hash.h"
+#include "demos/processes/folder_lock.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
+#include "demos/text/plural.h"
+#include "demos/text/shell_word.h"
+#include "demos/text/text_hash.h"
 #include "render/encode/ffmpeg.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
@@ -55,7 +55,7 @@ void refuseStranger(const fs::path& file, bool own) {
 
 class Gallery {
 public:
-    explicit Gallery(const Options& options)
+    explicit Gallery(const GalleryOptions& options)
         : options_(options),
           talk_(options, false),
           troubles_(talk_),
@@ -69,7 +69,7 @@ public:
             films_ = false;
             talk_.mention("ffmpeg is not installed: posters only; with it there are films");
         }
-        makeFolder(folder_);
+        render::makeFolder(folder_);
         const FolderLock lock(folder_);
         watchSignals();
         renderer_ = rendererName(options_);
@@ -86,7 +86,7 @@ private:
     void readAll() {
         const auto read = [this](int i) {
             return attempted([&] {
-                const Options own = optionsOfFilm(choices_[i], options_);
+                const GalleryOptions own = optionsOfFilm(choices_[i], options_);
                 const FilmPlan plan = planFilm(own);
                 std::vector<Output> films;
                 if (films_)
@@ -129,7 +129,7 @@ private:
         refuseToReplace(folder_,
                         fmt::format("holds {} of another run (other settings, scene or program), "
                                     "the first is '{}'; --overwrite replaces what differs",
-                                    counted(names.size(), "scene"), printable(names.front())));
+                                    plural(names.size(), "scene"), printable(names.front())));
     }
 
     void drawMissing() {
@@ -159,9 +159,9 @@ private:
 
     /// In the scene's own process.
     std::string drawn(const GalleryChoice& choice) const {
-        Options own = optionsOfFilm(choice, options_);
+        GalleryOptions own = optionsOfFilm(choice, options_);
         own.quiet = true;  // its notes have been told
-        const GalleryEntry entry = drawScene(planFilm(own), own, record_.posterFile(choice.name),
+        const GalleryEntry entry = drawScene(planFilm(own), record_.posterFile(choice.name),
                                              films_ ? record_.filmFile(choice.name) : fs::path());
         return jsonText({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
     }
@@ -178,7 +178,7 @@ private:
     void tell(const std::string& name) const {
         const GalleryCard& card = cardCalled(name);
         talk_.say(fmt::format("  {:18} {:g} s, {}", printable(name), card.seconds,
-                              counted(card.frames, "frame")));
+                              plural(card.frames, "frame")));
         talk_.json(jsonText({{"event", "scene"}, {"scene", name}, {"frames", card.frames}}));
         std::fflush(stdout);
     }
@@ -204,12 +204,11 @@ private:
                              {"page", page},
                              {"scenes", cards_.size()},
                              {"failed", troubles_.count()}}));
-        talk_.say(
-            fmt::format("wrote {} ({}, {} drawn, {} kept{}){}", printable(page),
-                        counted(cards_.size(), "scene"), missing_.size() - (read - cards_.size()),
-                        read - missing_.size(),
-                        troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : "",
-                        sheet ? ", sheet.png" : ""));
+        talk_.say(fmt::format(
+            "wrote {} ({}, {} drawn, {} kept{}){}", printable(page), plural(cards_.size(), "scene"),
+            missing_.size() - (read - cards_.size()), read - missing_.size(),
+            troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : "",
+            sheet ? ", sheet.png" : ""));
         talk_.say(fmt::format("next: open {}", printable(shellWord(page))));
         return troubles_.code();
     }
@@ -264,7 +263,7 @@ private:
         runInProcesses(static_cast<int>(choices.size()), jobsFor(choices), work, inOrder, atOnce);
     }
 
-    const Options& options_;
+    const GalleryOptions& options_;
     Talk talk_;
     GalleryTroubles troubles_;
     std::vector<GalleryChoice> choices_, missing_;
@@ -277,6 +276,6 @@ private:
 
 }  // namespace
 
-Exit galleryInFolder(const Options& options) { return Gallery(options).play(); }
+Exit galleryInFolder(const GalleryOptions& options) { return Gallery(options).play(); }
 
 }  // namespace demos

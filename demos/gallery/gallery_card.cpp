@@ -6,8 +6,8 @@
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
 #include "demos/film/scene_fps.h"
-#include "demos/scene/reader.h"
-#include "demos/text_hash.h"
+#include "demos/load/load_scene.h"
+#include "demos/text/text_hash.h"
 
 namespace demos {
 namespace {
@@ -18,15 +18,15 @@ constexpr PictureSize kFilm{640, 360};
 
 }  // namespace
 
-Options optionsOfFilm(const GalleryChoice& choice, const Options& options) {
-    Options own = options;
+GalleryOptions optionsOfFilm(const GalleryChoice& choice, const GalleryOptions& options) {
+    GalleryOptions own = options;
     own.scenes = {choice.scene};
     if (!own.size && !own.qualityAsked) own.size = kFilm;
     suitFilm(loadScene(choice.scene, options.overrides), own);
     return own;
 }
 
-GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const Options& options,
+GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const GalleryOptions& options,
                    const std::string& renderer) {
     const SceneDescription& scene = plan.scene();
     GalleryCard card;
@@ -36,7 +36,7 @@ GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const Opti
     card.purpose = scene.purpose;
     if (!choice.builtin) card.file = std::filesystem::path(choice.scene).filename().string();
     card.seconds = plan.timeOf(plan.frames);
-    card.posterTime = plan.timeOf(posterFrame(plan, options));
+    card.posterTime = plan.timeOf(posterFrame(plan));
     card.bodies = static_cast<int>(scene.bodies.size());
     card.joints = static_cast<int>(scene.joints.size());
     card.hz = scene.hz;

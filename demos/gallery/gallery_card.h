@@ -5,6 +5,7 @@
 #include <string>
 
 #include "demos/film/film_plan.h"
+#include "demos/gallery/gallery_options.h"
 #include "demos/gallery/gallery_scenes.h"
 
 namespace demos {
@@ -21,7 +22,7 @@ struct GalleryCard {
 };
 
 /// `plan`: of the scene's film; `renderer`: as OpenGL names it.
-GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const Options& options,
+GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const GalleryOptions& options,
                    const std::string& renderer);
 
 nlohmann::ordered_json jsonOf(const GalleryCard& card);
@@ -30,6 +31,6 @@ GalleryCard cardFrom(const nlohmann::ordered_json& json);
 
 /// The options of one scene's film: 640x360 at 30 frames a second where nothing else was asked for,
 /// or the next lower rate that the scene's steps allow.
-Options optionsOfFilm(const GalleryChoice& choice, const Options& options);
+GalleryOptions optionsOfFilm(const GalleryChoice& choice, const GalleryOptions& options);
 
 }  // namespace demos

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "demos/film/composite.h"
 #include "demos/film/poster.h"
-#include "demos/film/screen.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
 #include "render/encode/video.h"
@@ -13,11 +13,11 @@ namespace demos {
 namespace {
 
 /// A frame without motion blur: where the film's are means of moments, all of these are the same.
-render::Image posterOf(const Screen& screen, const FilmPlan& plan, int frame,
+render::Image posterOf(const Composite& composite, const FilmPlan& plan, int frame,
                        render::Renderer& renderer) {
     Overlays overlays = plan.panels.front().overlays;
     overlays.text = overlays.stats = false;
-    const render::Frame shown = screen.frameWith(overlays, frame);
+    const render::Frame shown = composite.frameWith(overlays, frame);
     const auto moments = static_cast<std::size_t>(plan.shutter.moments);
     render::Image image = moments <= 1 ? renderer.draw(shown)
                                        : renderer.draw(std::vector<render::Frame>(moments, shown));
@@ -39,26 +39,26 @@ std::unique_ptr<render::VideoWriter> openFilm(const FilmPlan& plan,
 
 }  // namespace
 
-render::Image drawPoster(const FilmPlan& plan, const Options& options) {
-    const int poster = posterFrame(plan, options);
-    Screen screen(plan);
+render::Image drawPoster(const FilmPlan& plan) {
+    const int poster = posterFrame(plan);
+    Composite composite(plan);
     render::Renderer renderer(ownThread(plan));
-    for (int frame = 0; frame < poster; ++frame) screen.advance(false);
-    return posterOf(screen, plan, poster, renderer);
+    for (int frame = 0; frame < poster; ++frame) composite.advance(false);
+    return posterOf(composite, plan, poster, renderer);
 }
 
-GalleryEntry drawScene(const FilmPlan& plan, const Options& options,
-                       const std::filesystem::path& poster, const std::filesystem::path& film) {
+GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster,
+                       const std::filesystem::path& film) {
     const std::unique_ptr<render::VideoWriter> writer = openFilm(plan, film);
-    const int posterAt = posterFrame(plan, options);
+    const int posterAt = posterFrame(plan);
     const int last = writer ? plan.frames - 1 : posterAt;
-    Screen screen(plan);
+    Composite composite(plan);
     render::Renderer renderer(ownThread(plan));
     std::vector<std::uint8_t> png;
     for (int frame = 0; frame <= last; ++frame) {
-        if (frame > 0) screen.advance(writer != nullptr);
-        if (frame == posterAt) png = render::encodePng(posterOf(screen, plan, frame, renderer));
-        if (writer) writer->add(screen.draw(frame, renderer));
+        if (frame > 0) composite.advance(writer != nullptr);
+        if (frame == posterAt) png = render::encodePng(posterOf(composite, plan, frame, renderer));
+        if (writer) writer->add(composite.draw(frame, renderer));
     }
     if (writer) writer->close();
     render::writeFileAtomically(poster, png);

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "demos/page/page_text.h"
-#include "demos/page/rounded.h"
-#include "demos/page/script_safe.h"
-#include "demos/version.h"
+#include "demos/text/page_text.h"
+#include "demos/text/rounded.h"
+#include "demos/text/script_safe.h"
+#include "demos/text/version.h"
 
 namespace demos {
 namespace {
@@ -36,7 +36,7 @@ std::optional<std::string> asked(const std::string& text) {
 
 }  // namespace
 
-GalleryWords wordsOf(const Options& options) {
+GalleryWords wordsOf(const GalleryOptions& options) {
     GalleryWords words;
     for (const std::string& one : options.overrides)
         words.run.insert(words.run.end(), {"--set", one});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "demos/gallery/gallery_card.h"
+#include "demos/gallery/gallery_options.h"
 
 namespace demos {
 
@@ -12,7 +13,7 @@ struct GalleryWords {
     std::vector<std::string> run;      // of what is played
     std::vector<std::string> picture;  // of how it is drawn
 };
-GalleryWords wordsOf(const Options& options);
+GalleryWords wordsOf(const GalleryOptions& options);
 
 /// Links go to NAME.png and NAME.mp4 beside it; nothing else is asked for. `renderer`: as OpenGL
 /// names it. The command that made it is not told: a page is public, its folders are not.

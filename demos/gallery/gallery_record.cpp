@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "demos/file_content.h"
 #include "demos/film/progress.h"
-#include "demos/text_hash.h"
-#include "demos/version.h"
+#include "demos/text/file_content.h"
+#include "demos/text/text_hash.h"
+#include "demos/text/version.h"
 #include "render/encode/file.h"
 
 namespace demos {

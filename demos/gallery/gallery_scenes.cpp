@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <map>
 
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
-#include "demos/scene/reader.h"
-#include "demos/stop.h"
+#include "demos/load/builtin.h"
+#include "demos/load/load_scene.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {

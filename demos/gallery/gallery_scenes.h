@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/options.h"
+#include "demos/options/options.h"
 
 namespace demos {
 

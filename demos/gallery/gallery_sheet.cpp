@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 
-#include "demos/commands/table.h"
-#include "demos/counted.h"
 #include "demos/film/frame_source.h"
-#include "demos/film/signals.h"
 #include "demos/gallery/gallery_film.h"
 #include "demos/gallery/gallery_work.h"
-#include "demos/scene/complaints.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
+#include "demos/text/plural.h"
+#include "demos/text/table.h"
 #include "render/encode/png.h"
 #include "render/encode/png_read.h"
 
@@ -63,15 +63,15 @@ struct NamedPoster {
 };
 
 /// Of those scenes that can be drawn.
-std::vector<NamedPoster> postersOf(Options options, GalleryTroubles& troubles) {
+std::vector<NamedPoster> postersOf(GalleryOptions options, GalleryTroubles& troubles) {
     if (!options.size && !options.qualityAsked) options.size = kTile;
     const std::vector<GalleryChoice> choices = chooseGallery(options.scenes);
     const int count = static_cast<int>(choices.size());
     std::vector<NamedPoster> posters;
     const auto draw = [&](int i) {
         return attempted([&] {
-            const Options own = optionsOfFilm(choices[i], options);
-            const auto png = render::encodePng(drawPoster(planFilm(own), own));
+            const GalleryOptions own = optionsOfFilm(choices[i], options);
+            const auto png = render::encodePng(drawPoster(planFilm(own)));
             return std::string(png.begin(), png.end());
         });
     };
@@ -108,7 +108,7 @@ void GallerySheet::add(const render::Image& picture, const std::string& name) {
     placeMoment(layout_, count_++, fits ? picture : shrunk(picture, tile), name, inks_.ink, paper_);
 }
 
-Exit galleryOfOnePicture(const Options& options) {
+Exit galleryOfOnePicture(const GalleryOptions& options) {
     const std::string target = options.outputs.front();
     checkFree(target, options.overwrite);
     const Talk talk(options, target == "-");
@@ -124,8 +124,8 @@ Exit galleryOfOnePicture(const Options& options) {
     const int width = sheet.paper().width, height = sheet.paper().height;
     talk.json(fmt::format(R"({{"event":"done","file":{},"scenes":{},"size":[{},{}]}})",
                           jsonString(target), posters.size(), width, height));
-    talk.say(fmt::format("wrote {} ({}, {}x{})", printable(target),
-                         counted(posters.size(), "scene"), width, height));
+    talk.say(fmt::format("wrote {} ({}, {}x{})", printable(target), plural(posters.size(), "scene"),
+                         width, height));
     talk.say("next: impulse list NAME, or impulse render NAME");
     return troubles.code();
 }

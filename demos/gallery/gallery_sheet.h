@@ -3,7 +3,8 @@
 #include <string>
 
 #include "demos/film/film_strip.h"
-#include "demos/stop.h"
+#include "demos/gallery/gallery_options.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 
@@ -26,6 +27,6 @@ private:
 };
 
 /// impulse gallery -o FILE.png: the sheet alone, of posters drawn at the tile's size.
-Exit galleryOfOnePicture(const Options& options);
+Exit galleryOfOnePicture(const GalleryOptions& options);
 
 }  // namespace demos

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "demos/put_text.h"
-#include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
+#include "demos/text/complaints.h"
+#include "demos/text/put_text.h"
 
 namespace demos {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "demos/film/progress.h"
 #include "demos/gallery/gallery_scenes.h"
-#include "demos/regression/process_pool.h"
-#include "demos/stop.h"
+#include "demos/processes/process_pool.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 

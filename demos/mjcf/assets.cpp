@@ -99,15 +99,16 @@ private:
 };
 
 void readAsset(const Element& element, const Defaults& defaults, const Rules& rules,
-               const fs::path& folder, const FileReader& read, Remarks& remarks, Assets& assets) {
+               const fs::path& folder, const FileReader& read, Diagnostics& diagnostics,
+               Assets& assets) {
     if (element.name == "material") {
         Attributes attributes = defaults.of(element, "");
         assets.colors[attributes.text("name")] = readColor(attributes);
     } else if (element.name == "mesh") {
         MeshReader reader(defaults.of(element, ""), rules, folder, read);
         if (!assets.meshes.emplace(reader.name(), reader.read()).second)
-            remarks.wrong(element.spot,
-                          "two meshes are called '" + reader.name() + "'; rename one");
+            diagnostics.wrong(element.spot,
+                              "two meshes are called '" + reader.name() + "'; rename one");
     }
 }
 
@@ -123,12 +124,12 @@ std::optional<unsigned> readColor(Attributes& attributes) {
 }
 
 Assets readAssets(const Element& root, const Defaults& defaults, const Rules& rules,
-                  const fs::path& folder, const FileReader& read, Remarks& remarks) {
+                  const fs::path& folder, const FileReader& read, Diagnostics& diagnostics) {
     Assets assets;
     for (const Element& section : root.children) {
         if (section.name != "asset") continue;
         for (const Element& element : section.children)
-            readAsset(element, defaults, rules, folder, read, remarks, assets);
+            readAsset(element, defaults, rules, folder, read, diagnostics, assets);
     }
     return assets;
 }

@@ -19,6 +19,7 @@ std::optional<unsigned> readColor(Attributes& attributes);
 
 /// `folder`: the model's.
 Assets readAssets(const Element& root, const Defaults& defaults, const Rules& rules,
-                  const std::filesystem::path& folder, const FileReader& read, Remarks& remarks);
+                  const std::filesystem::path& folder, const FileReader& read,
+                  Diagnostics& diagnostics);
 
 }  // namespace demos::mjcf

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "demos/scene/nearest.h"
+#include "demos/text/nearest.h"
 
 namespace demos::mjcf {
 namespace {
@@ -44,8 +44,11 @@ std::string rangeText(const Range& range) {
 }  // namespace
 
 Attributes::Attributes(const Element& element, const std::vector<Attribute>& ofClass,
-                       Remarks& remarks)
-    : element_(element.name), spot_(element.spot), all_(element.attributes), remarks_(remarks) {
+                       Diagnostics& diagnostics)
+    : element_(element.name),
+      spot_(element.spot),
+      all_(element.attributes),
+      diagnostics_(diagnostics) {
     const auto own = [&](auto is) {
         return std::any_of(element.attributes.begin(), element.attributes.end(),
                            [&](const Attribute& a) { return is(a.name); });
@@ -130,11 +133,11 @@ std::optional<bool> Attributes::truth(std::string_view name) {
 }
 
 void Attributes::wrong(std::string_view name, const std::string& what) {
-    remarks_.wrong(spotOf(name), what);
+    diagnostics_.wrong(spotOf(name), what);
 }
 
 void Attributes::note(std::string_view name, const std::string& what) {
-    remarks_.note(spotOf(name), what);
+    diagnostics_.note(spotOf(name), what);
 }
 
 }  // namespace demos::mjcf

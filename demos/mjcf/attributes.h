@@ -15,7 +15,8 @@ class Attributes {
 public:
     /// Own values win; of the ways to say an orientation, or a place, those of the class count only
     /// where the element says none itself.
-    Attributes(const Element& element, const std::vector<Attribute>& ofClass, Remarks& remarks);
+    Attributes(const Element& element, const std::vector<Attribute>& ofClass,
+               Diagnostics& diagnostics);
 
     const std::string& element() const { return element_; }
     const Spot& spot() const { return spot_; }
@@ -41,7 +42,7 @@ private:
     std::string element_;
     Spot spot_;
     std::vector<Attribute> all_;
-    Remarks& remarks_;
+    Diagnostics& diagnostics_;
 };
 
 }  // namespace demos::mjcf

@@ -51,7 +51,8 @@ public:
         for (const Element& element : root.children)
             if (element.name == "worldbody") readChildren(element, {kWorld, {}}, "");
         if (tree_.links.size() + tree_.fixed.size() > kMostBodies)
-            context_.remarks.wrong(root.spot, "more than 10000 bodies; a model should have less");
+            context_.diagnostics.wrong(root.spot,
+                                       "more than 10000 bodies; a model should have less");
         return std::move(tree_);
     }
 
@@ -116,9 +117,9 @@ private:
         const int free = readJoints(body, childclass, joints);
         const bool isFree = free > 0;
         if (free > 1 || (isFree && (around != kWorld || !joints.empty())))
-            context_.remarks.wrong(body.spot,
-                                   "a free joint beside others, or inside a moving <body>; "
-                                   "it should be alone, in a <body> of <worldbody>");
+            context_.diagnostics.wrong(body.spot,
+                                       "a free joint beside others, or inside a moving <body>; "
+                                       "it should be alone, in a <body> of <worldbody>");
         if (isMocap(body))
             joints.clear();
         else if (isFree || !joints.empty())
@@ -167,8 +168,8 @@ private:
         const Attribute* name = body.find("name");
         if (!name || name->value.empty()) return;
         if (!tree_.bodies.emplace(name->value, at).second)
-            context_.remarks.wrong(name->spot,
-                                   "two bodies are called '" + name->value + "'; rename one");
+            context_.diagnostics.wrong(name->spot,
+                                       "two bodies are called '" + name->value + "'; rename one");
     }
 
     /// From the axes of `pose` to those of the link.
@@ -182,12 +183,12 @@ private:
 
     void addGeom(const Element& element, const Whereabouts& at, const Pose& pose,
                  const std::string& childclass, Weights& weights) {
-        const int before = context_.remarks.errors();
+        const int before = context_.diagnostics.errors();
         std::optional<Geom> geom = readGeom(element, childclass, context_);
         if (!geom) {
             // Of a mesh that is wrong its <asset> tells; other types are left out with a note.
             const bool isMesh = context_.defaults.of(element, childclass).text("type") == "mesh";
-            if (isMesh || context_.remarks.errors() > before) refuse(at.link);
+            if (isMesh || context_.diagnostics.errors() > before) refuse(at.link);
             return;
         }
         const Pose there = inLink(at, pose, {});
@@ -199,9 +200,9 @@ private:
         }
         if (geom->shape.type == engine::ShapeType::plane) {
             refuse(at.link);
-            return context_.remarks.wrong(geom->spot,
-                                          "a plane in a <body> that moves; it should be "
-                                          "in <worldbody>, or a box");
+            return context_.diagnostics.wrong(geom->spot,
+                                              "a plane in a <body> that moves; it should be "
+                                              "in <worldbody>, or a box");
         }
         weights.geoms.push_back(geom->properties);
         link(at.link).geoms.push_back(std::move(*geom));
@@ -209,7 +210,7 @@ private:
 
     std::optional<MassProperties> readInertial(const Element& element, const Whereabouts& at,
                                                const Pose& pose) {
-        const int before = context_.remarks.errors();
+        const int before = context_.diagnostics.errors();
         Attributes attributes = context_.defaults.of(element, "");
         const Pose own = readPose(attributes, context_.rules.angles);
         MassProperties given;
@@ -218,7 +219,7 @@ private:
             attributes.wrong("", "an <inertial> has no mass; write mass=\"1\" (kg)");
         given.mass = mass.value_or(0.0);
         given.inertia = yUp(readInertia(attributes, context_.rules.inertiaFromGeom != "true"));
-        if (context_.remarks.errors() > before) refuse(at.link);
+        if (context_.diagnostics.errors() > before) refuse(at.link);
         return placed(given, inLink(at, pose, own));
     }
 
@@ -246,9 +247,9 @@ private:
             link.masses.push_back(*weights.given);
             link.ownInertia = true;
         } else if (rule == "false") {
-            context_.remarks.wrong(body.spot,
-                                   "a <body> that moves has no <inertial>, and "
-                                   "inertiafromgeom is 'false'; write one");
+            context_.diagnostics.wrong(body.spot,
+                                       "a <body> that moves has no <inertial>, and "
+                                       "inertiafromgeom is 'false'; write one");
         } else {
             link.masses.push_back(together(weights.geoms));
         }

@@ -69,7 +69,7 @@ void readOption(Attributes attributes, SceneDescription& scene) {
 }  // namespace
 
 Rules readRules(const Element& root, const Defaults& defaults, SceneDescription& scene,
-                Remarks& remarks) {
+                Diagnostics& diagnostics) {
     constexpr double kTimestep = 0.002;  // MuJoCo's own
     scene.hz = hzFor(kTimestep);
     Rules rules;
@@ -78,7 +78,7 @@ Rules readRules(const Element& root, const Defaults& defaults, SceneDescription&
         if (element.name != "option") continue;
         readOption(defaults.of(element, ""), scene);
         for (const Element& flag : element.children)
-            if (flag.name == "flag") readFlags({flag, {}, remarks}, rules);
+            if (flag.name == "flag") readFlags({flag, {}, diagnostics}, rules);
     }
     if (!rules.weight) scene.gravity = Vec3::Zero();
     return rules;

@@ -16,6 +16,6 @@ struct Rules {
 
 /// Later <compiler>s and <option>s add to the earlier. Gravity and hz go to the scene.
 Rules readRules(const Element& root, const Defaults& defaults, SceneDescription& scene,
-                Remarks& remarks);
+                Diagnostics& diagnostics);
 
 }  // namespace demos::mjcf

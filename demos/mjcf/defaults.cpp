@@ -1,6 +1,6 @@
 #include "demos/mjcf/defaults.h"
 
-#include "demos/scene/nearest.h"
+#include "demos/text/nearest.h"
 
 namespace demos::mjcf {
 namespace {
@@ -20,7 +20,7 @@ void overlay(const Element& element, std::vector<Attribute>& attributes) {
 
 }  // namespace
 
-Defaults::Defaults(const Element& root, Remarks& remarks) : remarks_(remarks) {
+Defaults::Defaults(const Element& root, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
     classes_[main_];
     for (const Element& element : root.children) {
         if (element.name != "default") continue;
@@ -41,10 +41,10 @@ void Defaults::read(const Element& element, const std::string& name, const Class
         if (child.name != "default") continue;
         const Attribute* inner = child.find("class");
         if (!inner || inner->value.empty())
-            remarks_.wrong(child.spot, "an inner <default> has no class; write class=\"NAME\"");
+            diagnostics_.wrong(child.spot, "an inner <default> has no class; write class=\"NAME\"");
         else if (classes_.contains(inner->value))
-            remarks_.wrong(inner->spot,
-                           "two classes are called '" + inner->value + "'; rename one");
+            diagnostics_.wrong(inner->spot,
+                               "two classes are called '" + inner->value + "'; rename one");
         else
             read(child, inner->value, own);
     }
@@ -54,8 +54,8 @@ std::string Defaults::known(const Attribute& name) const {
     if (classes_.contains(name.value)) return name.value;
     std::vector<std::string> names;
     for (const auto& [known, own] : classes_) names.push_back(known);
-    remarks_.wrong(name.spot, "no default class is called '" + name.value + "'" +
-                                  suggestion(name.value, names));
+    diagnostics_.wrong(name.spot, "no default class is called '" + name.value + "'" +
+                                      suggestion(name.value, names));
     return main_;
 }
 
@@ -75,7 +75,7 @@ Attributes Defaults::of(const Element& element, const std::string& childclass,
     const Class& attributes = classes_.at(name);
     const auto found = attributes.find(called);
     static const std::vector<Attribute> kNone;
-    return {element, found == attributes.end() ? kNone : found->second, remarks_};
+    return {element, found == attributes.end() ? kNone : found->second, diagnostics_};
 }
 
 }  // namespace demos::mjcf

@@ -11,7 +11,7 @@ namespace demos::mjcf {
 class Defaults {
 public:
     /// Of the <default>s in `root`, which may lie in each other: an inner one begins as the outer.
-    Defaults(const Element& root, Remarks& remarks);
+    Defaults(const Element& root, Diagnostics& diagnostics);
 
     /// The element with what its class says, or else `childclass` (of the <body>s around it), or
     /// else the outermost class.
@@ -30,7 +30,7 @@ private:
 
     std::map<std::string, Class> classes_;
     std::string main_ = "main";
-    Remarks& remarks_;
+    Diagnostics& diagnostics_;
 };
 
 }  // namespace demos::mjcf

@@ -1,7 +1,7 @@
 #include "demos/mjcf/equalities.h"
 
-#include "demos/scene/nearest.h"
 #include "demos/scene/ranges.h"
+#include "demos/text/nearest.h"
 
 namespace demos::mjcf {
 namespace {
@@ -15,15 +15,15 @@ public:
           tree_(tree),
           places_(places),
           scene_(scene),
-          remarks_(context.remarks) {}
+          diagnostics_(context.diagnostics) {}
 
     void add(Names& names) {
-        const int before = remarks_.errors();
+        const int before = diagnostics_.errors();
         const bool active = attributes_.truth("active").value_or(true);
         const Whereabouts one = find("body1");
         const Whereabouts other = attributes_.has("body2") ? find("body2") : Whereabouts{};
         const Vec3 anchor = readAnchor(one);
-        if (remarks_.errors() > before || !active) return;
+        if (diagnostics_.errors() > before || !active) return;
         if (one.link == other.link)
             return attributes_.note("", "<" + attributes_.element() +
                                             "> within one rigid body holds already; left out");
@@ -78,7 +78,7 @@ private:
     const BodyTree& tree_;
     const std::vector<int>& places_;
     SceneDescription& scene_;
-    Remarks& remarks_;
+    Diagnostics& diagnostics_;
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "demos/mjcf/geoms.h"
 
 #include "demos/mjcf/hulls.h"
-#include "demos/scene/nearest.h"
 #include "demos/scene/ranges.h"
+#include "demos/text/nearest.h"
 #include "engine/base/trigonometry.h"
 #include "engine/shapes/mass.h"
 
@@ -25,11 +25,11 @@ public:
         geom_.spot = attributes_.spot();
         geom_.name = attributes_.text("name");
         geom_.type = readType();
-        const int before = context_.remarks.errors();
+        const int before = context_.diagnostics.errors();
         const bool meant = readShape();
         readMass();
         readSurface();
-        if (!meant || context_.remarks.errors() > before) return std::nullopt;
+        if (!meant || context_.diagnostics.errors() > before) return std::nullopt;
         return geom_;
     }
 

@@ -13,7 +13,7 @@ struct Context {
     const Rules& rules;
     const Defaults& defaults;
     const Assets& assets;
-    Remarks& remarks;
+    Diagnostics& diagnostics;
 };
 
 struct Geom {

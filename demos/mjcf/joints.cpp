@@ -128,9 +128,9 @@ private:
         }
         const double apart = (high - low).norm();
         if (apart > kSamePoint)
-            context_.remarks.note(spot(), "the hinges of a <body> are at different points, " +
-                                              numberText(std::round(1e6 * apart) / 1e6) +
-                                              " m apart; here they are in the middle");
+            context_.diagnostics.note(spot(), "the hinges of a <body> are at different points, " +
+                                                  numberText(std::round(1e6 * apart) / 1e6) +
+                                                  " m apart; here they are in the middle");
         return 0.5 * (low + high);
     }
 
@@ -169,10 +169,10 @@ private:
     }
 
     bool refuse(const std::string& why) {
-        context_.remarks.wrong(spot(),
-                               "the " + std::to_string(joints_.size()) +
-                                   " joints of this <body> cannot be one joint here (" + why +
-                                   "); put them in <body>s of their own, with some mass each");
+        context_.diagnostics.wrong(spot(),
+                                   "the " + std::to_string(joints_.size()) +
+                                       " joints of this <body> cannot be one joint here (" + why +
+                                       "); put them in <body>s of their own, with some mass each");
         return false;
     }
 
@@ -184,10 +184,11 @@ private:
             free += def.free[i].locked ? 0 : 1;
         }
         if (acts || free == 2)
-            context_.remarks.note(spot(),
-                                  "several hinges of a <body> are the turns about three axes of "
-                                  "one joint; ranges, springs and what is held are exact while "
-                                  "one of them is large");
+            context_.diagnostics.note(
+                spot(),
+                "several hinges of a <body> are the turns about three axes of "
+                "one joint; ranges, springs and what is held are exact while "
+                "one of them is large");
     }
 
     const Context& context_;

@@ -1,44 +1,44 @@
 #include "demos/mjcf/model_reader.h"
 
+#include "demos/mjcf/contact_filter.h"
 #include "demos/mjcf/equalities.h"
 #include "demos/mjcf/joints.h"
-#include "demos/mjcf/meetings.h"
 #include "demos/mjcf/view.h"
 #include "demos/mjcf/vocabulary.h"
 #include "demos/scene/expression.h"
 #include "demos/scene/overrides.h"
-#include "demos/scene/read_parts.h"
 #include "demos/scene/reader.h"
+#include "demos/scene/table_readers.h"
 
 namespace demos::mjcf {
 namespace {
 
 namespace fs = std::filesystem;
 
-void stopIfWrong(const Remarks& remarks) {
-    if (remarks.errors() > 0) throw SceneError(remarks.errorLines());
+void stopIfWrong(const Diagnostics& diagnostics) {
+    if (diagnostics.errors() > 0) throw SceneError(diagnostics.errorLines());
 }
 
-void build(const Element& root, const fs::path& folder, const FileReader& read, Remarks& remarks,
-           SceneDescription& scene) {
-    const Defaults defaults(root, remarks);
-    const Rules rules = readRules(root, defaults, scene, remarks);
-    const Assets assets = readAssets(root, defaults, rules, folder, read, remarks);
-    const Context context{rules, defaults, assets, remarks};
+void build(const Element& root, const fs::path& folder, const FileReader& read,
+           Diagnostics& diagnostics, SceneDescription& scene) {
+    const Defaults defaults(root, diagnostics);
+    const Rules rules = readRules(root, defaults, scene, diagnostics);
+    const Assets assets = readAssets(root, defaults, rules, folder, read, diagnostics);
+    const Context context{rules, defaults, assets, diagnostics};
     const BodyTree tree = readBodies(root, context);
     const std::vector<int> places = addBodies(tree, context, scene);
-    stopIfWrong(remarks);  // joints ask for good bodies
+    stopIfWrong(diagnostics);  // joints ask for good bodies
     Names jointNames;
     addJoints(tree, places, context, scene, jointNames);
     addEqualities(root, tree, places, context, scene, jointNames);
     separate(root, tree, places, context, scene);
     if (scene.bodies.empty())
-        remarks.wrong(
+        diagnostics.wrong(
             root.spot,
             "the model has no <geom>; give it some" +
                 (tree.lacking.empty() ? "" : ": its <" + tree.lacking + "> is not available"));
     scene.camera = readView(root, defaults, scene);
-    stopIfWrong(remarks);
+    stopIfWrong(diagnostics);
 }
 
 /// --set, as if a scene file said so after the model.
@@ -79,14 +79,14 @@ SceneDescription readModel(const std::string& text, const std::string& fileName,
         scene.files.push_back(path.string());
         return read(path);
     };
-    Remarks remarks;
-    const Element root = readTree(text, fileName, noted, remarks);
-    stopIfWrong(remarks);
+    Diagnostics diagnostics;
+    const Element root = readTree(text, fileName, noted, diagnostics);
+    stopIfWrong(diagnostics);
     if (const Attribute* model = root.find("model"); model && !model->value.empty())
         scene.title = printable(model->value.substr(0, 200));
-    checkWords(root, remarks);
-    build(root, fs::path(fileName).parent_path(), noted, remarks, scene);
-    scene.notes = remarks.noteLines();
+    checkWords(root, diagnostics);
+    build(root, fs::path(fileName).parent_path(), noted, diagnostics, scene);
+    scene.notes = diagnostics.noteLines();
     applyOptions(overrides, fileName, scene);
     return scene;
 }

@@ -37,7 +37,7 @@ public:
     void addMoving(const Link& link) {
         const MassProperties whole = together(link.masses);
         if (!isMovable(whole) && !link.refused)
-            context_.remarks.wrong(
+            context_.diagnostics.wrong(
                 link.spot,
                 "a <body> with a joint has no mass to move, or no inertia (mass " +
                     numberText(whole.mass) + " kg); it should have <geom>s, or an <inertial>" +
@@ -85,19 +85,19 @@ private:
     void tellOfHidden(const Link& link, const std::vector<const Geom*>& solid) {
         for (const Geom& geom : link.geoms) {
             if (!geom.collides() && solid.front()->collides())
-                context_.remarks.note(geom.spot,
-                                      "a <geom> that nothing meets, beside others that are "
-                                      "met, is weighed and not drawn");
+                context_.diagnostics.note(geom.spot,
+                                          "a <geom> that nothing meets, beside others that are "
+                                          "met, is weighed and not drawn");
             if (!geom.collides()) continue;
             if (geom.friction != solid.front()->friction)
-                context_.remarks.note(geom.spot,
-                                      "friction differs between the <geom>s of a body; that "
-                                      "of its first holds for all");
+                context_.diagnostics.note(geom.spot,
+                                          "friction differs between the <geom>s of a body; that "
+                                          "of its first holds for all");
             if (geom.contype != solid.front()->contype ||
                 geom.conaffinity != solid.front()->conaffinity)
-                context_.remarks.note(geom.spot,
-                                      "contype or conaffinity differ between the <geom>s of "
-                                      "a body; those of its first hold for all");
+                context_.diagnostics.note(geom.spot,
+                                          "contype or conaffinity differ between the <geom>s of "
+                                          "a body; those of its first hold for all");
         }
     }
 
@@ -109,7 +109,7 @@ private:
         body.def.material.rolling = first.rolling;
         body.def.collide = first.collides() && context_.rules.contacts;
         if (body.def.pose.position.cwiseAbs().maxCoeff() > 1e5)
-            context_.remarks.wrong(
+            context_.diagnostics.wrong(
                 spot, "a body more than 100000 m from the origin; it should be nearer");
         tellOfFriction(first, spot);
         scene_.bodies.push_back(std::move(body));
@@ -118,9 +118,9 @@ private:
     void tellOfFriction(const Geom& geom, const Spot& spot) {
         if (!geom.collides()) return;
         if (friction_ && *friction_ != geom.friction)
-            context_.remarks.note(spot,
-                                  "surfaces of different friction meet with the root of their "
-                                  "product, not with the larger one");
+            context_.diagnostics.note(spot,
+                                      "surfaces of different friction meet with the root of their "
+                                      "product, not with the larger one");
         friction_ = geom.friction;
     }
 

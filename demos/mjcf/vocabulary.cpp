@@ -5,7 +5,7 @@
 #include <charconv>
 #include <span>
 
-#include "demos/scene/nearest.h"
+#include "demos/text/nearest.h"
 
 namespace demos::mjcf {
 namespace {
@@ -208,7 +208,7 @@ bool saysTheSame(std::string_view written, std::string_view neutral) {
 
 class WordCheck {
 public:
-    explicit WordCheck(Remarks& remarks) : remarks_(remarks) {}
+    explicit WordCheck(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
     void element(const Element& element, const Kind& kind) {
         for (const Attribute& attribute : element.attributes) check(attribute, element, kind);
@@ -230,13 +230,14 @@ private:
             case Fate::silent:
                 return;
             case Fate::unseen:
-                return remarks_.unseen(child.spot, child.name);
+                return diagnostics_.unseen(child.spot, child.name);
             case Fate::lacking:
                 if (!empty)
-                    remarks_.note(child.spot,
-                                  "<" + child.name + ">" +
-                                      (around.name == "mujoco" ? "" : " in <" + around.name + ">") +
-                                      " is not available; left out");
+                    diagnostics_.note(
+                        child.spot,
+                        "<" + child.name + ">" +
+                            (around.name == "mujoco" ? "" : " in <" + around.name + ">") +
+                            " is not available; left out");
         }
     }
 
@@ -244,8 +245,8 @@ private:
         std::vector<std::string> names;
         for (const Kind& kind : kKinds)
             if (mayStandIn(kind, around.name)) names.emplace_back(kind.name);
-        remarks_.wrong(child.spot, "there is no <" + child.name.substr(0, 64) + "> in <" +
-                                       around.name + ">" + suggestion(child.name, names));
+        diagnostics_.wrong(child.spot, "there is no <" + child.name.substr(0, 64) + "> in <" +
+                                           around.name + ">" + suggestion(child.name, names));
     }
 
     void check(const Attribute& attribute, const Element& element, const Kind& kind) {
@@ -260,24 +261,24 @@ private:
             const bool changes =
                 equals == word.size() || !saysTheSame(attribute.value, word.substr(equals + 1));
             if (changes)
-                remarks_.note(attribute.spot,
-                              "<" + element.name + " " + name + "> is not available; left out");
+                diagnostics_.note(attribute.spot,
+                                  "<" + element.name + " " + name + "> is not available; left out");
             return;
         }
-        remarks_.wrong(attribute.spot, "unknown attribute '" + name.substr(0, 64) + "' of <" +
-                                           element.name + ">" + suggestion(name, known));
+        diagnostics_.wrong(attribute.spot, "unknown attribute '" + name.substr(0, 64) + "' of <" +
+                                               element.name + ">" + suggestion(name, known));
     }
 
-    Remarks& remarks_;
+    Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void checkWords(const Element& root, Remarks& remarks) {
+void checkWords(const Element& root, Diagnostics& diagnostics) {
     if (root.name != "mujoco")
-        return remarks.wrong(root.spot, "the outermost element is <" + root.name.substr(0, 64) +
-                                            ">; it should be <mujoco>");
-    WordCheck(remarks).element(root, kKinds[0]);
+        return diagnostics.wrong(root.spot, "the outermost element is <" + root.name.substr(0, 64) +
+                                                ">; it should be <mujoco>");
+    WordCheck(diagnostics).element(root, kKinds[0]);
 }
 
 }  // namespace demos::mjcf

@@ -8,6 +8,6 @@ namespace demos::mjcf {
 
 /// Errors: words that MJCF does not have. Notes: words that change the motion and are not had,
 /// unless they say what holds without them. `root`: <mujoco>.
-void checkWords(const Element& root, Remarks& remarks);
+void checkWords(const Element& root, Diagnostics& diagnostics);
 
 }  // namespace demos::mjcf

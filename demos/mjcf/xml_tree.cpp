@@ -34,8 +34,10 @@ private:
 
 class TreeReader {
 public:
-    TreeReader(const std::string& fileName, const FileReader& read, Remarks& remarks)
-        : folder_(std::filesystem::path(fileName).parent_path()), read_(read), remarks_(remarks) {}
+    TreeReader(const std::string& fileName, const FileReader& read, Diagnostics& diagnostics)
+        : folder_(std::filesystem::path(fileName).parent_path()),
+          read_(read),
+          diagnostics_(diagnostics) {}
 
     Element readFile(std::string text, const std::string& name, int depth);
 
@@ -60,25 +62,25 @@ private:
 
     std::filesystem::path folder_;
     const FileReader& read_;
-    Remarks& remarks_;
+    Diagnostics& diagnostics_;
     std::vector<std::string> included_;
     int elements_ = 0;
 };
 
 Element TreeReader::readFile(std::string text, const std::string& name, int depth) {
-    File file{text, Lines(text), remarks_.addFile(name)};
+    File file{text, Lines(text), diagnostics_.addFile(name)};
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer_inplace(
         file.text.data(), file.text.size(), pugi::parse_default, pugi::encoding_utf8);
     const pugi::xml_node root = document.document_element();
     if (!result) {
-        remarks_.wrong(file.spotOf(result.offset),
-                       std::string("this is no XML: ") + result.description());
+        diagnostics_.wrong(file.spotOf(result.offset),
+                           std::string("this is no XML: ") + result.description());
         return {};
     }
     if (root.next_sibling())
-        remarks_.wrong(file.spotOf(root.next_sibling().offset_debug()),
-                       "a second outermost element; a document has one");
+        diagnostics_.wrong(file.spotOf(root.next_sibling().offset_debug()),
+                           "a second outermost element; a document has one");
     return convert(root, file, depth);
 }
 
@@ -87,10 +89,10 @@ Element TreeReader::convert(const pugi::xml_node& node, const File& file, int de
     element.name = node.name();
     element.spot = file.spotOf(node.offset_debug() - 1);  // at its bracket
     if (++elements_ == kMostElements + 1)
-        remarks_.wrong(element.spot, "more than 200000 elements; a model should have less");
+        diagnostics_.wrong(element.spot, "more than 200000 elements; a model should have less");
     if (depth == kDeepest + 1)
-        remarks_.wrong(element.spot,
-                       "elements more than 64 deep in each other; they should be less");
+        diagnostics_.wrong(element.spot,
+                           "elements more than 64 deep in each other; they should be less");
     if (elements_ > kMostElements || depth > kDeepest) return element;
     addAttributes(node, file, element);
     addChildren(node, file, depth, element);
@@ -101,8 +103,8 @@ void TreeReader::addAttributes(const pugi::xml_node& node, const File& file, Ele
     for (const pugi::xml_attribute& attribute : node.attributes()) {
         const Spot spot = file.spotOf(file.offsetOf(attribute.name()));
         if (element.find(attribute.name()))
-            remarks_.wrong(spot, std::string("two attributes '") + attribute.name() + "' in one <" +
-                                     element.name + ">; leave one out");
+            diagnostics_.wrong(spot, std::string("two attributes '") + attribute.name() +
+                                         "' in one <" + element.name + ">; leave one out");
         element.attributes.push_back({attribute.name(), attribute.value(), spot});
     }
 }
@@ -122,15 +124,16 @@ void TreeReader::addChildren(const pugi::xml_node& node, const File& file, int d
 void TreeReader::include(const Element& element, int depth, std::vector<Element>& children) {
     const Attribute* name = element.find("file");
     if (!name || name->value.empty())
-        return remarks_.wrong(element.spot, "an <include> has no file; write file=\"NAME.xml\"");
+        return diagnostics_.wrong(element.spot,
+                                  "an <include> has no file; write file=\"NAME.xml\"");
     if (std::filesystem::path(name->value).is_absolute())
-        return remarks_.wrong(name->spot, "file is '" + name->value +
-                                              "'; it should be relative to the model's folder");
+        return diagnostics_.wrong(name->spot, "file is '" + name->value +
+                                                  "'; it should be relative to the model's folder");
     if (std::find(included_.begin(), included_.end(), name->value) != included_.end())
-        return remarks_.wrong(
+        return diagnostics_.wrong(
             name->spot, "'" + name->value + "' is included twice; a model includes a file once");
     if (included_.size() == kMostFiles)
-        return remarks_.wrong(
+        return diagnostics_.wrong(
             name->spot, "'" + name->value + "' is the 65th file; a model should be of 64 at most");
     included_.push_back(name->value);
     const std::string path = (folder_ / name->value).lexically_normal().string();
@@ -138,7 +141,7 @@ void TreeReader::include(const Element& element, int depth, std::vector<Element>
         Element root = readFile(read_(path), path, depth);
         for (Element& child : root.children) children.push_back(std::move(child));
     } catch (const SceneError& error) {
-        remarks_.wrong(name->spot, error.what());
+        diagnostics_.wrong(name->spot, error.what());
     }
 }
 
@@ -151,8 +154,8 @@ const Attribute* Element::find(std::string_view attribute) const {
 }
 
 Element readTree(const std::string& text, const std::string& fileName, const FileReader& read,
-                 Remarks& remarks) {
-    return TreeReader(fileName, read, remarks).readFile(text, fileName, 1);
+                 Diagnostics& diagnostics) {
+    return TreeReader(fileName, read, diagnostics).readFile(text, fileName, 1);
 }
 
 }  // namespace demos::mjcf

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "demos/mjcf/remarks.h"
+#include "demos/mjcf/diagnostics.h"
 
 namespace demos::mjcf {
 
@@ -33,6 +33,6 @@ using FileReader = std::function<std::string(const std::filesystem::path&)>;
 /// elements, 64 files), is told. `include` names files beside the model's own. XML's entities of
 /// its own making are not known, so that none can grow.
 Element readTree(const std::string& text, const std::string& fileName, const FileReader& read,
-                 Remarks& remarks);
+                 Diagnostics& diagnostics);
 
 }  // namespace demos::mjcf

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "demos/file_content.h"
 #include "demos/film/outputs.h"
 #include "demos/regression/baseline.h"
-#include "demos/scene/complaints.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
 #include "render/encode/file.h"
 
 namespace demos {
@@ -26,13 +26,13 @@ Baseline shownIn(const fs::path& folder) {
 }
 
 void writeBaselineFile(const Baseline& baseline, const fs::path& folder) {
-    // Its course is a text already, so that no tolerance is asked for.
+    // Its trajectory is a text already, so that no tolerance is asked for.
     render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
 }
 
 void checkLike(const Baseline& shown, const Baseline& kept) {
     if (shown.width != kept.width || shown.height != kept.height ||
-        shown.course.hz != kept.course.hz)
+        shown.trajectory.hz != kept.trajectory.hz)
         throw BaselineError(fmt::format("{}: the size of the pictures or the steps a second have "
                                         "changed; accept all of it: impulse approve {}",
                                         printable(shown.scene), printable(shown.scene)));
@@ -45,7 +45,7 @@ void acceptAll(const fs::path& shown, const fs::path& baseline) {
     std::vector<std::vector<std::uint8_t>> files;  // all of them are read before one is written
     for (const BaselinePicture& picture : now.pictures) files.push_back(readPicture(shown, picture));
     const std::vector<std::uint8_t> json = contentOf(shown / kBaselineFile);
-    makeFolder(baseline);
+    render::makeFolder(baseline);
     for (std::size_t i = 0; i < files.size(); ++i)
         render::writeFileAtomically(baseline / pictureFile(now.pictures[i].time), files[i]);
     render::writeFileAtomically(baseline / kBaselineFile, json);

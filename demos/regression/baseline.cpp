@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "demos/base64.h"
-#include "demos/file_content.h"
-#include "demos/hex_text.h"
-#include "demos/regression/course_codec.h"
-#include "demos/scene/complaints.h"
-#include "demos/text_hash.h"
+#include "demos/regression/trajectory_codec.h"
+#include "demos/text/base64.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/text_hash.h"
 
 namespace demos {
 namespace {
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kBaselineFormat = 1;
-constexpr std::size_t kMostCourse = 32 * 1024, kMostBody = 200;  // bytes of a course, and a body
+constexpr std::size_t kMostTrajectory = 32 * 1024,
+                      kMostBody = 200;  // bytes of a trajectory, and a body
 constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
 
 std::string jsonText(const Json& json) {
@@ -35,20 +36,20 @@ Json picturesJson(const Baseline& baseline) {
     return pictures;
 }
 
-std::string courseText(const Baseline& baseline, const Tolerance& tolerance) {
-    if (!baseline.courseText.empty()) return baseline.courseText;
-    const Course& course = baseline.course;
-    return toBase64(encodeCourse(course, resolutionOf(course, tolerance),
-                                 kMostCourse + kMostBody * course.bodies.size()));
+std::string trajectoryText(const Baseline& baseline, const Tolerance& tolerance) {
+    if (!baseline.trajectoryText.empty()) return baseline.trajectoryText;
+    const Trajectory& trajectory = baseline.trajectory;
+    return toBase64(encodeTrajectory(trajectory, resolutionOf(trajectory, tolerance),
+                                     kMostTrajectory + kMostBody * trajectory.bodies.size()));
 }
 
-Course courseFrom(const std::string& text) {
+Trajectory trajectoryFrom(const std::string& text) {
     const std::optional<std::string> bytes = fromBase64(text);
     if (!bytes) throw std::invalid_argument("base64");
-    std::optional<Course> course = decodeCourse(
-        {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
-    if (!course) throw std::invalid_argument("course");
-    return std::move(*course);
+    std::optional<Trajectory> trajectory =
+        decodeTrajectory({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+    if (!trajectory) throw std::invalid_argument("course");
+    return std::move(*trajectory);
 }
 
 Baseline baselineOf(const Json& json) {
@@ -65,8 +66,8 @@ Baseline baselineOf(const Json& json) {
         baseline.pictures.push_back({picture.at("time").get<double>(),
                                      fromHex(picture.at("state").get<std::string>()).value(),
                                      fromHex(picture.at("png").get<std::string>()).value()});
-    json.at("course").get_to(baseline.courseText);
-    baseline.course = courseFrom(baseline.courseText);
+    json.at("course").get_to(baseline.trajectoryText);
+    baseline.trajectory = trajectoryFrom(baseline.trajectoryText);
     return baseline;
 }
 
@@ -81,7 +82,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
     Json& settings = json["settings"] = Json::object();
     for (const auto& [key, value] : baseline.settings) settings[key] = value;
     json["pictures"] = picturesJson(baseline);
-    json["course"] = courseText(baseline, tolerance);
+    json["course"] = trajectoryText(baseline, tolerance);
     json["seal"] = hexText(hashOf(jsonText(json)));
     return jsonText(json) + "\n";
 }

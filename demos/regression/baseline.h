@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "demos/regression/course.h"
+#include "demos/regression/trajectory.h"
 #include "demos/scene/description.h"
 
 namespace demos {
@@ -29,8 +29,8 @@ struct Baseline {
     int width = 0, height = 0;     // pixels
     Settings settings;             // what may make another run differ
     std::vector<BaselinePicture> pictures;  // by time
-    Course course;
-    std::string courseText;  // as it was read: not rounded anew when it is written again
+    Trajectory trajectory;
+    std::string trajectoryText;  // as it was read: not rounded anew when it is written again
 };
 
 /// A baseline that cannot be used; one line.
@@ -53,7 +53,7 @@ auto* pictureAt(auto& baseline, double time) {
 std::string pictureFile(double time);
 
 /// Sealed: the text holds a hash of itself, so that a change by hand is seen. `tolerance`: decides
-/// how finely the course is kept.
+/// how finely the trajectory is kept.
 std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance);
 /// Throws BaselineError; `name`: the file's.
 Baseline baselineFrom(const std::string& text, const std::string& name);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "demos/scene/complaints.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {
@@ -55,7 +55,7 @@ std::vector<int> placesOf(const std::vector<std::string>& wanted,
     return places;
 }
 
-int firstDifferent(const Course& a, const Course& b) {
+int firstDifferent(const Trajectory& a, const Trajectory& b) {
     const auto [in, unused] = std::mismatch(
         a.hashes.begin(), a.hashes.begin() + std::min(a.hashes.size(), b.hashes.size()),
         b.hashes.begin());
@@ -63,10 +63,11 @@ int firstDifferent(const Course& a, const Course& b) {
     return at == std::min(a.hashes.size(), b.hashes.size()) ? kNone : static_cast<int>(at);
 }
 
-std::map<std::string, double> impulsesOf(const Course& course, const CourseMoment& moment) {
+std::map<std::string, double> impulsesOf(const Trajectory& trajectory,
+                                         const TrajectoryMoment& moment) {
     std::map<std::string, double> impulses;
-    for (const CourseImpulse& impulse : moment.impulses)
-        impulses[course.constraints[impulse.constraint]] = impulse.value;
+    for (const TrajectoryImpulse& impulse : moment.impulses)
+        impulses[trajectory.constraints[impulse.constraint]] = impulse.value;
     return impulses;
 }
 
@@ -81,7 +82,7 @@ std::string fieldDifference(const std::string& field, double difference) {
 
 class Comparison {
 public:
-    Comparison(const Course& baseline, const Course& actual, const Tolerance& tolerance)
+    Comparison(const Trajectory& baseline, const Trajectory& actual, const Tolerance& tolerance)
         : baseline_(baseline),
           actual_(actual),
           tolerance_(tolerance),
@@ -118,7 +119,7 @@ private:
         auto actual = actual_.moments.begin();
         Apart farthest;
         int farthestStep = kNone, before = 0;
-        for (const CourseMoment& moment : baseline_.moments) {
+        for (const TrajectoryMoment& moment : baseline_.moments) {
             while (actual != actual_.moments.end() && actual->step < moment.step) ++actual;
             if (actual == actual_.moments.end()) break;
             if (actual->step != moment.step) continue;
@@ -136,7 +137,7 @@ private:
                             fieldDifference(farthest.field, farthest.difference)));
     }
 
-    Apart worstOf(const CourseMoment& baseline, const CourseMoment& actual) const {
+    Apart worstOf(const TrajectoryMoment& baseline, const TrajectoryMoment& actual) const {
         Apart worst;
         for (std::size_t i = 0; i < baseline.poses.size(); ++i) {
             if (places_[i] == kNone) continue;
@@ -147,7 +148,8 @@ private:
         return worst;
     }
 
-    void tellFirst(const Apart& worst, const CourseMoment& baseline, const CourseMoment& actual) {
+    void tellFirst(const Apart& worst, const TrajectoryMoment& baseline,
+                   const TrajectoryMoment& actual) {
         result_.kind = PhysicsVerdict::Kind::changed;
         result_.step = baseline.step;
         result_.body = baseline_.bodies[worst.body];
@@ -176,7 +178,7 @@ private:
     }
 
     /// Whose impulse differs most in this step.
-    void findConstraint(const CourseMoment& baseline, const CourseMoment& actual) {
+    void findConstraint(const TrajectoryMoment& baseline, const TrajectoryMoment& actual) {
         std::map<std::string, double> before = impulsesOf(baseline_, baseline);
         std::map<std::string, double> after = impulsesOf(actual_, actual);
         for (const auto& [name, value] : before) after.emplace(name, 0.0);
@@ -205,8 +207,8 @@ private:
         return fmt::format("{:.4g} s", baseline_.timeOf(step));
     }
 
-    const Course& baseline_;
-    const Course& actual_;
+    const Trajectory& baseline_;
+    const Trajectory& actual_;
     const Tolerance& tolerance_;
     std::vector<int> places_;  // of the baseline's bodies in the actual run
     PhysicsVerdict result_;
@@ -214,7 +216,8 @@ private:
 
 }  // namespace
 
-PhysicsVerdict diverge(const Course& baseline, const Course& actual, const Tolerance& tolerance) {
+PhysicsVerdict diverge(const Trajectory& baseline, const Trajectory& actual,
+                       const Tolerance& tolerance) {
     return Comparison(baseline, actual, tolerance).verdict();
 }
 

@@ -7,9 +7,9 @@
 #include "demos/film/outputs.h"
 #include "demos/regression/divergence.h"
 #include "demos/regression/run_settings.h"
-#include "demos/scene/complaints.h"
-#include "demos/text_hash.h"
-#include "demos/version.h"
+#include "demos/text/complaints.h"
+#include "demos/text/text_hash.h"
+#include "demos/text/version.h"
 #include "render/driver_environment.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
@@ -24,10 +24,11 @@ namespace fs = std::filesystem;
 /// Why nothing of it can be compared; empty where it can.
 std::string obstacle(const Baseline& baseline, const Actual& actual) {
     const Baseline& now = actual.baseline;
-    if (baseline.course.hz != now.course.hz)
-        return fmt::format("the baseline was made with {} steps a second, the scene has {}; accept "
-                           "it with impulse test --update changed",
-                           baseline.course.hz, now.course.hz);
+    if (baseline.trajectory.hz != now.trajectory.hz)
+        return fmt::format(
+            "the baseline was made with {} steps a second, the scene has {}; accept "
+            "it with impulse test --update changed",
+            baseline.trajectory.hz, now.trajectory.hz);
     if (baseline.width != now.width || baseline.height != now.height)
         return fmt::format("the baseline's pictures are {}x{}, those of the scene {}x{}; accept it "
                            "with impulse test --update changed",
@@ -40,7 +41,7 @@ void breakAll(const std::string& problem, SceneVerdict& verdict) {
     for (PictureVerdict& picture : verdict.pictures) picture.kind = PictureVerdict::Kind::broken;
 }
 
-void judgePictures(const Take& take, const Actual& actual, const Baseline& baseline,
+void judgePictures(const TestRun& played, const Actual& actual, const Baseline& baseline,
                    const fs::path& folder, SceneVerdict& verdict) {
     for (std::size_t i = 0; i < verdict.pictures.size(); ++i) {
         PictureVerdict& picture = verdict.pictures[i];
@@ -49,7 +50,7 @@ void judgePictures(const Take& take, const Actual& actual, const Baseline& basel
         picture.baseline = (folder / pictureFile(picture.time)).string();
         picture.baselineState = kept->state;
         try {
-            judgePicture(take.pictures[i].image, actual.png[i], readPicture(folder, *kept),
+            judgePicture(played.pictures[i].image, actual.png[i], readPicture(folder, *kept),
                          verdict.snapshot.gate, picture);
         } catch (const BaselineError& error) {
             picture.kind = PictureVerdict::Kind::broken;
@@ -68,18 +69,18 @@ SceneVerdict::State stateOf(const SceneVerdict& verdict) {
 
 }  // namespace
 
-Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene) {
+Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene) {
     Actual actual;
     Baseline& baseline = actual.baseline;
     baseline.scene = plan.name;
     baseline.version = kVersion;
-    baseline.renderer = take.renderer;
+    baseline.renderer = played.renderer;
     baseline.pixels = render::pixelClass(plan.picture.reproducible);
     baseline.width = plan.picture.width;
     baseline.height = plan.picture.height;
-    baseline.settings = settingsOf(plan, scene, take.renderer);
-    baseline.course = take.course;
-    for (const TakenPicture& picture : take.pictures) {
+    baseline.settings = settingsOf(plan, scene, played.renderer);
+    baseline.trajectory = played.trajectory;
+    for (const TestPicture& picture : played.pictures) {
         const auto& png = actual.png.emplace_back(render::encodePng(picture.image));
         baseline.pictures.push_back({picture.time, picture.state, hashOf(png)});
     }
@@ -106,8 +107,9 @@ void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& 
     throw BaselineError(printable(verdict.baseline) + ": " + error.what());
 }
 
-void judge(const Take& take, const Actual& actual, const fs::path& folder, SceneVerdict& verdict) {
-    verdict.expectations = take.expectations;
+void judge(const TestRun& played, const Actual& actual, const fs::path& folder,
+           SceneVerdict& verdict) {
+    verdict.expectations = played.expectations;
     for (const BaselinePicture& picture : actual.baseline.pictures)
         verdict.pictures.push_back({picture.time, PictureVerdict::Kind::added, 0, picture.state, {},
                                     {}, {}, {}});
@@ -124,9 +126,9 @@ void judge(const Take& take, const Actual& actual, const fs::path& folder, Scene
         const std::string problem = obstacle(*baseline, actual);
         if (!problem.empty()) breakAll(problem, verdict);
         if (problem.empty()) {
-            verdict.physics =
-                diverge(baseline->course, actual.baseline.course, verdict.snapshot.tolerance);
-            judgePictures(take, actual, *baseline, folder, verdict);
+            verdict.physics = diverge(baseline->trajectory, actual.baseline.trajectory,
+                                      verdict.snapshot.tolerance);
+            judgePictures(played, actual, *baseline, folder, verdict);
         }
     } catch (const BaselineError& error) {
         breakAll(error.what(), verdict);
@@ -135,7 +137,7 @@ void judge(const Take& take, const Actual& actual, const fs::path& folder, Scene
 }
 
 void writeBaseline(const Actual& actual, const Tolerance& tolerance, const fs::path& folder) {
-    makeFolder(folder);
+    render::makeFolder(folder);
     for (std::size_t i = 0; i < actual.png.size(); ++i)
         render::writeFileAtomically(folder / pictureFile(actual.baseline.pictures[i].time),
                                     actual.png[i]);

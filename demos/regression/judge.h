@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "demos/regression/baseline.h"
-#include "demos/regression/take.h"
+#include "demos/regression/test_run.h"
 #include "demos/regression/verdict.h"
 
 namespace demos {
@@ -14,11 +14,11 @@ struct Actual {
     std::vector<std::vector<std::uint8_t>> png;  // by place in baseline.pictures
 };
 
-Actual actualOf(const Take& take, const FilmPlan& plan, const std::string& scene);
+Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene);
 
 /// Fills in physics, pictures, settings, expectations and the state they lead to. `folder`: of the
 /// baseline. What is wrong with it is told in the verdict, not thrown.
-void judge(const Take& take, const Actual& actual, const std::filesystem::path& folder,
+void judge(const TestRun& played, const Actual& actual, const std::filesystem::path& folder,
            SceneVerdict& verdict);
 
 /// Whether a difference, measured with the gate's levels, is let through.

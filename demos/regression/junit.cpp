@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <pugixml.hpp>
-#include <sstream>
-
-#include "demos/regression/tell.h"
-#include "demos/scene/complaints.h"
+#include "demos/regression/verdict_text.h"
+#include "demos/regression/xml_element.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {
@@ -31,27 +29,27 @@ struct Counts {
     }
 };
 
-void set(pugi::xml_node node, const char* name, const std::string& text) {
-    node.append_attribute(name) = printable(text).c_str();
+void set(XmlElement& node, const char* name, const std::string& text) {
+    node.set(name, printable(text));
 }
 
-void writeCounts(const Counts& counts, pugi::xml_node node) {
-    node.append_attribute("tests") = counts.tests;
-    node.append_attribute("failures") = counts.failures;
-    node.append_attribute("errors") = counts.errors;
-    node.append_attribute("skipped") = counts.skipped;
+void writeCounts(const Counts& counts, XmlElement& node) {
+    node.set("tests", std::to_string(counts.tests));
+    node.set("failures", std::to_string(counts.failures));
+    node.set("errors", std::to_string(counts.errors));
+    node.set("skipped", std::to_string(counts.skipped));
 }
 
-void writeLines(const std::vector<std::string>& lines, pugi::xml_node node) {
+void writeLines(const std::vector<std::string>& lines, XmlElement& node) {
     std::string text;
     for (const std::string& line : lines)
         text.append(text.empty() ? "" : "\n").append(printable(line));
-    node.append_child(pugi::node_pcdata).set_value(text.c_str());
+    node.setText(std::move(text));
 }
 
 /// The message is the first line of the text as well: GitLab reads no attribute.
-void writeFault(const Fault& fault, const char* element, pugi::xml_node testCase) {
-    pugi::xml_node node = testCase.append_child(element);
+void writeFault(const Fault& fault, const char* element, XmlElement& testCase) {
+    XmlElement& node = testCase.add(element);
     set(node, "message", fault.message);
     set(node, "type", fault.type);
     std::vector<std::string> lines{fault.message};
@@ -113,7 +111,7 @@ Fault faultOf(const PictureVerdict& picture, const SceneVerdict& scene) {
 
 class SceneSuite {
 public:
-    SceneSuite(const SceneVerdict& scene, pugi::xml_node node) : scene_(scene), node_(node) {}
+    SceneSuite(const SceneVerdict& scene, XmlElement& node) : scene_(scene), node_(node) {}
 
     Counts write() {
         set(node_, "name", scene_.name);
@@ -142,7 +140,7 @@ private:
 
     void addSkipped() {
         const std::string message = "nothing has changed since it passed";
-        pugi::xml_node reason = testCase(scene_.name).append_child("skipped");
+        XmlElement& reason = testCase(scene_.name).add("skipped");
         set(reason, "message", message);
         writeLines({message}, reason);
         ++counts_.skipped;
@@ -154,44 +152,44 @@ private:
     }
 
     void add(const ExpectationResult& result) {
-        const pugi::xml_node node = testCase("expect: " + result.text);
+        XmlElement& node = testCase("expect: " + result.text);
         if (!result.passed) fail(faultOf(result), node);
     }
 
     void addPhysics() {
-        pugi::xml_node node = testCase(scene_.name + "@physics");
+        XmlElement& node = testCase(scene_.name + "@physics");
         const PhysicsVerdict& physics = scene_.physics;
         if (failed() && !physics.passes())
             fail(physicsFault(scene_), node);
         else if (!physics.lines.empty())
-            writeLines(physics.lines, node.append_child("system-out"));
+            writeLines(physics.lines, node.add("system-out"));
     }
 
     void add(const PictureVerdict& picture) {
-        pugi::xml_node node = testCase(pictureName(scene_.name, picture.time));
+        XmlElement& node = testCase(pictureName(scene_.name, picture.time));
         if (failed() && !picture.passes()) {
             fail(faultOf(picture, scene_), node);
             if (!picture.actual.empty()) attach(picture.actual, node);
         } else if (picture.kind == PictureVerdict::Kind::within) {
             writeLines({differenceText(picture.difference, scene_.snapshot.gate)},
-                       node.append_child("system-out"));
+                       node.add("system-out"));
         }
     }
 
     /// GitLab and Jenkins show the file that a line of this form names.
-    static void attach(const std::string& file, pugi::xml_node node) {
-        writeLines({"[[ATTACHMENT|" + file + "]]"}, node.append_child("system-out"));
+    static void attach(const std::string& file, XmlElement& node) {
+        writeLines({"[[ATTACHMENT|" + file + "]]"}, node.add("system-out"));
     }
 
     void writeOrphans() {
         std::vector<std::string> lines;
         for (const std::string& orphan : scene_.orphans)
             lines.push_back("no listed time asks for " + orphan);
-        writeLines(lines, node_.append_child("system-out"));
+        writeLines(lines, node_.add("system-out"));
     }
 
-    pugi::xml_node testCase(const std::string& name) {
-        pugi::xml_node node = node_.append_child("testcase");
+    XmlElement& testCase(const std::string& name) {
+        XmlElement& node = node_.add("testcase");
         set(node, "classname", scene_.name);
         set(node, "name", name);
         if (scene_.scene != scene_.name) set(node, "file", scene_.scene);
@@ -199,7 +197,7 @@ private:
         return node;
     }
 
-    void fail(const Fault& fault, pugi::xml_node node) {
+    void fail(const Fault& fault, XmlElement& node) {
         writeFault(fault, "failure", node);
         ++counts_.failures;
     }
@@ -208,23 +206,20 @@ private:
     bool failed() const { return scene_.state == SceneVerdict::State::failed; }
 
     const SceneVerdict& scene_;
-    pugi::xml_node node_;
+    XmlElement& node_;
     Counts counts_;
 };
 
 }  // namespace
 
 std::string junitXml(const TestVerdict& verdict) {
-    pugi::xml_document document;
-    pugi::xml_node root = document.append_child("testsuites");
-    root.append_attribute("name") = "impulse";
+    XmlElement root("testsuites");
+    root.set("name", "impulse");
     Counts counts;
     for (const SceneVerdict& scene : verdict.scenes)
-        counts += SceneSuite(scene, root.append_child("testsuite")).write();
+        counts += SceneSuite(scene, root.add("testsuite")).write();
     writeCounts(counts, root);
-    std::ostringstream text;
-    document.save(text, " ");
-    return text.str();
+    return root.document();
 }
 
 }  // namespace demos

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "demos/film/framing.h"
-#include "demos/player.h"
 #include "demos/regression/divergence.h"
 #include "demos/regression/judge.h"
+#include "demos/snapshot/player.h"
 #include "render/surface_map.h"
 
 namespace demos {
@@ -131,19 +131,19 @@ bool samePoses(const Sight& a, const Sight& b) {
 }
 
 /// As a run of one moment, for the comparison that tests use.
-Course courseOf(const Sight& sight, const SceneDescription& scene, std::uint32_t hash) {
-    Course course;
-    course.hz = scene.hz;
-    for (const BodyDescription& body : scene.bodies) course.bodies.push_back(body.name);
-    course.hashes = {hash};
-    course.moments.resize(1);
-    course.moments.front().poses = sight.poses;
-    return course;
+Trajectory trajectoryOf(const Sight& sight, const SceneDescription& scene, std::uint32_t hash) {
+    Trajectory trajectory;
+    trajectory.hz = scene.hz;
+    for (const BodyDescription& body : scene.bodies) trajectory.bodies.push_back(body.name);
+    trajectory.hashes = {hash};
+    trajectory.moments.resize(1);
+    trajectory.moments.front().poses = sight.poses;
+    return trajectory;
 }
 
 bool beyond(const Sight& truth, const Sight& sight, const SceneDescription& scene) {
-    const PhysicsVerdict verdict =
-        diverge(courseOf(truth, scene, 0), courseOf(sight, scene, 1), scene.snapshot.tolerance);
+    const PhysicsVerdict verdict = diverge(trajectoryOf(truth, scene, 0),
+                                           trajectoryOf(sight, scene, 1), scene.snapshot.tolerance);
     return verdict.kind == PhysicsVerdict::Kind::changed;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "demos/film/film_plan.h"
-#include "demos/scene/stage.h"
+#include "demos/play/stage.h"
 #include "render/difference.h"
 #include "render/renderer.h"
 

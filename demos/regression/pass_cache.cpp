@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "demos/file_content.h"
-#include "demos/hex_text.h"
+#include "demos/text/file_content.h"
+#include "demos/text/hex_text.h"
 #include "render/encode/file.h"
 
 namespace demos {

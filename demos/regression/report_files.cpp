@@ -1,10 +1,10 @@
 #include "demos/regression/report_files.h"
 
+#include "demos/load/load_scene.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/junit.h"
 #include "demos/regression/report_page.h"
 #include "demos/regression/verdict_json.h"
-#include "demos/scene/reader.h"
 #include "render/encode/file.h"
 
 namespace demos {
@@ -12,33 +12,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A baseline that cannot be read was told already; the page does without its course.
-Course courseIn(const fs::path& folder) try {
+/// A baseline that cannot be read was told already; the page does without its trajectory.
+Trajectory trajectoryIn(const fs::path& folder) try {
     std::optional<Baseline> baseline = readBaseline(folder);
-    return baseline ? std::move(baseline->course) : Course{};
+    return baseline ? std::move(baseline->trajectory) : Trajectory{};
 } catch (const BaselineError&) {
     return {};
 }
 
-ReportCourses coursesOf(const SceneVerdict& verdict, const Options& options,
-                        const fs::path& results) {
-    ReportCourses courses;
-    courses.actual = courseIn(results / (verdict.name + kSnapshotsEnding));
-    if (courses.actual.moments.empty()) return courses;  // as it was: nothing was left
-    courses.baseline = courseIn(verdict.folder);
-    courses.camera = loadScene(verdict.scene, options.overrides).camera;
-    return courses;
+ReportTrajectories coursesOf(const SceneVerdict& verdict, const TestOptions& options,
+                             const fs::path& results) {
+    ReportTrajectories trajectories;
+    trajectories.actual = trajectoryIn(results / (verdict.name + kSnapshotsEnding));
+    if (trajectories.actual.moments.empty()) return trajectories;  // as it was: nothing was left
+    trajectories.baseline = trajectoryIn(verdict.folder);
+    trajectories.camera = loadScene(verdict.scene, options.overrides).camera;
+    return trajectories;
 }
 
 }  // namespace
 
-void writeReport(const TestVerdict& verdict, const Options& options, const fs::path& results) {
-    std::vector<ReportCourses> courses;
+void writeReport(const TestVerdict& verdict, const TestOptions& options, const fs::path& results) {
+    std::vector<ReportTrajectories> trajectories;
     for (const SceneVerdict& scene : verdict.scenes)
-        courses.push_back(coursesOf(scene, options, results));
+        trajectories.push_back(coursesOf(scene, options, results));
     render::writeFileAtomically(results / "report.json", jsonOf(verdict));
     render::writeFileAtomically(results / "junit.xml", junitXml(verdict));
-    render::writeFileAtomically(results / "report.html", reportPage(verdict, courses, results));
+    render::writeFileAtomically(results / "report.html",
+                                reportPage(verdict, trajectories, results));
 }
 
 }  // namespace demos

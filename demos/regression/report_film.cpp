@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "demos/page/rounded.h"
 #include "demos/regression/report_views.h"
+#include "demos/text/rounded.h"
 
 namespace demos {
 namespace {
@@ -24,32 +24,32 @@ struct FilmBody {
     double way = 0.0;  // m, the farthest from its first place
 };
 
-bool hasBox(const Course& course, std::size_t body) {
-    return body < course.extents.size() && course.extents[body].any();
+bool hasBox(const Trajectory& trajectory, std::size_t body) {
+    return body < trajectory.extents.size() && trajectory.extents[body].any();
 }
 
-double farthest(const Course& course, std::size_t body) {
+double farthest(const Trajectory& trajectory, std::size_t body) {
     double way = 0.0;
-    for (const CourseMoment& moment : course.moments) {
+    for (const TrajectoryMoment& moment : trajectory.moments) {
         const Vec3 moved =
-            moment.poses[body].position - course.moments.front().poses[body].position;
+            moment.poses[body].position - trajectory.moments.front().poses[body].position;
         const auto turned = static_cast<double>(moment.poses[body].rotation.angularDistance(
-            course.moments.front().poses[body].rotation));
-        const double extent = static_cast<double>(course.extents[body].norm());
+            trajectory.moments.front().poses[body].rotation));
+        const double extent = static_cast<double>(trajectory.extents[body].norm());
         way = std::max(way, static_cast<double>(moved.norm()) + turned * extent);
     }
     return way;
 }
 
 /// Of both runs, by name: the bodies that matter, then those that move farthest.
-std::vector<FilmBody> rankedBodies(const ReportCourses& courses,
+std::vector<FilmBody> rankedBodies(const ReportTrajectories& trajectories,
                                    const std::set<std::string>& matter) {
     std::map<std::string, double> ways;
-    for (const Course* course : {&courses.actual, &courses.baseline})
-        for (std::size_t i = 0; i < course->bodies.size() && !course->moments.empty(); ++i)
-            if (hasBox(*course, i)) {
-                double& way = ways[course->bodies[i]];
-                way = std::max(way, farthest(*course, i));
+    for (const Trajectory* trajectory : {&trajectories.actual, &trajectories.baseline})
+        for (std::size_t i = 0; i < trajectory->bodies.size() && !trajectory->moments.empty(); ++i)
+            if (hasBox(*trajectory, i)) {
+                double& way = ways[trajectory->bodies[i]];
+                way = std::max(way, farthest(*trajectory, i));
             }
     std::vector<FilmBody> bodies;
     for (const auto& [name, way] : ways) bodies.push_back({name, way});
@@ -82,19 +82,19 @@ std::set<std::string> shownBodies(const std::vector<FilmBody>& bodies, int momen
 }
 
 /// Evenly over the run, its ends among them, and the moment of `step`.
-std::vector<std::size_t> thinned(const Course& course, int count, int step) {
+std::vector<std::size_t> thinned(const Trajectory& trajectory, int count, int step) {
     std::set<std::size_t> kept;
-    const std::size_t last = course.moments.size() - 1;
+    const std::size_t last = trajectory.moments.size() - 1;
     for (int i = 0; i < count; ++i)
         kept.insert(last * static_cast<std::size_t>(i) / static_cast<std::size_t>(count - 1));
     for (std::size_t i = 0; i <= last; ++i)
-        if (course.moments[i].step == step) kept.insert(i);
+        if (trajectory.moments[i].step == step) kept.insert(i);
     return {kept.begin(), kept.end()};
 }
 
-double reach(const Course& course) {
+double reach(const Trajectory& trajectory) {
     double largest = 0.0;
-    for (const CourseMoment& moment : course.moments)
+    for (const TrajectoryMoment& moment : trajectory.moments)
         for (const engine::Pose& pose : moment.poses)
             if (pose.position.allFinite())
                 largest =
@@ -120,13 +120,13 @@ void addPose(Json& numbers, const engine::Pose& pose, double unit) {
 }
 
 /// One pose of a body that stays where it is.
-Json posesOf(const Course& course, std::size_t body, const std::vector<std::size_t>& kept,
+Json posesOf(const Trajectory& trajectory, std::size_t body, const std::vector<std::size_t>& kept,
              double unit) {
     Json numbers = Json::array(), first = Json::array();
     bool same = true;
     for (const std::size_t moment : kept) {
         Json pose = Json::array();
-        addPose(pose, course.moments[moment].poses[body], unit);
+        addPose(pose, trajectory.moments[moment].poses[body], unit);
         if (numbers.empty()) first = pose;
         same = same && pose == first;
         numbers.insert(numbers.end(), pose.begin(), pose.end());
@@ -134,32 +134,32 @@ Json posesOf(const Course& course, std::size_t body, const std::vector<std::size
     return same ? first : numbers;
 }
 
-void addBodies(Json& json, const Course& course, const std::set<std::string>& shown,
+void addBodies(Json& json, const Trajectory& trajectory, const std::set<std::string>& shown,
                const std::vector<std::size_t>& kept, double unit) {
-    for (std::size_t i = 0; i < course.bodies.size(); ++i) {
-        if (!hasBox(course, i) || !shown.contains(course.bodies[i])) continue;
+    for (std::size_t i = 0; i < trajectory.bodies.size(); ++i) {
+        if (!hasBox(trajectory, i) || !shown.contains(trajectory.bodies[i])) continue;
         Json extent = Json::array();
         for (int axis = 0; axis < 3; ++axis)
-            extent.push_back(shortOf(static_cast<double>(course.extents[i][axis])));
-        json["bodies"].push_back({{"name", course.bodies[i]},
+            extent.push_back(shortOf(static_cast<double>(trajectory.extents[i][axis])));
+        json["bodies"].push_back({{"name", trajectory.bodies[i]},
                                   {"extent", extent},
-                                  {"poses", posesOf(course, i, kept, unit)}});
+                                  {"poses", posesOf(trajectory, i, kept, unit)}});
     }
 }
 
 /// The deepest and the farthest since the moment before: a peak between two is not lost.
-void addCurves(Json& json, const Course& course, int step) {
+void addCurves(Json& json, const Trajectory& trajectory, int step) {
     for (const char* key : {"steps", "energy", "penetration", "separation"})
         json[key] = Json::array();
     std::size_t next = 0;
-    for (const std::size_t i : thinned(course, kMostMoments, step)) {
+    for (const std::size_t i : thinned(trajectory, kMostMoments, step)) {
         double penetration = 0.0, separation = 0.0;
         for (; next <= i; ++next) {
-            penetration = std::max(penetration, course.moments[next].penetration);
-            separation = std::max(separation, course.moments[next].separation);
+            penetration = std::max(penetration, trajectory.moments[next].penetration);
+            separation = std::max(separation, trajectory.moments[next].separation);
         }
-        json["steps"].push_back(course.moments[i].step);
-        json["energy"].push_back(shortOf(course.moments[i].energy));
+        json["steps"].push_back(trajectory.moments[i].step);
+        json["energy"].push_back(shortOf(trajectory.moments[i].energy));
         json["penetration"].push_back(shortOf(penetration));
         json["separation"].push_back(shortOf(separation));
     }
@@ -172,45 +172,47 @@ struct Thinning {
     double unit = 1.0;  // m
 };
 
-Json courseJson(const Course& course, const Thinning& thinning) {
-    if (course.moments.empty()) return nullptr;
-    Json json{{"hz", course.hz}, {"all_bodies", course.bodies.size()}, {"bodies", Json::array()}};
-    addCurves(json, course, thinning.step);
-    const std::vector<std::size_t> kept = thinned(course, thinning.moments, thinning.step);
+Json trajectoryJson(const Trajectory& trajectory, const Thinning& thinning) {
+    if (trajectory.moments.empty()) return nullptr;
+    Json json{
+        {"hz", trajectory.hz}, {"all_bodies", trajectory.bodies.size()}, {"bodies", Json::array()}};
+    addCurves(json, trajectory, thinning.step);
+    const std::vector<std::size_t> kept = thinned(trajectory, thinning.moments, thinning.step);
     json["pose_steps"] = Json::array();
-    for (const std::size_t i : kept) json["pose_steps"].push_back(course.moments[i].step);
-    addBodies(json, course, thinning.bodies, kept, thinning.unit);
+    for (const std::size_t i : kept) json["pose_steps"].push_back(trajectory.moments[i].step);
+    addBodies(json, trajectory, thinning.bodies, kept, thinning.unit);
     return json;
 }
 
-double endOf(const Course& course) {
-    return course.moments.empty() ? 0.0 : 1.0 * course.moments.back().step / course.hz;
+double endOf(const Trajectory& trajectory) {
+    return trajectory.moments.empty() ? 0.0 : 1.0 * trajectory.moments.back().step / trajectory.hz;
 }
 
 }  // namespace
 
-Json filmOf(const ReportCourses& courses, const PhysicsVerdict& physics, long numbers) {
-    const bool had = !courses.baseline.moments.empty(), has = !courses.actual.moments.empty();
+Json filmOf(const ReportTrajectories& trajectories, const PhysicsVerdict& physics, long numbers) {
+    const bool had = !trajectories.baseline.moments.empty(),
+               has = !trajectories.actual.moments.empty();
     if (!had && !has) return nullptr;
     const bool same = had && has && physics.kind == PhysicsVerdict::Kind::same;
-    const double end = std::max(endOf(courses.baseline), endOf(courses.actual));
-    Json views = viewsJson(courses.camera, end);
+    const double end = std::max(endOf(trajectories.baseline), endOf(trajectories.actual));
+    Json views = viewsJson(trajectories.camera, end);
     const long left = numbers - static_cast<long>(views.size() * views.front().size());
     const long share = had && has && !same ? left / 2 : left;
-    const std::string& follow = courses.camera.follow;
-    const std::vector<FilmBody> bodies = rankedBodies(courses, {physics.body, follow});
+    const std::string& follow = trajectories.camera.follow;
+    const std::vector<FilmBody> bodies = rankedBodies(trajectories, {physics.body, follow});
     Thinning thinning;
     thinning.moments = momentsFor(bodies, share);
     thinning.bodies = shownBodies(bodies, thinning.moments, share);
     thinning.step = physics.step;
-    const double farthestPlace = std::max(reach(courses.baseline), reach(courses.actual));
+    const double farthestPlace = std::max(reach(trajectories.baseline), reach(trajectories.actual));
     thinning.unit = std::max(farthestPlace, 1e-3) / 32767.0;
     return {{"views", std::move(views)},
             {"follow", follow},
             {"unit", thinning.unit},
             {"same", same},
-            {"baseline", same ? Json(nullptr) : courseJson(courses.baseline, thinning)},
-            {"actual", courseJson(courses.actual, thinning)}};
+            {"baseline", same ? Json(nullptr) : trajectoryJson(trajectories.baseline, thinning)},
+            {"actual", trajectoryJson(trajectories.actual, thinning)}};
 }
 
 }  // namespace demos

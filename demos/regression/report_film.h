@@ -10,7 +10,7 @@ namespace demos {
 /// the first that differs among them, and of the bodies those that move farthest. Lengths of poses
 /// are counts of "unit" metres, and rotations counts of 1/1000 of (x, y, z), w >= 0. Curves have up
 /// to 120 moments of their own, penetration and separation the largest since the one before.
-nlohmann::ordered_json filmOf(const ReportCourses& courses, const PhysicsVerdict& physics,
+nlohmann::ordered_json filmOf(const ReportTrajectories& trajectories, const PhysicsVerdict& physics,
                               long numbers);
 
 }  // namespace demos

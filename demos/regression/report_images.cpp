@@ -7,9 +7,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "demos/base64.h"
-#include "demos/file_content.h"
-#include "demos/page/escaped_path.h"
+#include "demos/text/base64.h"
+#include "demos/text/escaped_path.h"
+#include "demos/text/file_content.h"
 
 namespace demos {
 namespace {

@@ -3,26 +3,28 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "demos/page/page_text.h"
-#include "demos/page/script_safe.h"
 #include "demos/regression/report_film.h"
 #include "demos/regression/report_images.h"
 #include "demos/regression/verdict_json.h"
+#include "demos/text/page_text.h"
+#include "demos/text/script_safe.h"
 
 namespace demos {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void addFilms(Json& page, const TestVerdict& verdict, const std::vector<ReportCourses>& courses) {
-    const std::size_t count = std::min(courses.size(), verdict.scenes.size());
-    const auto films = std::count_if(courses.begin(), courses.end(), [](const ReportCourses& c) {
-        return !c.baseline.moments.empty() || !c.actual.moments.empty();
-    });
+void addFilms(Json& page, const TestVerdict& verdict,
+              const std::vector<ReportTrajectories>& trajectories) {
+    const std::size_t count = std::min(trajectories.size(), verdict.scenes.size());
+    const auto films =
+        std::count_if(trajectories.begin(), trajectories.end(), [](const ReportTrajectories& c) {
+            return !c.baseline.moments.empty() || !c.actual.moments.empty();
+        });
     // 30 scenes of 15,000 numbers are about 2.5 MB; more scenes share them.
     const long numbers = std::min(15'000L, 450'000L / std::max(1L, static_cast<long>(films)));
     for (std::size_t i = 0; i < count; ++i)
-        page["scenes"][i]["film"] = filmOf(courses[i], verdict.scenes[i].physics, numbers);
+        page["scenes"][i]["film"] = filmOf(trajectories[i], verdict.scenes[i].physics, numbers);
 }
 
 /// What `impulse approve` has to be told besides the names; empty: it looks there anyway.
@@ -34,7 +36,8 @@ std::string resultsOption(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::string reportPage(const TestVerdict& verdict, const std::vector<ReportCourses>& courses,
+std::string reportPage(const TestVerdict& verdict,
+                       const std::vector<ReportTrajectories>& trajectories,
                        const std::filesystem::path& folder, long bytes) {
     Json page = Json::parse(jsonOf(verdict));
     page["results"] = resultsOption(folder);
@@ -42,7 +45,7 @@ std::string reportPage(const TestVerdict& verdict, const std::vector<ReportCours
         for (std::size_t k = 0; k < verdict.scenes[i].pictures.size(); ++k)
             page["scenes"][i]["pictures"][k]["name"] =
                 pictureName(verdict.scenes[i].name, verdict.scenes[i].pictures[k].time);
-    addFilms(page, verdict, courses);
+    addFilms(page, verdict, trajectories);
     const PageText text = reportPageText();
     const std::string textAlone = scriptSafe(page);
     const long left =

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "demos/page/rounded.h"
 #include "demos/snapshot/camera.h"
+#include "demos/text/rounded.h"
 
 namespace demos {
 namespace {

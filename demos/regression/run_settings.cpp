@@ -1,15 +1,16 @@
 #include "demos/regression/run_settings.h"
+#include "demos/load/load_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "demos/hex_text.h"
-#include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
 #include "demos/scene/solver_settings.h"
-#include "demos/text_hash.h"
-#include "demos/version.h"
+#include "demos/text/complaints.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/text_hash.h"
+#include "demos/text/version.h"
 #include "render/driver_environment.h"
 
 namespace demos {

@@ -1,4 +1,5 @@
 #include "demos/regression/scene_choice.h"
+#include "demos/load/load_scene.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +7,11 @@
 #include <map>
 #include <set>
 
+#include "demos/load/builtin.h"
 #include "demos/regression/baseline.h"
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folder that holds a scene's NAME.snapshots.
-fs::path homeOf(const std::string& scene, const Options& options) {
+fs::path homeOf(const std::string& scene, const TestOptions& options) {
     if (!options.baselines.empty()) return options.baselines;
     return isBuiltin(scene) ? fs::path("snapshots") : fs::path(scene).parent_path();
 }
@@ -44,7 +45,7 @@ bool hasFormat(const fs::path& file) {
 
 class Chooser {
 public:
-    explicit Chooser(const Options& options) : options_(options) {}
+    explicit Chooser(const TestOptions& options) : options_(options) {}
 
     SceneChoice choose() {
         for (const std::string& word : options_.scenes) add(word);
@@ -104,7 +105,7 @@ private:
             }
     }
 
-    const Options& options_;
+    const TestOptions& options_;
     SceneChoice choice_;
     std::map<std::string, std::string> names_;
     std::set<fs::path> homes_;
@@ -113,6 +114,6 @@ private:
 
 }  // namespace
 
-SceneChoice chooseScenes(const Options& options) { return Chooser(options).choose(); }
+SceneChoice chooseScenes(const TestOptions& options) { return Chooser(options).choose(); }
 
 }  // namespace demos

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/options.h"
+#include "demos/regression/test_options.h"
 
 namespace demos {
 
@@ -22,6 +22,6 @@ struct SceneChoice {
 
 /// Throws SceneError for what is no scene, Stop (usage) where two have one name, or a folder has
 /// none.
-SceneChoice chooseScenes(const Options& options);
+SceneChoice chooseScenes(const TestOptions& options);
 
 }  // namespace demos

@@ -4,14 +4,14 @@
 
 #include <cstdlib>
 
-#include "demos/file_content.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/film_plan.h"
 #include "demos/regression/accept.h"
 #include "demos/regression/judge.h"
 #include "demos/scene/reader.h"
-#include "demos/stop.h"
-#include "demos/text_hash.h"
+#include "demos/text/file_content.h"
+#include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
 
 namespace demos {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using State = SceneVerdict::State;
 
-std::uint64_t fingerprintOf(const ChosenScene& chosen, const FilmPlan& plan, const TestRun& run) {
-    Options own = run.options;
+std::uint64_t fingerprintOf(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run) {
+    TestOptions own = run.options;
     own.scenes = {chosen.scene};
     TextHash hash;
     hash.add(std::to_string(demos::fingerprintOf(plan, own)));
@@ -63,16 +63,16 @@ void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
     verdict.state = State::updated;
 }
 
-void play(const ChosenScene& chosen, const FilmPlan& plan, const TestRun& run,
+void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
           SceneVerdict& verdict) {
-    const Take take = takeOf(plan);
-    if (take.pictures.empty()) {  // a contract only
-        verdict.expectations = take.expectations;
+    const TestRun played = runForTest(plan);
+    if (played.pictures.empty()) {  // a contract only
+        verdict.expectations = played.expectations;
         verdict.state = verdict.keepsContract() ? State::passed : State::failed;
         return;
     }
-    const Actual actual = actualOf(take, plan, chosen.scene);
-    judge(take, actual, chosen.folder, verdict);
+    const Actual actual = actualOf(played, plan, chosen.scene);
+    judge(played, actual, chosen.folder, verdict);
     const fs::path shown = run.results / (chosen.name + kSnapshotsEnding);
     if (verdict.state == State::passed && verdict.isAsItWas()) return;
     writeBaseline(actual, verdict.snapshot.tolerance, shown);
@@ -96,10 +96,12 @@ void removeShown(const fs::path& folder) {
 
 }  // namespace
 
-FilmPlan planOfTest(const ChosenScene& chosen, const Options& options) {
-    Options own = options;
+FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options) {
+    TestOptions own = options;
     own.scenes = {chosen.scene};
     own.quiet = true;
+    own.anyStep = true;
+    own.plotBelow = false;  // a snapshot is of one moment
     if (!own.size) {
         const Snapshot& snapshot = sceneOf(own).snapshot;
         own.size = PictureSize{snapshot.width, snapshot.height};
@@ -110,7 +112,7 @@ FilmPlan planOfTest(const ChosenScene& chosen, const Options& options) {
     return plan;
 }
 
-Update updateOf(const Options& options) {
+Update updateOf(const TestOptions& options) {
     const char* ci = std::getenv("CI");
     if (options.update.empty())
         return ci && std::string(ci) == "true" ? Update::none : Update::missing;
@@ -119,7 +121,7 @@ Update updateOf(const Options& options) {
     return options.update == "changed" ? Update::changed : Update::all;
 }
 
-SceneTested testScene(const ChosenScene& chosen, const TestRun& run) noexcept {
+SceneTested testScene(const ChosenScene& chosen, const TestSetup& run) noexcept {
     SceneTested tested;
     SceneVerdict& verdict = tested.verdict;
     try {

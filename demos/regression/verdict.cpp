@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "demos/scene/complaints.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 

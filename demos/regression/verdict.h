@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "demos/play/expect.h"
 #include "demos/scene/description.h"
-#include "demos/scene/expect.h"
 #include "render/difference.h"
 
 namespace demos {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "demos/hex_text.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
-#include "demos/version.h"
+#include "demos/text/complaints.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/stop.h"
+#include "demos/text/version.h"
 
 namespace demos {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demos/scene/kinematic_path.h"
+#include "demos/text/place.h"
 #include "engine/body.h"
 #include "engine/forces/force.h"
 #include "engine/joint.h"
@@ -17,13 +18,6 @@ namespace demos {
 
 using engine::Quat;
 using engine::Vec3;
-
-/// Where something was written; line and column count from 1. Files are numbered in the order in
-/// which their tables are read: what is included comes before what includes it.
-struct Place {
-    int line = 0, column = 0;
-    int file = 0;
-};
 
 struct BodyDescription {
     std::string name;

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "demos/scene/complaints.h"
 #include "demos/scene/expression_functions.h"
-#include "demos/scene/nearest.h"
+#include "demos/text/complaints.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "demos/scene/complaints.h"
 #include "demos/scene/expression.h"
 #include "demos/scene/split_mix.h"
+#include "demos/text/complaints.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {

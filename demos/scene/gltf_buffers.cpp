@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "demos/base64.h"
 #include "demos/scene/mesh_file.h"
+#include "demos/text/base64.h"
 
 namespace demos {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "demos/scene/nearest.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

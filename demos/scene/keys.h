@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "demos/scene/description.h"
 #include "demos/scene/scope.h"
 #include "demos/scene/toml_value.h"
 
@@ -64,7 +65,7 @@ public:
 
 private:
     const Value* ask(std::string_view key, const Form& form);
-    /// Written, or computed; without a complaint nothing only where it is no text.
+    /// TomlPosition, or computed; without a complaint nothing only where it is no text.
     std::optional<double> numberIn(const Value& value, std::string_view key, bool& told);
     std::optional<double> checked(const Value& value, std::string_view key, Range range);
     std::optional<Vec3> checkedVector(const Value& value, std::string_view key, Range range);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "demos/scene/nearest.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/report/measures.h"
-#include "demos/scene/nearest.h"
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

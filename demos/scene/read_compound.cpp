@@ -1,8 +1,8 @@
 // compound = [{ shape = { ... }, at = [...], turn_deg = [...], density = ... }, ...]
 
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
 #include "demos/scene/read_shape.h"
+#include "demos/scene/table_readers.h"
 
 namespace demos {
 namespace {

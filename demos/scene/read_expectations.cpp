@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "demos/overlays.h"
-#include "demos/report/measures.h"
-#include "demos/scene/nearest.h"
+#include "demos/look/measure_names.h"
+#include "demos/look/overlays.h"
+#include "demos/look/theme.h"
 #include "demos/scene/pattern.h"
-#include "demos/scene/read_parts.h"
-#include "demos/theme.h"
+#include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

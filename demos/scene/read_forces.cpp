@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "demos/scene/nearest.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

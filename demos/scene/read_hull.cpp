@@ -2,8 +2,8 @@
 
 #include "demos/scene/mesh_file.h"
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
 #include "demos/scene/read_shape.h"
+#include "demos/scene/table_readers.h"
 #include "engine/shapes/hull.h"
 
 namespace demos {

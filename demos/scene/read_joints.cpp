@@ -3,10 +3,10 @@
 #include <set>
 
 #include "demos/scene/joint_kinds.h"
-#include "demos/scene/nearest.h"
 #include "demos/scene/ranges.h"
 #include "demos/scene/read_freedom.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {

@@ -1,7 +1,7 @@
 // kinematic = { velocity, spin }, { path, times, ... } or { orbit }
 
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {

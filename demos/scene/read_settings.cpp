@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <utility>
 
-#include "demos/scene/read_parts.h"
 #include "demos/scene/solver_settings.h"
 #include "demos/scene/solver_words.h"
+#include "demos/scene/table_readers.h"
 
 namespace demos {
 namespace {

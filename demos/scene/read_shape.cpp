@@ -3,7 +3,7 @@
 #include "demos/scene/read_shape.h"
 
 #include "demos/scene/ranges.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "demos/scene/keys.h"
-#include "demos/text_hash.h"
+#include "demos/text/text_hash.h"
 #include "engine/shape.h"
 
 namespace demos {

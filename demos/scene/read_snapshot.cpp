@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
 
 namespace demos {
 namespace {

@@ -1,6 +1,6 @@
 // [values]: names for the scene's expressions
 
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
 
 namespace demos {
 namespace {

@@ -4,12 +4,9 @@
 #include <system_error>
 #include <utility>
 
-#include "demos/mjcf/model_reader.h"
-#include "demos/scene/builtin.h"
 #include "demos/scene/include.h"
-#include "demos/scene/nearest.h"
 #include "demos/scene/overrides.h"
-#include "demos/scene/read_parts.h"
+#include "demos/scene/table_readers.h"
 
 namespace demos {
 namespace {
@@ -79,20 +76,7 @@ std::optional<fs::path> pathOf(const std::string& fileName, const std::optional<
     return folder ? std::optional(*folder / fs::path(fileName).filename()) : std::nullopt;
 }
 
-const BuiltinScene* findBuiltin(const std::string& name) {
-    for (const BuiltinScene& scene : builtinScenes())
-        if (scene.name == name) return &scene;
-    return nullptr;
-}
-
 [[noreturn]] void fail(const std::string& line) { throw SceneError({printable(line)}); }
-
-/// With "there is no such scene" and the nearest name, when it cannot be a path.
-[[noreturn]] void failUnknown(const std::string& name) {
-    std::vector<std::string> names;
-    for (const BuiltinScene& scene : builtinScenes()) names.emplace_back(scene.name);
-    fail("there is no built-in scene and no file '" + name + "'" + suggestion(name, names));
-}
 
 }  // namespace
 
@@ -146,28 +130,6 @@ std::string readSceneFile(const fs::path& path, const char* what, std::uintmax_t
     if (!file || file.gcount() != static_cast<std::streamsize>(size))
         fail(name + ": cannot be read; check its permissions");
     return text;
-}
-
-SceneDescription loadScene(const std::string& nameOrPath,
-                           const std::vector<std::string>& overrides) {
-    if (const BuiltinScene* scene = findBuiltin(nameOrPath))
-        return readScene(scene->text, nameOrPath + ".toml", nameOrPath, overrides);
-    const fs::path path(nameOrPath);
-    std::error_code error;
-    const bool isModel = path.extension() == ".xml";
-    const bool isPath = nameOrPath.find('/') != std::string::npos || isModel ||
-                        path.extension() == ".toml";
-    if (!isPath && !fs::exists(path, error)) failUnknown(nameOrPath);
-    if (isModel) return mjcf::loadModel(path, overrides);
-    return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides,
-                     path.parent_path());
-}
-
-std::string sceneText(const std::string& nameOrPath) {
-    if (const BuiltinScene* scene = findBuiltin(nameOrPath)) return std::string(scene->text);
-    if (fs::path(nameOrPath).extension() == ".xml") return readSceneFile(nameOrPath);
-    Complaints ignored;
-    return readDocument(readSceneFile(nameOrPath), nameOrPath, fs::path(nameOrPath), ignored).text;
 }
 
 }  // namespace demos

@@ -37,13 +37,6 @@ constexpr std::uintmax_t kMostPartBytes = 64u << 20;  // of a mesh, say
 std::string readSceneFile(const std::filesystem::path& path, const char* what = "a scene file",
                           std::uintmax_t most = 8u << 20);
 
-/// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
-SceneDescription loadScene(const std::string& nameOrPath,
-                           const std::vector<std::string>& overrides = {});
-
-/// The text of a scene that loads, with that of all files it includes.
-std::string sceneText(const std::string& nameOrPath);
-
 /// What the reader asks of which table while it reads such a text, and its complaints.
 std::vector<std::string> catalogScene(std::string_view text, const std::string& name,
                                       Catalog& catalog);

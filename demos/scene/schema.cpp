@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/scene/catalog.h"
-#include "demos/scene/complaints.h"
 #include "demos/scene/every_key.h"
 #include "demos/scene/reader.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {

@@ -1,7 +1,7 @@
 #include "demos/scene/solver_settings.h"
 
-#include "demos/scene/complaints.h"
 #include "demos/scene/solver_words.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {

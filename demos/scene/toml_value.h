@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "demos/scene/complaints.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 

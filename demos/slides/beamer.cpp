@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "demos/options/picture_options.h"
 #include "demos/slides/beamer_preamble.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/markup.h"

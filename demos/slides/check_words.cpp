@@ -4,10 +4,10 @@
 #include <charconv>
 #include <optional>
 
-#include "demos/scene/nearest.h"
 #include "demos/slides/formula.h"
 #include "demos/slides/numbers.h"
 #include "demos/slides/text_formulas.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {
@@ -62,7 +62,7 @@ bool isLatexEscape(char c) { return c == '\b' || c == '\f'; }
 
 class WordsCheck {
 public:
-    WordsCheck(const Written& written, Complaints& complaints)
+    WordsCheck(const TomlPosition& written, Complaints& complaints)
         : written_(written), complaints_(complaints) {}
 
     void complain(std::size_t byte, const std::string& what) {
@@ -132,13 +132,13 @@ public:
     }
 
 private:
-    const Written& written_;
+    const TomlPosition& written_;
     Complaints& complaints_;
 };
 
 }  // namespace
 
-void checkWords(const std::string& words, const Written& written,
+void checkWords(const std::string& words, const TomlPosition& written,
                 const std::vector<SceneDescription>& runs, Complaints& complaints) {
     WordsCheck check(written, complaints);
     if (!check.isText(words)) return;
@@ -154,7 +154,7 @@ void checkWords(const std::string& words, const Written& written,
     }
 }
 
-void checkFormula(const std::string& tex, const Written& written,
+void checkFormula(const std::string& tex, const TomlPosition& written,
                   const std::vector<SceneDescription>& runs, Complaints& complaints) {
     WordsCheck check(written, complaints);
     if (tex.find_first_not_of(" \t\r\n") == std::string::npos)
@@ -165,11 +165,11 @@ void checkFormula(const std::string& tex, const Written& written,
         check.readFormula([&] { mathMlOf(maskedNumbers(tex, *parts, '1'), true); });
 }
 
-void checkPlain(const std::string& text, const Written& written, Complaints& complaints) {
+void checkPlain(const std::string& text, const TomlPosition& written, Complaints& complaints) {
     WordsCheck(written, complaints).isText(text);
 }
 
-void checkLine(const std::string& text, const Written& written, Complaints& complaints) {
+void checkLine(const std::string& text, const TomlPosition& written, Complaints& complaints) {
     const std::size_t newline = text.find_first_of("\r\n");
     if (newline != std::string::npos)
         complaints.add(placeIn(written, newline), "a line break; this should be one line");

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/options.h"
+#include "demos/options/options.h"
 #include "demos/scene/description.h"
 
 namespace demos {

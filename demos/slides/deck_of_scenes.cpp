@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "demos/film/film_plan.h"
-#include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/read_slide.h"
 #include "demos/slides/section_slide.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/options.h"
+#include "demos/options/options.h"
 #include "demos/slides/deck.h"
 
 namespace demos {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/film/signals.h"
-#include "demos/player.h"
-#include "demos/stop.h"
+#include "demos/processes/signals.h"
+#include "demos/snapshot/player.h"
+#include "demos/text/stop.h"
 #include "engine/base/check.h"
 
 namespace demos {

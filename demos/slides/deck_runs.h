@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "demos/report/measures.h"
-#include "demos/report/summary.h"
-#include "demos/scene/expect.h"
+#include "demos/measures/measures.h"
+#include "demos/measures/summary.h"
+#include "demos/play/expect.h"
 #include "demos/slides/run_moment.h"
 
 namespace demos {

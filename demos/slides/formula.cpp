@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "demos/put_text.h"
-#include "demos/scene/complaints.h"
 #include "demos/slides/katex_text.h"
 #include "demos/slides/mathml.h"
+#include "demos/text/complaints.h"
+#include "demos/text/put_text.h"
 
 namespace demos {
 namespace {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <deque>
 
-#include "demos/film/signals.h"
-#include "demos/scene/complaints.h"
+#include "demos/processes/signals.h"
 #include "demos/slides/crowding.h"
 #include "demos/slides/slide_facts.h"
 #include "demos/slides/slide_options.h"
 #include "demos/slides/slide_pictures.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 #include "render/encode/ffmpeg.h"
 
 namespace demos {
@@ -19,7 +19,7 @@ namespace {
 
 /// A slide with all that is settled about it before anything is played.
 struct Act {
-    Cast cast;
+    LoadedRuns loaded;
     std::optional<SlidePlan> plan;
     std::optional<SlideFacts> facts;
     MadeSlide made;
@@ -62,8 +62,8 @@ bool filmsAreMade(const Deck& deck, const DeckMaking& making, MadeDeck& made) {
 }
 
 /// What of a scene is not had, once.
-void addNotes(const Cast& cast, std::vector<std::string>& remarks) {
-    for (const Variant& variant : cast.variants)
+void addNotes(const LoadedRuns& loaded, std::vector<std::string>& remarks) {
+    for (const Variant& variant : loaded.variants)
         for (const std::string& note : variant.scene.notes)
             if (std::find(remarks.begin(), remarks.end(), note) == remarks.end())
                 remarks.push_back(note);
@@ -97,13 +97,13 @@ private:
     void prepare(const Slide& slide) {
         const Options options = optionsOf(slide, deck_, making_);
         Act& act = acts_.emplace_back();
-        act.cast = castOf(slide, options);
-        act.plan = planSlide(slide, deck_, act.cast, options, moving_);
-        act.facts.emplace(slide, act.cast, runs_);
+        act.loaded = loadRuns(slide, options);
+        act.plan = planSlide(slide, deck_, act.loaded, options, moving_);
+        act.facts.emplace(slide, act.loaded, runs_);
         act.made.slide = slide;
-        act.made.command = commandOf(slide, deck_, act.cast);
+        act.made.command = commandOf(slide, deck_, act.loaded);
         if (act.plan) frames_ += static_cast<int>(act.plan->frames.size());
-        addNotes(act.cast, made_.remarks);
+        addNotes(act.loaded, made_.remarks);
         const std::string crowding = crowdingOf(deck_, slide, acts_.size());
         if (!crowding.empty()) made_.remarks.push_back(crowding);
     }
@@ -137,7 +137,7 @@ private:
     MadeDeck made_;
     bool moving_ = false;
     DeckRuns runs_;
-    std::deque<Act> acts_;  // which stay where they are: facts look at their cast
+    std::deque<Act> acts_;  // which stay where they are: facts refer to their runs
     int frames_ = 0;
 };
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "demos/film/progress.h"
-#include "demos/options.h"
+#include "demos/options/options.h"
 #include "demos/slides/made_deck.h"
 
 namespace demos {

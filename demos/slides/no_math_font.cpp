@@ -1,6 +1,7 @@
 // For builds without a font to embed: the reader's machine has one, or its browser makes do.
 #include "demos/slides/math_font.h"
 
+#ifndef IMPULSE_HAVE_MATH_FONT
 namespace demos {
 
 const std::string& mathFont() {
@@ -9,3 +10,4 @@ const std::string& mathFont() {
 }
 
 }  // namespace demos
+#endif

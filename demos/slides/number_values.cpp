@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "demos/film/progress.h"
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {

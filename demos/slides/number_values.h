@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/report/summary.h"
-#include "demos/scene/expect.h"
+#include "demos/measures/summary.h"
+#include "demos/play/expect.h"
 #include "demos/slides/numbers.h"
 #include "demos/slides/quantity.h"
 #include "demos/slides/run_moment.h"

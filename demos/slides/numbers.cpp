@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "demos/report/summary.h"
-#include "demos/scene/complaints.h"
-#include "demos/scene/nearest.h"
+#include "demos/measures/summary.h"
+#include "demos/text/complaints.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {

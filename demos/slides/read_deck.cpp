@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/scene/builtin.h"
+#include "demos/load/builtin.h"
 #include "demos/scene/expression.h"
 #include "demos/scene/keys.h"
-#include "demos/scene/nearest.h"
 #include "demos/slides/check_words.h"
 #include "demos/slides/read_slide.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {
@@ -69,23 +69,23 @@ public:
 
 private:
     /// Where it stands; nothing where it is not said.
-    std::optional<Written> readText(Keys& top, const char* key, std::string& to) {
+    std::optional<TomlPosition> readText(Keys& top, const char* key, std::string& to) {
         const std::optional<std::string> line = top.text(key);
         if (!line) return std::nullopt;
         to = *line;
-        const Written written{top.any(key)->place, reading_.source};
+        const TomlPosition written{top.any(key)->place, reading_.source};
         checkLine(to, written, complaints_);
         return written;
     }
 
     void readLine(Keys& top, const char* key, std::string& to) {
-        if (const std::optional<Written> written = readText(top, key, to))
+        if (const std::optional<TomlPosition> written = readText(top, key, to))
             checkWords(to, *written, {}, complaints_);
     }
 
     /// No CommonMark: a date may be 24. 12., an author of $-Soft.
     void readPlain(Keys& top, const char* key, std::string& to) {
-        if (const std::optional<Written> written = readText(top, key, to))
+        if (const std::optional<TomlPosition> written = readText(top, key, to))
             checkPlain(to, *written, complaints_);
     }
 

@@ -5,26 +5,20 @@
 #include <algorithm>
 
 #include "demos/film/film_plan.h"
-#include "demos/overlays.h"
-#include "demos/report/measures.h"
-#include "demos/report/summary.h"
-#include "demos/scene/nearest.h"
-#include "demos/scene/read_parts.h"
+#include "demos/look/overlays.h"
+#include "demos/measures/measures.h"
+#include "demos/measures/summary.h"
+#include "demos/scene/table_readers.h"
 #include "demos/slides/check_words.h"
 #include "demos/slides/markup.h"
-#include "demos/slides/slide_runs.h"
+#include "demos/slides/read_runs.h"
+#include "demos/text/nearest.h"
 
 namespace demos {
 namespace {
 
 constexpr int kMostMoments = 12;
 constexpr std::size_t kMostPictures = 9;  // that can still be read
-
-std::vector<std::string> measureWords() {
-    std::vector<std::string> names;
-    for (const Measure& measure : measures()) names.emplace_back(measure.name);
-    return names;
-}
 
 class SlideReader {
 public:
@@ -33,14 +27,14 @@ public:
           reading_(reading),
           opening_(opening),
           before_(reading.complaints.count()),
-          cast_(readRuns(keys, reading.folder)) {
+          loaded_(readRuns(keys, reading.folder)) {
         slide_.opening = opening;
         slide_.place = keys.place();
-        slide_.runs = cast_.runs;
+        slide_.runs = loaded_.runs;
     }
 
     Slide read() {
-        if (!cast_.point.empty()) slide_.caption = commonMarkOf(cast_.point);
+        if (!loaded_.point.empty()) slide_.caption = commonMarkOf(loaded_.point);
         readSection();
         readWords();
         readExhibit();
@@ -58,12 +52,12 @@ public:
 private:
     /// Whether it names some; isRead(): and they could be read.
     bool hasRuns() const { return keys_.has("scene") || keys_.has("compare"); }
-    bool isRead() const { return !cast_.scenes.empty(); }
+    bool isRead() const { return !loaded_.scenes.empty(); }
 
     /// s: of the shortest run.
     double end() const {
         double seconds = 1e5;
-        for (const SceneDescription& scene : cast_.scenes)
+        for (const SceneDescription& scene : loaded_.scenes)
             seconds = std::min(seconds, scene.seconds);
         return seconds;
     }
@@ -78,28 +72,28 @@ private:
                                "out " +
                                    std::string(key) + ", or section");
         if (!isRead()) return;
-        const SceneDescription& scene = cast_.scenes.front();
+        const SceneDescription& scene = loaded_.scenes.front();
         std::vector<std::string> names;
         for (const Section& section : scene.sections) {
             if (!section.name.empty()) names.push_back(section.name);
             if (section.name != *name) continue;
             takeSection(scene, section, slide_.runs.several(), slide_);
-            return checkSection(section, cast_.scenes, keys_.placeOf("section"), reading_.sections,
-                                reading_.complaints);
+            return checkSection(section, loaded_.scenes, keys_.placeOf("section"),
+                                reading_.sections, reading_.complaints);
         }
         keys_.complainOf("section",
                          "'" + scene.name + "' has no section '" + shown(*name) + "'" +
                              (names.empty() ? "; it has none" : suggestion(*name, names)));
     }
 
-    Written writtenAt(const Value& value) const { return {value.place, reading_.source}; }
+    TomlPosition writtenAt(const Value& value) const { return {value.place, reading_.source}; }
 
     void readText(const char* key, std::string& to) {
         const std::optional<std::string> text = keys_.text(key);
         if (!text) return;
         to = *text;
         if (hasRuns() && !isRead()) return;  // complained of, and so would be every number
-        checkWords(to, writtenAt(*keys_.any(key)), cast_.scenes, reading_.complaints);
+        checkWords(to, writtenAt(*keys_.any(key)), loaded_.scenes, reading_.complaints);
     }
 
     void readWords() {
@@ -124,7 +118,7 @@ private:
         const Value& value = *keys_.any("formula");
         for (std::size_t i = 0; i < formulas->size(); ++i)
             checkFormula((*formulas)[i], writtenAt(value.items.empty() ? value : value.items[i]),
-                         cast_.scenes, reading_.complaints);
+                         loaded_.scenes, reading_.complaints);
     }
 
     void readExhibit() {
@@ -211,10 +205,10 @@ private:
                    bool (*has)(const SceneDescription&), const char* lack) {
         const auto found = std::find(names.begin(), names.end(), name);
         if (!isRead() || found == names.end() ||
-            std::any_of(cast_.scenes.begin(), cast_.scenes.end(), has))
+            std::any_of(loaded_.scenes.begin(), loaded_.scenes.end(), has))
             return;
         keys_.complainOf(
-            key, "'" + cast_.scenes.front().name + "' has no " + lack + "; leave out " + name,
+            key, "'" + loaded_.scenes.front().name + "' has no " + lack + "; leave out " + name,
             static_cast<std::size_t>(found - names.begin()));
     }
 
@@ -271,7 +265,7 @@ private:
     /// A film's frames fall on steps.
     void checkRate() {
         if (!reading_.fps || slide_.exhibit != Exhibit::film) return;
-        for (const SceneDescription& scene : cast_.scenes) {
+        for (const SceneDescription& scene : loaded_.scenes) {
             if (scene.hz % *reading_.fps == 0) continue;
             return keys_.complainOf(
                 keys_.has("scene") ? "scene" : "compare",
@@ -290,7 +284,7 @@ private:
         if (slide_.runs.scene.find('/') != std::string::npos ||
             std::filesystem::path(slide_.runs.scene).has_extension())
             note(slide_.runs.scene);
-        for (const SceneDescription& scene : cast_.scenes)
+        for (const SceneDescription& scene : loaded_.scenes)
             for (const std::string& file : scene.files) note(file);
     }
 
@@ -298,7 +292,7 @@ private:
     DeckReading& reading_;
     bool opening_;
     int before_;  // complaints until then
-    ReadRuns cast_;
+    ReadRuns loaded_;
     Slide slide_;
 };
 

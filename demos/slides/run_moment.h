@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "demos/export/recording.h"
-#include "demos/report/measures.h"
-#include "demos/scene/stage.h"
+#include "demos/measures/measures.h"
+#include "demos/play/stage.h"
 
 namespace demos {
 

@@ -1,6 +1,6 @@
 #include "demos/slides/section_slide.h"
 
-#include "demos/scene/builtin.h"
+#include "demos/load/builtin.h"
 #include "demos/scene/reader.h"
 #include "demos/slides/check_words.h"
 #include "demos/slides/markup.h"
@@ -50,10 +50,10 @@ void takeSection(const SceneDescription& scene, const Section& section, bool sev
 void checkSection(const Section& section, const std::vector<SceneDescription>& runs,
                   Place otherwise, SectionFiles& files, Complaints& complaints) {
     const auto written = [&](Place place) {
-        if (section.file.empty() || place.line < 1) return Written{otherwise, {}};
+        if (section.file.empty() || place.line < 1) return TomlPosition{otherwise, {}};
         const SectionFiles::File& file = files.of(section.file);
         place.file = file.number;
-        return Written{place, file.text};
+        return TomlPosition{place, file.text};
     };
     const SectionSlide& slide = section.slide;
     if (!slide.title.empty()) checkWords(slide.title, written(slide.titlePlace), runs, complaints);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/complaints.h"
 #include "demos/slides/deck.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "demos/file_content.h"
 #include "demos/slides/slide_media.h"
+#include "demos/text/file_content.h"
 
 namespace demos {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "demos/figure/type.h"
+#include "demos/look/type.h"
 
 namespace demos {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "demos/figure/type.h"
+#include "demos/look/type.h"
 #include "demos/slides/slide_arrangement.h"
 #include "render/encode/png.h"
 
@@ -32,15 +32,15 @@ double typeFor(PictureSize size) {
 
 }  // namespace
 
-std::vector<Chart> chartsOf(const Slide& slide, const Cast& cast, const Recorder& recorder,
+std::vector<Chart> chartsOf(const Slide& slide, const LoadedRuns& loaded, const Recorder& recorder,
                             const std::vector<Measured>& runs) {
-    if (!cast.several) return recorder.charts(slide.plots);
+    if (!loaded.several) return recorder.charts(slide.plots);
     std::vector<Chart> charts;
     for (const std::string& name : slide.plots) {
         const int measure = measureCalled(name);
         if (measure < 0) continue;  // the reader lets none through
-        charts.push_back(cast.isSweep() ? sweepChart(runs, measure, cast.key)
-                                        : historyChart(runs, measure, ""));
+        charts.push_back(loaded.isSweep() ? sweepChart(runs, measure, loaded.key)
+                                          : historyChart(runs, measure, ""));
     }
     return charts;
 }

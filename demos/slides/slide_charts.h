@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "demos/report/measure_table.h"
-#include "demos/report/measures.h"
-#include "demos/slides/cast.h"
+#include "demos/comparisons/measure_table.h"
+#include "demos/measures/measures.h"
+#include "demos/slides/loaded_runs.h"
 #include "demos/slides/made_deck.h"
 #include "demos/slides/slide_grid.h"
 
 namespace demos {
 
 /// One run: `recorder` has seen it. Several: a line a run, or over the values of a sweep.
-std::vector<Chart> chartsOf(const Slide& slide, const Cast& cast, const Recorder& recorder,
+std::vector<Chart> chartsOf(const Slide& slide, const LoadedRuns& loaded, const Recorder& recorder,
                             const std::vector<Measured>& runs);
 
 /// As SVG and PNG, with the shape of its place on the slide and letters that can be read there.

@@ -6,7 +6,7 @@
 #include "demos/slides/slide_charts.h"
 #include "demos/slides/slide_numbers.h"
 #include "demos/slides/slide_tables.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {
@@ -17,33 +17,33 @@ void stopAt(const std::string& diverged) {
 
 }  // namespace
 
-SlideFacts::SlideFacts(const Slide& slide, const Cast& cast, DeckRuns& runs)
-    : slide_(slide), cast_(cast), runs_(runs) {
+SlideFacts::SlideFacts(const Slide& slide, const LoadedRuns& loaded, DeckRuns& runs)
+    : slide_(slide), loaded_(loaded), runs_(runs) {
     for (const NumberName& name : numbersIn(slide)) askNumber(name);
-    for (std::size_t run = 0; run < cast.variants.size(); ++run) {
+    for (std::size_t run = 0; run < loaded.variants.size(); ++run) {
         if (asksAll()) askMoment(run);
-        if (slide.expectations) runs_.askExpectations(keyOf(run), cast.variants[run].scene);
+        if (slide.expectations) runs_.askExpectations(keyOf(run), loaded.variants[run].scene);
     }
 }
 
 void SlideFacts::askNumber(const NumberName& name) {
-    const std::size_t count = cast_.variants.size();
+    const std::size_t count = loaded_.variants.size();
     const auto run = static_cast<std::size_t>(name.run - 1);
     if (run >= count)
         throw Stop(Exit::scene, fmt::format("a number of run {}; the slide has {} {}", name.run,
                                             count, count == 1 ? "run" : "runs"));
     askMoment(run);
-    if (name.group == "expect") runs_.askExpectations(keyOf(run), cast_.variants[run].scene);
+    if (name.group == "expect") runs_.askExpectations(keyOf(run), loaded_.variants[run].scene);
 }
 
 void SlideFacts::askMoment(std::size_t run) {
-    const Variant& variant = cast_.variants[run];
+    const Variant& variant = loaded_.variants[run];
     runs_.askMoment(keyOf(run), variant.scene, untilOf(slide_, variant));
     asked_.insert(run);
 }
 
 const PlayedMoment& SlideFacts::momentOf(std::size_t run) const {
-    return runs_.moment(keyOf(run), untilOf(slide_, cast_.variants[run]));
+    return runs_.moment(keyOf(run), untilOf(slide_, loaded_.variants[run]));
 }
 
 void SlideFacts::checkDiverged(std::size_t run, bool toEnd) const {
@@ -58,39 +58,39 @@ std::string SlideFacts::valueOf(const NumberName& name, NumberSetting setting) c
     const bool expects = name.group == "expect";
     checkDiverged(run, expects);
     return demos::valueOf(name,
-                          {cast_.variants[run].scene, played.summary, played.moment,
+                          {loaded_.variants[run].scene, played.summary, played.moment,
                            expects ? runs_.expectations(keyOf(run)) : kNone},
                           setting);
 }
 
 std::vector<Measured> SlideFacts::measured() const {
     std::vector<Measured> all;
-    for (std::size_t run = 0; run < cast_.variants.size(); ++run)
-        all.push_back({cast_.variants[run], momentOf(run).summary});
+    for (std::size_t run = 0; run < loaded_.variants.size(); ++run)
+        all.push_back({loaded_.variants[run], momentOf(run).summary});
     return all;
 }
 
 void SlideFacts::addTables(MadeSlide& made, const std::vector<Measured>& all, bool timing) {
-    if (slide_.measures) made.tables.push_back(measuresTable(all, cast_.several, timing));
+    if (slide_.measures) made.tables.push_back(measuresTable(all, loaded_.several, timing));
     if (!slide_.expectations) return;
     std::vector<RunExpectations> expected;
-    for (std::size_t run = 0; run < cast_.variants.size(); ++run)
-        expected.push_back({cast_.variants[run].label, &cast_.variants[run].scene,
+    for (std::size_t run = 0; run < loaded_.variants.size(); ++run)
+        expected.push_back({loaded_.variants[run].label, &loaded_.variants[run].scene,
                             runs_.expectations(keyOf(run))});
     made.tables.push_back(expectationsTable(expected));
 }
 
 void SlideFacts::fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
                       bool timing) {
-    if (!cast_.several && !cast_.variants.empty()) checkDiverged(0, slide_.expectations);
+    if (!loaded_.several && !loaded_.variants.empty()) checkDiverged(0, slide_.expectations);
     fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
         return valueOf(name, setting);
     });
-    if (cast_.variants.empty()) return;
+    if (loaded_.variants.empty()) return;
     const std::vector<Measured> all = asksAll() ? measured() : std::vector<Measured>();
     addTables(made, all, timing);
     if (slide_.plots.empty()) return;
-    const std::vector<Chart> charts = chartsOf(slide_, cast_, momentOf(0).recorder, all);
+    const std::vector<Chart> charts = chartsOf(slide_, loaded_, momentOf(0).recorder, all);
     const SlideRoom room = chartRoom(made.slide, made.tables, charts.size(), exhibit);
     for (const Chart& chart : charts) made.pictures.push_back(chartPicture(chart, room, theme));
 }

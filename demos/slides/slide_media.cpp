@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "demos/base64.h"
-#include "demos/file_content.h"
+#include "demos/text/base64.h"
+#include "demos/text/file_content.h"
 #include "render/error.h"
 
 namespace demos {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/scene/complaints.h"
-#include "demos/shell_word.h"
 #include "demos/slides/slide_arrangement.h"
+#include "demos/text/complaints.h"
+#include "demos/text/shell_word.h"
 
 namespace demos {
 namespace {
@@ -59,20 +59,20 @@ void addRuns(const SlideRuns& runs, CommandLine& line) {
 }
 
 /// What the chart of a slide without a picture shows.
-void addCharts(const Slide& slide, const Cast& cast, CommandLine& line) {
-    if (!cast.several) return line.add("--what", fmt::format("{}", fmt::join(slide.plots, ",")));
+void addCharts(const Slide& slide, const LoadedRuns& loaded, CommandLine& line) {
+    if (!loaded.several) return line.add("--what", fmt::format("{}", fmt::join(slide.plots, ",")));
     line.add("--measure", slide.plots.front());
-    if (!cast.isSweep()) line.add("--no-film");
+    if (!loaded.isSweep()) line.add("--no-film");
     line.add("--plot", slide.id + ".svg");
 }
 
 /// As a shell's comment: no option of the command says it.
-std::string spanOf(const Slide& slide, const Cast& cast) {
+std::string spanOf(const Slide& slide, const LoadedRuns& loaded) {
     if (slide.exhibit != Exhibit::film) return {};
     std::string span;
     if (slide.from > 0.0)
         span += fmt::format(" shows {} s to {} s", numberText(slide.from),
-                            numberText(untilOf(slide, cast.variants.front())));
+                            numberText(untilOf(slide, loaded.variants.front())));
     if (slide.slow != 1.0)
         span += fmt::format("{} at {} times the speed", span.empty() ? " plays" : ",",
                             numberText(slide.slow));
@@ -80,17 +80,17 @@ std::string spanOf(const Slide& slide, const Cast& cast) {
 }
 
 /// Stills and strips are of one run; what several have is a film.
-void addTimes(const Slide& slide, const Cast& cast, PictureSize whole, CommandLine& line) {
+void addTimes(const Slide& slide, const LoadedRuns& loaded, PictureSize whole, CommandLine& line) {
     const bool film = slide.exhibit == Exhibit::film || slide.exhibit == Exhibit::none;
-    if (film || cast.several) {
+    if (film || loaded.several) {
         if (slide.until) line.add("--seconds", numberText(*slide.until));
         return;
     }
     std::string times;
-    for (const double time : momentTimes(slide, untilOf(slide, cast.variants.front())))
+    for (const double time : momentTimes(slide, untilOf(slide, loaded.variants.front())))
         times += (times.empty() ? "" : ",") + fmt::format("{:.6g}", time);
     line.add(slide.exhibit == Exhibit::still ? "-t" : "--times", times);
-    if (slide.exhibit == Exhibit::strip && !cast.several)
+    if (slide.exhibit == Exhibit::strip && !loaded.several)
         line.add("--columns", std::to_string(stripColumns(slide, whole)));
 }
 
@@ -116,9 +116,6 @@ Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making
     const SlideRuns& runs = slide.runs;
     options.scenes = {runs.comparison.empty() ? runs.scene : runs.comparison};
     options.overrides = runs.settings;
-    options.vary = runs.vary;
-    options.cases = runs.cases;
-    options.over = runs.over;
     options.show = slide.show;
     options.colorBy = slide.colorBy;
     options.theme = deck.theme;
@@ -126,19 +123,19 @@ Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making
     return options;
 }
 
-std::string commandOf(const Slide& slide, const Deck& deck, const Cast& cast) {
+std::string commandOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded) {
     const bool drawn = slide.exhibit != Exhibit::none;
-    if (cast.variants.empty() || (!drawn && slide.plots.empty())) return {};
+    if (loaded.variants.empty() || (!drawn && slide.plots.empty())) return {};
     CommandLine line(verbOf(slide));
     addRuns(slide.runs, line);
-    addTimes(slide, cast, deck.size, line);
-    if (!drawn) addCharts(slide, cast, line);
+    addTimes(slide, loaded, deck.size, line);
+    if (!drawn) addCharts(slide, loaded, line);
     if (drawn && !slide.show.empty())
         line.add("--show", fmt::format("{}", fmt::join(slide.show, ",")));
     if (drawn && !slide.colorBy.empty()) line.add("--colour-by", slide.colorBy);
     line.add("--theme", deck.theme);
-    if (drawn && cast.isSweep()) line.add("-o", slide.id + ".mp4");
-    return line.text() + spanOf(slide, cast);
+    if (drawn && loaded.isSweep()) line.add("-o", slide.id + ".mp4");
+    return line.text() + spanOf(slide, loaded);
 }
 
 }  // namespace demos

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "demos/slides/cast.h"
 #include "demos/slides/deck.h"
+#include "demos/slides/loaded_runs.h"
 #include "demos/slides/make_deck.h"
 
 namespace demos {
@@ -20,6 +20,6 @@ int stripColumns(const Slide& slide, PictureSize whole);
 
 /// "impulse still stack -t 2.9 --show impulses --theme print"; empty where nothing is drawn. What
 /// no option says follows as a shell's comment: which part of a film, and how fast.
-std::string commandOf(const Slide& slide, const Deck& deck, const Cast& cast);
+std::string commandOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded);
 
 }  // namespace demos

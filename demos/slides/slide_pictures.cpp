@@ -8,9 +8,9 @@
 
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_source.h"
-#include "demos/film/signals.h"
 #include "demos/film/strip_plan.h"
-#include "demos/stop.h"
+#include "demos/processes/signals.h"
+#include "demos/text/stop.h"
 #include "render/encode/png.h"
 #include "render/encode/video.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "demos/figure/type.h"
+#include "demos/comparisons/sweeping.h"
 #include "demos/film/strip_plan.h"
 #include "demos/film/variant_panels.h"
-#include "demos/report/sweeping.h"
+#include "demos/look/type.h"
 #include "demos/slides/slide_arrangement.h"
 #include "demos/slides/slide_options.h"
 #include "render/overlay.h"
@@ -24,9 +24,9 @@ constexpr double kNarrowPanel = 400.0;
 constexpr float kPlateShare = 0.8f;
 
 /// The steps a second that all of them have pictures of.
-int commonHz(const Cast& cast) {
-    int hz = cast.variants.front().scene.hz;
-    for (const Variant& variant : cast.variants) hz = std::gcd(hz, variant.scene.hz);
+int commonHz(const LoadedRuns& loaded) {
+    int hz = loaded.variants.front().scene.hz;
+    for (const Variant& variant : loaded.variants) hz = std::gcd(hz, variant.scene.hz);
     return hz;
 }
 
@@ -85,16 +85,16 @@ void setPicture(const Slide& slide, FilmPlan& plan) {
 }
 
 /// One run: the slide says in words what the scene's captions say. Several: each has its label.
-FilmPlan planClip(const Slide& slide, const Deck& deck, const Cast& cast, Options options,
+FilmPlan planClip(const Slide& slide, const Deck& deck, const LoadedRuns& loaded, Options options,
                   int fps) {
     options.fps = fps;
     std::vector<Panel> panels;
-    if (cast.several)
-        panels = panelsOf(cast.isSweep() ? spread(cast.variants) : cast.variants);
+    if (loaded.several)
+        panels = panelsOf(loaded.isSweep() ? spread(loaded.variants) : loaded.variants);
     else
-        panels.push_back({cast.variants.front().scene, {}, {}});
+        panels.push_back({loaded.variants.front().scene, {}, {}});
     FilmPlan plan = planFilm(std::move(panels), false, options);
-    if (cast.several) {
+    if (loaded.several) {
         setPanels(slide, deck.size, plan);
         return plan;
     }
@@ -103,12 +103,12 @@ FilmPlan planClip(const Slide& slide, const Deck& deck, const Cast& cast, Option
     return plan;
 }
 
-SlidePlan filmOf(const Slide& slide, const Deck& deck, const Cast& cast, const Options& options,
-                 bool moving) {
+SlidePlan filmOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
+                 const Options& options, bool moving) {
     SlidePlan plan;
-    plan.rate = clipRate(commonHz(cast), deck.fps, slide.slow);
-    plan.film = planClip(slide, deck, cast, options, plan.rate.drawn);
-    const double until = untilOf(slide, cast.variants.front());
+    plan.rate = clipRate(commonHz(loaded), deck.fps, slide.slow);
+    plan.film = planClip(slide, deck, loaded, options, plan.rate.drawn);
+    const double until = untilOf(slide, loaded.variants.front());
     const auto frameAt = [&](double time) {
         return static_cast<int>(std::lround(time * plan.rate.drawn));
     };
@@ -125,20 +125,20 @@ SlidePlan filmOf(const Slide& slide, const Deck& deck, const Cast& cast, const O
 }
 
 /// Pictures of one run are planned as `impulse still` and `impulse strip` plan them.
-FilmPlan planMoments(const Slide& slide, const Deck& deck, const Cast& cast, Options options,
-                     const std::vector<double>& times) {
-    if (cast.several) return planClip(slide, deck, cast, options, commonHz(cast));
-    options.command = Command::still;
-    options.time = times.front();
+FilmPlan planMoments(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
+                     Options options, const std::vector<double>& times) {
+    if (loaded.several) return planClip(slide, deck, loaded, options, commonHz(loaded));
     if (slide.exhibit == Exhibit::still) {
+        options.anyStep = true;
         FilmPlan plan = planFilm(options);
         setPicture(slide, plan);
         return plan;
     }
-    options.command = Command::strip;
-    options.times = times;
-    FilmPlan plan = planStrip(options);
-    stripSteps(plan, options);  // whether they are apart
+    StripOptions strip;
+    static_cast<Options&>(strip) = options;
+    strip.times = times;
+    FilmPlan plan = planStrip(strip);
+    stripSteps(plan, strip);  // whether they are apart
     return plan;
 }
 
@@ -154,16 +154,17 @@ void arrangeStrip(const Slide& slide, const Deck& deck, SlidePlan& plan) {
 }
 
 /// A frame a step, so that every time has one.
-SlidePlan momentsOf(const Slide& slide, const Deck& deck, const Cast& cast, Options options) {
-    const std::vector<double> times = momentTimes(slide, untilOf(slide, cast.variants.front()));
+SlidePlan momentsOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
+                    Options options) {
+    const std::vector<double> times = momentTimes(slide, untilOf(slide, loaded.variants.front()));
     if (slide.exhibit == Exhibit::strip) {
         const PictureSize whole = *options.size;
         options.size =
             PictureSize{std::max(whole.width / 4 * 2, 2), std::max(whole.height / 4 * 2, 2)};
     }
     SlidePlan plan;
-    plan.film = planMoments(slide, deck, cast, options, times);
-    plan.film.fps = commonHz(cast);
+    plan.film = planMoments(slide, deck, loaded, options, times);
+    plan.film.fps = commonHz(loaded);
     plan.film.stepsPerFrame = 1;
     for (const double time : times)
         plan.frames.push_back(static_cast<int>(std::lround(time * plan.film.fps)));
@@ -189,11 +190,11 @@ ClipRate clipRate(int hz, int fps, double slow) {
     return rate;
 }
 
-std::optional<SlidePlan> planSlide(const Slide& slide, const Deck& deck, const Cast& cast,
+std::optional<SlidePlan> planSlide(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
                                    const Options& options, bool moving) {
-    if (cast.variants.empty() || slide.exhibit == Exhibit::none) return std::nullopt;
-    if (slide.exhibit == Exhibit::film) return filmOf(slide, deck, cast, options, moving);
-    return momentsOf(slide, deck, cast, options);
+    if (loaded.variants.empty() || slide.exhibit == Exhibit::none) return std::nullopt;
+    if (slide.exhibit == Exhibit::film) return filmOf(slide, deck, loaded, options, moving);
+    return momentsOf(slide, deck, loaded, options);
 }
 
 }  // namespace demos

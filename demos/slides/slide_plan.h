@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "demos/film/film_plan.h"
-#include "demos/slides/cast.h"
+#include "demos/slides/loaded_runs.h"
 
 namespace demos {
 
@@ -33,7 +33,7 @@ struct SlidePlan {
 
 /// Nothing where the slide shows nothing of its runs. `moving`: the film's frames are wanted, not
 /// its poster alone. Throws as planFilm does.
-std::optional<SlidePlan> planSlide(const Slide& slide, const Deck& deck, const Cast& cast,
+std::optional<SlidePlan> planSlide(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
                                    const Options& options, bool moving);
 
 }  // namespace demos

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "demos/report/measure_table.h"
-#include "demos/scene/expect.h"
+#include "demos/comparisons/measure_table.h"
+#include "demos/play/expect.h"
 #include "demos/slides/made_deck.h"
 
 namespace demos {

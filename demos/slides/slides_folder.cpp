@@ -7,15 +7,15 @@
 #include <optional>
 #include <string_view>
 
-#include "demos/file_content.h"
-#include "demos/film/folder_lock.h"
 #include "demos/film/outputs.h"
-#include "demos/scene/complaints.h"
+#include "demos/processes/folder_lock.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/linked_page.h"
 #include "demos/slides/sections_json.h"
 #include "demos/slides/slide_media.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
+#include "demos/text/stop.h"
 #include "render/encode/file.h"
 #include "render/error.h"
 
@@ -133,7 +133,7 @@ bool isEmpty(const fs::path& folder) {
 class Claim {
 public:
     explicit Claim(const fs::path& folder) : folder_(folder), made_(!fs::exists(folder)) {
-        makeFolder(folder);
+        render::makeFolder(folder);
         lock_.emplace(folder);
         sweepDrafts(folder);
     }
@@ -154,7 +154,7 @@ class Draft {
 public:
     explicit Draft(const fs::path& folder)
         : folder_(folder), path_(folder / (std::string(kDraft) + std::to_string(getpid()))) {
-        makeFolder(path_ / "media");
+        render::makeFolder(path_ / "media");
     }
     ~Draft() {
         std::error_code ignored;
@@ -233,7 +233,7 @@ std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& ta
     const Draft draft(folder);
     for (const FolderFile& file : files) draft.write(file);
     draft.publishList(deck, unionOf(own, names));
-    makeFolder(folder / "media");
+    render::makeFolder(folder / "media");
     for (const FolderFile& file : files) draft.publish(file.name);
     for (const fs::path& name : own) {
         std::error_code ignored;

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "demos/commands/table.h"
 #include "demos/film/pattern.h"
 #include "demos/slides/deck_files.h"
+#include "demos/text/table.h"
 
 namespace demos {
 namespace {

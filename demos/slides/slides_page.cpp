@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include "demos/page/page_text.h"
-#include "demos/report/inks.h"
+#include "demos/look/inks.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/linked_page.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/math_font.h"
 #include "demos/slides/slide_html.h"
+#include "demos/text/page_text.h"
 
 namespace demos {
 namespace {

@@ -3,14 +3,14 @@
 
 #include <string_view>
 
-#include "demos/file_content.h"
 #include "demos/film/outputs.h"
-#include "demos/page/escaped_path.h"
-#include "demos/scene/complaints.h"
-#include "demos/slides/amount.h"
-#include "demos/slides/child_program.h"
+#include "demos/processes/child_program.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/scratch_folder.h"
+#include "demos/text/complaints.h"
+#include "demos/text/escaped_path.h"
+#include "demos/text/file_content.h"
+#include "demos/text/plural.h"
 #include "render/encode/child.h"
 #include "render/encode/file.h"
 #include "render/encode/program_path.h"
@@ -92,11 +92,11 @@ void writeSlidesPdf(const MadeDeck& deck, const fs::path& file) {
     std::string trouble = troubleOf(ended, !pdf.empty(), words);
     const std::size_t pages = pagesOf(pdf), slides = deck.slides.size();
     if (trouble.empty() && pages != slides)
-        trouble = "printed " + amount(pages, "page") + " of " + amount(slides, "slide");
+        trouble = "printed " + plural(pages, "page") + " of " + plural(slides, "slide");
     if (!trouble.empty())
         throw render::Error(
             fmt::format("no '{}': {} {}", printable(file.string()), program, trouble));
-    makeFolder(file.parent_path());
+    render::makeFolder(file.parent_path());
     render::writeFileAtomically(file, pdf);
 }
 

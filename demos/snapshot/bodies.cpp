@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "demos/snapshot/colors.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 #include "engine/shapes/hull.h"
 
 namespace demos {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "demos/scene/description.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 
 namespace demos {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/overlays.h"
-#include "demos/scene/stage.h"
+#include "demos/look/overlays.h"
+#include "demos/play/stage.h"
 #include "render/frame.h"
 
 namespace demos {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/snapshot/parts.h"
+#include "demos/look/theme.h"
+#include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/scale.h"
-#include "demos/theme.h"
 #include "render/palette.h"
 
 namespace demos {

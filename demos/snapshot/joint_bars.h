@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "demos/scene/stage.h"
+#include "demos/play/stage.h"
 
 namespace demos {
 

@@ -1,6 +1,6 @@
 /// Lines of --show joints: a joint's coordinates, where they stand and, in amber, their limits.
 #pragma once
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 
 namespace demos {
 

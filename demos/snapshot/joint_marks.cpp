@@ -1,6 +1,6 @@
 // --show joints: anchors and axes; coordinates and limits are in joint_fans.cpp.
+#include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/joint_fans.h"
-#include "demos/snapshot/parts.h"
 #include "render/palette.h"
 
 namespace demos {

@@ -1,7 +1,7 @@
 // Joints and springs: their bars as rods and coils, and marks of what they hold.
 #include "demos/snapshot/coil.h"
+#include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/joint_bars.h"
-#include "demos/snapshot/parts.h"
 #include "render/palette.h"
 
 namespace demos {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "demos/look/theme.h"
 #include "demos/snapshot/colors.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/scale.h"
-#include "demos/theme.h"
 #include "render/palette.h"
 
 namespace demos {

@@ -1,6 +1,6 @@
 // What is drawn at every body: axes, centre of mass, bounding box, name.
 #include "demos/snapshot/colors.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 #include "engine/collision/bounds.h"
 #include "render/palette.h"
 

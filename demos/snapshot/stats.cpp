@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "demos/scene/solver_words.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 #include "render/palette.h"
 
 namespace demos {

@@ -1,8 +1,8 @@
 // The first line, and the caption.
 #include <fmt/format.h>
 
-#include "demos/counted.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
+#include "demos/text/plural.h"
 
 namespace demos {
 namespace {
@@ -24,8 +24,8 @@ void addTexts(const Moment& moment, render::Frame& frame) {
     const bool said = moment.overlays.stats && moment.overlays.pixelsPerPoint <= 0.0;
     if (moment.overlays.clock && !said)
         frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,
-                                           counted(bodies, "body", "bodies"), stage.scene.preset,
-                                           counted(substeps, "sub-step", "sub-steps")),
+                                           plural(bodies, "body", "bodies"), stage.scene.preset,
+                                           plural(substeps, "sub-step", "sub-steps")),
                                render::Corner::topLeft, 18.0f, render::Text{}.color});
     const std::string caption = captionAt(stage.scene, moment.time);
     if (caption.empty()) return;

@@ -1,6 +1,6 @@
 // The ways of the bodies that the scene names.
 #include "demos/snapshot/colors.h"
-#include "demos/snapshot/parts.h"
+#include "demos/snapshot/frame_parts.h"
 
 namespace demos {
 

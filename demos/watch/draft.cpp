@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "demos/film/composite.h"
 #include "demos/film/framing.h"
 #include "demos/film/outputs.h"
 #include "demos/film/poster.h"
-#include "demos/film/screen.h"
-#include "demos/player.h"
-#include "demos/stop.h"
-#include "demos/text_hash.h"
+#include "demos/snapshot/player.h"
+#include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
 #include "demos/watch/frame_hash.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
@@ -102,7 +102,7 @@ private:
 };
 
 void DraftMaker::prepare(const FilmPlan& plan) {
-    makeFolder(places_.folder);
+    render::makeFolder(places_.folder);
     files_.look(places_);
     if (!store_ || store_->width() != plan.layout.width || store_->height() != plan.layout.height) {
         store_ =
@@ -159,10 +159,10 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
 }
 
 /// The first frame that has changed; the poster where there was no picture.
-void DraftMaker::writePicture(const Run& run, const Options& options, Draft& draft) {
+void DraftMaker::writePicture(const Run& run, Draft& draft) {
     std::error_code ignored;
     if (draft.framesBefore == 0 || !std::filesystem::exists(places_.picture(), ignored))
-        draft.pictured = std::min(posterFrame(run.plan(), options), draft.frames - 1);
+        draft.pictured = std::min(posterFrame(run.plan()), draft.frames - 1);
     else if (!draft.changed.empty())
         draft.pictured = draft.changed.front().first;
     if (draft.pictured >= 0)
@@ -172,7 +172,7 @@ void DraftMaker::writePicture(const Run& run, const Options& options, Draft& dra
 
 void DraftMaker::finish(Run& run, DraftFilm& film, const Options& options, Draft& draft) {
     film.close(draft.frames);
-    writePicture(run, options, draft);
+    writePicture(run, draft);
     const std::vector<std::uint64_t>& states = run.states();
     const auto [here, there] =
         std::mismatch(states.begin(), states.end(), states_.begin(), states_.end());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/expect.h"
+#include "demos/play/expect.h"
 #include "demos/watch/draft_film.h"
 #include "render/renderer.h"
 
@@ -47,7 +47,7 @@ private:
     std::optional<render::Image> drawn(int frame, const render::Frame& shown, std::uint64_t sum,
                                        const FilmPlan& plan);
     void addFrame(int frame, Run& run, DraftFilm& film, Draft& draft);
-    void writePicture(const Run& run, const Options& options, Draft& draft);
+    void writePicture(const Run& run, Draft& draft);
     void finish(Run& run, DraftFilm& film, const Options& options, Draft& draft);
 
     DraftPlaces places_;

@@ -57,7 +57,7 @@ void DraftFilm::add(int frame, const render::Image* image, std::uint64_t sum) {
 
 void DraftFilm::addFile(int frame, const render::Image* image, std::uint64_t sum) {
     const auto place = static_cast<std::size_t>(frame);
-    makeFolder(places_.frame(frame).parent_path());
+    render::makeFolder(places_.frame(frame).parent_path());
     files_.sums.resize(std::max(files_.sums.size(), place + 1));
     files_.untold = true;
     render::writeFileAtomically(places_.frame(frame),

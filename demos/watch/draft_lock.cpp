@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "demos/scene/complaints.h"
-#include "demos/stop.h"
+#include "demos/text/complaints.h"
+#include "demos/text/stop.h"
 #include "render/encode/file.h"
 
 namespace demos {

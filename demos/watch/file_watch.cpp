@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "demos/film/signals.h"
-#include "demos/scene/complaints.h"
+#include "demos/processes/signals.h"
+#include "demos/text/complaints.h"
 #include "render/encode/file.h"
 #include "render/error.h"
 

@@ -28,7 +28,7 @@ public:
 
     enum class Which { files, anyBeside };  // anyBeside: any file of their folders counts
     /// Until one is whole again after it was written, or is gone: true. False: SIGINT or SIGTERM
-    /// came (demos/film/signals.h). What has happened since the last wait counts.
+    /// came (demos/processes/signals.h). What has happened since the last wait counts.
     bool wait(Which which);
     /// Whether wait() would come back at once.
     bool hasNews(Which which);

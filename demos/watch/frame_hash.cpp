@@ -6,7 +6,7 @@
 #include <span>
 #include <type_traits>
 
-#include "demos/text_hash.h"
+#include "demos/text/text_hash.h"
 #include "render/solid_mesh.h"
 
 namespace demos {

@@ -11,9 +11,9 @@ namespace engine {
 using Vec2 = Eigen::Vector2d;  // x, y
 using Vec3 = Eigen::Vector3d;  // x, y, z; right-handed
 using Vec4 = Eigen::Vector4d;  // four of a kind
-using Mat2 = Eigen::Matrix2d;
+using Mat2 = Eigen::Matrix2d;     // 2 x 2
 using Mat3 = Eigen::Matrix3d;  // inertia, rotation
-using Mat4 = Eigen::Matrix4d;
+using Mat4 = Eigen::Matrix4d;     // 4 x 4
 using Quat = Eigen::Quaterniond;  // a rotation, of length 1; made as (w, x, y, z)
 
 /// Ties and NaNs are defined: a when the two are equal, b when a is not a number.

@@ -70,6 +70,17 @@ std::string describeError(int error) {
     }
 }
 
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    if (folder.empty() || fs::is_directory(folder, error)) return;
+    if (fs::exists(folder, error))
+        throw Error("cannot write into '" + folder.string() + "': it is not a folder");
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error("cannot make the folder '" + folder.string() +
+                    "': " + describeError(error.value()));
+}
+
 void checkReplaceable(const fs::path& path) {
     struct stat found = {};
     if (::lstat(path.c_str(), &found) != 0) {

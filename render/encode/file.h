@@ -30,6 +30,9 @@ inline void writeFileAtomically(const std::filesystem::path& path, std::string_v
                         std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+/// The folder and its parents; what is there stays. Throws Error.
+void makeFolder(const std::filesystem::path& folder);
+
 /// Throws Error unless `path` is free or an ordinary file that may be replaced.
 void checkReplaceable(const std::filesystem::path& path);
 

@@ -7,13 +7,13 @@
 #include <csignal>
 #include <fstream>
 
+#include "demos/processes/process_pool.h"
 #include "demos/regression/accept.h"
 #include "demos/regression/judge.h"
 #include "demos/regression/pass_cache.h"
-#include "demos/regression/process_pool.h"
 #include "demos/regression/run_settings.h"
-#include "demos/stop.h"
-#include "demos/text_hash.h"
+#include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
 #include "render/encode/png.h"
 #include "tests/support/temporary_folder.h"
 
@@ -38,14 +38,15 @@ Actual actualWith(std::uint8_t level, double y) {
     baseline.width = 8;
     baseline.height = 4;
     baseline.settings = {{"world.hz", "60"}, {"seconds", "0.05"}};
-    Course& course = baseline.course;
-    course.bodies = {"ball"};
-    course.extents = {Vec3(1, 1, 1)};
+    Trajectory& trajectory = baseline.trajectory;
+    trajectory.bodies = {"ball"};
+    trajectory.extents = {Vec3(1, 1, 1)};
     for (int step = 0; step <= 3; ++step) {
-        course.hashes.push_back(static_cast<std::uint32_t>(step * (y != 1.0 && step == 3 ? 9 : 1)));
+        trajectory.hashes.push_back(
+            static_cast<std::uint32_t>(step * (y != 1.0 && step == 3 ? 9 : 1)));
         engine::Pose pose;
         pose.position.y() = step == 3 ? y : 1.0;
-        course.moments.push_back({step, {pose}, 5.0, 0.0, 0.0, {}});
+        trajectory.moments.push_back({step, {pose}, 5.0, 0.0, 0.0, {}});
     }
     for (const double time : {0.0, 0.05}) {
         const auto& png = actual.png.emplace_back(render::encodePng(grayPicture(level)));
@@ -82,7 +83,7 @@ TEST(Baselines, ComeBackAsTheyWere) {
     ASSERT_EQ(back.pictures.size(), 2u);
     EXPECT_EQ(back.pictures[1].time, 0.05);
     EXPECT_EQ(back.pictures[1].png, baseline.pictures[1].png);
-    EXPECT_EQ(back.course.hashes, baseline.course.hashes);
+    EXPECT_EQ(back.trajectory.hashes, baseline.trajectory.hashes);
     EXPECT_EQ(jsonOf(back, {}), text);  // nothing is rounded twice
 }
 
@@ -125,7 +126,7 @@ protected:
         writeBaseline(actualWith(2, 1.5), {}, now);
     }
     Baseline baseline() const { return readBaseline(kept).value(); }
-    double lastY() const { return baseline().course.moments.back().poses[0].position.y(); }
+    double lastY() const { return baseline().trajectory.moments.back().poses[0].position.y(); }
 
     TemporaryFolder folder;
     fs::path kept = folder / "kept", now = folder / "now";

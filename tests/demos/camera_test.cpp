@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "demos/film/shutter.h"
-#include "demos/player.h"
+#include "demos/snapshot/player.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {

@@ -1,4 +1,4 @@
-#include "demos/report/chart.h"
+#include "demos/charts/chart.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <limits>
 #include <regex>
 
-#include "demos/report/curve.h"
-#include "demos/report/drawing.h"
-#include "demos/report/inks.h"
-#include "demos/report/layout.h"
-#include "demos/report/ticks.h"
+#include "demos/charts/curve.h"
+#include "demos/charts/drawing.h"
+#include "demos/charts/layout.h"
+#include "demos/charts/ticks.h"
+#include "demos/look/inks.h"
 #include "tests/demos/labels.h"
 #include "tests/support/text.h"
 

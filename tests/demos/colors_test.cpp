@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/player.h"
+#include "demos/snapshot/player.h"
 #include "tests/demos/reading.h"
 
 namespace demos {

@@ -1,6 +1,6 @@
 /// The paper that most tests of figures draw on.
 #pragma once
-#include "demos/figure/paper.h"
+#include "demos/look/paper.h"
 
 namespace demos {
 

@@ -1,5 +1,5 @@
 // What a run did: written down, made small, and compared.
-#include "demos/regression/course.h"
+#include "demos/regression/trajectory.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <functional>
 #include <map>
 
-#include "demos/packed.h"
-#include "demos/regression/course_codec.h"
-#include "demos/regression/course_recorder.h"
 #include "demos/regression/divergence.h"
+#include "demos/regression/trajectory_codec.h"
+#include "demos/regression/trajectory_recorder.h"
+#include "demos/text/deflate.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {
@@ -38,18 +38,18 @@ at = [4, 4, 0]
 )";
 
 /// `change`: what is done to the stage after 20 steps.
-Course played(const std::function<void(Stage&)>& change = {}) {
+Trajectory played(const std::function<void(Stage&)>& change = {}) {
     const SceneDescription scene = readScene(kPile, "pile.toml", "pile");
     Stage stage(scene);
     const int steps = 60;
-    CourseRecorder recorder(stage, steps);
+    TrajectoryRecorder recorder(stage, steps);
     recorder.look(stage);
     for (int step = 1; step <= steps; ++step) {
         if (step == 21 && change) change(stage);
         EXPECT_TRUE(stage.step());
         recorder.look(stage);
     }
-    return recorder.course();
+    return recorder.trajectory();
 }
 
 void moveTop(Stage& stage, double by) {
@@ -58,7 +58,7 @@ void moveTop(Stage& stage, double by) {
     stage.world.setPose(stage.bodies[4], pose);
 }
 
-double farthest(const Course& a, const Course& b) {
+double farthest(const Trajectory& a, const Trajectory& b) {
     double most = 0.0;
     for (std::size_t k = 0; k < a.moments.size(); ++k)
         for (std::size_t i = 0; i < a.bodies.size(); ++i)
@@ -68,58 +68,59 @@ double farthest(const Course& a, const Course& b) {
     return most;
 }
 
-TEST(Course, HoldsEveryStepOfAShortRun) {
-    const Course course = played();
-    EXPECT_EQ(course.hashes.size(), 61u);
-    ASSERT_EQ(course.moments.size(), 61u);
-    EXPECT_EQ(course.moments.back().step, 60);
-    EXPECT_EQ(course.bodies, (std::vector<std::string>{"floor", "box0", "box1", "box2", "box3", "bob"}));
-    EXPECT_EQ(course.extents[1], Vec3(0.5, 0.5, 0.5));
-    EXPECT_EQ(course.extents[0], Vec3(0, 0, 0));
+TEST(Trajectory, HoldsEveryStepOfAShortRun) {
+    const Trajectory trajectory = played();
+    EXPECT_EQ(trajectory.hashes.size(), 61u);
+    ASSERT_EQ(trajectory.moments.size(), 61u);
+    EXPECT_EQ(trajectory.moments.back().step, 60);
+    EXPECT_EQ(trajectory.bodies,
+              (std::vector<std::string>{"floor", "box0", "box1", "box2", "box3", "bob"}));
+    EXPECT_EQ(trajectory.extents[1], Vec3(0.5, 0.5, 0.5));
+    EXPECT_EQ(trajectory.extents[0], Vec3(0, 0, 0));
 }
 
-TEST(Course, KnowsWhatContactsAndJointsDid) {
-    const Course course = played();
+TEST(Trajectory, KnowsWhatContactsAndJointsDid) {
+    const Trajectory trajectory = played();
     std::map<std::string, double> last;
-    for (const CourseImpulse& impulse : course.moments.back().impulses)
-        last[course.constraints[impulse.constraint]] = impulse.value;
+    for (const TrajectoryImpulse& impulse : trajectory.moments.back().impulses)
+        last[trajectory.constraints[impulse.constraint]] = impulse.value;
     ASSERT_EQ(last.count("contact floor-box0"), 1u);
     ASSERT_EQ(last.count("joint world-bob"), 1u);
     // What lies on the floor weighs on it: four boxes of 1000 kg, g dt each step.
     EXPECT_NEAR(last["contact floor-box0"], 4 * 1000 * 9.81 / 60, 0.05 * 4 * 1000 * 9.81 / 60);
 }
 
-TEST(Course, ComesBackWithinItsResolution) {
-    const Course course = played();
+TEST(Trajectory, ComesBackWithinItsResolution) {
+    const Trajectory trajectory = played();
     const Tolerance tolerance;
-    const CourseResolution resolution = resolutionOf(course, tolerance);
-    const auto bytes = encodeCourse(course, resolution, 1u << 20);
-    const std::optional<Course> back = decodeCourse(bytes);
+    const TrajectoryResolution resolution = resolutionOf(trajectory, tolerance);
+    const auto bytes = encodeTrajectory(trajectory, resolution, 1u << 20);
+    const std::optional<Trajectory> back = decodeTrajectory(bytes);
     ASSERT_TRUE(back.has_value());
-    EXPECT_EQ(back->hashes, course.hashes);
-    EXPECT_EQ(back->constraints, course.constraints);
-    ASSERT_EQ(back->moments.size(), course.moments.size());
-    EXPECT_LE(farthest(course, *back), 1.01 * resolution.position);
-    for (std::size_t k = 0; k < course.moments.size(); ++k) {
-        EXPECT_LE(std::abs(course.moments[k].energy - back->moments[k].energy),
+    EXPECT_EQ(back->hashes, trajectory.hashes);
+    EXPECT_EQ(back->constraints, trajectory.constraints);
+    ASSERT_EQ(back->moments.size(), trajectory.moments.size());
+    EXPECT_LE(farthest(trajectory, *back), 1.01 * resolution.position);
+    for (std::size_t k = 0; k < trajectory.moments.size(); ++k) {
+        EXPECT_LE(std::abs(trajectory.moments[k].energy - back->moments[k].energy),
                   1.01 * resolution.energy);
-        for (std::size_t i = 0; i < course.bodies.size(); ++i)
-            EXPECT_LT(course.moments[k].poses[i].rotation.angularDistance(
+        for (std::size_t i = 0; i < trajectory.bodies.size(); ++i)
+            EXPECT_LT(trajectory.moments[k].poses[i].rotation.angularDistance(
                           back->moments[k].poses[i].rotation),
                       6 * resolution.rotation);
-        ASSERT_EQ(course.moments[k].impulses.size(), back->moments[k].impulses.size());
-        for (std::size_t i = 0; i < course.moments[k].impulses.size(); ++i)
-            EXPECT_NEAR(course.moments[k].impulses[i].value, back->moments[k].impulses[i].value,
+        ASSERT_EQ(trajectory.moments[k].impulses.size(), back->moments[k].impulses.size());
+        for (std::size_t i = 0; i < trajectory.moments[k].impulses.size(); ++i)
+            EXPECT_NEAR(trajectory.moments[k].impulses[i].value, back->moments[k].impulses[i].value,
                         0.51 * resolution.impulse);
     }
     EXPECT_LT(bytes.size(), 61 * 6 * 7 * sizeof(double) / 8);  // an eighth of the poses alone
 }
 
-TEST(Course, GivesUpMomentsForSpaceLateOnesFirst) {
-    const Course course = played();
-    const auto bytes = encodeCourse(course, resolutionOf(course, {}), 1500);
+TEST(Trajectory, GivesUpMomentsForSpaceLateOnesFirst) {
+    const Trajectory trajectory = played();
+    const auto bytes = encodeTrajectory(trajectory, resolutionOf(trajectory, {}), 1500);
     EXPECT_LE(bytes.size(), 1500u);
-    const std::optional<Course> back = decodeCourse(bytes);
+    const std::optional<Trajectory> back = decodeTrajectory(bytes);
     ASSERT_TRUE(back.has_value());
     EXPECT_EQ(back->hashes.size(), 61u);
     EXPECT_EQ(back->moments.front().step, 0);
@@ -131,23 +132,25 @@ TEST(Course, GivesUpMomentsForSpaceLateOnesFirst) {
                   back->moments[k - 1].step - back->moments[k - 2].step);
 }
 
-TEST(Course, RefusesBytesThatAreNone) {
-    const Course course = played();
-    const std::vector<std::uint8_t> good = encodeCourse(course, resolutionOf(course, {}), 1u << 20);
-    EXPECT_FALSE(decodeCourse({}).has_value());
+TEST(Trajectory, RefusesBytesThatAreNone) {
+    const Trajectory trajectory = played();
+    const std::vector<std::uint8_t> good =
+        encodeTrajectory(trajectory, resolutionOf(trajectory, {}), 1u << 20);
+    EXPECT_FALSE(decodeTrajectory({}).has_value());
     for (std::size_t size = 0; size < good.size(); size += 97)
-        EXPECT_FALSE(decodeCourse(std::span(good).first(size)).has_value()) << size;
+        EXPECT_FALSE(decodeTrajectory(std::span(good).first(size)).has_value()) << size;
     for (std::size_t at = 0; at < good.size(); at += 31) {  // zlib's checksum sees each
         std::vector<std::uint8_t> bad = good;
         bad[at] ^= 0x10;
-        EXPECT_FALSE(decodeCourse(bad).has_value()) << at;
+        EXPECT_FALSE(decodeTrajectory(bad).has_value()) << at;
     }
 }
 
 /// Past zlib's checksum: whoever writes a baseline by hand can have it right.
-TEST(Course, SurvivesBytesThatAreMadeUp) {
-    const Course course = played();
-    const auto good = unpacked(encodeCourse(course, resolutionOf(course, {}), 1u << 20), 1u << 24);
+TEST(Trajectory, SurvivesBytesThatAreMadeUp) {
+    const Trajectory trajectory = played();
+    const auto good =
+        inflated(encodeTrajectory(trajectory, resolutionOf(trajectory, {}), 1u << 20), 1u << 24);
     ASSERT_TRUE(good.has_value());
     std::uint32_t chance = 1;
     const auto next = [&chance] { return (chance = chance * 1664525u + 1013904223u) >> 8; };
@@ -157,12 +160,12 @@ TEST(Course, SurvivesBytesThatAreMadeUp) {
         for (int flips = 1 + round % 4; flips > 0; --flips)
             bad[next() % (round % 2 ? bad.size() : 60)] = static_cast<std::uint8_t>(next());
         if (round % 5 == 0) bad.resize(next() % bad.size());
-        const std::optional<Course> read = decodeCourse(packed(bad));
+        const std::optional<Trajectory> read = decodeTrajectory(deflated(bad));
         if (!read) ++refused;
         if (!read) continue;
-        for (const CourseMoment& moment : read->moments) {
+        for (const TrajectoryMoment& moment : read->moments) {
             EXPECT_EQ(moment.poses.size(), read->bodies.size());
-            for (const CourseImpulse& impulse : moment.impulses)
+            for (const TrajectoryImpulse& impulse : moment.impulses)
                 EXPECT_LT(static_cast<std::size_t>(impulse.constraint), read->constraints.size());
         }
     }
@@ -222,11 +225,11 @@ TEST(Divergence, SeesATurn) {
 }
 
 TEST(Divergence, WorksOnWhatABaselineKeeps) {
-    const Course course = played();
-    const std::optional<Course> kept =
-        decodeCourse(encodeCourse(course, resolutionOf(course, {}), 1u << 20));
+    const Trajectory trajectory = played();
+    const std::optional<Trajectory> kept =
+        decodeTrajectory(encodeTrajectory(trajectory, resolutionOf(trajectory, {}), 1u << 20));
     ASSERT_TRUE(kept.has_value());
-    EXPECT_EQ(diverge(*kept, course, {}).kind, PhysicsVerdict::Kind::same);
+    EXPECT_EQ(diverge(*kept, trajectory, {}).kind, PhysicsVerdict::Kind::same);
     const auto nudged = played([](Stage& s) { moveTop(s, 1e-9); });
     EXPECT_EQ(diverge(*kept, nudged, {}).kind, PhysicsVerdict::Kind::bits);
     const auto moved = diverge(*kept, played([](Stage& s) { moveTop(s, 0.001); }), {});
@@ -236,7 +239,7 @@ TEST(Divergence, WorksOnWhatABaselineKeeps) {
 }
 
 TEST(Divergence, TellsBodiesThatCameAndWent) {
-    Course more = played(), less = more;
+    Trajectory more = played(), less = more;
     less.bodies[5] = "weight";
     const PhysicsVerdict verdict = diverge(more, less, {});
     EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::changed);

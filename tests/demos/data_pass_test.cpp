@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "demos/film/data_json.h"
-#include "demos/player.h"
+#include "demos/snapshot/player.h"
 #include "tests/demos/reading.h"
 
 namespace demos {

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "demos/file_content.h"
+#include "demos/text/file_content.h"
 #include "render/encode/png.h"
 #include "tests/support/planted_report.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // What a draft says of what has changed.
-#include "demos/watch/draft_tell.h"
+#include "demos/watch/draft_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Every kind of expectation can hold and can fail.
 
-#include "demos/scene/expect.h"
+#include "demos/play/expect.h"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <set>
 
-#include "demos/report/curve.h"
-#include "demos/report/drawing.h"
-#include "demos/report/inks.h"
-#include "demos/report/layout.h"
-#include "demos/stop.h"
+#include "demos/charts/curve.h"
+#include "demos/charts/drawing.h"
+#include "demos/charts/layout.h"
+#include "demos/look/inks.h"
+#include "demos/text/stop.h"
 #include "tests/demos/column.h"
 #include "tests/demos/labels.h"
 

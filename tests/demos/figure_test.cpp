@@ -3,15 +3,16 @@
 
 #include <cmath>
 
+#include "demos/charts/drawing.h"
+#include "demos/charts/layout.h"
 #include "demos/figure/caption.h"
 #include "demos/figure/figure_grid.h"
-#include "demos/figure/length.h"
-#include "demos/figure/type.h"
-#include "demos/report/drawing.h"
-#include "demos/report/layout.h"
+#include "demos/look/length.h"
+#include "demos/look/type.h"
+#include "demos/options/picture_options.h"
 #include "demos/scene/reader.h"
 #include "demos/scene/solver_settings.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 #include "tests/demos/column.h"
 
 namespace demos {
@@ -57,7 +58,7 @@ TEST(Type, IsInPointsOfTheEm) {
     }
 }
 
-/// Whatever a frame says of a size for the screen.
+/// Whatever a frame says of a size for the composite.
 TEST(Type, OfAFrameIsThatOfACharts) {
     render::Frame frame;
     frame.texts = {{"first line", render::Corner::topLeft, 18.0f},
@@ -198,7 +199,7 @@ TEST(FigureCaption, TellsTheArrowsScaleOfEveryPicture) {
     Overlays overlays;
     EXPECT_EQ(scalesText(overlays, {{}}), "");
     overlays.impulses = true;
-    Shot one, two;
+    PictureFacts one, two;
     one.impulse = 50.02, two.impulse = 12.3;
     EXPECT_EQ(scalesText(overlays, {one, one}),
               "; red arrows: impulses along the normals, 1 cm = 50 N s");
@@ -207,7 +208,7 @@ TEST(FigureCaption, TellsTheArrowsScaleOfEveryPicture) {
     EXPECT_EQ(scalesText(overlays, {one, two}),
               "; red arrows: impulses along the normals, 1 cm = 50, 12.3 N s");
     EXPECT_EQ(scalesText(overlays, {{}}), "; red arrows: impulses along the normals");
-    Shot bare;
+    PictureFacts bare;
     bare.onPaper = true;
     EXPECT_EQ(scalesText(overlays, {bare}), "");  // there is no arrow to name
     EXPECT_EQ(timesText({one, one}), "t = 0 s");
@@ -228,11 +229,11 @@ TEST(FigureCaption, NamesEveryMark) {
 TEST(FigureCaption, ListsWhatIsSeen) {
     Overlays overlays;
     overlays.stats = true;
-    Shot full, small;
+    PictureFacts full, small;
     small.leftOut = {"stats", "caption"};
-    const auto shown = [&](const std::vector<Shot>& shots) {
+    const auto shown = [&](const std::vector<PictureFacts>& facts) {
         Caption caption("x");
-        addLook(overlays, shots, caption);
+        addLook(overlays, facts, caption);
         const std::string text = caption.text();
         return text.substr(text.find("shown"));
     };

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "demos/film/event_log.h"
-#include "demos/scene/stage.h"
+#include "demos/play/stage.h"
 #include "engine/base/trigonometry.h"
 #include "tests/demos/reading.h"
 

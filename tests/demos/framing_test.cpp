@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/player.h"
+#include "demos/snapshot/player.h"
 #include "render/camera.h"
 #include "render/corners.h"
 #include "tests/demos/reading.h"

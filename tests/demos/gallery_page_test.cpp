@@ -38,7 +38,7 @@ TEST(GalleryPage, HasNoAddressAndForbidsAllButItsOwn) {
 
 /// What was asked for and nothing else, so that a card's command makes what the card shows.
 TEST(GalleryPage, KnowsTheOptionsOfItsCommand) {
-    Options options;
+    GalleryOptions options;
     EXPECT_TRUE(wordsOf(options).run.empty());
     EXPECT_TRUE(wordsOf(options).picture.empty());
     options.overrides = {"world.gravity=[0, -5, 0]", "world.hz=240"};

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "demos/export/glb_scene.h"
-#include "demos/version.h"
+#include "demos/text/version.h"
 #include "tests/demos/glb_reading.h"
 #include "tests/demos/recorded.h"
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "demos/load/load_scene.h"
 #include "tests/demos/reading.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,11 +1,11 @@
-#include "demos/report/inks.h"
+#include "demos/look/inks.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "demos/theme.h"
+#include "demos/look/theme.h"
 
 namespace demos {
 namespace {

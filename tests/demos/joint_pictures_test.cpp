@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/snapshot.h"
+#include "demos/snapshot/snapshot.h"
 #include "engine/base/trigonometry.h"
 #include "tests/demos/reading.h"
 

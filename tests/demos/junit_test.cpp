@@ -17,12 +17,12 @@ TestVerdict verdictOf(std::vector<SceneVerdict> scenes) {
 }
 
 /// The document of a verdict; fails where it cannot be read.
-class Written {
+class TomlPosition {
 public:
-    explicit Written(const TestVerdict& verdict) : text(junitXml(verdict)) {
+    explicit TomlPosition(const TestVerdict& verdict) : text(junitXml(verdict)) {
         EXPECT_TRUE(document_.load_buffer(text.data(), text.size())) << text;
     }
-    explicit Written(const SceneVerdict& scene) : Written(verdictOf({scene})) {}
+    explicit TomlPosition(const SceneVerdict& scene) : TomlPosition(verdictOf({scene})) {}
 
     pugi::xml_node root() const { return document_.document_element(); }
     pugi::xml_node suite() const { return root().child("testsuite"); }
@@ -108,14 +108,14 @@ SceneVerdict errorScene() {
 }
 
 TEST(JunitXml, OfNoSceneIsEmpty) {
-    const Written written{TestVerdict{}};
+    const TomlPosition written{TestVerdict{}};
     EXPECT_STREQ(written.root().name(), "testsuites");
     EXPECT_EQ(countsOf(written.root()), "0 0 0 0");
     EXPECT_FALSE(written.suite());
 }
 
 TEST(JunitXml, NamesCasesAsApproveTakesThem) {
-    const Written written(passedScene());
+    const TomlPosition written(passedScene());
     EXPECT_STREQ(written.suite().attribute("name").value(), "stack");
     std::vector<std::string> names;
     for (const pugi::xml_node node : written.suite().children("testcase")) {
@@ -133,11 +133,11 @@ TEST(JunitXml, NamesCasesAsApproveTakesThem) {
 TEST(JunitXml, ABuiltInSceneHasNoFile) {
     SceneVerdict scene = passedScene();
     scene.scene = scene.name;
-    EXPECT_FALSE(Written(scene).testCase("stack@physics").attribute("file"));
+    EXPECT_FALSE(TomlPosition(scene).testCase("stack@physics").attribute("file"));
 }
 
 TEST(JunitXml, SaysWhatFailed) {
-    const Written written(failedScene());
+    const TomlPosition written(failedScene());
     EXPECT_EQ(countsOf(written.suite()), "6 3 0 0");
     const pugi::xml_node expected = written.suite().find_node(
         [](const pugi::xml_node& node) { return std::string(node.name()) == "failure"; });
@@ -152,7 +152,7 @@ TEST(JunitXml, SaysWhatFailed) {
 }
 
 TEST(JunitXml, TellsByHowMuchAPictureDiffers) {
-    const Written written(failedScene());
+    const TomlPosition written(failedScene());
     const pugi::xml_node testCase = written.testCase("stack@2.5");
     const std::string message = messageOf(testCase.child("failure"));
     EXPECT_EQ(
@@ -172,7 +172,7 @@ TEST(JunitXml, TellsWhyThereIsNothingToCompare) {
     scene.pictures[0].kind = PictureVerdict::Kind::added;
     scene.pictures[1].kind = PictureVerdict::Kind::broken;
     scene.pictures[1].problem = "'1.png' is no PNG";
-    const Written written(scene);
+    const TomlPosition written(scene);
     const auto said = [&](const char* name) {
         return messageOf(written.testCase(name).child("failure"));
     };
@@ -188,7 +188,7 @@ TEST(JunitXml, TellsWhatIsWrongWithTheWholeBaseline) {
     scene.physics = {};
     scene.problem = "a.snapshots/baseline.json was edited";
     for (PictureVerdict& picture : scene.pictures) picture.kind = PictureVerdict::Kind::broken;
-    const Written written(scene);
+    const TomlPosition written(scene);
     EXPECT_EQ(countsOf(written.suite()), "6 5 0 0");
     for (const char* name : {"stack@physics", "stack@0", "stack@2.5"})
         EXPECT_EQ(messageOf(written.testCase(name).child("failure")), scene.problem) << name;
@@ -201,7 +201,7 @@ TEST(JunitXml, ADifferenceWithinTheGatesPasses) {
     scene.physics.lines = {"other bits from step 7"};
     scene.pictures[1].kind = PictureVerdict::Kind::within;
     scene.pictures[1].difference.differing = 4;
-    const Written written(scene);
+    const TomlPosition written(scene);
     EXPECT_EQ(countsOf(written.suite()), "5 0 0 0");
     EXPECT_STREQ(written.testCase("stack@physics").child("system-out").text().get(),
                  "other bits from step 7");
@@ -214,7 +214,7 @@ TEST(JunitXml, ASceneWithoutPicturesHasItsContractOnly) {
     scene.name = "stack";
     scene.state = SceneVerdict::State::failed;
     scene.expectations = {expectation(false)};
-    EXPECT_EQ(countsOf(Written(scene).suite()), "1 1 0 0");
+    EXPECT_EQ(countsOf(TomlPosition(scene).suite()), "1 1 0 0");
 }
 
 // With --update, the actual has become the baseline.
@@ -223,14 +223,14 @@ TEST(JunitXml, WhatWasUpdatedPasses) {
         SceneVerdict scene = failedScene();
         scene.expectations = {expectation(true)};
         scene.state = state;
-        EXPECT_EQ(countsOf(Written(scene).suite()), "5 0 0 0") << nameOf(state);
+        EXPECT_EQ(countsOf(TomlPosition(scene).suite()), "5 0 0 0") << nameOf(state);
     }
 }
 
 TEST(JunitXml, WhatWasNotPlayedIsSkipped) {
     SceneVerdict scene = passedScene();
     scene.cached = true;
-    const Written written(scene);
+    const TomlPosition written(scene);
     EXPECT_EQ(countsOf(written.suite()), "1 0 0 1");
     EXPECT_EQ(messageOf(written.testCase("stack").child("skipped")),
               "nothing has changed since it passed");
@@ -238,7 +238,7 @@ TEST(JunitXml, WhatWasNotPlayedIsSkipped) {
 
 TEST(JunitXml, ASceneThatCannotBeTestedIsAnError) {
     const SceneVerdict scene = errorScene();
-    const Written written(scene);
+    const TomlPosition written(scene);
     EXPECT_EQ(countsOf(written.suite()), "1 0 1 0");
     EXPECT_EQ(messageOf(written.testCase("bad").child("error")), scene.problem);
 }
@@ -246,7 +246,7 @@ TEST(JunitXml, ASceneThatCannotBeTestedIsAnError) {
 TEST(JunitXml, AddsUpItsSuites) {
     TestVerdict verdict = verdictOf({passedScene(), failedScene(), passedScene(), errorScene()});
     verdict.scenes[2].cached = true;
-    const Written written(verdict);
+    const TomlPosition written(verdict);
     EXPECT_EQ(countsOf(written.root()), "13 3 1 1");
     const auto suites = written.root().children("testsuite");
     EXPECT_EQ(std::distance(suites.begin(), suites.end()), 4);
@@ -255,7 +255,7 @@ TEST(JunitXml, AddsUpItsSuites) {
 TEST(JunitXml, NamesOrphansInTheirSuite) {
     SceneVerdict scene = passedScene();
     scene.orphans = {"stack.snapshots/9.png"};
-    EXPECT_STREQ(Written(scene).suite().child("system-out").text().get(),
+    EXPECT_STREQ(TomlPosition(scene).suite().child("system-out").text().get(),
                  "no listed time asks for stack.snapshots/9.png");
 }
 
@@ -276,7 +276,7 @@ TEST(JunitXml, StaysWellFormedWhateverTheTextsHold) {
     SceneVerdict broken = scene;
     broken.state = SceneVerdict::State::error;
     broken.problem = bytes;
-    const Written written(verdictOf({scene, broken}));
+    const TomlPosition written(verdictOf({scene, broken}));
     EXPECT_EQ(countsOf(written.root()), "7 4 1 0");
     EXPECT_EQ(written.text.find("<testcase name=\"forged\""), std::string::npos);
     EXPECT_EQ(written.text.find("&#"), std::string::npos) << "a control byte in other words";
@@ -288,7 +288,7 @@ TEST(JunitXml, StaysWellFormedWhateverTheTextsHold) {
 }
 
 TEST(JunitXml, IsTheSameForTheSameVerdict) {
-    EXPECT_EQ(Written(failedScene()).text, Written(failedScene()).text);
+    EXPECT_EQ(TomlPosition(failedScene()).text, TomlPosition(failedScene()).text);
 }
 
 }  // namespace

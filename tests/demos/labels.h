@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "demos/report/drawing.h"
+#include "demos/charts/drawing.h"
 #include "render/overlay.h"
 
 namespace demos {

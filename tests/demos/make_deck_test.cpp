@@ -4,12 +4,12 @@
 #include <cmath>
 #include <csignal>
 
-#include "demos/film/signals.h"
+#include "demos/processes/child_program.h"
+#include "demos/processes/signals.h"
 #include "demos/scene/reader.h"
-#include "demos/slides/child_program.h"
 #include "demos/slides/slide_options.h"
 #include "demos/slides/slide_pictures.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 #include "render/encode/png_read.h"
 #include "tests/demos/small_film.h"
 #include "tests/render/film_bytes.h"
@@ -379,7 +379,7 @@ TEST_F(MakeDeck, AnInterruptedFilmLeavesNothing) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
     Slide& slide = add(Exhibit::film);
     const Options options = optionsOf(slide, deck, making);
-    const auto plan = planSlide(slide, deck, castOf(slide, options), options, true);
+    const auto plan = planSlide(slide, deck, loadRuns(slide, options), options, true);
     Progress progress(making.options, static_cast<int>(plan->frames.size()), 0);
     watchSignals();
     std::raise(SIGTERM);

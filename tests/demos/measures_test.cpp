@@ -1,4 +1,4 @@
-#include "demos/report/measures.h"
+#include "demos/measures/measures.h"
 
 #include <gtest/gtest.h>
 

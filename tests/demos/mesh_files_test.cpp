@@ -4,8 +4,9 @@
 
 #include <fstream>
 
+#include "demos/load/load_scene.h"
+#include "demos/play/stage.h"
 #include "demos/scene/mesh_file.h"
-#include "demos/scene/stage.h"
 #include "engine/shapes/hull.h"
 #include "engine/shapes/mass.h"
 #include "engine/shapes/mesh.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "demos/load/load_scene.h"
 #include "tests/demos/mjcf_reading.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/text.h"

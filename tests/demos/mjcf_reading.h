@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "demos/mjcf/model_reader.h"
+#include "demos/play/stage.h"
 #include "demos/scene/reader.h"
-#include "demos/scene/stage.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "demos/snapshot.h"
+#include "demos/snapshot/snapshot.h"
 #include "render/surface_map.h"
 #include "tests/demos/reading.h"
 

@@ -12,14 +12,14 @@
 #include "demos/slides/deck_runs.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/slide_numbers.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {
 
 constexpr NumberSetting kText = NumberSetting::text, kFormula = NumberSetting::formula;
 
-struct Written {
+struct TomlPosition {
     double value;
     const char *unit, *text, *formula;
     int digits = 3;
@@ -35,7 +35,7 @@ std::string typed(std::string text) {
 }
 
 TEST(Quantity, IsAsShortAsItCanBeRead) {
-    const Written cases[] = {
+    const TomlPosition cases[] = {
         {0.0012749, "m", "1.27 mm", "1.27\\,\\mathrm{mm}"},
         {0.24, "m", "240 mm", "240\\,\\mathrm{mm}"},
         {1.24, "m", "1.24 m", "1.24\\,\\mathrm{m}"},
@@ -59,7 +59,7 @@ TEST(Quantity, IsAsShortAsItCanBeRead) {
         {0.0, "m", "0 m", "0\\,\\mathrm{m}"},
         {-0.0, "", "0", "0"},
     };
-    for (const Written& c : cases) {
+    for (const TomlPosition& c : cases) {
         EXPECT_EQ(typed(quantityText(c.value, c.unit, c.digits, kText)), c.text);
         EXPECT_EQ(quantityText(c.value, c.unit, c.digits, kFormula), c.formula);
     }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {

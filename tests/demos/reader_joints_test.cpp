@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "demos/film/event_log.h"
+#include "demos/play/stage.h"
 #include "demos/scene/joint_kinds.h"
-#include "demos/scene/stage.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/scene/stage.h"
+#include "demos/play/stage.h"
 #include "engine/shapes/hull.h"
 #include "engine/shapes/mass.h"
 #include "engine/shapes/mesh.h"

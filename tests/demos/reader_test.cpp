@@ -1,14 +1,15 @@
 // What a scene file says, and what it leaves to its defaults.
 
 #include "demos/scene/reader.h"
+#include "demos/load/load_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "demos/scene/nearest.h"
 #include "demos/scene/pattern.h"
+#include "demos/text/nearest.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {

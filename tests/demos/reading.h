@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/complaints.h"
 #include "demos/scene/reader.h"
+#include "demos/text/complaints.h"
 
 namespace demos::test {
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "demos/export/pose_table.h"
+#include "demos/load/load_scene.h"
 #include "tests/demos/recorded.h"
 
 namespace demos::test {

@@ -1,6 +1,7 @@
 // replay.html as text: its numbers, read as the page's script reads them, are the run's; nothing
 // breaks out of its data; what is too large is thinned, and said.
 #include "demos/export/replay_page.h"
+#include "demos/load/load_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +12,10 @@
 #include <numbers>
 #include <span>
 
-#include "demos/base64.h"
 #include "demos/export/replay_codec.h"
-#include "demos/packed.h"
-#include "demos/page/rounded.h"
+#include "demos/text/base64.h"
+#include "demos/text/deflate.h"
+#include "demos/text/rounded.h"
 #include "tests/demos/page_data.h"
 #include "tests/demos/recorded.h"
 #include "tests/support/planted_recording.h"
@@ -71,7 +72,7 @@ TEST(ReplayCodec, ADirectionIsOffByADegreeAtMost) {
 std::vector<std::uint16_t> wordsIn(const std::string& text, std::size_t length) {
     const std::string packedText = fromBase64(text).value();
     const std::vector<std::uint8_t> bytes =
-        unpacked({reinterpret_cast<const std::uint8_t*>(packedText.data()), packedText.size()},
+        inflated({reinterpret_cast<const std::uint8_t*>(packedText.data()), packedText.size()},
                  100'000'000)
             .value();
     std::vector<std::uint16_t> words(bytes.size() / 2);

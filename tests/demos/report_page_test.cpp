@@ -131,7 +131,7 @@ TEST(ReportPage, ThirtyScenesStayBelowTenMegabytes) {
     const support::TemporaryFolder folder;
     const std::string large(95'000, 'x');  // bytes of a picture of 640x360
     TestVerdict verdict;
-    std::vector<ReportCourses> courses(30);
+    std::vector<ReportTrajectories> trajectories(30);
     for (int i = 0; i < 30; ++i) {
         verdict.scenes.push_back(support::plantedScene("scene" + std::to_string(i), State::failed));
         verdict.scenes.back().physics.kind = PhysicsVerdict::Kind::changed;
@@ -141,10 +141,10 @@ TEST(ReportPage, ThirtyScenesStayBelowTenMegabytes) {
                 time, Kind::changed, support::saved(folder / (name + "a.png"), large),
                 support::saved(folder / (name + "b.png"), large)));
         }
-        courses[static_cast<std::size_t>(i)].baseline = support::fallingBodies(60, 200, 1.0);
-        courses[static_cast<std::size_t>(i)].actual = support::fallingBodies(60, 200, 1.1);
+        trajectories[static_cast<std::size_t>(i)].baseline = support::fallingBodies(60, 200, 1.0);
+        trajectories[static_cast<std::size_t>(i)].actual = support::fallingBodies(60, 200, 1.1);
     }
-    const std::string page = reportPage(verdict, courses, folder.path());
+    const std::string page = reportPage(verdict, trajectories, folder.path());
     EXPECT_LE(page.size(), 9'500'000u);
     EXPECT_GT(page.size(), 9'300'000u);  // it is made use of
 }
@@ -162,18 +162,19 @@ Json filmOfBodies(int bodies, PhysicsVerdict::Kind kind) {
     verdict.scenes[0].physics.kind = kind;
     verdict.scenes[0].physics.step = 77;
     verdict.scenes[0].physics.body = "body1";
-    ReportCourses courses;
-    courses.baseline = support::fallingBodies(bodies, 600, 1.0);
-    courses.actual = support::fallingBodies(bodies, 600, 1.5);
-    courses.camera.follow = "body2";
-    courses.camera.orbitDegreesPerSecond = 3.0;
-    courses.baseline.moments[301].penetration = 0.004;  // alone, between two moments that are kept
-    return dataOf(reportPage(verdict, {courses}, "x"))["scenes"][0]["film"];
+    ReportTrajectories trajectories;
+    trajectories.baseline = support::fallingBodies(bodies, 600, 1.0);
+    trajectories.actual = support::fallingBodies(bodies, 600, 1.5);
+    trajectories.camera.follow = "body2";
+    trajectories.camera.orbitDegreesPerSecond = 3.0;
+    trajectories.baseline.moments[301].penetration =
+        0.004;  // alone, between two moments that are kept
+    return dataOf(reportPage(verdict, {trajectories}, "x"))["scenes"][0]["film"];
 }
 
-std::set<std::string> bodiesIn(const Json& course) {
+std::set<std::string> bodiesIn(const Json& trajectory) {
     std::set<std::string> names;
-    for (const Json& body : course["bodies"]) names.insert(body["name"]);
+    for (const Json& body : trajectory["bodies"]) names.insert(body["name"]);
     return names;
 }
 
@@ -258,11 +259,11 @@ TEST(ReportFilm, IsNotThereWithoutARunOrWithNumbersThatAreNone) {
     TestVerdict verdict;
     verdict.scenes.push_back(support::plantedScene("a", State::failed));
     EXPECT_TRUE(dataOf(reportPage(verdict, {{}}, "x"))["scenes"][0]["film"].is_null());
-    ReportCourses courses;
-    courses.actual = support::fallingBodies(2, 5, 1.0);
-    courses.actual.moments[2].poses[1].position.x() = std::nan("");
-    courses.actual.moments[2].energy = std::nan("");
-    const Json film = dataOf(reportPage(verdict, {courses}, "x"))["scenes"][0]["film"];
+    ReportTrajectories trajectories;
+    trajectories.actual = support::fallingBodies(2, 5, 1.0);
+    trajectories.actual.moments[2].poses[1].position.x() = std::nan("");
+    trajectories.actual.moments[2].energy = std::nan("");
+    const Json film = dataOf(reportPage(verdict, {trajectories}, "x"))["scenes"][0]["film"];
     EXPECT_TRUE(film["baseline"].is_null());
     EXPECT_TRUE(film["actual"]["energy"][2].is_null());
 }

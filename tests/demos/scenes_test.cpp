@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/builtin.h"
-#include "demos/scene/expect.h"
-#include "demos/scene/reader.h"
+#include "demos/load/builtin.h"
+#include "demos/load/load_scene.h"
+#include "demos/play/expect.h"
 
 namespace demos {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "demos/scene/builtin.h"
+#include "demos/load/builtin.h"
 #include "demos/scene/catalog.h"
 #include "demos/scene/every_key.h"
 #include "demos/scene/toml_value.h"

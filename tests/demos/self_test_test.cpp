@@ -1,8 +1,8 @@
 // The gate and the tolerances under fire: mutants of real scenes, drawn and caught.
 #include <gtest/gtest.h>
 
+#include "demos/load/load_scene.h"
 #include "demos/regression/mutants.h"
-#include "demos/scene/reader.h"
 #include "tests/demos/reading.h"
 
 namespace demos {
@@ -10,7 +10,7 @@ namespace {
 
 Options optionsFor(const std::string& scene) {
     Options options;
-    options.command = Command::test;
+    options.anyStep = true;
     options.scenes = {scene};
     return options;
 }

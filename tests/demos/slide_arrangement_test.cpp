@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/figure/type.h"
+#include "demos/look/type.h"
 
 namespace demos::test {
 namespace {

@@ -19,7 +19,7 @@ std::string commandFor(const Slide& slide) {
     Deck deck;
     deck.theme = "print";
     const Options options = optionsOf(slide, deck, {});
-    return commandOf(slide, deck, castOf(slide, options));
+    return commandOf(slide, deck, loadRuns(slide, options));
 }
 
 TEST(SlideOptions, CommandsMakeThePictureAlone) {

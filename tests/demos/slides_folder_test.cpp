@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "demos/file_content.h"
-#include "demos/film/folder_lock.h"
+#include "demos/processes/folder_lock.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/sections_json.h"
-#include "demos/stop.h"
+#include "demos/text/file_content.h"
+#include "demos/text/stop.h"
 #include "render/encode/program_path.h"
 #include "render/error.h"
 #include "tests/support/planted_deck.h"

@@ -2,11 +2,11 @@
 // of its place. How it behaves is in tests/pages.
 #include <gtest/gtest.h>
 
-#include "demos/base64.h"
 #include "demos/slides/deck_files.h"
 #include "demos/slides/linked_page.h"
 #include "demos/slides/math_font.h"
 #include "demos/slides/table_columns.h"
+#include "demos/text/base64.h"
 #include "render/error.h"
 #include "tests/support/planted_deck.h"
 #include "tests/support/temporary_folder.h"

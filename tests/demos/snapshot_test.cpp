@@ -1,12 +1,12 @@
-#include "demos/snapshot.h"
+#include "demos/snapshot/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "demos/player.h"
+#include "demos/snapshot/player.h"
 #include "demos/snapshot/scale.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 #include "tests/demos/reading.h"
 
 namespace demos {

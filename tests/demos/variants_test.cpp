@@ -1,14 +1,15 @@
 // One scene under several settings: how they are written, read and laid out.
-#include "demos/report/variants.h"
+#include "demos/film/variants.h"
+#include "demos/load/load_scene.h"
 
 #include <gtest/gtest.h>
 
+#include "demos/comparisons/comparisons.h"
+#include "demos/comparisons/measure_table.h"
 #include "demos/film/panel_layout.h"
-#include "demos/report/comparisons.h"
-#include "demos/report/measure_table.h"
-#include "demos/scene/builtin.h"
+#include "demos/load/builtin.h"
 #include "demos/scene/reader.h"
-#include "demos/stop.h"
+#include "demos/text/stop.h"
 
 namespace demos {
 namespace {

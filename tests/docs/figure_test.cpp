@@ -1,7 +1,7 @@
 // demos/figure/README.md says what figures are.
 #include <gtest/gtest.h>
 
-#include "demos/figure/type.h"
+#include "demos/look/type.h"
 #include "tests/docs/texts.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,8 +1,8 @@
 // The README says what the program says: scenes, commands, links.
 #include <gtest/gtest.h>
 
-#include "demos/file_content.h"
 #include "demos/film/film_strip.h"
+#include "demos/text/file_content.h"
 #include "render/encode/png_read.h"
 #include "tests/docs/texts.h"
 

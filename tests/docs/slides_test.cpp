@@ -1,7 +1,7 @@
 // demos/slides/README.md says what the reader of decks takes.
 #include <gtest/gtest.h>
 
-#include "demos/report/summary.h"
+#include "demos/measures/summary.h"
 #include "demos/slides/numbers.h"
 #include "demos/slides/read_deck.h"
 #include "tests/docs/texts.h"

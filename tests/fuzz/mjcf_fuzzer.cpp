@@ -10,11 +10,11 @@
 #include <string>
 #include <string_view>
 
+#include "demos/load/builtin.h"
 #include "demos/mjcf/model_reader.h"
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
+#include "demos/play/stage.h"
 #include "demos/scene/reader.h"
-#include "demos/scene/stage.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "demos/scene/builtin.h"
-#include "demos/scene/complaints.h"
+#include "demos/load/builtin.h"
+#include "demos/play/stage.h"
 #include "demos/scene/reader.h"
-#include "demos/scene/stage.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace {
 
@@ -62,29 +63,84 @@ TEST(Layering, EngineOpensNoFileAndPrintsNothing) {
     }
 }
 
-TEST(Layering, FoldersOfTheEngineLookDownOnly) {
-    const std::map<std::string, std::vector<std::string>> forbidden{
-        {"engine/base",
-         {"engine/shapes/", "engine/dynamics/", "engine/forces/", "engine/collision/",
-          "engine/constraints/", "engine/solver/", "engine/wide/", "engine/world"}},
-        {"engine/shapes",
-         {"engine/dynamics/", "engine/forces/", "engine/collision/", "engine/constraints/",
-          "engine/solver/", "engine/wide/", "engine/world"}},
-        {"engine/dynamics",
-         {"engine/forces/", "engine/collision/", "engine/constraints/", "engine/solver/",
-          "engine/wide/", "engine/world"}},
-        {"engine/forces",
-         {"engine/collision/", "engine/constraints/", "engine/solver/", "engine/wide/",
-          "engine/world"}},
-        {"engine/constraints",
-         {"engine/collision/", "engine/solver/", "engine/wide/", "engine/world"}},
-        {"engine/wide", {"engine/collision/", "engine/solver/", "engine/world"}},
-        {"engine/solver", {"engine/collision/", "engine/world"}},
-        {"engine/collision", {"engine/solver/", "engine/wide/", "engine/world"}}};
-    for (const auto& [folder, above] : forbidden)
-        for (const Include& i : includesOf(folder))
-            for (const std::string& name : above)
-                EXPECT_FALSE(startsWith(i.header, name)) << i.file << ": " << i.line;
+using Floors = std::map<std::string, int>;  // by folder; 0 is the lowest
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(fs::path(IMPULSE_SOURCE_DIR) / path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// `lines`: from the lowest to the highest, folders with spaces between them.
+Floors floorsIn(const std::vector<std::string>& lines) {
+    Floors floors;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::istringstream words(lines[i]);
+        for (std::string folder; words >> folder;) floors[folder] = static_cast<int>(i);
+    }
+    return floors;
+}
+
+/// The drawing of a README: ```floors, the highest first.
+Floors drawnFloors(const std::string& root) {
+    const std::string text = textOf(root + "/README.md"), begin = "```floors\n";
+    const std::size_t at = text.find(begin);
+    if (at == std::string::npos) return {};
+    std::istringstream drawing(
+        text.substr(at + begin.size(), text.find("```", at + 3) - at - begin.size()));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(drawing, line);) lines.insert(lines.begin(), line);
+    return floorsIn(lines);
+}
+
+/// "engine/world_state.cpp" is of "world", which has no folder; "engine/body.h" of ".".
+std::string folderOf(const std::string& file, const std::string& root, const Floors& floors) {
+    const std::string rest = file.substr(root.size() + 1);
+    if (const std::size_t slash = rest.find('/'); slash != std::string::npos)
+        return rest.substr(0, slash);
+    for (const auto& [folder, floor] : floors)
+        if (startsWith(rest, folder) && !fs::exists(fs::path(IMPULSE_SOURCE_DIR) / root / folder))
+            return folder;
+    return ".";
+}
+
+class LayeringOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(LayeringOf, FoldersIncludeLowerFloorsOnly) {
+    const std::string root = GetParam();
+    const Floors floors = drawnFloors(root);
+    ASSERT_GT(floors.size(), 1u);
+    std::set<std::string> seen;
+    for (const Include& i : includesOf(root)) {
+        if (startsWith(i.file, "demos/examples/")) continue;
+        const std::string from = folderOf(i.file, root, floors);
+        ASSERT_TRUE(floors.count(from)) << i.file << " is of no folder in the drawing";
+        seen.insert(from);
+        if (!startsWith(i.header, root + "/")) continue;
+        const std::string to = folderOf(i.header, root, floors);
+        ASSERT_TRUE(floors.count(to)) << i.file << ": " << i.line;
+        EXPECT_TRUE(from == to || floors.at(to) < floors.at(from)) << i.file << ": " << i.line;
+    }
+    for (const auto& [folder, floor] : floors)
+        EXPECT_TRUE(seen.count(folder)) << folder << " is drawn and has no files";
+}
+INSTANTIATE_TEST_SUITE_P(Roots, LayeringOf, testing::Values("engine", "render", "demos"),
+                         [](const auto& root) { return std::string(root.param); });
+
+/// A library of demos is linked to the floors below it: CMake has to have the same ones.
+TEST(Layering, TheFloorsOfDemosAreThoseOfItsLibraries) {
+    const std::string text = textOf("demos/CMakeLists.txt");
+    const std::regex floor(R"(\nimpulse_floor\(([^)]*)\))");
+    std::vector<std::string> lines;
+    for (std::sregex_iterator match(text.begin(), text.end(), floor), end; match != end; ++match)
+        lines.push_back(std::regex_replace((*match)[1].str(), std::regex(R"([${}])"), ""));
+    EXPECT_EQ(floorsIn(lines), drawnFloors("demos"));
+}
+
+TEST(Layering, NoSourceLiesLooseInDemos) {
+    for (const auto& entry : fs::directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / "demos"))
+        EXPECT_TRUE(entry.is_directory() ||
+                    (entry.path().extension() != ".h" && entry.path().extension() != ".cpp"))
+            << entry.path();
 }
 
 TEST(Layering, RenderKnowsNoPhysics) {
@@ -123,11 +179,12 @@ TEST(Layering, EachOfTheseLibrariesHasItsFiles) {
         {"stb/stb_truetype.h", {"render/glyphs.cpp"}},
         {"tiny_obj_loader.h", {"demos/scene/obj_file.cpp"}},
         {"pugixml.hpp",
-         {"demos/mjcf/xml_tree.cpp", "demos/regression/junit.cpp",
-          "demos/slides/math_operators.h", "demos/slides/mathml.cpp"}},
+         {"demos/mjcf/xml_tree.cpp", "demos/slides/math_operators.h", "demos/slides/mathml.cpp"}},
         {"duktape.h", {"demos/slides/formula.cpp"}},
         {"cmark.h", {"demos/slides/markup_tree.h"}},
-        {"CLI/CLI.hpp", {"demos/options_commands.h"}},
+        {"CLI/CLI.hpp",
+         {"demos/commands/no_slides.cpp", "demos/commands/shared_options.h",
+          "demos/program/parse.cpp"}},
         {"muParserBase.h", {"demos/scene/expression.cpp"}}};
     std::map<std::string, std::set<std::string>> seen;
     for (const char* folder : {"engine", "render", "demos"})

@@ -44,13 +44,13 @@ protected:
         second.physics.kind = PhysicsVerdict::Kind::unknown;
         second.pictures = {support::plantedPicture(2.0, Kind::added, "", b)};
         verdict_.scenes = {first, second};
-        courses_.resize(1);
-        courses_[0].baseline = support::fallingBodies(3, 61, 1.0);
-        courses_[0].actual = support::fallingBodies(3, 61, 1.2);
+        trajectories_.resize(1);
+        trajectories_[0].baseline = support::fallingBodies(3, 61, 1.0);
+        trajectories_[0].actual = support::fallingBodies(3, 61, 1.2);
     }
 
     std::string page(long bytes = 9'500'000) const {
-        return reportPage(verdict_, courses_, folder_.path(), bytes);
+        return reportPage(verdict_, trajectories_, folder_.path(), bytes);
     }
     Opened open(const std::string& hash, const std::string& driver = "") const {
         return browser_.open(page(), hash, driver);
@@ -59,7 +59,7 @@ protected:
     support::TemporaryFolder folder_;
     Browser browser_{folder_};
     TestVerdict verdict_;
-    std::vector<ReportCourses> courses_;
+    std::vector<ReportTrajectories> trajectories_;
 };
 
 TEST_F(ReportInBrowser, DrawsEveryModeByLinkAndByKey) {
@@ -145,7 +145,7 @@ TEST_F(ReportInBrowser, BlinksByHandAndDrawsBothRuns) {
 
 /// Half way it turns its back on the bodies.
 TEST_F(ReportInBrowser, TheFilmIsSeenAsTheCameraGoes) {
-    courses_[0].camera.keys = {{0.5, {8, 5, 14}, {16, 8, 28}, 35.0, Ease::cut}};
+    trajectories_[0].camera.keys = {{0.5, {8, 5, 14}, {16, 8, 28}, 35.0, Ease::cut}};
     const Opened opened = open("scene=first", driver(R"js(
   const drawn = () => {
     const canvas = byId("film-canvas");

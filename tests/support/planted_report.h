@@ -54,24 +54,24 @@ inline demos::SceneVerdict plantedScene(const std::string& name, demos::SceneVer
 
 /// Bodies "body0", "body1", ... in a row along x: each falls by its number times `fall` metres in a
 /// second, so that body0 stays where it is.
-inline demos::Course fallingBodies(int bodies, int moments, double fall) {
-    demos::Course course;
+inline demos::Trajectory fallingBodies(int bodies, int moments, double fall) {
+    demos::Trajectory trajectory;
     for (int i = 0; i < bodies; ++i) {
-        course.bodies.push_back("body" + std::to_string(i));
-        course.extents.push_back(demos::Vec3(0.5, 0.25, 0.125));
+        trajectory.bodies.push_back("body" + std::to_string(i));
+        trajectory.extents.push_back(demos::Vec3(0.5, 0.25, 0.125));
     }
     for (int step = 0; step < moments; ++step) {
-        demos::CourseMoment moment;
+        demos::TrajectoryMoment moment;
         moment.step = step;
         moment.energy = 100.0 - step;
         for (int i = 0; i < bodies; ++i) {
             engine::Pose pose;
-            pose.position = demos::Vec3(i, 2.0 - fall * i * step / course.hz, 0.0);
+            pose.position = demos::Vec3(i, 2.0 - fall * i * step / trajectory.hz, 0.0);
             moment.poses.push_back(pose);
         }
-        course.moments.push_back(moment);
+        trajectory.moments.push_back(moment);
     }
-    return course;
+    return trajectory;
 }
 
 }  // namespace support

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
-#include "engine/shapes/mass.h"
 #include "engine/forces/medium.h"
+#include "engine/shapes/mass.h"
 #include "tests/support/worlds.h"
 
 namespace engine {

@@ -1,0 +1,49 @@
+/// A picture of charts as primitives, from which both SVG and pixels are made: they cannot differ.
+/// Places in pixels, y down.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/charts/chart.h"
+#include "render/canvas.h"
+
+namespace demos {
+
+struct Rectangle {
+    render::Point corner;
+    float width = 0.0f, height = 0.0f;
+    render::Color color;
+};
+
+/// All points are finite; one alone is a dot.
+struct Line {
+    std::vector<render::Point> points;
+    float width = 1.0f;
+    render::Color color;
+};
+
+struct Label {
+    std::string text;  // one line of clean UTF-8
+    render::Point at;  // its anchor, on the baseline
+    render::Anchor anchor = render::Anchor::start;
+    float pixels = 20.0f;  // whole; cap to descender
+    render::Color color;
+};
+
+/// Rectangles below, lines upon them, labels on top, each in their order.
+struct Drawing {
+    PictureSize size;
+    double millimetres = 0.0;     // of its width on paper; 0 = not known
+    double pixelsPerPoint = 0.0;  // likewise
+    std::vector<Rectangle> rectangles;
+    std::vector<Line> lines;
+    std::vector<Label> labels;
+};
+
+Drawing drawingOf(const std::vector<Chart>& charts, PictureSize size, const std::string& theme,
+                  const Paper& paper = {});
+
+std::string svgOf(const Drawing& drawing);      // chart_svg.cpp
+render::Image imageOf(const Drawing& drawing);  // chart_image.cpp
+
+}  // namespace demos

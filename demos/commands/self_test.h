@@ -1,0 +1,10 @@
+/// `impulse test --self-test`: which damage a test would notice.
+#pragma once
+#include "demos/regression/test_options.h"
+#include "demos/text/stop.h"
+
+namespace demos {
+
+Exit selfTest(const TestOptions& options);
+
+}  // namespace demos

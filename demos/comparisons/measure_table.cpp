@@ -1,0 +1,176 @@
+#include "demos/comparisons/measure_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "demos/film/progress.h"
+#include "demos/text/complaints.h"
+
+namespace demos {
+namespace {
+
+std::string shortText(double value) { return fmt::format("{:.4g}", value); }
+
+/// Lengths are told in mm: a separation of 3e-05 m says less than one of 0.03 mm.
+struct Unit {
+    double scale;
+    std::string name;
+};
+Unit shownUnit(const Measure& measure) {
+    if (std::string(measure.unit) == "m") return {1e3, "mm"};
+    return {1.0, measure.unit};
+}
+
+std::string heading(const Measure& measure) {
+    const Unit unit = shownUnit(measure);
+    const bool named = unit.name.empty() || unit.name == measure.name;
+    return named ? measure.name : fmt::format("{} ({})", measure.name, unit.name);
+}
+
+std::vector<std::size_t> columnsOf(const std::vector<Measured>& runs) {
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < measures().size(); ++i)
+        for (const Measured& run : runs)
+            if (run.summary.values[i] != 0.0) {
+                columns.push_back(i);
+                break;
+            }
+    return columns;
+}
+
+double numberOf(const std::string& text) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const char* end = text.data() + text.size();
+    const auto got = std::from_chars(text.data(), end, value);
+    return got.ptr == end ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What stands behind the '=' of the run's last setting.
+std::string valueOf(const Measured& run) {
+    const std::string& setting = run.variant.settings.back();
+    return setting.substr(setting.find('=') + 1);
+}
+
+/// Each so many times the one before, over more than a few: a range of factors.
+bool isGeometric(const std::vector<double>& x) {
+    if (x.size() < 3 || !(x[0] > 0.0) || !(x[1] >= 1.2 * x[0])) return false;
+    const double factor = x[1] / x[0];
+    for (std::size_t i = 2; i < x.size(); ++i)
+        if (!(std::abs(x[i] - factor * x[i - 1]) < 0.01 * x[i])) return false;
+    return x.back() >= 4.0 * x.front();
+}
+
+/// Numbers where all values are numbers, else places in a row of names.
+void setValues(const std::vector<Measured>& runs, Chart& chart, Series& series) {
+    for (const Measured& run : runs) series.x.push_back(numberOf(valueOf(run)));
+    const bool numbers =
+        std::all_of(series.x.begin(), series.x.end(), [](double x) { return std::isfinite(x); });
+    chart.logX = numbers && isGeometric(series.x);
+    if (numbers) return;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        series.x[i] = static_cast<double>(i);
+        chart.xNames.push_back(valueOf(runs[i]));
+    }
+}
+
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+}  // namespace
+
+MeasureCells cellsOf(const std::vector<Measured>& runs) {
+    const std::vector<std::size_t> columns = columnsOf(runs);
+    MeasureCells cells;
+    for (const std::size_t i : columns) {
+        cells.measures.push_back(static_cast<int>(i));
+        cells.head.push_back(heading(measures()[i]));
+    }
+    for (const Measured& run : runs) {
+        cells.rows.emplace_back();
+        for (const std::size_t i : columns)
+            cells.rows.back().push_back(
+                shortText(shownUnit(measures()[i]).scale * run.summary.values[i]));
+    }
+    return cells;
+}
+
+std::string tableText(const std::vector<Measured>& runs) {
+    const MeasureCells cells = cellsOf(runs);
+    std::size_t width = 7;
+    for (const Measured& run : runs) width = std::max(width, run.variant.label.size());
+    std::string text = fmt::format("{:{}}", "variant", width);
+    for (const std::string& name : cells.head) text += fmt::format("  {:>16}", name);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        text += fmt::format("\n{:{}}", printable(runs[i].variant.label), width);
+        for (const std::string& value : cells.rows[i]) text += fmt::format("  {:>16}", value);
+        if (!runs[i].summary.diverged.empty()) text += "  diverged";
+    }
+    return text;
+}
+
+std::string jsonLine(const Measured& run) {
+    std::string text = fmt::format(R"({{"event":"variant","label":{},"settings":[)",
+                                   jsonString(run.variant.label));
+    for (std::size_t i = 0; i < run.variant.settings.size(); ++i)
+        text += (i ? "," : "") + jsonString(run.variant.settings[i]);
+    text += "]";
+    for (std::size_t i = 0; i < measures().size(); ++i)
+        text += fmt::format(",\"{}\":{}", measures()[i].name, numberText(run.summary.values[i]));
+    const std::string& diverged = run.summary.diverged;
+    return text + ",\"diverged\":" + (diverged.empty() ? "null" : jsonString(diverged)) + "}";
+}
+
+std::string csvText(const std::vector<Measured>& runs, const std::string& key) {
+    std::string text = key;
+    for (const Measure& measure : measures()) text += std::string(",") + measure.name;
+    text += ",diverged\n";
+    for (const Measured& run : runs) {
+        text += csvCell(valueOf(run));
+        for (const double value : run.summary.values) text += "," + numberText(value);
+        text += run.summary.diverged.empty() ? ",0\n" : ",1\n";
+    }
+    return text;
+}
+
+Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title) {
+    const Unit unit = shownUnit(measures()[static_cast<std::size_t>(measure)]);
+    Chart chart{title,     "time", "s", measures()[static_cast<std::size_t>(measure)].name,
+                unit.name, false,  {}};
+    for (const Measured& run : runs) {
+        Series series{run.variant.label, run.summary.time,
+                      run.summary.history[static_cast<std::size_t>(measure)]};
+        for (double& y : series.y) y *= unit.scale;
+        chart.series.push_back(std::move(series));
+    }
+    useSmallUnit(chart);
+    return chart;
+}
+
+Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key) {
+    const Measure& m = measures()[static_cast<std::size_t>(measure)];
+    const Unit unit = shownUnit(m);
+    Chart chart{"", key, "", fmt::format("{}: {}", m.name, m.meaning), unit.name, false, {}};
+    Series series;
+    setValues(runs, chart, series);
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double y = unit.scale * runs[i].summary.values[static_cast<std::size_t>(measure)];
+        const bool whole = runs[i].summary.diverged.empty();
+        series.y.push_back(whole ? y : std::numeric_limits<double>::quiet_NaN());
+        if (whole && y > 0.0) least = std::min(least, y), most = std::max(most, y);
+    }
+    chart.logY = most > 100.0 * least;
+    chart.series.push_back(std::move(series));
+    useSmallUnit(chart);
+    return chart;
+}
+
+}  // namespace demos

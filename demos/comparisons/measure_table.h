@@ -1,0 +1,40 @@
+/// The measures of several runs as a table: for eyes, as JSON lines, as CSV, and as charts.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/charts/chart.h"
+#include "demos/film/variants.h"
+#include "demos/measures/summary.h"
+
+namespace demos {
+
+struct Measured {
+    Variant variant;
+    Summary summary;
+};
+
+/// Numbers as text, four digits, their units in the head.
+struct MeasureCells {
+    std::vector<int> measures;  // in measures(): those that are not 0 in all runs
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;  // a row a run
+};
+MeasureCells cellsOf(const std::vector<Measured>& runs);
+
+/// A line per run; measures that are 0 in all runs are left out.
+std::string tableText(const std::vector<Measured>& runs);
+
+/// An object on a line: label, settings, measures, how it diverged or null.
+std::string jsonLine(const Measured& run);
+
+/// A row per run: the swept values, then every measure.
+std::string csvText(const std::vector<Measured>& runs, const std::string& key);
+
+/// The measure over time, a line per run.
+Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title);
+
+/// The measure over the swept value: numbers, by factors on a log axis, or names.
+Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key);
+
+}  // namespace demos

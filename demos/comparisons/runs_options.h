@@ -1,0 +1,17 @@
+/// What `impulse compare` and `impulse sweep` share: runs of one scene, as a table, a film, a
+/// figure.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "demos/film/film_options.h"
+
+namespace demos {
+
+struct RunsOptions : FilmOptions {
+    std::optional<double> time;  // s, of the figure
+    std::string measure;         // to plot; empty = the most telling
+    std::string plot;            // a file; empty = not asked for
+};
+
+}  // namespace demos

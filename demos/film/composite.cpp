@@ -1,0 +1,168 @@
+#include "demos/film/composite.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/film/framing.h"
+#include "demos/look/inks.h"
+#include "demos/snapshot/camera.h"
+#include "demos/text/stop.h"
+#include "engine/base/hash.h"
+#include "render/canvas.h"
+#include "render/palette.h"
+
+namespace demos {
+namespace {
+
+constexpr std::uint8_t kWhite = 255, kHalf = 128;
+
+void place(const render::Image& part, int x, int y, render::Image& whole) {
+    for (int row = 0; row < part.height; ++row)
+        std::copy_n(part.at(0, row), 4 * part.width, whole.at(x, y + row));
+}
+
+/// White on the right and below, where another panel follows.
+void drawBorder(const Area& at, render::Image& whole) {
+    const int width = std::max(whole.height / 360, 1);
+    const int right = at.x + at.width, bottom = at.y + at.height;
+    for (int y = at.y; y < bottom; ++y)
+        if (right < whole.width) std::fill_n(whole.at(right - width, y), 4 * width, kWhite);
+    for (int y = bottom - width; y < bottom; ++y)
+        if (bottom < whole.height) std::fill_n(whole.at(at.x, y), 4 * at.width, kWhite);
+}
+
+/// Half through: what is below it stays to be seen.
+void drawCursor(int x, int top, int bottom, render::Image& whole) {
+    const int width = std::max(whole.height / 360, 1);
+    for (int column = x; column < std::min(x + width, whole.width); ++column)
+        for (int y = top; y < bottom; ++y) {
+            std::uint8_t* pixel = whole.at(column, y);
+            for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>((pixel[c] + 128) / 2);
+            pixel[3] = std::max(pixel[3], kHalf);  // on a strip without a ground
+        }
+}
+
+/// A cut falls between two pictures: a shutter that was open across it looks from behind it all the
+/// while. `seen`: the newest at `time`, the others a step earlier each.
+void keepShot(const CameraDescription& camera, double time, double step,
+              std::vector<render::Frame>& seen) {
+    const int newest = static_cast<int>(seen.size()) - 1;
+    for (int i = newest - 1; i >= 0; --i)
+        if (shotAt(camera, time - (newest - i) * step) != shotAt(camera, time))
+            seen[i].camera = seen[i + 1].camera;
+}
+
+/// Of the theme's ground, where no panel comes.
+render::Image emptyPicture(const FilmPlan& plan) {
+    render::Image whole{plan.layout.width, plan.layout.height, {}};
+    whole.pixels.resize(4 * static_cast<std::size_t>(whole.width) * whole.height);
+    const render::Color ground = inksOf(plan.panels.front().overlays.theme).ground;
+    render::fillRectangle(whole, {0.0f, 0.0f}, static_cast<float>(whole.width),
+                          static_cast<float>(whole.height), ground);
+    return whole;
+}
+
+void placeStrip(const FilmPlan& plan, double time, render::Image& whole) {
+    const Area& strip = plan.layout.strip;
+    place(plan.strip, strip.x, strip.y, whole);
+    const auto& cursor = plan.cursor;
+    const float share = static_cast<float>(std::min(time / plan.scene().seconds, 1.0));
+    const int x = static_cast<int>(std::lround(cursor.start + share * (cursor.end - cursor.start)));
+    drawCursor(strip.x + x, strip.y + static_cast<int>(cursor.top),
+               strip.y + static_cast<int>(cursor.bottom), whole);
+}
+
+}  // namespace
+
+render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) {
+    if (plan.strip.pixels.empty()) return panel;
+    render::Image whole = emptyPicture(plan);
+    const Area& at = plan.layout.panels.front();
+    place(panel, at.x, at.y, whole);
+    const bool onPaper = plan.panels.front().overlays.pixelsPerPoint > 0.0;  // of one ground
+    if (!plan.alpha() && !onPaper) drawBorder(at, whole);
+    placeStrip(plan, time, whole);
+    return whole;
+}
+
+Composite::Composite(const FilmPlan& plan) : plan_(plan) {
+    for (const Panel& panel : plan.panels)
+        shows_.push_back(std::unique_ptr<Show>(
+            new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}, {}}));
+}
+
+void Composite::advance(bool drawn) {
+    ++frame_;
+    for (const auto& show : shows_)
+        if (show->trouble.empty()) advance(*show, drawn, plan_.timeOf(frame_));
+}
+
+void Composite::advance(Show& show, bool drawn, double time) try {
+    const Shutter shutter(plan_.shutter, show.steps);
+    const double step = 1.0 / (static_cast<double>(plan_.fps) * show.steps);
+    show.seen.clear();
+    for (int left = show.steps; left > 0; --left) {
+        if (drawn && shutter.sees(left)) show.seen.push_back(frameOf(show, time - left * step));
+        show.player.step();
+        if (watcher_ && &show == shows_.front().get()) watcher_(show.player.stage());
+    }
+} catch (const Stop& stop) {
+    if (shows_.size() == 1 || stop.code() != Exit::diverged) throw;
+    show.trouble = stop.what();
+    show.seen.clear();
+}
+
+render::Image Composite::drawPanel(Show& show, double time, render::Renderer& renderer) const {
+    if (plan_.shutter.moments <= 1) return renderer.draw(frameOf(show, time));
+    show.seen.push_back(frameOf(show, time));
+    keepShot(show.player.stage().scene.camera, time, 1.0 / (plan_.fps * show.steps), show.seen);
+    return renderer.draw(Shutter(plan_.shutter, show.steps).moments(show.seen));
+}
+
+render::Frame Composite::frameOf(const Show& show, double time) const {
+    render::Frame frame = show.player.frame(time);
+    fitCamera(plan_.picture.width, plan_.picture.height, frame);
+    if (!show.trouble.empty())
+        frame.texts.push_back({"diverged: the last good state", render::Corner::topLeft, 22.0f,
+                               render::fromHex(0xc0392b)});
+    return frame;
+}
+
+render::Image Composite::draw(int frame, render::Renderer& renderer) {
+    const double time = plan_.timeOf(frame);
+    if (shows_.size() == 1)
+        return withStrip(drawPanel(*shows_.front(), time, renderer), plan_, time);
+    render::Image whole = emptyPicture(plan_);
+    for (std::size_t i = 0; i < shows_.size(); ++i) {
+        const Area& at = plan_.layout.panels[i];
+        place(drawPanel(*shows_[i], time, renderer), at.x, at.y, whole);
+        drawBorder(at, whole);
+    }
+    if (!plan_.strip.pixels.empty()) placeStrip(plan_, time, whole);
+    return whole;
+}
+
+render::Frame Composite::plainFrame(int frame) const {
+    Overlays none;
+    none.trails = none.text = false;
+    const double time = plan_.timeOf(frame);
+    render::Frame plain = snapshot(stage(), none, time, shows_.front()->player.history());
+    plain.camera = frameOf(*shows_.front(), time).camera;  // beside what is written on the picture
+    return plain;
+}
+
+render::Frame Composite::frameWith(const Overlays& overlays, int frame) const {
+    render::Frame shown =
+        snapshot(stage(), overlays, plan_.timeOf(frame), shows_.front()->player.history());
+    fitCamera(plan_.picture.width, plan_.picture.height, shown);
+    return shown;
+}
+
+std::uint64_t Composite::hash() const {
+    if (shows_.size() == 1) return shows_.front()->player.stage().world.hash();
+    engine::StateHash hash;
+    for (const auto& show : shows_) hash.add(show->player.stage().world.hash());
+    return hash.value();
+}
+
+}  // namespace demos

@@ -1,0 +1,17 @@
+/// A scene by its name: built in, a scene file, or a MuJoCo model.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "demos/scene/description.h"
+
+namespace demos {
+
+/// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
+SceneDescription loadScene(const std::string& nameOrPath,
+                           const std::vector<std::string>& overrides = {});
+
+/// The text of a scene that loads, with that of all files it includes.
+std::string sceneText(const std::string& nameOrPath);
+
+}  // namespace demos

@@ -1,0 +1,49 @@
+/// Charts of a run as files.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demos/measures/measures.h"
+#include "demos/options/options.h"
+
+namespace demos {
+
+/// Which charts, and how they look.
+struct PlotChoice {
+    std::vector<std::string>
+        what;  // of measureNames(); empty: the most telling ones that have data
+    std::optional<PictureSize> size;  // empty: 1280 pixels wide, as high as the charts ask for
+    std::string theme;                // of themeNames()
+    Paper paper;
+};
+/// `what`: of measureNames(), or none.
+PlotChoice plotChoiceOf(const Options& options, const std::vector<std::string>& what,
+                        const SceneDescription& scene);
+
+/// Throws Stop (usage) unless the name ends in .svg or .png, and render::Error where something
+/// that is no ordinary file has it.
+void checkChartFile(const std::string& file);
+
+/// What the file is to hold, by its ending. Throws Stop (usage) where a .png would be too large.
+std::vector<std::uint8_t> chartBytes(const std::string& file, const std::vector<Chart>& charts,
+                                     PictureSize size, const std::string& theme,
+                                     const Paper& paper = {});
+
+/// Whole or not at all; its folder is made. Throws render::Error.
+void writeCharts(const std::string& file, const std::vector<Chart>& charts, PictureSize size,
+                 const std::string& theme);
+
+/// Before anything is played. Throws Stop (usage) unless the name ends in .svg or .png, and
+/// render::Error where something that is no ordinary file has it.
+void checkPlotFile(const std::string& file, const PlotChoice& choice);
+
+/// Those that were chosen, and the size of their page.
+std::vector<Chart> chartsOf(const Recorder& recorder, const PlotChoice& choice);
+PictureSize sizeOf(const std::vector<Chart>& charts, const PlotChoice& choice);
+
+/// Whole or not at all; its folder is made. The number of charts. Throws render::Error.
+std::size_t writePlot(const std::string& file, const Recorder& recorder, const PlotChoice& choice);
+
+}  // namespace demos

@@ -1,0 +1,50 @@
+/// What is told of a model: what is wrong with it, and what of it is left out.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "demos/text/complaints.h"
+
+namespace demos::mjcf {
+
+/// A place in one of a model's files.
+struct Spot {
+    int file = 0;
+    Place place{1, 1};
+};
+
+class Diagnostics {
+public:
+    /// Its number. The first file is the model's own.
+    int addFile(const std::string& name);
+
+    /// Makes the model an error: what is wrong, its value, what would be right.
+    void wrong(const Spot& spot, const std::string& what);
+    /// The model plays all the same. The same text of several places is told once, with the first.
+    void note(const Spot& spot, const std::string& what);
+    /// An element that is for MuJoCo's own window: all of them are one note.
+    void unseen(const Spot& spot, const std::string& element);
+
+    int errors() const { return complaints_.count(); }
+    /// `file:line:column: what`, file after file.
+    std::vector<std::string> errorLines() const { return complaints_.lines(); }
+    std::vector<std::string> noteLines() const;
+
+private:
+    struct Note {
+        Spot spot;
+        std::string what;
+        int places = 1;
+    };
+    std::string lineOf(const Spot& spot, const std::string& what) const;
+
+    std::vector<std::string> names_;
+    Complaints complaints_;
+    std::vector<Note> notes_;
+    std::map<std::string, std::size_t> noted_;  // places in notes_ by text
+    std::vector<std::string> unseen_;
+    Spot firstUnseen_;
+};
+
+}  // namespace demos::mjcf

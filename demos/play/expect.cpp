@@ -1,0 +1,263 @@
+#include "demos/play/expect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/scene/pattern.h"
+#include "demos/text/complaints.h"
+#include "engine/base/trigonometry.h"
+
+namespace demos {
+namespace {
+
+using What = Expectation::What;
+
+constexpr double kMoved = 0.5;  // m: count
+
+struct KindText {
+    const char *name, *unit;
+};
+KindText textOf(What what) {
+    switch (what) {
+        case What::drift:
+            return {"drift", "m"};
+        case What::penetration:
+            return {"penetration", "m"};
+        case What::separation:
+            return {"separation", "m"};
+        case What::energy:
+            return {"energy change", ""};
+        case What::speed:
+            return {"speed", "m/s"};
+        case What::position:
+            return {"distance", "m"};
+        case What::angle:
+            return {"angle", "deg"};
+        case What::period:
+            return {"period", "s"};
+        case What::count:
+            return {"count of moved bodies", ""};
+    }
+    return {"", ""};
+}
+
+bool ofWorld(What what) { return what == What::penetration || what == What::energy; }
+
+std::vector<int> chosen(const Expectation& e, const SceneDescription& scene) {
+    std::vector<int> numbers;
+    if (e.what == What::separation) {
+        for (int i = 0; i < static_cast<int>(scene.joints.size()); ++i)
+            if (matchesAny(e.of, scene.joints[i].name)) numbers.push_back(i);
+        return numbers;
+    }
+    for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
+        if (matchesAny(e.of, scene.bodies[i].name) &&
+            scene.bodies[i].def.kind == engine::BodyKind::dynamic)
+            numbers.push_back(i);
+    return numbers;
+}
+
+double tiltDegrees(const engine::Pose& pose, const Vec3& up) {
+    const Vec3 axis = pose.rotation * Vec3(0, 1, 0);
+    return engine::arctangent(axis.cross(up).norm(), axis.dot(up)) * (180.0 / engine::kPi);
+}
+
+std::string withUnit(const std::string& number, const std::string& unit) {
+    return number + (unit.empty() ? "" : " " + unit);
+}
+
+/// Numbers as a file has them, to the last digit.
+QuantityWriter exactWriter() {
+    return {[](double x, const std::string& unit) { return withUnit(numberText(x), unit); },
+            [](const Vec3& p, const std::string& unit) {
+                return withUnit("(" + numberText(p.x()) + ", " + numberText(p.y()) + ", " +
+                                    numberText(p.z()) + ")",
+                                unit);
+            }};
+}
+
+std::string boundText(const Expectation& e, const std::string& unit, const QuantityWriter& write) {
+    const auto with = [&](double x) { return write.number(x, unit); };
+    if (e.nearPoint) return "from " + write.point(*e.nearPoint, "") + " within " + with(e.within);
+    if (e.near) return "near " + with(*e.near) + " within " + with(e.within);
+    std::string text;
+    if (e.above) text += "above " + with(*e.above);
+    if (e.below) text += (text.empty() ? "below " : " and below ") + with(*e.below);
+    return text;
+}
+
+std::string windowText(const Expectation& e, double until, const QuantityWriter& write) {
+    if (e.what == What::position) return ", at " + write.number(until, "s");
+    return ", " + write.number(e.after, "s") + " to " + write.number(until, "s");
+}
+
+/// The words of a result, without what came out.
+ExpectationResult describe(const Expectation& e, double seconds) {
+    const KindText kind = textOf(e.what);
+    ExpectationResult result;
+    result.what = kind.name;
+    if (!ofWorld(e.what)) result.of = e.of == "*" ? "all" : e.of;
+    result.asked = askedText(e, seconds, exactWriter());
+    result.text = result.what + (result.of.empty() ? "" : " of " + result.of);
+    result.text += (result.asked.starts_with(',') ? "" : " ") + result.asked;
+    result.unit = kind.unit;
+    result.why = e.why;
+    return result;
+}
+
+/// How far the value is beyond what is allowed; at most 0 when it is within.
+double excess(const Expectation& e, double value) {
+    if (e.nearPoint) return value - e.within;
+    if (e.near) return std::abs(value - *e.near) - e.within;
+    double worst = -1e300;
+    if (e.below) worst = std::max(worst, value - *e.below);
+    if (e.above) worst = std::max(worst, *e.above - value);
+    return worst;
+}
+
+bool passes(const Expectation& e, double value) {
+    if (!std::isfinite(value)) return false;
+    if (e.near || e.nearPoint) return excess(e, value) <= 0.0;
+    return (!e.below || value < *e.below) && (!e.above || value > *e.above);
+}
+
+}  // namespace
+
+std::string askedText(const Expectation& e, double seconds, const QuantityWriter& write) {
+    return boundText(e, textOf(e.what).unit, write) +
+           windowText(e, e.until.value_or(seconds), write);
+}
+
+ExpectationChecker::ExpectationChecker(const Stage& stage) : halfStep_(0.5 * stage.dt()) {
+    const Vec3& gravity = stage.world.gravity();
+    if (gravity.norm() > 0.0) up_ = -gravity.normalized();
+    for (const engine::BodyId id : stage.bodies) start_.push_back(stage.world.pose(id).position);
+    startEnergy_ = stage.world.energy().total();
+    for (const Expectation& e : stage.scene.expectations) {
+        Watch watch;
+        watch.expectation = e;
+        watch.until = e.until.value_or(stage.scene.seconds);
+        if (ofWorld(e.what)) {
+            watch.watched.emplace_back();
+        } else {
+            for (const int number : chosen(e, stage.scene))
+                watch.watched.emplace_back().number = number;
+        }
+        watches_.push_back(std::move(watch));
+    }
+}
+
+void ExpectationChecker::look(const Stage& stage) {
+    const double time = stage.world.report().time;
+    largestKinetic_ = std::max(largestKinetic_, stage.world.energy().kinetic);
+    for (Watch& watch : watches_) {
+        if (time < watch.expectation.after - halfStep_ || time > watch.until + halfStep_) continue;
+        watch.measured = true;
+        for (Watched& watched : watch.watched) measure(stage, watch, watched);
+    }
+}
+
+void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched& w) const {
+    const Expectation& e = watch.expectation;
+    const engine::World& world = stage.world;
+    const auto most = [&](double value) { w.value = std::max(w.value, value); };
+    if (e.what == What::penetration) return most(world.report().worstPenetration);
+    if (e.what == What::energy) return most(std::abs(world.energy().total() - startEnergy_));
+    if (e.what == What::separation) return most(world.joint(stage.joints[w.number]).separation);
+    const engine::BodyId id = stage.bodies[w.number];
+    const engine::Pose& pose = world.pose(id);
+    const Vec3 moved = pose.position - start_[w.number];
+    switch (e.what) {
+        case What::drift:
+            return most(horizontalMove(stage, w.number));
+        case What::speed:
+            return most(world.velocity(id).norm());
+        case What::angle:
+            return most(tiltDegrees(pose, up_));
+        case What::count:
+            return most(moved.norm() > kMoved ? 1.0 : 0.0);
+        case What::position:
+            w.value = (pose.position - *e.nearPoint).norm();
+            return;
+        case What::period:
+            w.swings.push_back({world.report().time, pose.position.x(), pose.position.z()});
+            return;
+        default:
+            return;
+    }
+}
+
+double ExpectationChecker::horizontalMove(const Stage& stage, int body) const {
+    const Vec3 moved = stage.world.pose(stage.bodies[body]).position - start_[body];
+    return (moved - up_ * moved.dot(up_)).norm();
+}
+
+double ExpectationChecker::period(const std::vector<Swing>& swings) {
+    if (swings.empty()) return 0.0;
+    const auto ends = [&](double Swing::*along) {
+        const auto less = [&](const Swing& a, const Swing& b) { return a.*along < b.*along; };
+        const auto [low, high] = std::minmax_element(swings.begin(), swings.end(), less);
+        return std::pair<double, double>(*low.*along, *high.*along);
+    };
+    const auto [lowX, highX] = ends(&Swing::x);
+    const auto [lowZ, highZ] = ends(&Swing::z);
+    const bool alongX = highX - lowX >= highZ - lowZ;
+    const double middle = alongX ? 0.5 * (lowX + highX) : 0.5 * (lowZ + highZ);
+    double first = 0.0, last = 0.0;
+    int passages = 0;  // upwards only: twice a swing would need the middle to be exact
+    for (std::size_t i = 1; i < swings.size(); ++i) {
+        const double before = (alongX ? swings[i - 1].x : swings[i - 1].z) - middle;
+        const double now = (alongX ? swings[i].x : swings[i].z) - middle;
+        if (before >= 0.0 || now < 0.0) continue;
+        const double share = before / (before - now);  // of the step, until the middle
+        last = swings[i - 1].time + share * (swings[i].time - swings[i - 1].time);
+        if (passages++ == 0) first = last;
+    }
+    return passages > 1 ? (last - first) / (passages - 1) : 0.0;
+}
+
+double ExpectationChecker::valueOf(const Expectation& e, const Watched& w) const {
+    if (e.what == What::period) return period(w.swings);
+    // A share of the energy itself would depend on where y is 0; kinetic energy does not.
+    if (e.what == What::energy)
+        return w.value == 0.0 ? 0.0 : w.value / std::max(largestKinetic_, 1e-12);
+    return w.value;
+}
+
+double ExpectationChecker::worstOf(const Watch& watch) const {
+    const Expectation& e = watch.expectation;
+    double worst = 0.0, worstExcess = 0.0, sum = 0.0;
+    bool first = true;
+    for (const Watched& w : watch.watched) {
+        const double value = valueOf(e, w);
+        sum += value;
+        const double beyond = excess(e, value);
+        if (first || beyond > worstExcess) worst = value, worstExcess = beyond;
+        first = false;
+    }
+    return e.what == What::count ? sum : worst;
+}
+
+std::string cameOut(const ExpectationResult& result) {
+    return fmt::format("{:.6g}{}{}", result.value, result.unit.empty() ? "" : " ", result.unit);
+}
+
+std::vector<ExpectationResult> ExpectationChecker::results() const {
+    std::vector<ExpectationResult> list;
+    for (const Watch& watch : watches_) {
+        const Expectation& e = watch.expectation;
+        ExpectationResult result = describe(e, watch.until);
+        if (!watch.measured)
+            result.text += " (never reached)";
+        else if (watch.watched.empty())
+            result.text += " (nothing that moves)";
+        result.value = worstOf(watch);
+        result.passed = watch.measured && !watch.watched.empty() && passes(e, result.value);
+        list.push_back(std::move(result));
+    }
+    return list;
+}
+
+}  // namespace demos

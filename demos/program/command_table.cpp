@@ -1,0 +1,18 @@
+#include "demos/program/command_table.h"
+
+#include "demos/commands/commands.h"
+#include "demos/program/completion.h"
+
+namespace demos {
+
+std::span<const Command> commandTable() {
+    static const Command commands[] = {
+        renderCommand(),  stillCommand(),      stripCommand(),   simCommand(),    plotCommand(),
+        compareCommand(), sweepCommand(),      exportCommand(),  slidesCommand(), watchCommand(),
+        galleryCommand(), testCommand(),       approveCommand(), listCommand(),   doctorCommand(),
+        benchCommand(),   completionCommand(),
+    };
+    return commands;
+}
+
+}  // namespace demos

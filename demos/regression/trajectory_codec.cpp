@@ -1,0 +1,289 @@
+#include "demos/regression/trajectory_codec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "demos/text/byte_stream.h"
+#include "demos/text/deflate.h"
+
+namespace demos {
+namespace {
+
+constexpr std::int64_t kTrajectoryVersion = 1;
+constexpr std::size_t kMostSteps = 100'000'000, kMostNames = 1'000'000, kMostName = 200;
+constexpr std::size_t kMostBytes = 256u << 20;  // unpacked
+constexpr double kFarthest = 4e15;              // resolutions: an exact double
+constexpr double kExtentStep = 1e-4;            // m
+constexpr double kDepthStep = 1e-7;             // m, of penetration and separation
+
+/// One number over all moments, as a value of the trajectory or into it.
+using Column = std::function<double&(TrajectoryMoment&)>;
+
+/// Where what was told so far leads: to the last number, or along the last two.
+class Guess {
+public:
+    explicit Guess(bool straight) : straight_(straight) {}
+    std::int64_t next() const { return straight_ ? 2 * last_ - before_ : last_; }
+    void see(std::int64_t value) {
+        before_ = seen_ ? last_ : value;  // nothing is known of the speed at first
+        last_ = value;
+        seen_ = true;
+    }
+
+private:
+    bool straight_;
+    std::int64_t last_ = 0, before_ = 0;
+    bool seen_ = false;
+};
+
+/// How far each number is from the guess; one that is within a step of it is told as 0, and then
+/// taken to be it, so that what trembles about a boundary costs nothing.
+std::vector<std::int64_t> restsOf(Trajectory& trajectory, double step, const Column& column,
+                                  bool straight) {
+    Guess guess(straight);
+    std::vector<std::int64_t> rests;
+    for (TrajectoryMoment& moment : trajectory.moments) {
+        const double number = std::clamp(column(moment) / step, -kFarthest, kFarthest);
+        const auto far = number - static_cast<double>(guess.next());
+        rests.push_back(std::abs(far) <= 1.0 ? 0 : std::llround(far));
+        guess.see(guess.next() + rests.back());
+    }
+    return rests;
+}
+
+void writeColumn(ByteWriter& out, Trajectory& trajectory, double step, const Column& column) {
+    const auto cost = [](const std::vector<std::int64_t>& rests) {
+        double bits = 0.0;
+        for (const std::int64_t rest : rests) bits += std::log2(1.0 + std::abs(static_cast<double>(rest)));
+        return bits;
+    };
+    const std::vector<std::int64_t> still = restsOf(trajectory, step, column, false);
+    const std::vector<std::int64_t> straight = restsOf(trajectory, step, column, true);
+    const bool better = cost(straight) < cost(still);
+    out.whole(better ? 1 : 0);
+    for (const std::int64_t rest : better ? straight : still) out.whole(rest);
+}
+
+bool readColumn(ByteReader& in, Trajectory& trajectory, double step, const Column& column) {
+    Guess guess(in.count(1) == 1);
+    for (TrajectoryMoment& moment : trajectory.moments) {
+        const std::int64_t rest = in.whole();
+        if (std::abs(static_cast<double>(rest)) > 4 * kFarthest) return false;
+        const std::int64_t value = guess.next() + rest;
+        if (std::abs(static_cast<double>(value)) > 2 * kFarthest) return false;
+        guess.see(value);
+        column(moment) = static_cast<double>(value) * step;
+    }
+    return in.good();
+}
+
+/// Calls `visit(resolution, column)` for everything but impulses, in the order of the bytes.
+template <class Visit>
+void visitColumns(std::size_t bodies, const TrajectoryResolution& resolution, const Visit& visit) {
+    visit(resolution.energy, [](TrajectoryMoment& m) -> double& { return m.energy; });
+    visit(kDepthStep, [](TrajectoryMoment& m) -> double& { return m.penetration; });
+    visit(kDepthStep, [](TrajectoryMoment& m) -> double& { return m.separation; });
+    for (std::size_t body = 0; body < bodies; ++body) {
+        for (int i = 0; i < 3; ++i)
+            visit(resolution.position,
+                  [=](TrajectoryMoment& m) -> double& { return m.poses[body].position[i]; });
+        for (int i = 0; i < 4; ++i)
+            visit(resolution.rotation, [=](TrajectoryMoment& m) -> double& {
+                return m.poses[body].rotation.coeffs()[i];
+            });
+    }
+}
+
+/// A constraint that acts does so for a while: where it begins, how long, and by how much.
+struct Run {
+    std::size_t first = 0;
+    std::vector<double> values;
+};
+
+std::vector<std::vector<Run>> runsOf(const Trajectory& trajectory) {
+    std::vector<std::vector<Run>> runs(trajectory.constraints.size());
+    for (std::size_t moment = 0; moment < trajectory.moments.size(); ++moment)
+        for (const TrajectoryImpulse& impulse : trajectory.moments[moment].impulses) {
+            std::vector<Run>& own = runs[impulse.constraint];
+            if (own.empty() || own.back().first + own.back().values.size() != moment)
+                own.push_back({moment, {}});
+            own.back().values.push_back(impulse.value);
+        }
+    return runs;
+}
+
+void writeImpulses(ByteWriter& out, const Trajectory& trajectory, double step) {
+    for (const std::vector<Run>& runs : runsOf(trajectory)) {
+        out.whole(static_cast<std::int64_t>(runs.size()));
+        for (const Run& run : runs) {
+            out.whole(static_cast<std::int64_t>(run.first));
+            out.whole(static_cast<std::int64_t>(run.values.size()));
+            std::int64_t last = 0;
+            for (const double impulse : run.values) {
+                const std::int64_t value = std::llround(std::min(impulse / step, kFarthest));
+                out.whole(value - last);
+                last = value;
+            }
+        }
+    }
+}
+
+void readImpulses(ByteReader& in, Trajectory& trajectory, double step) {
+    for (std::size_t constraint = 0; constraint < trajectory.constraints.size(); ++constraint)
+        for (std::size_t runs = in.count(in.left()); runs > 0 && in.good(); --runs) {
+            const std::size_t first = in.count(trajectory.moments.size());
+            const std::size_t size = in.count(trajectory.moments.size() - first);
+            double value = 0.0;
+            for (std::size_t i = 0; i < size && in.good(); ++i) {
+                value += static_cast<double>(in.whole());
+                trajectory.moments[first + i].impulses.push_back(
+                    {static_cast<int>(constraint), value * step});
+            }
+        }
+}
+
+void writeNames(ByteWriter& out, const std::vector<std::string>& names) {
+    out.whole(static_cast<std::int64_t>(names.size()));
+    for (const std::string& name : names) out.text(name);
+}
+
+std::vector<std::string> readNames(ByteReader& in) {
+    std::vector<std::string> names(in.count(std::min(kMostNames, in.left())));
+    for (std::string& name : names) name = in.text(kMostName);
+    return names;
+}
+
+/// A rotation goes on with the sign it had, so that its numbers do not jump.
+void keepSigns(Trajectory& trajectory) {
+    for (std::size_t k = 1; k < trajectory.moments.size(); ++k)
+        for (std::size_t body = 0; body < trajectory.bodies.size(); ++body) {
+            const Quat& before = trajectory.moments[k - 1].poses[body].rotation;
+            Quat& rotation = trajectory.moments[k].poses[body].rotation;
+            if (rotation.dot(before) < 0.0) rotation.coeffs() *= -1.0;
+        }
+}
+
+std::vector<std::uint8_t> bytesOf(Trajectory trajectory, const TrajectoryResolution& resolution) {
+    keepSigns(trajectory);
+    ByteWriter out;
+    for (const std::int64_t value :
+         {kTrajectoryVersion, std::int64_t{trajectory.hz}, std::int64_t{trajectory.dense},
+          static_cast<std::int64_t>(trajectory.hashes.size())})
+        out.whole(value);
+    writeNames(out, trajectory.bodies);
+    writeNames(out, trajectory.constraints);
+    for (const Vec3& extent : trajectory.extents)
+        for (int i = 0; i < 3; ++i) out.whole(std::llround(extent[i] / kExtentStep));
+    for (const std::uint32_t hash : trajectory.hashes) out.bits32(hash);
+    for (const double step : {resolution.position, resolution.rotation, resolution.impulse,
+                              resolution.energy})
+        out.number(step);
+    visitColumns(trajectory.bodies.size(), resolution, [&](double step, const Column& column) {
+        writeColumn(out, trajectory, step, column);
+    });
+    writeImpulses(out, trajectory, resolution.impulse);
+    return deflated(out.bytes());
+}
+
+/// How many moments a trajectory of this length has.
+std::size_t momentCount(const Trajectory& trajectory) {
+    std::size_t count = 1;
+    for (int step = 0; step < trajectory.lastStep(); ++step)
+        if (hasMoment(step, trajectory.dense)) ++count;
+    return count;
+}
+
+void makeMoments(Trajectory& trajectory) {
+    const std::vector<engine::Pose> poses(trajectory.bodies.size());
+    for (int step = 0; step <= trajectory.lastStep(); ++step)
+        if (hasMoment(step, trajectory.dense) || step == trajectory.lastStep())
+            trajectory.moments.push_back({step, poses, 0, 0, 0, {}});
+}
+
+/// Each of their numbers takes a byte at least: what is asked for is in proportion to what came.
+bool momentsFit(const Trajectory& trajectory, std::size_t bytes) {
+    return momentCount(trajectory) * (3 + 7 * trajectory.bodies.size()) <= bytes;
+}
+
+bool readHead(ByteReader& in, Trajectory& trajectory) {
+    if (in.count(kTrajectoryVersion) != kTrajectoryVersion) return false;
+    trajectory.hz = static_cast<int>(in.count(100'000));
+    trajectory.dense = static_cast<int>(in.count(Trajectory::kAll));
+    trajectory.hashes.resize(in.count(std::min(kMostSteps, in.left())));
+    trajectory.bodies = readNames(in);
+    trajectory.constraints = readNames(in);
+    trajectory.extents.resize(trajectory.bodies.size());
+    for (Vec3& extent : trajectory.extents)
+        for (int i = 0; i < 3; ++i) extent[i] = static_cast<double>(in.whole()) * kExtentStep;
+    for (std::uint32_t& hash : trajectory.hashes) hash = in.bits32();
+    for (double* step : {&trajectory.resolution.position, &trajectory.resolution.rotation,
+                         &trajectory.resolution.impulse, &trajectory.resolution.energy})
+        *step = in.number();
+    return in.good() && trajectory.hz > 0 && trajectory.dense > 0 && !trajectory.hashes.empty();
+}
+
+}  // namespace
+
+TrajectoryResolution resolutionOf(const Trajectory& trajectory, const Tolerance& tolerance) {
+    constexpr double kFiner = 0.1, kShare = 1e-4, kRadians = 0.017453292519943295;
+    double impulse = 0.0, energy = 0.0;
+    for (const TrajectoryMoment& moment : trajectory.moments) {
+        energy = std::max(energy, std::abs(moment.energy));
+        for (const TrajectoryImpulse& one : moment.impulses) impulse = std::max(impulse, one.value);
+    }
+    // A turn by an angle changes the four numbers by half of it.
+    return {kFiner * tolerance.position, kFiner * tolerance.angleDegrees * kRadians / 2,
+            impulse > 0.0 ? kShare * impulse : kShare, energy > 0.0 ? kShare * energy : kShare};
+}
+
+bool hasMoment(int step, int dense) {
+    int stride = 1;
+    for (long long until = dense; step > until; until *= 2) stride *= 2;
+    return step % stride == 0;
+}
+
+Trajectory thinned(const Trajectory& trajectory, int dense) {
+    Trajectory out = trajectory;
+    out.dense = dense;
+    out.moments.clear();
+    for (const TrajectoryMoment& moment : trajectory.moments)
+        if (hasMoment(moment.step, dense) || moment.step == trajectory.lastStep())
+            out.moments.push_back(moment);
+    return out;
+}
+
+std::vector<std::uint8_t> encodeTrajectory(const Trajectory& trajectory,
+                                           const TrajectoryResolution& resolution,
+                                           std::size_t most) {
+    std::vector<std::uint8_t> bytes = bytesOf(trajectory, resolution);
+    for (int dense = std::min(trajectory.lastStep(), trajectory.dense) / 2;
+         bytes.size() > most && dense > 0; dense = dense * 3 / 4)
+        bytes = bytesOf(thinned(trajectory, dense), resolution);
+    return bytes;
+}
+
+std::optional<Trajectory> decodeTrajectory(std::span<const std::uint8_t> bytes) {
+    const std::optional<std::vector<std::uint8_t>> plain = inflated(bytes, kMostBytes);
+    if (!plain) return std::nullopt;
+    ByteReader in(*plain);
+    Trajectory trajectory;
+    if (!readHead(in, trajectory) || !momentsFit(trajectory, in.left())) return std::nullopt;
+    makeMoments(trajectory);
+    bool good = true;
+    visitColumns(trajectory.bodies.size(), trajectory.resolution,
+                 [&](double step, const Column& column) {
+                     good = good && readColumn(in, trajectory, step, column);
+                 });
+    if (!good) return std::nullopt;
+    readImpulses(in, trajectory, trajectory.resolution.impulse);
+    if (!in.good() || !in.atEnd()) return std::nullopt;
+    for (TrajectoryMoment& moment : trajectory.moments)
+        for (engine::Pose& pose : moment.poses) {
+            if (!(pose.rotation.norm() > 0.5)) return std::nullopt;
+            pose.rotation.normalize();
+        }
+    return trajectory;
+}
+
+}  // namespace demos

@@ -1,0 +1,83 @@
+#include "demos/regression/trajectory_recorder.h"
+
+#include <algorithm>
+
+#include "demos/measures/measures.h"
+#include "engine/collision/bounds.h"
+
+namespace demos {
+namespace {
+
+constexpr std::size_t kMostPoses = 200'000;  // of all bodies while the trajectory is dense: 11 MB
+
+/// Half the sides of a box about the body, in its own axes; nothing for what has no end.
+Vec3 extentOf(const engine::Shape& shape) {
+    if (shape.type == engine::ShapeType::plane) return Vec3::Zero();
+    const engine::Bounds bounds = engine::boundsOf(shape, {});
+    return bounds.low.cwiseAbs().cwiseMax(bounds.high.cwiseAbs());
+}
+
+}  // namespace
+
+TrajectoryRecorder::TrajectoryRecorder(const Stage& stage, int steps) : steps_(steps) {
+    trajectory_.hz = stage.scene.hz;
+    trajectory_.dense = std::max(static_cast<int>(kMostPoses / (stage.bodies.size() + 1)), 1);
+    if (trajectory_.dense >= steps) trajectory_.dense = Trajectory::kAll;
+    for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        trajectory_.bodies.push_back(stage.scene.bodies[i].name);
+        trajectory_.extents.push_back(extentOf(stage.world.def(stage.bodies[i]).shape));
+    }
+}
+
+void TrajectoryRecorder::look(const Stage& stage) {
+    const std::uint64_t hash = stage.world.hash();
+    trajectory_.hashes.push_back(static_cast<std::uint32_t>(hash ^ hash >> 32));
+    if (hasMoment(step_, trajectory_.dense) || step_ == steps_)
+        trajectory_.moments.push_back(momentOf(stage));
+    ++step_;
+}
+
+TrajectoryMoment TrajectoryRecorder::momentOf(const Stage& stage) {
+    TrajectoryMoment moment;
+    moment.step = step_;
+    for (const engine::BodyId body : stage.bodies) moment.poses.push_back(stage.world.pose(body));
+    const Measures measures = measuresOf(stage);
+    moment.energy = measures.energy.total();
+    moment.penetration = measures.penetration;
+    moment.separation = measures.separation;
+    if (step_ == 0) return moment;  // nothing was solved yet
+    addContacts(stage, moment.impulses);
+    addJoints(stage, moment.impulses);
+    std::sort(moment.impulses.begin(), moment.impulses.end(),
+              [](const TrajectoryImpulse& a, const TrajectoryImpulse& b) {
+                  return a.constraint < b.constraint;
+              });
+    return moment;
+}
+
+/// The points of a pair together: which of its corners carries is not the pair's affair.
+void TrajectoryRecorder::addContacts(const Stage& stage, std::vector<TrajectoryImpulse>& impulses) {
+    std::map<int, double> sums;
+    for (const engine::ContactState& contact : stage.world.contacts())
+        if (contact.impulse != 0.0)
+            sums[constraintCalled("contact " + stage.nameOf(contact.a) + "-" +
+                                  stage.nameOf(contact.b))] += contact.impulse;
+    for (const auto& [constraint, value] : sums) impulses.push_back({constraint, value});
+}
+
+void TrajectoryRecorder::addJoints(const Stage& stage, std::vector<TrajectoryImpulse>& impulses) {
+    for (std::size_t i = 0; i < stage.joints.size(); ++i) {
+        const double value = stage.world.joint(stage.joints[i]).force.norm() * stage.dt();
+        if (value != 0.0)
+            impulses.push_back({constraintCalled("joint " + stage.scene.joints[i].name), value});
+    }
+}
+
+int TrajectoryRecorder::constraintCalled(const std::string& name) {
+    const auto [found, added] =
+        constraints_.emplace(name, static_cast<int>(trajectory_.constraints.size()));
+    if (added) trajectory_.constraints.push_back(name);
+    return found->second;
+}
+
+}  // namespace demos

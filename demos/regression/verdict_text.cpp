@@ -1,0 +1,116 @@
+#include "demos/regression/verdict_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/text/complaints.h"
+#include "demos/text/plural.h"
+
+namespace demos {
+namespace {
+
+using State = SceneVerdict::State;
+
+const char* wordOf(State state) {
+    switch (state) {
+        case State::passed:
+            return "ok";
+        case State::failed:
+            return "FAILED";
+        case State::added:
+            return "new";
+        case State::updated:
+            return "updated";
+        case State::error:
+            break;
+    }
+    return "ERROR";
+}
+
+void addPicture(const SceneVerdict& scene, const PictureVerdict& picture,
+                std::vector<std::string>& lines) {
+    const std::string name = "picture " + pictureName(scene.name, picture.time);
+    if (picture.kind == PictureVerdict::Kind::changed)
+        lines.push_back(name + ": " + differenceText(picture.difference, scene.snapshot.gate));
+    if (picture.kind == PictureVerdict::Kind::broken && !picture.problem.empty())
+        lines.push_back(name + ": " + picture.problem);
+    if (picture.kind == PictureVerdict::Kind::added && scene.state == State::failed)
+        lines.push_back(name + ": there is no baseline of this time");
+}
+
+void addExpectations(const SceneVerdict& scene, std::vector<std::string>& lines) {
+    for (const ExpectationResult& result : scene.expectations)
+        if (!result.passed)
+            lines.push_back(fmt::format("expectation failed: {}: {:.6g}{}{}", result.text,
+                                        result.value, result.unit.empty() ? "" : " " + result.unit,
+                                        result.why.empty() ? "" : " (" + result.why + ")"));
+}
+
+void addSettings(const SceneVerdict& scene, std::vector<std::string>& lines) {
+    if (scene.settings.empty()) return;
+    std::vector<std::string> texts;
+    for (const SettingChange& change : scene.settings) texts.push_back(settingText(change));
+    lines.push_back(fmt::format("made with other settings: {}", fmt::join(texts, ", ")));
+}
+
+/// There is something that can be accepted, and it would help.
+bool canApprove(const SceneVerdict& scene) {
+    return scene.state == State::failed && scene.keepsContract();
+}
+
+}  // namespace
+
+std::string differenceText(const render::Difference& d, const PictureGate& gate) {
+    return fmt::format(
+        "{} pixels differ, by {} of 255 at most; the worst 16x16 window, at {},{}, has "
+        "{} that differ by more than {} ({} may); least SSIM {:.3f} ({:.2f} needed)",
+        d.differing, d.largest, d.windowX, d.windowY, d.worstWindow, gate.levels, gate.windowPixels,
+        d.worstSsim, gate.ssim);
+}
+
+std::string settingText(const SettingChange& change) {
+    // The file itself says more than its hash.
+    if (change.key == "scene file") return "the scene file";
+    const auto shownValue = [](const std::string& value) { return value.empty() ? "-" : value; };
+    return fmt::format("{} {} -> {}", change.key, shownValue(change.baseline),
+                       shownValue(change.actual));
+}
+
+std::string headline(const SceneVerdict& scene) {
+    std::string line = fmt::format("{:<8} {}", wordOf(scene.state), printable(scene.name));
+    if (scene.cached) return line + "  (as before)";
+    if (!scene.pictures.empty()) line += "  " + plural(scene.pictures.size(), "picture");
+    if (!scene.expectations.empty())
+        line += (scene.pictures.empty() ? "  " : ", ") +
+                plural(scene.expectations.size(), "expectation");
+    return line;
+}
+
+std::vector<std::string> detailsOf(const SceneVerdict& scene) {
+    std::vector<std::string> lines;
+    if (!scene.problem.empty()) lines.push_back(scene.problem);
+    const bool wrong = scene.state == State::failed || scene.state == State::updated;
+    lines.insert(lines.end(), scene.physics.lines.begin(), scene.physics.lines.end());
+    for (const PictureVerdict& picture : scene.pictures) addPicture(scene, picture, lines);
+    addExpectations(scene, lines);
+    if (wrong) addSettings(scene, lines);
+    for (const std::string& orphan : scene.orphans)
+        lines.push_back(orphan +
+                        " is of a time that the scene does not list; impulse approve "
+                        "--prune removes it");
+    if (canApprove(scene)) lines.push_back("to accept it: impulse approve " + scene.name);
+    for (std::string& line : lines) line = printable(line);
+    return lines;
+}
+
+std::string summaryOf(const TestVerdict& verdict) {
+    std::vector<std::string> parts;
+    for (const State state :
+         {State::passed, State::failed, State::error, State::added, State::updated})
+        if (const int count = verdict.count(state); count > 0)
+            parts.push_back(fmt::format("{} {}", count, nameOf(state)));
+    return fmt::format("{}: {}", plural(verdict.scenes.size(), "scene"), fmt::join(parts, ", "));
+}
+
+}  // namespace demos

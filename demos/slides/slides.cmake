@@ -1,0 +1,41 @@
+# What `impulse slides` needs besides: KaTeX run by Duktape, CommonMark, its page, a math font.
+pkg_check_modules(CMARK REQUIRED IMPORTED_TARGET libcmark)
+pkg_check_modules(DUKTAPE REQUIRED IMPORTED_TARGET duktape)
+set(IMPULSE_KATEX /usr/share/javascript/katex/katex.js CACHE FILEPATH
+    "KaTeX as one script, built in for the formulas of slides")
+if(NOT EXISTS ${IMPULSE_KATEX})
+  message(FATAL_ERROR "no KaTeX at ${IMPULSE_KATEX}: install libjs-katex, set IMPULSE_KATEX, or "
+                      "build without slides: -DIMPULSE_SLIDES=OFF")
+endif()
+configure_file(slides/katex_text.cpp.in katex_text.cpp @ONLY)
+embed_page(slides slides "" "" state,fit,film,show,speaker,keys,pointer,start)
+
+# A font for the formulas of slides, cut to what formulas use. Without it they are set in what the
+# reader's machine has.
+set(IMPULSE_MATH_FONT /usr/share/texmf/fonts/opentype/public/tex-gyre-math/texgyrepagella-math.otf
+    CACHE FILEPATH "the OpenType math font that pages of slides carry")
+find_program(IMPULSE_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(IMPULSE_PYTHON NAMES python3)
+if(NOT EXISTS ${IMPULSE_MATH_FONT})
+  message(STATUS "No font at ${IMPULSE_MATH_FONT} (fonts-texgyre-math): slides carry none for formulas")
+else()
+  execute_process(COMMAND ${IMPULSE_PYTHON} -c "import brotli, fontTools.subset"
+                  RESULT_VARIABLE no_font_tools OUTPUT_QUIET ERROR_QUIET)
+  if(no_font_tools)
+    message(STATUS "No fontTools (python3-fonttools, python3-brotli): slides carry no font for formulas")
+  else()
+    set(math_font ${CMAKE_CURRENT_BINARY_DIR}/math_font.cpp)
+    target_sources(demos_slides PRIVATE ${math_font})
+    target_compile_definitions(demos_slides PRIVATE IMPULSE_HAVE_MATH_FONT)
+    add_custom_command(
+      OUTPUT ${math_font}
+      COMMAND ${IMPULSE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/slides/embed_math_font.py
+              ${IMPULSE_MATH_FONT} ${math_font}
+      DEPENDS slides/embed_math_font.py ${IMPULSE_MATH_FONT})
+  endif()
+endif()
+
+
+target_sources(demos_slides PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/katex_text.cpp)
+target_link_libraries(demos_slides
+  PRIVATE pugixml::pugixml PkgConfig::DUKTAPE PkgConfig::CMARK)

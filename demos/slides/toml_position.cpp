@@ -1,0 +1,120 @@
+#include "demos/slides/toml_position.h"
+
+#include <charconv>
+
+namespace demos {
+namespace {
+
+/// Goes through a file's characters.
+class Cursor {
+public:
+    Cursor(std::string_view source, Place from) : rest_(source), place_{1, 1, from.file} {
+        while (!atEnd() && (place_.line < from.line || place_.column < from.column)) {
+            if (place_.line == from.line && next('\n')) break;
+            skip(1);
+        }
+    }
+
+    bool atEnd() const { return rest_.empty(); }
+    bool next(char c) const { return rest_.starts_with(c); }
+    bool next(std::string_view text) const { return rest_.starts_with(text); }
+    std::string_view rest() const { return rest_; }
+    Place place() const { return place_; }
+
+    /// Columns count characters, not bytes.
+    void skip(std::size_t bytes) {
+        for (; bytes > 0 && !atEnd(); --bytes) {
+            const bool newline = next('\n');
+            rest_.remove_prefix(1);
+            const bool within =
+                !atEnd() && (static_cast<unsigned char>(rest_.front()) & 0xc0u) == 0x80u;
+            if (newline)
+                ++place_.line, place_.column = 1;
+            else if (!within)
+                ++place_.column;
+        }
+    }
+
+private:
+    std::string_view rest_;
+    Place place_;
+};
+
+/// Leaves the cursor on the first byte of a string's text; the quote, or 0 where there is none.
+char openQuotes(Cursor& cursor) {
+    const char quote = cursor.next('"') ? '"' : cursor.next('\'') ? '\'' : '\0';
+    if (!quote) return quote;
+    if (!cursor.next(quote == '"' ? "\"\"\"" : "'''")) {
+        cursor.skip(1);
+        return quote;
+    }
+    cursor.skip(3);
+    if (cursor.next("\r\n")) cursor.skip(1);
+    if (cursor.next('\n')) cursor.skip(1);
+    return quote;
+}
+
+/// Bytes of a code point in UTF-8.
+std::size_t utf8Length(std::string_view hex) {
+    unsigned code = 0;
+    std::from_chars(hex.data(), hex.data() + hex.size(), code, 16);
+    return code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+}
+
+/// A backslash before space: the rest of the line and all space after it are left out.
+bool takeLeftOut(Cursor& cursor) {
+    constexpr std::string_view kSpace = " \t\r\n";
+    if (!cursor.next('\\') || cursor.rest().find_first_of(kSpace, 1) != 1) return false;
+    const std::size_t text = cursor.rest().find_first_not_of(kSpace, 1);
+    cursor.skip(text == std::string_view::npos ? cursor.rest().size() : text);
+    return true;
+}
+
+/// Passes what makes the text's next bytes; how many these are.
+std::size_t take(Cursor& cursor, char quote) {
+    if (quote == '"' && cursor.next('\\')) {
+        cursor.skip(1);
+        const std::size_t digits = cursor.next('u') ? 4 : cursor.next('U') ? 8 : 0;
+        const std::size_t made = digits > 0 ? utf8Length(cursor.rest().substr(1, digits)) : 1;
+        cursor.skip(1 + digits);
+        return made;
+    }
+    const bool carriage = cursor.next("\r\n");  // TOML's newline is one byte
+    cursor.skip(carriage ? 2 : 1);
+    return 1;
+}
+
+/// A file's text where the byte of a string is written; without a quote where that cannot be told.
+struct Spot {
+    Cursor cursor;
+    char quote;
+};
+
+Spot spotOf(const TomlPosition& written, std::size_t byte) {
+    Spot spot{Cursor(written.source, written.place), '\0'};
+    spot.quote = openQuotes(spot.cursor);
+    if (!spot.quote) return spot;
+    const auto passLeftOut = [&] {
+        while (spot.quote == '"' && takeLeftOut(spot.cursor)) continue;
+    };
+    passLeftOut();
+    for (std::size_t done = 0; done < byte && !spot.cursor.atEnd(); passLeftOut())
+        done += take(spot.cursor, spot.quote);
+    return spot;
+}
+
+}  // namespace
+
+Place placeIn(const TomlPosition& written, std::size_t byte) {
+    if (written.place.line < 1) return written.place;
+    const Spot spot = spotOf(written, byte);
+    return spot.quote ? spot.cursor.place() : written.place;
+}
+
+bool isEscape(const TomlPosition& written, std::size_t byte) {
+    if (written.place.line < 1) return false;
+    const Spot spot = spotOf(written, byte);
+    return spot.quote == '"' && spot.cursor.next('\\');
+}
+
+}  // namespace demos

@@ -1,0 +1,40 @@
+/// The parts that a snapshot is put together from.
+#pragma once
+#include <string>
+
+#include "demos/look/overlays.h"
+#include "demos/play/stage.h"
+#include "demos/snapshot/history.h"
+#include "render/frame.h"
+
+namespace demos {
+
+/// What every part knows.
+struct Moment {
+    const Stage& stage;
+    const Overlays& overlays;
+    const History& history;
+    double time;  // s
+};
+
+inline render::Vec3 drawn(const Vec3& v) { return v.cast<float>(); }
+
+using engine::reachOf;
+
+/// m: from its centre to its nearest face, about; 0 for a plane and a mesh.
+double thicknessOf(const engine::Shape& shape);
+
+void addBodies(const Moment& moment, render::Frame& frame);     // bodies.cpp
+void addGhosts(const Moment& moment, render::Frame& frame);     // bodies.cpp
+void addBodyMarks(const Moment& moment, render::Frame& frame);  // marks.cpp: axes, com, bounds, ids
+void addJoints(const Moment& moment, render::Frame& frame);     // joints.cpp
+void addJointMarks(const Stage& stage, const engine::JointState& joint,
+                   render::Frame& frame);                       // joint_marks.cpp
+void addTrails(const Moment& moment, render::Frame& frame);     // trails.cpp
+void addContacts(const Moment& moment, render::Frame& frame);   // contacts.cpp
+void addNudges(const Moment& moment, render::Frame& frame);     // contacts.cpp
+void addTexts(const Moment& moment, render::Frame& frame);      // texts.cpp: first line, caption
+void addStats(const Moment& moment, render::Frame& frame);      // stats.cpp
+void addLegend(const Moment& moment, render::Frame& frame);     // legend.cpp
+
+}  // namespace demos

@@ -1,0 +1,89 @@
+#include "demos/snapshot/player.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/text/stop.h"
+
+namespace demos {
+namespace {
+
+constexpr double kTrailSeconds = 3.0;  // older points are dropped
+
+const char* what(engine::Trouble trouble) {
+    switch (trouble) {
+        case engine::Trouble::none:
+            return "nothing is wrong";
+        case engine::Trouble::positionNotFinite:
+            return "position is not finite";
+        case engine::Trouble::velocityNotFinite:
+            return "velocity is not finite";
+        case engine::Trouble::positionTooLarge:
+            return "farther than 100 km from the origin";
+        case engine::Trouble::velocityTooLarge:
+            return "faster than 10000 m/s or rad/s";
+        case engine::Trouble::tooManyRows:
+            return "more than the 1000 rows that the direct solver takes; use solver.type = "
+                   "\"impulses\"";
+        case engine::Trouble::energyJump:
+            return "energy grew tenfold in one step without a cause";
+    }
+    return "unknown trouble";
+}
+
+}  // namespace
+
+std::string troubleText(const Stage& stage) {
+    const engine::StepReport& report = stage.world.report();
+    const std::string where =
+        fmt::format("{}: step {} (t = {:.3f} s): ", stage.scene.name, report.step, report.time);
+    const bool known = report.troubledBody.index >= 0;
+    const std::string body =
+        known ? fmt::format("body '{}': ", stage.nameOf(report.troubledBody)) : "";
+    return where + body + what(report.trouble);
+}
+
+Player::Player(const SceneDescription& scene, const Overlays& overlays)
+    : stage_(scene), overlays_(overlays) {
+    if (overlays_.nudges) watchNudges();
+    remember();
+}
+
+/// A nudge moves a body between the phases 'nudges' and the one that follows.
+void Player::watchNudges() {
+    before_.resize(stage_.bodies.size());
+    history_.nudges.assign(stage_.bodies.size(), Vec3::Zero());
+    stage_.world.observe([this, nudging = false](engine::Phase phase, int) mutable {
+        for (std::size_t i = 0; i < stage_.bodies.size(); ++i) {
+            const Vec3& at = stage_.world.pose(stage_.bodies[i]).position;
+            if (nudging) history_.nudges[i] += at - before_[i];
+            before_[i] = at;
+        }
+        nudging = phase == engine::Phase::nudges;
+    });
+}
+
+void Player::step() {
+    std::fill(history_.nudges.begin(), history_.nudges.end(), Vec3::Zero());
+    if (!stage_.step()) throw Stop(Exit::diverged, troubleText(stage_));
+    remember();
+}
+
+void Player::step(int count) {
+    for (int i = 0; i < count; ++i) step();
+}
+
+void Player::remember() {
+    demos::remember(stage_, overlays_, history_);
+    const std::size_t most = static_cast<std::size_t>(kTrailSeconds * stage_.scene.hz) + 1;
+    for (std::size_t i = 0; i < stage_.trails.size(); ++i) {
+        std::vector<Vec3>& trail = stage_.trails[i];
+        if (trail.size() >= most) trail.erase(trail.begin());
+        for (std::size_t body = 0; body < stage_.bodies.size(); ++body)
+            if (stage_.scene.bodies[body].name == stage_.scene.look.trails[i])
+                trail.push_back(stage_.world.pose(stage_.bodies[body]).position);
+    }
+}
+
+}  // namespace demos

@@ -1,0 +1,29 @@
+#include "demos/snapshot/snapshot.h"
+
+#include "demos/look/theme.h"
+#include "demos/look/type.h"
+#include "demos/snapshot/camera.h"
+#include "demos/snapshot/frame_parts.h"
+
+namespace demos {
+render::Frame snapshot(const Stage& stage, const Overlays& overlays, double frameTime,
+                       const History& history) {
+    const Moment moment{stage, overlays, history, frameTime};
+    render::Frame frame;
+    frame.camera = cameraOf(moment);
+    addBodies(moment, frame);
+    addJoints(moment, frame);
+    if (overlays.ghost) addGhosts(moment, frame);
+    if (overlays.trails) addTrails(moment, frame);
+    addContacts(moment, frame);
+    if (overlays.nudges) addNudges(moment, frame);
+    addBodyMarks(moment, frame);
+    if (overlays.text && overlays.headings) addTexts(moment, frame);
+    if (overlays.stats) addStats(moment, frame);
+    if (overlays.text) addLegend(moment, frame);
+    applyTheme(overlays.theme, frame);
+    if (overlays.pixelsPerPoint > 0.0) setType(overlays.pixelsPerPoint, frame);
+    return frame;
+}
+
+}  // namespace demos

@@ -1,0 +1,13 @@
+/// Where something was written.
+#pragma once
+
+namespace demos {
+
+/// Line and column count from 1. Files are numbered in the order in which their tables are read:
+/// what is included comes before what includes it.
+struct Place {
+    int line = 0, column = 0;
+    int file = 0;
+};
+
+}  // namespace demos
