@@ -12,9 +12,11 @@ namespace engine {
 /// is taken by the language). kinematic: moves as told by its velocity, whatever hits it.
 enum class BodyKind { dynamic, fixed, kinematic };
 
-/// A body's number in its world: 0, 1, 2 ... in the order of adding, never used twice.
+/// A body of a world. Numbers are 0, 1, 2 ... in the order of adding; that of a removed body is used
+/// again after the next step, with another generation: an id never names a second body.
 struct BodyId {
     int index = -1;  // -1: none
+    unsigned generation = 0;  // how often the number was used before
     auto operator<=>(const BodyId&) const = default;
 };
 

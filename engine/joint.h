@@ -30,9 +30,10 @@ enum class JointType {
     wheel, path
 };
 
-/// A joint's number in its world, as BodyId is a body's.
+/// A joint of a world, as BodyId is a body.
 struct JointId {
     int index = -1;  // -1: none
+    unsigned generation = 0;  // how often the number was used before
     auto operator<=>(const JointId&) const = default;
 };
 

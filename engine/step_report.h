@@ -51,10 +51,7 @@ struct StepReport {
     long long step = 0;               // steps done since the start
     double time = 0.0;                // s
     int substeps = 0;                 // that the step was cut into
-    int contacts = 0;                 // points that touch or may touch within the next step
     int asleep = 0;                   // bodies that the step left alone (dynamics/sleep.h)
-    double worstPenetration = 0.0;    // m
-    double worstSeparation = 0.0;     // m, of joints
     Energy energy;
     double residual = 0.0;            // m/s, of the last sweep of the last sub-step
     std::vector<SweepReport> sweeps;  // of all sub-steps, in order
@@ -62,6 +59,13 @@ struct StepReport {
     std::vector<JointId> broken;      // joints that the step broke, in their order
     Trouble trouble = Trouble::none;  // not none: the world is back where the step began, and stays
     BodyId troubledBody;              // none where it is not one body
+};
+
+/// How far contacts and joints are from where they should be.
+struct ErrorReport {
+    int contacts = 0;          // points that touch or may touch within the next step
+    double penetration = 0.0;  // m, the deepest
+    double separation = 0.0;   // m, of the joint that is farthest apart; soft ones do not count
 };
 
 /// A contact point as the last step's solver left it: where it was solved and what it got.

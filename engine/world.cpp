@@ -14,6 +14,12 @@
 #include "engine/world_sleep.h"
 
 namespace engine {
+namespace {
+
+constexpr const char* kNoSuchBody = "there is no such body; it was removed or never added";
+constexpr const char* kNoSuchJoint = "there is no such joint; it was removed or never added";
+
+}  // namespace
 
 World::World(const Settings& settings) : state_(std::make_unique<WorldState>()) {
     state_->finder.workers = &state_->solver.workers;
@@ -55,18 +61,25 @@ bool World::step(double dt) {
 }
 
 BodyId World::add(const BodyDef& def) {
-    state_->contactsStale = true;
-    return {addBody(state_->bodies, def)};
+    WorldState& s = *state_;
+    s.contactsStale = true;
+    const int i = s.bodySlots.take();
+    addBody(s.bodies, def, i);
+    s.sleep.add(s.bodies, i);
+    if (def.shape.type == ShapeType::plane || !def.collide) s.untreed.push_back(i);
+    return s.bodyId(i);
 }
 
 JointId World::add(const JointDef& def) {
     WorldState& s = *state_;
     ENGINE_CHECK(has(def.a) && has(def.b), "a joint needs two bodies of this world");
     checkJoint(s, def);
-    s.joints.push_back(makeJoint(s, def));
+    const int i = s.jointSlots.take();
+    s.joints.resize(larger(s.joints.size(), std::size_t(i) + 1));
+    s.joints[i] = makeJoint(s, def);
     for (const BodyId id : {def.a, def.b}) s.sleep.call(s.bodies, id.index);
     s.jointsStale = s.contactsStale = true;
-    return {static_cast<int>(s.joints.size()) - 1};
+    return s.jointId(i);
 }
 
 ForceId World::add(const ForceDef& def) {
@@ -75,16 +88,25 @@ ForceId World::add(const ForceDef& def) {
     ENGINE_CHECK(!std::holds_alternative<SpringForce>(def.kind) || def.on.size() == 2,
                  "a spring has two ends: put both bodies in `on`");
     ENGINE_CHECK(def.from <= def.until, "a force ends after it began");
-    state_->forces.push_back(def);
-    return {static_cast<int>(state_->forces.size()) - 1};
+    WorldState& s = *state_;
+    const int i = s.forceSlots.take();
+    s.forces.resize(larger(s.forces.size(), std::size_t(i) + 1));
+    s.forces[i] = def;
+    ++s.forceCount;
+    return {i, s.forceSlots.generation(i)};
 }
 
 void World::remove(BodyId id) {
-    ENGINE_CHECK(has(id), "there is no such body");
+    ENGINE_CHECK(has(id), kNoSuchBody);
     WorldState& s = *state_;
     callAround(s, id.index);
-    for (Joint& joint : s.joints)
-        if (joint.def.a == id || joint.def.b == id) joint.present = false;
+    for (std::size_t i = 0; i < s.joints.size(); ++i)
+        if (s.joints[i].present && (s.joints[i].def.a == id || s.joints[i].def.b == id)) {
+            s.joints[i].present = false;
+            s.jointSlots.remove(static_cast<int>(i));
+        }
+    s.bodySlots.remove(id.index);
+    std::erase(s.untreed, id.index);
     s.bodies.present[id.index] = 0;
     s.bodies.velocities[id.index] = {};
     s.bodies.inverseMasses[id.index] = {};
@@ -99,20 +121,25 @@ void World::remove(BodyId id) {
 }
 
 void World::remove(JointId id) {
-    ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
-                 "there is no such joint");
-    const JointDef& def = state_->joints[id.index].def;
-    for (const BodyId body : {def.a, def.b}) state_->sleep.call(state_->bodies, body.index);
-    state_->joints[id.index].present = false;
-    state_->jointsStale = state_->contactsStale = true;
+    WorldState& s = *state_;
+    ENGINE_CHECK(s.jointSlots.knows(id.index, id.generation) && s.joints[id.index].present,
+                 kNoSuchJoint);
+    Joint& joint = s.joints[id.index];
+    for (const BodyId body : {joint.def.a, joint.def.b}) s.sleep.call(s.bodies, body.index);
+    joint.present = false;
+    s.jointSlots.remove(id.index);
+    s.jointsStale = s.contactsStale = true;
 }
 
 void World::remove(ForceId id) {
-    std::vector<std::optional<ForceDef>>& forces = state_->forces;
-    ENGINE_CHECK(id.index >= 0 && id.index < static_cast<int>(forces.size()) && forces[id.index],
-                 "there is no such force");
-    for (const BodyId body : forces[id.index]->on) state_->sleep.call(state_->bodies, body.index);
-    forces[id.index].reset();
+    WorldState& s = *state_;
+    ENGINE_CHECK(s.forceSlots.knows(id.index, id.generation) && s.forces[id.index],
+                 "there is no such force; it was removed or never added");
+    for (const BodyId body : s.forces[id.index]->on) s.sleep.call(s.bodies, body.index);
+    s.forces[id.index].reset();
+    --s.forceCount;
+    s.fieldLoads.clear();
+    s.forceSlots.remove(id.index);
 }
 
 void World::setSettings(const Settings& settings) {
@@ -141,63 +168,68 @@ int World::jointCount() const { return static_cast<int>(state_->joints.size()); 
 std::optional<RayHit> World::castRay(const Vec3& from, const Vec3& to,
                                      const std::function<bool(BodyId)>& wanted) const {
     ENGINE_CHECK(from.allFinite() && to.allFinite(), "a ray goes from a finite place to another");
-    const Bodies& bodies = state_->bodies;
+    const WorldState& s = *state_;
     std::optional<RayHit> first;
-    for (int i = 0; i < bodies.count(); ++i) {
-        const bool solid = bodies.defs[i].collide && !bodies.defs[i].sensor;
-        if (!bodies.present[i] || !(wanted ? wanted({i}) : solid)) continue;
-        const auto hit = enterShape(bodies.defs[i].shape, bodies.poses[i], from, to);
-        if (!hit || (first && hit->fraction >= first->fraction)) continue;
-        first = RayHit{{i}, hit->fraction, from + hit->fraction * (to - from), hit->normal};
-    }
+    const auto look = [&](int i) {
+        const BodyDef& def = s.bodies.defs[i];
+        const double most = first ? first->fraction : 1.0;
+        if (!(wanted ? wanted(s.bodyId(i)) : def.collide && !def.sensor)) return most;
+        const auto hit = enterShape(def.shape, s.bodies.poses[i], from, to);
+        if (!hit || hit->fraction > most) return most;
+        if (first && hit->fraction == most && i > first->body.index) return most;
+        first = RayHit{s.bodyId(i), hit->fraction, from + hit->fraction * (to - from), hit->normal};
+        return hit->fraction;
+    };
+    for (const int i : s.untreed) look(i);
+    if (s.contactsStale)  // the tree does not know where the caller has put bodies since
+        for (int i = 0; i < s.bodies.count(); ++i)
+            if (s.bodies.present[i] && s.bodies.placed[i]) look(i);
+    s.finder.broadPhase.tree().along(from, to, first ? first->fraction : 1.0, look);
     return first;
 }
 
 bool World::has(BodyId id) const {
-    return id.index >= 0 && id.index < bodyCount() && state_->bodies.present[id.index];
-}
-
-namespace {
-constexpr const char* kNoSuchBody = "there is no such body; it was removed or never added";
+    return state_->bodySlots.knows(id.index, id.generation) && state_->bodies.present[id.index];
 }
 
 const BodyDef& World::def(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->bodies.defs[id.index];
 }
 const Pose& World::pose(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->bodies.poses[id.index];
 }
 const Vec3& World::velocity(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->bodies.velocities[id.index].linear;
 }
 const Vec3& World::spin(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->bodies.velocities[id.index].angular;
 }
 bool World::isAsleep(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->sleep.staysAsleep(state_->bodies, id.index);
 }
 double World::mass(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->bodies.masses[id.index].mass;
 }
 const Mat3& World::inertia(BodyId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < bodyCount(), kNoSuchBody);
+    ENGINE_CHECK(state_->bodySlots.knows(id.index, id.generation), kNoSuchBody);
     return state_->bodies.masses[id.index].inertia;
 }
 
 JointState World::joint(JointId id) const {
-    ENGINE_CHECK(id.index >= 0 && id.index < jointCount(), "there is no such joint");
+    ENGINE_CHECK(state_->jointSlots.knows(id.index, id.generation), kNoSuchJoint);
     return stateOf(*state_, state_->joints[id.index]);
 }
 
 void World::setFreedom(JointId id, int coordinate, const Freedom& freedom) {
-    ENGINE_CHECK(id.index >= 0 && id.index < jointCount() && state_->joints[id.index].present,
-                 "there is no such joint");
+    ENGINE_CHECK(state_->jointSlots.knows(id.index, id.generation) &&
+                     state_->joints[id.index].present,
+                 kNoSuchJoint);
     checkFreedom(state_->joints[id.index].def.type, coordinate, freedom);
     JointDef& def = state_->joints[id.index].def;
     def.free[coordinate] = freedom;
@@ -246,11 +278,13 @@ void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
     bodies.velocities[id.index].angular += m.angular * arm.cross(impulse);
 }
 
-std::span<const ContactState> World::contacts() const {
-    refresh(*state_);
-    if (state_->statesStale) listContacts(*state_);
-    return state_->contactStates;
+void World::findContacts() { findContactsNow(*state_); }
+std::vector<ContactState> World::contacts() const {
+    std::vector<ContactState> states;
+    listContacts(*state_, states);
+    return states;
 }
+ErrorReport World::errors() const { return errorsOf(*state_); }
 
 void World::watchTouches(bool watch) {
     state_->touches = {};
@@ -258,11 +292,7 @@ void World::watchTouches(bool watch) {
 }
 std::span<const TouchEvent> World::touches() const { return state_->touches.events; }
 
-const StepReport& World::report() const {
-    refresh(*state_);
-    if (state_->separationsStale) reportSeparations(*state_);
-    return state_->report;
-}
+const StepReport& World::report() const { return state_->report; }
 
 Energy World::energy() const { return energyNow(*state_); }
 

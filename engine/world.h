@@ -5,9 +5,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/body.h"
-#include "engine/forces/force.h"
+#include "engine/force.h"
 #include "engine/joint.h"
 #include "engine/ray.h"
 #include "engine/settings.h"
@@ -36,7 +37,8 @@ public:
     JointId add(const JointDef& def);
     /// While it acts, its bodies do not sleep.
     ForceId add(const ForceDef& def);
-    /// The body's joints, contacts and cached impulses go with it. Its number stays taken.
+    /// The body's joints, contacts and cached impulses go with it. Until its number is used again, its
+    /// definition and its last pose can be read.
     void remove(BodyId id);
     void remove(JointId id);  // which has to be there
     void remove(ForceId id);  // as well
@@ -78,13 +80,18 @@ public:
 
     /// The first body on the straight way between two points (m), of those that are `wanted`; an
     /// empty function wants all that collide. A body that holds `from` is passed through; of two
-    /// that are met at once, the one added first. Looks at every body; changes nothing.
+    /// that are met at once, the one with the lower number.
     std::optional<RayHit> castRay(const Vec3& from, const Vec3& to,
                                   const std::function<bool(BodyId)>& wanted = {}) const;
 
-    /// The contacts that the last step solved, with their impulses; before the first step, those it
-    /// will solve.
-    std::span<const ContactState> contacts() const;
+    /// Contacts as the bodies are now, for a look at them before the first step, which will solve them,
+    /// or after bodies were added, moved or removed. Steps find their contacts themselves.
+    void findContacts();
+    /// The contacts that the last step solved, with their impulses, in the order of pairs; after
+    /// findContacts() those that were found.
+    std::vector<ContactState> contacts() const;
+    /// Of the contacts that were found last and of the joints, as the bodies are now.
+    ErrorReport errors() const;
     /// Whether every step is to tell who began to touch and who has parted; off at first. Who
     /// touches already begins in the next step.
     void watchTouches(bool watch);

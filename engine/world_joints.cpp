@@ -222,7 +222,8 @@ bool breakJoints(WorldState& s) {
         if (!joint.present || bears) continue;
         joint.present = false;
         joint.broken = true;
-        s.report.broken.push_back({static_cast<int>(i)});
+        s.report.broken.push_back(s.jointId(static_cast<int>(i)));
+        s.jointSlots.remove(static_cast<int>(i));
         for (const BodyId body : {joint.def.a, joint.def.b}) s.sleep.call(s.bodies, body.index);
         s.jointsStale = true;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/forces/force.h"
 #include "engine/world_joints.h"
 #include "engine/world_sleep.h"
 
@@ -58,7 +59,7 @@ void rescaleImpulses(WorldState& s, double dt) {
 Trouble findTrouble(const WorldState& s, BodyId& who) {
     for (int i = 0; i < s.bodies.count(); ++i) {
         if (!s.bodies.isMoving(i)) continue;
-        who = {i};
+        who = s.bodyId(i);
         const Pose& pose = s.bodies.poses[i];
         const Velocity& v = s.bodies.velocities[i];
         if (!pose.position.allFinite() || !pose.rotation.coeffs().allFinite())
@@ -88,12 +89,12 @@ bool energyJumped(const WorldState& s, const Energy& before, const Energy& after
     return !s.hasForces() && gain > 10.0 * (before.kinetic + 10.0 * mass);
 }
 
-ContactState stateOf(const Contact& contact, int i, const PointImpulses& got,
+ContactState stateOf(const WorldState& s, const Contact& contact, int i, const PointImpulses& got,
                      std::span<const Pose> poses) {
     const ContactPoint& point = contact.points[i];
     const Vec3 onA = poses[contact.a].toWorld(point.anchorA);
     const Vec3 onB = poses[contact.b].toWorld(point.anchorB);
-    return {{contact.a}, {contact.b}, 0.5 * (onA + onB), contact.normal,
+    return {s.bodyId(contact.a), s.bodyId(contact.b), 0.5 * (onA + onB), contact.normal,
             -contact.normal.dot(onB - onA), got.total, got.totalFriction, point.feature};
 }
 
@@ -102,24 +103,23 @@ PointImpulses carried(const ContactPoint& point, int substeps) {
     return {point.impulse, substeps * point.impulse, point.friction, substeps * point.friction};
 }
 
-/// contactStates of those awake, got(k, i) being what point i of contact k got, and of those asleep;
+/// States of the contacts awake, got(k, i) being what point i of contact k got, and of those asleep;
 /// in the order of pairs.
 template <class Got>
-void listStates(WorldState& s, std::span<const Contact> awake, std::span<const Pose> poses,
-                Got got) {
-    s.contactStates.clear();
-    s.statesStale = false;
+void listStates(const WorldState& s, std::span<const Contact> awake, std::span<const Pose> poses,
+                Got got, std::vector<ContactState>& states) {
     auto next = s.finder.asleep.begin();
     const auto listAsleep = [&] {
         for (int i = 0; i < next->count; ++i)
-            s.contactStates.push_back(
-                stateOf(*next, i, carried(next->points[i], s.report.substeps), poses));
+            states.push_back(
+                stateOf(s, *next, i, carried(next->points[i], s.report.substeps), poses));
         ++next;
     };
     for (int k = 0; k < static_cast<int>(awake.size()); ++k) {
         while (next != s.finder.asleep.end() && pairOf(*next) < pairOf(awake[k])) listAsleep();
+        if (!s.bodies.present[awake[k].a] || !s.bodies.present[awake[k].b]) continue;
         for (int i = 0; i < awake[k].count; ++i)
-            s.contactStates.push_back(stateOf(awake[k], i, got(k, i), poses));
+            states.push_back(stateOf(s, awake[k], i, got(k, i), poses));
     }
     while (next != s.finder.asleep.end()) listAsleep();
 }
@@ -127,8 +127,7 @@ void listStates(WorldState& s, std::span<const Contact> awake, std::span<const P
 void goBack(WorldState& s) {
     s.bodies.poses = s.solver.posesAtStart;
     s.bodies.velocities = s.velocitiesBefore;
-    s.contactStates.clear();  // the impulses of a step that did not happen
-    s.statesStale = false;
+    s.listed = WorldState::Listed::none;  // the impulses of a step that did not happen
     s.touches.events.clear();
     for (int i = 0; i < s.bodies.count(); ++i) updateInverseInertia(s.bodies, i);
 }
@@ -145,6 +144,7 @@ void updateJoints(WorldState& s, double dt) {
 
 bool beginStep(WorldState& s, double dt) {
     if (s.report.trouble != Trouble::none) return false;
+    for (Slots* slots : {&s.bodySlots, &s.jointSlots, &s.forceSlots}) slots->beginStep();
     callForced(s, dt);
     wakeCalled(s);
     if (s.jointsStale) listJointedPairs(s);
@@ -190,59 +190,57 @@ bool endStep(WorldState& s, double dt) {
     storeImpulses(s.solver, s.bodies, s.joints, dt);
     followJoints(s);
     if (breakJoints(s)) listJointedPairs(s);
-    s.statesStale = true;
+    s.listed = WorldState::Listed::solved;
     for (Load& load : s.bodies.loads) load = {};
     findContacts(s, dt);
     s.report.step += 1;
     s.report.time = s.startOfPace + static_cast<double>(++s.stepsAtPace) * dt;
     s.report.asleep = s.sleep.count();
     s.report.energy = after;
+    for (JointId& id : s.report.direct.redundant) id = s.jointId(id.index);
     s.report.residual = s.report.sweeps.empty() ? 0.0 : s.report.sweeps.back().residual;
-    s.separationsStale = true;
-    if (s.touches.watched) {
-        listContacts(s);
-        recordTouches(s);
-    }
+    if (s.touches.watched) recordTouches(s);
+    for (Slots* slots : {&s.bodySlots, &s.jointSlots, &s.forceSlots}) slots->endStep();
     return true;
 }
 
-void refresh(WorldState& s) {
-    if (!s.contactsStale) return;
+void findContactsNow(WorldState& s) {
     listJointedPairs(s);
     wakeCalled(s);
     findContacts(s, s.lastDt);
     s.contactsStale = s.report.step > 0;  // the caller's changes still count for the next step
     s.report.energy = energyNow(s);
-    reportSeparations(s);
-    const std::vector<Contact>& contacts = s.finder.contacts;
-    listStates(s, contacts, s.bodies.poses,
-               [&](int k, int i) { return carried(contacts[k].points[i], s.report.substeps); });
+    s.listed = WorldState::Listed::found;
 }
 
-void reportSeparations(WorldState& s) {
-    s.separationsStale = false;
-    s.report.worstPenetration = 0.0;
-    s.report.contacts = 0;
+void listContacts(const WorldState& s, std::vector<ContactState>& states) {
+    states.clear();
+    const std::vector<Contact>& found = s.finder.contacts;
+    // Step 6 has put the contacts that were solved aside, to remember their impulses by.
+    if (s.listed == WorldState::Listed::solved)
+        listStates(
+            s, s.finder.previous, s.solver.posesAtStart,
+            [&](int k, int i) { return impulsesOf(s.solver, k, i); }, states);
+    if (s.listed == WorldState::Listed::found)
+        listStates(
+            s, found, s.bodies.poses,
+            [&](int k, int i) { return carried(found[k].points[i], s.report.substeps); }, states);
+}
+
+ErrorReport errorsOf(const WorldState& s) {
+    ErrorReport errors;
     for (const std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.asleep})
         for (const Contact& contact : *contacts)
             for (int i = 0; i < contact.count; ++i) {
                 const Vec3 onA = s.bodies.poses[contact.a].toWorld(contact.points[i].anchorA);
                 const Vec3 onB = s.bodies.poses[contact.b].toWorld(contact.points[i].anchorB);
-                const double c = contact.normal.dot(onB - onA);
-                s.report.worstPenetration = larger(s.report.worstPenetration, -c);
-                ++s.report.contacts;
+                errors.penetration = larger(errors.penetration, -contact.normal.dot(onB - onA));
+                ++errors.contacts;
             }
-    s.report.worstSeparation = 0.0;
     for (const Joint& joint : s.joints)
         if (joint.present && !joint.def.spring.isSoft())
-            s.report.worstSeparation =
-                larger(s.report.worstSeparation, separationOf(s, joint));
-}
-
-void listContacts(WorldState& s) {
-    // Step 6 has put the contacts that were solved aside, to remember their impulses by.
-    listStates(s, s.finder.previous, s.solver.posesAtStart,
-               [&](int k, int i) { return impulsesOf(s.solver, k, i); });
+            errors.separation = larger(errors.separation, separationOf(s, joint));
+    return errors;
 }
 
 Energy energyNow(const WorldState& s) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/hash.h"
+#include "engine/base/slots.h"
 #include "engine/collision/contacts.h"
 #include "engine/dynamics/energy.h"
 #include "engine/dynamics/sleep.h"
@@ -21,20 +22,22 @@ struct WorldState {
     Vec3 gravity{0.0, -9.81, 0.0};
     Bodies bodies;
     std::vector<Joint> joints;
+    Slots bodySlots, jointSlots, forceSlots;
+    std::vector<int> untreed;  // bodies that are in no tree: planes, and those that do not collide
     ContactFinder finder;
     Solver solver;
     SubstepChooser substeps;
     Sleep sleep;
     StepReport report;
-    std::vector<ContactState> contactStates;
     std::function<void(const World&, std::span<Load>)> field;
     std::vector<std::optional<ForceDef>> forces;  // by number; removed: empty
+    int forceCount = 0;                           // that are not removed
     std::vector<Load> fieldLoads;                 // of the field and the forces, in this sub-step
     std::function<void(Phase, int)> observer;
     TouchLog touches;
 
-    bool statesStale = false;   // contactStates are those of an earlier step
-    bool separationsStale = false;  // so are the report's worst penetration and separation
+    enum class Listed { none, solved, found };
+    Listed listed = Listed::none;  // which contacts World::contacts() lists
     bool contactsStale = true;  // bodies came, went or were moved by the caller
     bool jointsStale = true;
     bool treesStale = false;    // joints fell asleep or woke
@@ -46,7 +49,9 @@ struct WorldState {
     std::vector<Velocity> velocitiesBefore;  // to go back to when a step turns out wrong
 
     /// Whether forces depend on where bodies are: they are looked at in every sub-step.
-    bool hasForces() const { return field || !forces.empty(); }
+    bool hasForces() const { return field || forceCount > 0; }
+    BodyId bodyId(int i) const { return {i, bodySlots.generation(i)}; }
+    JointId jointId(int i) const { return {i, jointSlots.generation(i)}; }
     void phase(Phase which, int substep) const {
         if (observer) observer(which, substep);
     }
@@ -65,12 +70,11 @@ bool endStep(WorldState& s, double dt);
 /// Of the bodies, and of the springs between them.
 Energy energyNow(const WorldState& s);
 
-/// Contacts and report as of now, without a step.
-void refresh(WorldState& s);
+/// Contacts as of now, without a step.
+void findContactsNow(WorldState& s);
 
-/// What the report says of contacts and separations, and contactStates of the last step: nothing pays
-/// for them until they are asked for.
-void reportSeparations(WorldState& s);
-void listContacts(WorldState& s);
+/// World::contacts() and World::errors(): nothing is paid for them until they are asked for.
+void listContacts(const WorldState& s, std::vector<ContactState>& states);
+ErrorReport errorsOf(const WorldState& s);
 
 }  // namespace engine

@@ -19,7 +19,7 @@ double approachAt(const Vec3& p, const Vec3& n, const PairKey& pair, std::span<c
 
 /// The touching points of one pair become one touch, in the middle between them.
 void addContacts(const WorldState& s, std::vector<Touch>& touches) {
-    const std::vector<ContactState>& points = s.contactStates;
+    const std::vector<ContactState>& points = s.touches.points;
     for (std::size_t i = 0; i < points.size();) {
         Touch touch;
         touch.pair = {points[i].a.index, points[i].b.index};
@@ -55,9 +55,10 @@ void addSensed(const WorldState& s, std::vector<Touch>& touches) {
     }
 }
 
-TouchEvent eventOf(const Touch& touch, TouchEvent::Kind kind, const StepReport& report) {
+TouchEvent eventOf(const Touch& touch, TouchEvent::Kind kind, const WorldState& s) {
     const bool begins = kind == TouchEvent::Kind::begin;
-    return {kind, {touch.pair.a}, {touch.pair.b}, touch.sensor, report.step, report.time,
+    return {kind, s.bodyId(touch.pair.a), s.bodyId(touch.pair.b), touch.sensor, s.report.step,
+            s.report.time,
             touch.position, touch.normal, begins ? touch.speed : 0.0,
             begins ? touch.impulse : touch.total};
 }
@@ -69,6 +70,7 @@ void recordTouches(WorldState& s) {
     log.now.swap(log.before);
     log.now.clear();
     log.events.clear();
+    listContacts(s, log.points);
     addContacts(s, log.now);
     addSensed(s, log.now);
     std::sort(log.now.begin(), log.now.end(),
@@ -76,7 +78,7 @@ void recordTouches(WorldState& s) {
     auto old = log.before.cbegin();
     const auto endsBefore = [&](const PairKey* pair) {
         for (; old != log.before.cend() && (!pair || old->pair < *pair); ++old)
-            log.events.push_back(eventOf(*old, TouchEvent::Kind::end, s.report));
+            log.events.push_back(eventOf(*old, TouchEvent::Kind::end, s));
     };
     for (Touch& touch : log.now) {
         endsBefore(&touch.pair);
@@ -84,7 +86,7 @@ void recordTouches(WorldState& s) {
         if (old != log.before.cend() && old->pair == touch.pair)
             touch.total += (old++)->total;
         else
-            log.events.push_back(eventOf(touch, TouchEvent::Kind::begin, s.report));
+            log.events.push_back(eventOf(touch, TouchEvent::Kind::begin, s));
     }
     endsBefore(nullptr);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/collision/broad_phase.h"
+#include "engine/step_report.h"
 #include "engine/touch_event.h"
 
 namespace engine {
@@ -26,6 +27,7 @@ struct TouchLog {
     bool watched = false;
     std::vector<Touch> before, now;  // sorted by pair
     std::vector<TouchEvent> events;  // of the last step
+    std::vector<ContactState> points;  // likewise; kept for its memory
 };
 
 /// After a step, if the log is watched.

@@ -102,8 +102,7 @@ void RunRecorder::addFrame(const Player& player, long step) {
     frame.time = static_cast<double>(step) / stage.scene.hz;
     for (std::size_t i = 0; i < stage.bodies.size(); ++i)
         frame.bodies.push_back(motionOf(stage, i));
-    if (step > 0)
-        frame.contacts.assign(stage.world.contacts().begin(), stage.world.contacts().end());
+    if (step > 0) frame.contacts = stage.world.contacts();
     frame.bars = barsNow(stage);
     frame.measures = measuresOf(stage);
     frame.camera = cameraOf({stage, recording_.overlays, player.history(), frame.time});

@@ -54,9 +54,10 @@ Measures measuresOf(const Stage& stage) {
     Measures m;
     m.time = report.time;
     m.energy = stage.world.energy();
-    m.contacts = report.contacts;
-    m.penetration = report.worstPenetration;
-    m.separation = report.worstSeparation;
+    const engine::ErrorReport errors = stage.world.errors();
+    m.contacts = errors.contacts;
+    m.penetration = errors.penetration;
+    m.separation = errors.separation;
     m.residual = report.residual;
     if (report.step > 0) return m;
     m.contacts = static_cast<int>(stage.world.contacts().size());

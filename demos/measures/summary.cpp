@@ -78,11 +78,12 @@ void SummaryRecorder::step(Player& player) {
 
 void SummaryRecorder::look(const Stage& stage, double ms) {
     const engine::StepReport& report = stage.world.report();
+    const engine::ErrorReport errors = stage.world.errors();
     summary_.time.push_back(report.time);
     const double values[] = {largestMove(stage),
                              largestSpeed(stage),
-                             report.worstPenetration,
-                             report.worstSeparation,
+                             errors.penetration,
+                             errors.separation,
                              report.energy.total() - startEnergy_,
                              report.residual,
                              static_cast<double>(report.sweeps.size()),

@@ -61,12 +61,12 @@ Timing timeScene(const SceneDescription& scene) {
         const double after = processorTime();
         if (!counts) return;
         timing.ms.push_back(1e3 * (after - before));
-        timing.points += player.stage().world.report().contacts;
+        timing.points += player.stage().world.errors().contacts;
     });
     timing.scene = scene.name;
     timing.bodies = scene.bodies.size();
     timing.joints = scene.joints.size();
-    timing.contacts = player.stage().world.report().contacts;
+    timing.contacts = player.stage().world.errors().contacts;
     timing.steps = static_cast<int>(timing.ms.size());
     timing.hash = player.stage().world.hash();
     return timing;

@@ -163,7 +163,7 @@ void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched
     const Expectation& e = watch.expectation;
     const engine::World& world = stage.world;
     const auto most = [&](double value) { w.value = std::max(w.value, value); };
-    if (e.what == What::penetration) return most(world.report().worstPenetration);
+    if (e.what == What::penetration) return most(world.errors().penetration);
     if (e.what == What::energy) return most(std::abs(world.energy().total() - startEnergy_));
     if (e.what == What::separation) return most(world.joint(stage.joints[w.number]).separation);
     const engine::BodyId id = stage.bodies[w.number];

@@ -67,6 +67,7 @@ Stage::Stage(const SceneDescription& description)
         joints.push_back(world.add(jointDef(joint, *this)));
     for (const ForceDescription& force : scene.forces) world.add(forceDef(force, *this));
     followPaths();
+    world.findContacts();
     trails.resize(scene.look.trails.size());
 }
 

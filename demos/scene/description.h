@@ -10,7 +10,7 @@
 #include "demos/scene/kinematic_path.h"
 #include "demos/text/place.h"
 #include "engine/body.h"
-#include "engine/forces/force.h"
+#include "engine/force.h"
 #include "engine/joint.h"
 #include "engine/settings.h"
 

@@ -244,15 +244,15 @@ private:
 }  // namespace
 
 bool checkName(const std::string& name, Place place, const char* what, Complaints& complaints) {
-    constexpr std::size_t kLongest = 64;
-    const bool good = !name.empty() && name.size() <= kLongest &&
+    constexpr std::size_t kMostOfName = 64;
+    const bool good = !name.empty() && name.size() <= kMostOfName &&
                       std::all_of(name.begin(), name.end(), [](char c) {
                           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                                  (c >= '0' && c <= '9') ||
                                  std::string_view("_.{}+-").find(c) != std::string_view::npos;
                       });
     if (!good)
-        complaints.add(place, std::string(what) + " is '" + name.substr(0, kLongest) +
+        complaints.add(place, std::string(what) + " is '" + name.substr(0, kMostOfName) +
                                   "'; it should be 1 to 64 of A-Z a-z 0-9 _ . { } + -");
     return good;
 }

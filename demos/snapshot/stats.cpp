@@ -41,6 +41,7 @@ void addEnergy(const Moment& moment, std::vector<render::PlateRow>& rows) {
 void addStats(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
     const engine::StepReport& report = stage.world.report();
+    const engine::ErrorReport errors = stage.world.errors();
     const engine::Settings& settings = stage.world.settings();
     render::Plate plate;
     const auto row = [&](const char* name, std::string value) {
@@ -50,13 +51,12 @@ void addStats(const Moment& moment, render::Frame& frame) {
     row("step", fmt::format("{}", report.step));
     row("bodies", fmt::format("{}", stage.bodies.size()));
     if (settings.sleeping) row("asleep", fmt::format("{}", report.asleep));
-    row("contacts", fmt::format("{}", report.contacts));
+    row("contacts", fmt::format("{}", errors.contacts));
     row("solver", fmt::format("{} {}", stage.scene.preset, wordOf(settings.method)));
     row("sub-steps", fmt::format("{}", report.step > 0 ? report.substeps : settings.substeps));
     row("sweeps", fmt::format("{}", report.sweeps.size()));
-    row("penetration", fmt::format("{:.2f} mm", 1e3 * report.worstPenetration));
-    if (!stage.joints.empty())
-        row("separation", fmt::format("{:.2f} mm", 1e3 * report.worstSeparation));
+    row("penetration", fmt::format("{:.2f} mm", 1e3 * errors.penetration));
+    if (!stage.joints.empty()) row("separation", fmt::format("{:.2f} mm", 1e3 * errors.separation));
     addEnergy(moment, plate.rows);
     frame.plates.push_back(std::move(plate));
 }

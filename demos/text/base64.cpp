@@ -3,11 +3,11 @@
 namespace demos {
 namespace {
 
-constexpr std::string_view kDigits =
+constexpr std::string_view kBase64Digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 int digitOf(char c) {
-    const std::size_t at = kDigits.find(c);
+    const std::size_t at = kBase64Digits.find(c);
     return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
 
@@ -20,9 +20,9 @@ std::string toBase64(std::span<const std::uint8_t> bytes) {
     int count = 0;
     for (const std::uint8_t byte : bytes) {
         bits = (bits << 8 | byte) & 0xffffffu;
-        for (count += 8; count >= 6;) text += kDigits[bits >> (count -= 6) & 63u];
+        for (count += 8; count >= 6;) text += kBase64Digits[bits >> (count -= 6) & 63u];
     }
-    if (count > 0) text += kDigits[bits << (6 - count) & 63u];
+    if (count > 0) text += kBase64Digits[bits << (6 - count) & 63u];
     text.append((4 - text.size() % 4) % 4, '=');
     return text;
 }

@@ -13,6 +13,20 @@ struct Bounds {
     bool contains(const Bounds& o) const {
         return (low.array() <= o.low.array()).all() && (o.high.array() <= high.array()).all();
     }
+    /// Whether from + t way is inside for a t of 0 to `most`: the slabs' spans have one in common.
+    bool meets(const Vec3& from, const Vec3& way, double most) const {
+        double first = 0.0, last = most;
+        for (int i = 0; i < 3; ++i) {
+            if (way[i] == 0.0) {
+                if (from[i] < low[i] || from[i] > high[i]) return false;
+                continue;
+            }
+            const double a = (low[i] - from[i]) / way[i], b = (high[i] - from[i]) / way[i];
+            first = larger(first, smaller(a, b));
+            last = smaller(last, larger(a, b));
+        }
+        return first <= last;
+    }
     Bounds with(const Bounds& o) const { return {low.cwiseMin(o.low), high.cwiseMax(o.high)}; }
     Bounds grownBy(double m) const { return {low.array() - m, high.array() + m}; }
     /// Half the surface: the chance that a random ray meets it, which is what a tree's cost is.

@@ -36,6 +36,26 @@ public:
         }
     }
 
+    /// Calls visit(body) for every leaf that the way from `from` to `to` (m) meets before the fraction
+    /// `most` of it; what visit returns is the new `most`.
+    template <class Visit>
+    void along(const Vec3& from, const Vec3& to, double most, Visit visit) const {
+        if (root_ < 0) return;
+        const Vec3 way = to - from;
+        std::vector<int> open{root_};
+        while (!open.empty()) {
+            const Node& node = nodes_[open.back()];
+            open.pop_back();
+            if (!node.bounds.meets(from, way, most)) continue;
+            if (node.isLeaf()) {
+                most = visit(node.body);
+            } else {
+                open.push_back(node.children[0]);
+                open.push_back(node.children[1]);
+            }
+        }
+    }
+
     /// Levels below the root; 0 for a single leaf.
     int height() const;
     /// True when every node holds its children and knows its parent (for tests).

@@ -21,33 +21,45 @@ BodyMass massOf(const BodyDef& def) {
     return m;
 }
 
+void addSlot(Bodies& bodies) {
+    bodies.defs.emplace_back();
+    bodies.poses.emplace_back();
+    bodies.velocities.emplace_back();
+    bodies.inverseMasses.emplace_back();
+    bodies.masses.emplace_back();
+    bodies.loads.emplace_back();
+    bodies.accelerations.emplace_back();
+    bodies.present.emplace_back();
+    bodies.asleep.emplace_back();
+    bodies.placed.emplace_back();
+}
+
 }  // namespace
 
-int addBody(Bodies& bodies, const BodyDef& def) {
+void addBody(Bodies& bodies, const BodyDef& def, int i) {
     const bool surface =
         def.shape.type == ShapeType::plane || def.shape.type == ShapeType::mesh;
     ENGINE_CHECK(def.kind != BodyKind::dynamic || !surface,
                  "a plane or a mesh has no mass; make it fixed or kinematic");
     ENGINE_CHECK(def.pose.rotation.norm() > 0.0, "a rotation needs a quaternion that is not zero");
-    const int i = bodies.count();
     BodyDef filled = def;
     filled.pose.rotation.normalize();
     const BodyMass mass = massOf(def);
     if (def.kind == BodyKind::dynamic) filled.mass = mass.mass, filled.inertia = mass.inertia;
-    bodies.defs.push_back(filled);
-    bodies.poses.push_back(filled.pose);
+    if (i == bodies.count()) addSlot(bodies);
+    bodies.defs[i] = filled;
+    bodies.poses[i] = filled.pose;
     const bool moves = def.kind != BodyKind::fixed;
-    bodies.velocities.push_back(moves ? Velocity{def.velocity, def.spin} : Velocity{});
-    bodies.inverseMasses.push_back({mass.mass > 0.0 ? 1.0 / mass.mass : 0.0, Mat3::Zero()});
-    bodies.masses.push_back(mass);
-    bodies.loads.push_back({});
-    bodies.accelerations.push_back({});
-    bodies.present.push_back(1);
-    bodies.asleep.push_back(-1);
-    bodies.placed.push_back(1);
+    bodies.velocities[i] = moves ? Velocity{def.velocity, def.spin} : Velocity{};
+    bodies.inverseMasses[i] = {mass.mass > 0.0 ? 1.0 / mass.mass : 0.0, Mat3::Zero()};
+    bodies.masses[i] = mass;
+    bodies.loads[i] = {};
+    bodies.accelerations[i] = {};
+    bodies.present[i] = 1;
+    bodies.asleep[i] = -1;
+    bodies.placed[i] = 1;
     bodies.hasSensors = bodies.hasSensors || def.sensor;
     updateInverseInertia(bodies, i);
-    return i;
 }
 
 void updateInverseInertia(Bodies& bodies, int i) {

@@ -67,8 +67,9 @@ struct Bodies {
     }
 };
 
-/// Adds a body; what the definition leaves open is filled in. Returns its number.
-int addBody(Bodies& bodies, const BodyDef& def);
+/// Puts a body in a slot, the one after the last or one that is free; what the definition leaves open
+/// is filled in.
+void addBody(Bodies& bodies, const BodyDef& def, int slot);
 
 /// I^-1 in world axes, after the body was turned; of all of them.
 void updateInverseInertia(Bodies& bodies, int i);

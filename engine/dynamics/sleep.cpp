@@ -19,6 +19,11 @@ void Sleep::fit(const Bodies& bodies) {
     called_.resize(bodies.count());
 }
 
+void Sleep::add(const Bodies& bodies, int body) {
+    fit(bodies);
+    slowFor_[body] = 0.0;
+}
+
 bool Sleep::anyoneTired(const Bodies& bodies, double after, double dt) {
     fit(bodies);
     bool tired = false;

@@ -19,6 +19,9 @@ namespace engine {
 /// Calls are kept until the next step begins: nothing changes while a step is under way.
 class Sleep {
 public:
+    /// A new body, perhaps in the slot of one that was removed, is not tired.
+    void add(const Bodies& bodies, int body);
+
     /// Counts a step of dt (s) for all who are slow. True: some have been for `after` (s).
     bool anyoneTired(const Bodies& bodies, double after, double dt);
     /// Then every pair that touches or is jointed,

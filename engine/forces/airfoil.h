@@ -10,27 +10,12 @@
 #pragma once
 #include <span>
 
-#include "engine/body.h"
+#include "engine/force.h"
 #include "engine/forces/force_moment.h"
 
 namespace engine {
 
 struct Bodies;
-
-struct Airfoil {
-    static constexpr double kStallWidth = 0.1;
-    double area = 1.0;            // A, m^2
-    Vec3 at{0, 0, 0};             // m, body axes: where the air's force acts
-    Vec3 chord{1, 0, 0};          // unit, body axes: forwards, to the leading edge
-    Vec3 normal{0, 1, 0};         // unit, body axes, across the chord: to the side lift acts to
-    double density = 1.2;         // rho, kg/m^3
-    Vec3 wind{0, 0, 0};           // m/s
-    double liftSlope = 6.28318530717958648;  // a
-    double stall = 0.26;          // rad
-    double profileDrag = 0.02;    // C_0
-    double plateDrag = 2.0;       // C_n
-    double aspect = 8.0;          // AR, span^2 / area
-};
 
 /// C_L and C_D at the angle of which `cosine` and `sine` are given.
 struct AirfoilCoefficients {

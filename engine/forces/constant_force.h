@@ -3,19 +3,12 @@
 #pragma once
 #include <span>
 
-#include "engine/body.h"
+#include "engine/force.h"
 #include "engine/forces/force_moment.h"
 
 namespace engine {
 
 struct Bodies;
-
-struct ConstantForce {
-    Vec3 force{0, 0, 0};   // N
-    Vec3 torque{0, 0, 0};  // N m
-    Vec3 at{0, 0, 0};      // m, body axes: where the force acts
-    bool turns = false;    // false: force and torque in world axes; true: in body axes
-};
 
 void addLoads(const ConstantForce& force, std::span<const BodyId> on, const Bodies& bodies,
               const ForceMoment& now, std::span<Load> loads);

@@ -5,17 +5,12 @@
 #pragma once
 #include <span>
 
-#include "engine/body.h"
+#include "engine/force.h"
 #include "engine/forces/force_moment.h"
 
 namespace engine {
 
 struct Bodies;
-
-struct Drag {
-    double linear = 0.0;   // c, N s/m
-    double angular = 0.0;  // k, N m s
-};
 
 void addLoads(const Drag& drag, std::span<const BodyId> on, const Bodies& bodies,
               const ForceMoment& now, std::span<Load> loads);

@@ -1,10 +1,6 @@
-/// A force of a world: what it is, on which bodies, and when. World::add takes it; every sub-step
-/// asks it anew, with the bodies where they are by then.
+/// What the forces of a world say of a sub-step, by the kind of each.
 #pragma once
-#include <limits>
 #include <span>
-#include <variant>
-#include <vector>
 
 #include "engine/forces/airfoil.h"
 #include "engine/forces/constant_force.h"
@@ -16,21 +12,6 @@
 #include "engine/step_report.h"
 
 namespace engine {
-
-struct ForceId {
-    int index = -1;
-    auto operator<=>(const ForceId&) const = default;
-};
-
-using ForceKind = std::variant<ConstantForce, Drag, Medium, PointGravity, NBodyGravity,
-                               SpringForce, Airfoil>;
-
-struct ForceDef {
-    ForceKind kind;
-    std::vector<BodyId> on;  // a spring: its two bodies
-    double from = 0.0;       // s
-    double until = std::numeric_limits<double>::infinity();  // s
-};
 
 /// Whether it acts in the span of time that begins at `time` and is `h` long (s): the half of a
 /// span and more counts as all of it.

@@ -4,17 +4,12 @@
 #pragma once
 #include <span>
 
-#include "engine/body.h"
+#include "engine/force.h"
 #include "engine/forces/force_moment.h"
 
 namespace engine {
 
 struct Bodies;
-
-struct NBodyGravity {
-    double constant = 6.6743e-11;  // G, m^3/(kg s^2)
-    double softening = 0.0;        // s, m: bodies that meet in a point do not fly apart
-};
 
 /// The cost grows with the square of the number of bodies.
 void addLoads(const NBodyGravity& gravity, std::span<const BodyId> on, const Bodies& bodies,

@@ -5,18 +5,12 @@
 #pragma once
 #include <span>
 
-#include "engine/body.h"
+#include "engine/force.h"
 #include "engine/forces/force_moment.h"
 
 namespace engine {
 
 struct Bodies;
-
-struct PointGravity {
-    Vec3 centre{0, 0, 0};    // m
-    double strength = 1.0;   // mu = G M, m^3/s^2
-    double softening = 0.0;  // s, m
-};
 
 void addLoads(const PointGravity& gravity, std::span<const BodyId> on, const Bodies& bodies,
               const ForceMoment& now, std::span<Load> loads);

@@ -6,19 +6,12 @@
 #pragma once
 #include <span>
 
-#include "engine/body.h"
+#include "engine/force.h"
 #include "engine/forces/force_moment.h"
 
 namespace engine {
 
 struct Bodies;
-
-struct SpringForce {
-    Vec3 anchorA{0, 0, 0}, anchorB{0, 0, 0};  // m, body axes
-    double length = 0.0;                      // l, m, at rest
-    double stiffness = 1.0;                   // k, N/m
-    double damping = 0.0;                     // c, N s/m
-};
 
 /// `on`: a and b.
 void addLoads(const SpringForce& spring, std::span<const BodyId> on, const Bodies& bodies,

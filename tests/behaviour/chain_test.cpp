@@ -51,7 +51,7 @@ TEST(Chain, HoldsAThousandKilogramsOnOneKilogramLinks) {
     double worst = 0.0;
     for (int i = 0; i < 300; ++i) {
         chain.world.step(kStep);
-        worst = larger(worst, chain.world.report().worstSeparation);
+        worst = larger(worst, chain.world.errors().separation);
     }
     EXPECT_LT(worst, 1e-5);
 }
@@ -62,7 +62,7 @@ TEST(Chain, SwingsAThousandKilogramsWithoutTearingOrGaining) {
     double worst = 0.0, gain = 0.0;
     for (int i = 0; i < 600; ++i) {
         ASSERT_TRUE(chain.world.step(kStep));
-        worst = larger(worst, chain.world.report().worstSeparation);
+        worst = larger(worst, chain.world.errors().separation);
         gain = larger(gain, chain.world.report().energy.total() / scale);
     }
     EXPECT_LT(worst, 2e-3);
@@ -86,7 +86,7 @@ TEST(Bridge, OfHingesAtBothBanksCarriesAFallingCrate) {
     support::join(world, JointType::hinge, last, right, {5, 0, 0});
     world.add(body(Shape::box({0.8, 0.8, 0.8}), {0.3, 1.5, 0.3}, 150.0));
     for (int i = 0; i < 300; ++i) ASSERT_TRUE(world.step(kStep)) << i;
-    EXPECT_LT(world.report().worstSeparation, 0.02);
+    EXPECT_LT(world.errors().separation, 0.02);
 }
 
 TEST(Weld, HoldsACantileverOfFiveBlocks) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
+#include "engine/forces/airfoil.h"
 #include "tests/support/worlds.h"
 
 namespace engine {

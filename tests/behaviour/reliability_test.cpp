@@ -109,7 +109,7 @@ TEST(BadScenes, AHeapOfAllShapesStaysFinite) {
     }
     for (int i = 0; i < 300; ++i) ASSERT_TRUE(world.step(kStep)) << i;
     for (int i = 1; i <= 60; ++i) EXPECT_GT(world.pose({i}).position.y(), 0.0);
-    EXPECT_LT(world.report().worstPenetration, 0.02);
+    EXPECT_LT(world.errors().penetration, 0.02);
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ TEST_P(Resting, ABoxSettlesWithinTheSlop) {
     const BodyId box = world.add(support::body(Shape::box({1, 1, 1}), {0, 0.49, 0}, 1000));
     run(world, 600);
     EXPECT_LT(world.velocity(box).norm(), 1e-3);
-    EXPECT_GT(world.report().worstPenetration, 0.5 * settings().slop);
-    EXPECT_LT(world.report().worstPenetration, 1.2 * settings().slop);
+    EXPECT_GT(world.errors().penetration, 0.5 * settings().slop);
+    EXPECT_LT(world.errors().penetration, 1.2 * settings().slop);
 }
 
 TEST_P(Resting, EveryPairOfShapesRests) {

@@ -144,7 +144,7 @@ TEST(Meshes, WhatIsDroppedIntoAValleyStaysInIt) {
         EXPECT_GT(p.y(), 0.05) << i;
         EXPECT_LT(p.y(), 0.8) << i;
     }
-    EXPECT_LT(world.report().worstPenetration, 5e-3);
+    EXPECT_LT(world.errors().penetration, 5e-3);
 }
 
 TEST(Meshes, HoldFromTheirFrontOnly) {

@@ -44,8 +44,8 @@ TEST_P(SleepingStack, DoesNotMoveABitAndCarriesItsWeight) {
     EXPECT_EQ(world.hash(), hash);
     for (int i = 1; i <= 4; ++i) EXPECT_TRUE(world.velocity({i}).isZero(0.0));
     EXPECT_EQ(world.contacts().size(), 16u);
-    EXPECT_EQ(world.report().contacts, 16);
-    EXPECT_GT(world.report().worstPenetration, 0.0);
+    EXPECT_EQ(world.errors().contacts, 16);
+    EXPECT_GT(world.errors().penetration, 0.0);
     EXPECT_NEAR(loadOf(world), 4 * kMass * kGravity, 0.01 * 4 * kMass * kGravity);
     run(world, 1, 0.5 * kStep);  // a step of another length: the same force, half the impulse
     EXPECT_NEAR(loadOf(world, 0.5 * kStep), 4 * kMass * kGravity, 0.01 * 4 * kMass * kGravity);
@@ -220,7 +220,7 @@ TEST_P(SleepingChain, WakesAsAWhole) {
     run(chain.world, 1);
     EXPECT_NEAR(chain.world.joint(chain.joints[0]).force.y(), 4 * kGravity, 2.0);
     run(chain.world, 10);
-    EXPECT_LT(chain.world.report().worstSeparation, 1e-4);
+    EXPECT_LT(chain.world.errors().separation, 1e-4);
     if (GetParam() == JointType::weld) return;  // holds still
     EXPECT_GT(chain.world.velocity(chain.last).norm(), 0.01);
 }

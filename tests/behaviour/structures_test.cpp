@@ -159,7 +159,7 @@ TEST(Net, OfRodsSwingsWithoutGainingEnergyOrComingApart) {
     for (int i = 0; i < 300; ++i) {
         ASSERT_TRUE(net.world.step(support::kStep)) << i;
         most = larger(most, net.world.energy().total());
-        worst = larger(worst, net.world.report().worstSeparation);
+        worst = larger(worst, net.world.errors().separation);
     }
     EXPECT_LT(most, start + 0.05 * 6.4 * support::kGravity);  // as if all rose by 5 cm
     EXPECT_LT(worst, 0.1);

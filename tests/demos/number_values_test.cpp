@@ -201,7 +201,7 @@ TEST_F(NumberValues, CountAndName) {
     EXPECT_EQ(text({1, "run", "", "steps", 1}), "31");
     EXPECT_EQ(text({1, "run", "", "time", 4}), "0.5167\u00a0s");
     EXPECT_EQ(text({1, "contacts", "", "points", 3}),
-              std::to_string(stage.world.report().contacts));
+              std::to_string(stage.world.errors().contacts));
     EXPECT_EQ(text({1, "run", "", "sweeps", 3}),
               std::to_string(stage.world.report().sweeps.size()));
     const std::string hash = hexText(stage.world.hash());

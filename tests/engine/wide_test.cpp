@@ -67,7 +67,8 @@ TEST(Schedule, AGroupBeginsItsOwnBatches) {
 /// Contacts of body pairs (i, i + 1) at these heights, in the order in which a sweep meets them.
 std::vector<int> orderOf(std::vector<Contact>& contacts, const std::vector<double>& heights) {
     Bodies bodies;
-    for (const double height : heights) addBody(bodies, body(Shape::sphere(0.1), {0, height, 0}));
+    for (const double height : heights)
+        addBody(bodies, body(Shape::sphere(0.1), {0, height, 0}), bodies.count());
     std::vector<std::uint64_t> keys;
     std::vector<int> order;
     orderContacts(contacts, bodies, Vec3(0, -9.81, 0), Order::gravity, keys, order);
@@ -130,7 +131,7 @@ TEST(Lanes, ReportTheSameSweepsWithTwoThreads) {
         EXPECT_EQ(a[i].residual, b[i].residual) << i;
         EXPECT_EQ(a[i].delta, b[i].delta) << i;
     }
-    EXPECT_EQ(one.report().worstPenetration, two.report().worstPenetration);
+    EXPECT_EQ(one.errors().penetration, two.errors().penetration);
 }
 
 TEST(Lanes, AnIslandAtRestPaysNothingForOneThatMoves) {

@@ -17,7 +17,7 @@ Bodies cloud(int count, double reach, std::uint64_t seed) {
         BodyDef def = support::body(Shape::sphere(r), random.vector(reach));
         def.velocity = random.vector(1.0);
         if (i % 7 == 0) def.kind = BodyKind::fixed;
-        addBody(bodies, def);
+        addBody(bodies, def, bodies.count());
     }
     return bodies;
 }
@@ -59,7 +59,7 @@ TEST(BroadPhase, StaysBelowThePairsOfAll) {
 TEST(BroadPhase, SortedInsertionDoesNotMakeAList) {
     Bodies bodies;
     for (int i = 0; i < 1000; ++i)
-        addBody(bodies, support::body(Shape::sphere(0.4), {1.0 * i, 0, 0}));
+        addBody(bodies, support::body(Shape::sphere(0.4), {1.0 * i, 0, 0}), bodies.count());
     BroadPhase broad;
     broad.update(bodies, 0.02, support::kStep);
     EXPECT_LT(broad.tree().height(), 60);
@@ -67,7 +67,8 @@ TEST(BroadPhase, SortedInsertionDoesNotMakeAList) {
 
 TEST(BroadPhase, APlaneMeetsEverythingDynamicAndARemovedBodyNothing) {
     Bodies bodies = cloud(20, 3.0, 3);
-    const int plane = addBody(bodies, support::floorPlane());
+    const int plane = bodies.count();
+    addBody(bodies, support::floorPlane(), plane);
     BroadPhase broad;
     broad.update(bodies, 0.02, support::kStep);
     const auto withPlane = [&] {

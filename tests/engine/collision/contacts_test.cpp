@@ -50,8 +50,8 @@ TEST(Contacts, MixMaterials) {
     BodyDef a = support::floorPlane(), b = support::body(Shape::sphere(0.5), {0, 0.5, 0});
     a.material.friction = 0.9, b.material.friction = 0.4;
     a.material.restitution = 0.1, b.material.restitution = 0.7;
-    addBody(bodies, a);
-    addBody(bodies, b);
+    addBody(bodies, a, bodies.count());
+    addBody(bodies, b, bodies.count());
     ContactFinder finder;
     findContacts(bodies, finder, 0.02, support::kStep);
     ASSERT_EQ(finder.contacts.size(), 1u);
@@ -62,8 +62,8 @@ TEST(Contacts, MixMaterials) {
 /// A cube on another, seen once; then the upper one is moved and both are looked at again.
 Contact afterMoving(double way) {
     Bodies bodies;
-    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0.5, 0}));
-    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 1.5, 0}));
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0.5, 0}), bodies.count());
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 1.5, 0}), bodies.count());
     ContactFinder finder;
     findContacts(bodies, finder, 0.02, support::kStep);
     bodies.poses[1].position.x() += way;
@@ -87,8 +87,8 @@ TEST(Contacts, StayWhileThePairHardlyMoves) {
 
 TEST(Contacts, TurnTheirNormalWithTheBody) {
     Bodies bodies;
-    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0, 0}));
-    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 1, 0}));
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0, 0}), bodies.count());
+    addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 1, 0}), bodies.count());
     ContactFinder finder;
     findContacts(bodies, finder, 0.02, support::kStep);
     const Quat turn = Quat(1.0, 0.0, 0.0, 0.3).normalized();
@@ -100,9 +100,9 @@ TEST(Contacts, TurnTheirNormalWithTheBody) {
 
 TEST(Contacts, AFastPairIsSeenFromFartherAway) {
     Bodies bodies;
-    addBody(bodies, support::floorPlane());
+    addBody(bodies, support::floorPlane(), bodies.count());
     BodyDef ball = support::body(Shape::sphere(0.5), {0, 0.7, 0});
-    addBody(bodies, ball);
+    addBody(bodies, ball, bodies.count());
     ContactFinder slow, fast;
     findContacts(bodies, slow, 0.02, support::kStep);
     bodies.velocities[1].linear = {0, -18, 0};  // 30 cm a step

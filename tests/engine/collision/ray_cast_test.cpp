@@ -153,6 +153,43 @@ TEST_F(Rays, ChangeNothing) {
     EXPECT_EQ(world.hash(), before);
 }
 
+// The tree of bounds against every body by itself, while bodies fly, come, go and are put
+// elsewhere.
+TEST(RayCast, FindsTheFirstOfAllBodies) {
+    support::Random random(5);
+    World world;
+    world.add(support::floorPlane());
+    std::vector<BodyId> bodies;
+    const auto place = [&] { return Vec3(8.0 * random.vector(1)); };
+    const auto add = [&] {
+        const double size = random.number(0.1, 1.0);
+        const bool ball = random.number(0, 1) < 0.5;
+        bodies.push_back(world.add(support::body(
+            ball ? Shape::sphere(size) : Shape::box({size, 1.0, 2.0 * size}), place())));
+        world.setVelocity(bodies.back(), 5.0 * random.vector(1), random.vector(1));
+    };
+    for (int i = 0; i < 100; ++i) add();
+    int hits = 0;
+    for (int step = 0; step < 40; ++step) {
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 from = place(), to = step % 3 ? place() : Vec3(from + Vec3(0, -9, 0));
+            double nearest = 2.0;
+            for (const BodyId id : bodies)
+                if (const auto hit = enterShape(world.def(id).shape, world.pose(id), from, to))
+                    nearest = smaller(nearest, hit->fraction);
+            if (const auto floor = enterShape(world.def({0}).shape, world.pose({0}), from, to))
+                nearest = smaller(nearest, floor->fraction);
+            const auto seen = world.castRay(from, to);
+            EXPECT_EQ(seen ? seen->fraction : 2.0, nearest) << step << " " << k;
+            hits += seen.has_value();
+        }
+        if (step % 4 == 1) world.step(support::kStep);
+        if (step % 4 == 2) world.setPose(bodies[step], {place(), Quat::Identity()});
+        if (step % 4 == 3) world.remove(bodies.front()), bodies.erase(bodies.begin()), add();
+    }
+    EXPECT_GT(hits, 500);
+}
+
 TEST(RaysDeathTest, OfNoPlaceAreTheCallersBug) {
     const World world;
     EXPECT_DEATH(world.castRay({std::nan(""), 0, 0}, {0, 1, 0}), "finite place");

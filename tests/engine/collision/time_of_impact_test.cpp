@@ -17,7 +17,7 @@ Motion moving(const Shape& shape, const Vec3& at, const Vec3& velocity,
     Bodies bodies;
     BodyDef def = support::body(shape, at);
     def.velocity = velocity, def.spin = spin;
-    addBody(bodies, def);
+    addBody(bodies, def, bodies.count());
     return motionOf(bodies, 0, kStep);
 }
 
@@ -101,10 +101,10 @@ double gapAt(const Bodies& bodies, const Contact& c, int i = 0) {
 TEST(MovingContact, HasTheNormalOfTheImpact) {
     // A ball flies past the wall's end toward a post: at first the nearest face is not the one it hits.
     Bodies bodies;
-    addBody(bodies, support::fixed(Shape::box({0.2, 2, 2})));
+    addBody(bodies, support::fixed(Shape::box({0.2, 2, 2})), bodies.count());
     BodyDef ball = support::body(Shape::sphere(0.05), {-2, 1.5, 0});
     ball.velocity = {200, -100, 0};
-    addBody(bodies, ball);
+    addBody(bodies, ball, bodies.count());
     const Contact c = onlyContact(bodies);
     EXPECT_NEAR(c.normal.x(), -1.0, 1e-12);
     EXPECT_NEAR(gapAt(bodies, c), 1.85, 1e-3);  // along x, from face to ball
@@ -112,10 +112,10 @@ TEST(MovingContact, HasTheNormalOfTheImpact) {
 
 TEST(MovingContact, CountsTheTurnIntoTheWayToGo) {
     Bodies bodies;
-    addBody(bodies, support::floorPlane());
+    addBody(bodies, support::floorPlane(), bodies.count());
     BodyDef rod = support::body(Shape::box({2, 0.01, 0.01}), {0, 0.5, 0});
     rod.spin = {0, 0, 60};
-    addBody(bodies, rod);
+    addBody(bodies, rod, bodies.count());
     const Contact c = onlyContact(bodies);
     double least = 1e9;
     for (int i = 0; i < c.count; ++i) least = smaller(least, gapAt(bodies, c, i));
@@ -125,10 +125,10 @@ TEST(MovingContact, CountsTheTurnIntoTheWayToGo) {
 
 TEST(MovingContact, NoneForAPairThatPasses) {
     Bodies bodies;
-    addBody(bodies, support::fixed(Shape::box({0.1, 3, 0.1})));
+    addBody(bodies, support::fixed(Shape::box({0.1, 3, 0.1})), bodies.count());
     BodyDef ball = support::body(Shape::sphere(0.05), {-2, 0, 0.4});
     ball.velocity = {200, 0, 0};
-    addBody(bodies, ball);
+    addBody(bodies, ball, bodies.count());
     ContactFinder finder;
     findContacts(bodies, finder, 0.02, kStep);
     EXPECT_TRUE(finder.contacts.empty());
@@ -137,7 +137,7 @@ TEST(MovingContact, NoneForAPairThatPasses) {
 TEST(MovingContact, ABodyAboutToBeHitSeesItsNeighbour) {
     Bodies bodies;
     for (const double x : {0.0, 0.5, 0.8})
-        addBody(bodies, support::body(Shape::sphere(0.05), {x, 0, 0}));
+        addBody(bodies, support::body(Shape::sphere(0.05), {x, 0, 0}), bodies.count());
     ContactFinder calm, hit;
     findContacts(bodies, calm, 0.02, kStep);
     EXPECT_TRUE(calm.contacts.empty());
@@ -153,8 +153,8 @@ TEST(BroadPhase, SeesWhereASpinningRodWillBe) {
     Bodies bodies;
     BodyDef rod = support::body(Shape::box({2, 0.02, 0.02}), {0, 0, 0});
     rod.spin = {0, 0, 60};
-    addBody(bodies, rod);
-    addBody(bodies, support::body(Shape::sphere(0.05), {0.6, 0.6, 0}));
+    addBody(bodies, rod, bodies.count());
+    addBody(bodies, support::body(Shape::sphere(0.05), {0.6, 0.6, 0}), bodies.count());
     BroadPhase broad;
     broad.update(bodies, 0.02, kStep);
     EXPECT_EQ(broad.pairs().size(), 1u);

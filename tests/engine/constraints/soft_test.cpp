@@ -129,7 +129,7 @@ TEST(PointBlock, HoldsAClosedLoop) {
     double worst = 0.0;
     for (int i = 0; i < 300; ++i) {
         world.step(support::kStep);
-        worst = larger(worst, world.report().worstSeparation);
+        worst = larger(worst, world.errors().separation);
     }
     EXPECT_LT(worst, 2e-3);
 }

@@ -14,7 +14,7 @@ namespace {
 // keeps v^2 + w^2 x^2 - h w^2 x v, so the bounds are 1 / (1 +- h w / 2) = 60/61 and 60/59.
 TEST(SemiImplicitEuler, KeepsAnOscillatorsEnergyBounded) {
     Bodies bodies;
-    addBody(bodies, support::body(Shape::sphere(0.1), {1, 0, 0}, 1.0));
+    addBody(bodies, support::body(Shape::sphere(0.1), {1, 0, 0}, 1.0), bodies.count());
     std::vector<Load> spring(1);
     double low = 1.0, high = 1.0;
     for (int i = 0; i < 60000; ++i) {
@@ -43,7 +43,7 @@ TEST(Momentum, IsKeptToTheLastBitsByTheFreeTurn) {
     Bodies bodies;
     BodyDef def = support::body(Shape::box({1, 2, 4}), Vec3::Zero());
     def.spin = {0.1, 5.0, 0.1};
-    addBody(bodies, def);
+    addBody(bodies, def, bodies.count());
     const Vec3 before = momentumOf(bodies).angular;
     for (int i = 0; i < 2400; ++i) integratePositions(bodies, Gyroscope::momentum, 1.0 / 240);
     EXPECT_LT((momentumOf(bodies).angular - before).norm(), 1e-11 * before.norm());
@@ -55,7 +55,7 @@ TEST(InverseMass, OfAFixedOrKinematicBodyIsZero) {
         BodyDef def = support::body(Shape::box({1, 2, 3}), Vec3::Zero(), 5.0);
         def.kind = kind;
         Bodies bodies;
-        addBody(bodies, def);
+        addBody(bodies, def, bodies.count());
         EXPECT_EQ(bodies.inverseMasses[0].linear, 0.0);
         EXPECT_TRUE(bodies.inverseMasses[0].angular.isZero(0.0));
     }
@@ -64,12 +64,12 @@ TEST(InverseMass, OfAFixedOrKinematicBodyIsZero) {
 // Gravity does not turn anything, and a fixed or kinematic body feels no force.
 TEST(Forces, ActOnDynamicBodiesOnly) {
     Bodies bodies;
-    addBody(bodies, support::body(Shape::sphere(0.5), Vec3::Zero(), 2.0));
-    addBody(bodies, support::fixed(Shape::sphere(0.5)));
+    addBody(bodies, support::body(Shape::sphere(0.5), Vec3::Zero(), 2.0), bodies.count());
+    addBody(bodies, support::fixed(Shape::sphere(0.5)), bodies.count());
     BodyDef told = support::body(Shape::sphere(0.5), Vec3::Zero());
     told.kind = BodyKind::kinematic;
     told.velocity = {1, 0, 0};
-    addBody(bodies, told);
+    addBody(bodies, told, bodies.count());
     bodies.loads[0].force = {4, 0, 0};
     applyForces(bodies, {0, -10, 0}, {});
     integrateVelocities(bodies, Gyroscope::none, 0.5);

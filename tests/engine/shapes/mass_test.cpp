@@ -75,7 +75,7 @@ TEST(Mass, WorldInertiaIsRIR) {
     EXPECT_LT((inertiaOf(def.shape, 12.0).diagonal() - Vec3(20, 17, 5)).norm(), 1e-12);
     def.pose.rotation = turnAbout(Vec3::UnitZ(), radians(90));
     Bodies bodies;
-    addBody(bodies, def);
+    addBody(bodies, def, bodies.count());
     const Vec3 dw = bodies.inverseMasses[0].angular * Vec3(0, 1, 0).cross(Vec3(0, 0, 1));
     EXPECT_LT((dw - Vec3(1.0 / 17.0, 0, 0)).norm(), 1e-15);
 }
@@ -87,7 +87,7 @@ TEST(Mass, ATensorWithProductsOfInertiaWorks) {
     def.inertia = inertia;
     def.pose.rotation = Quat(0.5, -0.1, 0.7, 0.2).normalized();
     Bodies bodies;
-    addBody(bodies, def);
+    addBody(bodies, def, bodies.count());
     const Mat3 r = bodies.poses[0].rotation.toRotationMatrix();
     const Mat3 expected = (r * inertia * r.transpose()).inverse();
     EXPECT_LT((bodies.inverseMasses[0].angular - expected).norm(), 1e-14);
@@ -97,7 +97,7 @@ TEST(Mass, AnInertiaThatIsNoneStopsTheProgram) {
     BodyDef def = support::body(Shape::sphere(1), Vec3::Zero());
     def.inertia = Mat3(Vec3(1, 1, -1).asDiagonal());
     Bodies bodies;
-    EXPECT_DEATH(addBody(bodies, def), "positive definite");
+    EXPECT_DEATH(addBody(bodies, def, bodies.count()), "positive definite");
 }
 
 }  // namespace

@@ -18,14 +18,14 @@ struct Jointed {
     support::Random random;
 
     Jointed(int count, std::uint64_t seed) : random(seed) {
-        addBody(bodies, support::hook());
+        addBody(bodies, support::hook(), bodies.count());
         for (int i = 1; i < count; ++i) {
             const Vec3 moments = random.vector(1).cwiseAbs() + Vec3::Constant(1.0);
             BodyDef def = support::body(Shape::sphere(0.5), random.vector(3), random.number(0.3, 9));
             def.inertia = Mat3(moments.asDiagonal());
             def.pose.rotation = random.rotation();
             def.velocity = random.vector(3), def.spin = random.vector(3);
-            addBody(bodies, def);
+            addBody(bodies, def, bodies.count());
         }
     }
     /// The anchors meet; a rod is as long as it is.

@@ -1,0 +1,40 @@
+/// Numbers of things that come and go, used again: a number and its generation name one thing.
+/// What is removed keeps its number through the next step, which still has to tell of it.
+#pragma once
+#include <vector>
+
+namespace engine {
+
+class Slots {
+public:
+    /// A number for a new thing: one that is free, else the next.
+    int take() {
+        if (free_.empty()) {
+            generations_.push_back(0);
+            return static_cast<int>(generations_.size()) - 1;
+        }
+        const int i = free_.back();
+        free_.pop_back();
+        ++generations_[i];
+        return i;
+    }
+    void remove(int i) { removed_.push_back(i); }
+    /// Whether this number and generation is, or was the last to be, in its slot.
+    bool knows(int i, unsigned generation) const {
+        return i >= 0 && i < static_cast<int>(generations_.size()) &&
+               generations_[i] == generation;
+    }
+    unsigned generation(int i) const { return generations_[i]; }
+
+    void beginStep() { leaving_.swap(removed_); }
+    void endStep() {
+        free_.insert(free_.end(), leaving_.begin(), leaving_.end());
+        leaving_.clear();
+    }
+
+private:
+    std::vector<unsigned> generations_;
+    std::vector<int> removed_, leaving_, free_;
+};
+
+}  // namespace engine
