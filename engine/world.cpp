@@ -9,6 +9,7 @@
 #include "engine/dynamics/forces.h"
 #include "engine/dynamics/integration.h"
 #include "engine/solver/nudges.h"
+#include "engine/solver/prepare_contacts.h"
 #include "engine/solver/solve.h"
 #include "engine/world_joints.h"
 #include "engine/world_sleep.h"
@@ -38,16 +39,15 @@ bool World::step(double dt) {
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
         s.phase(Phase::forces, i);
-        evaluateForces(*this, s, i, h);  // forces/force.cpp
+        evaluateForces(*this, s, i, h);                  // world_state.cpp, forces/
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp
 
         s.phase(Phase::velocities, i);
         integrateVelocities(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
 
         s.phase(Phase::impulses, i);
-        updateSeparations(s.bodies, s.solver);
-        solveConstraints(s.solver, s.bodies.velocities, s.settings, h,
-                         s.report);  // solver/impulses.cpp, eight at a time solver/lanes.cpp
+        updateSeparations(s.bodies, s.solver);  // solver/prepare_contacts.cpp
+        solveConstraints(s.solver, s.bodies.velocities, s.settings, h, s.report);  // solver/solve.cpp
 
         s.phase(Phase::positions, i);
         integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
@@ -57,7 +57,7 @@ bool World::step(double dt) {
         solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);
-    return endStep(s, dt);  // collision/contacts.cpp, solved in the next step
+    return endStep(s, dt);  // world_state.cpp: collision/contacts.cpp, solved in the next step
 }
 
 BodyId World::add(const BodyDef& def) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/forces/force.h"
+#include "engine/solver/prepare_contacts.h"
 #include "engine/world_joints.h"
 #include "engine/world_sleep.h"
 

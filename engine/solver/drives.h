@@ -1,7 +1,7 @@
 /// Limits, motors and springs of joints in a step (constraints/drive.h). A joint that has some is
 /// solved as ever, in its tree or in the sweep, and these rows come after it.
 #pragma once
-#include "engine/solver/prepare.h"
+#include "engine/solver/solver.h"
 
 namespace engine {
 

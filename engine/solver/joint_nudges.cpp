@@ -2,7 +2,7 @@
 
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/drives.h"
-#include "engine/solver/lanes.h"
+#include "engine/solver/solve.h"
 #include "engine/solver/nudges.h"
 #include "engine/solver/prepare_joints.h"
 

@@ -6,7 +6,7 @@
 /// lose two thirds. It is faded out where an error is no longer small against the lever arm, and only
 /// for trees that are solved exactly: fed back, what the forests of a cloth leave each other explodes.
 #pragma once
-#include "engine/solver/prepare.h"
+#include "engine/solver/solver.h"
 
 namespace engine {
 

@@ -2,7 +2,7 @@
 
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/joint_nudges.h"
-#include "engine/solver/lanes.h"
+#include "engine/solver/prepare_contacts.h"
 
 namespace engine {
 namespace {
@@ -48,6 +48,26 @@ void nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solv
         for (int k = i + 1; k < contact.count; ++k)
             q[k] += coupling(row, rowAlong(contact, k, contact.n)) * lambda;
     }
+}
+
+void move(Pose& pose, const WideVelocity& way) {
+    const Vec3 ahead = Eigen::Vector3f(way.linear).cast<double>();
+    const Vec3 turn = Eigen::Vector3f(way.angular).cast<double>();
+    if (ahead.isZero(0.0) && turn.isZero(0.0)) return;
+    pose.position += ahead;
+    pose.rotation = cayley(turn, pose.rotation);
+}
+
+/// One nudge of all contacts in lanes, unless none is needed. True: bodies were moved.
+bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
+    if (!s.wide.separate(bodies, settings.slop)) return false;
+    const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
+    constexpr int kLeast = 512;  // bodies a thread
+    s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            if (bodies.isDynamic(i)) move(bodies.poses[i], ways[i]);
+    });
+    return true;
 }
 
 /// True: some body may have moved.

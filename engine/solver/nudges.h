@@ -4,7 +4,7 @@
 /// sweep. What is taken away from an error this way never becomes velocity: a body pushed out of the
 /// floor does not jump.
 #pragma once
-#include "engine/solver/prepare.h"
+#include "engine/solver/solver.h"
 
 namespace engine {
 

@@ -1,6 +1,6 @@
 /// From a world's joints to rows and trees.
 #pragma once
-#include "engine/solver/prepare.h"
+#include "engine/solver/solver.h"
 
 namespace engine {
 

@@ -1,93 +1,84 @@
 #include "engine/solver/solve.h"
 
-#include "engine/solver/direct.h"
-#include "engine/solver/exact_velocities.h"
 #include "engine/solver/impulses.h"
-#include "engine/solver/lanes.h"
-#include "engine/solver/pgs.h"
-#include "engine/solver/pgs_matrix.h"
+#include "engine/solver/methods.h"
 
 namespace engine {
 namespace {
 
-using Velocities = std::span<Velocity>;
-
-/// The velocities that the forces so far would give.
-double distanceOf(const GlobalRows& g, Velocities v, const ExactVelocities& exact) {
-    std::vector<Velocity> now(v.begin(), v.end());
-    std::vector<double> impulses = g.force;
-    for (double& lambda : impulses) lambda *= g.h;
-    addAlongRows(g, impulses, now);
-    return exact.distance(now);
+/// Sweep i of a group, beside those of the others.
+void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& swept) {
+    if (report.size() <= i) report.emplace_back();
+    report[i].residual = larger(report[i].residual, swept.residual);
+    report[i].delta += swept.delta;
 }
 
-template <class Method>
-void solveByForces(Constraints& c, Velocities v, const Settings& settings, double h,
-                   StepReport& report) {
-    beginSolving(c, v, settings, h);
-    GlobalRows g = globalRows(c, v, settings, h);
-    const ExactVelocities exact(c, v, settings, h);
-    Method method(g, static_cast<int>(v.size()));
-    sweepUntilSatisfied(settings, report.sweeps, [&] {
-        SweepReport swept = method.sweep();
-        if (settings.compareExact) swept.distance = distanceOf(g, v, exact);
-        return swept;
-    });
-    takeForces(g, c, v);
-    bookImpulses(c);
+/// The joints' share of a sweep; contacts see what it changed, and it sees what they did.
+SweepReport sweepJoints(Solver& s, std::span<Velocity> v, const Settings& settings) {
+    const std::span<const int> shared = s.wide.groups().jointedBodies();
+    s.wide.give(v, shared);
+    const SweepReport swept = sweep(s.constraints, s.trees, v, settings);
+    s.wide.take(v, shared);
+    return swept;
 }
 
-/// Keeps what most needs to be said of a step's sub-steps.
-void keepWorst(const DirectReport& now, DirectReport& kept) {
-    const auto badness = [](const DirectReport& r) {
-        return (r.found ? 0 : 1 << 20) + (r.contradiction ? 1 << 19 : 0) + (r.rows - r.rank);
-    };
-    if (badness(now) >= badness(kept)) kept = now;
-}
-
-void solveDirectly(Constraints& c, Velocities v, const Settings& settings, double h,
-                   StepReport& report) {
-    beginSolving(c, v, settings, h);
-    GlobalRows g = globalRows(c, v, settings, h);
-    const std::optional<DirectReport> solved = solveDirect(g, c, static_cast<int>(v.size()));
-    if (!solved) {
-        report.trouble = Trouble::tooManyRows;
+void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
+                std::size_t first, std::vector<SweepReport>& report) {
+    const bool joints = group == 0 && s.wide.groups().hasJoints();
+    const bool atOnce = joints && solvedAtOnce(s);
+    const int most = atOnce ? smaller(settings.sweeps, 1)
+                     : s.wide.groups().moving(group)
+                         ? smaller(settings.movingSweeps, settings.sweeps)
+                         : settings.sweeps;
+    if (s.wide.isLarge(group)) {
+        std::size_t i = first;
+        for (const SweepReport& swept :
+             s.wide.solveLarge(group, {settings.minSweeps, most, settings.tolerance}))
+            merge(report, i++, swept);
         return;
     }
-    keepWorst(*solved, report.direct);
-    double sum = 0.0;
-    for (const double force : g.force) sum += std::abs(h * force);
-    report.sweeps.push_back({0.0, sum, settings.compareExact ? 0.0 : -1.0});
-    takeForces(g, c, v);
-    bookImpulses(c);
+    s.wide.warmStart(group);
+    for (int i = 0; i < most; ++i) {
+        SweepReport swept = joints ? sweepJoints(s, v, settings) : SweepReport{};
+        const SweepReport contacts = s.wide.sweep(group);
+        swept.residual = larger(swept.residual, contacts.residual);
+        swept.delta += contacts.delta;
+        if (atOnce) swept.residual = 0.0;
+        merge(report, first + i, swept);
+        if (i + 1 >= settings.minSweeps && swept.residual < settings.tolerance) return;
+    }
+}
+
+void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
+                  std::vector<SweepReport>& report) {
+    if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
+        return;  // all asleep, or in free flight
+    beginSolving(s.constraints, v, settings, h);  // of the joints
+    s.wide.begin(v, settings, h);
+    const std::size_t first = report.size();
+    const std::span<const int> shared = s.wide.groups().jointedBodies();
+    s.wide.give(v, shared);
+    warmStart(s.constraints, v, settings);
+    s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / h, v);
+    s.wide.take(v, shared);
+    for (int group = 0; group < s.wide.groups().count(); ++group)
+        solveGroup(s, group, v, settings, first, report);
+    s.wide.finish(v);
 }
 
 }  // namespace
 
-void solveConstraints(Constraints& c, JointTrees& trees, std::span<Velocity> v,
-                      const Settings& settings, double h, StepReport& report) {
-    switch (settings.method) {
-        case Method::impulses:
-            solveImpulses(c, trees, v, settings, h, report.sweeps);
-            break;
-        case Method::pgs:
-            solveByForces<Pgs>(c, v, settings, h, report);
-            break;
-        case Method::pgsMatrix:
-            solveByForces<PgsMatrix>(c, v, settings, h, report);
-            break;
-        case Method::direct:
-            solveDirectly(c, v, settings, h, report);
-            break;
-    }
+bool solvedAtOnce(const Solver& s) {
+    const bool touched = s.lanes && !s.wide.groups().jointedBodies().empty();
+    return !touched && solvedAtOnce(s.constraints, s.trees);
 }
 
 void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
                       StepReport& report) {
     if (solver.lanes)
-        solveInLanes(solver, v, settings, h, report.sweeps);
+        solveIslands(solver, v, settings, h, report.sweeps);
     else
-        solveConstraints(solver.constraints, solver.trees, v, settings, h, report);
+        solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
 }
 
 }  // namespace engine

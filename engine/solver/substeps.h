@@ -10,7 +10,7 @@
 /// once and down only after a second that fewer would have done for: a symplectic integrator keeps its
 /// energy only while its step stays the same.
 #pragma once
-#include "engine/solver/prepare.h"
+#include "engine/solver/solver.h"
 
 namespace engine {
 

@@ -5,18 +5,20 @@
 #include "demos/text/file_content.h"
 #include "render/encode/png_read.h"
 #include "tests/docs/texts.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
 using namespace docs;
 
 const std::string kRootText = readmeOf(IMPULSE_SOURCE_DIR);
+const std::string kScenesText = readmeOf(demosFolder("scenes"));
 
-TEST(Readme, NamesEveryBuiltInSceneAndNoOther) {
+TEST(ScenesReadme, NamesEveryBuiltInSceneAndNoOther) {
     const std::set<std::string> listed =
         matches(outputOf("list --json"), R"re("scene":"([a-z-]+)")re");
     EXPECT_GE(listed.size(), 34u);
-    EXPECT_EQ(matches(kRootText, R"(\n\| `([a-z-]+)` \|)"), listed);
+    EXPECT_EQ(matches(kScenesText, R"(\n\| `([a-z-]+)` \|)"), listed);
 }
 
 TEST(Readme, OpensWithTheTwoCommands) {
@@ -36,9 +38,9 @@ TEST(Readme, ItsCommandsExist) {
 }
 
 /// As large as the command below it makes it of today's scenes, and fit for a page.
-TEST(Readme, ItsGalleryHoldsEveryScene) {
+TEST(ScenesReadme, ItsGalleryHoldsEveryScene) {
     const std::string command = R"(`impulse gallery -o (\.github/gallery\.png --size \d+x\d+ --columns \d+)`)";
-    const std::set<std::string> found = matches(kRootText, command);
+    const std::set<std::string> found = matches(kScenesText, command);
     ASSERT_EQ(found.size(), 1u);
     int width = 0, height = 0, columns = 0;
     ASSERT_EQ(std::sscanf(found.begin()->c_str(), ".github/gallery.png --size %dx%d --columns %d",
@@ -54,6 +56,36 @@ TEST(Readme, ItsGalleryHoldsEveryScene) {
     EXPECT_EQ(image.width, layout.width);
     EXPECT_EQ(image.height, layout.height);
     EXPECT_NE(outputOf("gallery --help").find("--columns"), std::string::npos);
+}
+
+/// The text of a fenced block.
+std::string blockOf(const std::string& language) {
+    const std::string begin = "\n```" + language + "\n";
+    const std::size_t at = kRootText.find(begin);
+    if (at == std::string::npos) return {};
+    const std::size_t first = at + begin.size();
+    return kRootText.substr(first, kRootText.find("```", first) - first);
+}
+
+TEST(Readme, ItsSceneIsOne) {
+    const std::string scene = blockOf("toml");
+    ASSERT_FALSE(scene.empty());
+    const support::TemporaryFolder folder;
+    std::ofstream(folder.path() / "my.toml") << scene;
+    const std::string said = outputOf("sim " + (folder.path() / "my.toml").string());
+    EXPECT_NE(said.find("my: 240 steps"), std::string::npos) << said;
+}
+
+TEST(Readme, ItsLinesOfCppAreOfTheExample) {
+    const std::string example =
+        textOf(fs::path(IMPULSE_SOURCE_DIR) / "demos/examples/engine_alone/main.cpp");
+    std::istringstream lines(blockOf("cpp"));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {
+        if (line.ends_with(';')) line.pop_back();
+        EXPECT_NE(example.find(line), std::string::npos) << line;
+    }
+    EXPECT_GE(count, 8);
 }
 
 TEST(Readme, ShowsTheExamplesOwnLines) {
@@ -81,7 +113,9 @@ TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
 TEST(Readme, ItsLinksLeadSomewhere) {
     for (const char* file :
          {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
-          "demos/scene/README.md", "demos/export/README.md", "demos/figure/README.md", "demos/regression/README.md", "demos/regression/in-ci.md", "demos/slides/README.md",
+          "demos/scene/README.md", "demos/scenes/README.md", "demos/film/README.md",
+          "demos/mjcf/README.md", "demos/export/README.md", "demos/figure/README.md",
+          "demos/regression/README.md", "demos/regression/in-ci.md", "demos/slides/README.md",
           "tests/README.md"}) {
         const fs::path path = fs::path(IMPULSE_SOURCE_DIR) / file;
         for (const std::string& link : matches(textOf(path), R"(\]\(([^)#:]+)\))"))

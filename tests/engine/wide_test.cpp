@@ -2,7 +2,7 @@
 // same answers as rows in double precision.
 #include <gtest/gtest.h>
 
-#include "engine/solver/prepare.h"
+#include "engine/solver/prepare_contacts.h"
 #include "engine/wide/contact_kernels.h"
 #include "engine/wide/schedule.h"
 #include "tests/support/worlds.h"

@@ -143,6 +143,63 @@ TEST(Layering, NoSourceLiesLooseInDemos) {
             << entry.path();
 }
 
+/// The lines of a fenced block of a README.
+std::vector<std::string> blockOf(const std::string& readme, const std::string& name) {
+    const std::string text = textOf(readme), begin = "```" + name + "\n";
+    const std::size_t at = text.find(begin);
+    if (at == std::string::npos) return {};
+    const std::size_t first = at + begin.size();
+    std::istringstream block(text.substr(first, text.find("```", first) - first));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(block, line);) lines.push_back(line);
+    return lines;
+}
+
+/// A function that begins at the left edge: its definition, and not a call.
+bool defines(const std::string& file, const std::string& function) {
+    return std::regex_search(textOf(file), std::regex("\n\\w[^\n;]*\\b" + function + "\\("));
+}
+
+// The comments in World::step and the tables of the README name the file that has the function.
+TEST(Signposts, OfTheStepPointToTheFunctions) {
+    const std::string text = textOf("engine/world.cpp"), begin = "bool World::step(";
+    const std::size_t at = text.find(begin);
+    ASSERT_NE(at, std::string::npos);
+    const std::string step = text.substr(at, text.find("\n}\n", at) - at);
+    const std::regex post(R"((\w+)\([^\n]*;  // ([a-z_/]+\.cpp))");
+    int posts = 0;
+    for (std::sregex_iterator match(step.begin(), step.end(), post), end; match != end; ++match) {
+        EXPECT_TRUE(defines("engine/" + (*match)[2].str(), (*match)[1])) << match->str();
+        ++posts;
+    }
+    EXPECT_GE(posts, 7);
+    const std::regex row(R"(^(\w+) .* ([a-z_]+/[a-z_]+\.cpp))");
+    const std::vector<std::string> rows = blockOf("engine/README.md", "steps");
+    EXPECT_EQ(rows.size(), 6u);
+    for (const std::string& line : rows) {
+        std::smatch match;
+        ASSERT_TRUE(std::regex_search(line, match, row)) << line;
+        EXPECT_TRUE(defines("engine/" + match[2].str(), match[1])) << line;
+    }
+}
+
+TEST(Signposts, FromTheStepToTheArithmeticItIsThreeCalls) {
+    const std::vector<std::string> hops = blockOf("engine/README.md", "hops");
+    ASSERT_EQ(hops.size(), 4u);
+    std::string above;
+    for (const std::string& line : hops) {
+        std::istringstream words(line);
+        std::string function, file;
+        words >> function >> file;
+        EXPECT_TRUE(defines("engine/" + file, "(?:\\w+::)?" + function)) << line;
+        const bool called =
+            above.empty() ||
+            std::regex_search(textOf(above), std::regex("[ .>]" + function + "\\("));
+        EXPECT_TRUE(called) << above << " does not call " << function;
+        above = "engine/" + file;
+    }
+}
+
 TEST(Layering, RenderKnowsNoPhysics) {
     for (const Include& i : includesOf("render"))
         EXPECT_FALSE(startsWith(i.header, "engine/") || startsWith(i.header, "demos/"))

@@ -7,6 +7,7 @@
 #include "engine/base/trigonometry.h"
 #include "engine/shapes/inside.h"
 #include "engine/world.h"
+#include "tests/support/worlds.h"
 
 namespace engine {
 namespace {

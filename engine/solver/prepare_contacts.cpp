@@ -1,4 +1,4 @@
-#include "engine/solver/prepare.h"
+#include "engine/solver/prepare_contacts.h"
 
 #include <algorithm>
 

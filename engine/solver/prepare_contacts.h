@@ -1,23 +1,8 @@
 /// From this step's contacts to rows, and back to the impulses that persist.
 #pragma once
-#include <cstdint>
-
-#include "engine/constraints/contact.h"
-#include "engine/solver/constraints.h"
-#include "engine/wide/wide_contacts.h"
+#include "engine/solver/solver.h"
 
 namespace engine {
-
-/// Everything the solver of a world keeps from one sub-step to the next.
-struct Solver {
-    Constraints constraints;
-    Workers workers;
-    WideContacts wide;               // the contacts instead, when they are solved in lanes
-    bool lanes = false;              // they are
-    JointTrees trees;
-    std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
-    std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
-};
 
 /// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a
 /// step that making them anew every sub-step costs a third more and steadies nothing.

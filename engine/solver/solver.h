@@ -1,0 +1,22 @@
+/// What the solver of a world keeps from one sub-step to the next.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "engine/constraints/contact.h"
+#include "engine/solver/constraints.h"
+#include "engine/wide/wide_contacts.h"
+
+namespace engine {
+
+struct Solver {
+    Constraints constraints;
+    Workers workers;
+    WideContacts wide;               // the contacts instead, when they are solved in lanes
+    bool lanes = false;              // they are
+    JointTrees trees;
+    std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
+    std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
+};
+
+}  // namespace engine
