@@ -9,7 +9,7 @@
 namespace engine {
 
 /// dynamic: moved by forces and impulses. fixed: never moves, to the bit (a static body; the word
-/// is taken by the language). kinematic: moves as told by its velocity, whatever hits it.
+/// is taken by the language). kinematic: moves as prescribed by its velocity, whatever hits it.
 enum class BodyKind { dynamic, fixed, kinematic };
 
 /// A body of a world. Numbers are 0, 1, 2 ... in the order of adding; that of a removed body is used

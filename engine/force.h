@@ -83,7 +83,7 @@ struct ForceId {
 using ForceKind = std::variant<ConstantForce, Drag, Medium, PointGravity, NBodyGravity,
                                SpringForce, Airfoil>;
 
-/// A force: what it is, on which bodies, and when. Every sub-step asks it anew, with the bodies where
+/// A force: what it is, on which bodies, and when. Every sub-step asks it again, with the bodies where
 /// they are by then.
 struct ForceDef {
     ForceKind kind;

@@ -69,7 +69,7 @@ public:
     /// Other limits, motor and spring of one coordinate of a joint, from the next step on.
     void setFreedom(JointId id, int coordinate, const Freedom& freedom);
 
-    /// Contacts are found anew before the next step. A rotation is normalised.
+    /// Contacts are found again before the next step. A rotation is normalised.
     void setPose(BodyId id, const Pose& pose);
     /// m/s and rad/s, world axes; of a dynamic or kinematic body.
     void setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin);

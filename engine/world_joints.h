@@ -18,7 +18,7 @@ double separationOf(const WorldState& s, const Joint& joint);
 void followJoints(WorldState& s);
 bool breakJoints(WorldState& s);
 
-/// The caller has put a body elsewhere: its place on a path is looked for anew.
+/// The caller has put a body elsewhere: its place on a path is looked for again.
 void findOnPaths(WorldState& s, int body);
 
 /// A motor that wants to turn something keeps it awake.

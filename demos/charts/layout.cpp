@@ -66,7 +66,7 @@ float widest(const std::vector<std::string>& texts, float pixels) {
     return most;
 }
 
-/// Values that are told for want of round ones between them.
+/// Values that are labelled for want of round ones between them.
 void addEnds(const DataRange& range, Axis& axis) {
     axis.ticks = {range.low, range.high};
     axis.texts = {fmt::format("{:.3g}", range.low), fmt::format("{:.3g}", range.high)};

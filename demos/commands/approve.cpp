@@ -68,8 +68,8 @@ void checkContract(const SceneVerdict& scene) {
     for (const ExpectationResult& result : scene.expectations)
         if (!result.passed)
             throw Stop(Exit::failed,
-                       fmt::format("{}: the expectation '{}' failed, which no baseline can mend; "
-                                   "mend the scene or its [[expect]], and test again",
+                       fmt::format("{}: the expectation '{}' failed, which no baseline can fix; "
+                                   "fix the scene or its [[expect]], and test again",
                                    printable(scene.name), printable(result.text)));
 }
 

@@ -122,7 +122,7 @@ private:
         return verdict;
     }
 
-    /// What failed is told with --quiet too, and where errors go.
+    /// What failed is reported with --quiet too, and where errors go.
     void tell(const SceneVerdict& scene) const {
         Json event = jsonOf(scene);
         event["event"] = "scene";

@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /// What goes wrong is told, and mended by the next save.
+    /// What goes wrong is reported, and mended by the next save.
     void attempt(bool first) {
         try {
             if (!first && !fs::exists(options_.scene()))
@@ -211,7 +211,7 @@ Run addWatch(CLI::App& app) {
 
 Command watchCommand() {
     return {"watch",
-            "a draft of a scene file whenever it is saved: what changed is drawn anew",
+            "a draft of a scene file whenever it is saved: what changed is drawn again",
             {"impulse watch my.toml", "impulse watch my.toml --show contacts --seconds 3",
              "impulse watch stack --once"},
             addWatch};

@@ -52,7 +52,8 @@ std::string goodRates(int hz, int wanted);
 /// far to be played to.
 int stepAt(double time, const FilmPlan& plan, const char* option);
 
-/// The scene with --set and --seconds applied; its notes are told, unless quiet. Throws SceneError.
+/// The scene with --set and --seconds applied; its notes are reported, unless quiet. Throws
+/// SceneError.
 SceneDescription sceneOf(const Options& options);
 
 /// Throws Stop (usage) where the frame rate does not divide the scene's steps a second, or the film

@@ -1,4 +1,4 @@
-/// run.json: what a run was made of and what it has written, so that it can be gone on with.
+/// run.json: what a run was made of and what it has written, so that it can be resumed.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -172,7 +172,7 @@ std::string differencesOf(const std::vector<Variant>& variants, std::size_t numb
 std::vector<Variant> variantsOf(const Options& options,
                                 const std::vector<std::vector<std::string>>& settings,
                                 const std::vector<std::string>& labels, const std::string& option) {
-    sceneOf(options);  // what is wrong with the scene itself is told once, as its own
+    sceneOf(options);  // what is wrong with the scene itself is reported once, as its own
     std::vector<Variant> variants;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         Options own = options;

@@ -5,8 +5,8 @@
 
 namespace demos {
 
-/// What a scene that fails leaves out is told; the others are made. The code of the first failure.
-/// Throws Stop (wouldOverwrite, interrupted), render::Error.
+/// What a scene that fails leaves out is reported; the others are made. The code of the first
+/// failure. Throws Stop (wouldOverwrite, interrupted), render::Error.
 Exit galleryInFolder(const GalleryOptions& options);
 
 }  // namespace demos

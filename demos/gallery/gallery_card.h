@@ -1,4 +1,4 @@
-/// What a gallery says of one scene, and how it is told between processes.
+/// What a gallery says of one scene, and how it is sent between processes.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>

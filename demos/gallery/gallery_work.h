@@ -22,8 +22,8 @@ std::optional<std::string> textOf(const PoolResult& result);
 class GalleryTroubles {
 public:
     explicit GalleryTroubles(const Talk& talk) : talk_(talk) {}
-    /// What `attempted` was given, without its mark; false: it has failed, and that is told. Throws
-    /// Stop (usage) where the command line is what is wrong.
+    /// What `attempted` was given, without its mark; false: it has failed, and that is reported.
+    /// Throws Stop (usage) where the command line is what is wrong.
     bool take(const GalleryChoice& choice, const PoolResult& result, std::string& text);
     int count() const { return count_; }
     /// Of the first that failed; ok where none has.

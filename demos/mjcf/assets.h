@@ -14,7 +14,7 @@ struct Assets {
     std::map<std::string, std::optional<unsigned>> colors;       // 0xRRGGBB of materials
 };
 
-/// The colour of rgba, or nothing; how transparent it is, is not had.
+/// The colour of rgba, or nothing; how transparent it is, is not supported.
 std::optional<unsigned> readColor(Attributes& attributes);
 
 /// `folder`: the model's.

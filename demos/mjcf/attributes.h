@@ -1,5 +1,5 @@
 /// Checked access to an element's attributes, its own and those of its default class. Values that
-/// are wrong are told, and are then as if not given.
+/// are wrong are reported, and are then as if not given.
 #pragma once
 #include <optional>
 #include <string>

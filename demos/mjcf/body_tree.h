@@ -25,8 +25,8 @@ struct Link {
     std::vector<MassProperties> masses;  // likewise: one of each <body>
     std::vector<JointElement> joints;    // none: it is free
     bool ownInertia = false;             // by an <inertial>
-    std::string lacking;                 // an element that would give it mass and is not had
-    bool refused = false;                // what of it is wrong is told: its mass is not known
+    std::string lacking;                 // an element that would give it mass and is not supported
+    bool refused = false;                // what of it is wrong is reported: its mass is not known
     Spot spot;
 };
 
@@ -40,7 +40,7 @@ struct BodyTree {
     std::vector<Link> links;
     std::vector<Geom> fixed;                    // in world axes: what no joint lets move
     std::map<std::string, Whereabouts> bodies;  // by name; "world" too
-    std::string lacking;                        // an element that would make bodies and is not had
+    std::string lacking;  // an element that would make bodies and is not supported
 };
 
 /// `root`, which has to outlive the tree: <mujoco>.

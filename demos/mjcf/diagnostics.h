@@ -21,7 +21,8 @@ public:
 
     /// Makes the model an error: what is wrong, its value, what would be right.
     void wrong(const Spot& spot, const std::string& what);
-    /// The model plays all the same. The same text of several places is told once, with the first.
+    /// The model plays all the same. The same text of several places is reported once, with the
+    /// first.
     void note(const Spot& spot, const std::string& what);
     /// An element that is for MuJoCo's own window: all of them are one note.
     void unseen(const Spot& spot, const std::string& element);

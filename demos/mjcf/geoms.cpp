@@ -171,7 +171,8 @@ private:
         if (condim == 2 || condim == 5)
             attributes_.wrong("condim", "condim is " + std::to_string(condim) +
                                             "; it should be 1, 3, 4 or 6");
-        if (condim > 3) attributes_.note("condim", "friction against torsion is not had; left out");
+        if (condim > 3)
+            attributes_.note("condim", "friction against torsion is not supported; left out");
         if (!given.empty()) geom_.friction = given.front();
         if (condim == 1) geom_.friction = 0.0;
         if (condim == 6) geom_.rolling = given.size() > 2 ? given[2] : kRolling;

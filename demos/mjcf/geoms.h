@@ -32,7 +32,7 @@ struct Geom {
     bool collides() const { return contype != 0 || conaffinity != 0; }
 };
 
-/// Nothing where it is left out, or wrong; that is told then.
+/// Nothing where it is left out, or wrong; that is reported then.
 std::optional<Geom> readGeom(const Element& element, const std::string& childclass,
                              const Context& context);
 

@@ -6,7 +6,7 @@ namespace demos::mjcf {
 
 /// hinge, slide and ball as hinge, slider and ball; two hinges across each other as a universal
 /// joint; slides and then hinges along three axes as six degrees of freedom. What else a link may
-/// have cannot be one joint, and that is told. `places`: of the links in scene.bodies.
+/// have cannot be one joint, and that is reported. `places`: of the links in scene.bodies.
 void addJoints(const BodyTree& tree, const std::vector<int>& places, const Context& context,
                SceneDescription& scene, Names& names);
 

@@ -7,9 +7,9 @@
 
 namespace demos::mjcf {
 
-/// Throws SceneError of all that is wrong. What is not had and changes the motion is in the scene's
-/// notes. `read` gives the files that a model names. `overrides` as of a scene file, but for
-/// bodies, joints and forces.
+/// Throws SceneError of all that is wrong. What is not supported and changes the motion is in the
+/// scene's notes. `read` gives the files that a model names. `overrides` as of a scene file, but
+/// for bodies, joints and forces.
 SceneDescription readModel(const std::string& text, const std::string& fileName,
                            const std::string& sceneName, const std::vector<std::string>& overrides,
                            const FileReader& read);

@@ -75,7 +75,7 @@ Element TreeReader::readFile(std::string text, const std::string& name, int dept
     const pugi::xml_node root = document.document_element();
     if (!result) {
         diagnostics_.wrong(file.spotOf(result.offset),
-                           std::string("this is no XML: ") + result.description());
+                           std::string("this is not XML: ") + result.description());
         return {};
     }
     if (root.next_sibling())

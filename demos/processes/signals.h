@@ -10,7 +10,7 @@
 namespace demos {
 
 /// From now on the first of them sets a flag; a second one ends the program at once.
-/// Called again, the count begins anew.
+/// Called again, the count begins again.
 void watchSignals();
 bool interrupted();
 

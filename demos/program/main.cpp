@@ -24,7 +24,7 @@ static void fillStandardStreams() {
 }
 
 /// A frame's buffers are some megabytes each and come again with every frame: kept by the program,
-/// they are not cleared by the system anew each time.
+/// they are not cleared by the system again each time.
 static void keepBuffers() {
 #if defined(__GLIBC__)
     constexpr int kMost = 32 << 20;  // bytes, the most that glibc takes
@@ -36,7 +36,7 @@ static void keepBuffers() {
 int main(int argc, char** argv) {
     fillStandardStreams();
     keepBuffers();
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error to be told, not a death
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error to be reported, not a death
     std::signal(SIGXFSZ, SIG_IGN);  // so is a file that may not grow
     std::fesetround(FE_TONEAREST);
 #if defined(__SSE__)

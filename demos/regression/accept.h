@@ -1,4 +1,4 @@
-/// What a test has shown becomes the baseline: files are copied, nothing is drawn anew.
+/// What a test has shown becomes the baseline: files are copied, nothing is drawn again.
 #pragma once
 #include <filesystem>
 

@@ -13,7 +13,7 @@
 
 namespace demos {
 
-/// In the order in which they are told.
+/// In the order in which they are reported.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 struct BaselinePicture {
@@ -30,7 +30,7 @@ struct Baseline {
     Settings settings;             // what may make another run differ
     std::vector<BaselinePicture> pictures;  // by time
     Trajectory trajectory;
-    std::string trajectoryText;  // as it was read: not rounded anew when it is written again
+    std::string trajectoryText;  // as it was read: not rounded again when it is written again
 };
 
 /// A baseline that cannot be used; one line.

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A baseline that cannot be read was told already; the page does without its trajectory.
+/// A baseline that cannot be read was reported already; the page does without its trajectory.
 Trajectory trajectoryIn(const fs::path& folder) try {
     std::optional<Baseline> baseline = readBaseline(folder);
     return baseline ? std::move(baseline->trajectory) : Trajectory{};

@@ -20,7 +20,7 @@ constexpr double kDepthStep = 1e-7;             // m, of penetration and separat
 /// One number over all moments, as a value of the trajectory or into it.
 using Column = std::function<double&(TrajectoryMoment&)>;
 
-/// Where what was told so far leads: to the last number, or along the last two.
+/// Where what was encoded so far leads: to the last number, or along the last two.
 class Guess {
 public:
     explicit Guess(bool straight) : straight_(straight) {}

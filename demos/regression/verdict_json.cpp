@@ -226,7 +226,7 @@ TestVerdict testVerdictFrom(const std::string& text, const std::string& name) tr
     throw;
 } catch (const std::exception&) {
     throw Stop(Exit::environment,
-               fmt::format("'{}' is no report of impulse test, or was edited; run impulse test "
+               fmt::format("'{}' is not a report of impulse test, or was edited; run impulse test "
                            "again",
                            printable(name)));
 }

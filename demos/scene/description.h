@@ -163,7 +163,8 @@ struct SceneDescription {
     std::vector<Section> sections;
     std::vector<Expectation> expectations;
     Snapshot snapshot;
-    std::vector<std::string> notes;  // what of a model of other making is not had, a line each
+    std::vector<std::string>
+        notes;  // what of a model of other making is not supported, a line each
     std::vector<std::string> files;  // that were read besides the scene's own: included, meshes, buffers
 };
 

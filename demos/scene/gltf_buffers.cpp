@@ -79,7 +79,7 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) {
         if (number == 0 && chunk_) return *chunk_;
         throw MeshFileError(numbered("buffer", number) + " has no uri and no binary chunk");
     }
-    if (!uri->is_string()) throw MeshFileError(numbered("buffer", number) + ": uri is no text");
+    if (!uri->is_string()) throw MeshFileError(numbered("buffer", number) + ": uri is not a text");
     const std::string& text = uri->get_ref<const std::string&>();
     if (!text.starts_with("data:")) {
         const std::string name = unescaped(text);

@@ -181,7 +181,7 @@ std::optional<std::string> chunkAt(const std::string& bytes, std::size_t at, std
 TriangleMesh meshOf(const std::string& text, const std::filesystem::path& folder,
                     std::optional<std::string> chunk) {
     const GltfJson file = GltfJson::parse(text, nullptr, false);
-    if (!file.is_object()) throw MeshFileError("is no JSON; it should be glTF 2.0");
+    if (!file.is_object()) throw MeshFileError("is not JSON; it should be glTF 2.0");
     const auto asset = file.find("asset");
     const bool second = asset != file.end() && asset->is_object() && asset->contains("version") &&
                         (*asset)["version"] == "2.0";
@@ -202,7 +202,7 @@ TriangleMesh gltfMesh(const std::string& text, const std::filesystem::path& fold
 TriangleMesh glbMesh(const std::string& bytes, const std::filesystem::path& folder) {
     constexpr std::uint32_t kMagic = 0x46546c67, kText = 0x4e4f534a, kBinary = 0x004e4942;
     if (bytes.size() < 12 || wordAt(bytes, 0) != kMagic || wordAt(bytes, 4) != 2)
-        throw MeshFileError("is no binary glTF of version 2");
+        throw MeshFileError("is not a binary glTF of version 2");
     const std::optional<std::string> text = chunkAt(bytes, 12, kText);
     if (!text) throw MeshFileError("has no JSON chunk, with which it should begin");
     return meshOf(*text, folder, chunkAt(bytes, 20 + text->size(), kBinary));

@@ -146,7 +146,7 @@ TriangleMesh objMesh(const std::string& text) {
     // Without a reader of materials it opens no other file.
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr,
                           true))
-        throw MeshFileError("is no OBJ file: " + error);
+        throw MeshFileError("is not an OBJ file: " + error);
     TriangleMesh mesh{lines.corners(), {}};
     for (const tinyobj::shape_t& shape : shapes)
         for (std::size_t i = 0; i + 2 < shape.mesh.indices.size(); i += 3) {

@@ -238,7 +238,7 @@ private:
     Keys keys_;
     BodyDescription body_;
     bool shapeKnown_ = false;
-    bool massless_ = false;  // a plane or mesh that could be moved: an error, which is told
+    bool massless_ = false;  // a plane or mesh that could be moved: an error, which is reported
 };
 
 }  // namespace

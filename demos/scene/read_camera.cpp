@@ -27,7 +27,7 @@ void checkView(Keys& keys, const Vec3& sight) {
 /// Between the keys the sight runs along a + s (b - a), 0 <= s <= 1: no nearer to upright than the
 /// ends may be.
 void checkWay(Keys& keys, const Vec3& a, const Vec3& b) {
-    if (isUpright(a) || isUpright(b)) return;  // is told already
+    if (isUpright(a) || isUpright(b)) return;  // is reported already
     const Vec3 way(b.x() - a.x(), 0.0, b.z() - a.z());
     const double length = way.squaredNorm();
     const double s = length > 0.0 ? std::clamp(-way.dot(a) / length, 0.0, 1.0) : 0.0;

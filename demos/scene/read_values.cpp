@@ -27,7 +27,7 @@ void readValues(Keys& top, Expressions& expressions, Complaints& complaints) {
             complaints.add(key.place, "a value is called '" + shown(key.name) + "': " + wrong);
             continue;
         }
-        // Known even if its number is wrong: that is told once.
+        // Known even if its number is wrong: that is reported once.
         expressions.define(key.name, keys.number(key.name, kNamedValue).value_or(1.0));
     }
 }

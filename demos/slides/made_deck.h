@@ -44,7 +44,7 @@ struct MadeSlide {
 struct MadeDeck {
     Deck deck;
     std::vector<MadeSlide> slides;
-    std::vector<std::string> remarks;  // what is not had, and why: a line each
+    std::vector<std::string> remarks;  // what is not supported, and why: a line each
 };
 
 }  // namespace demos

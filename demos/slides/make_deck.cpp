@@ -61,7 +61,7 @@ bool filmsAreMade(const Deck& deck, const DeckMaking& making, MadeDeck& made) {
     return false;
 }
 
-/// What of a scene is not had, once.
+/// What of a scene is not supported, once.
 void addNotes(const LoadedRuns& loaded, std::vector<std::string>& remarks) {
     for (const Variant& variant : loaded.variants)
         for (const std::string& note : variant.scene.notes)

@@ -130,7 +130,7 @@ private:
         return what.substr(0, example) + ", as in vary = \"solver.sweeps=1,4,16\"";
     }
 
-    /// What is wrong with the scene only then is told with its place in it.
+    /// What is wrong with the scene only then is reported with its place in it.
     static std::string withSettings(const std::string& line) {
         return line.starts_with("--") ? asKey(line) : "with these settings: " + line;
     }

@@ -214,7 +214,8 @@ void checkSlidesFolder(const fs::path& target, bool overwrite) {
     if (!there || fs::is_directory(folder, ignored)) checkWritable(folder);
     if (!there) return;
     if (!fs::is_directory(folder, ignored))
-        throw render::Error("cannot write '" + printable(folder.string()) + "': it is no folder");
+        throw render::Error("cannot write '" + printable(folder.string()) +
+                            "': it is not a folder");
     if (!overwrite && !isEmpty(folder))
         throw Stop(Exit::wouldOverwrite,
                    fmt::format("'{}' has files already; --overwrite replaces those that impulse "

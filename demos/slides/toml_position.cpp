@@ -84,7 +84,7 @@ std::size_t take(Cursor& cursor, char quote) {
     return 1;
 }
 
-/// A file's text where the byte of a string is written; without a quote where that cannot be told.
+/// A file's text where the byte of a string is written; without a quote where that cannot be found.
 struct Spot {
     Cursor cursor;
     char quote;

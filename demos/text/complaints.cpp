@@ -58,7 +58,7 @@ std::string printable(std::string_view text) {
 std::string shown(std::string_view text) {
     std::size_t length = 64;
     if (text.size() <= length) return std::string(text);
-    // Back to where a character begins, so that no half of one is told.
+    // Back to where a character begins, so that no half of one is shown.
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) --length;
     return std::string(text.substr(0, length)) + "...";
 }

@@ -32,7 +32,7 @@ struct DraftPlaces {
 /// What the files show. A draft that is given up may have changed them without being told.
 struct DraftFiles {
     std::vector<std::uint64_t> sums;  // by frame, FrameHasher's; 0: not known
-    bool untold = false;              // written since the last whole draft was told
+    bool untold = false;              // written since the last whole draft was reported
 
     /// Forgets what is not there any more.
     void look(const DraftPlaces& places);

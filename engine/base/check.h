@@ -1,4 +1,4 @@
-/// The caller's bugs stop the program, in every build, with the mend in the message.
+/// The caller's bugs stop the program, in every build, with the fix in the message.
 /// (Circumstances, such as a state that is no longer finite, are reported instead: StepReport.)
 #pragma once
 

@@ -1,5 +1,5 @@
 /// Which pairs of bodies are close enough to look at: a dynamic tree of fat bounds. Only a body that
-/// has left its fat bounds is put in anew and asked for its neighbours; a resting heap costs a walk
+/// has left its fat bounds is inserted again and asked for its neighbours; a resting heap costs a walk
 /// over its bodies. Planes meet everything that moves.
 #pragma once
 #include <compare>

@@ -5,13 +5,15 @@
 /// is held for one step, so it is zero here.
 /// Friction acts along two tangents t1, t2 with the same arms; its impulse is held in the cone
 ///   |lambda_t| <= mu lambda_n
-/// on accumulated values (cone.h).
+/// on accumulated values: point by point (cone.h), or where a manifold's normals are solved together,
+/// its friction together too (manifold_friction.h).
 /// (First seed, 'Constraint function' and 'The algorithm'; Catto, GDC 2006 and 2009.)
 #pragma once
 #include <array>
 
 #include "engine/constraints/cone.h"
 #include "engine/constraints/contact.h"
+#include "engine/constraints/manifold_friction.h"
 #include "engine/constraints/normal_block.h"
 
 namespace engine {
@@ -40,6 +42,7 @@ struct ContactConstraint {
     Vec3 n = Vec3::Zero(), t1 = Vec3::Zero(), t2 = Vec3::Zero();
     InverseMass massA, massB;
     NormalBlock block;
+    ManifoldFriction manifold;
     std::array<ContactRow, Contact::kMaxPoints> rows;
     ConeMass rollingMass;               // of turns about t1 and t2
     Vec2 rollingMoment = Vec2::Zero();  // N m s on b, accumulated about t1, t2
@@ -111,6 +114,9 @@ inline ContactConstraint makeContactConstraint(const Contact& contact,
         const Vec3 friction = contact.points[i].friction;
         row.friction << friction.dot(c.t1), friction.dot(c.t2);
     }
+    Vec3 armsA[Contact::kMaxPoints], armsB[Contact::kMaxPoints];
+    for (int i = 0; i < c.count; ++i) armsA[i] = points[i].armA, armsB[i] = points[i].armB;
+    c.manifold = manifoldFriction(c.n, c.t1, c.t2, c.count, armsA, armsB, massA, massB);
     c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
     if (c.rolling <= 0.0) return c;
     c.rollingMass = coneMass(rowOfTurn(c, c.t1), rowOfTurn(c, c.t2));
@@ -193,6 +199,58 @@ inline void solveFriction(ContactConstraint& c, Velocity& a, Velocity& b, Correc
         applyAt(c, row, change[0] * c.t1 + change[1] * c.t2, a, b);
         correction.add(row.frictionMass, change);
     }
+}
+
+/// The points of a manifold that slips by (s_1, s_2, w_n), one after the other; (F_1, F_2, T) of what
+/// they changed.
+inline Vec3 slidePoints(ContactConstraint& c, Vec3 slip, const Vec4& limit, Correction& correction) {
+    const ManifoldFriction& f = c.manifold;
+    Vec3 change = Vec3::Zero();
+    for (int i = 0; i < c.count; ++i) {
+        ContactRow& row = c.rows[i];
+        const Vec2 at(slip.x() - f.y[i] * slip.z(), slip.y() + f.x[i] * slip.z());
+        const Vec2 after = solveInCone(row.frictionMass, row.friction, at, limit[i]);
+        const Vec3 by = aboutMiddle(f, i, after - row.friction);
+        correction.add(row.frictionMass, after - row.friction);
+        row.friction = after;
+        change += by;
+        slip += f.k * by;
+    }
+    return change;
+}
+
+/// Friction of all points at once; see manifold_friction.h.
+inline void solveFrictionTogether(ContactConstraint& c, Velocity& a, Velocity& b,
+                                  Correction& correction) {
+    if (c.friction <= 0.0) return;
+    const ManifoldFriction& f = c.manifold;
+    const Vec3 between =
+        (b.linear + b.angular.cross(f.armB)) - (a.linear + a.angular.cross(f.armA));
+    Vec3 slip(c.t1.dot(between), c.t2.dot(between), c.n.dot(b.angular - a.angular));
+    Vec4 limit = Vec4::Zero();
+    Vec3 total = Vec3::Zero(), change = Vec3::Zero();
+    for (int i = 0; i < c.count; ++i) {
+        limit[i] = c.friction * (c.rows[i].lambda + c.rows[i].bounce);
+        total += aboutMiddle(f, i, c.rows[i].friction);
+    }
+    std::array<Vec2, Contact::kMaxPoints> shares;
+    shares.fill(Vec2::Zero());
+    const bool loaded = limit.sum() > 0.0;
+    const Vec3 wanted = loaded ? Vec3(total - f.mass * slip) : Vec3(Vec3::Zero());
+    if (!loaded || shareFriction(f, c.count, wanted, limit, shares)) {
+        change = wanted - total;
+        const double removed =
+            larger(std::abs(slip.x()), std::abs(slip.y())) + f.reach * std::abs(slip.z());
+        correction.add(loaded ? removed : 0.0, 0.0);
+        for (int i = 0; i < c.count; ++i) {
+            correction.impulse += (shares[i] - c.rows[i].friction).lpNorm<1>();
+            c.rows[i].friction = shares[i];
+        }
+    } else {
+        change = slidePoints(c, slip, limit, correction);
+    }
+    const Vec3 impulse = change.x() * c.t1 + change.y() * c.t2, twist = change.z() * c.n;
+    applyImpulse(c, impulse, f.armA.cross(impulse) + twist, f.armB.cross(impulse) + twist, a, b);
 }
 
 }  // namespace engine

@@ -11,7 +11,7 @@ namespace engine {
 /// Step 2 of the loop, with the accelerations of step 1 (dynamics/forces.h).
 void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h);
 
-/// Step 4 of the loop. The inverse inertias are made anew after the nudges, which turn bodies as well.
+/// Step 4 of the loop. The inverse inertias are made again after the nudges, which turn bodies as well.
 void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h);
 
 }  // namespace engine

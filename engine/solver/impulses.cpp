@@ -98,11 +98,13 @@ void sweepJoint(JointConstraint& joint, Velocity& a, Velocity& b, Correction& co
 void sweepContact(ContactConstraint& contact, std::span<Velocity> v, const Settings& settings,
                   Correction& correction) {
     Velocity &a = v[contact.a], &b = v[contact.b];
-    if (settings.block && settings.accumulate)
+    if (settings.block && settings.accumulate) {
         solveNormalsTogether(contact, a, b, correction);
-    else
+        solveFrictionTogether(contact, a, b, correction);
+    } else {
         solveNormals(contact, settings.accumulate, a, b, correction);
-    solveFriction(contact, a, b, correction);
+        solveFriction(contact, a, b, correction);
+    }
     solveRolling(contact, a, b, correction);
 }
 

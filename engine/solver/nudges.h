@@ -1,6 +1,6 @@
 /// Step 5 of the loop: correction nudges, impulses on positions (second seed).
 ///   lambda_n = -beta C / K,   x += M^-1 J^T lambda_n
-/// with the same J and K as the impulses, C (and a joint's J) evaluated anew from the poses in every
+/// with the same J and K as the impulses, C (and a joint's J) evaluated again from the poses in every
 /// sweep. What is taken away from an error this way never becomes velocity: a body pushed out of the
 /// floor does not jump.
 #pragma once

@@ -1,10 +1,5 @@
-/// Friction of eight manifolds. The points of one share a plane, so that their friction is a force and a
-/// twist about the normal, and one solve of three rows stops all their slip:
-///   (F_1, F_2, T) = total - K^-1 (s_1, s_2, w_n)
-/// The points share it as they share the load, with p_i = lambda_i / sum and the middle m of the load,
-///   f_i = p_i (F + (T - m x F) / S  (r_i - m) turned),   S = sum p_i |r_i - m|^2
-/// If every f_i is inside its cone, that is the solution. Else the manifold slips, and point after point
-/// is solved alone (constraints/contact_constraint.h).
+/// constraints/manifold_friction.h, eight at a time: friction of a manifold as one force and one twist,
+/// and where it slips, point after point.
 #pragma once
 #include "engine/wide/cone_lanes.h"
 #include "engine/wide/pair_lanes.h"

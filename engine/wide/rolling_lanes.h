@@ -1,4 +1,4 @@
-/// constraints/rolling.h, eight at a time. The turn is read from the bodies anew, after friction: few
+/// constraints/rolling.h, eight at a time. The turn is read from the bodies again, after friction: few
 /// contacts resist rolling, and those that do not should pay nothing for it.
 #pragma once
 #include "engine/wide/cone_lanes.h"

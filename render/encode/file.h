@@ -40,7 +40,7 @@ void checkReplaceable(const std::filesystem::path& path);
 /// with the number of this process.
 std::filesystem::path temporaryNameFor(const std::filesystem::path& path);
 
-/// Creates `temporary` anew and opens it for writing, never through a symlink. A file left there
+/// Creates a new `temporary` and opens it for writing, never through a symlink. A file left there
 /// by a killed run of the same process number is removed first. `target` is for the message.
 int createTemporary(const std::filesystem::path& temporary, const std::filesystem::path& target);
 

@@ -50,8 +50,8 @@ TEST(Nudges, TakeAnOverlapAwayInTheSameWay) {
     EXPECT_EQ(world.velocity(ball), Vec3(0, 0, 0));
 }
 
-// C and J anew in every sweep: a ball held at an arm of 0.8 m, on a rod that is too short. By formula
-// beside the engine; with the first J in all eight sweeps the ball ends up 6 mm elsewhere.
+// C and J again in every sweep: a ball held at an arm of 0.8 m, on a rod that is too short. By
+// formula beside the engine; with the first J in all eight sweeps the ball ends up 6 mm elsewhere.
 TEST(Nudges, EvaluateCAndJAnewInEverySweep) {
     World world(seedWith(8, 0.2));
     world.setGravity(Vec3::Zero());

@@ -304,7 +304,7 @@ std::vector<BodyId> addNet(World& world) {
     return net;
 }
 
-// The trees are cut anew when a lamp on a chain falls asleep; the net must not feel it.
+// The trees are cut again when a lamp on a chain falls asleep; the net must not feel it.
 TEST(Sleeping, ChangesNothingForJointsThatPull) {
     World one(sleepy()), both(sleepy());
     const std::vector<BodyId> inOne = addNet(one), inBoth = addNet(both);

@@ -15,7 +15,7 @@ BodyDef rough(BodyDef def, double friction) {
     return def;
 }
 
-/// m: the longest way of a body from where it is told to have begun.
+/// m: the longest way of a body from where it is said to have begun.
 double moved(const World& world, const std::vector<Vec3>& start) {
     double most = 0.0;
     for (int i = 0; i < static_cast<int>(start.size()); ++i)

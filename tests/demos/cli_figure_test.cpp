@@ -301,7 +301,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
     }
 }
 
-/// Letters do not shrink, so statistics have no room in a small picture; that is told.
+/// Letters do not shrink, so statistics have no room in a small picture; that is reported.
 TEST_F(Figure, WhatHasNoRoomIsTold) {
     const Ended ended = impulse(small({"still", "ball.toml", "--show", "stats", "-o", "a.png"}));
     EXPECT_EQ(ended.code, 0);

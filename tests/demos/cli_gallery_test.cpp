@@ -47,7 +47,7 @@ TEST_F(Gallery, MakesAPageAFilmAndAPosterOfEachScene) {
     EXPECT_TRUE(isMade("sheet.png"));
     EXPECT_TRUE(told(ended, "2 drawn, 0 kept")) << ended.out;
     EXPECT_EQ(page().find(folder.path().string()), std::string::npos)
-        << "where the file is, is told";
+        << "where the file is, is reported";
 }
 
 TEST_F(Gallery, TheSameCommandTwiceDrawsNothingTwice) {

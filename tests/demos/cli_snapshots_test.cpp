@@ -158,7 +158,7 @@ TEST_F(Snapshots, CheckTheContract) {
     EXPECT_FALSE(has("ball.snapshots"));
     const Ended approved = impulse({"approve", "ball"});
     EXPECT_EQ(approved.code, 1);
-    EXPECT_NE(approved.err.find("which no baseline can mend"), std::string::npos) << approved.err;
+    EXPECT_NE(approved.err.find("which no baseline can fix"), std::string::npos) << approved.err;
 }
 
 TEST_F(Snapshots, AreApprovedAsTheyWereSeen) {
@@ -303,7 +303,7 @@ TEST_F(Snapshots, GoOnAfterAnInterruption) {
     EXPECT_NE(impulse({"test", "."}).out.find("a  (as before)"), std::string::npos);
 }
 
-// What failed is told on standard error, one scene after the other; the report comes last.
+// What failed is reported on standard error, one scene after the other; the report comes last.
 TEST_F(Snapshots, AreReportedWhoeverHasStoppedReading) {
     ASSERT_EQ(test().code, 0);
     change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");
@@ -354,7 +354,7 @@ TEST_F(Snapshots, RefuseWhatCannotBeMeant) {
     ASSERT_EQ(test().code, 1);
     refused({"approve", "ball@0.4"}, 2, "did you mean 'ball@0.5'");
     write(folder / "output/test/report.json", "{}");
-    refused({"approve", "ball"}, 4, "is no report of impulse test");
+    refused({"approve", "ball"}, 4, "is not a report of impulse test");
 }
 
 }  // namespace

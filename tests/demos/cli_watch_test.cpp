@@ -1,4 +1,4 @@
-// impulse watch: what is told and drawn when a file is saved.
+// impulse watch: what is reported and drawn when a file is saved.
 #include <nlohmann/json.hpp>
 
 #include "tests/demos/conversation.h"

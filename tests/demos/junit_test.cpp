@@ -194,7 +194,7 @@ TEST(JunitXml, TellsWhatIsWrongWithTheWholeBaseline) {
         EXPECT_EQ(messageOf(written.testCase(name).child("failure")), scene.problem) << name;
 }
 
-// What the gates let pass is told, and passes.
+// What the gates let pass is reported, and passes.
 TEST(JunitXml, ADifferenceWithinTheGatesPasses) {
     SceneVerdict scene = passedScene();
     scene.physics.kind = PhysicsVerdict::Kind::bits;

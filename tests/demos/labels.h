@@ -32,7 +32,7 @@ inline Box boxOf(const Label& label) {
             label.at.y + 0.2f * label.pixels};
 }
 
-/// Nothing over anything else or beyond the page. `what`: is told with what does.
+/// Nothing over anything else or beyond the page. `what`: is reported with what does.
 inline void expectApart(const Drawing& drawing, const std::string& what) {
     for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
         const Box a = boxOf(drawing.labels[i]);

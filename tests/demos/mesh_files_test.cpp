@@ -150,7 +150,7 @@ TEST_F(MeshFiles, ManyBodiesShareAFile) {
         "a.toml", "a", {}, folder_.path());
     EXPECT_EQ(scene.bodies[0].def.shape.hull, scene.bodies[2].def.shape.hull);
     EXPECT_NE(scene.bodies[0].def.shape.hull, scene.bodies[3].def.shape.hull);
-    // So that a film is not gone on with after a file was changed.
+    // So that a film is not resumed after a file was changed.
     const std::uint64_t before = read("hull = 'rock.obj'", "").contents;
     EXPECT_EQ(read("hull = 'rock.obj'", "").contents, before);
     write("rock.obj", "v 0 0 -1\n" + kTetrahedron);
@@ -268,8 +268,8 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
     };
     const std::string asset = R"("asset":{"version":"2.0"},)";
     const std::pair<std::string, const char*> bad[] = {
-        {"{", "is no JSON; it should be glTF 2.0"},
-        {"[]", "is no JSON"},
+        {"{", "is not JSON; it should be glTF 2.0"},
+        {"[]", "is not JSON"},
         {with(&Gltf::more, R"("asset":{"version":"1.0"})"), "is not of version 2.0"},
         {with(&Gltf::more, asset + R"("extensionsRequired":["KHR_draco_mesh_compression"])"),
          "needs the extension \"KHR_draco_mesh_compression\", which is not supported"},
@@ -332,7 +332,8 @@ TEST_F(MeshFiles, BrokenBinaryGltfFilesAreTold) {
     Gltf file;
     file.buffer = R"({"byteLength":42})";
     const std::string whole = glb(file.text(), triangleBytes());
-    EXPECT_NE(errorOf("bad.glb", "glTF").find("is no binary glTF of version 2"), std::string::npos);
+    EXPECT_NE(errorOf("bad.glb", "glTF").find("is not a binary glTF of version 2"),
+              std::string::npos);
     EXPECT_NE(errorOf("bad.glb", whole.substr(0, 16)).find("has no JSON chunk"), std::string::npos);
     EXPECT_NE(errorOf("bad.glb", whole.substr(0, 40)).find("is cut off: a chunk of"),
               std::string::npos);

@@ -1,4 +1,5 @@
-// What is wrong with a MuJoCo model is told with its place; what of it is not had is a note, never silence.
+// What is wrong with a MuJoCo model is reported with its place; what of it is not supported is a
+// note, never silence.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -47,16 +48,18 @@ std::string deep(int levels) {
 INSTANTIATE_TEST_SUITE_P(
     Files, BadModels,
     testing::Values(
-        BadModel{"no XML", "<worldbody>\n<geom size=1/>\n", "3:12", "this is no XML: "},
-        BadModel{"tags that do not match", "<worldbody>\n</body>", "3:3", "this is no XML: Start-end tags mismatch"},
+        BadModel{"no XML", "<worldbody>\n<geom size=1/>\n", "3:12", "this is not XML: "},
+        BadModel{"tags that do not match", "<worldbody>\n</body>", "3:3",
+                 "this is not XML: Start-end tags mismatch"},
         BadModel{"attribute twice", "<worldbody><geom size='1' size='2'/></worldbody>", "2:27",
                  "two attributes 'size' in one <geom>; leave one out"},
         BadModel{"too deep", "<worldbody>" + deep(70) + "</worldbody>", "2:384",
                  "elements more than 64 deep in each other; they should be less"},
-        BadModel{"too many", "<worldbody>" + repeated("<geom/>", 200'001) + "</worldbody>", "2:1399998",
-                 "more than 200000 elements"},
-        BadModel{"too many bodies", "<worldbody>" + repeated("<geom size='1'/>", 10'001) + "</worldbody>",
-                 "1:1", "more than 10000 bodies; a model should have less"},
+        BadModel{"too many", "<worldbody>" + repeated("<geom/>", 200'001) + "</worldbody>",
+                 "2:1399998", "more than 200000 elements"},
+        BadModel{"too many bodies",
+                 "<worldbody>" + repeated("<geom size='1'/>", 10'001) + "</worldbody>", "1:1",
+                 "more than 10000 bodies; a model should have less"},
         BadModel{"include of nothing", "<include/>", "2:1", "an <include> has no file"},
         BadModel{"include from anywhere", "<include file='/etc/passwd'/>", "2:10",
                  "file is '/etc/passwd'; it should be relative to the model's folder"},
@@ -304,7 +307,7 @@ TEST(MujocoErrors, OfFoldersDoNotSpeakOfScenes) {
 TEST(MujocoErrors, AnotherRootIsTold) {
     EXPECT_TRUE(tells(modelErrors("<robot/>"), "a.xml:1:1: ",
                       "the outermost element is <robot>; it should be <mujoco>"));
-    EXPECT_TRUE(tells(modelErrors(""), "a.xml:1:1: ", "this is no XML: "));
+    EXPECT_TRUE(tells(modelErrors(""), "a.xml:1:1: ", "this is not XML: "));
     EXPECT_TRUE(tells(modelErrors("<mujoco/><mujoco/>"), "a.xml:1:1", "a second outermost element"));
 }
 
@@ -331,7 +334,7 @@ TEST(MujocoNotes, NameWhatChangesTheMotionAndIsNotHad) {
         "a.xml:2:9: <option wind> is not available; left out",
         "a.xml:4:7: <geom solref> is not available; left out",
         "a.xml:4:42: <joint armature> is not available; left out",
-        "a.xml:6:16: friction against torsion is not had; left out (2 places)",
+        "a.xml:6:16: friction against torsion is not supported; left out (2 places)",
         "a.xml:7:7: a <geom> of type hfield is not available; left out",
         "a.xml:8:26: damping of a ball joint is not available; left out",
         "a.xml:8:38: range of a ball joint is not available; left out",

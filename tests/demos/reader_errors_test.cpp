@@ -1,4 +1,4 @@
-// A scene file is read strictly: what is wrong is told with its place, and what would be right.
+// A scene file is read strictly: what is wrong is reported with its place, and what would be right.
 
 #include <gtest/gtest.h>
 

@@ -52,7 +52,7 @@ TEST(Recording, AColorThatChangesWithTheRunIsLeftOut) {
     EXPECT_NE(id.bodies[2].color.b, 0.0f);  // the palette's, not its own
 }
 
-/// Bars hang on bodies here and are found anew for every picture there.
+/// Bars hang on bodies here and are found again for every picture there.
 TEST(Recording, BarsAreWhereTheRendererDrawsThem) {
     for (const char* name : {"chain", "ragdoll", "scissor-lift", "newtons-cradle"}) {
         const Recorded one(loadScene(name, {}), 2, 2);

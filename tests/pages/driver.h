@@ -43,7 +43,7 @@ const comes = async (condition) => {
 inline std::string told(const Opened& opened) {
     const std::string mark = "<pre id=\"told\">";
     const std::size_t begin = opened.dom.find(mark);
-    if (begin == std::string::npos) return "nothing was told";
+    if (begin == std::string::npos) return "nothing was reported";
     const std::size_t text = begin + mark.size();
     return opened.dom.substr(text, opened.dom.find("</pre>", text) - text);
 }

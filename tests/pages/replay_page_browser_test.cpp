@@ -69,7 +69,7 @@ protected:
 };
 
 /// The browser makes its window higher for the screenshot, after the driver has run: the page is
-/// given a height that does not depend on the window's, nor on what is told.
+/// given a height that does not depend on the window's, nor on what is reported.
 std::string still(const std::string& steps = "") {
     return driver(steps + R"js(
   const style = document.createElement("style");

@@ -1,5 +1,5 @@
 // Golden frames: small pictures kept in tests/golden, drawn in the reproducible class of pixels.
-// IMPULSE_UPDATE_GOLDEN=1 writes them anew; look at them before they are committed.
+// IMPULSE_UPDATE_GOLDEN=1 writes them again; look at them before they are committed.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
