@@ -105,6 +105,8 @@ void World::remove(BodyId id) {
             s.joints[i].present = false;
             s.jointSlots.remove(static_cast<int>(i));
         }
+    for (std::optional<ForceDef>& force : s.forces)
+        if (force) std::erase(force->on, id);  // its number may become another body's
     s.bodySlots.remove(id.index);
     std::erase(s.untreed, id.index);
     s.bodies.present[id.index] = 0;

@@ -22,7 +22,7 @@ struct SpringEnd {
 };
 
 bool isThere(std::span<const BodyId> on, const Bodies& bodies) {
-    return bodies.present[on[0].index] && bodies.present[on[1].index];
+    return on.size() == 2 && bodies.present[on[0].index] && bodies.present[on[1].index];
 }
 
 }  // namespace

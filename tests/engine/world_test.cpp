@@ -207,6 +207,22 @@ TEST(World, AnIdNamesOneBodyForEver) {
     EXPECT_DEATH(world.remove(first), "no such body");
 }
 
+TEST(World, AForceDoesNotPassToTheNextBodyOfANumber) {
+    World world;
+    world.setGravity(Vec3::Zero());
+    const BodyId first = world.add(body(Shape::sphere(0.1), {0, 0, 0}));
+    const BodyId other = world.add(body(Shape::sphere(0.1), {5, 0, 0}));
+    world.add(ForceDef{ConstantForce{.force = {0, 9, 0}}, {first}});
+    world.add(ForceDef{SpringForce{.stiffness = 10.0}, {first, other}});
+    world.remove(first);
+    world.step(kStep);
+    const BodyId second = world.add(body(Shape::sphere(0.1), {0, 3, 0}));
+    ASSERT_EQ(second.index, first.index);
+    run(world, 10);
+    EXPECT_EQ(world.velocity(second), Vec3(0, 0, 0));
+    EXPECT_EQ(world.velocity(other), Vec3(0, 0, 0));
+}
+
 TEST(World, ABodyTakesItsJointsAlong) {
     World world;
     const BodyId a = world.add(support::hook()), b = world.add(body(Shape::sphere(0.1), {1, 0, 0}));
