@@ -30,6 +30,15 @@ void scaleImpulses(Joint& joint, double scale) {
     for (double& lambda : joint.driven) lambda *= scale;
 }
 
+/// Velocities are those of half a sub-step ago (dynamics/energy.h); of a sub-step of another length.
+void moveVelocities(Bodies& bodies, double time) {
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isAwake(i)) continue;
+        bodies.velocities[i].linear += time * bodies.accelerations[i].linear;
+        bodies.velocities[i].angular += time * bodies.accelerations[i].angular;
+    }
+}
+
 /// An impulse is a force times a sub-step; when that changes, so does what is carried over.
 void rescaleImpulses(WorldState& s, double dt) {
     const double h = dt / s.report.substeps;
@@ -50,6 +59,7 @@ void rescaleImpulses(WorldState& s, double dt) {
         for (JointConstraint& joint : s.solver.constraints.joints)
             for (double& lambda : joint.lambda) lambda *= scale;
         s.solver.trees.scaleImpulses(scale);
+        moveVelocities(s.bodies, s.lastSubsteps > 0 ? 0.5 * (before - h) : 0.0);
     }
     if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;
     s.lastDt = dt;
@@ -245,7 +255,8 @@ ErrorReport errorsOf(const WorldState& s) {
 }
 
 Energy energyNow(const WorldState& s) {
-    Energy energy = energyOf(s.bodies, s.gravity);
+    const double h = s.lastSubsteps > 0 ? s.lastDt / s.lastSubsteps : 0.0;
+    Energy energy = energyOf(s.bodies, s.gravity, h);
     for (const Joint& joint : s.joints)
         if (joint.present && (joint.def.spring.isSoft() || joint.acts))
             energy.elastic += elasticEnergy(joint, s.bodies);

@@ -1,11 +1,19 @@
-/// E = m v^2 / 2 + w.(I w) / 2 - m g.x, the check on everything else.
+/// E = m v^2 / 2 + w.(I w) / 2 - m g.(x - v h / 2), the check on everything else.
+///
+/// Semi-implicit Euler's velocities are those of half a sub-step ago: with them, the height of that
+/// moment keeps E in free fall to the last bits, where the height of now would let it go up and down by
+/// m g v h / 2 (Hairer, Lubich, Wanner, 'Geometric Numerical Integration', IX: the modified energy).
 #pragma once
 #include "engine/dynamics/bodies.h"
 #include "engine/step_report.h"
 
 namespace engine {
 
-Energy energyOf(const Bodies& bodies, const Vec3& gravity);
+/// J, of one body.
+double kineticEnergy(const BodyMass& mass, const Quat& rotation, const Velocity& v);
+
+/// `h`: the sub-step that the velocities come from (s); 0 before the first.
+Energy energyOf(const Bodies& bodies, const Vec3& gravity, double h);
 
 /// kg m/s, and kg m^2/s about the origin.
 struct Momentum {

@@ -16,16 +16,20 @@ void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h) {
     }
 }
 
+void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotation, Vec3& spin) {
+    if (gyroscope == Gyroscope::momentum && mass.mass > 0.0)
+        turnKeepingMomentum(mass, h, rotation, spin);
+    else
+        rotation = turnedBy(h * spin, rotation);
+}
+
 void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h) {
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isMoving(i)) continue;
         Velocity& v = bodies.velocities[i];
         Pose& pose = bodies.poses[i];
         pose.position += h * v.linear;
-        if (gyroscope == Gyroscope::momentum && bodies.isDynamic(i))
-            turnKeepingMomentum(bodies.masses[i], h, pose.rotation, v.angular);
-        else
-            pose.rotation = cayley(h * v.angular, pose.rotation);
+        turnFreely(bodies.masses[i], gyroscope, h, pose.rotation, v.angular);
     }
 }
 

@@ -14,4 +14,7 @@ void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h);
 /// Step 4 of the loop. The inverse inertias are made again after the nudges, which turn bodies as well.
 void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h);
 
+/// A body's rotation and spin after a time h (s) without torque.
+void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotation, Vec3& spin);
+
 }  // namespace engine

@@ -1,8 +1,111 @@
 #include "engine/dynamics/rotation.h"
 
 #include <Eigen/LU>
+#include <array>
+
+#include "engine/base/trigonometry.h"
 
 namespace engine {
+namespace {
+
+constexpr double kSmallest = 1e-12;  // of a series: the first term left out
+constexpr int kMostTerms = 14;
+constexpr int kMostCuts = 40;        // halvings of the time
+constexpr int kMostParts = 4096;     // of a step, for bodies that turn absurdly fast
+
+/// w = R I^-1 R^T L
+Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
+    return rotation * Vec3(mass.inverseInertia * Vec3(rotation.conjugate() * momentum));
+}
+
+/// The rotation as a power series in the share of h that has passed.
+class FreeTurn {
+public:
+    /// Its terms, as many as are needed to go to `share`.
+    FreeTurn(const BodyMass& mass, double h, const Vec3& momentum, const Quat& rotation,
+             double share)
+        : share_(share) {
+        m_[0] = rotation.conjugate() * momentum;
+        w_[0] = h * (mass.inverseInertia * m_[0]);
+        s_[0] = rotation.w(), v_[0] = rotation.vec();
+        double before = 1.0, power = 1.0;
+        while (terms_ < kMostTerms) {
+            addTerm();
+            m_[terms_] *= 1.0 / terms_;
+            w_[terms_] = h * (mass.inverseInertia * m_[terms_]);
+            power *= share;
+            const double size = power * sizeOf(terms_);
+            if (size * size <= kSmallest * before) return;  // so would be the next one
+            before = size;
+        }
+        cut();
+    }
+
+    /// How far it can be followed: `share`, or less.
+    double share() const { return share_; }
+
+    Quat atEnd() const {
+        double s = s_[terms_];
+        Vec3 v = v_[terms_];
+        for (int k = terms_ - 1; k >= 0; --k) s = s * share_ + s_[k], v = v * share_ + v_[k];
+        Quat q(s, v.x(), v.y(), v.z());
+        q.normalize();
+        return q;
+    }
+
+private:
+    double sizeOf(int k) const { return std::sqrt(s_[k] * s_[k] + v_[k].squaredNorm()); }
+
+    void addTerm() {
+        const int k = terms_++;
+        Vec3 m = Vec3::Zero(), v = Vec3::Zero();
+        double s = 0.0;
+        for (int j = 0; j <= k; ++j) {
+            const Vec3& w = w_[k - j];
+            m += m_[j].cross(w);
+            s -= v_[j].dot(w);
+            v += s_[j] * w + v_[j].cross(w);
+        }
+        m_[terms_] = m;
+        s_[terms_] = 0.5 / terms_ * s, v_[terms_] = 0.5 / terms_ * v;
+    }
+
+    /// Halves the way until the last two terms no longer count.
+    void cut() {
+        const double last = sizeOf(terms_), before = sizeOf(terms_ - 1);
+        for (int i = 0; i < kMostCuts; ++i) {
+            share_ *= 0.5;
+            double power = 1.0;
+            for (int k = 1; k < terms_; ++k) power *= share_;
+            if (power * (before + share_ * last) <= kSmallest) return;
+        }
+    }
+
+    std::array<Vec3, kMostTerms + 1> m_, w_, v_;  // of M, h W and q = (s, v)
+    std::array<double, kMostTerms + 1> s_;
+    int terms_ = 0;
+    double share_;
+};
+
+}  // namespace
+
+Quat turnedBy(const Vec3& turn, const Quat& q) {
+    const Vec3 half = 0.5 * turn;
+    const double x2 = half.squaredNorm();
+    double cosineOfHalf, sineOverHalf;
+    if (x2 < 1e-2) {  // the terms left out are below 1e-16
+        sineOverHalf = 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0)));
+        cosineOfHalf = 1.0 - x2 / 2.0 * (1.0 - x2 / 12.0 * (1.0 - x2 / 30.0 * (1.0 - x2 / 56.0)));
+    } else {
+        const double x = std::sqrt(x2);
+        sineOverHalf = sine(x) / x;
+        cosineOfHalf = cosine(x);
+    }
+    const Vec3 v = sineOverHalf * half;
+    Quat turned = Quat(cosineOfHalf, v.x(), v.y(), v.z()) * q;
+    turned.normalize();
+    return turned;
+}
 
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,
                                double h) {
@@ -15,24 +118,18 @@ Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const
     return rotation * Vec3(w - jacobian.inverse() * f);
 }
 
-namespace {
-
-/// w = R I^-1 R^T L
-inline Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
-    return rotation * Vec3(mass.inverseInertia * Vec3(rotation.conjugate() * momentum));
-}
-
-}  // namespace
-
 void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
     if (mass.isRound) {  // L and w are parallel: w stays
-        rotation = cayley(h * spin, rotation);
+        rotation = turnedBy(h * spin, rotation);
         return;
     }
     const Vec3 momentum = rotation * Vec3(mass.inertia * Vec3(rotation.conjugate() * spin));
-    const Quat half = cayley(0.5 * h * spin, rotation);
-    const Vec3 spinHalf = spinOf(momentum, mass, half);
-    rotation = cayley(h * spinHalf, rotation);
+    double left = 1.0;
+    for (int part = 0; left > 0.0 && part < kMostParts; ++part) {
+        const FreeTurn turn(mass, h, momentum, rotation, left);
+        rotation = turn.atEnd();
+        left -= turn.share();
+    }
     spin = spinOf(momentum, mass, rotation);
 }
 

@@ -1,29 +1,34 @@
 /// How a free body's spin and rotation are carried over a time h.
 ///
-/// Turning by the constant spin w for a time h is done by the Cayley map
-///   q1 = (1, h w / 2) q0 / |...|
-/// which is also q + h/2 (0, w) q, normalised. It needs no sine, so its bits are the same everywhere.
+/// With no torque L = I w is kept. Seen from the body it is M = R^T L, the spin W = I^-1 M, and
+///   dM/dt = M x W,   dq/dt = q (0, W) / 2
+/// The right sides are products, so the terms of the power series in t follow from each other:
+///   (k + 1) M_k+1 = sum_j M_j x W_k-j,   (k + 1) q_k+1 = sum_j q_j (0, W_k-j) / 2,   j = 0 .. k
+/// They are added up until the next one is below 1e-12; where they do not get there in time (a fast
+/// body), the time is cut. A series needs sums and products only, so its bits are the same everywhere.
 ///
-/// The torque-free equation is I dw/dt = -w x I w (body axes). Left out (Gyroscope::none), a body spun
-/// about its middle axis never flips. Explicit, the energy grows without bound.
-///   implicitEuler  one Newton step on the implicit equation (Catto, GDC 2015, 'Numerical Methods'):
+/// Gyroscope::momentum is that. The others, for comparison:
+///   implicitEuler  one Newton step on I dw/dt = -w x I w (Catto, GDC 2015, 'Numerical Methods'):
 ///                  stable, but the energy decays: -26 % in 60 s on the free spin of tests/behaviour
-///   momentum       L = I w is kept to the last bit and w follows from it at mid-step:
-///                    q_half = cayley(h/2 w0) q0,  w_half = R_half I^-1 R_half^T L,
-///                    q1 = cayley(h w_half) q0,    w1 = R1 I^-1 R1^T L
+///   none           w stays: a body spun about its middle axis never flips
 #pragma once
 #include "engine/base/math.h"
 #include "engine/dynamics/bodies.h"
 
 namespace engine {
 
-/// q turned by the rotation vector `turn` (rad, world axes), by the Cayley map.
+/// q turned by the small rotation vector `turn` (rad, world axes), by the Cayley map
+///   q1 = (1, turn / 2) q / |...|
 inline Quat cayley(const Vec3& turn, const Quat& q) {
     const Vec3 half = 0.5 * turn;
     Quat turned = Quat(1.0, half.x(), half.y(), half.z()) * q;
     turned.normalize();
     return turned;
 }
+
+/// q turned by the rotation vector `turn` (rad, world axes), of any length:
+///   q1 = (cos(|turn| / 2), sin(|turn| / 2) turn / |turn|) q
+Quat turnedBy(const Vec3& turn, const Quat& q);
 
 /// The spin after a time h under its own gyroscopic torque: one Newton step of implicit Euler.
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,

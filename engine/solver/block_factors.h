@@ -14,13 +14,17 @@ namespace engine {
 /// its row follows from the others but for a little play, and dividing by that would tear at the
 /// bodies.
 constexpr double kVanished = 1e-6;
+/// Of a tree that is held once no row follows from the others: what a long chain reduces to a millionth
+/// of itself is meant. Only round-off is left out.
+constexpr double kVanishedInOpenTree = 1e-13;
 
 /// The inverse by sweeping one pivot after the other; rows whose pivot has vanished are left out.
 template <int N>
-void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
+void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale,
+                 double vanished = kVanished) {
     bool kept[N];
     for (int p = 0; p < N; ++p) {
-        kept[p] = m(p, p) > kVanished * scale[p];
+        kept[p] = m(p, p) > vanished * scale[p];
         if (!kept[p]) continue;
         const double inverse = 1.0 / m(p, p);
         double row[N];
@@ -36,14 +40,14 @@ void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 
 }
 
 /// The inverse by cofactors, one division; the pivots are quotients of its minors.
-inline void invertKept(Mat3& m, const Vec3& scale) {
+inline void invertKept(Mat3& m, const Vec3& scale, double vanished) {
     const double a = m(0, 0), b = m(1, 0), c = m(2, 0), d = m(1, 1), e = m(2, 1), f = m(2, 2);
     const double minor = a * d - b * b;
     const double c0 = d * f - e * e, c1 = c * e - b * f, c2 = b * e - c * d;
     const double det = a * c0 + b * c1 + c * c2;
-    if (!(a > kVanished * scale[0] && minor > kVanished * scale[1] * a &&
-          det > kVanished * scale[2] * minor)) {
-        sweepPivots<3>(m, scale);
+    if (!(a > vanished * scale[0] && minor > vanished * scale[1] * a &&
+          det > vanished * scale[2] * minor)) {
+        sweepPivots<3>(m, scale, vanished);
         return;
     }
     const double inverse = 1.0 / det;
@@ -58,15 +62,16 @@ inline void invertKept(Mat3& m, const Vec3& scale) {
 /// A larger one in two parts, F = B A^-1 and S = C - F B^T:
 ///   [A B^T; B C]^-1 = [A^-1 + F^T S^-1 F, -F^T S^-1; -S^-1 F, S^-1]
 template <int N>
-void invertKept(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale) {
+void invertKept(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale,
+                double vanished) {
     constexpr int K = N - 3;
     Mat3 a = m.template topLeftCorner<3, 3>();
     const Eigen::Matrix<double, K, 3> b = m.template bottomLeftCorner<K, 3>();
-    invertKept(a, Vec3(scale.template head<3>()));
+    invertKept(a, Vec3(scale.template head<3>()), vanished);
     const Eigen::Matrix<double, K, 3> f = b.lazyProduct(a);
     Eigen::Matrix<double, K, K> s = m.template bottomRightCorner<K, K>();
     s -= f.lazyProduct(b.transpose());
-    sweepPivots<K>(s, scale.template tail<K>());
+    sweepPivots<K>(s, scale.template tail<K>(), vanished);
     const Eigen::Matrix<double, K, 3> g = s.lazyProduct(f);
     m.template topLeftCorner<3, 3>() = a + f.transpose().lazyProduct(g);
     m.template bottomLeftCorner<K, 3>() = -g;
@@ -86,8 +91,8 @@ public:
         Block block;  // A_ik, then W_ik
     };
 
-    /// The next place, with its later ones in ascending order.
-    void addPlace(std::span<const Link> later);
+    /// The next place, with its later ones in ascending order; `vanished`: see kVanished.
+    void addPlace(std::span<const Link> later, double vanished);
     /// When all places are there: which block every product goes to.
     void connect();
     int count() const { return static_cast<int>(nodes_.size()); }
@@ -114,6 +119,7 @@ private:
         Rows scale = Rows::Zero();      // A_kk's diagonal
         int firstLink = 0, linkCount = 0;
         int firstTarget = 0;
+        double vanished = kVanished;
     };
 
     std::vector<Node> nodes_;
@@ -167,8 +173,9 @@ inline Eigen::Matrix<double, N, 1> lessProduct(const Eigen::Matrix<double, N, 1>
 }
 
 template <int N>
-void BlockFactors<N>::addPlace(std::span<const Link> later) {
+void BlockFactors<N>::addPlace(std::span<const Link> later, double vanished) {
     Node node;
+    node.vanished = vanished;
     node.firstLink = static_cast<int>(links_.size());
     node.linkCount = static_cast<int>(later.size());
     nodes_.push_back(node);
@@ -193,7 +200,7 @@ void BlockFactors<N>::connect() {
 template <int N>
 void BlockFactors<N>::factor() {
     for (Node& node : nodes_) {
-        invertKept(node.inverse, node.scale);
+        invertKept(node.inverse, node.scale, node.vanished);
         int target = node.firstTarget;
         for (int i = 0; i < node.linkCount; ++i) {
             Link& link = links_[node.firstLink + i];

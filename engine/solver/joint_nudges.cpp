@@ -43,7 +43,7 @@ void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
     for (const JointConstraint& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
     nudgeDrives(joints, bodies, solver.constraints, settings);
-    const TreeNudge nudge{kMostNudge, h > 0.0 ? 1.0 / h : 0.0};
+    const TreeNudge nudge{kMostNudge, h, settings.gyroscope};
     solver.trees.nudge(nudge, joints, bodies);
 }
 

@@ -1,10 +1,15 @@
 /// Nudges of joints.
 ///
 /// Trees of joints are put right as a whole (beta = 1), and theirs is the one exception to velocities
-/// being left alone: v += M^-1 J^T lambda_n / h, and then J v = 0 once more at the new poses. That is
-/// the RATTLE integrator (Andersen 1983); it keeps a pendulum's energy, of which 60 s of nudging alone
-/// lose two thirds. It is faded out where an error is no longer small against the lever arm, and only
-/// for trees that are solved exactly: fed back, what the forests of a cloth leave each other explodes.
+/// being left alone. From the start of the sub-step they move once more, with
+///   v = v_0 + M^-1 J_0^T lambda,   lambda such that C(where v leads) = 0
+/// found by Newton's method (two or three steps), and then J v = 0 once more at the new poses. That is
+/// the RATTLE integrator (Andersen 1983; for rotations Leimkuhler and Reich, 'Simulating Hamiltonian
+/// Dynamics', 8): it is symplectic, and energy stays within a bound for as long as one likes. With one
+/// step of Newton's and a turn added to the rotation it is not: five links gained 62 % in two minutes.
+/// It is faded out where an error is no longer small against the lever arm, taken back where Newton
+/// gets nowhere, and only done for trees that are solved exactly: fed back, what the forests of a
+/// cloth leave each other explodes.
 #pragma once
 #include "engine/solver/solver.h"
 

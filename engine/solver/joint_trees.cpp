@@ -58,6 +58,11 @@ void JointTrees::projectVelocities(std::span<Velocity> v) {
     forests_[0].each([&](auto& part) { part.solveVelocities(0.0, true, v, unused); });
 }
 
+void JointTrees::keepStart(std::span<const Velocity> v) {
+    for (Forest& forest : forests_)
+        forest.each([&](auto& part) { part.keepStart(v); });
+}
+
 void JointTrees::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
     for (Forest& forest : forests_)
         forest.each([&](auto& part) {

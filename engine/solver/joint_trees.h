@@ -33,6 +33,8 @@ public:
     void solveVelocities(std::span<Velocity> v, Correction& correction);
     /// J v = 0 once more, for the trees that no other joint pulls at.
     void projectVelocities(std::span<Velocity> v);
+    /// After the last sweep: the velocities that the bodies will move by.
+    void keepStart(std::span<const Velocity> v);
     /// C = 0 in one forest after the other (joint_nudges.h).
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 

@@ -79,6 +79,7 @@ void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& set
         solveIslands(solver, v, settings, h, report.sweeps);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
+    solver.trees.keepStart(v);
 }
 
 }  // namespace engine

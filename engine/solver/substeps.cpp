@@ -8,6 +8,7 @@ constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr int kHeavySubsteps = 8;
 constexpr double kCalm = 1.0;             // s
+constexpr double kCalmOfJoints = 10.0;    // s
 
 /// omega^2 of a body pulled by the force f at the arm r: f r / I across the arm.
 double swingSquared(const InverseMass& mass, const Vec3& arm, double force) {
@@ -27,6 +28,20 @@ double turnOfB(const Joint& joint, const Bodies& bodies) {
     return (spin - axle.dot(spin) * axle).norm();
 }
 
+/// A rod's own turning, and its swing across its pull: the bodies at its ends need not turn with it.
+void addRod(const Joint& joint, const Bodies& bodies, double force, double& swing, double& turn) {
+    const int a = joint.def.a.index, b = joint.def.b.index;
+    const Pose &poseA = bodies.poses[a], &poseB = bodies.poses[b];
+    const Vec3 armA = poseA.rotation * joint.def.anchorA, armB = poseB.rotation * joint.def.anchorB;
+    const Vec3 along = poseB.position + armB - poseA.position - armA;
+    const double length = larger(along.norm(), 1e-3);
+    const Velocity &va = bodies.velocities[a], &vb = bodies.velocities[b];
+    const Vec3 apart = vb.linear + vb.angular.cross(armB) - va.linear - va.angular.cross(armA);
+    turn = larger(turn, along.cross(apart).norm() / (length * length));
+    swing = larger(swing, force / length *
+                              (bodies.inverseMasses[a].linear + bodies.inverseMasses[b].linear));
+}
+
 double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                       double dt) {
     double most = 0.0;
@@ -34,12 +49,13 @@ double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const
         const JointConstraint& c = solver.constraints.joints[i];
         const Joint& joint = joints[c.joint];
         const double force = joint.force.norm();
-        const double swing = larger(
+        double swing = larger(
             swingSquared(bodies.inverseMasses[c.a], bodies.poses[c.a].rotation * joint.def.anchorA,
                          force),
             swingSquared(bodies.inverseMasses[c.b], bodies.poses[c.b].rotation * joint.def.anchorB,
                          force));
-        const double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
+        double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
+        if (joint.def.type == JointType::distance) addRod(joint, bodies, force, swing, turn);
         most = larger(most, dt * larger(std::sqrt(swing) / kSwingPerSubstep,
                                         turn / kTurnPerSubstep));
     }
@@ -59,6 +75,21 @@ int nextNumber(int number, int least) {
     int power = least;
     while (2 * power <= number) power *= 2;
     return number + larger(power / 2, 1);
+}
+
+void choose(SubstepChooser::Cause& cause, double needed, double calm, const Settings& settings,
+            double dt) {
+    const int least = settings.substeps, most = larger(settings.maxSubsteps, least);
+    int enough = least;
+    while (enough < needed && enough < most) enough = nextNumber(enough, least);
+    enough = smaller(enough, most);
+    if (enough >= cause.current) {
+        cause = {enough, least, 0.0};
+        return;
+    }
+    cause.enough = larger(cause.enough, enough);
+    cause.calm += dt;
+    if (cause.calm > calm) cause = {cause.enough, least, 0.0};
 }
 
 }  // namespace
@@ -83,20 +114,10 @@ void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& 
 int chooseSubsteps(SubstepChooser& chooser, std::span<const Contact> contacts,
                    std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                    const Settings& settings, double dt) {
-    const int least = settings.substeps, most = larger(settings.maxSubsteps, least);
-    double needed = stepsForJoints(joints, bodies, solver, dt);
-    if (heavyOnLight(contacts, bodies)) needed = larger(needed, 1.0 * kHeavySubsteps);
-    int enough = least;
-    while (enough < needed && enough < most) enough = nextNumber(enough, least);
-    enough = smaller(enough, most);
-    if (enough >= chooser.current) {
-        chooser = {enough, least, 0.0};
-        return chooser.current;
-    }
-    chooser.enough = larger(chooser.enough, enough);
-    chooser.calm += dt;
-    if (chooser.calm > kCalm) chooser = {chooser.enough, least, 0.0};
-    return chooser.current;
+    const double heavy = heavyOnLight(contacts, bodies) ? 1.0 * kHeavySubsteps : 0.0;
+    choose(chooser.joints, stepsForJoints(joints, bodies, solver, dt), kCalmOfJoints, settings, dt);
+    choose(chooser.masses, heavy, kCalm, settings, dt);
+    return larger(chooser.joints.current, chooser.masses.current);
 }
 
 }  // namespace engine

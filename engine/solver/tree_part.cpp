@@ -1,10 +1,16 @@
 #include "engine/solver/tree_part.h"
 
+#include <algorithm>
+
+#include "engine/dynamics/integration.h"
 #include "engine/dynamics/rotation.h"
 
 namespace engine {
 namespace {
 
+constexpr double kGain = 0.5;    // Newton goes on while a step leaves no more than this of the errors
+constexpr int kMostNudges = 8;   // Newton steps of a tree that moves anew; two or three do
+constexpr double kMet = 1e-8;    // of the lever arms; at 1e-6 a four-bar gains 2 % in ten minutes
 /// Hinges between two held ends hold the directions across twice, but for a play so small that
 /// dividing by it throws bodies about: there the last one gives way by this share of its K.
 constexpr double kPlay = 1e-2;
@@ -68,24 +74,26 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
         if (isHere(plan.places[k])) placeHere[k] = count++;
     ownPlaces.assign(bodies, -1);
     for (const ForestPlan::Tree& tree : plan.trees) trees_.push_back({tree.whole});
+    for (const ForestPlan::Place& place : plan.places)
+        trees_[place.tree].closed = trees_[place.tree].closed || place.closes;
     for (const ForestPlan::Place& place : plan.places) {
         if (!isHere(place)) continue;
         const JointConstraint& c = list[place.joint];
         TreeJoint<N>& joint = joints_.emplace_back(treeJoint<N>(place, c, joints[c.joint]));
         joint.tree = place.tree;
-        trees_[place.tree].closed = trees_[place.tree].closed || place.closes;
         joint.ownA = own(c.a, place.tree, ownPlaces);
         joint.ownB = own(c.b, place.tree, ownPlaces);
         anyWhole_ = anyWhole_ || trees_[place.tree].whole;
         std::vector<typename BlockFactors<N>::Link> later;
         for (const ForestPlan::Link& link : place.later)
             later.push_back({placeHere[link.place], link.body, TreeBlock<N>::Zero()});
-        factors_.addPlace(later);
+        factors_.addPlace(later, trees_[place.tree].closed ? kVanished : kVanishedInOpenTree);
     }
     factors_.connect();
     masses_.resize(members_.size());
     moved_.resize(members_.size());
     x_.resize(joints_.size());
+    fed_.resize(joints_.size());
 }
 
 template <int N>
@@ -93,6 +101,7 @@ void TreePart<N>::place(std::span<const Joint> joints, std::span<const Pose> pos
     for (TreeJoint<N>& joint : joints_)
         joint.now = geometryOf(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
     for (Tree& tree : trees_) tree.before = -1.0;
+    for (Member& member : members_) member.start = poses[member.body].rotation;
 }
 
 template <int N>
@@ -170,14 +179,74 @@ void TreePart<N>::evaluateErrors(std::span<const Joint> joints, std::span<const 
 }
 
 template <int N>
+void TreePart<N>::keepStart(std::span<const Velocity> v) {
+    for (Member& member : members_) {
+        member.kept = v[member.body];
+        member.spin = member.kept.angular;
+    }
+}
+
+template <int N>
+void TreePart<N>::chooseGains(const TreeNudge& nudge, const Bodies& bodies) {
+    for (Tree& tree : trees_) {
+        const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
+        tree.gain = share > 0.0 ? share / nudge.h : 0.0;
+        tree.anew = share == 1.0;
+    }
+    for (Member& member : members_) {
+        if (!trees_[member.tree].anew) continue;
+        member.end = member.start;
+        Vec3 spin = member.spin;
+        turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
+    }
+}
+
+template <int N>
+void TreePart<N>::takeBackFeedback(const TreeNudge& nudge, Bodies& bodies) {
+    const auto fails = [](const Tree& tree) {
+        return tree.anew && tree.ratio > kMet && !(tree.sum < kGain * tree.before);
+    };
+    if (std::none_of(trees_.begin(), trees_.end(), fails)) return;
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        Member& member = members_[i];
+        if (!fails(trees_[member.tree]) || masses_[i].linear == 0.0) continue;
+        Quat unused = member.start;
+        bodies.velocities[member.body] = member.kept;
+        turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, unused,
+                   bodies.velocities[member.body].angular);
+    }
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+        if (fails(trees_[joints_[k].tree])) book(joints_[k], fed_[k], -1.0);
+    for (Tree& tree : trees_) tree.anew = tree.anew && !fails(tree);
+}
+
+template <int N>
+bool TreePart<N>::isMet() const {
+    for (const Tree& tree : trees_)
+        if (tree.anew && tree.ratio > kMet) return false;
+    return true;
+}
+
+template <int N>
 void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
     evaluateErrors(joints, bodies.poses);
-    for (Tree& tree : trees_)
-        tree.gain = tree.whole ? nudge.feedback * feedbackShare(tree.ratio) : 0.0;
+    chooseGains(nudge, bodies);
+    for (TreeRows<N>& fed : fed_) fed.setZero();
+    nudgeOnce(nudge, false, bodies);
+    for (int i = 1; i < kMostNudges; ++i) {
+        evaluateErrors(joints, bodies.poses);
+        takeBackFeedback(nudge, bodies);
+        if (isMet()) return;
+        nudgeOnce(nudge, true, bodies);
+    }
+}
+
+template <int N>
+void TreePart<N>::nudgeOnce(const TreeNudge& nudge, bool anewOnly, Bodies& bodies) {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         const Tree& tree = trees_[joints_[k].tree];
         if (tree.worst > nudge.most) x_[k] *= nudge.most / tree.worst;
-        if (isInVain(tree)) x_[k].setZero();
+        if (isInVain(tree) || (anewOnly && !tree.anew)) x_[k].setZero();
     }
     for (Velocity& moved : moved_) moved = {};
     factors_.solve(x_, [&](int k, TreeRows<N>& lambda) {
@@ -188,9 +257,12 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
     });
     limitMoves();
     for (Tree& tree : trees_) tree.before = tree.sum;
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-        book(joints_[k], x_[k], trees_[joints_[k].tree].gain);
-    move(bodies);
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+        const double gain = trees_[joints_[k].tree].gain;
+        book(joints_[k], x_[k], gain);
+        fed_[k] += gain * x_[k];
+    }
+    move(nudge, bodies);
 }
 
 template <int N>
@@ -210,7 +282,7 @@ void TreePart<N>::limitMoves() {
     for (Tree& tree : trees_) {
         const bool far = tree.closed && tree.farthest > kFar * tree.sum;
         tree.share = far ? kFar * tree.sum / tree.farthest : 1.0;
-        if (far) tree.gain = 0.0;
+        if (far) tree.gain = 0.0, tree.anew = false;
     }
     for (std::size_t i = 0; i < members_.size(); ++i) {
         const double share = trees_[members_[i].tree].share;
@@ -221,16 +293,34 @@ void TreePart<N>::limitMoves() {
 }
 
 template <int N>
-void TreePart<N>::move(Bodies& bodies) const {
+void TreePart<N>::moveAnew(Member& member, const Vec3& turn, const TreeNudge& nudge,
+                           Bodies& bodies) const {
+    const Quat before = member.end;
+    member.spin += turn / nudge.h;
+    member.end = member.start;
+    Vec3 spin = member.spin;
+    turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
+    Quat& rotation = bodies.poses[member.body].rotation;
+    rotation = rotation * (before.conjugate() * member.end);  // a contact may have nudged it as well
+    rotation.normalize();
+    bodies.velocities[member.body].angular = spin;
+}
+
+template <int N>
+void TreePart<N>::move(const TreeNudge& nudge, Bodies& bodies) {
     for (std::size_t i = 0; i < members_.size(); ++i) {
         if (masses_[i].linear == 0.0) continue;
-        const int body = members_[i].body;
-        const double gain = trees_[members_[i].tree].gain;
-        Pose& pose = bodies.poses[body];
+        Member& member = members_[i];
+        const Tree& tree = trees_[member.tree];
+        Pose& pose = bodies.poses[member.body];
         pose.position += moved_[i].linear;
+        bodies.velocities[member.body].linear += tree.gain * moved_[i].linear;
+        if (tree.anew) {
+            moveAnew(member, moved_[i].angular, nudge, bodies);
+            continue;
+        }
         pose.rotation = cayley(moved_[i].angular, pose.rotation);
-        bodies.velocities[body].linear += gain * moved_[i].linear;
-        bodies.velocities[body].angular += gain * moved_[i].angular;
+        bodies.velocities[member.body].angular += tree.gain * moved_[i].angular;
     }
 }
 

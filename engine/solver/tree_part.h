@@ -12,8 +12,9 @@ namespace engine {
 
 /// One nudge of joints by impulses on positions (solver/joint_nudges.h).
 struct TreeNudge {
-    double most = 0.0;      // m: what one nudge may move
-    double feedback = 0.0;  // 1/s, from positions to velocities; 0: none
+    double most = 0.0;  // m: what one nudge may move
+    double h = 0.0;     // s, of the sub-step whose velocities it feeds back to; 0: to none
+    Gyroscope gyroscope = Gyroscope::momentum;
 };
 
 template <int N>
@@ -33,7 +34,10 @@ public:
     /// Afterwards J v + biasRate C = 0; of `wholeOnly` trees.
     void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity> v,
                          Correction& correction);
-    /// Afterwards C = 0 to first order, and v as a whole tree's feedback wants it.
+    /// The velocities that the bodies are about to move by, from the poses of place().
+    void keepStart(std::span<const Velocity> v);
+    /// Afterwards C = 0 to first order, and v as a whole tree's feedback wants it: there C = 0 is met to
+    /// round-off, by moving once more from the start with another velocity.
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
     bool empty() const { return joints_.empty(); }
@@ -50,12 +54,17 @@ private:
         double before = 0.0;    // the same at the nudge before; below 0: this is the first
         bool closed = false;    // held twice
         double gain = 0.0;      // 1/s
+        bool anew = false;      // it moves once more from the start
         double farthest = 0.0;  // m, of what its nudge would move
         double share = 1.0;     // of that, what it does move
     };
     struct Member {
         int body = -1;
         int tree = -1;
+        Quat start = Quat::Identity();  // of the sub-step, and where the spin takes it from there
+        Quat end = Quat::Identity();
+        Velocity kept = {};             // at the start, before any feedback
+        Vec3 spin = Vec3::Zero();       // at the start, with it
     };
 
     int own(int body, int tree, std::vector<int>& places);
@@ -67,7 +76,15 @@ private:
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
-    void move(Bodies& bodies) const;
+    void chooseGains(const TreeNudge& nudge, const Bodies& bodies);
+    /// One Newton step of all trees, or of those alone that move once more.
+    void nudgeOnce(const TreeNudge& nudge, bool anewOnly, Bodies& bodies);
+    /// The feedback of trees that Newton's steps do not meet is taken back: their errors are no small
+    /// ones, or the sub-step is too long for their tension.
+    void takeBackFeedback(const TreeNudge& nudge, Bodies& bodies);
+    bool isMet() const;
+    void move(const TreeNudge& nudge, Bodies& bodies);
+    void moveAnew(Member& member, const Vec3& turn, const TreeNudge& nudge, Bodies& bodies) const;
 
     std::vector<TreeJoint<N>> joints_;  // in order of elimination
     BlockFactors<N> factors_;
@@ -75,7 +92,7 @@ private:
     std::vector<Member> members_;
     std::vector<InverseMass> masses_;  // of the members
     std::vector<Velocity> moved_;      // of the members, by the nudge: m, rad
-    std::vector<TreeRows<N>> x_;
+    std::vector<TreeRows<N>> x_, fed_;  // fed_: what was booked of the nudges of this sub-step
     bool anyWhole_ = false;
 };
 

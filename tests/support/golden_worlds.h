@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0x47c791b2da072290},
-        {"pendulum", goldenPendulum, 600, 0xfebf4f2b0b5692e9},
-        {"chain", goldenChain, 300, 0x7090f3317d0edf6e},
-        {"pyramid", goldenPyramid, 60, 0x52d5cd5112539786},
-        {"forces", goldenForces, 300, 0x07e341464014756f},
-        {"machine", goldenMachine, 300, 0x1b7f4770f824fa0b},
-        {"shapes", goldenShapes, 180, 0xdaadc0af0596cd83},
-        {"rolling", goldenRolling, 300, 0x3f34fe343889fb2a},
+        {"stack", goldenStack, 300, 0xa73082e875c26653},
+        {"pendulum", goldenPendulum, 600, 0x04bd4c6592073eda},
+        {"chain", goldenChain, 300, 0x78c3dc56b60125ad},
+        {"pyramid", goldenPyramid, 60, 0xaf490f679934ee63},
+        {"forces", goldenForces, 300, 0x7d7450cdb562e06b},
+        {"machine", goldenMachine, 300, 0x57768a20bb737a33},
+        {"shapes", goldenShapes, 180, 0x6652e5ae34fc1fe4},
+        {"rolling", goldenRolling, 300, 0xec5e2e43df05330c},
     }};
     return worlds;
 }

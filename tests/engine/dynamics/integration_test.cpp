@@ -22,7 +22,7 @@ TEST(SemiImplicitEuler, KeepsAnOscillatorsEnergyBounded) {
         applyForces(bodies, Vec3::Zero(), spring);
         integrateVelocities(bodies, Gyroscope::none, support::kStep);
         integratePositions(bodies, Gyroscope::none, support::kStep);
-        const double e = energyOf(bodies, Vec3::Zero()).kinetic +
+        const double e = energyOf(bodies, Vec3::Zero(), 0.0).kinetic +
                          2.0 * bodies.poses[0].position.squaredNorm();
         low = smaller(low, e / 2.0), high = larger(high, e / 2.0);
     }

@@ -1,0 +1,110 @@
+// Mechanisms without friction keep their energy, for as long as one likes: chains of any number of
+// links, by any joint, released level; loops.
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+using support::body;
+
+/// The lowest and the highest energy of a run, less the first and over the given scale.
+struct Swing {
+    double low = 0.0, high = 0.0, separation = 0.0;
+
+    void run(World& world, double seconds, double scale, double hz = 60.0) {
+        const double first = world.energy().total();
+        for (int i = 0; i < seconds * hz; ++i) {
+            ASSERT_TRUE(world.step(1.0 / hz)) << i;
+            const double gain = (world.energy().total() - first) / scale;
+            low = smaller(low, gain), high = larger(high, gain);
+            separation = larger(separation, world.errors().separation);
+        }
+    }
+};
+
+/// `links` of half a metre, level, the first on a hook; `scale` is what they lose until they hang.
+World levelChain(int links, JointType type, const Settings& settings, double& scale) {
+    World world(settings);
+    BodyId last = world.add(support::hook());
+    scale = 0.0;
+    for (int i = 0; i < links; ++i) {
+        const bool rods = type == JointType::distance;
+        const double middle = 0.5 * i + (rods ? 0.5 : 0.25);
+        BodyDef link = body(rods ? Shape::sphere(0.05) : Shape::box({0.5, 0.1, 0.1}),
+                            {middle, 0, 0});
+        link.collide = false;
+        const BodyId next = world.add(link);
+        if (rods) support::rod(world, last, next);
+        else support::join(world, type, last, next, {0.5 * i, 0, 0});
+        last = next;
+        scale += support::kGravity * middle;
+    }
+    return world;
+}
+
+struct Links {
+    int links;
+    JointType type;
+    double seconds;
+};
+
+class LevelChain : public testing::TestWithParam<Links> {};
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, LevelChain,
+    testing::Values(Links{1, JointType::ball, 600}, Links{2, JointType::ball, 600},
+                    Links{3, JointType::hinge, 600}, Links{5, JointType::ball, 120},
+                    Links{5, JointType::hinge, 120}, Links{5, JointType::distance, 120},
+                    Links{30, JointType::ball, 20}, Links{100, JointType::ball, 5}),
+    [](const auto& one) {
+        return std::to_string(one.param.links) + "Type" +
+               std::to_string(static_cast<int>(one.param.type));
+    });
+
+TEST_P(LevelChain, NeverGainsEnergyAndLosesLittle) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        double scale = 0.0;
+        World world = levelChain(GetParam().links, GetParam().type, settings, scale);
+        Swing swing;
+        swing.run(world, GetParam().seconds, scale);
+        EXPECT_LT(swing.high, 0.005);
+        EXPECT_GT(swing.low, -0.05);
+        EXPECT_LT(swing.separation, 1e-6);
+    }
+}
+
+TEST(ChainAt240Hz, LosesLessThanAPercent) {
+    double scale = 0.0;
+    World world = levelChain(5, JointType::ball, Settings::steady(), scale);
+    Swing swing;
+    swing.run(world, 60, scale, 240.0);
+    EXPECT_LT(swing.high, 0.001);
+    EXPECT_GT(swing.low, -0.01);
+}
+
+// Parallel hinges hold a loop of four bars three times more than it needs.
+TEST(FourBars, KeepTheirEnergyInALoop) {
+    for (const JointType type : {JointType::hinge, JointType::ball}) {
+        World world;
+        const Vec3 corners[] = {{0, 0, 0}, {0.3, 0.4, 0}, {1.1, 0.6, 0}, {1, 0, 0}};
+        BodyId last = world.add(support::hook(corners[0]));
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 along = corners[i + 1] - corners[i];
+            BodyDef bar = body(Shape::box({along.norm(), 0.1, 0.08}), corners[i] + 0.5 * along);
+            bar.pose.rotation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+            bar.collide = false;
+            const BodyId next = world.add(bar);
+            support::join(world, type, last, next, corners[i]);
+            last = next;
+        }
+        support::join(world, type, last, world.add(support::hook(corners[3])), corners[3]);
+        Swing swing;
+        swing.run(world, 120, 3 * support::kGravity * 0.5);
+        EXPECT_LT(swing.high, 0.005);
+        EXPECT_GT(swing.low, -0.05);
+    }
+}
+
+}  // namespace
+}  // namespace engine
