@@ -8,6 +8,7 @@
 #include "engine/constraints/drive.h"
 #include "engine/constraints/joint_constraint.h"
 #include "engine/settings.h"
+#include "engine/solver/impacts.h"
 #include "engine/solver/joint_trees.h"
 #include "engine/step_report.h"
 
@@ -18,6 +19,7 @@ struct Constraints {
     std::vector<JointConstraint> joints;
     std::vector<JointDrive> drives;  // of joints that are limited, driven or sprung
     std::vector<int> order;  // of the contacts in a sweep
+    Impacts impacts;         // of contacts with restitution
 };
 
 /// One solve is enough: there is nothing but trees.

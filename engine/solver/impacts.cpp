@@ -1,42 +1,141 @@
 #include "engine/solver/impacts.h"
 
+#include "engine/dynamics/rotation.h"
+
 namespace engine {
 namespace {
 
 /// A blow goes back and forth through n balls in n passes; what is left then is for the sweeps.
 constexpr int kPasses = 64;
 
-/// True when this contact bounced.
-bool bounce(ContactConstraint& c, Velocity& a, Velocity& b, double threshold, double h) {
-    Vec4 q = Vec4::Zero();
-    bool any = false;
+ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
+    ContactImpact impact;
+    impact.number = number;
+    ContactConstraint& c = impact.contact;
+    c.a = contact.a, c.b = contact.b, c.count = contact.count;
+    c.n = contact.normal, c.restitution = contact.restitution;
+    c.massA = bodies.inverseMasses[c.a], c.massB = bodies.inverseMasses[c.b];
+    Row normals[Contact::kMaxPoints];
+    const Pose &a = bodies.poses[c.a], &b = bodies.poses[c.b];
     for (int i = 0; i < c.count; ++i) {
-        const ContactRow& row = c.rows[i];
-        const double approach = c.n.dot(velocityBetween(row, a, b));
-        const bool hits = approach < -threshold && row.separation + h * approach <= 0.0;
-        any = any || hits;
-        // w = K lambda + q >= 0 is J v2 >= -e J v1 where it hits, and 'no faster' elsewhere.
-        q[i] = hits ? (1.0 + c.restitution) * approach : larger(approach, 0.0);
+        ContactRow& row = c.rows[i];
+        const Vec3 onA = a.toWorld(contact.points[i].anchorA);
+        const Vec3 onB = b.toWorld(contact.points[i].anchorB);
+        row.armA = onA - a.position, row.armB = onB - b.position;
+        row.gapAtStart = c.n.dot(onB - onA);
+        normals[i] = rowAlong(c, i, c.n);
     }
-    if (!any) return false;
-    const Vec4 lambda = solveNormalBlock(c.block, q);
-    for (int i = 0; i < c.count; ++i) {
-        c.rows[i].bounce += lambda[i];
-        applyAt(c, c.rows[i], lambda[i] * c.n, a, b);
-    }
-    return true;
+    c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
+    return impact;
+}
+
+Velocity since(const Pose& now, const Pose& start) {
+    Quat turn = now.rotation * start.rotation.conjugate();
+    if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+    return {now.position - start.position, 2.0 * turn.vec()};
+}
+
+/// How a point meets the other side within a sub-step.
+struct Meeting {
+    bool hits = false;
+    double time = 0.0;   // s
+    double speed = 0.0;  // u, m/s
+};
+
+Meeting meet(double approach, double gap, double acceleration, double earliest, double threshold,
+             double h) {
+    Meeting m;
+    const double start = approach - 0.5 * h * acceleration;
+    const double open = larger(gap, 0.0);
+    m.speed = -std::sqrt(larger(start * start - 2.0 * acceleration * open, 0.0));
+    m.hits = gap + h * approach <= 0.0 && m.speed < -threshold && approach < 0.0;
+    const double sum = -start - m.speed;
+    m.time = clamped(sum > 0.0 ? 2.0 * open / sum : h, earliest, h);
+    return m;
 }
 
 }  // namespace
 
-void solveImpacts(Constraints& c, std::span<Velocity> v, const Settings& settings, double h) {
-    const double threshold = settings.bounceSpeed;
-    for (int pass = 0; pass < kPasses; ++pass) {
-        bool any = false;
-        for (ContactConstraint& contact : c.contacts)
-            if (contact.restitution > 0.0)
-                any = bounce(contact, v[contact.a], v[contact.b], threshold, h) || any;
-        if (!any) return;
+void Impacts::prepare(std::span<const Contact> contacts, const Bodies& bodies) {
+    list_.clear();
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+        if (contacts[k].restitution > 0.0)
+            list_.push_back(impactOf(contacts[k], static_cast<int>(k), bodies));
+    for (const int i : met_) bodies_[i] = {};
+    met_.clear();
+    bodies_.resize(larger(bodies_.size(), list_.empty() ? 0 : bodies.poses.size()));
+}
+
+void Impacts::begin(const Bodies& bodies, std::span<const Pose> posesAtStart) {
+    for (const int i : met_) bodies_[i] = {};
+    met_.clear();
+    for (ContactImpact& impact : list_) {
+        ContactConstraint& c = impact.contact;
+        const Velocity wayA = since(bodies.poses[c.a], posesAtStart[c.a]);
+        const Velocity wayB = since(bodies.poses[c.b], posesAtStart[c.b]);
+        const Acceleration &a = bodies.accelerations[c.a], &b = bodies.accelerations[c.b];
+        for (int i = 0; i < c.count; ++i) {
+            ContactRow& row = c.rows[i];
+            row.separation = row.gapAtStart + c.n.dot(velocityBetween(row, wayA, wayB));
+            row.bounce = 0.0;
+            impact.acceleration[i] = c.n.dot(
+                velocityBetween(row, {a.linear, a.angular}, {b.linear, b.angular}));
+        }
+    }
+}
+
+bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double threshold, double h) {
+    ContactConstraint& c = impact.contact;
+    Velocity &a = v[c.a], &b = v[c.b];
+    Body &bodyA = bodies_[c.a], &bodyB = bodies_[c.b];
+    const double earliest = larger(bodyA.time, bodyB.time);
+    Meeting meetings[Contact::kMaxPoints];
+    double approach[Contact::kMaxPoints], time = h;
+    bool any = false;
+    for (int i = 0; i < c.count; ++i) {
+        const ContactRow& row = c.rows[i];
+        approach[i] = c.n.dot(velocityBetween(row, a, b));
+        const double gap = row.separation + c.n.dot(velocityBetween(row, bodyA.way, bodyB.way));
+        meetings[i] = meet(approach[i], gap, impact.acceleration[i], earliest, threshold, h);
+        if (!meetings[i].hits) continue;
+        any = true;
+        time = smaller(time, meetings[i].time);
+    }
+    if (!any) return false;
+    Vec4 q = Vec4::Zero();  // w = K lambda + q >= 0: as fast as asked, or 'no faster' elsewhere
+    for (int i = 0; i < c.count; ++i)
+        q[i] = meetings[i].hits ? approach[i] + c.restitution * meetings[i].speed -
+                                      impact.acceleration[i] * (0.5 * h - time)
+                                : larger(approach[i], 0.0);
+    const Vec4 lambda = solveNormalBlock(c.block, q);
+    for (int i = 0; i < c.count; ++i) {
+        c.rows[i].bounce += lambda[i];
+        applyAt(c, c.rows[i], lambda[i] * c.n, a, b);
+        applyAt(c, c.rows[i], -time * lambda[i] * c.n, bodyA.way, bodyB.way);
+    }
+    for (const auto& [mass, index] : {std::pair(&c.massA, c.a), std::pair(&c.massB, c.b)}) {
+        if (mass->linear == 0.0) continue;
+        bodies_[index].time = time;
+        if (!bodies_[index].met) met_.push_back(index);
+        bodies_[index].met = true;
+    }
+    return true;
+}
+
+void Impacts::solve(std::span<Velocity> v, const Settings& settings, double h) {
+    if (settings.bounce != Bounce::impacts) return;
+    bool any = true;
+    for (int pass = 0; pass < kPasses && any; ++pass) {
+        any = false;
+        for (ContactImpact& impact : list_)
+            any = bounce(impact, v, settings.bounceSpeed, h) || any;
+    }
+}
+
+void Impacts::movePositions(Bodies& bodies) const {
+    for (const int i : met_) {
+        bodies.poses[i].position += bodies_[i].way.linear;
+        bodies.poses[i].rotation = turnedBy(bodies_[i].way.angular, bodies.poses[i].rotation);
     }
 }
 

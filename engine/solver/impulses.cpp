@@ -159,8 +159,12 @@ SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
 }
 
 void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& settings, double h) {
+    c.impacts.solve(v, settings, h);
     setBiases(c, v, settings, h);
-    if (settings.bounce == Bounce::impacts) solveImpacts(c, v, settings, h);
+    if (c.contacts.empty()) return;  // they are in lanes
+    for (const ContactImpact& impact : c.impacts.list())
+        for (int i = 0; i < impact.contact.count; ++i)
+            c.contacts[impact.number].rows[i].bounce = impact.contact.rows[i].bounce;
 }
 
 void bookImpulses(Constraints& c) {

@@ -85,6 +85,7 @@ bool nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen) {
     bool moved = true;
+    solver.constraints.impacts.movePositions(bodies);
     for (int i = 0; i < settings.nudges; ++i)  // joints feed back only the first
         moved = nudgeOnce(joints, bodies, solver, settings, i == 0 ? h : 0.0);
     updateInverseInertias(bodies);

@@ -7,18 +7,26 @@
 namespace engine {
 namespace {
 
-/// Where the points of a contact are: in one plane (constraints/manifold_frame.h).
+/// Where the points of a contact are: in one plane (constraints/manifold_frame.h). Of two bodies that
+/// are still apart the arms end where they will touch, as if b had come by the gap.
 void placePoints(const Contact& contact, const Pose& a, const Pose& b,
                  ContactGeometry (&points)[Contact::kMaxPoints]) {
     ManifoldFrame frame;
+    Vec3 onA[Contact::kMaxPoints], onB[Contact::kMaxPoints];
+    double open = 0.0;
     for (int i = 0; i < contact.count; ++i) {
-        const Vec3 onA = a.toWorld(contact.points[i].anchorA);
-        const Vec3 onB = b.toWorld(contact.points[i].anchorB);
-        frame.add(0.5 * (onA + onB) - a.position, contact.normal.dot(onB - onA));
+        onA[i] = a.toWorld(contact.points[i].anchorA), onB[i] = b.toWorld(contact.points[i].anchorB);
+        const double gap = contact.normal.dot(onB[i] - onA[i]);
+        open = i == 0 ? gap : smaller(open, gap);
     }
-    frame.finish(contact.normal);
+    const Vec3 ahead = larger(open, 0.0) * contact.normal;
     for (int i = 0; i < contact.count; ++i)
-        points[i] = {frame.arm(i), frame.arm(i) + (a.position - b.position), frame.gap[i]};
+        frame.add(0.5 * (onA[i] + onB[i] - ahead) - a.position,
+                  contact.normal.dot(onB[i] - onA[i]));
+    frame.finish(contact.normal);
+    const Vec3 offset = a.position - b.position + ahead;
+    for (int i = 0; i < contact.count; ++i)
+        points[i] = {frame.arm(i), frame.arm(i) + offset, frame.gap[i]};
 }
 
 constexpr double kLayer = 1e-3;  // m: contacts less far apart are one layer, in the order of pairs
@@ -52,6 +60,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     c.contacts.clear();
     solver.posesAtStart = bodies.poses;
     orderContacts(contacts, bodies, gravity, settings.order, solver.keys, c.order);
+    c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
     solver.lanes = settings.usesLanes();
     if (solver.lanes) {
         solver.wide.prepare(contacts, c.order, joints, bodies, settings, solver.workers);
@@ -88,6 +97,7 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 }
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {
+    solver.constraints.impacts.begin(bodies, solver.posesAtStart);
     if (solver.lanes) return;  // they are up to date since the nudges
     for (ContactConstraint& contact : solver.constraints.contacts)
         for (int i = 0; i < contact.count; ++i)

@@ -55,6 +55,9 @@ void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, do
         return;  // all asleep, or in free flight
     beginSolving(s.constraints, v, settings, h);  // of the joints
     s.wide.begin(v, settings, h);
+    for (const ContactImpact& impact : s.constraints.impacts.list())
+        for (int i = 0; i < impact.contact.count; ++i)
+            s.wide.setBounce(impact.number, i, impact.contact.rows[i].bounce);
     const std::size_t first = report.size();
     const std::span<const int> shared = s.wide.groups().jointedBodies();
     s.wide.give(v, shared);

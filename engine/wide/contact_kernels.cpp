@@ -71,32 +71,6 @@ void setBiases(ContactBatch& c, ContactRecord& record, const WideVelocity* v,
     }
 }
 
-/// All zero where nothing hits, so that the pass ends: solver/impacts.cpp in lanes.
-bool bounce(ContactBatch& c, const ContactRecord& record, WideVelocity* v, const WideStep& step) {
-    const PairLanes pair(c, v);
-    Lanes4 approach = alongNormal(c, pair.motion().along), q;
-    const Lanes zero(0.0f), restitution = Lanes::load(record.restitution);
-    Mask hitsAnywhere = nowhere();
-    for (int i = 0; i < kPoints; ++i) {
-        approach[i] = approach[i] + Lanes::load(record.approach[i]);
-        const Lanes separation = Lanes::load(record.separation[i]);
-        const Mask hits = (approach[i] < Lanes(-step.bounceSpeed)) & (zero < restitution) &
-                          (separation + Lanes(step.h) * approach[i] <= zero);
-        q[i] = select(hits, (Lanes(1.0f) + restitution) * approach[i], larger(approach[i], zero));
-        q[i] = select(Lanes(kNoPoint) <= separation, Lanes(kNoPoint), q[i]);
-        hitsAnywhere = hitsAnywhere | hits;
-    }
-    if (!any(hitsAnywhere)) return false;
-    Mask active[4];
-    Lanes4 lambda = searchActive(Symmetric4{c.k}, q, -q, active);
-    for (int i = 0; i < kPoints; ++i) {
-        lambda[i] = where(hitsAnywhere, lambda[i]);
-        (Lanes::load(c.point[i].bounce) + lambda[i]).store(c.point[i].bounce);
-    }
-    pair.apply(onlyAlong(together(c, lambda)), v);
-    return true;
-}
-
 void warmStart(ContactBatch& c, WideVelocity* v, const WideStep& step) {
     const PairLanes pair(c, v);
     const Lanes keep(step.keep);
@@ -223,6 +197,6 @@ const ContactKernels kContactKernels{
 #else
     "baseline",
 #endif
-    prepare, separate, setBiases, bounce, warmStart, sweep, nudge, book};
+    prepare, separate, setBiases, warmStart, sweep, nudge, book};
 
 }  // namespace engine::ENGINE_LANES

@@ -14,7 +14,7 @@ struct WideStep {
     float nudgeFactor = 0.0f;
     float mostNudge = 0.0f;     // m
     float bounceSpeed = 0.0f;   // m/s
-    float bounceByBias = 0.0f;  // 1: restitution goes to b, not to the impact pass
+    float bounceByBias = 0.0f;  // 1: restitution goes to b, not to solver/impacts.h
     float keep = 1.0f;          // 0: sweeps start from nothing
 };
 
@@ -32,8 +32,6 @@ struct ContactKernels {
                      const WideStep&);
     /// b of every row, of the velocities before solving; and 0 for the bounces.
     void (*setBiases)(ContactBatch&, ContactRecord&, const WideVelocity*, const WideStep&);
-    /// One pass of impacts; true: something bounced.
-    bool (*bounce)(ContactBatch&, const ContactRecord&, WideVelocity*, const WideStep&);
     /// v += M^-1 J^T lambda
     void (*warmStart)(ContactBatch&, WideVelocity*, const WideStep&);
     /// One batch after the other: the normals of a manifold together, then its friction.

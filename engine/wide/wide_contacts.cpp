@@ -6,8 +6,6 @@
 namespace engine {
 namespace {
 
-constexpr int kMostBounces = 64;  // passes, as in solver/impacts.cpp
-
 void set3(float (&x)[3][8], int lane, const Vec3& v) {
     for (int i = 0; i < 3; ++i) x[i][lane] = static_cast<float>(v[i]);
 }
@@ -59,8 +57,6 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     start_ = bodies.poses;
     axes_.clear();
     for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
-    bouncing_ = false;
-    for (const Contact& contact : contacts) bouncing_ = bouncing_ || contact.restitution > 0.0;
     const int count = static_cast<int>(schedule_.batches().size());
     batches_.resize(count), records_.resize(count);
     place_.resize(contacts.size());
@@ -110,8 +106,16 @@ void WideContacts::fillBatch(int batch, std::span<const Contact> contacts, const
 void WideContacts::fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies) {
     ContactBatch& c = batches_[batch];
     ContactRecord& record = records_[batch];
-    const Vec3 offset = bodies.poses[contact.a].position - bodies.poses[contact.b].position;
+    const Vec3 apart = bodies.poses[contact.a].position - bodies.poses[contact.b].position;
     const int waste = wasteOf(bodies.count(), overlap_.halfOf(batch));
+    double open = 0.0;  // m: the arms end where the two will touch, as if b had come by the gap
+    for (int i = 0; i < contact.count; ++i) {
+        const Vec3 between = axes_[contact.b] * contact.points[i].anchorB -
+                             axes_[contact.a] * contact.points[i].anchorA - apart;
+        const double gap = contact.normal.dot(between);
+        open = i == 0 ? gap : smaller(open, gap);
+    }
+    const Vec3 offset = apart + larger(open, 0.0) * contact.normal;
     c.a[lane] = contact.a, c.b[lane] = contact.b;
     c.writeA[lane] = pairs_[record.contact[lane]].a >= 0 ? contact.a : waste;
     c.writeB[lane] = pairs_[record.contact[lane]].b >= 0 ? contact.b : waste;
@@ -127,7 +131,7 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     for (int i = 0; i < contact.count; ++i) {
         const Vec3 armA = axes_[contact.a] * contact.points[i].anchorA;
         const Vec3 between = axes_[contact.b] * contact.points[i].anchorB - armA - offset;
-        frame.add(armA + 0.5 * between, contact.normal.dot(between));
+        frame.add(armA + 0.5 * between, contact.normal.dot(between) + larger(open, 0.0));
     }
     frame.finish(contact.normal);
     set3(c.n, lane, contact.normal), set3(c.t1, lane, frame.t1), set3(c.t2, lane, frame.t2);
@@ -190,13 +194,11 @@ void WideContacts::begin(std::span<const Velocity> v, const Settings& settings, 
     eachBatch([&](int k) { kernels_->setBiases(batches_[k], records_[k], now_.data(), step_); });
     now_.assign(now_.size(), {});
     before_ = now_;
-    if (!bouncing_ || settings.bounce == Bounce::bias) return;
-    bool any = true;
-    for (int pass = 0; pass < kMostBounces && any; ++pass) {
-        any = false;
-        for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
-            any = kernels_->bounce(batches_[k], records_[k], now_.data(), step_) || any;
-    }
+}
+
+void WideContacts::setBounce(int contact, int i, double impulse) {
+    const int batch = place_[contact] / 8, lane = place_[contact] % 8;
+    batches_[batch].point[i].bounce[lane] = static_cast<float>(impulse);
 }
 
 void WideContacts::warmStart(int group) {

@@ -35,8 +35,10 @@ public:
     bool empty() const { return batches_.empty(); }
     const ContactGroups& groups() const { return groups_; }
 
-    /// Biases and bounces of a sub-step of length h (s), from the velocities before solving.
+    /// Biases of a sub-step of length h (s), from the velocities before solving.
     void begin(std::span<const Velocity> v, const Settings& settings, double h);
+    /// What a point got when its bodies met (solver/impacts.h), N s; after begin().
+    void setBounce(int contact, int i, double impulse);
     void warmStart(int group);
     SweepReport sweep(int group);
     /// Warm start and sweeps of a large group (overlap.h), which may be shared by two threads.
@@ -96,7 +98,6 @@ private:
     std::vector<Pose> start_;                // where the rows were made
     std::vector<Mat3> axes_;                 // their rotations
     WideStep step_;
-    bool bouncing_ = false;                  // some contact has a restitution
 };
 
 }  // namespace engine

@@ -252,9 +252,9 @@ TEST(FastBodies, TheOrderOfBodiesDoesNotMatter) {
     World one = shooting(true), other = shooting(false);
     run(one, 10), run(other, 10);
     EXPECT_GT(one.velocity({1}).x(), 10.0);  // it was hit
-    for (const int i : {0, 1}) {  // sweeps end at 2 mm/s
-        EXPECT_LT((one.pose({i}).position - other.pose({1 - i}).position).norm(), 2e-3);
-        EXPECT_LT((one.velocity({i}) - other.velocity({1 - i})).norm(), 1e-2);
+    for (const int i : {0, 1}) {  // of 200 m/s; an island on the move is swept four times
+        EXPECT_LT((one.pose({i}).position - other.pose({1 - i}).position).norm(), 1e-2);
+        EXPECT_LT((one.velocity({i}) - other.velocity({1 - i})).norm(), 5e-2);
     }
 }
 

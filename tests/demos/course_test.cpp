@@ -142,7 +142,9 @@ TEST(Trajectory, RefusesBytesThatAreNone) {
     for (std::size_t at = 0; at < good.size(); at += 31) {  // zlib's checksum sees each
         std::vector<std::uint8_t> bad = good;
         bad[at] ^= 0x10;
-        EXPECT_FALSE(decodeTrajectory(bad).has_value()) << at;
+        const std::optional<Trajectory> back = decodeTrajectory(bad);
+        // but for the bits that fill the last byte before it, which say nothing
+        EXPECT_TRUE(!back || back->hashes == trajectory.hashes) << at;
     }
 }
 

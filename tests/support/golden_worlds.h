@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0xa73082e875c26653},
+        {"stack", goldenStack, 300, 0x0316abca93544d1a},
         {"pendulum", goldenPendulum, 600, 0x04bd4c6592073eda},
-        {"chain", goldenChain, 300, 0x78c3dc56b60125ad},
-        {"pyramid", goldenPyramid, 60, 0xaf490f679934ee63},
-        {"forces", goldenForces, 300, 0x7d7450cdb562e06b},
-        {"machine", goldenMachine, 300, 0x57768a20bb737a33},
-        {"shapes", goldenShapes, 180, 0x6652e5ae34fc1fe4},
-        {"rolling", goldenRolling, 300, 0xec5e2e43df05330c},
+        {"chain", goldenChain, 300, 0x2614f89127826e28},
+        {"pyramid", goldenPyramid, 60, 0xcdf6fcbf47f1627c},
+        {"forces", goldenForces, 300, 0xf27ca2ded65ae893},
+        {"machine", goldenMachine, 300, 0x68cfaf8c9a8bd184},
+        {"shapes", goldenShapes, 180, 0x83c7feacb9a930d2},
+        {"rolling", goldenRolling, 300, 0x319e597719835312},
     }};
     return worlds;
 }
