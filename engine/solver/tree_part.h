@@ -4,6 +4,7 @@
 /// (tree_joint.h); block_factors.h solves it.
 #pragma once
 #include "engine/constraints/contact_constraint.h"
+#include "engine/settings.h"
 #include "engine/solver/block_factors.h"
 #include "engine/solver/joint_forests.h"
 #include "engine/solver/tree_joint.h"
