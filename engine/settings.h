@@ -27,6 +27,9 @@ enum class Gyroscope { momentum, implicitEuler, none };
 /// before solving (Eberly's formula).
 enum class Bounce { impacts, bias };
 
+/// How soft rows and springs of joints swing (constraints/soft.h).
+enum class Springs { symplectic, implicit };
+
 /// What the wide contact solver runs on; the bits are the same.
 enum class Instructions { best, baseline };
 
@@ -51,6 +54,7 @@ struct Settings {
     bool accumulate = true;   // clamp the total; false = clamp the correction: the wrong way
     Gyroscope gyroscope = Gyroscope::momentum;
     Bounce bounce = Bounce::impacts;
+    Springs springs = Springs::symplectic;
     double bounceSpeed = 0.25;       // m/s: slower approaches do not bounce, so that things rest
     double speculativeMargin = 0.02; // m: contacts are made this far ahead of touching
     bool lanes = true;        // contacts eight side by side, in single precision; needs block and
@@ -100,6 +104,7 @@ struct Settings {
         s.joints = JointSolving::rows;
         s.gyroscope = Gyroscope::implicitEuler;
         s.bounce = Bounce::bias;
+        s.springs = Springs::implicit;
         return s;
     }
 };

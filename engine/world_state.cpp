@@ -259,7 +259,7 @@ Energy energyNow(const WorldState& s) {
     Energy energy = energyOf(s.bodies, s.gravity, h);
     for (const Joint& joint : s.joints)
         if (joint.present && (joint.def.spring.isSoft() || joint.acts))
-            energy.elastic += elasticEnergy(joint, s.bodies);
+            energy.elastic += elasticEnergy(joint, s.bodies, h);
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, s.report.time, 0.0)) addPotential(*force, s.bodies, energy);
     return energy;

@@ -105,12 +105,12 @@ inline void place(DriveRow& row, double x) {
     row.error = sign > 0.0 ? x - low : high - x;
 }
 
-/// b, gamma and the bounds of lambda, for a sub-step of length h (s); beta is Baumgarte's.
-inline void setBias(DriveRow& row, double k, double beta, double h) {
+/// b, gamma and the bounds of lambda, for a sub-step of length h (s).
+inline void setBias(DriveRow& row, double k, const Settings& settings, double h) {
     constexpr double kAny = std::numeric_limits<double>::infinity();
     row.low = -kAny, row.high = kAny;
     if (row.kind == DriveKind::spring) {
-        const SoftRow soft = softRow(row.freedom.spring, k, row.error, h);
+        const SoftRow soft = softRow(row.freedom.spring, k, row.error, h, settings.springs);
         row.softness = soft.softness;
         row.bias = soft.bias;
     } else if (row.kind == DriveKind::motor) {
@@ -120,7 +120,7 @@ inline void setBias(DriveRow& row, double k, double beta, double h) {
     } else {
         const bool held = row.freedom.limits.low >= row.freedom.limits.high;
         if (!held) row.low = 0.0;
-        row.bias = (row.error > 0.0 && !held ? 1.0 : beta) * row.error / h;
+        row.bias = (row.error > 0.0 && !held ? 1.0 : settings.baumgarte) * row.error / h;
     }
 }
 

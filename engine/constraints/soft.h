@@ -1,14 +1,24 @@
-/// A soft row: instead of C = 0, a spring and a damper along it, solved implicitly.
-///   f = -k C1 - c dC1/dt,   C1 = C + h dC1/dt                   the force at the end of the step
-///   lambda = h f  gives     J v1 + (beta / h) C + gamma lambda = 0
-///   gamma = 1 / (h (c + h k)),   beta = h k / (c + h k)
+/// A soft row: instead of C = 0, a spring and a damper along it,
 ///   k = m w^2,  c = 2 m zeta w,  w = 2 pi hz,  m = 1 / K       k and c suit the masses that the
 ///   row moves, unless the spring has its own
-/// It is the implicit-Euler spring to round-off: stable at any stiffness, a little too well damped.
-/// (Catto, GDC 2011, 'Soft Constraints'; Smith, Open Dynamics Engine, 'ERP and CFM'.)
+/// What it does to the rate along it is, with the rate v0 that all else would leave,
+///   v1 = E (v0 - W C / h)
+/// and as a row, lambda = m (v1 - v0) on top of what the others give:
+///   J v1 + b + gamma lambda = 0,   gamma = E K / (1 - E),   b = E W C / (h (1 - E))
+///
+/// Springs::symplectic  E = 1 / (1 + h c / m),  W = h^2 k / m: pulled, then damped. E is the product of the
+///                      two roots of its recurrence, so a swing decays by e^(-zeta w t), and not at all
+///                      where zeta = 0; a weight sags by m g / k and falls with m g / c. For h w up to
+///                      0.2, and then more and more, from 0.4 on altogether, the other, which is stable
+///                      at any stiffness:
+/// Springs::implicit    E = 1 / (1 + h c / m + h^2 k / m),  W the same: the implicit-Euler spring to
+///                      round-off, a little too well damped (a swing of 1.5 Hz by 80 % in 14 periods)
+/// (Catto, GDC 2011, 'Soft Constraints'; Smith, Open Dynamics Engine, 'ERP and CFM'; Hairer, Lubich,
+/// Wanner, 'Geometric Numerical Integration', I.1.)
 #pragma once
 #include "engine/constraints/jacobian.h"
 #include "engine/joint.h"
+#include "engine/settings.h"
 
 namespace engine {
 
@@ -18,13 +28,16 @@ struct SoftRow {
 };
 
 /// Of a row with the inverse effective mass k and the error C, for a step of length h.
-inline SoftRow softRow(const Spring& spring, double k, double error, double h) {
+inline SoftRow softRow(const Spring& spring, double k, double error, double h, Springs how) {
     if (k <= 0.0) return {};
-    const auto inverseMass = k;
-    const double stiffness = spring.stiffnessOf(inverseMass);
-    const double damping = spring.resistanceOf(inverseMass);
-    const double softness = 1.0 / (h * (damping + h * stiffness));
-    return {softness, error * h * stiffness * softness};
+    const double pull = h * h * spring.stiffnessOf(k) * k;    // W
+    const double damping = h * spring.resistanceOf(k) * k;    // c h / m
+    const double stiff = larger(std::sqrt(pull), damping);
+    const double share =
+        how == Springs::symplectic ? clamped((stiff - 0.2) / 0.2, 0.0, 1.0) : 1.0;
+    const double kept = 1.0 / (1.0 + damping + share * pull);  // E
+    const double taken = larger(1.0 - kept, 1e-9);  // nearly nothing of an undamped one
+    return {kept * k / taken, kept * pull * error / (h * taken)};
 }
 
 /// lambda = -(J v + b + gamma lambda_total) / (K + gamma); with gamma = 0 the rigid row's.

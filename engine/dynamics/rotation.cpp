@@ -93,7 +93,7 @@ Quat turnedBy(const Vec3& turn, const Quat& q) {
     const Vec3 half = 0.5 * turn;
     const double x2 = half.squaredNorm();
     double cosineOfHalf, sineOverHalf;
-    if (x2 < 1e-2) {  // the terms left out are below 1e-16
+    if (!(x2 >= 1e-2 && x2 < 1e200)) {  // the terms left out are below 1e-16; or it is not a number
         sineOverHalf = 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0)));
         cosineOfHalf = 1.0 - x2 / 2.0 * (1.0 - x2 / 12.0 * (1.0 - x2 / 30.0 * (1.0 - x2 / 56.0)));
     } else {
@@ -124,6 +124,7 @@ void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& s
         return;
     }
     const Vec3 momentum = rotation * Vec3(mass.inertia * Vec3(rotation.conjugate() * spin));
+    if (!momentum.allFinite()) return;  // the step will be taken back
     double left = 1.0;
     for (int part = 0; left > 0.0 && part < kMostParts; ++part) {
         const FreeTurn turn(mass, h, momentum, rotation, left);

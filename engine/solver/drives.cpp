@@ -107,7 +107,7 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
 void setDriveBiases(Constraints& c, const Settings& settings, double h) {
     for (JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i)
-            setBias(drive.rows[i], drive.along[drive.rows[i].coordinate].k, settings.baumgarte, h);
+            setBias(drive.rows[i], drive.along[drive.rows[i].coordinate].k, settings, h);
 }
 
 void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v) {
@@ -151,7 +151,7 @@ void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> jo
     }
 }
 
-double driveEnergy(const Joint& joint, const Bodies& bodies) {
+double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     const HeldRows held(joint, bodies, a, b);
@@ -159,7 +159,8 @@ double driveEnergy(const Joint& joint, const Bodies& bodies) {
     for (int i = 0; i < free.count; ++i) {
         const Freedom& f = joint.def.free[i];
         if (!f.spring.isSoft()) continue;
-        const double stretch = free.error[i] - f.rest;
+        const double rate = velocityAlong(free.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double stretch = free.error[i] - f.rest - 0.5 * h * rate;
         const double k =
             freeRow(held, free.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
         if (k > 0.0) energy += 0.5 * f.spring.stiffnessOf(k) * stretch * stretch;

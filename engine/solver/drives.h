@@ -26,6 +26,6 @@ void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraint
 void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> joints, double dt);
 
 /// J, in the springs along a joint's coordinates.
-double driveEnergy(const Joint& joint, const Bodies& bodies);
+double driveEnergy(const Joint& joint, const Bodies& bodies, double h);
 
 }  // namespace engine

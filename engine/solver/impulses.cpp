@@ -38,7 +38,8 @@ Eigen::Matrix<double, 6, 6> massOf(const JointConstraint& joint) {
 void setBiases(JointConstraint& joint, const Settings& settings, double h) {
     for (int i = 0; i < joint.count; ++i) {
         const SoftRow soft = joint.spring.isSoft()
-                                 ? softRow(joint.spring, joint.rows[i].k, joint.error[i], h)
+                                 ? softRow(joint.spring, joint.rows[i].k, joint.error[i], h,
+                                           settings.springs)
                                  : SoftRow{0.0, settings.baumgarte * joint.error[i] / h};
         joint.softness[i] = soft.softness;
         joint.bias[i] = soft.bias;

@@ -49,8 +49,8 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
     prepareDrives(joints, bodies, solver.constraints);
 }
 
-double elasticEnergy(const Joint& joint, const Bodies& bodies) {
-    double energy = joint.acts ? driveEnergy(joint, bodies) : 0.0;
+double elasticEnergy(const Joint& joint, const Bodies& bodies, double h) {
+    double energy = joint.acts ? driveEnergy(joint, bodies, h) : 0.0;
     if (!joint.def.spring.isSoft()) return energy;
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows rows =
@@ -58,7 +58,9 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
     for (int i = 0; i < rows.count; ++i) {
         const double k =
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        if (k > 0.0) energy += 0.5 * joint.def.spring.stiffnessOf(k) * rows.error[i] * rows.error[i];
+        const double rate = velocityAlong(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double stretch = rows.error[i] - 0.5 * h * rate;
+        if (k > 0.0) energy += 0.5 * joint.def.spring.stiffnessOf(k) * stretch * stretch;
     }
     return energy;
 }

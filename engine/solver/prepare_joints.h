@@ -20,7 +20,7 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
 
 /// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses;
 /// and in the springs along its coordinates.
-double elasticEnergy(const Joint& joint, const Bodies& bodies);
+double elasticEnergy(const Joint& joint, const Bodies& bodies, double h);
 
 /// Joints' impulses go back to where the next step finds them; their mean forces over the step.
 void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> joints, double dt);

@@ -173,7 +173,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"chain", goldenChain, 300, 0x2614f89127826e28},
         {"pyramid", goldenPyramid, 60, 0xcdf6fcbf47f1627c},
         {"forces", goldenForces, 300, 0xf27ca2ded65ae893},
-        {"machine", goldenMachine, 300, 0x68cfaf8c9a8bd184},
+        {"machine", goldenMachine, 300, 0x6949a1e3e0c59bde},
         {"shapes", goldenShapes, 180, 0x83c7feacb9a930d2},
         {"rolling", goldenRolling, 300, 0x319e597719835312},
     }};
