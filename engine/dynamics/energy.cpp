@@ -3,16 +3,13 @@
 namespace engine {
 namespace {
 
-Vec3 spinMomentum(const BodyMass& mass, const Quat& q, const Vec3& spin) {
-    return q * Vec3(mass.inertia * Vec3(q.conjugate() * spin));
+Vec3 spinMomentum(const Bodies& bodies, int i) {
+    const Quat& q = bodies.poses[i].rotation;
+    const Vec3 local = q.conjugate() * bodies.velocities[i].angular;
+    return q * Vec3(bodies.masses[i].inertia * local);
 }
 
 }  // namespace
-
-double kineticEnergy(const BodyMass& mass, const Quat& rotation, const Velocity& v) {
-    return 0.5 * (mass.mass * v.linear.squaredNorm() +
-                  v.angular.dot(spinMomentum(mass, rotation, v.angular)));
-}
 
 Energy energyOf(const Bodies& bodies, const Vec3& gravity, double h) {
     Energy e;
@@ -22,7 +19,7 @@ Energy energyOf(const Bodies& bodies, const Vec3& gravity, double h) {
         const Velocity& v = bodies.velocities[i];
         e.potential -= m * gravity.dot(bodies.poses[i].position - 0.5 * h * v.linear);
         if (bodies.isStill(i)) continue;
-        e.kinetic += kineticEnergy(bodies.masses[i], bodies.poses[i].rotation, v);
+        e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));
     }
     return e;
 }
@@ -33,9 +30,7 @@ Momentum momentumOf(const Bodies& bodies) {
         if (!bodies.isDynamic(i)) continue;
         const Vec3 p = bodies.masses[i].mass * bodies.velocities[i].linear;
         sum.linear += p;
-        sum.angular += bodies.poses[i].position.cross(p) +
-                       spinMomentum(bodies.masses[i], bodies.poses[i].rotation,
-                                    bodies.velocities[i].angular);
+        sum.angular += bodies.poses[i].position.cross(p) + spinMomentum(bodies, i);
     }
     return sum;
 }

@@ -9,9 +9,6 @@
 
 namespace engine {
 
-/// J, of one body.
-double kineticEnergy(const BodyMass& mass, const Quat& rotation, const Velocity& v);
-
 /// `h`: the sub-step that the velocities come from (s); 0 before the first.
 Energy energyOf(const Bodies& bodies, const Vec3& gravity, double h);
 

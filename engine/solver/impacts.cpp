@@ -15,7 +15,6 @@ ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies)
     c.a = contact.a, c.b = contact.b, c.count = contact.count;
     c.n = contact.normal, c.restitution = contact.restitution;
     c.massA = bodies.inverseMasses[c.a], c.massB = bodies.inverseMasses[c.b];
-    Row normals[Contact::kMaxPoints];
     const Pose &a = bodies.poses[c.a], &b = bodies.poses[c.b];
     for (int i = 0; i < c.count; ++i) {
         ContactRow& row = c.rows[i];
@@ -23,9 +22,7 @@ ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies)
         const Vec3 onB = b.toWorld(contact.points[i].anchorB);
         row.armA = onA - a.position, row.armB = onB - b.position;
         row.gapAtStart = c.n.dot(onB - onA);
-        normals[i] = rowAlong(c, i, c.n);
     }
-    c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
     return impact;
 }
 
@@ -69,32 +66,48 @@ void Impacts::prepare(std::span<const Contact> contacts, const Bodies& bodies) {
 void Impacts::begin(const Bodies& bodies, std::span<const Pose> posesAtStart) {
     for (const int i : met_) bodies_[i] = {};
     met_.clear();
+    all_ = &bodies, starts_ = posesAtStart;
     for (ContactImpact& impact : list_) {
-        ContactConstraint& c = impact.contact;
-        const Velocity wayA = since(bodies.poses[c.a], posesAtStart[c.a]);
-        const Velocity wayB = since(bodies.poses[c.b], posesAtStart[c.b]);
-        const Acceleration &a = bodies.accelerations[c.a], &b = bodies.accelerations[c.b];
-        for (int i = 0; i < c.count; ++i) {
-            ContactRow& row = c.rows[i];
-            row.separation = row.gapAtStart + c.n.dot(velocityBetween(row, wayA, wayB));
-            row.bounce = 0.0;
-            impact.acceleration[i] = c.n.dot(
-                velocityBetween(row, {a.linear, a.angular}, {b.linear, b.angular}));
-        }
+        impact.placed = false;
+        for (int i = 0; i < impact.contact.count; ++i) impact.contact.rows[i].bounce = 0.0;
     }
+}
+
+void Impacts::place(ContactImpact& impact) const {
+    ContactConstraint& c = impact.contact;
+    const Velocity wayA = since(all_->poses[c.a], starts_[c.a]);
+    const Velocity wayB = since(all_->poses[c.b], starts_[c.b]);
+    const Acceleration &a = all_->accelerations[c.a], &b = all_->accelerations[c.b];
+    Row normals[Contact::kMaxPoints];
+    for (int i = 0; i < c.count; ++i) {
+        ContactRow& row = c.rows[i];
+        row.separation = row.gapAtStart + c.n.dot(velocityBetween(row, wayA, wayB));
+        impact.acceleration[i] =
+            c.n.dot(velocityBetween(row, {a.linear, a.angular}, {b.linear, b.angular}));
+        if (!impact.made) normals[i] = rowAlong(c, i, c.n);
+    }
+    if (!impact.made)
+        c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
+    impact.made = impact.placed = true;
 }
 
 bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double threshold, double h) {
     ContactConstraint& c = impact.contact;
     Velocity &a = v[c.a], &b = v[c.b];
     Body &bodyA = bodies_[c.a], &bodyB = bodies_[c.b];
+    double approach[Contact::kMaxPoints], fastest = 0.0;
+    for (int i = 0; i < c.count; ++i) {
+        approach[i] = c.n.dot(velocityBetween(c.rows[i], a, b));
+        fastest = smaller(fastest, approach[i]);
+    }
+    if (fastest > -0.5 * threshold) return false;  // most contacts rest: nothing more to look at
+    if (!impact.placed) place(impact);
     const double earliest = larger(bodyA.time, bodyB.time);
     Meeting meetings[Contact::kMaxPoints];
-    double approach[Contact::kMaxPoints], time = h;
+    double time = h;
     bool any = false;
     for (int i = 0; i < c.count; ++i) {
         const ContactRow& row = c.rows[i];
-        approach[i] = c.n.dot(velocityBetween(row, a, b));
         const double gap = row.separation + c.n.dot(velocityBetween(row, bodyA.way, bodyB.way));
         meetings[i] = meet(approach[i], gap, impact.acceleration[i], earliest, threshold, h);
         if (!meetings[i].hits) continue;

@@ -23,6 +23,8 @@ struct ContactImpact {
     ContactConstraint contact;
     int number = -1;                                  // among the contacts
     double acceleration[Contact::kMaxPoints] = {};    // a of every point, m/s^2
+    bool made = false;                                // its block, in this step
+    bool placed = false;                              // gaps and accelerations, in this sub-step
 };
 
 class Impacts {
@@ -31,7 +33,7 @@ public:
     void prepare(std::span<const Contact> contacts, const Bodies& bodies);
     bool empty() const { return list_.empty(); }
 
-    /// Of a sub-step, before it is solved: gaps and accelerations.
+    /// Of a sub-step, before it is solved: gaps and accelerations will be those of now.
     void begin(const Bodies& bodies, std::span<const Pose> posesAtStart);
     /// All bounces of a sub-step of length h (s); `v` afterwards.
     void solve(std::span<Velocity> v, const Settings& settings, double h);
@@ -48,6 +50,10 @@ private:
         bool met = false;
     };
     bool bounce(ContactImpact& impact, std::span<Velocity> v, double threshold, double h);
+    void place(ContactImpact& impact) const;
+
+    const Bodies* all_ = nullptr;  // in this sub-step
+    std::span<const Pose> starts_;
 
     std::vector<ContactImpact> list_;
     std::vector<Body> bodies_;

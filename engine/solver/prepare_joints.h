@@ -19,7 +19,7 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
                    Solver& solver);
 
 /// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses;
-/// and in the springs along its coordinates.
+/// and in the springs along its coordinates; with velocities of sub-steps of length h (s), as energyOf.
 double elasticEnergy(const Joint& joint, const Bodies& bodies, double h);
 
 /// Joints' impulses go back to where the next step finds them; their mean forces over the step.

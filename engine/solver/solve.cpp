@@ -53,7 +53,7 @@ void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, do
                   std::vector<SweepReport>& report) {
     if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
         return;  // all asleep, or in free flight
-    beginSolving(s.constraints, v, settings, h);  // of the joints
+    beginSolving(s.constraints, v, settings, h);  // bounces, and biases of the joints
     s.wide.begin(v, settings, h);
     for (const ContactImpact& impact : s.constraints.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kGain = 0.5;    // Newton goes on while a step leaves no more than this of the errors
 constexpr int kMostNudges = 8;   // Newton steps of a tree that moves anew; two or three do
+constexpr double kSmall = 1e-3;  // of the lever arms: an error that may stay in a loop that does not fit
 constexpr double kMet = 1e-8;    // of the lever arms; at 1e-6 a four-bar gains 2 % in ten minutes
 /// Hinges between two held ends hold the directions across twice, but for a play so small that
 /// dividing by it throws bodies about: there the last one gives way by this share of its K.
@@ -204,8 +205,11 @@ void TreePart<N>::chooseGains(const TreeNudge& nudge, const Bodies& bodies) {
 template <int N>
 void TreePart<N>::takeBackFeedback(const TreeNudge& nudge, Bodies& bodies) {
     const auto fails = [](const Tree& tree) {
-        return tree.anew && tree.ratio > kMet && !(tree.sum < kGain * tree.before);
+        return tree.anew && tree.ratio > (tree.closed ? kSmall : kMet) &&
+               !(tree.sum < kGain * tree.before);
     };
+    for (Tree& tree : trees_)  // what is left of a loop that does not quite fit, no step takes away
+        tree.anew = tree.anew && (fails(tree) || tree.sum < kGain * tree.before);
     if (std::none_of(trees_.begin(), trees_.end(), fails)) return;
     for (std::size_t i = 0; i < members_.size(); ++i) {
         Member& member = members_[i];
