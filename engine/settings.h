@@ -45,6 +45,7 @@ struct Settings {
     double tolerance = 1e-3;  // m/s: enough when no row's correction was larger; 0 = all sweeps
     int nudges = 1;           // position sweeps a sub-step; 0 = off
     double nudgeFactor = 0.5; // beta: the share of the error C that one nudge takes away
+    double depenetrationSpeed = 1.0; // m/s: at most, bodies that overlap are nudged apart
     double slop = 5e-4;       // m: penetration left alone, so that a resting contact stays a contact
     double baumgarte = 0.0;   // b = beta C / h instead of nudges; never both
     Order order = Order::gravity;
@@ -97,6 +98,7 @@ struct Settings {
         s.tolerance = 0.0;
         s.nudges = 4;
         s.nudgeFactor = 0.2;
+        s.depenetrationSpeed = 1e4;
         s.slop = 5e-3;
         s.order = Order::pairs;
         s.block = false;

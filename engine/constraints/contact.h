@@ -29,4 +29,8 @@ struct Contact {
     std::array<ContactPoint, kMaxPoints> points;
 };
 
+/// Rows are made once a step; of a body that has turned by more since (rad), M^-1 is that of now. Rows of
+/// a contact and of joints that took different M^-1 for one body would not converge, but diverge.
+constexpr double kFarTurn = 0.1;
+
 }  // namespace engine

@@ -90,6 +90,22 @@ inline Row rowOfTurn(const ContactConstraint& c, const Vec3& direction) {
     return makeRow({Vec3(Vec3::Zero()), Vec3(-direction), direction}, c.massA, c.massB);
 }
 
+/// Effective masses and the block, for the arms that the rows have.
+inline void setMasses(ContactConstraint& c, const InverseMass& massA, const InverseMass& massB) {
+    c.massA = massA, c.massB = massB;
+    Row normals[Contact::kMaxPoints];
+    Vec3 armsA[Contact::kMaxPoints], armsB[Contact::kMaxPoints];
+    for (int i = 0; i < c.count; ++i) {
+        ContactRow& row = c.rows[i];
+        normals[i] = rowAlong(c, i, c.n);
+        row.frictionMass = coneMass(rowAlong(c, i, c.t1), rowAlong(c, i, c.t2));
+        armsA[i] = row.armA, armsB[i] = row.armB;
+    }
+    c.manifold = manifoldFriction(c.n, c.t1, c.t2, c.count, armsA, armsB, massA, massB);
+    c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
+    if (c.rolling > 0.0) c.rollingMass = coneMass(rowOfTurn(c, c.t1), rowOfTurn(c, c.t2));
+}
+
 /// Arms, effective masses and the block of one contact. `points` may be written by hand: the solver
 /// does not care where its constraints come from.
 inline ContactConstraint makeContactConstraint(const Contact& contact,
@@ -97,31 +113,22 @@ inline ContactConstraint makeContactConstraint(const Contact& contact,
                                                const InverseMass& massA, const InverseMass& massB) {
     ContactConstraint c;
     c.a = contact.a, c.b = contact.b, c.count = contact.count;
-    c.massA = massA, c.massB = massB;
     c.friction = contact.friction;
     c.restitution = contact.restitution;
     c.rolling = contact.rolling;
     c.n = contact.normal;
     tangents(c.n, c.t1, c.t2);
-    Row normals[Contact::kMaxPoints];
     for (int i = 0; i < c.count; ++i) {
         ContactRow& row = c.rows[i];
         row.armA = points[i].armA, row.armB = points[i].armB;
         row.gapAtStart = row.separation = points[i].separation;
-        normals[i] = rowAlong(c, i, c.n);
-        row.frictionMass = coneMass(rowAlong(c, i, c.t1), rowAlong(c, i, c.t2));
         row.lambda = contact.points[i].impulse;
         const Vec3 friction = contact.points[i].friction;
         row.friction << friction.dot(c.t1), friction.dot(c.t2);
     }
-    Vec3 armsA[Contact::kMaxPoints], armsB[Contact::kMaxPoints];
-    for (int i = 0; i < c.count; ++i) armsA[i] = points[i].armA, armsB[i] = points[i].armB;
-    c.manifold = manifoldFriction(c.n, c.t1, c.t2, c.count, armsA, armsB, massA, massB);
-    c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
-    if (c.rolling <= 0.0) return c;
-    c.rollingMass = coneMass(rowOfTurn(c, c.t1), rowOfTurn(c, c.t2));
-    const Vec3 moment = contact.rollingMoment;
-    c.rollingMoment << moment.dot(c.t1), moment.dot(c.t2);
+    if (c.rolling > 0.0)
+        c.rollingMoment << contact.rollingMoment.dot(c.t1), contact.rollingMoment.dot(c.t2);
+    setMasses(c, massA, massB);
     return c;
 }
 

@@ -30,6 +30,12 @@ inline Quat cayley(const Vec3& turn, const Quat& q) {
 ///   q1 = (cos(|turn| / 2), sin(|turn| / 2) turn / |turn|) q
 Quat turnedBy(const Vec3& turn, const Quat& q);
 
+/// The turn from one pose to another (rad, world axes), of less than a radian: 2 sin(angle / 2) its axis.
+inline Vec3 turnBetween(const Pose& from, const Pose& to) {
+    const Quat turn = to.rotation * from.rotation.conjugate();
+    return turn.w() < 0.0 ? Vec3(-2.0 * turn.vec()) : Vec3(2.0 * turn.vec());
+}
+
 /// The spin after a time h under its own gyroscopic torque: one Newton step of implicit Euler.
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,
                                double h);

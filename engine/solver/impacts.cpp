@@ -14,7 +14,6 @@ ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies)
     ContactConstraint& c = impact.contact;
     c.a = contact.a, c.b = contact.b, c.count = contact.count;
     c.n = contact.normal, c.restitution = contact.restitution;
-    c.massA = bodies.inverseMasses[c.a], c.massB = bodies.inverseMasses[c.b];
     const Pose &a = bodies.poses[c.a], &b = bodies.poses[c.b];
     for (int i = 0; i < c.count; ++i) {
         ContactRow& row = c.rows[i];
@@ -27,9 +26,7 @@ ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies)
 }
 
 Velocity since(const Pose& now, const Pose& start) {
-    Quat turn = now.rotation * start.rotation.conjugate();
-    if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-    return {now.position - start.position, 2.0 * turn.vec()};
+    return {now.position - start.position, turnBetween(start, now)};
 }
 
 /// How a point meets the other side within a sub-step.
@@ -78,17 +75,17 @@ void Impacts::place(ContactImpact& impact) const {
     const Velocity wayA = since(all_->poses[c.a], starts_[c.a]);
     const Velocity wayB = since(all_->poses[c.b], starts_[c.b]);
     const Acceleration &a = all_->accelerations[c.a], &b = all_->accelerations[c.b];
+    c.massA = all_->inverseMasses[c.a], c.massB = all_->inverseMasses[c.b];
     Row normals[Contact::kMaxPoints];
     for (int i = 0; i < c.count; ++i) {
         ContactRow& row = c.rows[i];
         row.separation = row.gapAtStart + c.n.dot(velocityBetween(row, wayA, wayB));
         impact.acceleration[i] =
             c.n.dot(velocityBetween(row, {a.linear, a.angular}, {b.linear, b.angular}));
-        if (!impact.made) normals[i] = rowAlong(c, i, c.n);
+        normals[i] = rowAlong(c, i, c.n);
     }
-    if (!impact.made)
-        c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
-    impact.made = impact.placed = true;
+    c.block = makeNormalBlock(c.count, [&](int i) -> const Row& { return normals[i]; });
+    impact.placed = true;
 }
 
 bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double threshold, double h) {

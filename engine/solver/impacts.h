@@ -23,8 +23,7 @@ struct ContactImpact {
     ContactConstraint contact;
     int number = -1;                                  // among the contacts
     double acceleration[Contact::kMaxPoints] = {};    // a of every point, m/s^2
-    bool made = false;                                // its block, in this step
-    bool placed = false;                              // gaps and accelerations, in this sub-step
+    bool placed = false;  // its gaps, accelerations and block are those of this sub-step
 };
 
 class Impacts {

@@ -39,11 +39,10 @@ void moveBy(const Velocity& way, int body, Bodies& bodies) {
 }
 
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h) {
+                 const Settings& settings, const TreeNudge& nudge) {
     for (const JointConstraint& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
     nudgeDrives(joints, bodies, solver.constraints, settings);
-    const TreeNudge nudge{kMostNudge, h, settings.gyroscope};
     solver.trees.nudge(nudge, joints, bodies);
 }
 

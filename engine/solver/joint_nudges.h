@@ -15,9 +15,9 @@
 
 namespace engine {
 
-/// Nudges all joints once; `h`, the length of the sub-step, with feedback to the velocities, 0 without.
+/// Nudges all joints once.
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h);
+                 const Settings& settings, const TreeNudge& nudge);
 
 /// One body by a way (m) and a turn (rad), unless nothing can move it.
 void moveBy(const Velocity& way, int body, Bodies& bodies);

@@ -21,25 +21,26 @@ void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies) {
 }
 
 /// The share of C that one nudge goes for: beta of what is beyond the slop.
-double goal(double separation, const Settings& settings) {
+double goal(double separation, const Settings& settings, double most) {
     const double beyond = separation + settings.slop;
-    return beyond < 0.0 ? larger(settings.nudgeFactor * beyond, -kMostNudge) : beyond;
+    return beyond < 0.0 ? larger(settings.nudgeFactor * beyond, -most) : beyond;
 }
 
-void nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solver,
-                  const Settings& settings) {
+/// True: it was deep enough to move its bodies.
+bool nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solver,
+                  const Settings& settings, double most) {
     Vec4 q = Vec4::Zero();
     bool any = false;
     for (int i = 0; i < contact.count; ++i) {
-        q[i] = goal(separationNow(contact, contact.rows[i], bodies, solver), settings);
+        q[i] = goal(separationNow(contact, contact.rows[i], bodies, solver), settings, most);
         any = any || q[i] < 0.0;
     }
-    if (!any) return;
+    if (!any) return false;
     if (settings.block) {
         const Vec4 lambda = solveNormalBlock(contact.block, q);
         for (int i = 0; i < contact.count; ++i)
             nudge(rowAlong(contact, i, contact.n), lambda[i], contact.a, contact.b, bodies);
-        return;
+        return true;
     }
     for (int i = 0; i < contact.count; ++i) {
         const Row row = rowAlong(contact, i, contact.n);
@@ -48,6 +49,7 @@ void nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solv
         for (int k = i + 1; k < contact.count; ++k)
             q[k] += coupling(row, rowAlong(contact, k, contact.n)) * lambda;
     }
+    return true;
 }
 
 void move(Pose& pose, const WideVelocity& way) {
@@ -59,9 +61,9 @@ void move(Pose& pose, const WideVelocity& way) {
 }
 
 /// One nudge of all contacts in lanes, unless none is needed. True: bodies were moved.
-bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
+bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings, double most) {
     if (!s.wide.separate(bodies, settings.slop)) return false;
-    const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
+    const std::span<const WideVelocity> ways = s.wide.nudge(settings, most);
     constexpr int kLeast = 512;  // bodies a thread
     s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
@@ -70,28 +72,33 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     return true;
 }
 
-/// True: some body may have moved.
-bool nudgeOnce(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-               const Settings& settings, double h) {
-    const bool moved = !solver.lanes || nudgeInLanes(solver, bodies, settings);
+/// True: some body was moved.
+bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, double h) {
+    const double most = smaller(kMostNudge, settings.depenetrationSpeed * h / settings.nudges);
+    bool moved = solver.lanes && nudgeInLanes(solver, bodies, settings, most);
     for (const int i : solver.constraints.order)
-        nudgeContact(solver.constraints.contacts[i], bodies, solver, settings);
-    nudgeJoints(joints, bodies, solver, settings, h);
-    return moved || !solver.constraints.joints.empty() || !solver.constraints.drives.empty();
+        moved = nudgeContact(solver.constraints.contacts[i], bodies, solver, settings, most) || moved;
+    return moved;
 }
 
 }  // namespace
 
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen) {
-    bool moved = true;
-    solver.constraints.impacts.movePositions(bodies);
-    for (int i = 0; i < settings.nudges; ++i)  // joints feed back only the first
-        moved = nudgeOnce(joints, bodies, solver, settings, i == 0 ? h : 0.0);
+    const Constraints& c = solver.constraints;
+    const bool jointed = !c.joints.empty() || !c.drives.empty();
+    TreeNudge nudge{kMostNudge, h, settings.gyroscope};
+    c.impacts.movePositions(bodies);
+    for (int i = 0; i < settings.nudges; ++i) {
+        // First of all, so that they feed back what moving left, and nothing of what contacts push.
+        if (jointed) nudgeJoints(joints, bodies, solver, settings, nudge);
+        nudge.h = 0.0;
+        nudge.pushed = nudgeContacts(bodies, solver, settings, h);
+    }
+    if (jointed && nudge.pushed) solver.trees.nudge(nudge, joints, bodies);
     updateInverseInertias(bodies);
-    if (solver.lanes && moved) solver.wide.separate(bodies, settings.slop);
-    if (!solver.constraints.joints.empty() || !solver.constraints.drives.empty())
-        finishJoints(joints, bodies, solver, settings, seen);
+    if (solver.lanes && (jointed || nudge.pushed)) solver.wide.separate(bodies, settings.slop);
+    if (jointed) finishJoints(joints, bodies, solver, settings, seen);
 }
 
 }  // namespace engine

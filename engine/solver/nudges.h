@@ -8,8 +8,8 @@
 
 namespace engine {
 
-constexpr double kMostNudge = 0.2;  // m: what one nudge may move, so that a deep error comes apart
-                                    // over several steps and not through its neighbours
+constexpr double kMostNudge = 0.2;  // m: what one nudge may move, so that joints far apart close over
+                                    // several steps; contacts have Settings::depenetrationSpeed
 
 /// h: length of the sub-step, s. seen: whether the velocities are looked at before they are solved
 /// again, which can spare trees a solve (joint_nudges.h).

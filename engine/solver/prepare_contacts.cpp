@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/constraints/manifold_frame.h"
+#include "engine/dynamics/rotation.h"
 
 namespace engine {
 namespace {
@@ -88,9 +89,7 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
                      const Solver& solver) {
     const auto since = [&](int body) {
         const Pose &now = bodies.poses[body], &start = solver.posesAtStart[body];
-        Quat turn = now.rotation * start.rotation.conjugate();
-        if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-        return Velocity{now.position - start.position, 2.0 * turn.vec()};
+        return Velocity{now.position - start.position, turnBetween(start, now)};
     };
     return row.gapAtStart +
            contact.n.dot(velocityBetween(row, since(contact.a), since(contact.b)));
@@ -98,11 +97,21 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
-    if (solver.lanes) return;  // they are up to date since the nudges
-    for (ContactConstraint& contact : solver.constraints.contacts)
+    if (solver.lanes) {  // separations are up to date since the nudges
+        solver.wide.followTurns(bodies);
+        return;
+    }
+    const auto hasTurned = [&](int i) {
+        return bodies.isDynamic(i) && !bodies.masses[i].isRound &&
+               turnBetween(solver.posesAtStart[i], bodies.poses[i]).norm() > kFarTurn;
+    };
+    for (ContactConstraint& contact : solver.constraints.contacts) {
+        if (hasTurned(contact.a) || hasTurned(contact.b))
+            setMasses(contact, bodies.inverseMasses[contact.a], bodies.inverseMasses[contact.b]);
         for (int i = 0; i < contact.count; ++i)
             contact.rows[i].separation =
                 separationNow(contact, contact.rows[i], bodies, solver);
+    }
 }
 
 void storeImpulses(const Solver& solver, std::span<Contact> contacts) {

@@ -193,6 +193,7 @@ void TreePart<N>::chooseGains(const TreeNudge& nudge, const Bodies& bodies) {
         const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
         tree.gain = share > 0.0 ? share / nudge.h : 0.0;
         tree.anew = share == 1.0;
+        if (nudge.pushed) tree.before = -1.0;
     }
     for (Member& member : members_) {
         if (!trees_[member.tree].anew) continue;
@@ -209,7 +210,8 @@ void TreePart<N>::takeBackFeedback(const TreeNudge& nudge, Bodies& bodies) {
                !(tree.sum < kGain * tree.before);
     };
     for (Tree& tree : trees_)  // what is left of a loop that does not quite fit, no step takes away
-        tree.anew = tree.anew && (fails(tree) || tree.sum < kGain * tree.before);
+        tree.again = fails(tree) || ((tree.anew || (tree.whole && nudge.h == 0.0)) &&
+                                     tree.sum < kGain * tree.before);
     if (std::none_of(trees_.begin(), trees_.end(), fails)) return;
     for (std::size_t i = 0; i < members_.size(); ++i) {
         Member& member = members_[i];
@@ -221,13 +223,14 @@ void TreePart<N>::takeBackFeedback(const TreeNudge& nudge, Bodies& bodies) {
     }
     for (std::size_t k = 0; k < joints_.size(); ++k)
         if (fails(trees_[joints_[k].tree])) book(joints_[k], fed_[k], -1.0);
-    for (Tree& tree : trees_) tree.anew = tree.anew && !fails(tree);
+    for (Tree& tree : trees_)
+        if (fails(tree)) tree.anew = tree.again = false;
 }
 
 template <int N>
 bool TreePart<N>::isMet() const {
     for (const Tree& tree : trees_)
-        if (tree.anew && tree.ratio > kMet) return false;
+        if (tree.again && tree.ratio > kMet) return false;
     return true;
 }
 
@@ -246,11 +249,11 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
 }
 
 template <int N>
-void TreePart<N>::nudgeOnce(const TreeNudge& nudge, bool anewOnly, Bodies& bodies) {
+void TreePart<N>::nudgeOnce(const TreeNudge& nudge, bool more, Bodies& bodies) {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         const Tree& tree = trees_[joints_[k].tree];
         if (tree.worst > nudge.most) x_[k] *= nudge.most / tree.worst;
-        if (isInVain(tree) || (anewOnly && !tree.anew)) x_[k].setZero();
+        if (isInVain(tree) || (more && !tree.again)) x_[k].setZero();
     }
     for (Velocity& moved : moved_) moved = {};
     factors_.solve(x_, [&](int k, TreeRows<N>& lambda) {

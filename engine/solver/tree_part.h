@@ -16,6 +16,7 @@ struct TreeNudge {
     double most = 0.0;  // m: what one nudge may move
     double h = 0.0;     // s, of the sub-step whose velocities it feeds back to; 0: to none
     Gyroscope gyroscope = Gyroscope::momentum;
+    bool pushed = false;  // contacts have moved bodies since the nudge before
 };
 
 template <int N>
@@ -56,6 +57,7 @@ private:
         bool closed = false;    // held twice
         double gain = 0.0;      // 1/s
         bool anew = false;      // it moves once more from the start
+        bool again = false;     // Newton's method goes on
         double farthest = 0.0;  // m, of what its nudge would move
         double share = 1.0;     // of that, what it does move
     };
@@ -78,8 +80,8 @@ private:
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
     void chooseGains(const TreeNudge& nudge, const Bodies& bodies);
-    /// One Newton step of all trees, or of those alone that move once more.
-    void nudgeOnce(const TreeNudge& nudge, bool anewOnly, Bodies& bodies);
+    /// One Newton step of all trees, or of those alone that it brings nearer.
+    void nudgeOnce(const TreeNudge& nudge, bool more, Bodies& bodies);
     /// The feedback of trees that Newton's steps do not meet is taken back: their errors are no small
     /// ones, or the sub-step is too long for their tension.
     void takeBackFeedback(const TreeNudge& nudge, Bodies& bodies);

@@ -1,7 +1,10 @@
 #include "engine/wide/wide_contacts.h"
 
 #include <atomic>
+#include <cstring>
 #include <utility>
+
+#include "engine/dynamics/rotation.h"
 
 namespace engine {
 namespace {
@@ -27,6 +30,16 @@ WideVelocity narrowed(const Velocity& v) {
     WideVelocity w;
     set3(w.linear, v.linear), set3(w.angular, v.angular);
     return w;
+}
+
+/// All that a batch knows of one contact; the other lanes keep their last bit.
+void copyLane(const ContactBatch& from, int lane, ContactBatch& to) {
+    constexpr std::size_t kLane = sizeof(float), kRow = 8 * kLane;
+    static_assert(sizeof(ContactBatch) % kRow == 0, "rows of eight, and nothing between them");
+    const auto* source = reinterpret_cast<const char*>(&from) + kLane * lane;
+    auto* target = reinterpret_cast<char*>(&to) + kLane * lane;
+    for (std::size_t at = 0; at < sizeof(ContactBatch); at += kRow)
+        std::memcpy(target + at, source + at, kLane);
 }
 
 }  // namespace
@@ -55,6 +68,8 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     groups_.find(contacts, joints, bodies);
     arrange(contacts, order, bodies);
     start_ = bodies.poses;
+    turned_.assign(start_.size(), 0);
+    anyTurned_ = false;
     axes_.clear();
     for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
     const int count = static_cast<int>(schedule_.batches().size());
@@ -243,13 +258,17 @@ void WideContacts::finish(std::span<Velocity> v) {
 
 bool WideContacts::separate(const Bodies& bodies, double slop) {
     if (empty()) return false;
+    std::atomic<bool> turned{false};
     eachBody([&](int i) {
         if (!bodies.isMoving(i)) return;
         const Pose &now = bodies.poses[i], &start = start_[i];
-        Quat turn = now.rotation * start.rotation.conjugate();
-        if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-        motions_[i] = narrowed({now.position - start.position, 2.0 * turn.vec()});
+        const Vec3 turn = turnBetween(start, now);
+        motions_[i] = narrowed({now.position - start.position, turn});
+        turned_[i] = bodies.isDynamic(i) && !bodies.masses[i].isRound &&
+                     turn.squaredNorm() > kFarTurn * kFarTurn;
+        if (turned_[i]) turned.store(true, std::memory_order_relaxed);
     });
+    anyTurned_ = turned;
     step_.slop = static_cast<float>(slop);
     std::atomic<bool> deep{false};
     eachBatch([&](int k) {
@@ -257,6 +276,30 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
             deep.store(true, std::memory_order_relaxed);
     });
     return deep;
+}
+
+void WideContacts::followTurns(const Bodies& bodies) {
+    if (empty() || !anyTurned_) return;
+    eachBatch([&](int k) {
+        ContactBatch& c = batches_[k];
+        ContactBatch made = c;
+        bool any = false;
+        for (int lane = 0; lane < 8; ++lane) {
+            if (!hasTurned(k, lane)) continue;
+            set6(made.turnA, lane, bodies.inverseMasses[c.a[lane]].angular);
+            set6(made.turnB, lane, bodies.inverseMasses[c.b[lane]].angular);
+            any = true;
+        }
+        if (!any) return;
+        kernels_->prepare(made, records_[k]);
+        for (int lane = 0; lane < 8; ++lane)
+            if (hasTurned(k, lane)) copyLane(made, lane, c);
+    });
+}
+
+bool WideContacts::hasTurned(int batch, int lane) const {
+    const ContactBatch& c = batches_[batch];
+    return records_[batch].contact[lane] >= 0 && (turned_[c.a[lane]] || turned_[c.b[lane]]);
 }
 
 std::span<const WideVelocity> WideContacts::nudge(const Settings& settings, double most) {

@@ -52,6 +52,8 @@ public:
 
     /// C of every point at the bodies' present poses; true: some overlap is deeper than the slop.
     bool separate(const Bodies& bodies, double slop);
+    /// Masses of the contacts whose bodies have turned far since their rows were made; after separate().
+    void followTurns(const Bodies& bodies);
     /// One nudge of all contacts by at most `most` (m), after separate(): the bodies' ways (m) and
     /// turns (rad).
     std::span<const WideVelocity> nudge(const Settings& settings, double most);
@@ -70,6 +72,7 @@ private:
                    const ManifoldFrame& frame);
     void fillNoPoint(int batch, int lane, int i);
     void give(Velocity& v, int body);
+    bool hasTurned(int batch, int lane) const;
     void store(int k, Contact& contact) const;
     SweepReport sweepBatches(int first, int end);
     int solveHalf(int group, int half, const SweepLimits& limits);
@@ -97,6 +100,8 @@ private:
     std::vector<Velocity> atStart_;          // of the sub-step, before solving
     std::vector<Pose> start_;                // where the rows were made
     std::vector<Mat3> axes_;                 // their rotations
+    std::vector<char> turned_;               // far, since then
+    bool anyTurned_ = false;
     WideStep step_;
 };
 

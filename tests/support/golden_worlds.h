@@ -170,12 +170,12 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
         {"stack", goldenStack, 300, 0x0316abca93544d1a},
         {"pendulum", goldenPendulum, 600, 0x04bd4c6592073eda},
-        {"chain", goldenChain, 300, 0x2614f89127826e28},
-        {"pyramid", goldenPyramid, 60, 0xcdf6fcbf47f1627c},
-        {"forces", goldenForces, 300, 0xf27ca2ded65ae893},
+        {"chain", goldenChain, 300, 0x9e32e8cabdb39ee6},
+        {"pyramid", goldenPyramid, 60, 0x59c1ff4e6ad22efa},
+        {"forces", goldenForces, 300, 0x476e5c210429b279},
         {"machine", goldenMachine, 300, 0x6949a1e3e0c59bde},
-        {"shapes", goldenShapes, 180, 0x83c7feacb9a930d2},
-        {"rolling", goldenRolling, 300, 0x319e597719835312},
+        {"shapes", goldenShapes, 180, 0x57dbb5663cc97786},
+        {"rolling", goldenRolling, 300, 0x1df46a9eb2c190aa},
     }};
     return worlds;
 }
