@@ -27,15 +27,21 @@ struct DirectReport {
     bool found = true;                 // false: no consistent set of contacts; sweeps took over
 };
 
-/// Why a step was taken back, of the first body that shows it.
+/// What went wrong in a step. The rest of the world goes on, but for tooManyRows.
 enum class Trouble {
     none,              // the step went well
-    positionNotFinite,
-    velocityNotFinite,
-    positionTooLarge,  // farther than 1e5 m from the origin
-    velocityTooLarge,  // faster than 1e4 m/s or rad/s
-    tooManyRows,       // more than the direct solver takes (solver/direct.h)
-    energyJump         // ten times the energy in one step, with no kinematic body to give it
+    positionNotFinite, // the body was taken out of the world, as by World::remove
+    velocityNotFinite, // likewise
+    positionTooLarge,  // likewise: farther than 1e5 m from the origin
+    velocityTooLarge,  // the body was slowed down to 1e4 m/s or rad/s
+    energyJump,        // ten times the energy in one step, with no kinematic body to give it
+    tooManyRows        // more than the direct solver takes (solver/direct.h): no step was done
+};
+
+/// Trouble of one body.
+struct Incident {
+    Trouble trouble = Trouble::none;
+    BodyId body;  // none where it is not one body
 };
 
 /// Of all dynamic bodies together.
@@ -57,8 +63,8 @@ struct StepReport {
     std::vector<SweepReport> sweeps;  // of all sub-steps, in order
     DirectReport direct;              // of the direct solver
     std::vector<JointId> broken;      // joints that the step broke, in their order
+    std::vector<Incident> incidents;  // bodies that could not go on as they were
     Trouble trouble = Trouble::none;  // not none: the world is back where the step began, and stays
-    BodyId troubledBody;              // none where it is not one body
 };
 
 /// How far contacts and joints are from where they should be.

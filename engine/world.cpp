@@ -38,6 +38,7 @@ bool World::step(double dt) {
     if (!beginStep(s, dt)) return false;
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
+        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // where fast bodies meet
         s.phase(Phase::forces, i);
         evaluateForces(*this, s, i, h);                  // world_state.cpp, forces/
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp
@@ -57,6 +58,7 @@ bool World::step(double dt) {
         solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);
+    if (!staysFinite(s)) return step(dt);  // without those that did not
     return endStep(s, dt);  // world_state.cpp: collision/contacts.cpp, solved in the next step
 }
 
@@ -98,28 +100,7 @@ ForceId World::add(const ForceDef& def) {
 
 void World::remove(BodyId id) {
     ENGINE_CHECK(has(id), kNoSuchBody);
-    WorldState& s = *state_;
-    callAround(s, id.index);
-    for (std::size_t i = 0; i < s.joints.size(); ++i)
-        if (s.joints[i].present && (s.joints[i].def.a == id || s.joints[i].def.b == id)) {
-            s.joints[i].present = false;
-            s.jointSlots.remove(static_cast<int>(i));
-        }
-    for (std::optional<ForceDef>& force : s.forces)
-        if (force) std::erase(force->on, id);  // its number may become another body's
-    s.bodySlots.remove(id.index);
-    std::erase(s.untreed, id.index);
-    s.bodies.present[id.index] = 0;
-    s.bodies.velocities[id.index] = {};
-    s.bodies.inverseMasses[id.index] = {};
-    s.finder.broadPhase.remove(id.index);
-    std::erase_if(s.finder.contacts, [&](const Contact& c) {
-        return c.a == id.index || c.b == id.index;
-    });
-    std::erase_if(s.finder.sensed, [&](const Sensed& o) {
-        return o.pair.a == id.index || o.pair.b == id.index;
-    });
-    s.jointsStale = s.contactsStale = true;
+    removeBody(*state_, id);
 }
 
 void World::remove(JointId id) {

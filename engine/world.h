@@ -50,9 +50,9 @@ public:
     void setGravity(const Vec3& gravity);
     const Vec3& gravity() const;  // m/s^2
 
-    /// Moves the world on by dt (s), which has to be positive. False: the state would not have been
-    /// finite or sane; the world is back at the step's beginning, report() says why, and further
-    /// steps do nothing.
+    /// Moves the world on by dt (s), which has to be positive. Bodies that cannot go on are slowed down
+    /// or taken out, and reported (StepReport::incidents). False: no step could be done at all;
+    /// report().trouble says why, and further steps do nothing.
     bool step(double dt);
 
     int bodyCount() const;   // removed bodies included

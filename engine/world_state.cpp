@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/collision/centre_paths.h"
 #include "engine/forces/force.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/world_joints.h"
@@ -66,22 +67,43 @@ void rescaleImpulses(WorldState& s, double dt) {
     s.lastSubsteps = s.report.substeps;
 }
 
-/// The first body whose state must not be passed on.
-Trouble findTrouble(const WorldState& s, BodyId& who) {
+bool isFinite(const Bodies& bodies, int i) {
+    return bodies.poses[i].position.allFinite() && bodies.poses[i].rotation.coeffs().allFinite() &&
+           bodies.velocities[i].linear.allFinite() && bodies.velocities[i].angular.allFinite();
+}
+
+Trouble notFinite(const Pose& pose) {
+    return pose.position.allFinite() && pose.rotation.coeffs().allFinite()
+               ? Trouble::velocityNotFinite
+               : Trouble::positionNotFinite;
+}
+
+/// Slower: so that |v| <= `most` in every direction. True: it was faster.
+bool limit(Vec3& v, double most) {
+    const double fastest = v.cwiseAbs().maxCoeff();
+    if (fastest <= most) return false;
+    v *= most / fastest;
+    return true;
+}
+
+void limitSpeeds(WorldState& s) {
+    constexpr double kFastest = 1e4;  // m/s or rad/s
     for (int i = 0; i < s.bodies.count(); ++i) {
         if (!s.bodies.isMoving(i)) continue;
-        who = s.bodyId(i);
-        const Pose& pose = s.bodies.poses[i];
-        const Velocity& v = s.bodies.velocities[i];
-        if (!pose.position.allFinite() || !pose.rotation.coeffs().allFinite())
-            return Trouble::positionNotFinite;
-        if (!v.linear.allFinite() || !v.angular.allFinite()) return Trouble::velocityNotFinite;
-        if (pose.position.cwiseAbs().maxCoeff() > 1e5) return Trouble::positionTooLarge;
-        if (v.linear.cwiseAbs().maxCoeff() > 1e4 || v.angular.cwiseAbs().maxCoeff() > 1e4)
-            return Trouble::velocityTooLarge;
+        Velocity& v = s.bodies.velocities[i];
+        const bool fast = limit(v.linear, kFastest), spins = limit(v.angular, kFastest);
+        if (fast || spins) s.report.incidents.push_back({Trouble::velocityTooLarge, s.bodyId(i)});
     }
-    who = {};
-    return Trouble::none;
+}
+
+void removeTheFar(WorldState& s) {
+    constexpr double kFarthest = 1e5;  // m
+    for (int i = 0; i < s.bodies.count(); ++i) {
+        if (!s.bodies.isMoving(i)) continue;
+        if (s.bodies.poses[i].position.cwiseAbs().maxCoeff() <= kFarthest) continue;
+        s.report.incidents.push_back({Trouble::positionTooLarge, s.bodyId(i)});
+        removeBody(s, s.bodyId(i));
+    }
 }
 
 /// Ten times the energy in one step: nothing but a kinematic body, a motor or a force from outside
@@ -136,11 +158,23 @@ void listStates(const WorldState& s, std::span<const Contact> awake, std::span<c
 }
 
 void goBack(WorldState& s) {
-    s.bodies.poses = s.solver.posesAtStart;
+    s.bodies.poses = s.posesBefore;
     s.bodies.velocities = s.velocitiesBefore;
     s.listed = WorldState::Listed::none;  // the impulses of a step that did not happen
     s.touches.events.clear();
     for (int i = 0; i < s.bodies.count(); ++i) updateInverseInertia(s.bodies, i);
+}
+
+/// Who began the step, or was pushed, with numbers that are none; nobody: all that `ended` with them.
+std::vector<Incident> culprits(const WorldState& s, const std::vector<Incident>& ended) {
+    std::vector<Incident> found;
+    for (const Incident& incident : ended) {
+        const int i = incident.body.index;
+        const Load& load = s.bodies.loads[i];
+        const bool pushed = load.force.allFinite() && load.torque.allFinite();
+        if (!pushed || !isFinite(s.bodies, i)) found.push_back(incident);
+    }
+    return found.empty() ? ended : found;
 }
 
 void updateJoints(WorldState& s, double dt) {
@@ -153,9 +187,37 @@ void updateJoints(WorldState& s, double dt) {
 
 }  // namespace
 
+void removeBody(WorldState& s, BodyId id) {
+    callAround(s, id.index);
+    for (std::size_t i = 0; i < s.joints.size(); ++i)
+        if (s.joints[i].present && (s.joints[i].def.a == id || s.joints[i].def.b == id)) {
+            s.joints[i].present = false;
+            s.jointSlots.remove(static_cast<int>(i));
+        }
+    for (std::optional<ForceDef>& force : s.forces)
+        if (force) std::erase(force->on, id);  // its number may become another body's
+    s.bodySlots.remove(id.index);
+    std::erase(s.untreed, id.index);
+    s.bodies.present[id.index] = 0;
+    s.bodies.velocities[id.index] = {};
+    s.bodies.inverseMasses[id.index] = {};
+    s.finder.broadPhase.remove(id.index);
+    std::erase_if(s.finder.contacts, [&](const Contact& c) {
+        return c.a == id.index || c.b == id.index;
+    });
+    std::erase_if(s.finder.sensed, [&](const Sensed& o) {
+        return o.pair.a == id.index || o.pair.b == id.index;
+    });
+    s.jointsStale = s.contactsStale = true;
+}
+
 bool beginStep(WorldState& s, double dt) {
     if (s.report.trouble != Trouble::none) return false;
-    for (Slots* slots : {&s.bodySlots, &s.jointSlots, &s.forceSlots}) slots->beginStep();
+    if (!s.again) {
+        for (Slots* slots : {&s.bodySlots, &s.jointSlots, &s.forceSlots}) slots->beginStep();
+        s.report.incidents.clear();
+    }
+    s.again = false;
     callForced(s, dt);
     wakeCalled(s);
     if (s.jointsStale) listJointedPairs(s);
@@ -164,8 +226,14 @@ bool beginStep(WorldState& s, double dt) {
     updateJoints(s, dt);
     s.report.substeps = chooseSubsteps(s.substeps, s.finder.contacts, s.joints, s.bodies, s.solver,
                                        s.settings, dt);
+    const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
+    s.lookedAt = 0;
+    s.substepsALook = (s.report.substeps + looks - 1) / looks;
+    s.report.substeps = s.substepsALook * looks;
     rescaleImpulses(s, dt);
+    s.posesBefore = s.bodies.poses;
     s.velocitiesBefore = s.bodies.velocities;
+    s.solvedBefore.clear();
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
     s.report.direct = {};
@@ -187,23 +255,60 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
         if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
 }
 
+bool looksAgain(const WorldState& s, int substep, double h) {
+    if (substep == 0) return false;
+    return substep % s.substepsALook == 0 ||
+           anyTurnsFar(s.finder.contacts, s.bodies, (substep + 1 - s.lookedAt) * h);
+}
+
+void findContactsWithin(WorldState& s, int substep, double h) {
+    s.lookedAt = substep;
+    const std::vector<Contact>& solved = s.finder.contacts;
+    for (std::size_t k = 0; k < solved.size(); ++k)
+        for (int i = 0; i < solved[k].count; ++i)
+            s.solvedBefore.push_back(stateOf(s, solved[k], i, impulsesOf(s.solver, int(k), i),
+                                             s.solver.posesAtStart));
+    storeImpulses(s.solver, s.finder.contacts);
+    holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
+    findContacts(s, s.substepsALook * h);
+    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
+}
+
+bool staysFinite(WorldState& s) {
+    std::vector<Incident> ended;
+    for (int i = 0; i < s.bodies.count(); ++i)
+        if (s.bodies.isMoving(i) && !isFinite(s.bodies, i))
+            ended.push_back({notFinite(s.bodies.poses[i]), s.bodyId(i)});
+    if (ended.empty()) return true;
+    goBack(s);
+    for (const Incident& incident : culprits(s, ended)) {
+        s.report.incidents.push_back(incident);
+        removeBody(s, incident.body);
+    }
+    for (std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.previous})
+        contacts->clear();  // their impulses may be no numbers either
+    s.jointsStale = s.contactsStale = s.again = true;
+    return false;
+}
+
 bool endStep(WorldState& s, double dt) {
     const Energy before = s.report.energy, after = energyNow(s);
-    if (s.report.trouble == Trouble::none)
-        s.report.trouble = findTrouble(s, s.report.troubledBody);
-    if (s.report.trouble == Trouble::none && energyJumped(s, before, after))
-        s.report.trouble = Trouble::energyJump;
     if (s.report.trouble != Trouble::none) {
         goBack(s);
         return false;
     }
+    if (energyJumped(s, before, after)) s.report.incidents.push_back({Trouble::energyJump, {}});
+    limitSpeeds(s);
     storeImpulses(s.solver, s.finder.contacts);
     storeImpulses(s.solver, s.bodies, s.joints, dt);
+    s.solver.pressed.unload(s.bodies);
     followJoints(s);
     if (breakJoints(s)) listJointedPairs(s);
     s.listed = WorldState::Listed::solved;
     for (Load& load : s.bodies.loads) load = {};
+    holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, dt);
+    removeTheFar(s);
     s.report.step += 1;
     s.report.time = s.startOfPace + static_cast<double>(++s.stepsAtPace) * dt;
     s.report.asleep = s.sleep.count();
@@ -232,6 +337,12 @@ void listContacts(const WorldState& s, std::vector<ContactState>& states) {
         listStates(
             s, s.finder.previous, s.solver.posesAtStart,
             [&](int k, int i) { return impulsesOf(s.solver, k, i); }, states);
+    if (s.listed == WorldState::Listed::solved && !s.solvedBefore.empty()) {
+        states.insert(states.end(), s.solvedBefore.begin(), s.solvedBefore.end());
+        std::stable_sort(states.begin(), states.end(), [](const auto& p, const auto& q) {
+            return std::pair(p.a.index, p.b.index) < std::pair(q.a.index, q.b.index);
+        });
+    }
     if (s.listed == WorldState::Listed::found)
         listStates(
             s, found, s.bodies.poses,

@@ -46,7 +46,13 @@ struct WorldState {
     double lastDt = 0.0;        // s; impulses are kept per sub-step of this length
     int lastSubsteps = 0;
 
-    std::vector<Velocity> velocitiesBefore;  // to go back to when a step turns out wrong
+    bool again = false;         // the step begins anew, with fewer bodies
+    int substepsALook = 1;      // that go by between two looks for contacts, at most
+    int lookedAt = 0;           // before this sub-step
+    std::vector<ContactState> solvedBefore;  // of this step, before the last look
+
+    std::vector<Pose> posesBefore;           // to go back to when a step turns out wrong
+    std::vector<Velocity> velocitiesBefore;
 
     /// Whether forces depend on where bodies are: they are looked at in every sub-step.
     bool hasForces() const { return field || forceCount > 0; }
@@ -64,7 +70,19 @@ bool beginStep(WorldState& s, double dt);
 /// What the caller's force field and the forces say of a sub-step of length h (s).
 void evaluateForces(const World& world, WorldState& s, int substep, double h);
 
-/// Step 6, the report, and the last look at whether the new state is one to pass on.
+/// Where fast bodies meet, or bodies that touch have turned far, contacts are found again within the
+/// step (collision/moving_contacts.h): whether before this sub-step, h (s) being the length of one.
+bool looksAgain(const WorldState& s, int substep, double h);
+void findContactsWithin(WorldState& s, int substep, double h);
+
+/// As World::remove.
+void removeBody(WorldState& s, BodyId id);
+
+/// False: some body's place or velocity is no number. Then the world is back where the step began,
+/// without those that caused it; with all it was no number for, where nobody knows who did.
+bool staysFinite(WorldState& s);
+
+/// Step 6, and the report; bodies that are too fast or too far away do not go on as they were.
 bool endStep(WorldState& s, double dt);
 
 /// Of the bodies, and of the springs between them.

@@ -5,6 +5,8 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/shared_options.h"
 #include "demos/film/film.h"
+#include "demos/film/progress.h"
+#include "demos/play/overlaps.h"
 #include "demos/text/complaints.h"
 
 namespace demos {
@@ -48,6 +50,9 @@ void addDelivery(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
 Exit render(const FilmOptions& options) {
     FilmPlan plan = planFilm(options);
     plan.passes = passesCalled(options.passes);
+    for (const Panel& panel : plan.panels)
+        for (const std::string& line : overlapsAtStart(Stage(panel.scene)))
+            Talk(options, true).mention("warning: " + printable(line));
     makeFilm(plan, options);
     return Exit::ok;
 }

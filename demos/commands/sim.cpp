@@ -14,6 +14,7 @@
 #include "demos/measures/direct_note.h"
 #include "demos/measures/plot_file.h"
 #include "demos/play/expect.h"
+#include "demos/play/overlaps.h"
 #include "demos/snapshot/player.h"
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
@@ -195,6 +196,9 @@ public:
     }
 
     Exit play() {
+        player_.goOn();
+        for (const std::string& line : overlapsAtStart(player_.stage()))
+            talk_.mention("warning: " + printable(line));
         playThrough(
             player_, options_, [this](long step) { look(step); }, [this] { writeResults(); });
         return finish();
@@ -238,9 +242,14 @@ private:
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));
         for (const std::string& line : direct_.lines()) talk_.say(printable(line));
+        for (const std::string& line : player_.incidents()) {
+            talk_.json(fmt::format(R"({{"event":"incident","text":{}}})", jsonString(line)));
+            talk_.complain("impulse: " + printable(line));
+        }
         talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
                               static_cast<double>(steps_) / stage.scene.hz));
         talk_.say(fmt::format("next: impulse render {}", printable(shellWord(options_.scene()))));
+        if (!player_.incidents().empty()) return Exit::diverged;
         return passed ? Exit::ok : Exit::failed;
     }
 

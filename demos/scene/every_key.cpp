@@ -41,6 +41,7 @@ min_sweeps = 2
 tolerance = 0.002
 substeps = 4
 max_substeps = 8
+depenetration_speed = 1.0
 nudges = 0
 baumgarte = 0.1
 slop = 0.0005

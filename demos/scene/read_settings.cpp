@@ -60,6 +60,7 @@ void readCorrections(Keys& keys, engine::Settings& s) {
     set(s.nudges, keys.whole("nudges", {0, 1000}));
     set(s.baumgarte, keys.number("baumgarte", {0.0, 1.0}));
     set(s.slop, keys.number("slop", {0.0, 0.1, "m"}));
+    set(s.depenetrationSpeed, keys.number("depenetration_speed", {0.01, 1e4, "m/s"}));
     if (s.baumgarte > 0.0 && s.nudges > 0) {
         keys.complain("baumgarte", "baumgarte is " + numberText(s.baumgarte) + " and nudges are " +
                                        std::to_string(s.nudges) +

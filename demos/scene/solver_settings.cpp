@@ -13,6 +13,7 @@ SettingList allSettings(const engine::Settings& s) {
     SettingList all = solverSettings(s);
     all.emplace_back("solver.max_substeps", std::to_string(s.maxSubsteps));
     all.emplace_back("solver.lanes", truth(s.lanes));
+    all.emplace_back("solver.depenetration_speed", numberText(s.depenetrationSpeed));
     all.emplace_back("solver.sleep_after", numberText(s.sleepAfter));
     return all;
 }

@@ -16,13 +16,13 @@ const char* what(engine::Trouble trouble) {
         case engine::Trouble::none:
             return "nothing is wrong";
         case engine::Trouble::positionNotFinite:
-            return "position is not finite";
+            return "position is not finite; the body was taken out";
         case engine::Trouble::velocityNotFinite:
-            return "velocity is not finite";
+            return "velocity is not finite; the body was taken out";
         case engine::Trouble::positionTooLarge:
-            return "farther than 100 km from the origin";
+            return "farther than 100 km from the origin; the body was taken out";
         case engine::Trouble::velocityTooLarge:
-            return "faster than 10000 m/s or rad/s";
+            return "faster than 10000 m/s or rad/s; the body was slowed down";
         case engine::Trouble::tooManyRows:
             return "more than the 1000 rows that the direct solver takes; use solver.type = "
                    "\"impulses\"";
@@ -34,14 +34,12 @@ const char* what(engine::Trouble trouble) {
 
 }  // namespace
 
-std::string troubleText(const Stage& stage) {
+std::string incidentText(const Stage& stage, const engine::Incident& incident) {
     const engine::StepReport& report = stage.world.report();
-    const std::string where =
-        fmt::format("{}: step {} (t = {:.3f} s): ", stage.scene.name, report.step, report.time);
-    const bool known = report.troubledBody.index >= 0;
-    const std::string body =
-        known ? fmt::format("body '{}': ", stage.nameOf(report.troubledBody)) : "";
-    return where + body + what(report.trouble);
+    const bool known = incident.body.index >= 0;
+    return fmt::format("{}: step {} (t = {:.3f} s): {}{}", stage.scene.name, report.step, report.time,
+                       known ? fmt::format("body '{}': ", stage.nameOf(incident.body)) : "",
+                       what(incident.trouble));
 }
 
 Player::Player(const SceneDescription& scene, const Overlays& overlays)
@@ -66,8 +64,20 @@ void Player::watchNudges() {
 
 void Player::step() {
     std::fill(history_.nudges.begin(), history_.nudges.end(), Vec3::Zero());
-    if (!stage_.step()) throw Stop(Exit::diverged, troubleText(stage_));
+    if (!stage_.step())
+        throw Stop(Exit::diverged, incidentText(stage_, {stage_.world.report().trouble, {}}));
+    for (const engine::Incident& incident : stage_.world.report().incidents) look(incident);
     remember();
+}
+
+void Player::look(const engine::Incident& incident) {
+    if (!goesOn_) throw Stop(Exit::diverged, incidentText(stage_, incident));
+    const auto isSame = [&](const engine::Incident& known) {
+        return known.body == incident.body && known.trouble == incident.trouble;
+    };
+    if (std::ranges::any_of(known_, isSame)) return;  // what is too fast may be so in every step
+    known_.push_back(incident);
+    incidents_.push_back(incidentText(stage_, incident));
 }
 
 void Player::step(int count) {

@@ -8,6 +8,8 @@
 namespace engine {
 namespace {
 
+constexpr double kMostLooks = 16.0;
+constexpr double kFarToTurn = 0.4;  // rad
 constexpr int kMovingPairsAThread = 64;   // at least
 constexpr double kSameDirection = 0.999;  // within 2.6 degrees
 constexpr int kHops = 2;  // bodies that a blow goes through in a step; without, the worst
@@ -189,6 +191,39 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     workers ? workers->share(count, kMovingPairsAThread, look) : look(0, count, 0);
     findThrows(bodies, dt, moving);
     broadPhase.lookFarther(bodies, moving.throws, margin);
+}
+
+int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {
+    double most = 1.0;
+    for (const MovingPairs::Entry& entry : moving.entries) {
+        if (!entry.impact.meets) continue;
+        const Shape *shapes[2] = {&bodies.defs[entry.pair.a].shape, &bodies.defs[entry.pair.b].shape};
+        const bool rough = shapes[0]->type == ShapeType::mesh || shapes[1]->type == ShapeType::mesh;
+        double size = 1e9;  // m; a ball looks the same however it turns, and glances off one triangle
+        for (const int k : {0, 1})  // against the next
+            if (bodies.isDynamic(k == 0 ? entry.pair.a : entry.pair.b) &&
+                (rough || shapes[k]->type != ShapeType::sphere))
+                size = smaller(size, 2.0 * reachOf(*shapes[k]));
+        const Motion &a = moving.motions[entry.pair.a], &b = moving.motions[entry.pair.b];
+        most = larger(most, wayOf(a, b, dt) / size);
+    }
+    return static_cast<int>(std::ceil(smaller(most, kMostLooks)));
+}
+
+bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double time) {
+    const auto turnsFar = [&](int i) {
+        const Vec3& spin = bodies.velocities[i].angular;
+        if (!(spin.squaredNorm() * time * time > kFarToTurn * kFarToTurn)) return false;
+        const ShapeType type = bodies.defs[i].shape.type;
+        if (!bodies.isDynamic(i) || type == ShapeType::sphere) return false;
+        if (type != ShapeType::cylinder && type != ShapeType::capsule && type != ShapeType::cone)
+            return true;
+        const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // about it, it stays the same
+        return axis.cross(spin).norm() * time > kFarToTurn;
+    };
+    return std::ranges::any_of(contacts, [&](const Contact& c) {
+        return turnsFar(c.a) || turnsFar(c.b);
+    });
 }
 
 bool isMoving(const MovingPairs& moving, const PairKey& pair) {

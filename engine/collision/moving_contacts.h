@@ -15,10 +15,12 @@
 ///     it.
 #pragma once
 #include <optional>
+#include <span>
 
 #include "engine/base/workers.h"
 #include "engine/collision/piece_pairs.h"
 #include "engine/collision/manifold.h"
+#include "engine/constraints/contact.h"
 
 namespace engine {
 
@@ -43,6 +45,15 @@ struct MovingPairs {
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  Workers* workers, MovingPairs& moving);
+
+/// How often contacts have to be found in the coming step of dt (s), at most sixteen times: once, where
+/// nothing meets that covers more than its own size in it. What is hit at a corner turns, and comes down
+/// with another before the step is over.
+int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt);
+
+/// Whether a body of a contact turns so far within `time` (s), since its contacts were found, that others
+/// of its corners may come down.
+bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double time);
 
 /// Nothing for a pair that the margin is enough for; `always`: found now if it was not before.
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,

@@ -16,7 +16,9 @@ Closest pushOut(const Convex& a, const Convex& b, const Vec3& d, double gap) {
     for (int i = 0; i < kMostPushes; ++i) {
         const double along = closest.normal.dot(d);
         if (closest.distance < 1.05 * gap || along < 1e-6) break;
-        push -= (closest.distance - gap) / along;
+        const double nearer = push - (closest.distance - gap) / along;
+        if (nearer <= 0.0) break;  // they overlap there: d is nearly along a face
+        push = nearer;
         closest = closestPoints(a, b, push * d);
     }
     return closest;

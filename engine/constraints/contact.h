@@ -31,6 +31,6 @@ struct Contact {
 
 /// Rows are made once a step; of a body that has turned by more since (rad), M^-1 is that of now. Rows of
 /// a contact and of joints that took different M^-1 for one body would not converge, but diverge.
-constexpr double kFarTurn = 0.1;
+constexpr double kFarTurn = 0.1, kFarTurnOfJointed = 1e-3;
 
 }  // namespace engine

@@ -78,6 +78,7 @@ struct JointConstraint {
     int joint = -1;      // its number in the world
     bool inTree = false; // solved with its tree, not in the sweep
     bool torn = false;   // see Joint
+    double kept = 1.0;   // share of the last impulses to start from, in this sub-step
     std::array<Row, 6> rows;
     std::array<double, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;

@@ -27,6 +27,7 @@ void addSlot(Bodies& bodies) {
     bodies.velocities.emplace_back();
     bodies.inverseMasses.emplace_back();
     bodies.masses.emplace_back();
+    bodies.massFactors.emplace_back(1.0);
     bodies.loads.emplace_back();
     bodies.accelerations.emplace_back();
     bodies.present.emplace_back();
@@ -53,6 +54,7 @@ void addBody(Bodies& bodies, const BodyDef& def, int i) {
     bodies.velocities[i] = moves ? Velocity{def.velocity, def.spin} : Velocity{};
     bodies.inverseMasses[i] = {mass.mass > 0.0 ? 1.0 / mass.mass : 0.0, Mat3::Zero()};
     bodies.masses[i] = mass;
+    bodies.massFactors[i] = 1.0;
     bodies.loads[i] = {};
     bodies.accelerations[i] = {};
     bodies.present[i] = 1;
@@ -64,9 +66,13 @@ void addBody(Bodies& bodies, const BodyDef& def, int i) {
 
 void updateInverseInertia(Bodies& bodies, int i) {
     const BodyMass& mass = bodies.masses[i];
-    bodies.inverseMasses[i].angular =
-        mass.isRound ? mass.inverseInertia
-                     : inWorldAxes(mass.inverseInertia, bodies.poses[i].rotation);
+    InverseMass& inverse = bodies.inverseMasses[i];
+    inverse.linear = mass.mass > 0.0 ? 1.0 / mass.mass : 0.0;
+    inverse.angular = mass.isRound ? mass.inverseInertia
+                                   : inWorldAxes(mass.inverseInertia, bodies.poses[i].rotation);
+    if (bodies.massFactors[i] == 1.0) return;
+    inverse.linear /= bodies.massFactors[i];
+    inverse.angular /= bodies.massFactors[i];
 }
 
 void updateInverseInertias(Bodies& bodies) {

@@ -39,6 +39,7 @@ struct Bodies {
     std::vector<Velocity> velocities;
     std::vector<InverseMass> inverseMasses;  // world axes, of the current pose
     std::vector<BodyMass> masses;
+    std::vector<double> massFactors;  // constraints take a body for so much heavier (pressed_bodies.h)
     std::vector<Load> loads;                         // of the coming step
     std::vector<Acceleration> accelerations;         // of this sub-step
     std::vector<char> present;                       // 0: removed
@@ -71,7 +72,7 @@ struct Bodies {
 /// is filled in.
 void addBody(Bodies& bodies, const BodyDef& def, int slot);
 
-/// I^-1 in world axes, after the body was turned; of all of them.
+/// M^-1 in world axes, after the body was turned; of all of them.
 void updateInverseInertia(Bodies& bodies, int i);
 void updateInverseInertias(Bodies& bodies);
 

@@ -30,6 +30,14 @@ inline Quat cayley(const Vec3& turn, const Quat& q) {
 ///   q1 = (cos(|turn| / 2), sin(|turn| / 2) turn / |turn|) q
 Quat turnedBy(const Vec3& turn, const Quat& q);
 
+/// A body put into another rotation takes its spin along: so it keeps its energy, w . I w.
+inline void turnTo(const Quat& rotation, int body, Bodies& bodies) {
+    Quat& before = bodies.poses[body].rotation;
+    Vec3& spin = bodies.velocities[body].angular;
+    if (!bodies.masses[body].isRound) spin = rotation * (before.conjugate() * spin);
+    before = rotation;
+}
+
 /// The turn from one pose to another (rad, world axes), of less than a radian: 2 sin(angle / 2) its axis.
 inline Vec3 turnBetween(const Pose& from, const Pose& to) {
     const Quat turn = to.rotation * from.rotation.conjugate();

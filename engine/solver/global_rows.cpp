@@ -21,7 +21,7 @@ public:
             GlobalRow row{joint.rows[i], joint.a, joint.b};
             row.softness = joint.softness[i];
             row.joint = place;
-            add(row, joint.bias[i], joint.lambda[i]);
+            add(row, joint.bias[i], joint.kept * joint.lambda[i]);
         }
     }
 

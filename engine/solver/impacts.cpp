@@ -7,6 +7,7 @@ namespace {
 
 /// A blow goes back and forth through n balls in n passes; what is left then is for the sweeps.
 constexpr int kPasses = 64;
+constexpr double kMostTurn = 0.2;  // rad: turns of more do not add up
 
 ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
     ContactImpact impact;
@@ -145,7 +146,8 @@ void Impacts::solve(std::span<Velocity> v, const Settings& settings, double h) {
 void Impacts::movePositions(Bodies& bodies) const {
     for (const int i : met_) {
         bodies.poses[i].position += bodies_[i].way.linear;
-        bodies.poses[i].rotation = turnedBy(bodies_[i].way.angular, bodies.poses[i].rotation);
+        const Vec3& turn = bodies_[i].way.angular;
+        if (turn.norm() < kMostTurn) turnTo(turnedBy(turn, bodies.poses[i].rotation), i, bodies);
     }
 }
 

@@ -9,6 +9,7 @@
 namespace engine {
 namespace {
 
+
 double biasOf(const ContactRow& row, double restitution, double approach, const Settings& settings,
               double h) {
     const double slop = settings.slop;
@@ -32,6 +33,14 @@ Eigen::Matrix<double, 6, 6> massOf(const JointConstraint& joint) {
     }
     sweepPivots<6>(k, scale);
     return k;
+}
+
+/// The share that a joint outside the trees starts from: its rows turn with its bodies. Started from all
+/// of it, bodies of unequal masses that spin and that few sweeps cannot settle gain energy without end.
+double keptInTurn(const Velocity& a, const Velocity& b, double h) {
+    constexpr double kStraight = 0.02, kMostLost = 0.1;  // rad; a share
+    const double turn = h * larger(a.angular.norm(), b.angular.norm());
+    return 1.0 - clamped(turn - kStraight, 0.0, kMostLost);
 }
 
 /// b, softness, and the block of the point's rows; after the rows were made.
@@ -120,7 +129,10 @@ void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& sett
             row.bounce = 0.0;
         }
     for (JointConstraint& joint : c.joints)
-        if (!joint.inTree || settings.compareExact) setBiases(joint, settings, h);
+        if (!joint.inTree || settings.compareExact) {
+            setBiases(joint, settings, h);
+            joint.kept = keptInTurn(v[joint.a], v[joint.b], h);
+        }
     setDriveBiases(c, settings, h);
 }
 
@@ -129,7 +141,7 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
     for (JointConstraint& joint : c.joints) {
         if (joint.inTree) continue;
         for (int i = 0; i < joint.count; ++i) {
-            joint.lambda[i] *= keep;
+            joint.lambda[i] *= keep * joint.kept;
             push(joint, i, joint.lambda[i], v[joint.a], v[joint.b]);
         }
     }

@@ -14,7 +14,7 @@ void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies) {
         if (mass == 0.0) return;
         Pose& pose = bodies.poses[body];
         pose.position += (sign * mass * lambda) * row.j.linear;
-        pose.rotation = cayley(lambda * turn, pose.rotation);
+        turnTo(cayley(lambda * turn, pose.rotation), body, bodies);
     };
     move(a, row.massA, -1.0, row.turnA);
     move(b, row.massB, 1.0, row.turnB);
@@ -52,12 +52,13 @@ bool nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solv
     return true;
 }
 
-void move(Pose& pose, const WideVelocity& way) {
+void move(int body, const WideVelocity& way, Bodies& bodies) {
     const Vec3 ahead = Eigen::Vector3f(way.linear).cast<double>();
     const Vec3 turn = Eigen::Vector3f(way.angular).cast<double>();
     if (ahead.isZero(0.0) && turn.isZero(0.0)) return;
+    Pose& pose = bodies.poses[body];
     pose.position += ahead;
-    pose.rotation = cayley(turn, pose.rotation);
+    turnTo(cayley(turn, pose.rotation), body, bodies);
 }
 
 /// One nudge of all contacts in lanes, unless none is needed. True: bodies were moved.
@@ -67,7 +68,7 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings, double mo
     constexpr int kLeast = 512;  // bodies a thread
     s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
-            if (bodies.isDynamic(i)) move(bodies.poses[i], ways[i]);
+            if (bodies.isDynamic(i)) move(i, ways[i], bodies);
     });
     return true;
 }

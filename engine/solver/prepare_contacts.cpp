@@ -55,10 +55,12 @@ void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3
 }
 
 void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
-                     const Bodies& bodies, const Vec3& gravity, const Settings& settings,
+                     Bodies& bodies, const Vec3& gravity, const Settings& settings,
                      Solver& solver) {
     Constraints& c = solver.constraints;
     c.contacts.clear();
+    solver.pressed.unload(bodies);
+    solver.pressed.load(contacts, joints, bodies);
     solver.posesAtStart = bodies.poses;
     orderContacts(contacts, bodies, gravity, settings.order, solver.keys, c.order);
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);

@@ -7,7 +7,7 @@ namespace engine {
 /// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a
 /// step that making them again every sub-step costs a third more and steadies nothing.
 void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
-                     const Bodies& bodies, const Vec3& gravity, const Settings& settings,
+                     Bodies& bodies, const Vec3& gravity, const Settings& settings,
                      Solver& solver);
 
 /// What point i of contact k got in this step.

@@ -5,6 +5,7 @@
 
 #include "engine/constraints/contact.h"
 #include "engine/solver/constraints.h"
+#include "engine/solver/pressed_bodies.h"
 #include "engine/wide/wide_contacts.h"
 
 namespace engine {
@@ -15,6 +16,7 @@ struct Solver {
     WideContacts wide;               // the contacts instead, when they are solved in lanes
     bool lanes = false;              // they are
     JointTrees trees;
+    PressedBodies pressed;
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
     std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
 };

@@ -69,6 +69,8 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     arrange(contacts, order, bodies);
     start_ = bodies.poses;
     turned_.assign(start_.size(), 0);
+    farTurn_.assign(start_.size(), kFarTurn);
+    for (const int i : groups_.jointedBodies()) farTurn_[i] = kFarTurnOfJointed;
     anyTurned_ = false;
     axes_.clear();
     for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
@@ -265,7 +267,7 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
         const Vec3 turn = turnBetween(start, now);
         motions_[i] = narrowed({now.position - start.position, turn});
         turned_[i] = bodies.isDynamic(i) && !bodies.masses[i].isRound &&
-                     turn.squaredNorm() > kFarTurn * kFarTurn;
+                     turn.squaredNorm() > farTurn_[i] * farTurn_[i];
         if (turned_[i]) turned.store(true, std::memory_order_relaxed);
     });
     anyTurned_ = turned;

@@ -101,6 +101,7 @@ private:
     std::vector<Pose> start_;                // where the rows were made
     std::vector<Mat3> axes_;                 // their rotations
     std::vector<char> turned_;               // far, since then
+    std::vector<double> farTurn_;            // rad, of every body
     bool anyTurned_ = false;
     WideStep step_;
 };

@@ -170,12 +170,12 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
         {"stack", goldenStack, 300, 0x0316abca93544d1a},
         {"pendulum", goldenPendulum, 600, 0x04bd4c6592073eda},
-        {"chain", goldenChain, 300, 0x9e32e8cabdb39ee6},
+        {"chain", goldenChain, 300, 0x367fe6a2f3964c80},
         {"pyramid", goldenPyramid, 60, 0x59c1ff4e6ad22efa},
-        {"forces", goldenForces, 300, 0x476e5c210429b279},
+        {"forces", goldenForces, 300, 0x50153e05d875aadf},
         {"machine", goldenMachine, 300, 0x6949a1e3e0c59bde},
-        {"shapes", goldenShapes, 180, 0x57dbb5663cc97786},
-        {"rolling", goldenRolling, 300, 0x1df46a9eb2c190aa},
+        {"shapes", goldenShapes, 180, 0xb148a082700e072a},
+        {"rolling", goldenRolling, 300, 0x4c8be99555716d0b},
     }};
     return worlds;
 }

@@ -1,0 +1,64 @@
+// Worlds that nobody would build: a minute each, in both presets. A world of every kind runs in
+// tests/run; with IMPULSE_LONG in the environment (tests/run --long), six of every kind.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/behaviour/torture/worlds.h"
+
+namespace torture {
+namespace {
+
+using engine::Settings;
+using engine::Trouble;
+
+constexpr int kSteps = 3600;  // a minute
+
+int cases() { return std::getenv("IMPULSE_LONG") ? 6 * kKinds : kKinds; }
+
+/// Of what the bodies could have fallen from a metre up, and what they have.
+double scaleOf(const Case& c) {
+    double mass = 0.0;
+    for (const engine::BodyId id : c.bodies) mass += c.world.mass(id);
+    return std::abs(c.world.energy().total()) + mass * support::kGravity;
+}
+
+/// What is pressed out of each other, or drawn together, at the start rises.
+double shareThatMayCome(Kind kind) {
+    const bool torn = kind == Kind::overlaps || kind == Kind::torn || kind == Kind::loops;
+    return torn ? 0.05 : 0.01;
+}
+
+void expectHeld(const Case& c, double most, int step) {
+    for (const engine::BodyId id : c.bodies)
+        EXPECT_LT(c.outside(id), most) << c.name << ": body " << id.index << ", step " << step;
+}
+
+void torment(int number, const Settings& settings) {
+    Case c = makeCase(number, settings);
+    const double most = c.ceiling + shareThatMayCome(c.kind) * scaleOf(c);  // J
+    for (int step = 0; step < kSteps; ++step) {
+        ASSERT_TRUE(c.world.step(support::kStep)) << c.name << ", step " << step;
+        for (const engine::Incident& incident : c.world.report().incidents)
+            ASSERT_EQ(incident.trouble, Trouble::velocityTooLarge) << c.name << ", step " << step;
+        const double energy = c.ceiling > 0.0 ? c.world.energy().total() : 0.0;
+        ASSERT_LE(energy, most) << c.name << ", step " << step;
+        expectHeld(c, 0.3, step);  // a blow may drive the centre of a sliver in
+        if (testing::Test::HasFailure()) return;
+    }
+    expectHeld(c, 0.05, kSteps);
+}
+
+class Torture : public testing::TestWithParam<int> {};
+
+TEST_P(Torture, IsStoodSteady) { torment(GetParam(), Settings::steady()); }
+TEST_P(Torture, IsStoodFast) { torment(GetParam(), Settings::fast()); }
+
+INSTANTIATE_TEST_SUITE_P(Worlds, Torture, testing::Range(0, cases()),
+                         [](const testing::TestParamInfo<int>& number) {
+                             const Kind kind = static_cast<Kind>(number.param % kKinds);
+                             return nameOf(kind) + std::to_string(number.param / kKinds);
+                         });
+
+}  // namespace
+}  // namespace torture
