@@ -7,6 +7,7 @@ namespace {
 
 /// A blow goes back and forth through n balls in n passes; what is left then is for the sweeps.
 constexpr int kPasses = 64;
+constexpr double kLeaves = 1e9;    // m/s
 constexpr double kMostTurn = 0.2;  // rad: turns of more do not add up
 
 ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
@@ -113,11 +114,14 @@ bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double thresh
         time = smaller(time, meetings[i].time);
     }
     if (!any) return false;
-    Vec4 q = Vec4::Zero();  // w = K lambda + q >= 0: as fast as asked, or 'no faster' elsewhere
+    // w = K lambda + q >= 0: as fast as asked where the two hit, 'no faster' where they only come near.
+    // What leaves is left alone: with w = 0 there, Newton's law would add lambda u / 2 to the energy.
+    Vec4 q = Vec4::Zero();
     for (int i = 0; i < c.count; ++i)
         q[i] = meetings[i].hits ? approach[i] + c.restitution * meetings[i].speed -
                                       impact.acceleration[i] * (0.5 * h - time)
-                                : larger(approach[i], 0.0);
+                 : approach[i] > 0.0 ? kLeaves
+                                     : 0.0;
     const Vec4 lambda = solveNormalBlock(c.block, q);
     for (int i = 0; i < c.count; ++i) {
         c.rows[i].bounce += lambda[i];

@@ -7,6 +7,7 @@ constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr int kHeavySubsteps = 8;
+constexpr double kSubstepsALevel = 0.4, kFewSubsteps = 2.0;
 constexpr double kCalm = 1.0;             // s
 constexpr double kCalmOfJoints = 10.0;    // s
 
@@ -116,8 +117,10 @@ int chooseSubsteps(SubstepChooser& chooser, std::span<const Contact> contacts,
                    const Settings& settings, double dt) {
     const double heavy = heavyOnLight(contacts, bodies) ? 1.0 * kHeavySubsteps : 0.0;
     choose(chooser.joints, stepsForJoints(joints, bodies, solver, dt), kCalmOfJoints, settings, dt);
+    const double tall = kSubstepsALevel * chooser.columns.tallest(contacts, bodies) - kFewSubsteps;
     choose(chooser.masses, heavy, kCalm, settings, dt);
-    return larger(chooser.joints.current, chooser.masses.current);
+    choose(chooser.heights, tall, kCalm, settings, dt);
+    return larger(chooser.joints.current, larger(chooser.masses.current, chooser.heights.current));
 }
 
 }  // namespace engine

@@ -115,7 +115,10 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
         own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
         project(joint, joint, own);
         if (joint.closes) addPlay(joint, own);
-        factors_.setDiagonal(k, own);
+        // A rod has one row in three places; across it nothing but rounding is left, of any sign.
+        const bool rod = joint.type == JointType::distance;
+        factors_.setDiagonal(k, own, rod ? TreeRows<N>(TreeRows<N>::Constant(own.trace()))
+                                         : TreeRows<N>(own.diagonal()));
         for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
             if (link.body < 0) {
                 link.block.setZero();

@@ -74,6 +74,46 @@ TEST(Steady, TwentyBoxesStandWhenPutDownBadly) {
     EXPECT_LT(drift(world), 5e-3);
 }
 
+/// A stack put down by a hand: every box 0.1 mm and 0.2 mrad off.
+World handmade(int count, const Settings& settings) {
+    World world = support::stack(count, settings);
+    support::Random random(7);
+    for (int i = 1; i <= count; ++i) {
+        Pose pose = world.pose({i});
+        pose.position += Vec3(random.number(-1e-4, 1e-4), 0, random.number(-1e-4, 1e-4));
+        const Vec3 half = random.vector(1e-4);
+        pose.rotation = Quat(1, half.x(), half.y(), half.z()).normalized();
+        world.setPose({i}, pose);
+    }
+    return world;
+}
+
+TEST(Columns, OfTwentyAndThirtyStandForMinutesInBothPresets) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const int count : {15, 20, 30}) {
+            World world = handmade(count, settings);
+            run(world, 120 * 60);
+            EXPECT_LT(drift(world), 0.04) << count << " boxes, " << settings.substeps;
+        }
+}
+
+// The wider a heap is, the less it sways: it is not cut finer for its height.
+TEST(Columns, AloneAskForSubsteps) {
+    World world;
+    world.add(support::floorPlane());
+    const auto pile = [&](double x, int wide, int tall) {
+        for (int k = 0; k < wide; ++k)
+            for (int i = 0; i < tall; ++i)
+                world.add(body(Shape::box({1, 1, 1}), {x + k, i + 0.5, 0}));
+    };
+    pile(0, 8, 20);
+    run(world, 2);
+    EXPECT_EQ(world.report().substeps, 4);
+    pile(50, 1, 20);
+    run(world, 2);
+    EXPECT_EQ(world.report().substeps, 6);
+}
+
 TEST(Steady, AHundredTimesHeavierTopStands) {
     World world = support::stack(9);
     world.add(body(Shape::box({1, 1, 1}), {0, 9.5, 0}, 1e5));

@@ -175,7 +175,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"forces", goldenForces, 300, 0x50153e05d875aadf},
         {"machine", goldenMachine, 300, 0x6949a1e3e0c59bde},
         {"shapes", goldenShapes, 180, 0xb148a082700e072a},
-        {"rolling", goldenRolling, 300, 0x4c8be99555716d0b},
+        {"rolling", goldenRolling, 300, 0x1a99cecec7263854},
     }};
     return worlds;
 }
