@@ -162,7 +162,8 @@ void goBack(WorldState& s) {
     s.bodies.velocities = s.velocitiesBefore;
     s.listed = WorldState::Listed::none;  // the impulses of a step that did not happen
     s.touches.events.clear();
-    for (int i = 0; i < s.bodies.count(); ++i) updateInverseInertia(s.bodies, i);
+    for (int i = 0; i < s.bodies.count(); ++i)
+        if (s.bodies.present[i]) updateInverseInertia(s.bodies, i);
 }
 
 /// Who began the step, or was pushed, with numbers that are none; nobody: all that `ended` with them.

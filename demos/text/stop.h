@@ -12,7 +12,7 @@ enum class Exit {
     scene = 3,           // the scene file
     environment = 4,     // no OpenGL, no ffmpeg, disk full
     wouldOverwrite = 5,  // without --overwrite
-    diverged = 6,        // the simulation: not finite, or energy from nowhere
+    diverged = 6,        // the simulation: a body that could not go on, or energy from nowhere
     interrupted = 130    // SIGINT, SIGTERM
 };
 

@@ -136,6 +136,17 @@ TEST_F(Sim, DivergenceIsCode6AndNamesStepAndBody) {
     EXPECT_TRUE(fs::exists(folder / "a.csv"));  // what was good stays readable
 }
 
+TEST_F(Sim, WarnsOfBodiesThatBeginInsideEachOther) {
+    write(folder / "ball.toml", kBall + "[[body]]\nname = \"inside\"\nshape = { sphere = 0.1 }\n"
+                                        "at = [0, 50, 0]\n[[body]]\nname = \"too\"\n"
+                                        "shape = { sphere = 0.1 }\nat = [0.15, 50, 0]\n");
+    const Ended ended = sim({});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.err.find("warning: ball: 'inside' and 'too' overlap by 0.05 m at the start"),
+              std::string::npos)
+        << ended.err;
+}
+
 TEST_F(Sim, JsonIsAnObjectALineAndNothingElse) {
     const Ended ended = sim({"--json", "--hash"});
     EXPECT_EQ(ended.code, 0);
