@@ -12,6 +12,7 @@
 #include "engine/solver/prepare_contacts.h"
 #include "engine/solver/solve.h"
 #include "engine/world_joints.h"
+#include "engine/world_paces.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -39,22 +40,23 @@ bool World::step(double dt) {
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
         if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // where fast bodies meet
+        beginSubstep(s, i);                                   // world_paces.cpp: whose turn it is
         s.phase(Phase::forces, i);
         evaluateForces(*this, s, i, h);                  // world_state.cpp, forces/
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp
 
         s.phase(Phase::velocities, i);
-        integrateVelocities(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
+        integrateVelocities(s.bodies, s.settings.gyroscope);  // dynamics/integration.cpp
 
         s.phase(Phase::impulses, i);
         updateSeparations(s.bodies, s.solver);  // solver/prepare_contacts.cpp
         solveConstraints(s.solver, s.bodies.velocities, s.settings, h, s.report);  // solver/solve.cpp
 
         s.phase(Phase::positions, i);
-        integratePositions(s.bodies, s.settings.gyroscope, h);  // dynamics/integration.cpp
+        integratePositions(s.bodies, s.settings.gyroscope);  // dynamics/integration.cpp
 
         s.phase(Phase::nudges, i);
-        const bool seen = s.hasForces() || i + 1 == s.report.substeps;
+        const bool seen = s.hasForces() || i + s.paces.ofJoints() >= s.report.substeps;
         solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);

@@ -6,6 +6,7 @@
 #include "engine/forces/force.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/world_joints.h"
+#include "engine/world_paces.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -24,47 +25,6 @@ void listJointedPairs(WorldState& s) {
             s.finder.jointed.push_back({std::min(joint.def.a.index, joint.def.b.index),
                                         std::max(joint.def.a.index, joint.def.b.index)});
     std::sort(s.finder.jointed.begin(), s.finder.jointed.end());
-}
-
-void scaleImpulses(Joint& joint, double scale) {
-    for (double& lambda : joint.lambda) lambda *= scale;
-    for (double& lambda : joint.driven) lambda *= scale;
-}
-
-/// Velocities are those of half a sub-step ago (dynamics/energy.h); of a sub-step of another length.
-void moveVelocities(Bodies& bodies, double time) {
-    for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.isAwake(i)) continue;
-        bodies.velocities[i].linear += time * bodies.accelerations[i].linear;
-        bodies.velocities[i].angular += time * bodies.accelerations[i].angular;
-    }
-}
-
-/// An impulse is a force times a sub-step; when that changes, so does what is carried over.
-void rescaleImpulses(WorldState& s, double dt) {
-    const double h = dt / s.report.substeps;
-    const double before = s.lastSubsteps > 0 ? s.lastDt / s.lastSubsteps : h;
-    if (h != before) {
-        const double scale = h / before;
-        for (std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.asleep})
-            for (Contact& contact : *contacts) {
-                contact.rollingMoment *= scale;
-                for (ContactPoint& point : contact.points)
-                    point.impulse *= scale, point.friction *= scale;
-            }
-        for (Joint& joint : s.joints)
-            if (isAsleep(joint, s.bodies))
-                scaleImpulses(joint, scale);
-        for (JointDrive& drive : s.solver.constraints.drives)
-            for (DriveRow& row : drive.rows) row.lambda *= scale;
-        for (JointConstraint& joint : s.solver.constraints.joints)
-            for (double& lambda : joint.lambda) lambda *= scale;
-        s.solver.trees.scaleImpulses(scale);
-        moveVelocities(s.bodies, s.lastSubsteps > 0 ? 0.5 * (before - h) : 0.0);
-    }
-    if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;
-    s.lastDt = dt;
-    s.lastSubsteps = s.report.substeps;
 }
 
 bool isFinite(const Bodies& bodies, int i) {
@@ -132,7 +92,10 @@ ContactState stateOf(const WorldState& s, const Contact& contact, int i, const P
 }
 
 /// What a point will start from, as if it got that in every sub-step.
-PointImpulses carried(const ContactPoint& point, int substeps) {
+PointImpulses carried(const WorldState& s, const Contact& contact, int i) {
+    const ContactPoint& point = contact.points[i];
+    const double span = s.bodies.spans[s.bodies.movable(contact.a, contact.b)];
+    const double substeps = span > 0.0 ? s.lastDt / span : s.report.substeps;
     return {point.impulse, substeps * point.impulse, point.friction, substeps * point.friction};
 }
 
@@ -144,8 +107,7 @@ void listStates(const WorldState& s, std::span<const Contact> awake, std::span<c
     auto next = s.finder.asleep.begin();
     const auto listAsleep = [&] {
         for (int i = 0; i < next->count; ++i)
-            states.push_back(
-                stateOf(s, *next, i, carried(next->points[i], s.report.substeps), poses));
+            states.push_back(stateOf(s, *next, i, carried(s, *next, i), poses));
         ++next;
     };
     for (int k = 0; k < static_cast<int>(awake.size()); ++k) {
@@ -225,13 +187,7 @@ bool beginStep(WorldState& s, double dt) {
     if (s.contactsStale) findContacts(s, dt);
     updateSleep(s, dt);
     updateJoints(s, dt);
-    s.report.substeps = chooseSubsteps(s.substeps, s.finder.contacts, s.joints, s.bodies, s.solver,
-                                       s.settings, dt);
-    const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
-    s.lookedAt = 0;
-    s.substepsALook = (s.report.substeps + looks - 1) / looks;
-    s.report.substeps = s.substepsALook * looks;
-    rescaleImpulses(s, dt);
+    choosePaces(s, dt);
     s.posesBefore = s.bodies.poses;
     s.velocitiesBefore = s.bodies.velocities;
     s.solvedBefore.clear();
@@ -257,9 +213,10 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
 }
 
 bool looksAgain(const WorldState& s, int substep, double h) {
-    if (substep == 0) return false;
+    const int most = s.paces.longest();
+    if (substep == 0 || substep % most != 0) return false;  // not all islands are at the same time
     return substep % s.substepsALook == 0 ||
-           anyTurnsFar(s.finder.contacts, s.bodies, (substep + 1 - s.lookedAt) * h);
+           anyTurnsFar(s.finder.contacts, s.bodies, (substep + most - s.lookedAt) * h);
 }
 
 void findContactsWithin(WorldState& s, int substep, double h) {
@@ -272,6 +229,7 @@ void findContactsWithin(WorldState& s, int substep, double h) {
     storeImpulses(s.solver, s.finder.contacts);
     holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, s.substepsALook * h);
+    joinPaces(s, s.report.substeps * h);
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
 }
 
@@ -347,7 +305,7 @@ void listContacts(const WorldState& s, std::vector<ContactState>& states) {
     if (s.listed == WorldState::Listed::found)
         listStates(
             s, found, s.bodies.poses,
-            [&](int k, int i) { return carried(found[k].points[i], s.report.substeps); }, states);
+            [&](int k, int i) { return carried(s, found[k], i); }, states);
 }
 
 ErrorReport errorsOf(const WorldState& s) {
@@ -367,11 +325,10 @@ ErrorReport errorsOf(const WorldState& s) {
 }
 
 Energy energyNow(const WorldState& s) {
-    const double h = s.lastSubsteps > 0 ? s.lastDt / s.lastSubsteps : 0.0;
-    Energy energy = energyOf(s.bodies, s.gravity, h);
+    Energy energy = energyOf(s.bodies, s.gravity);
     for (const Joint& joint : s.joints)
         if (joint.present && (joint.def.spring.isSoft() || joint.acts))
-            energy.elastic += elasticEnergy(joint, s.bodies, h);
+            energy.elastic += elasticEnergy(joint, s.bodies);
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, s.report.time, 0.0)) addPotential(*force, s.bodies, energy);
     return energy;

@@ -11,6 +11,7 @@
 #include "engine/dynamics/energy.h"
 #include "engine/dynamics/sleep.h"
 #include "engine/solver/prepare_joints.h"
+#include "engine/solver/paces.h"
 #include "engine/solver/substeps.h"
 #include "engine/world.h"
 #include "engine/world_touches.h"
@@ -26,7 +27,10 @@ struct WorldState {
     std::vector<int> untreed;  // bodies that are in no tree: planes, and those that do not collide
     ContactFinder finder;
     Solver solver;
-    SubstepChooser substeps;
+    Substeps substeps;
+    Paces paces;
+    std::vector<char> everyStep;                  // bodies that move in every sub-step
+    std::vector<double> scales;                   // by body: its sub-step over its last one
     Sleep sleep;
     StepReport report;
     std::function<void(const World&, std::span<Load>)> field;
@@ -43,8 +47,7 @@ struct WorldState {
     bool treesStale = false;    // joints fell asleep or woke
     double startOfPace = 0.0;   // s, when steps began to be of this length, and how many since:
     long long stepsAtPace = 0;  // time is counted, not added up
-    double lastDt = 0.0;        // s; impulses are kept per sub-step of this length
-    int lastSubsteps = 0;
+    double lastDt = 0.0;        // s
 
     bool again = false;         // the step begins anew, with fewer bodies
     int substepsALook = 1;      // that go by between two looks for contacts, at most

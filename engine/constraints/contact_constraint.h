@@ -36,6 +36,7 @@ struct ContactRow {
 struct ContactConstraint {
     int a = -1, b = -1;
     int count = 0;
+    int stride = 1;            // sub-steps of the world's that its bodies go on by at once; 0: they wait
     double friction = 0.0;     // mu
     double restitution = 0.0;  // e
     double rolling = 0.0;      // rho, m

@@ -30,6 +30,9 @@ void addSlot(Bodies& bodies) {
     bodies.massFactors.emplace_back(1.0);
     bodies.loads.emplace_back();
     bodies.accelerations.emplace_back();
+    bodies.spans.emplace_back();
+    bodies.strides.emplace_back();
+    bodies.acts.emplace_back();
     bodies.present.emplace_back();
     bodies.asleep.emplace_back();
     bodies.placed.emplace_back();
@@ -57,11 +60,19 @@ void addBody(Bodies& bodies, const BodyDef& def, int i) {
     bodies.massFactors[i] = 1.0;
     bodies.loads[i] = {};
     bodies.accelerations[i] = {};
+    bodies.spans[i] = 0.0;
+    bodies.strides[i] = bodies.acts[i] = 1;
     bodies.present[i] = 1;
     bodies.asleep[i] = -1;
     bodies.placed[i] = 1;
     bodies.hasSensors = bodies.hasSensors || def.sensor;
     updateInverseInertia(bodies, i);
+}
+
+void setSpans(Bodies& bodies, double h) {
+    bodies.spans.assign(bodies.count(), h);
+    bodies.strides.assign(bodies.count(), 1);
+    bodies.acts.assign(bodies.count(), 1);
 }
 
 void updateInverseInertia(Bodies& bodies, int i) {
@@ -77,7 +88,7 @@ void updateInverseInertia(Bodies& bodies, int i) {
 
 void updateInverseInertias(Bodies& bodies) {
     for (int i = 0; i < bodies.count(); ++i)
-        if (bodies.isAwake(i)) updateInverseInertia(bodies, i);
+        if (bodies.isActing(i)) updateInverseInertia(bodies, i);
 }
 
 }  // namespace engine

@@ -42,6 +42,9 @@ struct Bodies {
     std::vector<double> massFactors;  // constraints take a body for so much heavier (pressed_bodies.h)
     std::vector<Load> loads;                         // of the coming step
     std::vector<Acceleration> accelerations;         // of this sub-step
+    std::vector<double> spans;                       // s: their own sub-steps (solver/paces.h)
+    std::vector<int> strides;                        // as many of the world's sub-steps
+    std::vector<char> acts;                          // 0: they wait in this one of the world's
     std::vector<char> present;                       // 0: removed
     std::vector<int> asleep;   // the least body of its sleeping island (sleep.h); -1: awake
     std::vector<char> placed;  // 1: by the caller, after the last step
@@ -51,6 +54,11 @@ struct Bodies {
     bool isDynamic(int i) const { return present[i] && defs[i].kind == BodyKind::dynamic; }
     bool isAsleep(int i) const { return asleep[i] >= 0; }
     bool isAwake(int i) const { return isDynamic(i) && !isAsleep(i); }
+    /// It is its turn in this sub-step, and forces and impulses move it; something carries it on.
+    bool isActing(int i) const { return acts[i] && isAwake(i); }
+    bool isGoing(int i) const { return acts[i] && isMoving(i); }
+    /// Of two bodies that touch or are jointed, one that impulses move, if there is one.
+    int movable(int a, int b) const { return isDynamic(a) ? a : b; }
     /// Steps carry it on.
     bool isMoving(int i) const {
         return present[i] && defs[i].kind != BodyKind::fixed && !isAsleep(i);
@@ -72,7 +80,10 @@ struct Bodies {
 /// is filled in.
 void addBody(Bodies& bodies, const BodyDef& def, int slot);
 
-/// M^-1 in world axes, after the body was turned; of all of them.
+/// All bodies act, in sub-steps of h (s).
+void setSpans(Bodies& bodies, double h);
+
+/// M^-1 in world axes, after the body was turned; of all that act.
 void updateInverseInertia(Bodies& bodies, int i);
 void updateInverseInertias(Bodies& bodies);
 

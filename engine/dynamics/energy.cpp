@@ -11,13 +11,13 @@ Vec3 spinMomentum(const Bodies& bodies, int i) {
 
 }  // namespace
 
-Energy energyOf(const Bodies& bodies, const Vec3& gravity, double h) {
+Energy energyOf(const Bodies& bodies, const Vec3& gravity) {
     Energy e;
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isDynamic(i)) continue;
         const double m = bodies.masses[i].mass;
         const Velocity& v = bodies.velocities[i];
-        e.potential -= m * gravity.dot(bodies.poses[i].position - 0.5 * h * v.linear);
+        e.potential -= m * gravity.dot(bodies.poses[i].position - 0.5 * bodies.spans[i] * v.linear);
         if (bodies.isStill(i)) continue;
         e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));
     }

@@ -9,8 +9,8 @@
 
 namespace engine {
 
-/// `h`: the sub-step that the velocities come from (s); 0 before the first.
-Energy energyOf(const Bodies& bodies, const Vec3& gravity, double h);
+/// h: Bodies::spans, the sub-steps that the velocities come from.
+Energy energyOf(const Bodies& bodies, const Vec3& gravity);
 
 /// kg m/s, and kg m^2/s about the origin.
 struct Momentum {

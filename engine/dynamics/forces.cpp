@@ -4,7 +4,7 @@ namespace engine {
 
 void applyForces(Bodies& bodies, const Vec3& gravity, std::span<const Load> field) {
     for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.isAwake(i)) continue;
+        if (!bodies.isActing(i)) continue;
         Load load = bodies.loads[i];
         if (!field.empty()) {
             load.force += field[i].force;

@@ -4,9 +4,10 @@
 
 namespace engine {
 
-void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h) {
+void integrateVelocities(Bodies& bodies, Gyroscope gyroscope) {
     for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.isAwake(i)) continue;
+        if (!bodies.isActing(i)) continue;
+        const double h = bodies.spans[i];
         Velocity& v = bodies.velocities[i];
         v.linear += h * bodies.accelerations[i].linear;
         v.angular += h * bodies.accelerations[i].angular;
@@ -23,9 +24,10 @@ void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotat
         rotation = turnedBy(h * spin, rotation);
 }
 
-void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h) {
+void integratePositions(Bodies& bodies, Gyroscope gyroscope) {
     for (int i = 0; i < bodies.count(); ++i) {
-        if (!bodies.isMoving(i)) continue;
+        if (!bodies.isGoing(i)) continue;
+        const double h = bodies.spans[i];
         Velocity& v = bodies.velocities[i];
         Pose& pose = bodies.poses[i];
         pose.position += h * v.linear;

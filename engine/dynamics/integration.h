@@ -8,11 +8,12 @@
 
 namespace engine {
 
-/// Step 2 of the loop, with the accelerations of step 1 (dynamics/forces.h).
-void integrateVelocities(Bodies& bodies, Gyroscope gyroscope, double h);
+/// Step 2 of the loop, with the accelerations of step 1 (dynamics/forces.h): h is Bodies::spans, for those
+/// that act.
+void integrateVelocities(Bodies& bodies, Gyroscope gyroscope);
 
 /// Step 4 of the loop. The inverse inertias are made again after the nudges, which turn bodies as well.
-void integratePositions(Bodies& bodies, Gyroscope gyroscope, double h);
+void integratePositions(Bodies& bodies, Gyroscope gyroscope);
 
 /// A body's rotation and spin after a time h (s) without torque.
 void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotation, Vec3& spin);

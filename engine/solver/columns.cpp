@@ -9,21 +9,21 @@ constexpr int kAboveAll = 1 << 20;
 
 }  // namespace
 
-int Columns::tallest(std::span<const Contact> contacts, const Bodies& bodies) {
-    islands_.reset(bodies.count());
+void Columns::measure(std::span<const Contact> contacts, const Bodies& bodies,
+                      DisjointSets& islands) {
     levels_.assign(bodies.count(), kAboveAll);
+    tallest_.assign(bodies.count(), 0);
+    sizes_.assign(bodies.count(), 0);
     for (const Contact& c : contacts) {
         const bool a = bodies.isDynamic(c.a), b = bodies.isDynamic(c.b);
-        if (a && b) islands_.join(c.a, c.b);
-        else levels_[a ? c.a : c.b] = 1;
+        if (!a || !b) levels_[a ? c.a : c.b] = 1;
     }
-    sizes_.assign(bodies.count(), 0);
-    for (int i = 0; i < bodies.count(); ++i) ++sizes_[islands_.leaderOf(i)];
+    for (int i = 0; i < bodies.count(); ++i) ++sizes_[islands.leaderOf(i)];
     narrow_.clear();
     for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
         const Contact& c = contacts[k];
         if (!bodies.isDynamic(c.a) || !bodies.isDynamic(c.b)) continue;
-        if (sizes_[islands_.leaderOf(c.a)] < kMostOfALevel * kMostLevels) narrow_.push_back(k);
+        if (sizes_[islands.leaderOf(c.a)] < kMostOfALevel * kMostLevels) narrow_.push_back(k);
     }
     bool changed = !narrow_.empty();
     for (int pass = 0; pass < kMostLevels && changed; ++pass) {  // most are numbered from the floor up
@@ -34,14 +34,12 @@ int Columns::tallest(std::span<const Contact> contacts, const Bodies& bodies) {
             if (b > a + 1) b = a + 1, changed = true;
         }
     }
-    int tallest = 0;
     for (const int k : narrow_)
         for (const int i : {contacts[k].a, contacts[k].b}) {
-            const int size = sizes_[islands_.leaderOf(i)];
-            if (levels_[i] < kAboveAll && size < kMostOfALevel * levels_[i])
-                tallest = larger(tallest, levels_[i]);
+            const int leader = islands.leaderOf(i);
+            if (levels_[i] < kAboveAll && sizes_[leader] < kMostOfALevel * levels_[i])
+                tallest_[leader] = larger(tallest_[leader], levels_[i]);
         }
-    return tallest;
 }
 
 }  // namespace engine

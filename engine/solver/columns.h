@@ -1,4 +1,4 @@
-/// How tall the tallest column is: bodies that stand on each other, counted from the floor up, where an
+/// How tall the columns are: bodies that stand on each other, counted from the floor up, where an
 /// island has fewer than four of them on a level. A column sways as a whole, the softer the taller it
 /// is; wide heaps brace themselves.
 #pragma once
@@ -13,14 +13,14 @@ namespace engine {
 
 class Columns {
 public:
-    /// Levels; 0: there is none.
-    int tallest(std::span<const Contact> contacts, const Bodies& bodies);
+    void measure(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
+    /// Levels of an island, by its leader; 0: it is no column.
+    int tallest(int leader) const { return tallest_[leader]; }
 
 private:
-    DisjointSets islands_;
-    std::vector<int> sizes_;   // bodies of an island, at its leader
-    std::vector<int> levels_;  // of every body
-    std::vector<int> narrow_;  // contacts of islands that may be columns
+    std::vector<int> tallest_, sizes_;  // of an island, at its leader; bodies that contacts touch
+    std::vector<int> levels_;           // of every body
+    std::vector<int> narrow_;           // contacts of islands that may be columns
 };
 
 }  // namespace engine

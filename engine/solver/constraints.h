@@ -20,6 +20,7 @@ struct Constraints {
     std::vector<JointDrive> drives;  // of joints that are limited, driven or sprung
     std::vector<int> order;  // of the contacts in a sweep
     Impacts impacts;         // of contacts with restitution
+    int jointStride = 1;     // sub-steps of the world's that joints go on by at once; 0: they wait
 };
 
 /// One solve is enough: there is nothing but trees.

@@ -137,13 +137,16 @@ bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double thresh
     return true;
 }
 
-void Impacts::solve(std::span<Velocity> v, const Settings& settings, double h) {
+void Impacts::solve(std::span<Velocity> v, const Settings& settings) {
     if (settings.bounce != Bounce::impacts) return;
     bool any = true;
     for (int pass = 0; pass < kPasses && any; ++pass) {
         any = false;
-        for (ContactImpact& impact : list_)
-            any = bounce(impact, v, settings.bounceSpeed, h) || any;
+        for (ContactImpact& impact : list_) {
+            const int body = all_->movable(impact.contact.a, impact.contact.b);
+            if (!all_->acts[body]) continue;
+            any = bounce(impact, v, settings.bounceSpeed, all_->spans[body]) || any;
+        }
     }
 }
 

@@ -34,8 +34,8 @@ public:
 
     /// Of a sub-step, before it is solved: gaps and accelerations will be those of now.
     void begin(const Bodies& bodies, std::span<const Pose> posesAtStart);
-    /// All bounces of a sub-step of length h (s); `v` afterwards.
-    void solve(std::span<Velocity> v, const Settings& settings, double h);
+    /// All bounces of it, of the bodies whose turn it is; `v` afterwards.
+    void solve(std::span<Velocity> v, const Settings& settings);
     /// After the bodies were moved: those that bounced are put where they met.
     void movePositions(Bodies& bodies) const;
 

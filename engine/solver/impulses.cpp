@@ -118,26 +118,7 @@ void sweepContact(ContactConstraint& contact, std::span<Velocity> v, const Setti
     solveRolling(contact, a, b, correction);
 }
 
-}  // namespace
-
-void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& settings, double h) {
-    for (ContactConstraint& contact : c.contacts)
-        for (int i = 0; i < contact.count; ++i) {
-            ContactRow& row = contact.rows[i];
-            const double approach = contact.n.dot(velocityBetween(row, v[contact.a], v[contact.b]));
-            row.bias = biasOf(row, contact.restitution, approach, settings, h);
-            row.bounce = 0.0;
-        }
-    for (JointConstraint& joint : c.joints)
-        if (!joint.inTree || settings.compareExact) {
-            setBiases(joint, settings, h);
-            joint.kept = keptInTurn(v[joint.a], v[joint.b], h);
-        }
-    setDriveBiases(c, settings, h);
-}
-
-void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) {
-    const double keep = settings.warmStart && settings.accumulate ? 1.0 : 0.0;
+void warmStartJoints(Constraints& c, double keep, std::span<Velocity> v) {
     for (JointConstraint& joint : c.joints) {
         if (joint.inTree) continue;
         for (int i = 0; i < joint.count; ++i) {
@@ -146,7 +127,34 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
         }
     }
     warmStartDrives(c, keep, v);
+}
+
+}  // namespace
+
+void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& settings, double h) {
+    for (ContactConstraint& contact : c.contacts)
+        for (int i = 0; contact.stride > 0 && i < contact.count; ++i) {
+            ContactRow& row = contact.rows[i];
+            const double approach = contact.n.dot(velocityBetween(row, v[contact.a], v[contact.b]));
+            row.bias = biasOf(row, contact.restitution, approach, settings,
+                              contact.stride * h);
+            row.bounce = 0.0;
+        }
+    if (c.jointStride == 0) return;
+    const double span = c.jointStride * h;
+    for (JointConstraint& joint : c.joints)
+        if (!joint.inTree || settings.compareExact) {
+            setBiases(joint, settings, span);
+            joint.kept = keptInTurn(v[joint.a], v[joint.b], span);
+        }
+    setDriveBiases(c, settings, span);
+}
+
+void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) {
+    const double keep = settings.warmStart && settings.accumulate ? 1.0 : 0.0;
+    if (c.jointStride > 0) warmStartJoints(c, keep, v);
     for (ContactConstraint& contact : c.contacts) {
+        if (contact.stride == 0) continue;
         Velocity &a = v[contact.a], &b = v[contact.b];
         for (int i = 0; i < contact.count; ++i) {
             ContactRow& row = contact.rows[i];
@@ -163,16 +171,19 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
 SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                   const Settings& settings) {
     Correction correction;
-    trees.solveVelocities(v, correction);
-    for (JointConstraint& joint : c.joints)
-        if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
-    sweepDrives(c, v, correction);
-    for (const int i : c.order) sweepContact(c.contacts[i], v, settings, correction);
+    if (c.jointStride > 0) {
+        trees.solveVelocities(v, correction);
+        for (JointConstraint& joint : c.joints)
+            if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
+        sweepDrives(c, v, correction);
+    }
+    for (const int i : c.order)
+        if (c.contacts[i].stride > 0) sweepContact(c.contacts[i], v, settings, correction);
     return {correction.velocity, correction.impulse};
 }
 
 void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& settings, double h) {
-    c.impacts.solve(v, settings, h);
+    c.impacts.solve(v, settings);
     setBiases(c, v, settings, h);
     if (c.contacts.empty()) return;  // they are in lanes
     for (const ContactImpact& impact : c.impacts.list())
@@ -182,7 +193,7 @@ void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& setting
 
 void bookImpulses(Constraints& c) {
     for (ContactConstraint& contact : c.contacts)
-        for (int i = 0; i < contact.count; ++i) {
+        for (int i = 0; contact.stride > 0 && i < contact.count; ++i) {
             ContactRow& row = contact.rows[i];
             row.total += row.lambda + row.bounce;
             row.totalFriction += row.friction;
@@ -194,7 +205,8 @@ void solveImpulses(Constraints& c, JointTrees& trees, std::span<Velocity> v,
     beginSolving(c, v, settings, h);
     const ExactVelocities exact(c, v, settings, h);
     warmStart(c, v, settings);
-    trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / h, v);
+    if (c.jointStride > 0)
+        trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (c.jointStride * h), v);
     Settings enough = settings;
     if (solvedAtOnce(c, trees)) enough.sweeps = smaller(settings.sweeps, 1);
     sweepUntilSatisfied(enough, report, [&] {

@@ -8,7 +8,7 @@
 
 namespace engine {
 
-/// b of every contact row, for a sub-step of length h (s), from the velocities before solving:
+/// b of every contact row whose turn it is, in a world's sub-step of h (s), from the velocities before:
 ///   still apart by C     b = C / h: the gap may close, no more
 ///   overlapping          b = beta (C + slop) / h with Baumgarte; else 0, the nudges' business
 ///   bouncing             b = e (J v1) where it will touch at more than the bounce speed

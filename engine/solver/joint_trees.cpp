@@ -77,13 +77,6 @@ void JointTrees::beginStep() {
         });
 }
 
-void JointTrees::scaleImpulses(double scale) {
-    for (Forest& forest : forests_)
-        forest.each([&](auto& part) {
-            for (auto& joint : part.joints()) joint.lambda *= scale;
-        });
-}
-
 void JointTrees::report(std::span<Joint> joints, double dt) const {
     for (const Forest& forest : forests_)
         forest.each([&](const auto& part) {

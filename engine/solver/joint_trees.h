@@ -39,7 +39,14 @@ public:
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
     void beginStep();                                           // empties the step's books
-    void scaleImpulses(double scale);                           // for a sub-step of another length
+    /// scale(a, b), of bodies whose sub-steps have got another length.
+    template <class Scale>
+    void scaleImpulses(const Scale& scale) {
+        for (Forest& forest : forests_)
+            forest.each([&](auto& part) {
+                for (auto& joint : part.joints()) joint.lambda *= scale(joint.a, joint.b);
+            });
+    }
     void report(std::span<Joint> joints, double dt) const;      // impulses and forces
 
     /// All joints in trees, by their place in the constraint list, in order of elimination; and those

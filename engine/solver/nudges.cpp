@@ -62,23 +62,27 @@ void move(int body, const WideVelocity& way, Bodies& bodies) {
 }
 
 /// One nudge of all contacts in lanes, unless none is needed. True: bodies were moved.
-bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings, double most) {
+bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     if (!s.wide.separate(bodies, settings.slop)) return false;
-    const std::span<const WideVelocity> ways = s.wide.nudge(settings, most);
+    const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
     constexpr int kLeast = 512;  // bodies a thread
     s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
-            if (bodies.isDynamic(i)) move(i, ways[i], bodies);
+            if (bodies.isActing(i)) move(i, ways[i], bodies);
     });
     return true;
 }
 
 /// True: some body was moved.
 bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, double h) {
-    const double most = smaller(kMostNudge, settings.depenetrationSpeed * h / settings.nudges);
-    bool moved = solver.lanes && nudgeInLanes(solver, bodies, settings, most);
-    for (const int i : solver.constraints.order)
-        moved = nudgeContact(solver.constraints.contacts[i], bodies, solver, settings, most) || moved;
+    const double speed = settings.depenetrationSpeed / settings.nudges;
+    bool moved = solver.lanes && nudgeInLanes(solver, bodies, settings);
+    for (const int i : solver.constraints.order) {
+        const ContactConstraint& contact = solver.constraints.contacts[i];
+        const double most = smaller(kMostNudge, speed * contact.stride * h);
+        if (contact.stride > 0)
+            moved = nudgeContact(contact, bodies, solver, settings, most) || moved;
+    }
     return moved;
 }
 
@@ -87,8 +91,8 @@ bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, dou
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen) {
     const Constraints& c = solver.constraints;
-    const bool jointed = !c.joints.empty() || !c.drives.empty();
-    TreeNudge nudge{kMostNudge, h, settings.gyroscope};
+    const bool jointed = c.jointStride > 0 && (!c.joints.empty() || !c.drives.empty());
+    TreeNudge nudge{kMostNudge, c.jointStride * h, settings.gyroscope};
     c.impacts.movePositions(bodies);
     for (int i = 0; i < settings.nudges; ++i) {
         // First of all, so that they feed back what moving left, and nothing of what contacts push.

@@ -66,7 +66,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
     solver.lanes = settings.usesLanes();
     if (solver.lanes) {
-        solver.wide.prepare(contacts, c.order, joints, bodies, settings, solver.workers);
+        solver.wide.prepare(contacts, c.order, joints, bodies, solver.islands, settings, solver.workers);
         c.order.clear();
         return;
     }
@@ -100,6 +100,7 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
     if (solver.lanes) {  // separations are up to date since the nudges
+        solver.wide.beginSubstep(bodies);
         solver.wide.followTurns(bodies);
         return;
     }
@@ -108,6 +109,9 @@ void updateSeparations(const Bodies& bodies, Solver& solver) {
                turnBetween(solver.posesAtStart[i], bodies.poses[i]).norm() > kFarTurn;
     };
     for (ContactConstraint& contact : solver.constraints.contacts) {
+        const int body = bodies.movable(contact.a, contact.b);
+        contact.stride = bodies.acts[body] ? bodies.strides[body] : 0;
+        if (contact.stride == 0) continue;
         if (hasTurned(contact.a) || hasTurned(contact.b))
             setMasses(contact, bodies.inverseMasses[contact.a], bodies.inverseMasses[contact.b]);
         for (int i = 0; i < contact.count; ++i)

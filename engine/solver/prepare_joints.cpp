@@ -49,7 +49,8 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
     prepareDrives(joints, bodies, solver.constraints);
 }
 
-double elasticEnergy(const Joint& joint, const Bodies& bodies, double h) {
+double elasticEnergy(const Joint& joint, const Bodies& bodies) {
+    const double h = bodies.spans[bodies.movable(joint.def.a.index, joint.def.b.index)];
     double energy = joint.acts ? driveEnergy(joint, bodies, h) : 0.0;
     if (!joint.def.spring.isSoft()) return energy;
     const int a = joint.def.a.index, b = joint.def.b.index;

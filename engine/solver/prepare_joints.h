@@ -19,8 +19,8 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
                    Solver& solver);
 
 /// J, stored in a soft joint: k C^2 / 2 of its rows, with the stiffness that suits their masses;
-/// and in the springs along its coordinates; with velocities of sub-steps of length h (s), as energyOf.
-double elasticEnergy(const Joint& joint, const Bodies& bodies, double h);
+/// and in the springs along its coordinates; with velocities of half a sub-step ago, as energyOf.
+double elasticEnergy(const Joint& joint, const Bodies& bodies);
 
 /// Joints' impulses go back to where the next step finds them; their mean forces over the step.
 void storeImpulses(const Solver& solver, const Bodies& bodies, std::span<Joint> joints, double dt);

@@ -22,6 +22,11 @@ SweepReport sweepJoints(Solver& s, std::span<Velocity> v, const Settings& settin
     return swept;
 }
 
+bool isTurnOf(const Solver& s, int group) {
+    const bool joints = group == 0 && s.wide.groups().hasJoints();
+    return joints ? s.constraints.jointStride > 0 : s.wide.acts(group);
+}
+
 void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
     const bool joints = group == 0 && s.wide.groups().hasJoints();
@@ -49,23 +54,29 @@ void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& set
     }
 }
 
+void beginJoints(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
+    if (s.constraints.jointStride == 0) return;
+    const std::span<const int> shared = s.wide.groups().jointedBodies();
+    s.wide.give(v, shared);
+    warmStart(s.constraints, v, settings);
+    s.trees.begin(settings.warmStart ? 1.0 : 0.0,
+                  settings.baumgarte / (s.constraints.jointStride * h), v);
+    s.wide.take(v, shared);
+}
+
 void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report) {
     if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
         return;  // all asleep, or in free flight
     beginSolving(s.constraints, v, settings, h);  // bounces, and biases of the joints
-    s.wide.begin(v, settings, h);
+    s.wide.begin(v, settings);
     for (const ContactImpact& impact : s.constraints.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
             s.wide.setBounce(impact.number, i, impact.contact.rows[i].bounce);
     const std::size_t first = report.size();
-    const std::span<const int> shared = s.wide.groups().jointedBodies();
-    s.wide.give(v, shared);
-    warmStart(s.constraints, v, settings);
-    s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / h, v);
-    s.wide.take(v, shared);
+    beginJoints(s, v, settings, h);
     for (int group = 0; group < s.wide.groups().count(); ++group)
-        solveGroup(s, group, v, settings, first, report);
+        if (isTurnOf(s, group)) solveGroup(s, group, v, settings, first, report);
     s.wide.finish(v);
 }
 
@@ -82,7 +93,7 @@ void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& set
         solveIslands(solver, v, settings, h, report.sweeps);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
-    solver.trees.keepStart(v);
+    if (solver.constraints.jointStride > 0) solver.trees.keepStart(v);
 }
 
 }  // namespace engine

@@ -7,7 +7,7 @@
 
 namespace engine {
 
-/// h: length of the sub-step, s. Sets report.trouble where a method has to refuse.
+/// h: length of the world's sub-step, s. Sets report.trouble where a method has to refuse.
 void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
                       StepReport& report);
 

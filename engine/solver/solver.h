@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/disjoint_sets.h"
 #include "engine/constraints/contact.h"
 #include "engine/solver/constraints.h"
 #include "engine/solver/pressed_bodies.h"
@@ -17,6 +18,7 @@ struct Solver {
     bool lanes = false;              // they are
     JointTrees trees;
     PressedBodies pressed;
+    DisjointSets islands;            // bodies that contacts and joints hold together
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
     std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
 };

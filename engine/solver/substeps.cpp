@@ -43,32 +43,15 @@ void addRod(const Joint& joint, const Bodies& bodies, double force, double& swin
                               (bodies.inverseMasses[a].linear + bodies.inverseMasses[b].linear));
 }
 
-double stepsForJoints(std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
-                      double dt) {
-    double most = 0.0;
-    for (const int i : solver.trees.whole()) {
-        const JointConstraint& c = solver.constraints.joints[i];
-        const Joint& joint = joints[c.joint];
-        const double force = joint.force.norm();
-        double swing = larger(
-            swingSquared(bodies.inverseMasses[c.a], bodies.poses[c.a].rotation * joint.def.anchorA,
-                         force),
-            swingSquared(bodies.inverseMasses[c.b], bodies.poses[c.b].rotation * joint.def.anchorB,
-                         force));
-        double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
-        if (joint.def.type == JointType::distance) addRod(joint, bodies, force, swing, turn);
-        most = larger(most, dt * larger(std::sqrt(swing) / kSwingPerSubstep,
-                                        turn / kTurnPerSubstep));
-    }
-    return most;
-}
-
-bool heavyOnLight(std::span<const Contact> contacts, const Bodies& bodies) {
-    for (const Contact& contact : contacts) {
-        const double a = bodies.masses[contact.a].mass, b = bodies.masses[contact.b].mass;
-        if (a > 0.0 && b > 0.0 && (a > kHeavy * b || b > kHeavy * a)) return true;
-    }
-    return false;
+/// What one joint of a tree asks for.
+double stepsFor(const JointConstraint& c, const Joint& joint, const Bodies& bodies, double dt) {
+    const double force = joint.force.norm();
+    double swing = larger(
+        swingSquared(bodies.inverseMasses[c.a], bodies.poses[c.a].rotation * joint.def.anchorA, force),
+        swingSquared(bodies.inverseMasses[c.b], bodies.poses[c.b].rotation * joint.def.anchorB, force));
+    double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
+    if (joint.def.type == JointType::distance) addRod(joint, bodies, force, swing, turn);
+    return dt * larger(std::sqrt(swing) / kSwingPerSubstep, turn / kTurnPerSubstep);
 }
 
 /// 4, 6, 8, 12, 16, 24, 32: a power of two times the least, and half as many again.
@@ -78,19 +61,11 @@ int nextNumber(int number, int least) {
     return number + larger(power / 2, 1);
 }
 
-void choose(SubstepChooser::Cause& cause, double needed, double calm, const Settings& settings,
-            double dt) {
+int numberFor(double needed, const Settings& settings) {
     const int least = settings.substeps, most = larger(settings.maxSubsteps, least);
     int enough = least;
     while (enough < needed && enough < most) enough = nextNumber(enough, least);
-    enough = smaller(enough, most);
-    if (enough >= cause.current) {
-        cause = {enough, least, 0.0};
-        return;
-    }
-    cause.enough = larger(cause.enough, enough);
-    cause.calm += dt;
-    if (cause.calm > calm) cause = {cause.enough, least, 0.0};
+    return smaller(enough, most);
 }
 
 }  // namespace
@@ -112,15 +87,65 @@ void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& 
     solver.trees.report(joints, dt);
 }
 
-int chooseSubsteps(SubstepChooser& chooser, std::span<const Contact> contacts,
-                   std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
-                   const Settings& settings, double dt) {
-    const double heavy = heavyOnLight(contacts, bodies) ? 1.0 * kHeavySubsteps : 0.0;
-    choose(chooser.joints, stepsForJoints(joints, bodies, solver, dt), kCalmOfJoints, settings, dt);
-    const double tall = kSubstepsALevel * chooser.columns.tallest(contacts, bodies) - kFewSubsteps;
-    choose(chooser.masses, heavy, kCalm, settings, dt);
-    choose(chooser.heights, tall, kCalm, settings, dt);
-    return larger(chooser.joints.current, larger(chooser.masses.current, chooser.heights.current));
+void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, const Bodies& bodies,
+                         const Solver& solver, double dt) {
+    for (const int i : solver.trees.whole()) {
+        const JointConstraint& c = solver.constraints.joints[i];
+        Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
+        island.jointed = true;
+        island.needed = larger(island.needed, stepsFor(c, joints[c.joint], bodies, dt));
+    }
+}
+
+void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> contacts,
+                           const Bodies& bodies) {
+    columns_.measure(contacts, bodies, islands);
+    for (const Contact& c : contacts) {
+        const int leader = islands.leaderOf(bodies.movable(c.a, c.b));
+        Island& island = islands_[leader];
+        const double a = bodies.masses[c.a].mass, b = bodies.masses[c.b].mass;
+        if (a > 0.0 && b > 0.0 && (a > kHeavy * b || b > kHeavy * a))
+            island.needed = larger(island.needed, 1.0 * kHeavySubsteps);
+        island.needed =
+            larger(island.needed, kSubstepsALevel * columns_.tallest(leader) - kFewSubsteps);
+    }
+}
+
+int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
+                     std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
+                     const Settings& settings, double dt) {
+    const int least = settings.substeps;
+    chosen_.resize(bodies.count());
+    islands_.assign(bodies.count(), {});
+    addJoints(islands, joints, bodies, solver, dt);
+    addContacts(islands, contacts, bodies);
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isMoving(i)) continue;
+        if (bodies.spans[i] == 0.0) chosen_[i] = {};  // a new body, perhaps with an old number
+        Island& island = islands_[islands.leaderOf(i)];
+        Chosen &merged = island.chosen, &own = chosen_[i];
+        merged.calm = island.any ? smaller(merged.calm, own.calm) : own.calm;
+        merged.current = larger(merged.current, own.current);
+        merged.enough = larger(merged.enough, own.enough);
+        island.any = true;
+    }
+    int most = least;
+    bool anyCalm = false;
+    for (Island& island : islands_) {
+        if (!island.any) continue;
+        Chosen& chosen = island.chosen;
+        const int enough = numberFor(island.needed, settings);
+        chosen.enough = larger(chosen.enough, enough);
+        chosen.calm += dt;
+        if (enough >= chosen.current) chosen = {enough, least, 0.0};
+        if (chosen.calm > (island.jointed ? kCalmOfJoints : kCalm))
+            chosen = {chosen.enough, least, 0.0};
+        most = larger(most, chosen.current);
+        anyCalm = anyCalm || chosen.current == least;
+    }
+    for (int i = 0; i < bodies.count(); ++i)
+        if (bodies.isMoving(i)) chosen_[i] = islands_[islands.leaderOf(i)].chosen;
+    return anyCalm && most % least != 0 ? 2 * most : most;
 }
 
 }  // namespace engine

@@ -1,4 +1,4 @@
-/// Into how many sub-steps the next step has to be cut.
+/// How many sub-steps an island asks for: bodies that contacts and joints hold together.
 ///   links under tension     omega = sqrt(F r / I) is the rate at which a link pulled with F at the arm
 ///                           r swings across the pull; the feedback of joint nudges is stable and
 ///                           keeps its energy while h omega < 1 (1000 kg swung on 1 kg links: joints
@@ -8,7 +8,7 @@
 ///   columns                 2/5 of their levels less 2: a stack of 20 stands in six, of 30 in ten
 ///   heavy on light          eight, where one body of a contact weighs ten times the other
 /// The number is 4, 6, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It goes up at
-/// once and down only after a second that fewer would have done for; for joints after ten, because a
+/// once and down only after a second that fewer would have done for; with joints after ten, because a
 /// symplectic integrator keeps its energy only while its step stays the same (five links lose 10 % in
 /// two minutes with one second, 0.4 % with ten).
 #pragma once
@@ -17,23 +17,40 @@
 
 namespace engine {
 
-struct SubstepChooser {
-    struct Cause {
+class Substeps {
+public:
+    /// For every body that is awake the number of its island, in a step of dt (s). `islands`: the bodies
+    /// that hang together. Returns the largest; or a multiple, so that the least goes into it.
+    int choose(DisjointSets& islands, std::span<const Contact> contacts,
+               std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
+               const Settings& settings, double dt);
+    int of(int body) const { return chosen_[body].current; }
+
+private:
+    struct Chosen {
         int current = 0;     // 0: not chosen yet
         int enough = 0;      // that would have done,
         double calm = 0.0;   // s, for this long
     };
-    Cause joints, masses, heights;
-    Columns columns;
+    struct Island {
+        Chosen chosen;
+        double needed = 0.0;
+        bool jointed = false, any = false;
+    };
+
+    void addJoints(DisjointSets& islands, std::span<const Joint> joints, const Bodies& bodies,
+                   const Solver& solver, double dt);
+    void addContacts(DisjointSets& islands, std::span<const Contact> contacts,
+                     const Bodies& bodies);
+
+    Columns columns_;
+    std::vector<Chosen> chosen_;   // by body
+    std::vector<Island> islands_;  // by leader
 };
 
 /// The forces that trees whose joints came or went would carry in the coming step, to first order:
 /// what the next choice goes by.
 void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& gravity,
                      Solver& solver, double dt);
-
-int chooseSubsteps(SubstepChooser& chooser, std::span<const Contact> contacts,
-                   std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
-                   const Settings& settings, double dt);
 
 }  // namespace engine

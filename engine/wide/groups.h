@@ -1,6 +1,6 @@
 /// Islands: bodies that no chain of contacts and joints connects are problems of their own, and each
-/// is swept as often as it needs. Small ones are taken together, so that lanes are full; all islands
-/// with joints are one group, the first, because their trees are solved together.
+/// is swept as often as it needs. Small ones whose turns come together (Bodies::spans) share a group, so that
+/// lanes are full; all islands with joints are one group, the first, because their trees are solved together.
 #pragma once
 #include <span>
 #include <vector>
@@ -14,9 +14,9 @@ namespace engine {
 
 class ContactGroups {
 public:
-    /// Of the bodies as they move now.
+    /// Of the bodies as they move now; `islands`: which of them hang together.
     void find(std::span<const Contact> contacts, std::span<const Joint> joints,
-              const Bodies& bodies);
+              const Bodies& bodies, DisjointSets& islands);
 
     int count() const { return static_cast<int>(moving_.size()); }
     bool hasJoints() const { return jointed_; }  // then they are in group 0
@@ -33,10 +33,17 @@ private:
         bool jointed = false;
     };
 
-    void count(std::span<const Contact> contacts, const Bodies& bodies);
-    void number(std::span<const Contact> contacts, const Bodies& bodies);
+    /// A group that small islands go to.
+    struct Open {
+        double span = 0.0;  // s, of its bodies
+        int group = -1, room = 0;
+    };
 
-    DisjointSets sets_;
+    void count(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
+    void number(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
+    int groupFor(const Island& island, double span);
+
+    std::vector<Open> open_;
     std::vector<int> ofContact_, jointedBodies_;
     std::vector<Island> islands_;  // at their leaders
     std::vector<char> moving_;

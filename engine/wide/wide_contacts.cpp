@@ -48,7 +48,8 @@ template <class Work>
 void WideContacts::eachBatch(const Work& work) {
     constexpr int kLeast = 32;  // batches a thread
     workers_->share(static_cast<int>(batches_.size()), kLeast, [&](int first, int end, int) {
-        for (int k = first; k < end; ++k) work(k);
+        for (int k = first; k < end; ++k)
+            if (batchSpans_[k] > 0.0f) work(k);
     });
 }
 
@@ -62,10 +63,10 @@ void WideContacts::eachBody(const Work& work) {
 
 void WideContacts::prepare(std::span<const Contact> contacts, std::span<const int> order,
                            std::span<const Joint> joints, const Bodies& bodies,
-                           const Settings& settings, Workers& workers) {
+                           DisjointSets& islands, const Settings& settings, Workers& workers) {
     kernels_ = &contactKernels(settings.instructions);
     workers_ = &workers;
-    groups_.find(contacts, joints, bodies);
+    groups_.find(contacts, joints, bodies, islands);
     arrange(contacts, order, bodies);
     start_ = bodies.poses;
     turned_.assign(start_.size(), 0);
@@ -77,6 +78,7 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     const int count = static_cast<int>(schedule_.batches().size());
     batches_.resize(count), records_.resize(count);
     place_.resize(contacts.size());
+    batchSpans_.assign(count, 1.0f);  // of all, to be filled
     eachBatch([&](int k) { fillBatch(k, contacts, bodies); });
     for (std::vector<WideVelocity>* v : {&now_, &before_, &motions_, &ways_})
         v->resize(wasteOf(bodies.count(), 2));
@@ -198,9 +200,21 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
     for (int i = 0; i < ContactBatch::kPoints; ++i) fillNoPoint(batch, lane, i);
 }
 
-void WideContacts::begin(std::span<const Velocity> v, const Settings& settings, double h) {
+void WideContacts::beginSubstep(const Bodies& bodies) {
+    spans_.assign(groups_.count(), 0.0);
+    for (int g = 0; g < groups_.count(); ++g) {
+        if (orders_[g].empty()) continue;  // joints only
+        const int k = orders_[g].front(), batch = place_[k] / 8, lane = place_[k] % 8;
+        const ContactBatch& c = batches_[batch];
+        const int body = bodies.movable(c.a[lane], c.b[lane]);
+        if (bodies.acts[body]) spans_[g] = bodies.spans[body];
+        std::fill(batchSpans_.begin() + firstBatch_[g], batchSpans_.begin() + firstBatch_[g + 1],
+                  static_cast<float>(spans_[g]));
+    }
+}
+
+void WideContacts::begin(std::span<const Velocity> v, const Settings& settings) {
     if (empty()) return;
-    step_.h = static_cast<float>(h);
     step_.slop = static_cast<float>(settings.slop);
     step_.baumgarte = static_cast<float>(settings.baumgarte);
     step_.bounceSpeed = static_cast<float>(settings.bounceSpeed);
@@ -208,7 +222,11 @@ void WideContacts::begin(std::span<const Velocity> v, const Settings& settings, 
     step_.keep = settings.warmStart ? 1.0f : 0.0f;
     atStart_.assign(v.begin(), v.end());
     eachBody([&](int i) { now_[i] = narrowed(v[i]); });
-    eachBatch([&](int k) { kernels_->setBiases(batches_[k], records_[k], now_.data(), step_); });
+    eachBatch([&](int k) {
+        WideStep step = step_;
+        step.h = batchSpans_[k];
+        kernels_->setBiases(batches_[k], records_[k], now_.data(), step);
+    });
     now_.assign(now_.size(), {});
     before_ = now_;
 }
@@ -262,7 +280,7 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
     if (empty()) return false;
     std::atomic<bool> turned{false};
     eachBody([&](int i) {
-        if (!bodies.isMoving(i)) return;
+        if (!bodies.isGoing(i)) return;
         const Pose &now = bodies.poses[i], &start = start_[i];
         const Vec3 turn = turnBetween(start, now);
         motions_[i] = narrowed({now.position - start.position, turn});
@@ -305,11 +323,14 @@ bool WideContacts::hasTurned(int batch, int lane) const {
 }
 
 std::span<const WideVelocity> WideContacts::nudge(const Settings& settings, double most) {
-    step_.mostNudge = static_cast<float>(most);
     step_.nudgeFactor = static_cast<float>(settings.nudgeFactor);
+    const double speed = settings.depenetrationSpeed / settings.nudges;
     ways_.assign(ways_.size(), {});
-    for (int k = 0; k < static_cast<int>(batches_.size()); ++k)
-        kernels_->nudge(batches_[k], records_[k], ways_.data(), step_);
+    for (int g = 0; g < groups_.count(); ++g) {
+        step_.mostNudge = static_cast<float>(smaller(most, speed * spans_[g]));
+        for (int k = firstBatch_[g]; acts(g) && k < firstBatch_[g + 1]; ++k)
+            kernels_->nudge(batches_[k], records_[k], ways_.data(), step_);
+    }
     return ways_;
 }
 

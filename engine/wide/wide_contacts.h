@@ -29,14 +29,17 @@ public:
     /// Rows of all contacts, at the bodies' present poses; once a step. `order` is that of a sweep. The
     /// workers are for this step.
     void prepare(std::span<const Contact> contacts, std::span<const int> order,
-                 std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
-                 Workers& workers);
+                 std::span<const Joint> joints, const Bodies& bodies, DisjointSets& islands,
+                 const Settings& settings, Workers& workers);
 
     bool empty() const { return batches_.empty(); }
     const ContactGroups& groups() const { return groups_; }
 
-    /// Biases of a sub-step of length h (s), from the velocities before solving.
-    void begin(std::span<const Velocity> v, const Settings& settings, double h);
+    /// Whose turn it is: of all that follows, what bodies wait for is left alone.
+    void beginSubstep(const Bodies& bodies);
+    bool acts(int group) const { return spans_[group] > 0.0; }
+    /// Biases, from the velocities before solving.
+    void begin(std::span<const Velocity> v, const Settings& settings);
     /// What a point got when its bodies met (solver/impacts.h), N s; after begin().
     void setBounce(int contact, int i, double impulse);
     void warmStart(int group);
@@ -54,8 +57,8 @@ public:
     bool separate(const Bodies& bodies, double slop);
     /// Masses of the contacts whose bodies have turned far since their rows were made; after separate().
     void followTurns(const Bodies& bodies);
-    /// One nudge of all contacts by at most `most` (m), after separate(): the bodies' ways (m) and
-    /// turns (rad).
+    /// One nudge of all contacts by at most `most` (m) and the depenetration speed, after separate(): the
+    /// bodies' ways (m) and turns (rad).
     std::span<const WideVelocity> nudge(const Settings& settings, double most);
 
     PointImpulses impulses(int contact, int point) const;
@@ -78,7 +81,7 @@ private:
     int solveHalf(int group, int half, const SweepLimits& limits);
     void pass(int group, int half, int number);
 
-    /// work(batch) for all batches, work(body) for all bodies, in any order.
+    /// work(batch) for all batches whose turn it is, work(body) for all bodies, in any order.
     template <class Work>
     void eachBatch(const Work& work);
     template <class Work>
@@ -89,6 +92,8 @@ private:
     Schedule schedule_;
     std::vector<std::vector<int>> orders_;   // of every group
     std::vector<int> firstBatch_;            // of every group, and the end
+    std::vector<double> spans_;              // s, of every group's sub-step; 0: it waits
+    std::vector<float> batchSpans_;          // likewise of every batch
     std::vector<int> middle_;                // of every group: the first batch of the lower half
     Overlap overlap_;
     std::vector<ContactBatch> batches_;

@@ -1,0 +1,65 @@
+#include "engine/solver/paces.h"
+
+namespace engine {
+namespace {
+
+int strideFor(int needed, int total, int aLook) {
+    int stride = larger(smaller(total / larger(needed, 1), aLook), 1);
+    while (aLook % stride != 0) --stride;
+    return stride;
+}
+
+}  // namespace
+
+void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
+             const Bodies& bodies, DisjointSets& islands) {
+    islands.reset(bodies.count());
+    const auto join = [&](int a, int b) {
+        if (bodies.isDynamic(a) && bodies.isDynamic(b)) islands.join(a, b);
+    };
+    for (const Contact& contact : contacts) join(contact.a, contact.b);
+    for (const Joint& joint : joints)
+        if (joint.present) join(joint.def.a.index, joint.def.b.index);
+}
+
+void Paces::choose(DisjointSets& islands, const Substeps& substeps,
+                   std::span<const Contact> contacts, std::span<const Joint> joints,
+                   std::span<const char> everyStep, int total, int aLook, Bodies& bodies) {
+    islands_.assign(bodies.count(), {});
+    for (int i = 0; i < bodies.count(); ++i) {
+        if (!bodies.isAwake(i)) continue;
+        Island& island = islands_[islands.leaderOf(i)];
+        island.substeps = larger(island.substeps, substeps.of(i));
+        island.every = island.every || everyStep[i];
+    }
+    const auto islandOf = [&](int a, int b) -> Island& {
+        return islands_[islands.leaderOf(bodies.movable(a, b))];
+    };
+    for (const Contact& c : contacts)
+        if (bodies.isDriven(c.a) || bodies.isDriven(c.b)) islandOf(c.a, c.b).every = true;
+    Island jointed;
+    for (const Joint& joint : joints) {
+        if (!joint.present) continue;
+        const int a = joint.def.a.index, b = joint.def.b.index;
+        if (bodies.isAsleep(bodies.movable(a, b))) continue;
+        Island& island = islandOf(a, b);
+        island.jointed = true;
+        island.every = island.every || bodies.isDriven(a) || bodies.isDriven(b);
+        jointed.substeps = larger(jointed.substeps, island.substeps);
+        jointed.every = jointed.every || island.every;
+    }
+    const auto strideOf = [&](const Island& island) {
+        return island.every ? 1 : strideFor(island.substeps, total, aLook);
+    };
+    ofJoints_ = strideOf(jointed);
+    longest_ = 1;
+    for (int i = 0; i < bodies.count(); ++i) {
+        bodies.strides[i] = 1;
+        if (!bodies.isAwake(i)) continue;
+        const Island& island = islands_[islands.leaderOf(i)];
+        bodies.strides[i] = island.jointed ? ofJoints_ : strideOf(island);
+        longest_ = larger(longest_, bodies.strides[i]);
+    }
+}
+
+}  // namespace engine

@@ -1,0 +1,92 @@
+#include "engine/world_paces.h"
+
+#include "engine/collision/moving_contacts.h"
+#include "engine/world_sleep.h"
+
+namespace engine {
+namespace {
+
+/// Bodies that forces act on, which look at where others are; all of them, where nobody knows whose forces
+/// or rows the method mixes.
+void findWhoMovesAlways(WorldState& s) {
+    const bool all = s.field || s.settings.method != Method::impulses || s.settings.compareExact;
+    s.everyStep.assign(s.bodies.count(), 0);
+    for (const std::optional<ForceDef>& force : s.forces) {
+        if (!force) continue;
+        for (const BodyId id : force->on) s.everyStep[id.index] = 1;
+    }
+    if (all) s.everyStep.assign(s.bodies.count(), 1);
+}
+
+/// Velocities are those of half a sub-step ago (dynamics/energy.h); of a sub-step of another length.
+void setSpan(Bodies& bodies, int i, double span, double& scale) {
+    const double before = bodies.spans[i];
+    bodies.spans[i] = span;
+    scale = before > 0.0 ? span / before : 1.0;
+    if (before == 0.0 || before == span || !bodies.isDynamic(i)) return;
+    bodies.velocities[i].linear += 0.5 * (before - span) * bodies.accelerations[i].linear;
+    bodies.velocities[i].angular += 0.5 * (before - span) * bodies.accelerations[i].angular;
+}
+
+void scaleImpulses(WorldState& s) {
+    const auto scaleOf = [&](int a, int b) { return s.scales[s.bodies.movable(a, b)]; };
+    for (Contact& contact : s.finder.contacts) {
+        const double scale = scaleOf(contact.a, contact.b);
+        contact.rollingMoment *= scale;
+        for (ContactPoint& point : contact.points) point.impulse *= scale, point.friction *= scale;
+    }
+    for (JointDrive& drive : s.solver.constraints.drives)
+        for (DriveRow& row : drive.rows) row.lambda *= scaleOf(drive.a, drive.b);
+    for (JointConstraint& joint : s.solver.constraints.joints)
+        for (double& lambda : joint.lambda) lambda *= scaleOf(joint.a, joint.b);
+    s.solver.trees.scaleImpulses(scaleOf);
+}
+
+/// Who sleeps keeps the length it fell asleep with, and the impulses of it.
+void setSpans(WorldState& s, double dt) {
+    const double h = dt / s.report.substeps;
+    bool any = false;
+    s.scales.assign(s.bodies.count(), 1.0);
+    for (int i = 0; i < s.bodies.count(); ++i) {
+        if (!s.bodies.isMoving(i)) continue;
+        setSpan(s.bodies, i, h * s.bodies.strides[i], s.scales[i]);
+        any = any || s.scales[i] != 1.0;
+    }
+    if (any) scaleImpulses(s);
+}
+
+void chooseStrides(WorldState& s) {
+    s.paces.choose(s.solver.islands, s.substeps, s.finder.contacts, s.joints, s.everyStep,
+                   s.report.substeps, s.substepsALook, s.bodies);
+}
+
+}  // namespace
+
+void choosePaces(WorldState& s, double dt) {
+    connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
+    const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies,
+                                         s.solver, s.settings, dt);
+    const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
+    s.lookedAt = 0;
+    s.substepsALook = (needed + looks - 1) / looks;
+    s.report.substeps = s.substepsALook * looks;
+    findWhoMovesAlways(s);
+    chooseStrides(s);
+    setSpans(s, dt);
+    if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;
+    s.lastDt = dt;
+}
+
+void joinPaces(WorldState& s, double dt) {
+    connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
+    chooseStrides(s);
+    setSpans(s, dt);
+}
+
+void beginSubstep(WorldState& s, int i) {
+    for (int k = 0; k < s.bodies.count(); ++k) s.bodies.acts[k] = i % s.bodies.strides[k] == 0;
+    const int joints = s.paces.ofJoints();
+    s.solver.constraints.jointStride = i % joints == 0 ? joints : 0;
+}
+
+}  // namespace engine
