@@ -207,7 +207,11 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
     if (!s.hasForces()) return;
     s.fieldLoads.assign(s.bodies.count(), {});
     if (s.field) s.field(world, s.fieldLoads);
-    const ForceMoment now{s.report.time + substep * h, h, s.gravity};
+    s.springs.assign(s.bodies.count(), 0);
+    for (const std::optional<ForceDef>& force : s.forces)
+        if (force && std::holds_alternative<SpringForce>(force->kind))
+            for (const BodyId id : force->on) ++s.springs[id.index];
+    const ForceMoment now{s.report.time + substep * h, h, s.gravity, s.springs};
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
 }

@@ -37,6 +37,7 @@ struct WorldState {
     std::vector<std::optional<ForceDef>> forces;  // by number; removed: empty
     int forceCount = 0;                           // that are not removed
     std::vector<Load> fieldLoads;                 // of the field and the forces, in this sub-step
+    std::vector<int> springs;                     // of the forces, that pull at each body
     std::function<void(Phase, int)> observer;
     TouchLog touches;
 

@@ -27,17 +27,26 @@ struct SoftRow {
     double bias = 0.0;      // beta C / h, m/s
 };
 
-/// Of a row with the inverse effective mass k and the error C, for a step of length h.
-inline SoftRow softRow(const Spring& spring, double k, double error, double h, Springs how) {
-    if (k <= 0.0) return {};
-    const double pull = h * h * spring.stiffnessOf(k) * k;    // W
-    const double damping = h * spring.resistanceOf(k) * k;    // c h / m
+/// v1 = kept (v0 - pull C / h)
+struct SoftRate {
+    double kept = 1.0, pull = 0.0;  // E, W
+};
+
+/// Of W and of c h / m.
+inline SoftRate softRate(double pull, double damping, Springs how) {
     const double stiff = larger(std::sqrt(pull), damping);
     const double share =
         how == Springs::symplectic ? clamped((stiff - 0.2) / 0.2, 0.0, 1.0) : 1.0;
-    const double kept = 1.0 / (1.0 + damping + share * pull);  // E
-    const double taken = larger(1.0 - kept, 1e-9);  // nearly nothing of an undamped one
-    return {kept * k / taken, kept * pull * error / (h * taken)};
+    return {1.0 / (1.0 + damping + share * pull), pull};
+}
+
+/// Of a row with the inverse effective mass k and the error C, for a step of length h.
+inline SoftRow softRow(const Spring& spring, double k, double error, double h, Springs how) {
+    if (k <= 0.0) return {};
+    const SoftRate rate =
+        softRate(h * h * spring.stiffnessOf(k) * k, h * spring.resistanceOf(k) * k, how);
+    const double taken = larger(1.0 - rate.kept, 1e-9);  // nearly nothing of an undamped one
+    return {rate.kept * k / taken, rate.kept * rate.pull * error / (h * taken)};
 }
 
 /// lambda = -(J v + b + gamma lambda_total) / (K + gamma); with gamma = 0 the rigid row's.

@@ -1,5 +1,6 @@
 #include "engine/forces/spring_force.h"
 
+#include "engine/constraints/soft.h"
 #include "engine/dynamics/bodies.h"
 
 namespace engine {
@@ -32,15 +33,17 @@ void addLoads(const SpringForce& spring, std::span<const BodyId> on, const Bodie
     if (!isThere(on, bodies)) return;
     const SpringEnd a(bodies, on[0], spring.anchorA), b(bodies, on[1], spring.anchorB);
     const Vec3 d = b.point - a.point;
-    const double length = d.norm();
+    const double length = d.norm(), h = now.h;
     if (length == 0.0) return;  // no direction
     const Vec3 n = d / length;
-    const double ease = a.ease(bodies, on[0], n) + b.ease(bodies, on[1], n);
+    const double ease = now.springs[on[0].index] * a.ease(bodies, on[0], n) +
+                        now.springs[on[1].index] * b.ease(bodies, on[1], n);
     if (ease == 0.0) return;
-    const double c = smaller(spring.damping, 1.0 / (now.h * ease));
-    const double pull =
-        spring.stiffness * (length - spring.length) + c * n.dot(b.velocity - a.velocity);
-    const Vec3 force = pull * n;
+    const SoftRate rate =
+        softRate(h * h * spring.stiffness * ease, h * spring.damping * ease, Springs::symplectic);
+    const double before = n.dot(b.velocity - a.velocity);
+    const double after = rate.kept * (before - rate.pull * (length - spring.length) / h);
+    const Vec3 force = (before - after) / (ease * h) * n;
     loads[on[0].index].force += force;
     loads[on[0].index].torque += a.arm.cross(force);
     loads[on[1].index].force -= force;
@@ -49,9 +52,11 @@ void addLoads(const SpringForce& spring, std::span<const BodyId> on, const Bodie
 
 double potentialOf(const SpringForce& spring, std::span<const BodyId> on, const Bodies& bodies) {
     if (!isThere(on, bodies)) return 0.0;
-    const Vec3 d = bodies.poses[on[1].index].toWorld(spring.anchorB) -
-                   bodies.poses[on[0].index].toWorld(spring.anchorA);
-    const double stretch = d.norm() - spring.length;
+    const SpringEnd a(bodies, on[0], spring.anchorA), b(bodies, on[1], spring.anchorB);
+    const Vec3 d = b.point - a.point;
+    const double length = d.norm(), h = bodies.spans[bodies.movable(on[0].index, on[1].index)];
+    const double rate = length > 0.0 ? d.dot(b.velocity - a.velocity) / length : 0.0;
+    const double stretch = length - spring.length - 0.5 * h * rate;
     return 0.5 * spring.stiffness * stretch * stretch;
 }
 

@@ -1,8 +1,12 @@
-/// A spring with a damper between a point of one body and a point of another.
-///   F = (k (|d| - l) + c d/dt |d|) d / |d|,   d = p_b - p_a, on a; its opposite on b
-///   E = k (|d| - l)^2 / 2
-/// Explicit: it swings with T = 2 pi sqrt(m / k) as long as k h^2 is well below m. What is stiffer
-/// is a soft distance joint (constraints/soft.h). The damper takes away the whole approach at most.
+/// A spring with a damper between a point of one body and a point of another, with W = h^2 k K, K being what
+/// an impulse along d changes of d/dt |d|:
+///   v0 = d/dt |d|,   v1 = E (v0 - W (|d| - l) / h)        constraints/soft.h
+///   F = (v0 - v1) / (K h) d / |d|,   d = p_b - p_a, on a; its opposite on b
+///   U = k (|d| - l - v0 h / 2)^2 / 2                      of the moment that velocities are of
+/// So it swings with T = 2 pi sqrt(m / k), without damping for a hundred times and more, and is stable at any
+/// stiffness. Where n springs pull at a body each of them has an n-th of its mass (Tonge et al. 2012, 'Mass
+/// splitting for jitter-free parallel rigid body simulation'): all together do not overshoot either. Where
+/// k h^2 is above m they give way as if k were m / h^2; soft distance joints do not.
 #pragma once
 #include <span>
 

@@ -163,6 +163,90 @@ TEST(SpringForces, SwingWithTheirPeriod) {
     EXPECT_NEAR(world.energy().total(), 6.25, 0.05);
 }
 
+/// A bob of 2 kg that a spring of `hz` pulls along x towards 1 m, 0.3 m off; without gravity.
+struct Swing {
+    World world;
+    BodyId bob;
+
+    Swing(double hz, double zeta, const Settings& settings = Settings::steady()) : world(settings) {
+        world.setGravity(Vec3::Zero());
+        const BodyId hook = world.add(support::hook());
+        bob = world.add(support::body(Shape::sphere(0.1), {1.3, 0, 0}, 2.0));
+        const double w = 2 * kPi * hz;
+        SpringForce spring;
+        spring.length = 1.0, spring.stiffness = 2.0 * w * w, spring.damping = 4.0 * zeta * w;
+        world.add(ForceDef{spring, {hook, bob}});
+    }
+    double stretch() const { return world.pose(bob).position.x() - 1.0; }
+    /// The largest stretch from `from` to `until` (s), of 0.3 m at first.
+    double amplitude(double from, double until) {
+        double largest = 0.0;
+        while (world.report().time < until) {
+            world.step(support::kStep);
+            if (world.report().time > from) largest = larger(largest, std::abs(stretch()));
+        }
+        return largest / 0.3;
+    }
+};
+
+// From 0.1 Hz to a twentieth of the steps a second.
+TEST(SpringForces, SwingAHundredTimesWithoutDamping) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double hz : {0.1, 0.7, 1.5, 3.0}) {
+            Swing swing(hz, 0.0, settings);
+            const double energy = swing.world.energy().total();
+            EXPECT_NEAR(swing.amplitude(80.0 / hz, 100.0 / hz), 1.0, 0.01) << hz;
+            EXPECT_NEAR(swing.world.energy().total(), energy, 0.02 * energy) << hz;
+        }
+}
+
+TEST(SpringForces, DecayAsZetaOmegaT) {
+    for (const double hz : {0.3, 1.0})
+        for (const double zeta : {0.01, 0.05, 0.1}) {
+            const double w = 2.0 * kPi * hz, damped = w * std::sqrt(1.0 - zeta * zeta);
+            const double period = 2.0 * kPi / damped;
+            Swing swing(hz, zeta);
+            const double peak = swing.amplitude(4.75 * period, 5.25 * period);
+            EXPECT_NEAR(peak / std::exp(-zeta * w * 5.0 * period), 1.0, 0.02) << hz << ' ' << zeta;
+        }
+}
+
+TEST(SpringForces, AreStableAtAnyStiffness) {
+    for (const double hz : {10.0, 60.0, 1000.0, 1e6}) {
+        Swing swing(hz, 0.0);
+        EXPECT_LE(swing.amplitude(0.0, 5.0), 1.01) << hz;
+    }
+}
+
+// A net of boxes whose corners hang by springs as stiff as steel rods, and a ball that falls on it.
+TEST(SpringForces, AreStableInANet) {
+    World world;
+    constexpr int kSide = 6;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const bool edge = i % kSide == 0 || i % kSide == kSide - 1 || i < kSide ||
+                          i >= kSide * (kSide - 1);
+        BodyDef knot = support::body(Shape::box({0.2, 0.1, 0.2}), Vec3(i % kSide, 0, i / kSide), 0.1);
+        if (edge) knot.kind = BodyKind::fixed;
+        world.add(knot);
+    }
+    SpringForce spring;
+    spring.stiffness = 1e9, spring.damping = 10.0, spring.length = 0.8;
+    spring.anchorA = {0.1, 0, 0}, spring.anchorB = {-0.1, 0, 0};
+    for (int i = 0; i < kSide * kSide; ++i) {
+        if (i % kSide + 1 < kSide) world.add(ForceDef{spring, {{i}, {i + 1}}});
+        SpringForce across = spring;
+        across.anchorA = {0, 0, 0.1}, across.anchorB = {0, 0, -0.1};
+        if (i + kSide < kSide * kSide) world.add(ForceDef{across, {{i}, {i + kSide}}});
+    }
+    const BodyId ball = world.add(support::body(Shape::sphere(0.9), {2.5, 1.5, 2.5}, 1.0));
+    const double most = world.energy().kinetic + world.energy().potential;
+    for (int i = 0; i < 600; ++i) {
+        world.step(support::kStep);  // what such springs hold is not k C^2 / 2
+        EXPECT_LT(world.energy().kinetic + world.energy().potential, most + 1e-3) << i;
+    }
+    EXPECT_GT(world.pose(ball).position.y(), 0.0);
+}
+
 TEST(SpringForces, PullBothEndsAlike) {
     World world;
     world.setGravity(Vec3::Zero());

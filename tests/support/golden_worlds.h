@@ -172,7 +172,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"pendulum", goldenPendulum, 600, 0x04bd4c6592073eda},
         {"chain", goldenChain, 300, 0x367fe6a2f3964c80},
         {"pyramid", goldenPyramid, 60, 0x59c1ff4e6ad22efa},
-        {"forces", goldenForces, 300, 0x50153e05d875aadf},
+        {"forces", goldenForces, 300, 0x78cd3556c226e295},
         {"machine", goldenMachine, 300, 0x6949a1e3e0c59bde},
         {"shapes", goldenShapes, 180, 0xb148a082700e072a},
         {"rolling", goldenRolling, 300, 0x1a99cecec7263854},
