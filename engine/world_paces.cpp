@@ -1,6 +1,7 @@
 #include "engine/world_paces.h"
 
 #include "engine/collision/moving_contacts.h"
+#include "engine/solver/prepare_contacts.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -55,6 +56,13 @@ void setSpans(WorldState& s, double dt) {
     if (any) scaleImpulses(s);
 }
 
+/// Which bodies they connect, and in which order they are solved.
+void arrangeContacts(WorldState& s) {
+    connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
+    orderContacts(s.finder.contacts, s.bodies, s.gravity, s.settings.order, s.solver.keys,
+                  s.solver.order);
+}
+
 void chooseStrides(WorldState& s) {
     s.paces.choose(s.solver.islands, s.substeps, s.finder.contacts, s.joints, s.everyStep,
                    s.report.substeps, s.substepsALook, s.bodies);
@@ -63,7 +71,7 @@ void chooseStrides(WorldState& s) {
 }  // namespace
 
 void choosePaces(WorldState& s, double dt) {
-    connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
+    arrangeContacts(s);
     const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies,
                                          s.solver, s.settings, dt);
     const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
@@ -78,7 +86,7 @@ void choosePaces(WorldState& s, double dt) {
 }
 
 void joinPaces(WorldState& s, double dt) {
-    connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
+    arrangeContacts(s);
     chooseStrides(s);
     setSpans(s, dt);
 }

@@ -194,7 +194,7 @@ bool beginStep(WorldState& s, double dt) {
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
     s.report.direct = {};
-    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
+    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.settings, s.solver);
     for (JointConstraint& joint : s.solver.constraints.joints)
         joint.totalImpulse.setZero(), joint.totalTwist.setZero();
     for (JointDrive& drive : s.solver.constraints.drives)
@@ -234,7 +234,7 @@ void findContactsWithin(WorldState& s, int substep, double h) {
     holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, s.substepsALook * h);
     joinPaces(s, s.report.substeps * h);
-    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.gravity, s.settings, s.solver);
+    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.settings, s.solver);
 }
 
 bool staysFinite(WorldState& s) {

@@ -10,13 +10,24 @@ namespace {
 
 constexpr double kInFront = 0.05;  // of how far the body reaches: so that no rounding takes it back
 
-void hold(Bodies& bodies, int body, int mesh, std::span<const Pose> before) {
+/// `centre`: of a convex piece of the body, in its axes.
+void hold(Bodies& bodies, int body, int mesh, std::span<const Pose> before, const Shape& piece,
+          const Vec3& centre) {
     const Pose& surface = bodies.poses[mesh];
-    Vec3& centre = bodies.poses[body].position;
-    const Vec3 from = surface.toWorld(before[mesh].toLocal(before[body].position));
+    const Vec3 from = surface.toWorld(before[mesh].toLocal(before[body].toWorld(centre)));
+    const Vec3 to = bodies.poses[body].toWorld(centre);
+    const auto hit = enterShape(bodies.defs[mesh].shape, surface, from, to);
+    if (hit)
+        bodies.poses[body].position +=
+            (1.0 - hit->fraction) * (from - to) + kInFront * reachOf(piece) * hit->normal;
+}
+
+void hold(Bodies& bodies, int body, int mesh, std::span<const Pose> before) {
     const Shape& shape = bodies.defs[body].shape;
-    const auto hit = enterShape(bodies.defs[mesh].shape, surface, from, centre);
-    if (hit) centre = from + hit->fraction * (centre - from) + kInFront * reachOf(shape) * hit->normal;
+    if (shape.type != ShapeType::compound)
+        return hold(bodies, body, mesh, before, shape, Vec3::Zero());
+    for (const ShapePart& part : *shape.parts)
+        hold(bodies, body, mesh, before, part.shape, part.pose.position);
 }
 
 }  // namespace
@@ -26,8 +37,6 @@ void holdInFront(Bodies& bodies, const ContactFinder& finder, std::span<const Po
         const bool meshA = bodies.defs[pair.a].shape.type == ShapeType::mesh;
         const int mesh = meshA ? pair.a : pair.b, body = meshA ? pair.b : pair.a;
         if (bodies.defs[mesh].shape.type != ShapeType::mesh || !bodies.isAwake(body)) continue;
-        // The centre of a ring is not part of it.
-        if (bodies.defs[body].shape.type == ShapeType::compound) continue;
         if (std::size_t(larger(pair.a, pair.b)) >= before.size()) continue;
         if (isSensed(bodies, pair) ||
             std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair))

@@ -55,21 +55,20 @@ void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3
 }
 
 void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
-                     Bodies& bodies, const Vec3& gravity, const Settings& settings,
-                     Solver& solver) {
+                     Bodies& bodies, const Settings& settings, Solver& solver) {
     Constraints& c = solver.constraints;
     c.contacts.clear();
     solver.pressed.unload(bodies);
     solver.pressed.load(contacts, joints, bodies);
     solver.posesAtStart = bodies.poses;
-    orderContacts(contacts, bodies, gravity, settings.order, solver.keys, c.order);
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
     solver.lanes = settings.usesLanes();
     if (solver.lanes) {
-        solver.wide.prepare(contacts, c.order, joints, bodies, solver.islands, settings, solver.workers);
+        solver.wide.prepare(contacts, solver.order, joints, bodies, solver.islands, settings, solver.workers);
         c.order.clear();
         return;
     }
+    c.order = solver.order;
     for (const Contact& contact : contacts) {
         ContactGeometry points[Contact::kMaxPoints];
         placePoints(contact, bodies.poses[contact.a], bodies.poses[contact.b], points);

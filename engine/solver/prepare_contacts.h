@@ -5,10 +5,10 @@
 namespace engine {
 
 /// Rows, effective masses and blocks of all contacts, once a step: their arms turn by so little in a
-/// step that making them again every sub-step costs a third more and steadies nothing.
+/// step that making them again every sub-step costs a third more and steadies nothing. In the order and with
+/// the islands that the solver has.
 void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
-                     Bodies& bodies, const Vec3& gravity, const Settings& settings,
-                     Solver& solver);
+                     Bodies& bodies, const Settings& settings, Solver& solver);
 
 /// What point i of contact k got in this step.
 PointImpulses impulsesOf(const Solver& solver, int k, int i);

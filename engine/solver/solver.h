@@ -20,6 +20,7 @@ struct Solver {
     PressedBodies pressed;
     DisjointSets islands;            // bodies that contacts and joints hold together
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
+    std::vector<int> order;          // of the contacts, from the top down
     std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
 };
 

@@ -7,7 +7,6 @@ constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr int kHeavySubsteps = 8;
-constexpr double kSubstepsALevel = 0.4, kFewSubsteps = 2.0;
 constexpr double kCalm = 1.0;             // s
 constexpr double kCalmOfJoints = 10.0;    // s
 
@@ -98,16 +97,15 @@ void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, c
 }
 
 void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> contacts,
-                           const Bodies& bodies) {
-    columns_.measure(contacts, bodies, islands);
+                           const Bodies& bodies, const Solver& solver) {
+    columns_.measure(contacts, solver.order, bodies, islands);
     for (const Contact& c : contacts) {
         const int leader = islands.leaderOf(bodies.movable(c.a, c.b));
         Island& island = islands_[leader];
         const double a = bodies.masses[c.a].mass, b = bodies.masses[c.b].mass;
         if (a > 0.0 && b > 0.0 && (a > kHeavy * b || b > kHeavy * a))
             island.needed = larger(island.needed, 1.0 * kHeavySubsteps);
-        island.needed =
-            larger(island.needed, kSubstepsALevel * columns_.tallest(leader) - kFewSubsteps);
+        island.needed = larger(island.needed, columns_.substeps(leader));
     }
 }
 
@@ -117,8 +115,10 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
     const int least = settings.substeps;
     chosen_.resize(bodies.count());
     islands_.assign(bodies.count(), {});
-    addJoints(islands, joints, bodies, solver, dt);
-    addContacts(islands, contacts, bodies);
+    if (settings.maxSubsteps > least) {
+        addJoints(islands, joints, bodies, solver, dt);
+        addContacts(islands, contacts, bodies, solver);
+    }
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isMoving(i)) continue;
         if (bodies.spans[i] == 0.0) chosen_[i] = {};  // a new body, perhaps with an old number

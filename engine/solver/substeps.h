@@ -5,7 +5,7 @@
 ///                           come apart by 0.2 mm; at 1.2 by 2 mm, at 1.4 by 30 mm, and energy comes
 ///                           from nowhere)
 ///   fast joints             h |w| < 0.1: the arms' turning in a sub-step stays nearly linear
-///   columns                 2/5 of their levels less 2: a stack of 20 stands in six, of 30 in ten
+///   columns and walls       the taller, the more (columns.h)
 ///   heavy on light          eight, where one body of a contact weighs ten times the other
 /// The number is 4, 6, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It goes up at
 /// once and down only after a second that fewer would have done for; with joints after ten, because a
@@ -41,7 +41,7 @@ private:
     void addJoints(DisjointSets& islands, std::span<const Joint> joints, const Bodies& bodies,
                    const Solver& solver, double dt);
     void addContacts(DisjointSets& islands, std::span<const Contact> contacts,
-                     const Bodies& bodies);
+                     const Bodies& bodies, const Solver& solver);
 
     Columns columns_;
     std::vector<Chosen> chosen_;   // by body

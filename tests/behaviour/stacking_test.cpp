@@ -98,20 +98,39 @@ TEST(Columns, OfTwentyAndThirtyStandForMinutesInBothPresets) {
 }
 
 // The wider a heap is, the less it sways: it is not cut finer for its height.
-TEST(Columns, AloneAskForSubsteps) {
-    World world;
+/// Sub-steps of boxes beside and on each other in preset `fast`, which has two.
+int substepsOf(int wide, int tall, int deep) {
+    World world(Settings::fast());
     world.add(support::floorPlane());
-    const auto pile = [&](double x, int wide, int tall) {
-        for (int k = 0; k < wide; ++k)
-            for (int i = 0; i < tall; ++i)
-                world.add(body(Shape::box({1, 1, 1}), {x + k, i + 0.5, 0}));
-    };
-    pile(0, 8, 20);
+    for (int k = 0; k < wide; ++k)
+        for (int i = 0; i < tall; ++i)
+            for (int l = 0; l < deep; ++l)
+                world.add(body(Shape::box({0.99, 0.5, 0.5}), {k + 0.3 * (i % 2), 0.5 * i + 0.25, 0.51 * l}));
     run(world, 2);
-    EXPECT_EQ(world.report().substeps, 4);
-    pile(50, 1, 20);
-    run(world, 2);
-    EXPECT_EQ(world.report().substeps, 6);
+    return world.report().substeps;
+}
+
+TEST(Columns, AndWallsAskForSubstepsTheTallerTheyAre) {
+    EXPECT_EQ(substepsOf(1, 5, 1), 2);
+    EXPECT_EQ(substepsOf(1, 20, 1), 6);
+    EXPECT_EQ(substepsOf(1, 30, 1), 12);
+    EXPECT_EQ(substepsOf(10, 8, 1), 2);
+    EXPECT_EQ(substepsOf(15, 15, 1), 3);
+    EXPECT_EQ(substepsOf(20, 20, 1), 4);
+    EXPECT_EQ(substepsOf(12, 6, 12), 2);
+}
+
+// A wall of fifteen rows falls within half a minute with two sub-steps.
+TEST(Columns, AWallStandsForAMinuteInPresetFast) {
+    World world(Settings::fast());
+    world.add(support::floorPlane());
+    support::Random random(7);
+    for (int y = 0; y < 15; ++y)
+        for (int x = 0; x < 15; ++x)
+            world.add(body(Shape::box({0.99, 0.5, 0.5}),
+                           Vec3(x + 0.3 * (y % 2), 0.5 * y + 0.25, 0) + random.vector(1e-4), 100.0));
+    run(world, 3600);
+    EXPECT_LT(drift(world), 0.02);
 }
 
 TEST(Steady, AHundredTimesHeavierTopStands) {
