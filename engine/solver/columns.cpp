@@ -44,11 +44,16 @@ void Columns::measure(std::span<const Contact> contacts, std::span<const int> or
     }
 }
 
+int Columns::levels(int leader) const {
+    const Island& island = islands_[leader];
+    return island.bodies < kMostOfALevel * island.levels ? island.levels : 0;
+}
+
 double Columns::substeps(int leader) const {
     const Island& island = islands_[leader];
     if (island.levels == 0) return 0.0;
     const double levels = island.levels;
-    if (island.bodies < kMostOfALevel * island.levels) return 0.4 * levels - 2.0;
+    if (this->levels(leader) > 0) return 0.4 * levels - 2.0;
     const double carried = smaller(1.0 * island.bodies / island.onTheFloor, levels);
     return 0.2 * carried * carried / levels;
 }

@@ -21,6 +21,8 @@ public:
                  DisjointSets& islands);
     /// Of an island, by its leader; 0: nothing stands there.
     double substeps(int leader) const;
+    /// Of a column; 0: it is none.
+    int levels(int leader) const;
 
 private:
     struct Island {

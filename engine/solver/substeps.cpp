@@ -6,7 +6,8 @@ namespace {
 constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kHeavy = 10.0;           // ratio of masses
-constexpr int kHeavySubsteps = 8;
+constexpr double kHeavySubsteps = 8.0;
+constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
 constexpr double kCalm = 1.0;             // s
 constexpr double kCalmOfJoints = 10.0;    // s
 
@@ -52,6 +53,9 @@ double stepsFor(const JointConstraint& c, const Joint& joint, const Bodies& bodi
     if (joint.def.type == JointType::distance) addRod(joint, bodies, force, swing, turn);
     return dt * larger(std::sqrt(swing) / kSwingPerSubstep, turn / kTurnPerSubstep);
 }
+
+/// Of two bodies that impulses move; 0: of others.
+double massRatio(double a, double b) { return a > 0.0 && b > 0.0 ? larger(a / b, b / a) : 0.0; }
 
 /// 4, 6, 8, 12, 16, 24, 32: a power of two times the least, and half as many again.
 int nextNumber(int number, int least) {
@@ -102,10 +106,11 @@ void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> conta
     for (const Contact& c : contacts) {
         const int leader = islands.leaderOf(bodies.movable(c.a, c.b));
         Island& island = islands_[leader];
-        const double a = bodies.masses[c.a].mass, b = bodies.masses[c.b].mass;
-        if (a > 0.0 && b > 0.0 && (a > kHeavy * b || b > kHeavy * a))
-            island.needed = larger(island.needed, 1.0 * kHeavySubsteps);
         island.needed = larger(island.needed, columns_.substeps(leader));
+        const double ratio = massRatio(bodies.masses[c.a].mass, bodies.masses[c.b].mass);
+        if (ratio > kHeavy) island.needed = larger(island.needed, kHeavySubsteps);
+        if (ratio > kVeryHeavy)
+            island.needed = larger(island.needed, kSubstepsALevel * columns_.levels(leader));
     }
 }
 

@@ -6,7 +6,8 @@
 ///                           from nowhere)
 ///   fast joints             h |w| < 0.1: the arms' turning in a sub-step stays nearly linear
 ///   columns and walls       the taller, the more (columns.h)
-///   heavy on light          eight, where one body of a contact weighs ten times the other
+///   heavy on light          eight, where one body of a contact weighs ten times the other; and where it is a
+///                           hundred times, 3.2 for every level of the column (1000:1 on four: 16)
 /// The number is 4, 6, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It goes up at
 /// once and down only after a second that fewer would have done for; with joints after ten, because a
 /// symplectic integrator keeps its energy only while its step stays the same (five links lose 10 % in
