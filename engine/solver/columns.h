@@ -1,9 +1,9 @@
 /// How many sub-steps what stands on the floor asks for, of the levels n of bodies on each other. A
 /// structure sways as a whole, the softer the taller it is, and only shorter sub-steps hold it:
-///   column  fewer than four bodies on a level      2 n / 5 - 2         a stack of 20 in six, of 30 in ten
-///   wall    as wide as it likes                    c^2 / (5 n)         20 rows in four, 30 in six
+///   column  fewer than four bodies on a level      2 n / 5 - 2         a stack of 20 asks for six
+///   wall    as wide as it likes                    c^2 / (5 n)         20 rows for four
 /// where c = bodies / bodies on the floor is what the lowest of them carry: n of a wall, n / 2 of a
-/// pyramid (45 rows in three), little of a heap, which braces itself.
+/// pyramid (45 rows ask for 2.4), little of a heap, which braces itself.
 #pragma once
 #include <span>
 #include <vector>

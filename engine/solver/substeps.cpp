@@ -57,9 +57,10 @@ double stepsFor(const JointConstraint& c, const Joint& joint, const Bodies& bodi
 /// Of two bodies that impulses move; 0: of others.
 double massRatio(double a, double b) { return a > 0.0 && b > 0.0 ? larger(a / b, b / a) : 0.0; }
 
-/// 4, 6, 8, 12, 16, 24, 32: a power of two times the least, and half as many again.
+/// 4, 8, 12, 16, 24, 32: a power of two times the least, and half as many again; the least goes into all.
 int nextNumber(int number, int least) {
     int power = least;
+    if (number == least) return 2 * least;
     while (2 * power <= number) power *= 2;
     return number + larger(power / 2, 1);
 }
@@ -135,7 +136,6 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
         island.any = true;
     }
     int most = least;
-    bool anyCalm = false;
     for (Island& island : islands_) {
         if (!island.any) continue;
         Chosen& chosen = island.chosen;
@@ -146,11 +146,10 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
         if (chosen.calm > (island.jointed ? kCalmOfJoints : kCalm))
             chosen = {chosen.enough, least, 0.0};
         most = larger(most, chosen.current);
-        anyCalm = anyCalm || chosen.current == least;
     }
     for (int i = 0; i < bodies.count(); ++i)
         if (bodies.isMoving(i)) chosen_[i] = islands_[islands.leaderOf(i)].chosen;
-    return anyCalm && most % least != 0 ? 2 * most : most;
+    return most;
 }
 
 }  // namespace engine

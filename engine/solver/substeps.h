@@ -8,7 +8,7 @@
 ///   columns and walls       the taller, the more (columns.h)
 ///   heavy on light          eight, where one body of a contact weighs ten times the other; and where it is a
 ///                           hundred times, 3.2 for every level of the column (1000:1 on four: 16)
-/// The number is 4, 6, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It goes up at
+/// The number is 4, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It goes up at
 /// once and down only after a second that fewer would have done for; with joints after ten, because a
 /// symplectic integrator keeps its energy only while its step stays the same (five links lose 10 % in
 /// two minutes with one second, 0.4 % with ten).
@@ -21,7 +21,7 @@ namespace engine {
 class Substeps {
 public:
     /// For every body that is awake the number of its island, in a step of dt (s). `islands`: the bodies
-    /// that hang together. Returns the largest; or a multiple, so that the least goes into it.
+    /// that hang together. Returns the largest.
     int choose(DisjointSets& islands, std::span<const Contact> contacts,
                std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                const Settings& settings, double dt);

@@ -115,8 +115,8 @@ TEST(Columns, AndWallsAskForSubstepsTheTallerTheyAre) {
     EXPECT_EQ(substepsOf(1, 20, 1), 6);
     EXPECT_EQ(substepsOf(1, 30, 1), 12);
     EXPECT_EQ(substepsOf(10, 8, 1), 2);
-    EXPECT_EQ(substepsOf(15, 15, 1), 3);
-    EXPECT_EQ(substepsOf(20, 20, 1), 4);
+    EXPECT_EQ(substepsOf(15, 15, 1), 4);
+    EXPECT_EQ(substepsOf(30, 30, 1), 6);
     EXPECT_EQ(substepsOf(12, 6, 12), 2);
 }
 
