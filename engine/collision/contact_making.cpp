@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/collision/surfaces.h"
+
 namespace engine {
 namespace {
 
@@ -27,16 +29,17 @@ bool isFlat(const Shape& shape) {
 
 Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& manifold,
                   Found where) {
-    const Material &a = bodies.defs[pair.a].material, &b = bodies.defs[pair.b].material;
+    const Material surfaces =
+        together(bodies.defs[pair.a].material, bodies.defs[pair.b].material);
     Contact contact;
     contact.a = pair.a, contact.b = pair.b;
     contact.normal = manifold.normal;
     contact.normalA = bodies.poses[pair.a].rotation.conjugate() * manifold.normal;
     if (where == Found::here)
         contact.seenFromA = seenFrom(bodies.poses[pair.a], bodies.poses[pair.b]);
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = larger(a.restitution, b.restitution);
-    contact.rolling = larger(a.rolling, b.rolling);
+    contact.friction = surfaces.friction;
+    contact.restitution = surfaces.restitution;
+    contact.rolling = surfaces.rolling;
     contact.count = manifold.count;
     for (int i = 0; i < manifold.count; ++i) {
         const ManifoldPoint& point = manifold.points[i];

@@ -4,6 +4,7 @@
 
 #include "engine/collision/collide.h"
 #include "engine/collision/sensors.h"
+#include "engine/collision/surfaces.h"
 
 namespace engine {
 namespace {
@@ -116,8 +117,8 @@ void hit(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
          std::vector<double>& throws) {
     const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;
     if (a + b <= 0.0) return;
-    const double e = larger(bodies.defs[pair.a].material.restitution,
-                            bodies.defs[pair.b].material.restitution);
+    const double e =
+        together(bodies.defs[pair.a].material, bodies.defs[pair.b].material).restitution;
     throws[pair.a] = larger(throws[pair.a], (1.0 + e) * ontoA * a / (a + b));
     throws[pair.b] = larger(throws[pair.b], (1.0 + e) * ontoB * b / (a + b));
 }

@@ -59,6 +59,54 @@ TEST(Contacts, MixMaterials) {
     EXPECT_EQ(finder.contacts[0].restitution, 0.7);
 }
 
+/// Of a ball on a floor.
+Contact meeting(const Material& floor, const Material& ball) {
+    Bodies bodies;
+    BodyDef a = support::floorPlane(), b = support::body(Shape::sphere(0.5), {0, 0.5, 0});
+    a.material = floor, b.material = ball;
+    addBody(bodies, a, bodies.count());
+    addBody(bodies, b, bodies.count());
+    ContactFinder finder;
+    findContacts(bodies, finder, 0.02, support::kStep);
+    return finder.contacts.at(0);
+}
+
+Material surface(double friction, FrictionRule rule, int priority = 0) {
+    Material material;
+    material.friction = friction;
+    material.frictionRule = rule;
+    material.priority = priority;
+    return material;
+}
+
+TEST(Contacts, FrictionFollowsTheRuleFurtherDown) {
+    const auto of = [](FrictionRule rule) {
+        return meeting(surface(0.9, FrictionRule::none), surface(0.4, rule)).friction;
+    };
+    EXPECT_EQ(of(FrictionRule::none), 0.0);
+    EXPECT_NEAR(of(FrictionRule::geometric), 0.6, 1e-15);
+    EXPECT_NEAR(of(FrictionRule::average), 0.65, 1e-15);
+    EXPECT_EQ(of(FrictionRule::smaller), 0.4);
+    EXPECT_NEAR(of(FrictionRule::product), 0.36, 1e-15);
+    EXPECT_EQ(of(FrictionRule::larger), 0.9);
+    EXPECT_EQ(meeting(surface(0.9, FrictionRule::larger), surface(0.4, FrictionRule::product)).friction,
+              0.9);
+}
+
+TEST(Contacts, TheSurfaceOfHigherPrioritySaysAll) {
+    Material ice = surface(0.02, FrictionRule::product, 1);
+    ice.restitution = 0.1;
+    Material rubber = surface(1.1, FrictionRule::larger);
+    rubber.restitution = rubber.rolling = 0.8;
+    for (const Contact& contact : {meeting(ice, rubber), meeting(rubber, ice)}) {
+        EXPECT_EQ(contact.friction, 0.02);
+        EXPECT_EQ(contact.restitution, 0.1);
+        EXPECT_EQ(contact.rolling, 0.0);
+    }
+    ice.frictionRule = FrictionRule::none;
+    EXPECT_EQ(meeting(ice, rubber).friction, 0.0);
+}
+
 /// A cube on another, seen once; then the upper one is moved and both are looked at again.
 Contact afterMoving(double way) {
     Bodies bodies;
