@@ -79,7 +79,11 @@ struct Freedom {
     Motor motor;
     Spring spring;        // soft; pulls towards `rest`
     double rest = 0.0;    // m or rad
-    bool acts() const { return limits.any() || motor.isOn() || spring.isSoft(); }  // if free
+    double inertia = 0.0; // I, kg or kg m^2: of a rotor that turns as the coordinate does, but that
+                          // nothing else moves. Geared n : 1, it is n^2 times the rotor's own
+    bool acts() const {   // if free
+        return limits.any() || motor.isOn() || spring.isSoft() || inertia > 0.0;
+    }
 };
 
 /// Everything about a joint that is given to World::add, which says what has to hold.

@@ -241,6 +241,7 @@ void World::setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
     Bodies& bodies = state_->bodies;
     const bool wasDriven = bodies.isDriven(id.index);
     bodies.velocities[id.index] = {velocity, spin};
+    state_->solver.constraints.ratesStale = true;
     if (bodies.isDynamic(id.index) || bodies.isDriven(id.index) != wasDriven)
         callAround(*state_, id.index);
 }

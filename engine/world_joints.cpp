@@ -113,6 +113,7 @@ void checkFreedom(JointType type, int coordinate, const Freedom& f) {
     ENGINE_CHECK(f.limits.low <= f.limits.high, "a lower limit is not above the upper one");
     ENGINE_CHECK(f.motor.strength >= 0.0, "a motor has no negative strength; turn its speed");
     ENGINE_CHECK(isSound(f.spring), kNoNegativeSpring);
+    ENGINE_CHECK(f.inertia >= 0.0, "a rotor has no negative inertia");
 }
 
 void checkJoint(const WorldState& s, const JointDef& def) {

@@ -1,6 +1,7 @@
 #include "engine/world_paces.h"
 
 #include "engine/collision/moving_contacts.h"
+#include "engine/solver/drives.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/world_sleep.h"
 
@@ -53,7 +54,9 @@ void setSpans(WorldState& s, double dt) {
         setSpan(s.bodies, i, h * s.bodies.strides[i], s.scales[i]);
         any = any || s.scales[i] != 1.0;
     }
-    if (any) scaleImpulses(s);
+    if (!any) return;
+    scaleImpulses(s);
+    keepRates(s.solver.constraints, s.bodies.velocities);
 }
 
 /// Which bodies they connect, and in which order they are solved.

@@ -4,6 +4,7 @@
 
 #include "engine/collision/centre_paths.h"
 #include "engine/forces/force.h"
+#include "engine/solver/drives.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/world_joints.h"
 #include "engine/world_paces.h"
@@ -200,6 +201,7 @@ bool beginStep(WorldState& s, double dt) {
     for (JointDrive& drive : s.solver.constraints.drives)
         drive.totalImpulse.setZero(), drive.totalTwist.setZero();
     s.solver.trees.beginStep();
+    if (s.solver.constraints.ratesStale) keepRates(s.solver.constraints, s.bodies.velocities);
     return true;
 }
 
@@ -333,6 +335,8 @@ Energy energyNow(const WorldState& s) {
     for (const Joint& joint : s.joints)
         if (joint.present && (joint.def.spring.isSoft() || joint.acts))
             energy.elastic += elasticEnergy(joint, s.bodies);
+    for (const Joint& joint : s.joints)
+        if (joint.present && joint.acts) energy.kinetic += rotorEnergy(joint, s.bodies);
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, s.report.time, 0.0)) addPotential(*force, s.bodies, energy);
     return energy;

@@ -1,5 +1,9 @@
-/// What acts along the coordinates x that a joint leaves free, dx/dt = J v. Up to three rows each:
+/// What acts along the coordinates x that a joint leaves free, dx/dt = J v. Up to three rows each, a spring and an inertia in one:
 ///   spring   C = x - rest, soft (soft.h)
+///   inertia  of a rotor, kept by its rate u of the sub-step before:  lambda = -I (J v - u), a soft row of
+///            gamma = 1 / I, b = -u. In one row with the spring,
+///              1/gamma = 1/gamma_s + I,  b = gamma (b_s / gamma_s - I u)
+///            and the spring's k and c are of the mass that swings, 1/K + I
 ///   motor    J v - speed = 0,                 |lambda| <= strength h
 ///   limit    C = s (x - bound) >= 0 and s J for the nearer bound, s = 1 for the low one, -1 for the
 ///            high one:  s J v + b >= 0, lambda >= 0, with b = C / h, so that it may be reached in
@@ -26,6 +30,7 @@ struct DriveRow {
     double error = 0.0;            // C, m or rad
     double bias = 0.0;             // b, m/s or rad/s
     double softness = 0.0;         // of a spring
+    double rate = 0.0;             // u, m/s or rad/s; where there is an inertia
     double low = 0.0, high = 0.0;  // bounds of lambda
     double lambda = 0.0;           // N s (N m s), of one sub-step
 
@@ -77,7 +82,7 @@ inline JointDrive driveOf(const JointDef& def) {
     for (const DriveKind kind : {DriveKind::spring, DriveKind::motor, DriveKind::limit})
         for (int i = 0; i < 6; ++i) {
             const Freedom& f = def.free[i];
-            const bool acts = kind == DriveKind::spring  ? f.spring.isSoft()
+            const bool acts = kind == DriveKind::spring  ? f.spring.isSoft() || f.inertia > 0.0
                               : kind == DriveKind::motor ? f.motor.isOn()
                                                          : f.limits.any();
             if (!acts) continue;
@@ -105,12 +110,27 @@ inline void place(DriveRow& row, double x) {
     row.error = sign > 0.0 ? x - low : high - x;
 }
 
+/// 1 / (1/K + I)
+inline double withInertia(double k, double inertia) { return k / (1.0 + k * inertia); }
+
+/// A spring and an inertia, or one of the two.
+inline SoftRow springRow(const DriveRow& row, double k, const Settings& settings, double h) {
+    const double inertia = row.freedom.inertia;
+    SoftRow soft;
+    if (row.freedom.spring.isSoft())
+        soft = softRow(row.freedom.spring, withInertia(k, inertia), row.error, h, settings.springs);
+    if (inertia <= 0.0) return soft;
+    const double stiff = soft.softness > 0.0 ? 1.0 / soft.softness : 0.0;
+    const double softness = 1.0 / (stiff + inertia);
+    return {softness, softness * (stiff * soft.bias - inertia * row.rate)};
+}
+
 /// b, gamma and the bounds of lambda, for a sub-step of length h (s).
 inline void setBias(DriveRow& row, double k, const Settings& settings, double h) {
     constexpr double kAny = std::numeric_limits<double>::infinity();
     row.low = -kAny, row.high = kAny;
     if (row.kind == DriveKind::spring) {
-        const SoftRow soft = softRow(row.freedom.spring, k, row.error, h, settings.springs);
+        const SoftRow soft = springRow(row, k, settings, h);
         row.softness = soft.softness;
         row.bias = soft.bias;
     } else if (row.kind == DriveKind::motor) {

@@ -17,10 +17,11 @@ namespace engine {
 struct Constraints {
     std::vector<ContactConstraint> contacts;
     std::vector<JointConstraint> joints;
-    std::vector<JointDrive> drives;  // of joints that are limited, driven or sprung
+    std::vector<JointDrive> drives;  // of joints that are limited, driven or sprung, or turn a rotor
     std::vector<int> order;  // of the contacts in a sweep
     Impacts impacts;         // of contacts with restitution
     int jointStride = 1;     // sub-steps of the world's that joints go on by at once; 0: they wait
+    bool ratesStale = true;  // velocities are not those of the last solve (keepRates in drives.h)
 };
 
 /// One solve is enough: there is nothing but trees.

@@ -110,6 +110,16 @@ void setDriveBiases(Constraints& c, const Settings& settings, double h) {
             setBias(drive.rows[i], drive.along[drive.rows[i].coordinate].k, settings, h);
 }
 
+void keepRates(Constraints& c, std::span<const Velocity> v) {
+    c.ratesStale = false;
+    for (JointDrive& drive : c.drives)
+        for (int i = 0; i < drive.count; ++i) {
+            DriveRow& row = drive.rows[i];
+            if (row.kind != DriveKind::spring || row.freedom.inertia <= 0.0) continue;
+            row.rate = velocityAlong(drive.along[row.coordinate].j, v[drive.a], v[drive.b]);
+        }
+}
+
 void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v) {
     for (JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i) {
@@ -163,7 +173,21 @@ double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
         const double stretch = free.error[i] - f.rest - 0.5 * h * rate;
         const double k =
             freeRow(held, free.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        if (k > 0.0) energy += 0.5 * f.spring.stiffnessOf(k) * stretch * stretch;
+        const double ofAll = withInertia(k, f.inertia);
+        if (k > 0.0) energy += 0.5 * f.spring.stiffnessOf(ofAll) * stretch * stretch;
+    }
+    return energy;
+}
+
+double rotorEnergy(const Joint& joint, const Bodies& bodies) {
+    const int a = joint.def.a.index, b = joint.def.b.index;
+    const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
+    double energy = 0.0;
+    for (int i = 0; i < free.count; ++i) {
+        const double inertia = joint.def.free[i].inertia;
+        if (inertia <= 0.0) continue;
+        const double rate = velocityAlong(free.j[i], bodies.velocities[a], bodies.velocities[b]);
+        energy += 0.5 * inertia * rate * rate;
     }
     return energy;
 }

@@ -14,6 +14,9 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
 /// b, softness and bounds of a sub-step of length h (s).
 void setDriveBiases(Constraints& c, const Settings& settings, double h);
 
+/// The rates that inertias keep: after a solve, and before a step where the caller has set velocities.
+void keepRates(Constraints& c, std::span<const Velocity> v);
+
 void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v);
 
 void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction);
@@ -27,5 +30,8 @@ void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> jo
 
 /// J, in the springs along a joint's coordinates.
 double driveEnergy(const Joint& joint, const Bodies& bodies, double h);
+
+/// J, of the inertias along them.
+double rotorEnergy(const Joint& joint, const Bodies& bodies);
 
 }  // namespace engine

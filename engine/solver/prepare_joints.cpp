@@ -9,6 +9,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
     std::vector<JointConstraint>& list = solver.constraints.joints;
     list.clear();
     solver.constraints.drives.clear();
+    solver.constraints.ratesStale = true;
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
         if (!joints[i].present || isAsleep(joints[i], bodies)) continue;
         const JointDef& def = joints[i].def;

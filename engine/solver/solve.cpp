@@ -1,5 +1,6 @@
 #include "engine/solver/solve.h"
 
+#include "engine/solver/drives.h"
 #include "engine/solver/impulses.h"
 #include "engine/solver/methods.h"
 
@@ -93,7 +94,9 @@ void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& set
         solveIslands(solver, v, settings, h, report.sweeps);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
-    if (solver.constraints.jointStride > 0) solver.trees.keepStart(v);
+    if (solver.constraints.jointStride == 0) return;
+    solver.trees.keepStart(v);
+    keepRates(solver.constraints, v);
 }
 
 }  // namespace engine
