@@ -62,6 +62,8 @@ density = 600
 friction = 0.5
 restitution = 0.1
 rolling = 0.01
+friction_rule = "larger"
+priority = 1
 colour = "#c89b6c"
 )"},
     {"body", R"(
@@ -186,6 +188,7 @@ limits_deg = [-45, 45]
 motor = { speed = 1, max = 50 }
 spring = { hz = 2, damping = 0.5, rest_deg = 10 }
 soft = { hz = 20, damping = 1 }
+inertia = 0.1
 )"},
     {"slider", R"(
 [[joint]]
@@ -195,6 +198,7 @@ b = "crate"
 anchor = [1, 2, 0]
 axis = [1, 0, 0]
 spring = { hz = 2, damping = 0.5, rest = 0.1 }
+inertia = 0.1
 )"},
     {"universal", R"(
 [[joint]]
@@ -217,10 +221,10 @@ b = "crate"
 anchor = [1, 2, 0]
 x = "locked"
 y = "free"
-z = { limits = [-1, 1], motor = { speed = 0, max = 1 }, spring = { hz = 1, rest = 0 } }
+z = { limits = [-1, 1], motor = { speed = 0, max = 1 }, spring = { hz = 1, rest = 0 }, inertia = 0.1 }
 rx = "locked"
 ry = "free"
-rz = { limits_deg = [-10, 10], motor = { speed = 0, max = 1 }, spring = { hz = 1, rest_deg = 0 } }
+rz = { limits_deg = [-10, 10], motor = { speed = 0, max = 1 }, spring = { hz = 1, rest_deg = 0 }, inertia = 0.1 }
 )"},
     {"coordinates", R"(
 [[joint]]

@@ -257,6 +257,21 @@ bool checkName(const std::string& name, Place place, const char* what, Complaint
     return good;
 }
 
+namespace {
+
+/// In the order of engine::FrictionRule.
+const std::vector<std::string> kFrictionRules{"none",    "geometric", "average",
+                                              "smaller", "product",   "larger"};
+
+void readMeeting(Keys& keys, engine::Material& material) {
+    const std::optional<std::string> rule = keys.word("friction_rule", kFrictionRules);
+    for (std::size_t i = 0; i < kFrictionRules.size(); ++i)
+        if (rule == kFrictionRules[i]) material.frictionRule = static_cast<engine::FrictionRule>(i);
+    material.priority = keys.whole("priority", {-1e6, 1e6}).value_or(material.priority);
+}
+
+}  // namespace
+
 Materials readMaterials(Keys& top, Complaints& complaints) {
     Materials materials;
     for (const Value* table : top.tables("material")) {
@@ -270,6 +285,7 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
         m.material.restitution =
             keys.number("restitution", {0.0, 1.0}).value_or(m.material.restitution);
         m.material.rolling = keys.number("rolling", kRolling).value_or(m.material.rolling);
+        readMeeting(keys, m.material);
         m.color = keys.color("colour");
         keys.done();
         if (!keys.has("name") || !checkName(name, keys.placeOf("name"), "name", complaints))

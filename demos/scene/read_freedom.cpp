@@ -65,6 +65,10 @@ void readRestingSpring(Keys& keys, const char* key, Way way, engine::Freedom& fr
     spring.done();
 }
 
+std::optional<double> readInertia(Keys& keys, const char* key, Way way) {
+    return keys.number(key, {1e-12, 1e9, way == Way::about ? "kg m^2" : "kg"});
+}
+
 engine::Freedom readFreedom(Keys& keys, const char* key, Way way) {
     engine::Freedom freedom;
     const Value* value = keys.any(key);
@@ -75,7 +79,7 @@ engine::Freedom readFreedom(Keys& keys, const char* key, Way way) {
         if (value->kind != Value::Kind::text)
             keys.complain(key, std::string(key) + " is " + describe(*value) +
                                    "; it should be \"free\", \"locked\" or a table of limits, "
-                                   "motor and spring");
+                                   "motor, spring and inertia");
         freedom.locked = word == "locked";
         return freedom;
     }
@@ -84,6 +88,7 @@ engine::Freedom readFreedom(Keys& keys, const char* key, Way way) {
     freedom.limits = readLimits(inner, limits, way).value_or(engine::Limits{});
     freedom.motor = readMotor(inner, "motor", way).value_or(engine::Motor{});
     readRestingSpring(inner, "spring", way, freedom);
+    freedom.inertia = readInertia(inner, "inertia", way).value_or(0.0);
     inner.done();
     return freedom;
 }

@@ -1,4 +1,4 @@
-/// What acts along a coordinate that a joint leaves free: limits, motor, spring.
+/// What acts along a coordinate that a joint leaves free: limits, motor, spring, rotor.
 #pragma once
 #include "demos/scene/keys.h"
 #include "engine/joint.h"
@@ -17,7 +17,10 @@ std::optional<engine::Spring> readSpring(Keys& keys, const char* key);
 /// { hz, damping, rest } or rest_deg, into `freedom`.
 void readRestingSpring(Keys& keys, const char* key, Way way, engine::Freedom& freedom);
 
-/// Of a six-dof joint: "free", "locked" or { limits, motor, spring }.
+/// Of a rotor; kg m^2, or kg along a way.
+std::optional<double> readInertia(Keys& keys, const char* key, Way way);
+
+/// Of a six-dof joint: "free", "locked" or { limits, motor, spring, inertia }.
 engine::Freedom readFreedom(Keys& keys, const char* key, Way way);
 
 }  // namespace demos

@@ -199,6 +199,7 @@ private:
         if (const auto twist = readLimits(keys_, "twist_deg", Way::about)) first.limits = *twist;
         if (const auto swing = keys_.number("swing_deg", {0.0, 180.0, "deg"}))
             second.limits.high = engine::radians(*swing);
+        if (const auto inertia = readInertia(keys_, "inertia", way)) first.inertia = *inertia;
         if (kind_->has("soft")) readRestingSpring(keys_, "spring", way, first);
         def().spring =
             readSpring(keys_, kind_->has("soft") ? "soft" : "spring").value_or(engine::Spring{});
