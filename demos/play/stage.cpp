@@ -29,6 +29,18 @@ engine::JointDef jointDef(const JointDescription& joint, const Stage& stage) {
 /// Bodies that share a mesh or a hull share its picture, which is as large.
 class Drawings {
 public:
+    std::vector<DrawnPart> of(const BodyDescription& body) {
+        if (!body.looks) return of(body.def.shape);
+        std::vector<DrawnPart> parts;
+        for (const engine::ShapePart& look : *body.looks)
+            for (const DrawnPart& part : of(look.shape))
+                parts.push_back({part.solid,
+                                 {look.pose.toWorld(part.place.position),
+                                  (look.pose.rotation * part.place.rotation).normalized()}});
+        return parts;
+    }
+
+private:
     const std::vector<DrawnPart>& of(const engine::Shape& shape) {
         const void* key = shape.mesh    ? static_cast<const void*>(shape.mesh.get())
                           : shape.hull  ? static_cast<const void*>(shape.hull.get())
@@ -40,7 +52,6 @@ public:
                                      : known_.emplace(key, drawnParts(shape)).first->second;
     }
 
-private:
     std::vector<DrawnPart> own_;
     std::map<const void*, std::vector<DrawnPart>> known_;  // never in the order of its keys
 };
@@ -60,7 +71,7 @@ Stage::Stage(const SceneDescription& description)
     for (const BodyDescription& body : scene.bodies) {
         if (body.path) onPaths_.push_back(static_cast<int>(bodies.size()));
         bodies.push_back(world.add(body.def));
-        drawn.push_back(drawings.of(body.def.shape));
+        drawn.push_back(drawings.of(body));
     }
     ground = addGround(world);
     for (const JointDescription& joint : scene.joints)

@@ -23,6 +23,7 @@ struct BodyDescription {
     std::string name;
     engine::BodyDef def;            // material values are already in def.material
     std::optional<unsigned> color;  // 0xRRGGBB
+    std::optional<std::vector<engine::ShapePart>> looks;  // drawn in place of def.shape, body axes
     std::optional<KinematicPath> path;
     std::vector<std::string> groups, ignores;  // numbered in def
     Place place, ignoresPlace;
