@@ -13,6 +13,8 @@ namespace fs = std::filesystem;
 
 constexpr Range kCoordinates{-1e6, 1e6};
 constexpr std::size_t kMostNumbers = 3'000'000;
+constexpr double kFlat = 1e-6;         // of a triangle: the sine of its corner
+constexpr double kLeastCross = 1e-11;  // m^2, twice an area: less is left out of meshes
 constexpr double kLargest = 1e4, kLeast = 1e-5;  // m
 
 class MeshReader {
@@ -26,8 +28,9 @@ public:
         return fs::path(attributes_.text("file")).stem().string();
     }
 
-    std::optional<engine::Shape> read() {
-        std::vector<Vec3> corners = attributes_.has("vertex") ? inlineCorners() : fileCorners();
+    std::optional<MeshShapes> read() {
+        MeshCorners mesh = attributes_.has("vertex") ? inlineMesh() : fileMesh();
+        std::vector<Vec3>& corners = mesh.corners;
         if (corners.empty()) return std::nullopt;
         place(corners);
         Vec3 low = corners.front(), high = low;
@@ -41,11 +44,12 @@ public:
             attributes_.wrong("", "mesh '" + name() +
                                       "' has no convex hull; its corners should "
                                       "not lie in one plane, and within 10000 m of its origin");
-        return hull;
+        if (!hull) return std::nullopt;
+        return MeshShapes{*hull, pictureOf(mesh, hull->origin)};
     }
 
 private:
-    std::vector<Vec3> inlineCorners() {
+    MeshCorners inlineMesh() {
         const auto numbers = attributes_.numbers("vertex", 12, kMostNumbers, kCoordinates);
         if (!numbers) return {};
         if (numbers->size() % 3 != 0) {
@@ -56,10 +60,21 @@ private:
         std::vector<Vec3> corners;
         for (std::size_t i = 0; i < numbers->size(); i += 3)
             corners.push_back({(*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]});
-        return corners;
+        std::vector<std::array<int, 3>> faces = inlineFaces(corners.size());
+        return {std::move(corners), std::move(faces), ""};
     }
 
-    std::vector<Vec3> fileCorners() {
+    std::vector<std::array<int, 3>> inlineFaces(std::size_t corners) {
+        const auto numbers =
+            attributes_.numbers("face", 3, kMostNumbers, {0.0, static_cast<double>(corners) - 1.0});
+        std::vector<std::array<int, 3>> faces;
+        for (std::size_t i = 0; numbers && i + 3 <= numbers->size(); i += 3)  // whole ones
+            faces.push_back({static_cast<int>((*numbers)[i]), static_cast<int>((*numbers)[i + 1]),
+                             static_cast<int>((*numbers)[i + 2])});
+        return faces;
+    }
+
+    MeshCorners fileMesh() {
         const std::string file = attributes_.text("file");
         if (file.empty() || fs::path(file).is_absolute()) {
             attributes_.wrong("file",
@@ -69,7 +84,7 @@ private:
         try {
             const fs::path path = (folder_ / rules_.meshFolder / file).lexically_normal();
             MeshCorners mesh = readMeshFile(file, read_(path));
-            if (mesh.wrong.empty()) return std::move(mesh.corners);
+            if (mesh.wrong.empty()) return mesh;
             attributes_.wrong("file", file + ": " + mesh.wrong);
         } catch (const SceneError& error) {
             attributes_.wrong("file", error.what());
@@ -90,6 +105,21 @@ private:
         turn.normalize();
         for (Vec3& corner : corners)
             corner = yUp(Vec3(turn.conjugate() * (corner.cwiseProduct(scale) - from)));
+    }
+
+    /// Nothing where no triangle has an area. What is mirrored keeps its outside.
+    std::optional<engine::Shape> pictureOf(MeshCorners& mesh, const Vec3& origin) {
+        const Vec3 scale = attributes_.vector("scale", kCoordinates).value_or(Vec3(1, 1, 1));
+        if (scale.prod() < 0.0)
+            for (std::array<int, 3>& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+        const auto corner = [&](int i) { return mesh.corners[static_cast<std::size_t>(i)]; };
+        std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
+            const Vec3 a = corner(t[1]) - corner(t[0]), b = corner(t[2]) - corner(t[0]);
+            return a.cross(b).norm() <= engine::larger(kFlat * a.norm() * b.norm(), kLeastCross);
+        });
+        if (mesh.triangles.empty()) return std::nullopt;
+        for (Vec3& point : mesh.corners) point += origin;
+        return engine::Shape::meshOf(mesh.corners, mesh.triangles);
     }
 
     Attributes attributes_;

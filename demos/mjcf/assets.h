@@ -9,8 +9,13 @@
 
 namespace demos::mjcf {
 
+struct MeshShapes {
+    engine::Shape hull;                    // about its own centre of mass
+    std::optional<engine::Shape> picture;  // its triangles, in the axes of the hull
+};
+
 struct Assets {
-    std::map<std::string, std::optional<engine::Shape>> meshes;  // hulls; none: told already
+    std::map<std::string, std::optional<MeshShapes>> meshes;  // none: told already
     std::map<std::string, std::optional<unsigned>> colors;       // 0xRRGGBB of materials
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "demos/scene/ranges.h"
+
 namespace demos::mjcf {
 namespace {
 
@@ -59,12 +61,14 @@ public:
 private:
     /// Of one <body>: what its <geom>s and its <inertial> weigh, in the axes of its link.
     struct Weights {
+        int body = 0;  // its number
         std::vector<MassProperties> geoms;
         std::optional<MassProperties> given;
     };
 
     void readChildren(const Element& around, const Whereabouts& at, const std::string& childclass) {
         Weights weights;
+        weights.body = ++bodiesRead_;
         readInside(around, at, at.pose, childclass, weights);
         if (at.link != kWorld) weigh(around, weights, link(at.link));
         for (const Element& child : around.children) readInner(child, at.link, at.pose, childclass);
@@ -77,6 +81,7 @@ private:
                     const std::string& childclass, Weights& weights) {
         for (const Element& child : around.children) {
             if (makesBodies(child.name)) noteLacking(child.name, at.link);
+            if (child.name == "site") addSite(child, at, pose, childclass);
             if (child.name == "geom") addGeom(child, at, pose, childclass, weights);
             if (child.name == "inertial") weights.given = readInertial(child, at, pose);
             if (child.name == "frame")
@@ -194,6 +199,7 @@ private:
         const Pose there = inLink(at, pose, {});
         geom->pose = there * geom->pose;
         geom->properties = placed(geom->properties, there);
+        geom->body = weights.body;
         if (at.link == kWorld) {
             tree_.fixed.push_back(std::move(*geom));
             return;
@@ -206,6 +212,21 @@ private:
         }
         weights.geoms.push_back(geom->properties);
         link(at.link).geoms.push_back(std::move(*geom));
+    }
+
+    /// The point of a <site>; in the middle of its fromto.
+    void addSite(const Element& element, const Whereabouts& at, const Pose& pose,
+                 const std::string& childclass) {
+        Attributes attributes = context_.defaults.of(element, childclass);
+        const std::string name = attributes.text("name");
+        if (name.empty()) return;
+        Vec3 point = attributes.vector("pos", kMeters).value_or(Vec3(0, 0, 0));
+        if (const auto ends = attributes.numbers("fromto", 6, 6, kMeters))
+            for (int i = 0; i < 3; ++i)
+                point[i] = 0.5 * ((*ends)[static_cast<std::size_t>(i)] +
+                                  (*ends)[static_cast<std::size_t>(i + 3)]);
+        if (!tree_.sites.emplace(name, Whereabouts{at.link, {pose.toWorld(yUp(point)), Quat::Identity()}}).second)
+            attributes.wrong("name", "two sites are called '" + name.substr(0, 64) + "'; rename one");
     }
 
     std::optional<MassProperties> readInertial(const Element& element, const Whereabouts& at,
@@ -257,6 +278,7 @@ private:
 
     const Context& context_;
     BodyTree tree_;
+    int bodiesRead_ = 0;
 };
 
 }  // namespace

@@ -40,6 +40,7 @@ struct BodyTree {
     std::vector<Link> links;
     std::vector<Geom> fixed;                    // in world axes: what no joint lets move
     std::map<std::string, Whereabouts> bodies;  // by name; "world" too
+    std::map<std::string, Whereabouts> sites;   // by name
     std::string lacking;  // an element that would make bodies and is not supported
 };
 

@@ -51,6 +51,8 @@ void readFlags(Attributes attributes, Rules& rules) {
     const std::vector<std::string> words{"enable", "disable"};
     if (const auto contact = attributes.word("contact", words))
         rules.contacts = *contact == "enable";
+    if (const auto actuation = attributes.word("actuation", words))
+        rules.actuation = *actuation == "enable";
     if (const auto gravity = attributes.word("gravity", words)) rules.weight = *gravity == "enable";
 }
 

@@ -12,6 +12,7 @@ struct Rules {
     std::string meshFolder;                // beside the model
     bool contacts = true;                  // <flag contact>
     bool weight = true;                    // <flag gravity>
+    bool actuation = true;                 // <flag actuation>
 };
 
 /// Later <compiler>s and <option>s add to the earlier. Gravity and hz go to the scene.

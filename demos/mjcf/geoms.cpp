@@ -14,6 +14,7 @@ using engine::Shape;
 constexpr Range kSizes{0.0, 1e4, "m"};
 constexpr double kLeastSize = 1e-5;  // m
 constexpr double kRolling = 1e-4;     // m, MuJoCo's own where condim is 6 and none is given
+constexpr int kFirstHiddenGroup = 3;
 constexpr double kLargestBits = 2147483647.0;
 
 class GeomReader {
@@ -74,7 +75,8 @@ private:
         }
         if (!found->second) return false;
         attributes_.note("mesh", "a mesh is taken as its convex hull");
-        takeHull(*found->second);
+        takeHull(found->second->hull);
+        geom_.picture = found->second->picture;
         return true;
     }
 
@@ -163,7 +165,7 @@ private:
 
     int bits(const char* name) { return attributes_.whole(name, {0.0, kLargestBits}).value_or(1); }
 
-    /// condim 1: none; 3: sliding; 4: and torsion; 6: and rolling.
+    /// condim 1: none, unless the other geom's is larger; 3: sliding; 4: and torsion; 6: and rolling.
     void readFriction() {
         const int condim = attributes_.whole("condim", {1.0, 6.0}).value_or(3);
         const std::vector<double> given =
@@ -174,7 +176,8 @@ private:
         if (condim > 3)
             attributes_.note("condim", "friction against torsion is not supported; left out");
         if (!given.empty()) geom_.friction = given.front();
-        if (condim == 1) geom_.friction = 0.0;
+        geom_.condim = condim;
+        geom_.priority = attributes_.whole("priority", {-1e6, 1e6}).value_or(0);
         if (condim == 6) geom_.rolling = given.size() > 2 ? given[2] : kRolling;
     }
 
@@ -192,6 +195,9 @@ private:
                                               suggestion(material, names));
         }
         if (const std::optional<unsigned> color = readColor(attributes_)) geom_.color = color;
+        const auto rgba = attributes_.numbers("rgba", 4, 4, {0.0, 1.0});
+        const int group = attributes_.whole("group", {-1e6, 1e6}).value_or(0);
+        geom_.isShown = group < kFirstHiddenGroup && !(rgba && rgba->back() == 0.0);
     }
 
     Attributes attributes_;

@@ -24,7 +24,12 @@ struct Geom {
     MassProperties properties;  // likewise; of a plane none
     bool ownMass = false;       // the mass is given, not by density
     double friction = 1.0;
-    double rolling = 0.0;       // m
+    double rolling = 0.0;       // m, where condim is 6
+    std::optional<engine::Shape> picture;  // a mesh's triangles, at the same place
+    bool isShown = true;        // in MuJoCo's window: of group 0, 1 or 2, and not clear
+    int body = 0;               // a number for each <body>
+    int condim = 3;
+    int priority = 0;
     int contype = 1, conaffinity = 1;  // bits: who meets whom
     std::optional<unsigned> color;     // 0xRRGGBB
     Spot spot;

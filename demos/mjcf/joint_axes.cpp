@@ -1,5 +1,6 @@
 #include "demos/mjcf/joint_axes.h"
 
+#include "demos/mjcf/freedom.h"
 #include "demos/scene/ranges.h"
 
 namespace demos::mjcf {
@@ -7,12 +8,13 @@ namespace {
 
 constexpr Range kDirection{-1e6, 1e6};
 constexpr Range kCoordinate{-1e5, 1e5};
-constexpr Range kStrength{0.0, 1e12};
 
 class JointReader {
 public:
-    JointReader(const JointElement& joint, const Context& context)
-        : attributes_(context.defaults.of(*joint.element, joint.childclass)), context_(context) {}
+    JointReader(const JointElement& joint, const Context& context, const ForcesByName& forces)
+        : attributes_(context.defaults.of(*joint.element, joint.childclass)),
+          context_(context),
+          forces_(forces) {}
 
     JointAxis read(const Pose& pose) {
         joint_.spot = attributes_.spot();
@@ -51,10 +53,12 @@ private:
     }
 
     bool isLimited() {
-        const auto limited = attributes_.word("limited", {"true", "false", "auto"});
-        const bool own = !limited || *limited == "auto";
-        if (own) return context_.rules.autoLimits && attributes_.has("range");
-        return *limited == "true";
+        return mjcf::isLimited(attributes_, "limited", "range", context_.rules.autoLimits);
+    }
+
+    AffineForce force() const {
+        const auto found = forces_.find(joint_.name);
+        return found == forces_.end() ? AffineForce{} : found->second;
     }
 
     /// MuJoCo's coordinate is `ref` where the file puts the bodies; ours is 0 there.
@@ -72,17 +76,16 @@ private:
                 freedom.limits = {};
             }
         }
-        freedom.spring.stiffness = attributes_.number("stiffness", kStrength).value_or(0.0);
-        freedom.spring.resistance = attributes_.number("damping", kStrength).value_or(0.0);
-        freedom.rest = coordinate("springref") - ref;
-        freedom.motor.strength = attributes_.number("frictionloss", kStrength).value_or(0.0);
+        actAlong(attributes_, force(), coordinate("springref"), ref, freedom);
     }
 
     void tellOfBall() {
-        for (const char* name : {"stiffness", "damping", "frictionloss"})
+        for (const char* name : {"stiffness", "damping", "frictionloss", "armature"})
             if (attributes_.number(name, kStrength).value_or(0.0) > 0.0)
                 attributes_.note(name,
                                  std::string(name) + " of a ball joint is not available; left out");
+        if (forces_.contains(joint_.name))
+            attributes_.note("", "an actuator of a ball joint is not available; left out");
         attributes_.numbers("range", 2, 2, kCoordinate);
         if (isLimited())
             attributes_.note("range", "range of a ball joint is not available; left out");
@@ -90,13 +93,15 @@ private:
 
     Attributes attributes_;
     const Context& context_;
+    const ForcesByName& forces_;
     JointAxis joint_;
 };
 
 }  // namespace
 
-JointAxis readJoint(const JointElement& joint, const Pose& pose, const Context& context) {
-    return JointReader(joint, context).read(pose);
+JointAxis readJoint(const JointElement& joint, const Pose& pose, const Context& context,
+                    const ForcesByName& forces) {
+    return JointReader(joint, context, forces).read(pose);
 }
 
 }  // namespace demos::mjcf

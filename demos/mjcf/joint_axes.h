@@ -1,5 +1,6 @@
 /// One <joint>: its way or turn, and what acts along it.
 #pragma once
+#include "demos/mjcf/affine_force.h"
 #include "demos/mjcf/body_tree.h"
 #include "engine/joint.h"
 
@@ -16,7 +17,8 @@ struct JointAxis {
     Spot spot;
 };
 
-/// `pose`: of the <body> that has it.
-JointAxis readJoint(const JointElement& joint, const Pose& pose, const Context& context);
+/// `pose`: of the <body> that has it; `forces`: of actuators and tendons, by its name.
+JointAxis readJoint(const JointElement& joint, const Pose& pose, const Context& context,
+                    const ForcesByName& forces);
 
 }  // namespace demos::mjcf

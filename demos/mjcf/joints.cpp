@@ -22,6 +22,7 @@ Freedom reversed(Freedom freedom) {
     std::swap(freedom.limits.low, freedom.limits.high);
     freedom.limits.low *= -1.0, freedom.limits.high *= -1.0;
     freedom.rest *= -1.0;
+    freedom.motor.speed *= -1.0;
     return freedom;
 }
 
@@ -67,9 +68,10 @@ private:
 
 class JointMaker {
 public:
-    JointMaker(const Link& link, const Context& context) : context_(context) {
+    JointMaker(const Link& link, const Context& context, const ForcesByName& forces)
+        : context_(context) {
         for (const JointElement& joint : link.joints)
-            joints_.push_back(readJoint(joint, link.pose, context));
+            joints_.push_back(readJoint(joint, link.pose, context, forces));
     }
 
     /// Anchors are left to the caller: `anchor`, world axes. False: it cannot be one joint.
@@ -196,8 +198,8 @@ private:
 };
 
 void addJoint(const Link& link, int around, int body, const Context& context,
-              SceneDescription& scene, Names& names) {
-    JointMaker maker(link, context);
+              const ForcesByName& forces, SceneDescription& scene, Names& names) {
+    JointMaker maker(link, context, forces);
     JointDescription joint;
     Vec3 anchor;
     if (!maker.make(joint.def, anchor)) return;
@@ -217,12 +219,12 @@ void addJoint(const Link& link, int around, int body, const Context& context,
 }  // namespace
 
 void addJoints(const BodyTree& tree, const std::vector<int>& places, const Context& context,
-               SceneDescription& scene, Names& names) {
+               const ForcesByName& forces, SceneDescription& scene, Names& names) {
     for (std::size_t i = 0; i < tree.links.size(); ++i) {
         const Link& link = tree.links[i];
         const int around =
             link.parent == kWorld ? kWorld : places[static_cast<std::size_t>(link.parent)];
-        if (!link.joints.empty()) addJoint(link, around, places[i], context, scene, names);
+        if (!link.joints.empty()) addJoint(link, around, places[i], context, forces, scene, names);
     }
 }
 

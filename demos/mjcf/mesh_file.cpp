@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "demos/scene/mesh_file.h"
+
 namespace demos::mjcf {
 namespace {
 
@@ -46,7 +48,18 @@ Vec3 cornerIn(std::string_view text) {
     return corner;
 }
 
+/// A file of corners alone has a hull, and nothing else to draw.
+std::vector<std::array<int, 3>> facesOf(const std::string& text, std::size_t corners) {
+    try {
+        TriangleMesh mesh = objMesh(text);
+        if (mesh.corners.size() == corners) return std::move(mesh.triangles);
+    } catch (const MeshFileError&) {
+    }
+    return {};
+}
+
 MeshCorners readObj(std::string_view text) {
+    const std::string_view whole = text;
     MeshCorners mesh;
     for (int read = 0; !text.empty();) {
         const int line = read + 1;
@@ -57,6 +70,7 @@ MeshCorners readObj(std::string_view text) {
         mesh.wrong = "line " + std::to_string(line) + " should be 'v' and three numbers";
         return mesh;
     }
+    if (mesh.wrong.empty()) mesh.triangles = facesOf(std::string(whole), mesh.corners.size());
     if (mesh.corners.empty()) mesh.wrong = "it has no corners; an OBJ file has lines 'v x y z'";
     return mesh;
 }
@@ -79,6 +93,8 @@ MeshCorners readStl(std::string_view bytes) {
                      " triangles; STL in text is not read";
         return mesh;
     }
+    for (int i = 0; i < static_cast<int>(count); ++i)
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     for (std::size_t i = 0; i < 3 * count; ++i) {
         Vec3 corner;
         for (std::size_t k = 0; k < 3; ++k)
@@ -100,7 +116,7 @@ MeshCorners readMeshFile(const std::string& name, std::string_view bytes) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     if (ending == ".obj") return readObj(bytes);
     if (ending == ".stl") return readStl(bytes);
-    return {{}, "its format is not read; OBJ and binary STL are"};
+    return {{}, {}, "its format is not read; OBJ and binary STL are"};
 }
 
 }  // namespace demos::mjcf

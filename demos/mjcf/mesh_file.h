@@ -1,5 +1,6 @@
-/// The corners of mesh files: all that a convex hull asks for.
+/// Mesh files: corners, which a convex hull asks for, and triangles, to be drawn.
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@ namespace demos::mjcf {
 /// corners, `wrong` says why, in one sentence.
 struct MeshCorners {
     std::vector<Vec3> corners;
+    std::vector<std::array<int, 3>> triangles;  // none where the file has no faces
     std::string wrong;
 };
 MeshCorners readMeshFile(const std::string& name, std::string_view bytes);

@@ -3,6 +3,7 @@
 #include "demos/mjcf/contact_filter.h"
 #include "demos/mjcf/equalities.h"
 #include "demos/mjcf/joints.h"
+#include "demos/mjcf/tendons.h"
 #include "demos/mjcf/view.h"
 #include "demos/mjcf/vocabulary.h"
 #include "demos/scene/expression.h"
@@ -29,7 +30,10 @@ void build(const Element& root, const fs::path& folder, const FileReader& read,
     const std::vector<int> places = addBodies(tree, context, scene);
     stopIfWrong(diagnostics);  // joints ask for good bodies
     Names jointNames;
-    addJoints(tree, places, context, scene, jointNames);
+    Actuation actuation = readActuators(root, context);
+    addFixedTendons(root, tree, context, actuation);
+    addJoints(tree, places, context, actuation.joints, scene, jointNames);
+    addSpatialTendons(root, tree, places, context, actuation, scene, jointNames);
     addEqualities(root, tree, places, context, scene, jointNames);
     separate(root, tree, places, context, scene);
     if (scene.bodies.empty())

@@ -1,6 +1,7 @@
 #include "demos/mjcf/rigid_bodies.h"
 
 #include <algorithm>
+#include <set>
 
 namespace demos::mjcf {
 namespace {
@@ -22,15 +23,39 @@ std::vector<const Geom*> solidOf(const Link& link) {
     return solid;
 }
 
+bool sameSurface(const Geom& a, const Geom& b) {
+    return a.friction == b.friction && a.rolling == b.rolling && a.priority == b.priority &&
+           (a.condim == 1) == (b.condim == 1);
+}
+
+/// Of two geoms the larger condim counts and the larger friction; the first says whether there is any.
+engine::Material surfaceOf(const Geom& geom) {
+    engine::Material surface;
+    surface.friction = geom.friction;
+    surface.rolling = geom.rolling;
+    surface.frictionRule =
+        geom.condim == 1 ? engine::FrictionRule::none : engine::FrictionRule::larger;
+    surface.priority = geom.priority;
+    return surface;
+}
+
 class BodyMaker {
 public:
-    BodyMaker(const Context& context, SceneDescription& scene) : context_(context), scene_(scene) {}
+    BodyMaker(const BodyTree& tree, const Context& context, SceneDescription& scene)
+        : context_(context), scene_(scene) {
+        for (const Geom& geom : tree.fixed)
+            if (geom.isShown) shownBodies_.insert(geom.body);
+    }
 
     void addFixed(const Geom& geom) {
         BodyDescription body;
         body.def.kind = BodyKind::fixed;
         body.def.shape = geom.shape;
         body.def.pose = geom.pose;
+        if (!geom.isShown && shownBodies_.contains(geom.body))
+            body.looks.emplace();
+        else if (geom.picture)
+            body.looks = {{*geom.picture, Pose{}}};
         add(std::move(body), geom.name.empty() ? geom.type : geom.name, geom, geom.spot);
     }
 
@@ -49,7 +74,8 @@ public:
             takeShape(link, *solid.front(), whole, body.def);
         else
             takeParts(link, solid, whole, body.def);
-        tellOfHidden(link, solid);
+        tellOfDifferent(link, solid);
+        dress(link, solid, body);
         Geom none;
         none.contype = none.conaffinity = 0;
         const Geom& first = solid.empty() ? none : *solid.front();
@@ -82,17 +108,33 @@ private:
         def.inertia = whole.inertia;
     }
 
-    void tellOfHidden(const Link& link, const std::vector<const Geom*>& solid) {
+    /// Drawn are the geoms that MuJoCo's window shows, or else those that are met.
+    static void dress(const Link& link, const std::vector<const Geom*>& solid,
+                      BodyDescription& body) {
+        std::vector<const Geom*> shown;
+        for (const Geom& geom : link.geoms)
+            if (geom.isShown) shown.push_back(&geom);
+        if (shown.empty()) shown = solid;
+        bool same = shown == solid;
+        for (const Geom* geom : shown) same = same && !geom->picture;
+        if (!shown.empty()) body.color = shown.front()->color;
+        if (same) return;
+        body.looks.emplace();
+        for (const Geom* geom : shown) {
+            const Pose there = link.pose * geom->pose;
+            const Quat turn = body.def.pose.rotation.conjugate() * there.rotation;
+            body.looks->push_back({geom->picture.value_or(geom->shape),
+                                   {body.def.pose.toLocal(there.position), turn.normalized()}});
+        }
+    }
+
+    void tellOfDifferent(const Link& link, const std::vector<const Geom*>& solid) {
         for (const Geom& geom : link.geoms) {
-            if (!geom.collides() && solid.front()->collides())
-                context_.diagnostics.note(geom.spot,
-                                          "a <geom> that nothing meets, beside others that are "
-                                          "met, is weighed and not drawn");
             if (!geom.collides()) continue;
-            if (geom.friction != solid.front()->friction)
+            if (!sameSurface(geom, *solid.front()))
                 context_.diagnostics.note(geom.spot,
-                                          "friction differs between the <geom>s of a body; that "
-                                          "of its first holds for all");
+                                          "friction, condim or priority differ between the <geom>s of a body; those "
+                                          "of its first hold for all");
             if (geom.contype != solid.front()->contype ||
                 geom.conaffinity != solid.front()->conaffinity)
                 context_.diagnostics.note(geom.spot,
@@ -103,37 +145,26 @@ private:
 
     void add(BodyDescription body, const std::string& name, const Geom& first, const Spot& spot) {
         body.name = names_.next(name);
-        body.color = first.color;
+        if (!body.color) body.color = first.color;
         body.place = body.ignoresPlace = spot.place;
-        body.def.material.friction = first.friction;
-        body.def.material.rolling = first.rolling;
+        body.def.material = surfaceOf(first);
         body.def.collide = first.collides() && context_.rules.contacts;
         if (body.def.pose.position.cwiseAbs().maxCoeff() > 1e5)
             context_.diagnostics.wrong(
                 spot, "a body more than 100000 m from the origin; it should be nearer");
-        tellOfFriction(first, spot);
         scene_.bodies.push_back(std::move(body));
-    }
-
-    void tellOfFriction(const Geom& geom, const Spot& spot) {
-        if (!geom.collides()) return;
-        if (friction_ && *friction_ != geom.friction)
-            context_.diagnostics.note(spot,
-                                      "surfaces of different friction meet with the root of their "
-                                      "product, not with the larger one");
-        friction_ = geom.friction;
     }
 
     const Context& context_;
     SceneDescription& scene_;
     Names names_;
-    std::optional<double> friction_;  // of the body before
+    std::set<int> shownBodies_;  // that stand still and of which something is shown
 };
 
 }  // namespace
 
 std::vector<int> addBodies(const BodyTree& tree, const Context& context, SceneDescription& scene) {
-    BodyMaker maker(context, scene);
+    BodyMaker maker(tree, context, scene);
     for (const Geom& geom : tree.fixed) maker.addFixed(geom);
     std::vector<int> places;
     for (const Link& link : tree.links) {

@@ -50,22 +50,23 @@ constexpr std::array kKinds{
     Kind{"mujoco", "worldbody", Fate::read, "", "", ""},
     Kind{"mujoco", "contact", Fate::read, "", "", ""},
     Kind{"mujoco", "equality", Fate::read, "", "", ""},
-    Kind{"mujoco", "tendon", Fate::lacking, "", "", ""},
-    Kind{"mujoco", "actuator", Fate::lacking, "", "", ""},
+    Kind{"mujoco", "tendon", Fate::read, "", "", ""},
+    Kind{"mujoco", "actuator", Fate::read, "", "", ""},
+    Kind{"mujoco", "keyframe", Fate::read, "", "", ""},
     Kind{"mujoco", "deformable", Fate::lacking, "", "", ""},
     Kind{"mujoco", "extension", Fate::lacking, "", "", ""},
-    Kind{"mujoco", "keyframe", Fate::lacking, "", "", ""},
     Kind{"mujoco", "sensor", Fate::unseen, "", "", ""},
     Kind{"mujoco", "visual", Fate::unseen, "", "", ""},
     Kind{"mujoco", "custom", Fate::unseen, "", "", ""},
     Kind{"mujoco", "size", Fate::silent, "", "", ""},
 
     Kind{"compiler", "lengthrange", Fate::silent, "", "", ""},
-    Kind{"option", "flag", Fate::read, "contact gravity",
-         "clampctrl warmstart actuation refsafe sensor midphase nativeccd eulerdamp autoreset "
+    Kind{"option", "flag", Fate::read, "contact gravity actuation",
+         "warmstart refsafe sensor midphase nativeccd eulerdamp autoreset "
          "island energy fwdinv invdiscrete sensornoise multiccd sleep",
          "constraint=enable equality=enable frictionloss=enable limit=enable passive=enable "
-         "spring=enable damper=enable filterparent=enable override=disable"},
+         "spring=enable damper=enable filterparent=enable override=disable "
+         "clampctrl=enable"},
 
     Kind{"default", "default", Fate::read, "class", "", ""},
     Kind{"default", "mesh", Fate::read, "scale", "maxhullvert", "inertia=convex"},
@@ -73,14 +74,16 @@ constexpr std::array kKinds{
          "texture emission specular shininess reflectance metallic roughness texrepeat texuniform",
          ""},
     Kind{"default", "joint", Fate::read,
-         "type pos axis limited range ref springref stiffness damping frictionloss",
-         "group user actuatorfrcrange actuatorfrclimited actuatorgravcomp",
-         "springdamper=0,0 solreflimit solimplimit solreffriction solimpfriction margin=0 armature=0"},
+         "type pos axis limited range ref springref stiffness damping frictionloss "
+         "armature",
+         "group user actuatorfrclimited actuatorgravcomp",
+         "springdamper=0,0 solreflimit solimplimit solreffriction solimpfriction margin=0 actuatorfrcrange"},
     Kind{"default", "geom", Fate::read,
-         "type size fromto pos quat axisangle xyaxes zaxis euler contype conaffinity condim friction mass "
-         "density rgba material mesh hfield",
-         "group user",
-         "priority=0 shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
+         "type size fromto pos quat axisangle xyaxes zaxis euler contype conaffinity condim friction "
+         "priority mass density rgba material mesh hfield "
+         "group",
+         "user",
+         "shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
          "fluidshape=none fluidcoef"},
     Kind{"default", "equality", Fate::read, "active", "", "solref solimp"},
     Kind{"default", "site", Fate::silent, "", "", ""},
@@ -98,8 +101,8 @@ constexpr std::array kKinds{
     Kind{"default", "muscle", Fate::silent, "", "", ""},
     Kind{"default", "adhesion", Fate::silent, "", "", ""},
 
-    Kind{"asset", "mesh", Fate::read, "name class file vertex scale refpos refquat",
-         "normal texcoord face smoothnormal content_type maxhullvert material",
+    Kind{"asset", "mesh", Fate::read, "name class file vertex face scale refpos refquat",
+         "normal texcoord smoothnormal content_type maxhullvert material",
          "inertia=convex builtin=none params"},
     Kind{"asset", "material", Fate::read, "name class rgba",
          "texture emission specular shininess reflectance metallic roughness texrepeat texuniform",
@@ -117,17 +120,19 @@ constexpr std::array kKinds{
     Kind{"body", "inertial", Fate::read,
          "mass diaginertia fullinertia pos quat axisangle xyaxes zaxis euler", "", ""},
     Kind{"body", "joint", Fate::read,
-         "name class type pos axis limited range ref springref stiffness damping frictionloss",
-         "group user actuatorfrcrange actuatorfrclimited actuatorgravcomp",
-         "springdamper=0,0 solreflimit solimplimit solreffriction solimpfriction margin=0 armature=0"},
+         "name class type pos axis limited range ref springref stiffness damping frictionloss "
+         "armature",
+         "group user actuatorfrclimited actuatorgravcomp",
+         "springdamper=0,0 solreflimit solimplimit solreffriction solimpfriction margin=0 actuatorfrcrange"},
     Kind{"body", "freejoint", Fate::read, "name", "group align", ""},
     Kind{"*", "geom", Fate::read,
          "name class type size fromto pos quat axisangle xyaxes zaxis euler contype conaffinity "
-         "condim friction mass density rgba material mesh hfield",
-         "group user",
-         "priority=0 shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
+         "condim friction priority mass density rgba material mesh hfield "
+         "group",
+         "user",
+         "shellinertia=false solmix=1 solref solimp margin=0 gap=0 fitscale=1 "
          "fluidshape=none fluidcoef"},
-    Kind{"*", "site", Fate::unseen, "", "", ""},
+    Kind{"*", "site", Fate::silent, "", "", ""},
     Kind{"*", "camera", Fate::unseen, "", "", ""},
     Kind{"*", "light", Fate::unseen, "", "", ""},
     Kind{"*", "composite", Fate::lacking, "", "", ""},
@@ -136,6 +141,48 @@ constexpr std::array kKinds{
     Kind{"*", "attach", Fate::lacking, "", "", ""},
     Kind{"*", "plugin", Fate::lacking, "", "", ""},
     Kind{"geom", "plugin", Fate::lacking, "", "", ""},
+
+    Kind{"tendon", "spatial", Fate::read,
+         "name class limited range stiffness damping springlength frictionloss armature",
+         "group user width rgba material actuatorfrclimited",
+         "margin=0 solreflimit solimplimit solreffriction solimpfriction actuatorfrcrange"},
+    Kind{"tendon", "fixed", Fate::read,
+         "name class limited range stiffness damping springlength frictionloss armature",
+         "group user actuatorfrclimited",
+         "margin=0 solreflimit solimplimit solreffriction solimpfriction actuatorfrcrange"},
+    Kind{"fixed", "joint", Fate::read, "joint coef", "", ""},
+    Kind{"spatial", "site", Fate::read, "site", "", ""},
+    Kind{"spatial", "geom", Fate::silent, "", "", ""},
+    Kind{"spatial", "pulley", Fate::silent, "", "", ""},
+
+    Kind{"actuator", "general", Fate::read,
+         "name class joint jointinparent tendon gear ctrllimited ctrlrange forcelimited "
+         "forcerange gaintype biastype dyntype gainprm biasprm",
+         "dynprm actlimited actrange actearly group user lengthrange refsite slidersite cranklength",
+         "site body cranksite delay=0"},
+    Kind{"actuator", "motor", Fate::read,
+         "name class joint jointinparent tendon gear ctrllimited ctrlrange forcelimited "
+         "forcerange", "group user lengthrange refsite slidersite cranklength",
+         "site body cranksite delay=0"},
+    Kind{"actuator", "position", Fate::read,
+         "name class joint jointinparent tendon gear ctrllimited ctrlrange forcelimited "
+         "forcerange kp kv", "group user lengthrange refsite slidersite cranklength",
+         "dampratio=0 timeconst=0 inheritrange=0 site cranksite delay=0"},
+    Kind{"actuator", "velocity", Fate::read,
+         "name class joint jointinparent tendon gear ctrllimited ctrlrange forcelimited "
+         "forcerange kv", "group user lengthrange refsite slidersite cranklength",
+         "site body cranksite delay=0"},
+    Kind{"actuator", "damper", Fate::read,
+         "name class joint jointinparent tendon gear ctrllimited ctrlrange forcelimited "
+         "forcerange kv", "group user lengthrange refsite slidersite cranklength",
+         "site body cranksite delay=0"},
+    Kind{"actuator", "intvelocity", Fate::lacking, "", "", ""},
+    Kind{"actuator", "cylinder", Fate::lacking, "", "", ""},
+    Kind{"actuator", "muscle", Fate::lacking, "", "", ""},
+    Kind{"actuator", "adhesion", Fate::lacking, "", "", ""},
+    Kind{"actuator", "plugin", Fate::lacking, "", "", ""},
+    Kind{"keyframe", "key", Fate::read, "name ctrl", "time",
+         "qpos qvel act mpos mquat"},
 
     Kind{"contact", "pair", Fate::lacking, "", "", ""},
     Kind{"contact", "exclude", Fate::read, "name body1 body2", "", ""},

@@ -312,7 +312,10 @@ TEST(Mujoco, CondimSaysWhichFrictionThereIs) {
     EXPECT_EQ(materialOf("friction='0.3 0.1 0.02'").rolling, 0.0);
     EXPECT_EQ(materialOf("friction='0.3 0.1 0.02' condim='6'").rolling, 0.02);
     EXPECT_EQ(materialOf("condim='6'").rolling, 1e-4);
-    EXPECT_EQ(materialOf("friction='0.3' condim='1'").friction, 0.0);
+    EXPECT_EQ(materialOf("friction='0.3'").frictionRule, engine::FrictionRule::larger);
+    EXPECT_EQ(materialOf("friction='0.3' condim='1'").frictionRule, engine::FrictionRule::none);
+    EXPECT_EQ(materialOf("friction='0.3' condim='1'").friction, 0.3);
+    EXPECT_EQ(materialOf("priority='2'").priority, 2);
 }
 
 }  // namespace

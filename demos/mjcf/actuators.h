@@ -1,0 +1,17 @@
+/// <actuator> and <keyframe>: what actuators do at a control that stays.
+#pragma once
+#include "demos/mjcf/affine_force.h"
+#include "demos/mjcf/geoms.h"
+
+namespace demos::mjcf {
+
+struct Actuation {
+    ForcesByName joints, tendons;
+};
+
+/// The controls are those of the first <key> that has some, else 0. With affine gain and bias
+///   force = gain ctrl + bias,  gain = g0 + g1 l + g2 dl/dt,  bias = b0 + b1 l + b2 dl/dt
+/// where l = gear q is the way of the actuator: an affine force along what it acts on. `root`: <mujoco>.
+Actuation readActuators(const Element& root, const Context& context);
+
+}  // namespace demos::mjcf

@@ -1,0 +1,102 @@
+#include "demos/mjcf/freedom.h"
+#include "demos/mjcf/tendons.h"
+#include "demos/text/nearest.h"
+
+namespace demos::mjcf {
+namespace {
+
+constexpr Range kCoefficient{-1e6, 1e6};
+
+struct Pulled {
+    std::string joint;
+    double coefficient = 0.0;
+    double rest = 0.0;  // m or rad, of the joint's own spring
+};
+
+class FixedTendon {
+public:
+    FixedTendon(const Element& element, const BodyTree& tree, const Context& context)
+        : attributes_(context.defaults.of(element, "", "tendon")), context_(context) {
+        for (const Element& child : element.children)
+            if (child.name == "joint") addJoint(child, tree);
+    }
+
+    /// Length L = sum c_i q_i; a force F along L is c_i F along q_i.
+    void add(Actuation& actuation) {
+        AffineForce force;
+        const auto driven = actuation.tendons.find(attributes_.text("name"));
+        if (driven != actuation.tendons.end()) force = driven->second;
+        force += ownForce();
+        tellOfRest();
+        if (!force.isConstant() && joints_.size() > 1)
+            return attributes_.note("", "a <fixed> tendon of several joints that has a spring, a "
+                                        "damper or an actuator that follows it is not available; "
+                                        "left out");
+        for (const Pulled& pulled : joints_)
+            if (force.constant != 0.0 || !force.isConstant())
+                actuation.joints[pulled.joint] += force.geared(pulled.coefficient);
+    }
+
+private:
+    void addJoint(const Element& child, const BodyTree& tree) {
+        Attributes attributes = context_.defaults.of(child, "");
+        Pulled pulled{attributes.text("joint"), 0.0, 0.0};
+        pulled.coefficient = attributes.number("coef", kCoefficient).value_or(1.0);
+        std::vector<std::string> names;
+        for (const Link& link : tree.links)
+            for (const JointElement& joint : link.joints) {
+                Attributes of = context_.defaults.of(*joint.element, joint.childclass);
+                names.push_back(of.text("name"));
+                if (names.back() != pulled.joint) continue;
+                pulled.rest = restOf(of);
+                return joints_.push_back(pulled);
+            }
+        attributes.wrong("joint", "no joint is called '" + pulled.joint.substr(0, 64) + "'" +
+                                      suggestion(pulled.joint, names));
+    }
+
+    double restOf(Attributes& joint) const {
+        const double rest = joint.number("springref", kCoefficient).value_or(0.0);
+        return joint.text("type") == "slide" ? rest : context_.rules.angles.radians(rest);
+    }
+
+    /// At rest at `springlength`, or where its joints' springs are.
+    AffineForce ownForce() {
+        const double stiffness = attributes_.number("stiffness", kStrength).value_or(0.0);
+        const double damping = attributes_.number("damping", kStrength).value_or(0.0);
+        double rest = 0.0;
+        for (const Pulled& pulled : joints_) rest += pulled.coefficient * pulled.rest;
+        const auto given = attributes_.numbers("springlength", 1, 2, kCoefficient);
+        if (given && given->front() >= 0.0) rest = given->front();
+        if (stiffness > 0.0 && given && given->size() > 1 && (*given)[1] != given->front())
+            attributes_.note("springlength", "a springlength of two different numbers is not "
+                                             "available; the first is taken");
+        return {stiffness * rest, stiffness, damping};
+    }
+
+    void tellOfRest() {
+        for (const char* name : {"frictionloss", "armature"})
+            if (attributes_.number(name, kStrength).value_or(0.0) > 0.0)
+                attributes_.note(name, std::string(name) + " of a <fixed> tendon is not available; "
+                                                           "left out");
+        if (isLimited(attributes_, "limited", "range", context_.rules.autoLimits))
+            attributes_.note("range", "range of a <fixed> tendon is not available; left out");
+    }
+
+    Attributes attributes_;
+    const Context& context_;
+    std::vector<Pulled> joints_;
+};
+
+}  // namespace
+
+void addFixedTendons(const Element& root, const BodyTree& tree, const Context& context,
+                     Actuation& actuation) {
+    for (const Element& section : root.children) {
+        if (section.name != "tendon") continue;
+        for (const Element& element : section.children)
+            if (element.name == "fixed") FixedTendon(element, tree, context).add(actuation);
+    }
+}
+
+}  // namespace demos::mjcf
