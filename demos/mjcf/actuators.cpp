@@ -1,5 +1,6 @@
 #include "demos/mjcf/actuators.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 

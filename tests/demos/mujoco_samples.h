@@ -1,5 +1,6 @@
 /// Small models that MuJoCo and this engine should move alike, with what they may differ by.
 #pragma once
+#include <ostream>
 
 namespace demos::test {
 
