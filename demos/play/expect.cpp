@@ -39,9 +39,16 @@ KindText textOf(What what) {
             return {"period", "s"};
         case What::count:
             return {"count of moved bodies", ""};
+        case What::height:
+            return {"height", "m"};
+        case What::spread:
+            return {"spread", "m"};
     }
     return {"", ""};
 }
+
+/// What is measured when the window closes, and only then.
+bool atClosing(What what) { return what == What::position || what == What::spread; }
 
 bool ofWorld(What what) { return what == What::penetration || what == What::energy; }
 
@@ -89,7 +96,7 @@ std::string boundText(const Expectation& e, const std::string& unit, const Quant
 }
 
 std::string windowText(const Expectation& e, double until, const QuantityWriter& write) {
-    if (e.what == What::position) return ", at " + write.number(until, "s");
+    if (atClosing(e.what)) return ", at " + write.number(until, "s");
     return ", " + write.number(e.after, "s") + " to " + write.number(until, "s");
 }
 
@@ -153,10 +160,27 @@ void ExpectationChecker::look(const Stage& stage) {
     const double time = stage.world.report().time;
     largestKinetic_ = std::max(largestKinetic_, stage.world.energy().kinetic);
     for (Watch& watch : watches_) {
-        if (time < watch.expectation.after - halfStep_ || time > watch.until + halfStep_) continue;
+        if (!isOpen(watch, time)) continue;
         watch.measured = true;
         for (Watched& watched : watch.watched) measure(stage, watch, watched);
     }
+}
+
+bool ExpectationChecker::isOpen(const Watch& watch, double time) const {
+    // A position wants the step after the closing as well: what it is in between.
+    const double late = watch.expectation.what == What::position ? 2.0 * halfStep_ : halfStep_;
+    return time >= watch.expectation.after - halfStep_ && time <= watch.until + late;
+}
+
+/// Where a body is at `until`, told at the step before it and at the one after it.
+Vec3 ExpectationChecker::placeAtClosing(const Watch& watch, Watched& w, double time,
+                                        const Vec3& place) {
+    Vec3 closing = place;
+    if (w.lookedAt && time > watch.until && *w.lookedAt <= watch.until)
+        closing = w.place + (watch.until - *w.lookedAt) / (time - *w.lookedAt) * (place - w.place);
+    w.lookedAt = time;
+    w.place = place;
+    return closing;
 }
 
 void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched& w) const {
@@ -179,7 +203,15 @@ void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched
         case What::count:
             return most(moved.norm() > kMoved ? 1.0 : 0.0);
         case What::position:
-            w.value = (pose.position - *e.nearPoint).norm();
+            w.value = (placeAtClosing(watch, w, world.report().time, pose.position) - *e.nearPoint)
+                          .norm();
+            return;
+        case What::height:
+            w.value = std::min(pose.position.dot(up_), w.lookedAt ? w.value : 1e300);
+            w.lookedAt = world.report().time;
+            return;
+        case What::spread:
+            w.value = pose.position.x();
             return;
         case What::period:
             w.swings.push_back({world.report().time, pose.position.x(), pose.position.z()});
@@ -226,8 +258,18 @@ double ExpectationChecker::valueOf(const Expectation& e, const Watched& w) const
     return w.value;
 }
 
+double ExpectationChecker::spreadOf(const std::vector<Watched>& watched) {
+    if (watched.empty()) return 0.0;
+    double sum = 0.0, squares = 0.0;
+    for (const Watched& w : watched) sum += w.value;
+    const double mean = sum / static_cast<double>(watched.size());
+    for (const Watched& w : watched) squares += (w.value - mean) * (w.value - mean);
+    return std::sqrt(squares / static_cast<double>(watched.size()));
+}
+
 double ExpectationChecker::worstOf(const Watch& watch) const {
     const Expectation& e = watch.expectation;
+    if (e.what == What::spread) return spreadOf(watch.watched);
     double worst = 0.0, worstExcess = 0.0, sum = 0.0;
     bool first = true;
     for (const Watched& w : watch.watched) {

@@ -6,14 +6,18 @@
 ///   separation   m     of a joint, at most
 ///   energy             |E - E0| at most / the largest kinetic energy since time 0; E0 of time 0
 ///   speed        m/s   of a body's centre of mass, at most
-///   position     m     how far a body is from the point `near` when the window closes
+///   position     m     how far a body is from the point `near` when the window closes (between two
+///                      steps: on the line between its places of both)
 ///   angle_deg    deg   between a body's y axis and the vertical, at most
 ///   period       s     of a body's swing along x (z, if it moves farther along z): the mean over
 ///                      all full swings through the middle between its two ends
 ///   count              bodies that were more than 0.5 m from their place of time 0
+///   height       m     of a body's centre of mass above the origin, against gravity: the lowest
+///   spread       m     standard deviation of the bodies' x when the window closes
 /// A bound holds for every body or joint of `of`: the value told is that of the worst one.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,8 +64,10 @@ private:
     /// One body or joint under one expectation.
     struct Watched {
         int number = 0;      // in scene.bodies or scene.joints
-        double value = 0.0;  // so far; energy: J
+        double value = 0.0;  // so far; energy: J; spread: x
         std::vector<Swing> swings;
+        std::optional<double> lookedAt;  // s: position and height, the last look
+        Vec3 place{0, 0, 0};             // m, then
     };
     struct Watch {
         Expectation expectation;
@@ -70,10 +76,14 @@ private:
         std::vector<Watched> watched;  // one, without a number, for what the whole world has
     };
 
+    bool isOpen(const Watch& watch, double time) const;
     void measure(const Stage& stage, const Watch& watch, Watched& watched) const;
+    static Vec3 placeAtClosing(const Watch& watch, Watched& watched, double time,
+                               const Vec3& place);
     double horizontalMove(const Stage& stage, int body) const;
     static double period(const std::vector<Swing>& swings);
     double valueOf(const Expectation& expectation, const Watched& watched) const;
+    static double spreadOf(const std::vector<Watched>& watched);
     double worstOf(const Watch& watch) const;
 
     std::vector<Watch> watches_;

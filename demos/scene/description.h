@@ -108,7 +108,9 @@ struct Expectation {
         position,
         angle,
         period,
-        count
+        count,
+        height,
+        spread
     };
     What what = What::drift;
     std::string of = "*";  // bodies or joints, with *; several: "box*,ball"

@@ -19,7 +19,8 @@ const std::vector<std::pair<std::string, What>>& kinds() {
         {"energy", What::energy}, {"separation", What::separation},
         {"speed", What::speed},   {"position", What::position},
         {"period", What::period}, {"angle_deg", What::angle},
-        {"count", What::count}};
+        {"count", What::count},   {"height", What::height},
+        {"spread", What::spread}};
     return list;
 }
 

@@ -77,6 +77,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"angle", kSpinning,
              "what = 'angle_deg'\nof = ['top']\nnear = 57.29578\nwithin = 0.01\n",
              "what = 'angle_deg'\nof = ['top']\nbelow = 57\n", 57.29578, 1e-3},
+        // at rest on the floor: its radius, however high it began
+        Case{"height", kDropped, "what = 'height'\nabove = 0.09\n",
+             "what = 'height'\nabove = 0.2\n", 0.1, 0.002},
+        // one stays at 0 m, the other at 5 m
+        Case{"spread", kSpinning, "what = 'spread'\nnear = 2.5\nwithin = 1e-9\n",
+             "what = 'spread'\nbelow = 2.4\n", 2.5, 1e-9},
         // A small swing: 2 pi sqrt(l / g) (1 + A^2 / 16), l^2 = 1.01, A = 0.0997 rad
         Case{"period", kSmallSwing, "what = 'period'\nnear = 2.0123\nwithin = 0.002\n",
              "what = 'period'\nbelow = 2\n", 2.0123, 0.002},
@@ -91,6 +97,14 @@ TEST(ExpectationWindow, OpensAndCloses) {
     EXPECT_TRUE(check(kFalling, "what = 'drift'\nbelow = 1.2\nuntil = 0.5\n").passed);
     // The overlap is gone after a while
     EXPECT_TRUE(check(kPressed, "what = 'penetration'\nbelow = 0.009\nafter = 0.1\n").passed);
+}
+
+TEST(ExpectationWindow, ClosesBetweenTwoSteps) {
+    // 2 m/s along x: 1.01 m at 0.505 s, which is no step of 60 Hz; the fall is 9.81 t^2 / 2
+    const ExpectationResult r =
+        check(kFalling, "what = 'position'\nnear = [1.01, 7.749, 0]\nwithin = 0.02\nuntil = 0.505\n");
+    EXPECT_TRUE(r.passed) << r.value;
+    EXPECT_NEAR(r.value, 0.0104, 0.0005);  // g t h / 2 of sub-steps of 1/240 s
 }
 
 TEST(ExpectationBound, HoldsForEveryBody) {
