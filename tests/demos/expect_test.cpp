@@ -102,7 +102,8 @@ TEST(ExpectationWindow, OpensAndCloses) {
 TEST(ExpectationWindow, ClosesBetweenTwoSteps) {
     // 2 m/s along x: 1.01 m at 0.505 s, which is no step of 60 Hz; the fall is 9.81 t^2 / 2
     const ExpectationResult r =
-        check(kFalling, "what = 'position'\nnear = [1.01, 7.749, 0]\nwithin = 0.02\nuntil = 0.505\n");
+        check(kFalling, "what = 'position'\nnear = [1.01, 7.749, 0]\n"
+                        "within = 0.02\nuntil = 0.505\n");
     EXPECT_TRUE(r.passed) << r.value;
     EXPECT_NEAR(r.value, 0.0104, 0.0005);  // g t h / 2 of sub-steps of 1/240 s
 }
