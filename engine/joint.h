@@ -81,7 +81,8 @@ struct Freedom {
     double rest = 0.0;    // m or rad
     double inertia = 0.0; // I, kg or kg m^2: of a rotor that turns as the coordinate does, but that
                           // nothing else moves. Geared n : 1, it is n^2 times the rotor's own
-    bool acts() const {   // if free
+    /// If the coordinate is free.
+    bool acts() const {
         return limits.any() || motor.isOn() || spring.isSoft() || inertia > 0.0;
     }
 };

@@ -262,13 +262,13 @@ break_at = 5
 
 TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
     write(folder / "arm.xml",
-          "<mujoco><worldbody><light/><body><joint axis='0 1 0' armature='1'/>"
+          "<mujoco><worldbody><light/><body><joint axis='0 1 0' margin='1'/>"
           "<geom type='capsule' size='0.1' fromto='0 0 0 1 0 0'/></body></worldbody></mujoco>");
     const Ended ended = run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.err,
               "impulse: arm.xml:1:20: <light>: for MuJoCo's own window and readings; left out\n"
-              "impulse: arm.xml:1:54: <joint armature> is not available; left out\n");
+              "impulse: arm.xml:1:54: <joint margin> is not available; left out\n");
     EXPECT_EQ(run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1", "--quiet"}).err, "");
     write(folder / "bad.xml", "<mujoco><worldbody><geom sise='1'/></worldbody></mujoco>");
     const Ended bad = run(folder.path(), {"sim", "bad.xml"});
