@@ -96,6 +96,13 @@ int rowCount(JointType type) {
     return 0;
 }
 
+int treeRowsOf(JointType type) {
+    if (type == JointType::distance) return 3;
+    if (type == JointType::slider) return 6;
+    const bool swept = type > JointType::constantVelocity;
+    return swept ? 0 : rowCount(type);
+}
+
 int rowCount(const JointDef& def) {
     if (def.type == JointType::distance) return def.spring.isSoft() || !def.acts() ? 1 : 0;
     if (def.type != JointType::sixDof) return rowCount(def.type);

@@ -84,8 +84,8 @@ struct JointConstraint {
     Spring spring;
     bool pointAtOnce = false;  // the first three rows, a point's, are solved as one
     Mat3 pointMass = Mat3::Zero();  // (J M^-1 J^T)^-1 of these three
-    bool asBlock = false;      // a type after weld: where points are blocks, it is one as a whole,
-                               // and no part of a tree
+    bool asBlock = false;      // a type after weld: where points are blocks, it is one as a whole
+    int treeRows = 0;          // places that it takes in a tree (tree_joint.h); 0: it is no part of one
     bool allAtOnce = false;    // and is solved so
     Eigen::Matrix<double, 6, 6> mass = Eigen::Matrix<double, 6, 6>::Zero();  // likewise of all
     Vec3 totalImpulse = Vec3::Zero();  // N s on b, over the whole step
@@ -103,6 +103,8 @@ inline void push(JointConstraint& joint, int i, double lambda, Velocity& a, Velo
 int rowCount(JointType type);
 /// The same where it depends on more: none of a distance that is free, what a sixDof locks.
 int rowCount(const JointDef& def);
+/// Places in a tree: 3 of a rod, whose row has any direction, 6 of a slider; 0 of those that are swept.
+int treeRowsOf(JointType type);
 
 JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b);
 

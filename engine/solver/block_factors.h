@@ -97,10 +97,10 @@ public:
     void connect();
     int count() const { return static_cast<int>(nodes_.size()); }
 
-    /// Sets A_kk; the links' blocks are set through links(k). `scale`: what its pivots are measured by.
-    void setDiagonal(int k, const Block& a, const Rows& scale) {
+    /// Sets A_kk; the links' blocks are set through links(k).
+    void setDiagonal(int k, const Block& a) {
         nodes_[k].inverse = a;
-        nodes_[k].scale = scale;
+        nodes_[k].scale = a.diagonal();
     }
     std::span<Link> links(int k) {
         return std::span<Link>(links_).subspan(nodes_[k].firstLink, nodes_[k].linkCount);

@@ -64,7 +64,7 @@ std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& t
     std::vector<int> chosen, degree(masses.size(), 0);
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
         JointConstraint& joint = joints[i];
-        if (joint.inTree || joint.spring.isSoft() || joint.asBlock) continue;
+        if (joint.inTree || joint.spring.isSoft() || joint.treeRows == 0) continue;
         bool fits = true;
         for (const int body : {joint.a, joint.b})
             fits = fits && (!moves(masses, body) || degree[body] < kMostJointsOfABody);
@@ -164,7 +164,7 @@ void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
             plan.trees.emplace_back();
         }
         place.tree = tree;
-        plan.trees[tree].rows = std::max(plan.trees[tree].rows, joint.count);
+        plan.trees[tree].rows = std::max(plan.trees[tree].rows, joint.treeRows);
     }
 }
 

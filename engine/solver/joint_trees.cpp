@@ -7,10 +7,7 @@ template <int N>
 void report(const TreeJoint<N>& t, double dt, Joint& joint) {
     joint.force = t.impulse / dt;
     joint.torque = t.torque / dt;
-    if (t.type == JointType::distance) {
-        joint.lambda[0] = t.now.along.dot(t.lambda.template head<3>());
-        return;
-    }
+    if (t.type == JointType::slider) return;  // an exact solve starts from nothing
     for (int i = 0; i < rowCount(t.type); ++i) joint.lambda[i] = t.lambda[i];
 }
 

@@ -5,9 +5,11 @@
 ///   J = [-E, -R_a, E, R_b]
 ///   J M^-1 J^T = (1/m_a + 1/m_b) E E^T + R_a I_a^-1 R_a^T + R_b I_b^-1 R_b^T
 /// It is the J of ball_joint.h, hinge_joint.h, weld_joint.h (for small errors, u = 0 there) and
-/// distance_joint.h in a form that is a quarter the size of rows. A rod is a ball joint that is only
-/// looked at along n: its blocks, its errors and its impulses are projected, P = n n^T.
-/// N is 3, 5 or 6; a joint with fewer rows than its tree leaves the last ones 0.
+/// distance_joint.h in a form that is a quarter the size of rows. Of the point a rod holds what is along
+/// n, and a slider (slider_joint.h) what is across its axis, a's arm reaching to p_b: B u instead of u, where
+///   B = [n; 0; 0],   B = [t_1; t_2; 0]
+/// A universal joint (universal_joint.h) and one of constant velocity are ball joints with one twist.
+/// N is 3, 5 or 6; a joint with fewer rows than its tree leaves the last ones 0, and so does B.
 #pragma once
 #include <array>
 
@@ -28,7 +30,8 @@ template <int N>
 struct TreeGeometry {
     Vec3 armA, armB;                         // m
     Twist<N> twist;                          // unit
-    Vec3 along;                              // rod: n; hinge: its axis
+    Vec3 along;                              // hinge: its axis
+    Vec3 point[2];                           // rod: n; slider: t_1, t_2
     TreeRows<N> error = TreeRows<N>::Zero(); // C, m or rad
 };
 
@@ -43,7 +46,7 @@ struct TreeJoint {
     bool closes = false;       // holds its tree at a second fixed body
     Vec3 anchorA, anchorB;     // m, in the bodies' axes
     double reach = 0.0;        // m, the longest of its lever arms
-    Twist<N> across;           // hinge: across its axis, in a's axes
+    Twist<N> across;           // hinge, slider: across its axis, in a's axes
     TreeGeometry<N> now;
     TreeRows<N> lambda = TreeRows<N>::Zero();                  // N s, N m s; of this sub-step
     Vec3 impulse = Vec3::Zero(), torque = Vec3::Zero();        // on b, over the whole step
@@ -62,8 +65,18 @@ void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const 
                 g.error[3 + i] = across.dot(g.along);
             }
         }
+        if (joint.type == JointType::universal) {
+            const Vec3 pinA = a.rotation * def.axisA, pinB = b.rotation * def.axis2B;
+            g.twist[0] = pinB.cross(pinA);
+            g.error[3] = pinA.dot(pinB);
+        } else if (joint.type == JointType::constantVelocity) {
+            const Quat turn = b.rotation * (a.rotation * def.turnAtStart).conjugate();
+            const Angle twist = twistAbout(a.rotation * def.axisA, turn);
+            g.twist[0] = twist.rate;
+            g.error[3] = twist.value;
+        }
         if constexpr (N == 6) {
-            if (joint.type != JointType::weld) return;
+            if (joint.type != JointType::weld && joint.type != JointType::slider) return;
             Quat tooFar = b.rotation * (a.rotation * def.turnAtStart).conjugate();
             if (tooFar.w() < 0.0) tooFar.coeffs() = -tooFar.coeffs();  // the short way round
             for (int i = 0; i < 3; ++i) g.twist[i] = Vec3::Unit(i);
@@ -81,8 +94,14 @@ inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, c
     const Vec3 between = (b.position + g.armB) - (a.position + g.armA);
     if (joint.type == JointType::distance) {
         const double distance = between.norm();
-        g.along = distance > 0.0 ? Vec3(between / distance) : Vec3(Vec3::UnitY());
-        g.error.template head<3>() = (distance - def.def.length) * g.along;
+        g.point[0] = distance > 0.0 ? Vec3(between / distance) : Vec3(Vec3::UnitY());
+        g.error[0] = distance - def.def.length;
+    } else if (joint.type == JointType::slider) {
+        g.armA += between;
+        for (int i = 0; i < smaller(N - 3, 2); ++i) {
+            g.point[i] = a.rotation * joint.across[i];
+            g.error[i] = g.point[i].dot(between);
+        }
     } else {
         g.error.template head<3>() = between;
     }
@@ -90,35 +109,46 @@ inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, c
     return g;
 }
 
-/// P x of a rod; x of any other joint.
+/// Rows of the point that a joint holds, where these are not x, y and z; else 0.
 template <int N>
-void project(const TreeJoint<N>& joint, TreeRows<N>& x) {
-    if (joint.type != JointType::distance) return;
-    const Vec3 along = joint.now.along;
-    x.template head<3>() = along.dot(x.template head<3>()) * along;
+int pointRows(const TreeJoint<N>& joint) {
+    return joint.type == JointType::distance ? 1 : joint.type == JointType::slider ? 2 : 0;
+}
+
+/// B u
+template <int N>
+Vec3 heldOf(const TreeJoint<N>& joint, const Vec3& u) {
+    const int rows = pointRows(joint);
+    if (rows == 0) return u;
+    return {joint.now.point[0].dot(u), rows > 1 ? joint.now.point[1].dot(u) : 0.0, 0.0};
+}
+
+/// B^T lambda
+template <int N>
+Vec3 pushOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
+    const int rows = pointRows(joint);
+    if (rows == 0) return lambda.template head<3>();
+    const Vec3 first = lambda[0] * joint.now.point[0];
+    return rows > 1 ? Vec3(first + lambda[1] * joint.now.point[1]) : first;
 }
 
 /// C at other poses than J's.
 template <int N>
 TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b) {
-    const TreeGeometry<N> g = geometryOf(joint, def, a, b);
-    TreeRows<N> error = g.error;
-    if (joint.type == JointType::distance)
-        error.template head<3>() = g.along.dot(error.template head<3>()) * joint.now.along;
-    return error;
+    return geometryOf(joint, def, a, b).error;
 }
 
 /// J v
 template <int N>
 inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity& a, const Velocity& b) {
     TreeRows<N> result;
-    result.template head<3>() = (b.linear - a.linear) + b.angular.cross(joint.now.armB) -
-                                a.angular.cross(joint.now.armA);
+    result.template head<3>() = heldOf(joint, (b.linear - a.linear) +
+                                                  b.angular.cross(joint.now.armB) -
+                                                  a.angular.cross(joint.now.armA));
     if constexpr (N > 3) {
         const Vec3 turning = b.angular - a.angular;
         for (int i = 0; i < N - 3; ++i) result[3 + i] = joint.now.twist[i].dot(turning);
     }
-    project(joint, result);
     return result;
 }
 
@@ -134,7 +164,7 @@ Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
 template <int N>
 inline void book(TreeJoint<N>& joint, const TreeRows<N>& lambda, double share) {
     joint.lambda += share * lambda;
-    joint.impulse += share * lambda.template head<3>();
+    joint.impulse += share * pushOf(joint, lambda);
     if constexpr (N > 3) joint.torque += share * twistOf(joint, lambda);
 }
 
@@ -142,7 +172,7 @@ inline void book(TreeJoint<N>& joint, const TreeRows<N>& lambda, double share) {
 template <int N>
 inline void apply(const TreeJoint<N>& joint, const TreeRows<N>& lambda, const InverseMass& massA,
                   const InverseMass& massB, Velocity& a, Velocity& b) {
-    const Vec3 push = lambda.template head<3>();
+    const Vec3 push = pushOf(joint, lambda);
     Vec3 turnA = joint.now.armA.cross(push), turnB = joint.now.armB.cross(push);
     if constexpr (N > 3) {
         const Vec3 twist = twistOf(joint, lambda);
@@ -182,22 +212,22 @@ inline TreeBlock<N> couplingThrough(const InverseMass& mass, const Vec3& armI,
     return block;
 }
 
-/// m P: the columns of the first three rows looked at along n.
+/// m B^T
 template <int N>
-void projectColumns(const Vec3& n, TreeBlock<N>& m) {
+void lookAlong(const TreeJoint<N>& joint, TreeBlock<N>& m) {
     for (int i = 0; i < N; ++i) {
         const Vec3 row = m.template block<1, 3>(i, 0).transpose();
-        m.template block<1, 3>(i, 0) = (n.dot(row) * n).transpose();
+        m.template block<1, 3>(i, 0) = heldOf(joint, row).transpose();
     }
 }
 
-/// P_i m P_k
+/// B_i m B_k^T
 template <int N>
-void project(const TreeJoint<N>& i, const TreeJoint<N>& k, TreeBlock<N>& m) {
-    if (k.type == JointType::distance) projectColumns<N>(k.now.along, m);
-    if (i.type != JointType::distance) return;
+void lookAlong(const TreeJoint<N>& i, const TreeJoint<N>& k, TreeBlock<N>& m) {
+    if (pointRows(k) > 0) lookAlong(k, m);
+    if (pointRows(i) == 0) return;
     m.transposeInPlace();
-    projectColumns<N>(i.now.along, m);
+    lookAlong(i, m);
     m.transposeInPlace();
 }
 

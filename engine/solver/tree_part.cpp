@@ -32,9 +32,10 @@ TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint& co
     t.reach = larger(larger(t.anchorA.norm(), t.anchorB.norm()), larger(joint.def.length, 1e-3));
     if constexpr (N > 3) {
         for (Vec3& across : t.across) across.setZero();
-        if (t.type == JointType::hinge) tangents(joint.axisA, t.across[0], t.across[1]);
+        if (t.type == JointType::hinge || t.type == JointType::slider)
+            tangents(joint.axisA, t.across[0], t.across[1]);
     }
-    if (t.type != JointType::distance)
+    if (t.type != JointType::slider)
         for (int i = 0; i < constraint.count; ++i) t.lambda[i] = constraint.lambda[i];
     return t;
 }
@@ -113,12 +114,9 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
         const TreeGeometry<N>& g = joint.now;
         TreeBlock<N> own = couplingThrough<N>(masses_[joint.ownA], g.armA, g.twist, g.armA, g.twist);
         own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
-        project(joint, joint, own);
+        lookAlong(joint, joint, own);
         if (joint.closes) addPlay(joint, own);
-        // A rod has one row in three places; across it nothing but rounding is left, of any sign.
-        const bool rod = joint.type == JointType::distance;
-        factors_.setDiagonal(k, own, rod ? TreeRows<N>(TreeRows<N>::Constant(own.trace()))
-                                         : TreeRows<N>(own.diagonal()));
+        factors_.setDiagonal(k, own);
         for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
             if (link.body < 0) {
                 link.block.setZero();
@@ -130,7 +128,7 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
                 masses_[toB ? joint.ownB : joint.ownA], ofB ? other.now.armB : other.now.armA,
                 other.now.twist, toB ? g.armB : g.armA, g.twist);
             if (ofB != toB) link.block = -link.block;
-            project(other, joint, link.block);
+            lookAlong(other, joint, link.block);
         }
     }
     factors_.factor();
@@ -139,9 +137,7 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
 template <int N>
 void TreePart<N>::warmStart(double keep, std::span<Velocity> v) {
     for (TreeJoint<N>& joint : joints_) {
-        // Of a rod that has turned: what is not along it any more no sweep would ever take back.
-        TreeRows<N> lambda = keep * joint.lambda;
-        project(joint, lambda);
+        const TreeRows<N> lambda = keep * joint.lambda;
         joint.lambda.setZero();
         if (keep == 0.0) continue;
         book(joint, lambda, 1.0);
@@ -159,9 +155,8 @@ void TreePart<N>::solveVelocities(double biasRate, bool wholeOnly, std::span<Vel
         if (wholeOnly && !isWhole(joint)) x_[k].setZero();
         correction.add(x_[k].cwiseAbs().maxCoeff(), 0.0);
     }
-    factors_.solve(x_, [&](int k, TreeRows<N> lambda) {
+    factors_.solve(x_, [&](int k, const TreeRows<N>& lambda) {
         TreeJoint<N>& joint = joints_[k];
-        project(joint, lambda);
         book(joint, lambda, 1.0);
         apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
         correction.add(0.0, lambda.cwiseAbs().sum());
@@ -259,9 +254,8 @@ void TreePart<N>::nudgeOnce(const TreeNudge& nudge, bool more, Bodies& bodies) {
         if (isInVain(tree) || (more && !tree.again)) x_[k].setZero();
     }
     for (Velocity& moved : moved_) moved = {};
-    factors_.solve(x_, [&](int k, TreeRows<N>& lambda) {
+    factors_.solve(x_, [&](int k, const TreeRows<N>& lambda) {
         const TreeJoint<N>& joint = joints_[k];
-        project(joint, lambda);
         apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], moved_[joint.ownA],
               moved_[joint.ownB]);
     });

@@ -106,5 +106,73 @@ TEST(FourBars, KeepTheirEnergyInALoop) {
     }
 }
 
+BodyId addBar(World& world, const Vec3& from, const Vec3& to) {
+    const Vec3 along = to - from;
+    BodyDef bar = body(Shape::box({along.norm(), 0.1, 0.08}), from + 0.5 * along);
+    bar.pose.rotation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+    bar.collide = false;
+    return world.add(bar);
+}
+
+void expectKept(World& world, double seconds, double scale) {
+    Swing swing;
+    swing.run(world, seconds, scale);
+    EXPECT_LT(swing.high, 0.005);
+    EXPECT_GT(swing.low, -0.05);
+    EXPECT_LT(swing.separation, 1e-6);
+}
+
+// Two bars and a block on a rail: the slider closes the loop.
+TEST(SliderCrank, KeepsItsEnergy) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        const Vec3 pin(0.3, 0.3, 0), end(1.2, 0, 0);
+        const BodyId hook = world.add(support::hook());
+        const BodyId crank = addBar(world, Vec3::Zero(), pin), rod = addBar(world, pin, end);
+        BodyDef block = body(Shape::box({0.2, 0.2, 0.2}), end);
+        block.collide = false;
+        const BodyId slide = world.add(block);
+        support::join(world, JointType::hinge, hook, crank, Vec3::Zero());
+        support::join(world, JointType::hinge, crank, rod, pin);
+        support::join(world, JointType::hinge, rod, slide, end);
+        support::join(world, JointType::slider, hook, slide, end, Vec3::UnitX());
+        expectKept(world, 120, 2 * support::kGravity * 0.5);
+    }
+}
+
+// A pendulum that hangs from a block on a rail, and one on that of another, which is carried along.
+TEST(Sliders, KeepTheirEnergyInAChain) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        const BodyId hook = world.add(support::hook());
+        const BodyId cart = addBar(world, Vec3::Zero(), {0.5, 0, 0});
+        const BodyId arm = addBar(world, {0.5, 0, 0}, {1.0, 0, 0});
+        const BodyId bead = addBar(world, {0.9, -0.1, 0}, {0.9, 0.1, 0});
+        support::join(world, JointType::slider, hook, cart, Vec3::Zero(), Vec3::UnitX());
+        support::join(world, JointType::hinge, cart, arm, {0.5, 0, 0});
+        support::join(world, JointType::slider, arm, bead, {0.9, 0, 0}, Vec3(1, 0.2, 0).normalized());
+        expectKept(world, 20, 2 * support::kGravity);
+    }
+}
+
+TEST(UniversalJoints, KeepTheirEnergyInAChain) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        BodyId last = world.add(support::hook());
+        for (int i = 0; i < 4; ++i) {
+            const Vec3 at(0.5 * i, 0, 0);
+            const BodyId next = addBar(world, at, at + Vec3(0.5, 0, 0));
+            JointDef def;
+            def.type = JointType::universal;
+            def.a = last, def.b = next;
+            def.axis = Vec3::UnitZ(), def.axis2 = Vec3::UnitY();
+            def.anchorA = world.pose(last).toLocal(at), def.anchorB = world.pose(next).toLocal(at);
+            world.add(def);
+            last = next;
+        }
+        expectKept(world, 120, 4 * support::kGravity);
+    }
+}
+
 }  // namespace
 }  // namespace engine
