@@ -1,7 +1,5 @@
 #include "engine/solver/columns.h"
 
-#include <ranges>
-
 namespace engine {
 namespace {
 
@@ -21,8 +19,8 @@ void Columns::number(std::span<const Contact> contacts, std::span<const int> ord
     bool changed = true;
     for (int pass = 0; pass < kMostPasses && changed; ++pass) {  // from the floor up one does nearly
         changed = false;
-        for (const int k : std::views::reverse(order)) {
-            const Contact& c = contacts[k];
+        for (std::size_t k = order.size(); k-- > 0;) {
+            const Contact& c = contacts[order[k]];
             if (!bodies.isDynamic(c.a) || !bodies.isDynamic(c.b)) continue;
             int &a = levels_[c.a], &b = levels_[c.b];
             if (a > b + 1) a = b + 1, changed = true;

@@ -1,0 +1,66 @@
+// A light body between heavy ones (solver/pressed_bodies.h).
+#include "engine/solver/pressed_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace engine {
+namespace {
+
+Contact touching(int a, int b, const Bodies& bodies) {
+    Contact contact;
+    contact.a = a, contact.b = b, contact.count = 1;
+    contact.normal = Vec3::UnitY();
+    const Vec3 middle = 0.5 * (bodies.poses[a].position + bodies.poses[b].position);
+    contact.points[0].anchorA = bodies.poses[a].toLocal(middle);
+    contact.points[0].anchorB = bodies.poses[b].toLocal(middle);
+    return contact;
+}
+
+/// A gram on the floor and a tonne on it, beside a gram on a tonne.
+struct Pressing {
+    Bodies bodies;
+    std::vector<Contact> contacts;
+    PressedBodies pressed;
+
+    Pressing() {
+        addBody(bodies, support::fixed(Shape::box({10, 1, 10})), 0);
+        for (const double mass : {1e-3, 1e3, 1e3, 1e-3})
+            addBody(bodies, support::body(Shape::sphere(0.5), {0, bodies.count() % 2 ? 1.0 : 2.0, 0}, mass),
+                    bodies.count());
+        contacts = {touching(0, 1, bodies), touching(0, 3, bodies), touching(1, 2, bodies),
+                    touching(3, 4, bodies)};
+    }
+};
+
+TEST(PressedBodies, CountForAHundredthOfWhatPressesThemUntilTheStepEnds) {
+    Pressing pile;
+    const Mat3 before = pile.bodies.inverseMasses[1].angular;
+    pile.pressed.load(pile.contacts, {}, pile.bodies);
+    EXPECT_NEAR(pile.bodies.inverseMasses[1].linear, 1.0 / 10.0, 1e-12);
+    EXPECT_TRUE((1e4 * pile.bodies.inverseMasses[1].angular).isApprox(before, 1e-12));
+    for (const int other : {2, 3, 4}) EXPECT_EQ(pile.bodies.massFactors[other], 1.0) << other;
+    pile.pressed.unload(pile.bodies);
+    EXPECT_EQ(pile.bodies.inverseMasses[1].linear, 1e3);
+    EXPECT_TRUE(pile.bodies.inverseMasses[1].angular.isApprox(before, 1e-15));
+}
+
+TEST(PressedBodies, WithAJointKeepTheirMass) {
+    Pressing pile;
+    Joint joint;
+    joint.def.a = {1}, joint.def.b = {4};
+    pile.pressed.load(pile.contacts, std::span(&joint, 1), pile.bodies);
+    EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
+}
+
+// The heavy one has to touch: a contact ahead of touching does not press.
+TEST(PressedBodies, AreNotThoseThatAHeavyOneComesNear) {
+    Pressing pile;
+    pile.bodies.poses[2].position.y() += 0.01;
+    pile.pressed.load(pile.contacts, {}, pile.bodies);
+    EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
+}
+
+}  // namespace
+}  // namespace engine
