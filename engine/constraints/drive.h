@@ -1,4 +1,5 @@
-/// What acts along the coordinates x that a joint leaves free, dx/dt = J v. Up to three rows each, a spring and an inertia in one:
+/// What acts along the coordinates x that a joint leaves free, dx/dt = J v. Up to three rows each, a
+/// spring and an inertia in one:
 ///   spring   C = x - rest, soft (soft.h)
 ///   inertia  of a rotor, kept by its rate u of the sub-step before:  lambda = -I (J v - u), a soft row of
 ///            gamma = 1 / I, b = -u. In one row with the spring,

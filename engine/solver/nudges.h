@@ -11,8 +11,8 @@ namespace engine {
 constexpr double kMostNudge = 0.2;  // m: what one nudge may move, so that joints far apart close over
                                     // several steps; contacts have Settings::depenetrationSpeed
 
-/// Of the bodies whose turn it is, in a world's sub-step of h (s). seen: whether the velocities are looked at before they are solved again,
-/// which can spare trees a solve (joint_nudges.h).
+/// Of the bodies whose turn it is, in a world's sub-step of h (s). seen: whether the velocities are
+/// looked at before they are solved again, which can spare trees a solve (joint_nudges.h).
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen);
 
