@@ -17,11 +17,16 @@ using Known = std::set<std::string>;
 
 using Polynomial = std::array<double, 3>;  // of 1, length, speed
 
-void addNames(const Element& element, Known& joints) {
+/// `free`: those of them that leave a body free.
+void addNames(const Element& element, Known& joints, Known& free) {
     for (const Element& child : element.children) {
-        const Attribute* name = child.find("name");
-        if (name && (child.name == "joint" || child.name == "freejoint")) joints.insert(name->value);
-        addNames(child, joints);
+        const Attribute *name = child.find("name"), *type = child.find("type");
+        const bool isFree = child.name == "freejoint" || (type && type->value == "free");
+        if (name && (child.name == "joint" || child.name == "freejoint")) {
+            joints.insert(name->value);
+            if (isFree) free.insert(name->value);
+        }
+        addNames(child, joints, free);
     }
 }
 
@@ -34,8 +39,10 @@ public:
           autoLimits_(context.rules.autoLimits),
           control_(control) {}
 
-    void add(const Known& joints, const Known& tendons, Actuation& actuation) {
+    void add(const Known& joints, const Known& free, const Known& tendons, Actuation& actuation) {
         const char* key = own_.has("joint") ? "joint" : "jointinparent";
+        if (own_.has(key) && free.contains(own_.text(key)))
+            return own_.note("", "an actuator of a free joint is not available; left out");
         if (own_.has(key)) return add(key, joints, actuation.joints);
         if (own_.has("tendon")) add("tendon", tendons, actuation.tendons);
     }
@@ -155,9 +162,9 @@ std::vector<double> controls(const Element& root, const Context& context) {
 }  // namespace
 
 Actuation readActuators(const Element& root, const Context& context) {
-    Known joints, tendons;
+    Known joints, free, tendons;
     for (const Element& section : root.children) {
-        if (section.name == "worldbody") addNames(section, joints);
+        if (section.name == "worldbody") addNames(section, joints, free);
         if (section.name != "tendon") continue;
         for (const Element& tendon : section.children)
             if (const Attribute* name = tendon.find("name")) tendons.insert(name->value);
@@ -172,7 +179,7 @@ Actuation readActuators(const Element& root, const Context& context) {
             ++number;
             static const Known kRead{"general", "motor", "position", "velocity", "damper"};
             if (kRead.contains(element.name))
-                ActuatorReader(element, own, context).add(joints, tendons, actuation);
+                ActuatorReader(element, own, context).add(joints, free, tendons, actuation);
         }
     }
     return context.rules.actuation ? actuation : Actuation{};

@@ -155,6 +155,13 @@ TEST(MujocoForces, NoteWhatIsLeftOut) {
         acting("<motor joint='b'/>")).notes;
     EXPECT_TRUE(tells(ball, "a.xml:", "an actuator of a ball joint is not available")) << listed(ball);
     EXPECT_TRUE(tells(ball, "a.xml:", "armature of a ball joint is not available")) << listed(ball);
+    for (const char* joint : {"<freejoint name='f'/>", "<joint name='f' type='free'/>"}) {
+        const std::vector<std::string> free =
+            readMujoco("<worldbody><body>" + std::string(joint) + "<geom size='1'/></body></worldbody>" +
+                       acting("<motor joint='f'/>")).notes;
+        EXPECT_TRUE(tells(free, "a.xml:", "an actuator of a free joint is not available; left out"))
+            << listed(free);
+    }
 }
 
 TEST(MujocoForces, OfWrongNamesAreErrors) {
