@@ -32,6 +32,7 @@ struct Shape {
     std::shared_ptr<const Hull> hull;         // of a hull, about the centre of mass
     std::shared_ptr<const ShapeParts> parts;  // of a compound, likewise
     std::shared_ptr<const Mesh> mesh;         // of a mesh, in the axes it was given in
+    double reach = 0.0;                   // m; hull, compound, mesh: as reachOf says
 
     /// `radius`: m.
     static Shape sphere(double radius);
@@ -70,6 +71,7 @@ struct ShapePart {
     Shape shape;
     Pose pose;
     double density = 1.0;  // positive; times the body's own: 2 weighs twice as much as the rest
+    Vec3 low{0, 0, 0}, high{0, 0, 0};  // m: bounds in the compound's axes, which compound() finds
 };
 
 /// m: the farthest of its points from the centre of mass; 0 for a plane.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "demos/measures/measures.h"
-#include "engine/collision/bounds.h"
+#include "engine/shapes/bounds.h"
 
 namespace demos {
 namespace {

@@ -1,7 +1,7 @@
 // What is drawn at every body: axes, centre of mass, bounding box, name.
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/frame_parts.h"
-#include "engine/collision/bounds.h"
+#include "engine/shapes/bounds.h"
 #include "render/palette.h"
 
 namespace demos {

@@ -15,22 +15,38 @@ struct FaceAxis {
     bool ofB = false;
 };
 
-FaceAxis bestFace(const Convex& a, const Convex& b) {
+/// The face of `owner` that all of `other` lies farthest beyond. A single point of `other` says how far
+/// that is at most: only faces that may be better than the best so far are looked at. Ends at the first
+/// that is beyond `margin`.
+FaceAxis bestFaceOf(const Convex& owner, const Convex& other, bool ofB, double margin) {
+    const double radii = owner.radius() + other.radius();
+    const Vec3 front = other.isTriangle() ? owner.localOf(other.front()) : Vec3::Zero();
+    Vec3 nearest = owner.toLocal(other.support(owner.centre() - other.centre()));
     FaceAxis best;
-    const double radii = a.radius() + b.radius();
-    const auto see = [&](const Convex& owner, bool ofB, double bonus) {
-        FaceAxis own;
-        for (int i = 0; i < owner.faceCount(); ++i) {
-            const Vec3 n = ofB ? Vec3(-owner.faceNormal(i)) : owner.faceNormal(i);
-            if (a.isTriangle() && n.dot(a.front()) < -1e-3) continue;
-            if (b.isTriangle() && n.dot(b.front()) > 1e-3) continue;
-            const double separation = separationOfCores(a, b, n) - radii;
-            if (separation > own.separation) own = {separation, i, ofB};
-        }
-        if (own.separation > best.separation + bonus) best = own;
+    const auto look = [&](int i, const Plane& face) {
+        nearest = owner.toLocal(other.support(-owner.turned(face.normal)));
+        const double separation = face.normal.dot(nearest) - face.offset - radii;
+        if (separation > best.separation) best = {separation, i, ofB};
     };
-    see(a, false, 0.0);
-    see(b, true, kFaceBonus);
+    const auto atMost = [&](const Plane& face) {
+        const bool behind = face.normal.dot(front) > 1e-3;
+        return behind ? -1e300 : face.normal.dot(nearest) - face.offset - radii;
+    };
+    int likely = -1;
+    double most = -1e300;
+    for (int i = 0; i < owner.faceCount(); ++i)
+        if (const double bound = atMost(owner.plane(i)); bound > most) most = bound, likely = i;
+    if (likely >= 0) look(likely, owner.plane(likely));
+    for (int i = 0; i < owner.faceCount() && best.separation <= margin; ++i)
+        if (const Plane face = owner.plane(i); atMost(face) > best.separation) look(i, face);
+    return best;
+}
+
+FaceAxis bestFace(const Convex& a, const Convex& b, double margin) {
+    FaceAxis best = bestFaceOf(a, b, false, margin);
+    if (best.separation > margin) return best;
+    const FaceAxis ofB = bestFaceOf(b, a, true, margin);
+    if (ofB.separation > best.separation + kFaceBonus) best = ofB;
     return best;
 }
 
@@ -137,7 +153,7 @@ Manifold alongLines(const Convex& a, const Convex& b, const WayOut& out, double 
 }
 
 Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
-    const FaceAxis face = bestFace(a, b);
+    const FaceAxis face = bestFace(a, b, margin);
     if (face.separation > margin) return {};
     Manifold onFace;
     if (face.face >= 0) onFace = clipToFace(a, b, face, margin);
@@ -145,7 +161,7 @@ Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
     // What touches first lies over the face: no other normal is better by more than the bonus.
     const bool over = deepest < face.separation + kBeside;
     if (over && face.separation > -kEdgeBonus) return onFace;
-    const WayOut out = wayOut(a, b);
+    const WayOut out = wayOut(a, b, margin + a.radius() + b.radius());
     const double separation = out.separation - a.radius() - b.radius();
     if (separation > margin) return {};
     if (separation < face.separation + kEdgeBonus && deepest < separation + kEdgeBonus)
@@ -159,13 +175,16 @@ Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
 /// Against a triangle a. Edges that are not sharp, and the back, are felt through the front: as far
 /// as the piece lies over it, and has not sunk below it by more than a quarter of its size.
 Manifold collideTriangle(const Convex& a, const Convex& b, double margin) {
-    const Manifold m = collideTwo(a, b, margin);
-    if (m.count == 0) return m;
-    const double along = m.normal.dot(a.front());
-    if (along > 1.0 - 1e-9 || (along > -1e-2 && !a.isSmoothAt(m.points[0].onA))) return m;
     const double separation = separationOfCores(a, b, a.front()) - b.radius();
-    if (separation < -1.25 * (b.reach() + b.radius())) return {};
-    return clipToFace(a, 0, b, false, margin);
+    if (separation > margin) return {};
+    const bool sunk = separation < -1.25 * (b.reach() + b.radius());
+    if (!a.isSmooth()) {
+        const Manifold m = collideTwo(a, b, margin);
+        if (m.count == 0) return m;
+        const double along = m.normal.dot(a.front());
+        if (along > 1.0 - 1e-9 || (along > -1e-2 && !a.isSmoothAt(m.points[0].onA))) return m;
+    }
+    return sunk ? Manifold{} : clipToFace(a, 0, b, false, margin);
 }
 
 }  // namespace
@@ -196,8 +215,13 @@ Manifold collideConvexPlane(const Convex& a, const Shape& plane, const Pose& pos
     return m;
 }
 
-ConvexGap gapOf(const Convex& a, const Convex& b) {
-    const WayOut out = wayOut(a, b);
+ConvexGap gapOf(const Convex& a, const Convex& b, double enough) {
+    if (a.isTriangle() || b.isTriangle()) {  // most are told apart by its plane
+        const Vec3 front = a.isTriangle() ? a.front() : Vec3(-b.front());
+        const double above = separationOfCores(a, b, front) - a.radius() - b.radius();
+        if (above > enough) return {above, front};
+    }
+    const WayOut out = wayOut(a, b, enough + a.radius() + b.radius());
     const bool behind = (a.isTriangle() && out.normal.dot(a.front()) < 0.0) ||
                         (b.isTriangle() && out.normal.dot(b.front()) > 0.0);
     if (behind) return {kFar, out.normal};

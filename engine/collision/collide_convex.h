@@ -20,15 +20,12 @@ Manifold collideConvex(const Convex& a, const Convex& b, double margin);
 /// Against a half space.
 Manifold collideConvexPlane(const Convex& a, const Shape& plane, const Pose& pose, double margin);
 
-/// As a margin it leaves no point out; as a time it is never.
-constexpr double kFar = 1e9;  // m, s
-
 /// The distance (m) and the direction from a to b along which it is measured; not positive: they
-/// touch or overlap. Behind a triangle it is kFar.
+/// touch or overlap. Behind a triangle it is kFar. More than `enough` (m) is only said to be more.
 struct ConvexGap {
     double distance = 0.0;
     Vec3 normal = Vec3::UnitY();
 };
-ConvexGap gapOf(const Convex& a, const Convex& b);
+ConvexGap gapOf(const Convex& a, const Convex& b, double enough = kFar);
 
 }  // namespace engine

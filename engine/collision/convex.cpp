@@ -31,6 +31,14 @@ double topOf(const Shape& s) {
     return s.type == ShapeType::cone ? 1.5 * s.halfLength : s.halfLength;
 }
 
+const Vec3& farthest(const std::vector<Vec3>& corners, const Vec3& d) {
+    std::size_t best = 0;
+    double most = d.dot(corners[0]);
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        if (const double along = d.dot(corners[i]); along > most) most = along, best = i;
+    return corners[best];
+}
+
 /// Of a vector's part across y: a unit vector, or x where there is none.
 Vec3 outwards(const Vec3& d) {
     const Vec3 across(d.x(), 0.0, d.z());
@@ -69,14 +77,13 @@ Vec3 Convex::support(const Vec3& n) const {
 }
 
 Vec3 Convex::supportLocal(const Vec3& d) const {
-    const auto farthest = [&](const auto& corners, const auto& numbers) {
-        Vec3 best = corners[numbers(0)];
-        for (int i = 1; i < numbers(-1); ++i)
-            if (d.dot(corners[numbers(i)]) > d.dot(best)) best = corners[numbers(i)];
-        return best;
-    };
-    if (triangle_)
-        return farthest(mesh_->corners, [&](int i) { return i < 0 ? 3 : triangle_->corners[i]; });
+    if (triangle_) {
+        const Vec3 *best = &mesh_->corners[triangle_->corners[0]],
+                   *second = &mesh_->corners[triangle_->corners[1]],
+                   *third = &mesh_->corners[triangle_->corners[2]];
+        if (d.dot(*second) > d.dot(*best)) best = second;
+        return d.dot(*third) > d.dot(*best) ? *third : *best;
+    }
     const Shape& s = *shape_;
     switch (s.type) {
         case ShapeType::capsule: return {0.0, d.y() < 0.0 ? -s.halfLength : s.halfLength, 0.0};
@@ -95,10 +102,7 @@ Vec3 Convex::supportLocal(const Vec3& d) const {
             p.y() = baseOf(s);
             return d.dot(p) > d.dot(tip) ? p : tip;
         }
-        case ShapeType::hull: {
-            const int count = static_cast<int>(s.hull->corners.size());
-            return farthest(s.hull->corners, [&](int i) { return i < 0 ? count : i; });
-        }
+        case ShapeType::hull: return farthest(s.hull->corners, d);
         default: return Vec3::Zero();
     }
 }
@@ -119,6 +123,19 @@ Vec3 Convex::faceNormal(int face) const {
     if (shape_->type == ShapeType::hull) return turn_ * shape_->hull->faces[face].normal;
     const int axis = shape_->type == ShapeType::box ? face / 2 : 1;
     return face % 2 == 0 ? Vec3(-turn_.col(axis)) : Vec3(turn_.col(axis));
+}
+
+Plane Convex::plane(int face) const {
+    if (triangle_)
+        return {triangle_->normal, triangle_->normal.dot(mesh_->corners[triangle_->corners[0]])};
+    if (shape_->type == ShapeType::hull) {
+        const Hull::Face& own = shape_->hull->faces[face];
+        return {own.normal, own.offset};
+    }
+    const int axis = shape_->type == ShapeType::box ? face / 2 : 1;
+    const Vec3 n = (face % 2 == 0 ? -1.0 : 1.0) * Vec3::Unit(axis);
+    if (shape_->type == ShapeType::box) return {n, shape_->halfSize[axis]};
+    return {n, face == 0 ? -baseOf(*shape_) : topOf(*shape_)};
 }
 
 Feature Convex::disc(double y, const Vec3& n) const {
@@ -196,7 +213,7 @@ Feature Convex::towards(const Vec3& n, int& number) const {
     } else {
         double most = -2.0;
         for (int i = 0; i < faceCount(); ++i)
-            if (const double along = faceNormal(i).dot(n); along > most + 1e-3)
+            if (const double along = plane(i).normal.dot(local); along > most + 1e-3)
                 most = along, number = i;
         return face(number);
     }
@@ -221,6 +238,11 @@ bool Convex::line(const Vec3& n, Segment& result) const {
     const Feature ends = sideLine(local);
     result = {0.5 * (ends.corner[0] + ends.corner[1]), 0.5 * (ends.corner[1] - ends.corner[0])};
     return true;
+}
+
+bool Convex::isSmooth() const {
+    const std::array<bool, 3>& sharp = triangle_->sharp;
+    return !sharp[0] && !sharp[1] && !sharp[2];
 }
 
 bool Convex::isSmoothAt(const Vec3& world) const {

@@ -9,7 +9,16 @@
 
 namespace engine {
 
+/// As a margin it leaves no point out; as a time it is never.
+constexpr double kFar = 1e9;  // m, s
+
 using Feature = PolygonOf<kMostClipped>;  // one corner, two, or a face's, counter-clockwise
+
+/// normal . x = offset.
+struct Plane {
+    Vec3 normal;    // unit
+    double offset;  // m
+};
 
 class Convex {
 public:
@@ -31,6 +40,11 @@ public:
 
     int faceCount() const;
     Vec3 faceNormal(int face) const;
+    /// Of a face, in the piece's own axes.
+    Plane plane(int face) const;
+    Vec3 toLocal(const Vec3& p) const { return turn_.transpose() * (p - pose_.position); }
+    Vec3 turned(const Vec3& local) const { return turn_ * local; }          // to world axes
+    Vec3 localOf(const Vec3& n) const { return turn_.transpose() * n; }     // of a direction
     Feature face(int face) const;
 
     /// What may touch a flat face that lies against it, n pointing towards that face: the face that
@@ -41,6 +55,8 @@ public:
     bool line(const Vec3& n, Segment& result) const;
     /// Of a triangle, whose point p (on it) is: an edge that is not sharp, or a corner of such edges.
     bool isSmoothAt(const Vec3& p) const;
+    /// Of a triangle: none of its edges is sharp.
+    bool isSmooth() const;
 
 private:
     Vec3 supportLocal(const Vec3& d) const;

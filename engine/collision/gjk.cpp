@@ -117,7 +117,7 @@ Closest result(const Simplex& s, const Vec3& v) {
 
 }  // namespace
 
-Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift) {
+Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, double enough) {
     const auto support = [&](const Vec3& d) {
         Corner c;
         c.onA = a.support(-d);
@@ -135,7 +135,13 @@ Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift) {
         const double square = v.squaredNorm();
         if (square <= touching * touching) return {};
         const Corner next = support(-v);
-        if (square - v.dot(next.p) <= kEpsilon * square || holds(s, next.p)) break;
+        const double along = v.dot(next.p);  // over |v|: they are that far apart at least
+        if (square - along <= kEpsilon * square || holds(s, next.p)) break;
+        if (along > 0.0 && along * along > enough * enough * square) {
+            Closest far = result(s, v);
+            far.distance = along / std::sqrt(square);
+            return far;
+        }
         const Simplex before = s;
         s.corner[s.count++] = next;
         if (!reduce(s)) return {};

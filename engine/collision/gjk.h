@@ -16,7 +16,8 @@ struct Closest {
     Vec3 onA, onB;               // m
 };
 
-/// With b moved by `shift` (m), which onB includes.
-Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift);
+/// With b moved by `shift` (m), which onB includes. Of what is certainly farther apart than `enough` (m,
+/// of the cores), the distance is only what the normal shows of it.
+Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, double enough = kFar);
 
 }  // namespace engine

@@ -139,29 +139,23 @@ void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
     }
 }
 
-std::vector<MovingPairs::Entry>::const_iterator entryOf(const MovingPairs& moving,
-                                                        const PairKey& pair) {
-    const auto known = std::lower_bound(
-        moving.entries.begin(), moving.entries.end(), pair,
-        [](const MovingPairs::Entry& entry, const PairKey& k) { return entry.pair < k; });
-    const bool found = known != moving.entries.end() && known->pair == pair;
-    return found ? known : moving.entries.end();
-}
-
-/// Of all its pieces.
+/// Of all pieces; those that matter are kept in `close`.
 Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const PairKey& pair,
-                   double margin, const MovingPairs& moving, double dt) {
-    const Motion &a = moving.motions[pair.a], &b = moving.motions[pair.b];
+                   double margin, const std::vector<Motion>& motions, double dt,
+                   std::vector<MovingPairs::Close>& close) {
+    const Motion &a = motions[pair.a], &b = motions[pair.b];
     if (areWhole(bodies, pair))
-        return timeOfImpact(bodies.defs[pair.a].shape, a, bodies.defs[pair.b].shape, b, dt);
+        return timeOfImpact(bodies.defs[pair.a].shape, a, bodies.defs[pair.b].shape, b, dt, margin);
     Impact first{false, 0.0, 1e9, 0.0};
-    forPiecePairs(bodies, moving.motions, broadPhase, pair, margin, dt,
+    forPiecePairs(bodies, motions, broadPhase, pair, margin, dt,
                   [&](const Piece& pieceA, const Piece& pieceB) {
-                      const Impact impact = timeOfImpact(pieceA, a, pieceB, b, dt);
+                      const Impact impact = timeOfImpact(pieceA, a, pieceB, b, dt, margin);
                       const bool sooner = first.meets ? impact.meets && impact.time < first.time
                                                       : impact.meets ||
                                                             impact.distance < first.distance;
                       if (sooner) first = impact;
+                      if (impact.meets || impact.distance <= margin)
+                          close.push_back({pieceA, pieceB, impact});
                   });
     return first;
 }
@@ -182,10 +176,16 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
         if (isSensed(bodies, key)) continue;
         moving.entries.push_back({key, {}});
     }
-    const auto look = [&](int first, int end, int) {
+    moving.close.resize(workers ? workers->count() : 1);
+    for (std::vector<MovingPairs::Close>& close : moving.close) close.clear();
+    const auto look = [&](int first, int end, int part) {
+        std::vector<MovingPairs::Close>& close = moving.close[part];
         for (int i = first; i < end; ++i) {
-            auto& [key, impact] = moving.entries[i];
-            impact = firstImpact(bodies, broadPhase, key, margin, moving, dt);
+            MovingPairs::Entry& entry = moving.entries[i];
+            entry.part = part, entry.first = static_cast<int>(close.size());
+            entry.impact =
+                firstImpact(bodies, broadPhase, entry.pair, margin, moving.motions, dt, close);
+            entry.count = static_cast<int>(close.size()) - entry.first;
         }
     };
     const int count = static_cast<int>(moving.entries.size());
@@ -227,17 +227,19 @@ bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double
     });
 }
 
-bool isMoving(const MovingPairs& moving, const PairKey& pair) {
-    return entryOf(moving, pair) != moving.entries.end();
+const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair) {
+    const auto known =
+        std::ranges::lower_bound(moving.entries, pair, {}, &MovingPairs::Entry::pair);
+    return known != moving.entries.end() && known->pair == pair ? &*known : nullptr;
 }
 
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
                                const MovingPairs& moving, bool always, double dt) {
-    const auto known = entryOf(moving, key);
-    if (known != moving.entries.end()) return known->impact;
-    if (!always) return {};
-    return timeOfImpact(bodies.defs[key.a].shape, moving.motions[key.a], bodies.defs[key.b].shape,
-                        moving.motions[key.b], dt);
+    if (always)
+        return timeOfImpact(bodies.defs[key.a].shape, moving.motions[key.a],
+                            bodies.defs[key.b].shape, moving.motions[key.b], dt);
+    const MovingPairs::Entry* known = movingEntry(moving, key);
+    return known ? std::optional(known->impact) : std::nullopt;
 }
 
 MovingManifolds collideMoving(const Bodies& bodies, const PiecePair& pieces,

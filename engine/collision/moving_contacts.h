@@ -26,12 +26,19 @@ namespace engine {
 
 /// What free motion would do in the coming step: kept from step to step for its memory only.
 struct MovingPairs {
+    /// Pieces that meet, or pass within the margin.
+    struct Close {
+        Piece a, b;
+        Impact impact;
+    };
     struct Entry {
         PairKey pair;
         Impact impact;
+        int part = 0, first = 0, count = 0;  // of compounds and meshes: close[part][first], ...
     };
     std::vector<Motion> motions;  // by body
     std::vector<Entry> entries;   // of the pairs that move more than the margin; sorted
+    std::vector<std::vector<Close>> close;  // a list for each thread
     std::vector<double> throws;   // m, by body: dt jolt; all zero while nothing is hit
     std::vector<double> throwsBefore;
 
@@ -55,11 +62,11 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt);
 /// of its corners may come down.
 bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double time);
 
-/// Nothing for a pair that the margin is enough for; `always`: found now if it was not before.
+/// Nothing for a pair that the margin is enough for; `always`: found now, for more than the margin.
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,
                                const MovingPairs& moving, bool always, double dt);
-/// Whether it is one of those that the margin is too short for.
-bool isMoving(const MovingPairs& moving, const PairKey& pair);
+/// Null: the margin is enough for the pair.
+const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair);
 
 /// Two bodies' pieces; of most bodies, the whole.
 struct PiecePair {

@@ -63,26 +63,37 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
                          const MovingPairs& moving, double margin, double near, double dt,
                          const std::vector<Contact>& previous, std::size_t old,
                          std::vector<Contact>& found) {
-    const bool fast = near > margin || isMoving(moving, pair);
-    if (!fast && keepAll(previous, old, pair, bodies, found)) return;
+    const MovingPairs::Entry* known = movingEntry(moving, pair);
+    const bool thrown = near > margin;
+    if (!known && !thrown && keepAll(previous, old, pair, bodies, found)) return;
     const std::size_t first = found.size();
     const auto take = [&](Manifold& m, const PiecePair& pieces, Found where) {
         for (int i = 0; i < m.count; ++i)
             m.points[i].feature = featureOf(m.points[i].feature, pieces.a, pieces.b);
         if (m.count > 0) add(bodies, contactOf(bodies, pair, m, where), first, found);
     };
-    const auto meet = [&](const Piece& a, const Piece& b) {
+    const auto meet = [&](const Piece& a, const Piece& b, const Impact& impact) {
         const PiecePair pieces{pair, a, b};
-        if (!fast) {
-            Manifold m = collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
-            return take(m, pieces, Found::here);
-        }
-        const Impact impact =
-            timeOfImpact(a, moving.motions[pair.a], b, moving.motions[pair.b], dt);
         MovingManifolds met = collideMoving(bodies, pieces, moving, impact, margin, near, dt);
         for (int i = 0; i < met.count; ++i) take(met.manifolds[i], pieces, Found::onTheWay);
     };
-    forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt, meet);
+    if (known && !thrown) {
+        for (int i = known->first; i < known->first + known->count; ++i) {
+            const MovingPairs::Close& close = moving.close[known->part][i];
+            meet(close.a, close.b, close.impact);
+        }
+        return;
+    }
+    forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt,
+                  [&](const Piece& a, const Piece& b) {
+                      if (thrown)
+                          return meet(a, b,
+                                      timeOfImpact(a, moving.motions[pair.a], b,
+                                                   moving.motions[pair.b], dt, near));
+                      Manifold m =
+                          collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
+                      take(m, {pair, a, b}, Found::here);
+                  });
 }
 
 }  // namespace engine

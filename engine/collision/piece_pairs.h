@@ -23,16 +23,22 @@ void forPiecePairs(const Bodies& bodies, const std::vector<Motion>& motions,
                    Visit visit) {
     const Shape &shapeA = bodies.defs[pair.a].shape, &shapeB = bodies.defs[pair.b].shape;
     const double wayA = wayOf(motions[pair.a], dt), wayB = wayOf(motions[pair.b], dt);
-    const Bounds everywhere{Vec3::Constant(-1e9), Vec3::Constant(1e9)};
-    const bool plane = shapeA.type == ShapeType::plane || shapeB.type == ShapeType::plane;
-    const Bounds aroundB =
-        plane ? everywhere : broadPhase.bounds(pair.b).grownBy(wayA + near);
-    forPieces(shapeA, bodies.poses[pair.a], aroundB, [&](const Piece& a) {
-        const Bounds aroundA =
-            plane ? everywhere
-                  : boundsOf(a, bodies.poses[pair.a]).grownBy(wayA + wayB + near);
-        forPieces(shapeB, bodies.poses[pair.b], aroundA,
-                  [&](const Piece& b) { visit(a, b); });
+    if (shapeA.type == ShapeType::plane || shapeB.type == ShapeType::plane) {
+        const Bounds everywhere{Vec3::Constant(-1e9), Vec3::Constant(1e9)};
+        forPieces(shapeA, bodies.poses[pair.a], everywhere, [&](const Piece& a) {
+            forPieces(shapeB, bodies.poses[pair.b], everywhere, [&](const Piece& b) { visit(a, b); });
+        });
+        return;
+    }
+    // The broad phase knows where each body gets to within the step.
+    const Bounds reachA = broadPhase.bounds(pair.a).grownBy(wayB + near);
+    const Bounds reachB = broadPhase.bounds(pair.b).grownBy(wayA + near);
+    const bool wholeA = isWhole(shapeA);
+    forPieces(shapeA, bodies.poses[pair.a], reachB, [&](const Piece& a) {
+        const Bounds now = wholeA ? reachA : boundsOf(a, bodies.poses[pair.a]);
+        if (!now.overlaps(reachB)) return;
+        const Bounds around = wholeA ? reachA : now.grownBy(wayA + wayB + near);
+        forPieces(shapeB, bodies.poses[pair.b], around, [&](const Piece& b) { visit(a, b); });
     });
 }
 

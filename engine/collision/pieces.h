@@ -2,7 +2,7 @@
 /// Collision detection is between pieces; what is found with one normal becomes one contact of the two
 /// bodies (piece_contacts.h).
 #pragma once
-#include "engine/collision/bounds.h"
+#include "engine/shapes/bounds.h"
 #include "engine/collision/manifold.h"
 #include "engine/shapes/mesh.h"
 
@@ -37,10 +37,12 @@ void forPieces(const Shape& shape, const Pose& pose, const Bounds& within, Visit
             visit(Piece{&shape, triangle, true, nullptr});
         });
     } else if (shape.type == ShapeType::compound) {
+        const Bounds inside = seenFrom(pose, within);
         int number = 0;
         for (const ShapePart& part : *shape.parts) {
             const Piece piece{&part.shape, number++, false, &part.pose};
-            if (boundsOf(piece, pose).overlaps(within)) visit(piece);
+            if (Bounds{part.low, part.high}.overlaps(inside) && boundsOf(piece, pose).overlaps(within))
+                visit(piece);
         }
     } else {
         visit(wholeOf(shape));

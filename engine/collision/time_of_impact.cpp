@@ -11,34 +11,83 @@ namespace {
 constexpr double kTouching = 5e-4;  // m: this close counts as touching
 constexpr int kMostAdvances = 64;   // a pair that is so slow to come together touches
 
+/// The larger of two bodies as the smaller one meets it (time_of_impact.h).
+struct Passing {
+    bool any = false;               // it turns slowly enough for this to say more
+    Vec3 velocity = Vec3::Zero();   // m/s, of its points at the other's centre, less the other's
+    double reach = 0.0;             // m: r'
+};
+
+Passing passingOf(const Motion& large, const Vec3& centre, const Motion& small,
+                  const Vec3& smallCentre, double left) {
+    const double rate = large.spin.norm();
+    if (!(rate * left < 0.5) || rate == 0.0) return {};
+    const Vec3 between = large.velocity - small.velocity;
+    const Vec3 velocity = between + large.spin.cross(smallCentre - centre);
+    // Back in time a point is no farther than e^(rate left) < 1 / (1 - rate left) takes it.
+    const double from = (small.size + left * velocity.norm()) / (1.0 - rate * left);
+    return {true, velocity, from + left * between.norm()};
+}
+
+/// Two bodies on their way, from `now` (s) on for `left` (s).
+class Approach {
+public:
+    Approach(const Motion& a, const Motion& b, double now, double left)
+        : a_(a), b_(b), left_(left), byA_(a.size > b.size) {
+        const Motion &large = byA_ ? a : b, &small = byA_ ? b : a;
+        passing_ = passingOf(large, large.placeAt(now), small, small.placeAt(now), left);
+    }
+    double left() const { return left_; }
+    /// m/s, of the centres along n, from a to b.
+    double ofCentres(const Vec3& n) const { return (a_.velocity - b_.velocity).dot(n); }
+    /// c: of points that may meet, at most.
+    double mostAlong(const Vec3& n) const {
+        const double turnA = a_.spin.cross(n).norm(), turnB = b_.spin.cross(n).norm();
+        const double all = ofCentres(n) + turnA * a_.reach + turnB * b_.reach;
+        if (!passing_.any) return all;
+        const double local =
+            byA_ ? passing_.velocity.dot(n) + turnA * passing_.reach + turnB * b_.reach
+                 : -passing_.velocity.dot(n) + turnB * passing_.reach + turnA * a_.reach;
+        return smaller(all, local);
+    }
+
+private:
+    const Motion &a_, &b_;
+    double left_;
+    bool byA_;
+    Passing passing_;
+};
+
 /// How far apart two shapes are (not positive: they touch), and for how long at least.
 struct Gap {
     double distance = -kFar;  // m
     double time = 0.0;        // s; kFar: never
     double closing = 0.0;     // m/s, of the centres along the axis of the distance
+    double least = -kFar;     // m: closer they do not come in the time that is left
 
     /// One direction n, from a to b, along which they are `apart`; the longest time counts.
-    void see(const Vec3& n, double apart, const Motion& a, const Motion& b) {
-        const double centres = (a.velocity - b.velocity).dot(n);
-        if (apart > distance) distance = apart, closing = centres;
+    void see(const Vec3& n, double apart, const Approach& approach) {
+        if (apart > distance) distance = apart, closing = approach.ofCentres(n);
         if (apart <= 0.0) return;
-        const double c =
-            centres + a.spin.cross(n).norm() * a.reach + b.spin.cross(n).norm() * b.reach;
+        const double c = approach.mostAlong(n);
         time = larger(time, c > 0.0 ? apart / c : kFar);
+        least = larger(least, apart - approach.left() * larger(c, 0.0));
     }
 };
 
-/// By all 15 axes: a pair that passes side by side is told apart at the first look.
-Gap gapOfBoxes(const OrientedBox& boxA, const OrientedBox& boxB, const Motion& a,
-               const Motion& b) {
+/// By all 15 axes: a pair that passes side by side is told apart at the first look. Without the edges where
+/// the faces show that they stay farther apart than `near` (m).
+Gap gapOfBoxes(const OrientedBox& boxA, const OrientedBox& boxB, const Approach& approach,
+               double near) {
     Gap gap;
     const Vec3 between = boxB.centre - boxA.centre;
     const auto see = [&](const Vec3& axis) {
         const double along = axis.dot(between);
         const Vec3 n = along < 0.0 ? Vec3(-axis) : axis;
-        gap.see(n, std::abs(along) - boxA.extent(n) - boxB.extent(n), a, b);
+        gap.see(n, std::abs(along) - boxA.extent(n) - boxB.extent(n), approach);
     };
     for (int i = 0; i < 3; ++i) see(boxA.axes.col(i)), see(boxB.axes.col(i));
+    if (gap.least > near) return gap;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             const Vec3 axis = boxA.axes.col(i).cross(boxB.axes.col(j));
@@ -52,24 +101,24 @@ bool isConvex(const Piece& piece) {
     return piece.isTriangle || piece.shape->type > ShapeType::plane;
 }
 
-Gap gapAt(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motion& b,
-          double time) {
-    const Pose poseA = a.at(time), poseB = b.at(time);
+/// Not exact where they stay farther apart than `near` (m); `enough`: so they do where it is more (m).
+Gap gapAt(const Piece& pieceA, const Pose& poseA, const Piece& pieceB, const Pose& poseB,
+          const Approach& approach, double near, double enough) {
     if (pieceA.isBox() && pieceB.isBox())
-        return gapOfBoxes({*pieceA.shape, pieceA.at(poseA)}, {*pieceB.shape, pieceB.at(poseB)}, a,
-                          b);
+        return gapOfBoxes({*pieceA.shape, pieceA.at(poseA)}, {*pieceB.shape, pieceB.at(poseB)},
+                          approach, near);
     Gap gap;
     const bool plane = pieceA.shape->type == ShapeType::plane ||
                        pieceB.shape->type == ShapeType::plane;
     if (!plane && (isConvex(pieceA) || isConvex(pieceB))) {
-        const ConvexGap apart = gapOf(convexOf(pieceA, poseA), convexOf(pieceB, poseB));
-        gap.see(apart.normal, apart.distance, a, b);
+        const ConvexGap apart = gapOf(convexOf(pieceA, poseA), convexOf(pieceB, poseB), enough);
+        gap.see(apart.normal, apart.distance, approach);
         return gap;
     }
     const Manifold m = collide(pieceA, poseA, pieceB, poseB, kFar);
     double apart = kFar;
     for (int i = 0; i < m.count; ++i) apart = smaller(apart, m.separation(i));
-    gap.see(m.normal, apart, a, b);
+    gap.see(m.normal, apart, approach);
     return gap;
 }
 
@@ -77,7 +126,7 @@ Gap gapAt(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motio
 
 Pose Motion::at(double time) const {
     const double rate = spin.norm();
-    const Vec3 place = start.position + time * velocity;
+    const Vec3 place = placeAt(time);
     if (rate == 0.0 || time == 0.0) return {place, start.rotation};
     Quat rotation = turnAbout(spin / rate, time * rate) * start.rotation;
     rotation.normalize();
@@ -94,28 +143,38 @@ Motion motionOf(const Bodies& bodies, int i, double dt) {
     else if (shape.type != ShapeType::sphere)
         m.reach = reachOf(shape);
     m.sweep = m.spin.norm() * m.reach;
+    if (shape.type != ShapeType::plane) m.size = reachOf(shape);
     return m;
 }
 
 double wayOf(const Motion& a, const Motion& b, double dt) {
-    return dt * ((b.velocity - a.velocity).norm() + a.sweep + b.sweep);
+    const double all = dt * ((b.velocity - a.velocity).norm() + a.sweep + b.sweep);
+    const bool byA = a.size > b.size;
+    const Motion &large = byA ? a : b, &small = byA ? b : a;
+    const Passing passing =
+        passingOf(large, large.start.position, small, small.start.position, dt);
+    if (!passing.any) return all;
+    return smaller(all, dt * (passing.velocity.norm() + large.spin.norm() * passing.reach +
+                              small.sweep));
 }
 
 Impact timeOfImpact(const Shape& shapeA, const Motion& a, const Shape& shapeB, const Motion& b,
-                    double dt) {
-    return timeOfImpact(wholeOf(shapeA), a, wholeOf(shapeB), b, dt);
+                    double dt, double near) {
+    return timeOfImpact(wholeOf(shapeA), a, wholeOf(shapeB), b, dt, near);
 }
 
 Impact timeOfImpact(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motion& b,
-                    double dt) {
+                    double dt, double near) {
     Impact closest{false, 0.0, kFar, 0.0};
     double time = 0.0;
     for (int i = 0; i < kMostAdvances; ++i) {
-        const Gap gap = gapAt(pieceA, a, pieceB, b, time);
+        const double enough = near + wayOf(a, b, dt - time);
+        const Gap gap = gapAt(pieceA, a.at(time), pieceB, b.at(time), {a, b, time, dt - time}, near,
+                              enough);
         if (gap.distance < closest.distance)
             closest = {false, time, gap.distance, gap.closing};
         closest.meets = gap.distance <= kTouching;
-        if (closest.meets || time >= dt) return closest;
+        if (closest.meets || time >= dt || gap.least > near) return closest;
         time = smaller(time + gap.time, dt);
     }
     closest.meets = true;

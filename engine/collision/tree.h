@@ -5,7 +5,7 @@
 #pragma once
 #include <vector>
 
-#include "engine/collision/bounds.h"
+#include "engine/shapes/bounds.h"
 
 namespace engine {
 

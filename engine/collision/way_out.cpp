@@ -34,9 +34,9 @@ Vec3 fromAToB(const Convex& a, const Convex& b) {
 
 }  // namespace
 
-WayOut wayOut(const Convex& a, const Convex& b) {
+WayOut wayOut(const Convex& a, const Convex& b, double enough) {
     const double size = a.reach() + b.reach(), gap = kGap * size;
-    const Closest apart = closestPoints(a, b, Vec3::Zero());
+    const Closest apart = closestPoints(a, b, Vec3::Zero(), enough);
     if (apart.distance > kClear * size)
         return {apart.normal, apart.distance, apart.onA, apart.onB};
     const Vec3 d = fromAToB(a, b);

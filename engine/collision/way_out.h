@@ -10,7 +10,8 @@ struct WayOut {
     Vec3 onA, onB;                // m, where they touch once moved apart along it
 };
 
-WayOut wayOut(const Convex& a, const Convex& b);
+/// What is certainly farther apart than `enough` (m) is only said to be so.
+WayOut wayOut(const Convex& a, const Convex& b, double enough = kFar);
 
 /// n.(s_B(-n) - s_A(n)), m, of the cores.
 inline double separationOfCores(const Convex& a, const Convex& b, const Vec3& n) {

@@ -111,6 +111,11 @@ inline void place(DriveRow& row, double x) {
     row.error = sign > 0.0 ? x - low : high - x;
 }
 
+/// A limit whose bounds are one.
+inline bool isHeld(const DriveRow& row) {
+    return row.freedom.limits.low >= row.freedom.limits.high;
+}
+
 /// 1 / (1/K + I)
 inline double withInertia(double k, double inertia) { return k / (1.0 + k * inertia); }
 
@@ -139,9 +144,8 @@ inline void setBias(DriveRow& row, double k, const Settings& settings, double h)
         row.high = row.freedom.motor.strength * h;
         row.low = -row.high;
     } else {
-        const bool held = row.freedom.limits.low >= row.freedom.limits.high;
-        if (!held) row.low = 0.0;
-        row.bias = (row.error > 0.0 && !held ? 1.0 : settings.baumgarte) * row.error / h;
+        if (!isHeld(row)) row.low = 0.0;
+        row.bias = (row.error > 0.0 && !isHeld(row) ? 1.0 : settings.baumgarte) * row.error / h;
     }
 }
 

@@ -153,12 +153,13 @@ JointRows coordinatesOf(const Joint& joint, const Pose& a, const Pose& b) {
     return free;
 }
 
-void followCoordinates(Joint& joint, const Pose& a, const Pose& b) {
-    const JointRows free = coordinatesOf(joint, a, b);
-    for (int i = 0; i < free.count; ++i) joint.position[i] = free.error[i];
+JointRows followCoordinates(Joint& joint, const Pose& a, const Pose& b) {
     if (joint.def.type == JointType::path)
         joint.nearest = nearestOnCurve(joint.def.path, joint.def.closed,
                                        a.toLocal(b.toWorld(joint.def.anchorB)), joint.nearest);
+    const JointRows free = coordinatesOf(joint, a, b);
+    for (int i = 0; i < free.count; ++i) joint.position[i] = free.error[i];
+    return free;
 }
 
 }  // namespace engine

@@ -114,7 +114,7 @@ JointRows rowsOf(JointType type, const JointGeometry& geometry);
 /// The coordinates that a joint leaves free, and how they change with the velocities: x and J.
 JointRows coordinatesOf(const Joint& joint, const Pose& a, const Pose& b);
 
-/// Keeps in mind where the coordinates are. To be called before any has gone on by half a turn.
-void followCoordinates(Joint& joint, const Pose& a, const Pose& b);
+/// The same; keeps in mind where they are. To be called before any has gone on by half a turn.
+JointRows followCoordinates(Joint& joint, const Pose& a, const Pose& b);
 
 }  // namespace engine

@@ -1,6 +1,7 @@
 #include "engine/shape.h"
 
 #include "engine/base/check.h"
+#include "engine/shapes/bounds.h"
 #include "engine/shapes/hull.h"
 #include "engine/shapes/mass.h"
 #include "engine/shapes/mesh.h"
@@ -15,6 +16,20 @@ Shape roundShape(ShapeType type, double radius, double halfLength) {
     s.radius = radius;
     s.halfLength = halfLength;
     return s;
+}
+
+template <class Points>
+double farthest(const Points& points) {
+    double square = 0.0;
+    for (const Vec3& p : points) square = larger(square, p.squaredNorm());
+    return std::sqrt(square);
+}
+
+double farthestOf(const ShapeParts& parts) {
+    double most = 0.0;
+    for (const ShapePart& part : parts)
+        most = larger(most, part.pose.position.norm() + reachOf(part.shape));
+    return most;
 }
 
 }  // namespace
@@ -77,6 +92,7 @@ std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
     Shape s;
     s.type = ShapeType::hull;
     s.origin = -near - centre;
+    s.reach = farthest(hull->corners);
     s.hull = std::make_shared<const Hull>(*std::move(hull));
     return s;
 }
@@ -101,10 +117,15 @@ Shape Shape::compound(std::span<const ShapePart> parts, const std::optional<Vec3
     }
     const VolumeIntegrals sum = integralsOf(*placed);
     const Vec3 centre = given ? *given : Vec3(sum.first / sum.volume);
-    for (ShapePart& part : *placed) part.pose.position -= centre;
+    for (ShapePart& part : *placed) {
+        part.pose.position -= centre;
+        const Bounds bounds = boundsOf(part.shape, part.pose);
+        part.low = bounds.low, part.high = bounds.high;
+    }
     Shape s;
     s.type = ShapeType::compound;
     s.origin = -centre;
+    s.reach = farthestOf(*placed);
     s.parts = std::move(placed);
     return s;
 }
@@ -120,6 +141,7 @@ Shape Shape::meshOf(std::span<const Vec3> corners,
     ENGINE_CHECK(!mesh->triangles.empty(), "a mesh needs a triangle with an area");
     Shape s;
     s.type = ShapeType::mesh;
+    s.reach = farthest(mesh->corners);
     s.mesh = std::move(mesh);
     return s;
 }
@@ -143,24 +165,6 @@ Shape Shape::heightField(int columns, int rows, double spacing, std::span<const 
     return meshOf(corners, triangles);
 }
 
-namespace {
-
-template <class Points>
-double farthest(const Points& points) {
-    double square = 0.0;
-    for (const Vec3& p : points) square = larger(square, p.squaredNorm());
-    return std::sqrt(square);
-}
-
-double reachOf(const ShapeParts& parts) {
-    double most = 0.0;
-    for (const ShapePart& part : parts)
-        most = larger(most, part.pose.position.norm() + engine::reachOf(part.shape));
-    return most;
-}
-
-}  // namespace
-
 double reachOf(const Shape& shape) {
     const double r = shape.radius, h = shape.halfLength;
     switch (shape.type) {
@@ -169,9 +173,9 @@ double reachOf(const Shape& shape) {
         case ShapeType::capsule: return h + r;
         case ShapeType::cylinder: return std::sqrt(r * r + h * h);
         case ShapeType::cone: return larger(1.5 * h, std::sqrt(r * r + 0.25 * h * h));
-        case ShapeType::hull: return farthest(shape.hull->corners);
-        case ShapeType::compound: return reachOf(*shape.parts);
-        case ShapeType::mesh: return farthest(shape.mesh->corners);
+        case ShapeType::hull:
+        case ShapeType::compound:
+        case ShapeType::mesh: return shape.reach;
         case ShapeType::plane: return 0.0;
     }
     return 0.0;

@@ -1,5 +1,7 @@
 #include "engine/solver/drives.h"
 
+#include <algorithm>
+
 #include "engine/solver/block_factors.h"
 #include "engine/solver/joint_nudges.h"
 #include "engine/solver/nudges.h"
@@ -57,12 +59,12 @@ Row freeRow(const HeldRows& held, const Jacobian& j, const InverseMass& a, const
     return row;
 }
 
+/// One by one, each as the one before has left the bodies.
 void nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& settings) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     place(row, free.error[row.coordinate]);
-    const bool held = row.freedom.limits.low >= row.freedom.limits.high;
-    if (row.error >= 0.0 && !held) return;
+    if (row.error >= 0.0 && !isHeld(row)) return;
     const Row along = freeRow(HeldRows(joint, bodies, a, b), free.j[row.coordinate],
                               bodies.inverseMasses[a], bodies.inverseMasses[b]);
     if (along.k <= 0.0) return;
@@ -71,6 +73,16 @@ void nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& 
     apply(along, -row.sign * c / along.k, wayA, wayB);
     moveBy(wayA, a, bodies);
     moveBy(wayB, b, bodies);
+}
+
+/// Neither of a limit's bounds is near: its place before the sub-step and its rate since say so.
+bool isFar(const JointDrive& drive, const DriveRow& row, std::span<const Velocity> v, double h) {
+    constexpr double kClear = 0.05;  // m, rad
+    if (isHeld(row) || row.error < kClear) return false;
+    const Limits& limits = row.freedom.limits;
+    const double rate = velocityAlong(drive.along[row.coordinate].j, v[drive.a], v[drive.b]);
+    const double span = limits.high - limits.low;  // what is gained on one is lost on the other
+    return row.error > kClear + h * std::abs(rate) && span - row.error > kClear + h * std::abs(rate);
 }
 
 }  // namespace
@@ -91,8 +103,7 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
     for (JointDrive& drive : c.drives) {
         Joint& joint = joints[drive.joint];
         const Pose &a = bodies.poses[drive.a], &b = bodies.poses[drive.b];
-        followCoordinates(joint, a, b);
-        const JointRows free = coordinatesOf(joint, a, b);
+        const JointRows free = followCoordinates(joint, a, b);
         const HeldRows held(joint, bodies, drive.a, drive.b);
         for (int i = 0; i < drive.count; ++i) {
             DriveRow& row = drive.rows[i];
@@ -142,10 +153,11 @@ void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction) 
 }
 
 void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
-                 const Settings& settings) {
+                 const Settings& settings, double h) {
     for (const JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i)
-            if (drive.rows[i].kind == DriveKind::limit)
+            if (drive.rows[i].kind == DriveKind::limit &&
+                !isFar(drive, drive.rows[i], bodies.velocities, h))
                 nudgeRow(joints[drive.joint], drive.rows[i], bodies, settings);
 }
 
@@ -162,6 +174,8 @@ void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> jo
 }
 
 double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
+    const auto isSoft = [](const Freedom& f) { return f.spring.isSoft(); };
+    if (std::ranges::none_of(joint.def.free, isSoft)) return 0.0;
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     const HeldRows held(joint, bodies, a, b);
@@ -180,6 +194,8 @@ double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
 }
 
 double rotorEnergy(const Joint& joint, const Bodies& bodies) {
+    const auto turns = [](const Freedom& f) { return f.inertia > 0.0; };
+    if (std::ranges::none_of(joint.def.free, turns)) return 0.0;
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     double energy = 0.0;

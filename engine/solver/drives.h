@@ -21,9 +21,9 @@ void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v);
 
 void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction);
 
-/// One nudge of what has passed its limit:  lambda_n = -beta C / K, C < 0
+/// One nudge of what has passed its limit in a sub-step of length h (s):  lambda_n = -beta C / K, C < 0
 void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
-                 const Settings& settings);
+                 const Settings& settings, double h);
 
 /// Impulses go back to where the next step finds them, and into the joints' mean forces.
 void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> joints, double dt);

@@ -39,10 +39,10 @@ void moveBy(const Velocity& way, int body, Bodies& bodies) {
 }
 
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, const TreeNudge& nudge) {
+                 const Settings& settings, double h, const TreeNudge& nudge) {
     for (const JointConstraint& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
-    nudgeDrives(joints, bodies, solver.constraints, settings);
+    nudgeDrives(joints, bodies, solver.constraints, settings, h);
     solver.trees.nudge(nudge, joints, bodies);
 }
 

@@ -15,9 +15,9 @@
 
 namespace engine {
 
-/// Nudges all joints once.
+/// Nudges all joints once, after a sub-step of theirs of length h (s).
 void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, const TreeNudge& nudge);
+                 const Settings& settings, double h, const TreeNudge& nudge);
 
 /// One body by a way (m) and a turn (rad), unless nothing can move it.
 void moveBy(const Velocity& way, int body, Bodies& bodies);

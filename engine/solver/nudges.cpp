@@ -92,11 +92,12 @@ void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, bool seen) {
     const Constraints& c = solver.constraints;
     const bool jointed = c.jointStride > 0 && (!c.joints.empty() || !c.drives.empty());
-    TreeNudge nudge{kMostNudge, c.jointStride * h, settings.gyroscope};
+    const double ofJoints = c.jointStride * h;
+    TreeNudge nudge{kMostNudge, ofJoints, settings.gyroscope};
     c.impacts.movePositions(bodies);
     for (int i = 0; i < settings.nudges; ++i) {
         // First of all, so that they feed back what moving left, and nothing of what contacts push.
-        if (jointed) nudgeJoints(joints, bodies, solver, settings, nudge);
+        if (jointed) nudgeJoints(joints, bodies, solver, settings, ofJoints, nudge);
         nudge.h = 0.0;
         nudge.pushed = nudgeContacts(bodies, solver, settings, h);
     }

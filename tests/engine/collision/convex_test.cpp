@@ -125,6 +125,31 @@ TEST_P(ConvexPairs, ManifoldsTellTheDepthOfTouchingPairs) {
         }
 }
 
+TEST(ConvexFaces, NoneIsBetterThanTheOneThatIsFound) {
+    support::Random random(31);
+    int faces = 0;
+    for (int k = 0; k < 300; ++k) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 40; ++i) points.push_back(0.5 * random.vector(1.0).normalized());
+        const Shape hull = *Shape::hullOf(points), other = k % 2 ? icosahedron() : wedge();
+        const Pose poseB{0.8 * random.vector(1.0).normalized(), random.rotation()};
+        const Convex a(hull, {Vec3::Zero(), random.rotation()}), b(other, poseB);
+        const Manifold m = collideConvex(a, b, 0.02);
+        double best = -1e300;
+        for (int i = 0; i < a.faceCount(); ++i)
+            best = larger(best, separationOfCores(a, b, a.faceNormal(i)));
+        for (int i = 0; i < b.faceCount(); ++i)
+            best = larger(best, separationOfCores(a, b, -b.faceNormal(i)));
+        if (best > 0.02) {
+            EXPECT_EQ(m.count, 0) << k;
+        }
+        if (m.count < 2) continue;  // edges and corners go their own way
+        EXPECT_GE(separationOfCores(a, b, m.normal), best - 5.1e-4) << k;  // the second's are held back
+        ++faces;
+    }
+    EXPECT_GT(faces, 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ConvexPairs, testing::ValuesIn(pairsWithNew()));
 
 struct Rest {

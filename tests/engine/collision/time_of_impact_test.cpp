@@ -21,6 +21,15 @@ Motion moving(const Shape& shape, const Vec3& at, const Vec3& velocity,
     return motionOf(bodies, 0, kStep);
 }
 
+/// When the two first overlap by a tenth of a millimetre, by marching; more than a step: not in it.
+double firstOverlap(const Shape& sa, const Motion& a, const Shape& sb, const Motion& b) {
+    for (int k = 0; k <= 2000; ++k) {
+        const double t = k * kStep / 2000;
+        if (collide(sa, a.at(t), sb, b.at(t), -1e-4).count > 0) return t;
+    }
+    return 1.0;
+}
+
 TEST(TimeOfImpact, OfTwoBallsIsTheRootOfAQuadratic) {
     // |d + t v| = r1 + r2
     const Shape ball = Shape::sphere(0.1);
@@ -72,11 +81,7 @@ TEST(TimeOfImpact, IsNeverLateForAnyShapes) {
                           random.vector(40) - Vec3(60, 0, 0), random.vector(60));
         a.start.rotation = random.rotation(), b.start.rotation = random.rotation();
         const Impact impact = timeOfImpact(sa, a, sb, b, kStep);
-        double first = 1.0;
-        for (int k = 0; k <= 2000 && first > kStep; ++k) {
-            const double t = k * kStep / 2000;
-            if (collide(sa, a.at(t), sb, b.at(t), -1e-4).count > 0) first = t;
-        }
+        const double first = firstOverlap(sa, a, sb, b);
         if (first <= kStep) {
             EXPECT_TRUE(impact.meets) << i;
             EXPECT_LE(impact.time, first) << i;
@@ -84,6 +89,61 @@ TEST(TimeOfImpact, IsNeverLateForAnyShapes) {
         }
     }
     EXPECT_GT(met, 30);
+}
+
+TEST(TimeOfImpact, OfALargeBodyThatTurnsIsNeverLate) {
+    support::Random random(11);
+    const Shape drum = Shape::box({8, 8, 2}), paddle = Shape::capsule(0.3, 9.0);
+    const Shape small[] = {Shape::box({0.3, 0.2, 0.4}), Shape::sphere(0.2), Shape::capsule(0.1, 0.5)};
+    int met = 0, slow = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Shape &large = i % 2 ? drum : paddle, &other = small[i % 3];
+        Motion a = moving(large, random.vector(0.2), random.vector(2), random.vector(i % 5 ? 4 : 20));
+        a.start.rotation = random.rotation();
+        const Vec3 at = a.start.position + 4.0 * random.vector(1.0).normalized();
+        // About as fast as the large body is there, and a little towards or away from it.
+        const Vec3 with = a.velocity + a.spin.cross(at - a.start.position);
+        Motion b = moving(other, at, with + random.vector(i % 3 ? 1.0 : 12.0), random.vector(10));
+        b.start.rotation = random.rotation();
+        const Impact impact = timeOfImpact(large, a, other, b, kStep);
+        EXPECT_NEAR(wayOf(a, b, kStep), wayOf(b, a, kStep), 1e-12);
+        slow += wayOf(a, b, kStep) < 0.25 * kStep * a.sweep ? 1 : 0;
+        const double first = firstOverlap(large, a, other, b);
+        if (first > kStep) continue;
+        EXPECT_TRUE(impact.meets) << i;
+        EXPECT_LE(impact.time, first) << i;
+        ++met;
+    }
+    EXPECT_GT(met, 60);
+    EXPECT_GT(slow, 60);  // what turns along with it does not count as fast
+}
+
+TEST(TimeOfImpact, WithinNearIsAsIfItWereExact) {
+    support::Random random(12);
+    const Shape shapes[] = {Shape::box({0.3, 0.5, 0.9}), Shape::capsule(0.1, 1.0),
+                            Shape::cylinder(0.3, 0.7)};
+    constexpr double kNear = 0.05;
+    int near = 0, far = 0;
+    for (int i = 0; i < 600; ++i) {
+        const Shape &sa = shapes[i % 3], &sb = shapes[i / 3 % 3];
+        Motion a = moving(sa, random.vector(0.5), random.vector(20), random.vector(30));
+        Motion b = moving(sb, random.vector(0.5) + Vec3(1.2, 0, 0), random.vector(20), random.vector(30));
+        a.start.rotation = random.rotation(), b.start.rotation = random.rotation();
+        const Impact exact = timeOfImpact(sa, a, sb, b, kStep);
+        const Impact limited = timeOfImpact(sa, a, sb, b, kStep, kNear);
+        if (exact.meets || exact.distance <= kNear) {
+            EXPECT_EQ(limited.meets, exact.meets) << i;
+            EXPECT_EQ(limited.time, exact.time) << i;
+            EXPECT_EQ(limited.distance, exact.distance) << i;
+            ++near;
+        } else {
+            EXPECT_FALSE(limited.meets) << i;
+            EXPECT_GT(limited.distance, kNear) << i;
+            ++far;
+        }
+    }
+    EXPECT_GT(near, 50);
+    EXPECT_GT(far, 50);
 }
 
 Contact onlyContact(const Bodies& bodies, double margin = 0.02) {

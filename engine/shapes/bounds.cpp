@@ -1,7 +1,7 @@
-#include "engine/collision/bounds.h"
+#include "engine/shapes/bounds.h"
 
-#include "engine/collision/pieces.h"
 #include "engine/shapes/hull.h"
+#include "engine/shapes/mesh.h"
 
 namespace engine {
 namespace {
@@ -65,17 +65,6 @@ Bounds boundsOf(const Shape& shape, const Pose& pose) {
         case ShapeType::plane: break;
     }
     return {pose.position - reach, pose.position + reach};
-}
-
-Bounds boundsOf(const Piece& piece, const Pose& body) {
-    if (!piece.isTriangle) return boundsOf(*piece.shape, piece.at(body));
-    const Mesh& mesh = *piece.shape->mesh;
-    Bounds bounds{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
-    for (const int c : mesh.triangles[piece.number].corners) {
-        const Vec3 p = body.toWorld(mesh.corners[c]);
-        bounds = bounds.with({p, p});
-    }
-    return bounds;
 }
 
 Bounds seenFrom(const Pose& pose, const Bounds& world) {
