@@ -152,6 +152,7 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     finder.contacts.swap(finder.found[0]);
     for (int i = 1; i < threads; ++i)
         finder.contacts.insert(finder.contacts.end(), finder.found[i].begin(), finder.found[i].end());
+    finder.seams.leaveOut(bodies, dt, finder.contacts);
 }
 
 }  // namespace engine

@@ -6,6 +6,7 @@
 #include "engine/base/workers.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/moving_contacts.h"
+#include "engine/collision/seams.h"
 #include "engine/collision/sensors.h"
 #include "engine/constraints/contact.h"
 
@@ -19,6 +20,7 @@ struct ContactFinder {
     std::vector<Contact> previous;   // kept for its memory only
     std::vector<std::vector<Contact>> found;  // of every thread
     Workers* workers = nullptr;      // share the pairs; nobody: the caller looks at all of them
+    Seams seams;                     // of floors of several bodies
     std::vector<Contact> asleep;     // sorted: of sleeping islands (sleeping_contacts.h)
     std::vector<Sensed> sensed;      // sorted: of sensors, now
 };

@@ -1,12 +1,15 @@
 #include "engine/collision/piece_contacts.h"
 
+#include <utility>
+
 #include "engine/collision/clip.h"
 #include "engine/collision/collide.h"
 
 namespace engine {
 namespace {
 
-constexpr double kSameNormal = 0.9995;  // within 1.8 degrees
+constexpr double kSameNormal = 0.9995;      // within 1.8 degrees
+constexpr double kSamePlane = 1.0 - 1e-12;  // but for rounding
 
 /// Another name for the same feature of another piece.
 int featureOf(int feature, const Piece& a, const Piece& b) {
@@ -16,12 +19,26 @@ int featureOf(int feature, const Piece& a, const Piece& b) {
     return static_cast<int>(mixed & 0x7fffffffu);
 }
 
-/// Of the points of both, the four that carry best.
-void merge(const Bodies& bodies, const Contact& more, Contact& into) {
+/// m, of the point that touches first.
+double deepestOf(const Bodies& bodies, const Contact& contact) {
+    double deepest = kFar;
+    for (int i = 0; i < contact.count; ++i)
+        deepest = smaller(deepest, contact.normal.dot(
+                                       bodies.poses[contact.b].toWorld(contact.points[i].anchorB) -
+                                       bodies.poses[contact.a].toWorld(contact.points[i].anchorA)));
+    return deepest;
+}
+
+/// Of the points of both, the four that carry best, along the normal of the one that touches first: the
+/// other's may be that of an edge which the next piece hides.
+void merge(const Bodies& bodies, Contact more, Contact& into) {
+    const bool askew = into.normal.dot(more.normal) < kSamePlane;
+    if (askew && deepestOf(bodies, more) < deepestOf(bodies, into)) std::swap(more, into);
     std::array<ContactPoint, 8> all;
     ClippedPoints<8> points;
     const Pose &a = bodies.poses[into.a], &b = bodies.poses[into.b];
-    for (const Contact* from : {static_cast<const Contact*>(&into), &more})
+    const Contact* const both[] = {&into, &more};
+    for (const Contact* from : both)
         for (int i = 0; i < from->count; ++i) {
             const Vec3 onA = a.toWorld(from->points[i].anchorA);
             const double separation =

@@ -174,7 +174,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"pyramid", goldenPyramid, 60, 0x27e7d0f4852bb87c},
         {"forces", goldenForces, 300, 0xe3f2a51b22ff8c57},
         {"machine", goldenMachine, 300, 0x21daa461b70e233c},
-        {"shapes", goldenShapes, 180, 0x7045361c1c32f283},
+        {"shapes", goldenShapes, 180, 0x8e73940299f4bb09},
         {"rolling", goldenRolling, 300, 0x2d1fa1620c25dedf},
     }};
     return worlds;

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tests/support/worlds.h"
+#include "tests/behaviour/torture/worlds.h"
 
 namespace torture {
 namespace {
@@ -19,11 +19,6 @@ using support::Random;
 constexpr int kLines = 24;      // of the grid, each way
 constexpr double kHalf = 8.0;   // m
 constexpr int kDrops = 250;
-
-double logarithmic(Random& r, double low, double high) {
-    return low * std::pow(high / low, r.number(0, 1));
-}
-bool chance(Random& r, double share) { return r.number(0, 1) < share; }
 
 /// A grid of triangles whose diagonals lie either way, flat or rough; its lines may be anywhere.
 class Ground {

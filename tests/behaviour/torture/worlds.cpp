@@ -10,10 +10,6 @@ namespace {
 using namespace engine;
 using support::Random;
 
-double logarithmic(Random& r, double low, double high) {
-    return low * std::pow(high / low, r.number(0, 1));
-}
-bool chance(Random& r, double share) { return r.number(0, 1) < share; }
 int count(Random& r, int low, int high) {
     return low + static_cast<int>(r.number(0, high - low + 1 - 1e-9));
 }

@@ -1,10 +1,16 @@
 /// Worlds that nobody would build, by number: the same on every machine.
 #pragma once
+#include <cmath>
 #include <string>
 
 #include "tests/support/worlds.h"
 
 namespace torture {
+
+inline double logarithmic(support::Random& r, double low, double high) {
+    return low * std::pow(high / low, r.number(0, 1));
+}
+inline bool chance(support::Random& r, double share) { return r.number(0, 1) < share; }
 
 /// The kinds take turns: number k is of kind k % kKinds.
 enum class Kind {
