@@ -66,4 +66,17 @@ Contact kept(const Contact& contact, const Bodies& bodies) {
     return same;
 }
 
+double separationOf(const Contact& contact, int point, const Bodies& bodies) {
+    const ContactPoint& p = contact.points[point];
+    return contact.normal.dot(bodies.poses[contact.b].toWorld(p.anchorB) -
+                              bodies.poses[contact.a].toWorld(p.anchorA));
+}
+
+double deepestOf(const Contact& contact, const Bodies& bodies) {
+    double deepest = 1e300;
+    for (int i = 0; i < contact.count; ++i)
+        deepest = smaller(deepest, separationOf(contact, i, bodies));
+    return deepest;
+}
+
 }  // namespace engine

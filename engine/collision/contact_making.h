@@ -17,4 +17,9 @@ bool stays(const Contact& contact, const Bodies& bodies);
 /// Once more, found again by standing still: its normal turns with a.
 Contact kept(const Contact& contact, const Bodies& bodies);
 
+/// C of a point at the bodies' present poses, m.
+double separationOf(const Contact& contact, int point, const Bodies& bodies);
+/// Of the point that touches first.
+double deepestOf(const Contact& contact, const Bodies& bodies);
+
 }  // namespace engine

@@ -43,8 +43,8 @@ public:
     /// Of a face, in the piece's own axes.
     Plane plane(int face) const;
     Vec3 toLocal(const Vec3& p) const { return turn_.transpose() * (p - pose_.position); }
-    Vec3 turned(const Vec3& local) const { return turn_ * local; }          // to world axes
-    Vec3 localOf(const Vec3& n) const { return turn_.transpose() * n; }     // of a direction
+    Vec3 turned(const Vec3& local) const { return turn_ * local; }  // a direction, to world axes
+    Vec3 localOf(const Vec3& n) const { return turn_.transpose() * n; }  // and back
     Feature face(int face) const;
 
     /// What may touch a flat face that lies against it, n pointing towards that face: the face that

@@ -19,21 +19,11 @@ int featureOf(int feature, const Piece& a, const Piece& b) {
     return static_cast<int>(mixed & 0x7fffffffu);
 }
 
-/// m, of the point that touches first.
-double deepestOf(const Bodies& bodies, const Contact& contact) {
-    double deepest = kFar;
-    for (int i = 0; i < contact.count; ++i)
-        deepest = smaller(deepest, contact.normal.dot(
-                                       bodies.poses[contact.b].toWorld(contact.points[i].anchorB) -
-                                       bodies.poses[contact.a].toWorld(contact.points[i].anchorA)));
-    return deepest;
-}
-
 /// Of the points of both, the four that carry best, along the normal of the one that touches first: the
 /// other's may be that of an edge which the next piece hides.
 void merge(const Bodies& bodies, Contact more, Contact& into) {
     const bool askew = into.normal.dot(more.normal) < kSamePlane;
-    if (askew && deepestOf(bodies, more) < deepestOf(bodies, into)) std::swap(more, into);
+    if (askew && deepestOf(more, bodies) < deepestOf(into, bodies)) std::swap(more, into);
     std::array<ContactPoint, 8> all;
     ClippedPoints<8> points;
     const Pose &a = bodies.poses[into.a], &b = bodies.poses[into.b];

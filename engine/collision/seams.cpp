@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "engine/collision/contact_making.h"
 #include "engine/collision/convex.h"
 
 namespace engine {
 namespace {
 
-constexpr double kSteep = 0.5;           // cosine: more is another way to hold the body up
-constexpr double kAbove = 1e-3;          // m: lower steps are none
-constexpr double kInPlane = 2e-3;        // m, and what the body has sunk in
-constexpr double kSeated = 2e-3;       // m
+constexpr double kSteep = 0.5;     // cosine: of less, a contact does not help to hold the body up
+constexpr double kAbove = 1e-3;    // m: lower steps are none
+constexpr double kInPlane = 2e-3;  // m, and what the body has sunk in
+constexpr double kSeated = 2e-3;   // m: farther from the tile, its plane says nothing yet
 
 /// m, along n, of what a shape reaches; kFar where that is not known.
 double topOf(const Shape& shape, const Pose& pose, const Vec3& n) {
@@ -42,16 +43,6 @@ struct OnTile {
         const ContactPoint& p = contact.points[i];
         return bodies.poses[tile].toWorld(tile == contact.a ? p.anchorA : p.anchorB);
     }
-    double separation(int i) const {
-        const ContactPoint& p = contact.points[i];
-        return contact.normal.dot(bodies.poses[contact.b].toWorld(p.anchorB) -
-                                  bodies.poses[contact.a].toWorld(p.anchorA));
-    }
-    double deepest() const {
-        double least = kFar;
-        for (int i = 0; i < contact.count; ++i) least = smaller(least, separation(i));
-        return least;
-    }
 };
 
 /// m: how far out of the seat's plane a point may be that is found on the way (moving_contacts.h). It has
@@ -62,7 +53,7 @@ double movedOut(double cosine, double way) {
 
 /// `way` (m): of the body within the step.
 bool hides(const OnTile& seat, const OnTile& other, double way) {
-    const double cosine = seat.n.dot(other.n), deepest = seat.deepest();
+    const double cosine = seat.n.dot(other.n), deepest = deepestOf(seat.contact, seat.bodies);
     if (deepest > kSeated) return false;
     const double d = seat.n.dot(seat.point(0));
     const double in = kInPlane + larger(-deepest, 0.0) + movedOut(cosine, way);

@@ -166,9 +166,9 @@ Impact timeOfImpact(const Shape& shapeA, const Motion& a, const Shape& shapeB, c
 Impact timeOfImpact(const Piece& pieceA, const Motion& a, const Piece& pieceB, const Motion& b,
                     double dt, double near) {
     Impact closest{false, 0.0, kFar, 0.0};
+    const double enough = near + wayOf(a, b, dt);
     double time = 0.0;
     for (int i = 0; i < kMostAdvances; ++i) {
-        const double enough = near + wayOf(a, b, dt - time);
         const Gap gap = gapAt(pieceA, a.at(time), pieceB, b.at(time), {a, b, time, dt - time}, near,
                               enough);
         if (gap.distance < closest.distance)
