@@ -74,7 +74,9 @@ void Seams::leaveOut(const Bodies& bodies, double dt, std::vector<Contact>& cont
     seats_.clear();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const Contact& c = contacts[k];
-        const int body = bodies.movable(c.a, c.b), tile = c.a == body ? c.b : c.a;
+        const bool movesA = bodies.inverseMasses[c.a].linear > 0.0;
+        if (movesA && bodies.inverseMasses[c.b].linear > 0.0) continue;
+        const int body = movesA ? c.a : c.b, tile = movesA ? c.b : c.a;
         if (bodies.defs[tile].kind == BodyKind::fixed)
             seats_.push_back({body, static_cast<int>(k)});
     }
@@ -86,6 +88,7 @@ void Seams::leaveOut(const Bodies& bodies, double dt, std::vector<Contact>& cont
         if (end > first + 1) look(bodies, dt, contacts, first, end);
         first = end;
     }
+    if (std::ranges::count(hidden_, 0) == std::ssize(hidden_)) return;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         if (hidden_[k]) continue;

@@ -20,6 +20,8 @@ struct Passing {
 
 Passing passingOf(const Motion& large, const Vec3& centre, const Motion& small,
                   const Vec3& smallCentre, double left) {
+    constexpr double kLarger = 2.0;  // times the size: of less, there is nothing to gain
+    if (large.size < kLarger * small.size) return {};
     const double rate = large.spin.norm();
     if (!(rate * left < 0.5) || rate == 0.0) return {};
     const Vec3 between = large.velocity - small.velocity;
@@ -138,12 +140,12 @@ Motion motionOf(const Bodies& bodies, int i, double dt) {
     Motion m{bodies.poses[i], bodies.velocities[i].linear, bodies.velocities[i].angular, 0.0,
              0.0};
     if (bodies.isDynamic(i)) m.velocity += 0.5 * dt * bodies.accelerations[i].linear;
+    if (shape.type != ShapeType::plane) m.size = reachOf(shape);
     if (shape.type == ShapeType::capsule)
         m.reach = shape.halfLength;
-    else if (shape.type != ShapeType::sphere)
-        m.reach = reachOf(shape);
+    else if (shape.type != ShapeType::sphere && shape.type != ShapeType::plane)
+        m.reach = m.size;
     m.sweep = m.spin.norm() * m.reach;
-    if (shape.type != ShapeType::plane) m.size = reachOf(shape);
     return m;
 }
 

@@ -143,7 +143,7 @@ TEST(ReplayPage, HoldsRagdollToATwentiethOfAMillimetre) {
     std::printf("ragdoll: %.2g mm and %.2g deg at worst\n", 1e3 * off.meters, off.degrees);
     EXPECT_LT(off.meters, 0.055e-3);
     EXPECT_GT(off.meters, 0.0);
-    EXPECT_LT(off.degrees, 0.0075);
+    EXPECT_LT(off.degrees, 0.0065);
 }
 
 TEST(ReplayPage, HoldsTheContactsOfEveryFrame) {

@@ -171,11 +171,11 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"stack", goldenStack, 300, 0x0316abca93544d1a},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
         {"chain", goldenChain, 300, 0x367fe6a2f3964c80},
-        {"pyramid", goldenPyramid, 60, 0x27e7d0f4852bb87c},
-        {"forces", goldenForces, 300, 0xe3f2a51b22ff8c57},
+        {"pyramid", goldenPyramid, 60, 0x59c1ff4e6ad22efa},
+        {"forces", goldenForces, 300, 0x78cd3556c226e295},
         {"machine", goldenMachine, 300, 0x21daa461b70e233c},
-        {"shapes", goldenShapes, 180, 0x8e73940299f4bb09},
-        {"rolling", goldenRolling, 300, 0x2d1fa1620c25dedf},
+        {"shapes", goldenShapes, 180, 0xfd5b2a26dde05ff9},
+        {"rolling", goldenRolling, 300, 0x1a99cecec7263854},
     }};
     return worlds;
 }
