@@ -202,7 +202,7 @@ TEST_F(Interruption, TwoRunsOfOneFilmAreToldApart) {
 }
 
 TEST_F(Interruption, ADyingFfmpegIsCode4AndTheFramesBesideStay) {
-    Launch launch = small(folder.path(), {"-o", "film.mp4", "-o", "frames", "--seconds", "600"});
+    Launch launch = small(folder.path(), {"-o", "film.mp4", "-o", "frames", "--seconds", "60"});
     replaceFfmpeg(launch, "head -c 100000 > /dev/null; echo 'Encoder broke' >&2; exit 7");
     const Ended ended = run(launch);
     EXPECT_EQ(ended.code, 4) << ended.err;
@@ -210,7 +210,7 @@ TEST_F(Interruption, ADyingFfmpegIsCode4AndTheFramesBesideStay) {
     EXPECT_FALSE(fs::exists(folder / "film.mp4"));
     EXPECT_GE(framesIn(folder / "frames").size(), 4u);
     expectAllWhole(folder / "frames");
-    const Ended without = film({"-o", "frames", "--seconds", "600"});
+    const Ended without = film({"-o", "frames", "--seconds", "60"});
     EXPECT_EQ(without.code, 0) << without.err;
     EXPECT_NE(without.out.find(" kept"), std::string::npos) << without.out;
 }
