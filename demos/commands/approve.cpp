@@ -34,6 +34,24 @@ struct Wish {
     double time = 0.0;  // s
 };
 
+/// A report may come from elsewhere: what it names has the form of a scene's baselines, or nothing
+/// of it is used.
+void checkPlaces(const SceneVerdict& scene) {
+    const fs::path name(scene.name), folder(scene.folder);
+    if (name.filename() == name && folder.filename() == scene.name + kSnapshotsEnding) return;
+    throw Stop(Exit::environment,
+               fmt::format("the report has the baselines of '{}' in '{}', and they are in a folder "
+                           "NAME{}; it was edited: run impulse test again",
+                           printable(scene.name), printable(scene.folder), kSnapshotsEnding));
+}
+
+/// The command to run next, unless a shell would do more with it than run impulse test.
+std::string nextCommand(const std::string& command) {
+    const bool plain = command.starts_with("impulse test") &&
+                       command.find_first_of(";|&`$<>\n\r") == std::string::npos;
+    return plain ? printable(command) : "impulse test";
+}
+
 TestVerdict reportIn(const fs::path& results) {
     const fs::path file = results / "report.json";
     const std::vector<std::uint8_t> bytes = contentOf(file);
@@ -42,7 +60,9 @@ TestVerdict reportIn(const fs::path& results) {
                    fmt::format("there is no '{}'; run impulse test first, or name its folder with "
                                "--results",
                                printable(file.string())));
-    return testVerdictFrom({bytes.begin(), bytes.end()}, file.string());
+    TestVerdict verdict = testVerdictFrom({bytes.begin(), bytes.end()}, file.string());
+    for (const SceneVerdict& scene : verdict.scenes) checkPlaces(scene);
+    return verdict;
 }
 
 bool differs(const SceneVerdict& scene) {
@@ -88,7 +108,7 @@ public:
         if (options_.prune) prune();
         talk_.json(fmt::format(R"({{"event":"done","accepted":{},"pruned":{}}})", accepted_, pruned_));
         talk_.say(fmt::format("accepted {}, removed {}; next: {}", accepted_, pruned_,
-                              printable(verdict_.command)));
+                              nextCommand(verdict_.command)));
         return Exit::ok;
     }
 
@@ -151,14 +171,20 @@ private:
 
     void prune() {
         for (const SceneVerdict& scene : verdict_.scenes)
-            for (const std::string& orphan : scene.orphans)
-                if (fs::path(orphan).filename() == orphan) remove(fs::path(scene.folder) / orphan);
+            prunePictures(scene.folder, scene.orphans);
         for (const std::string& orphan : verdict_.orphans) pruneFolder(orphan);
+    }
+
+    /// Those that are pictures in a folder of baselines.
+    void prunePictures(const fs::path& folder, const std::vector<std::string>& names) {
+        if (!fs::exists(folder / kBaselineFile)) return;
+        for (const std::string& picture : orphansOf(folder, {}))
+            if (std::count(names.begin(), names.end(), picture)) remove(folder / picture);
     }
 
     /// Only what is a baseline's; anything else in it, and then the folder, stays.
     void pruneFolder(const fs::path& folder) {
-        if (folder.extension() != kSnapshotsEnding) return;
+        if (folder.extension() != kSnapshotsEnding || !fs::exists(folder / kBaselineFile)) return;
         for (const std::string& picture : orphansOf(folder, {})) remove(folder / picture);
         remove(folder / kBaselineFile);
         std::error_code ignored;

@@ -237,6 +237,33 @@ TEST_F(Snapshots, ListAndPruneOrphans) {
     EXPECT_TRUE(has("old.snapshots/notes.txt"));
 }
 
+TEST_F(Snapshots, AnEditedReportDeletesAndRunsNothing) {
+    ASSERT_EQ(test().code, 0);
+    const fs::path report = folder / "output/test/report.json";
+    const std::string good = contentOf(report);
+    const auto edited = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from << "\n" << good;
+        write(report, text.replace(at, from.size(), to));
+    };
+    fs::create_directory(folder / "elsewhere");
+    write(folder / "elsewhere/keep.me", "mine");
+    write(folder / "elsewhere/keep.png", "mine");
+    write(folder / "ball.snapshots/keep.me", "mine");
+    edited("ball.snapshots\"", "elsewhere\"");
+    Ended ended = impulse({"approve", "--prune"});
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_NE(ended.err.find("it was edited"), std::string::npos) << ended.err;
+    edited("\"orphans\": []", "\"orphans\": [\"keep.me\", \"../elsewhere/keep.png\", \"elsewhere\"]");
+    EXPECT_EQ(impulse({"approve", "--prune"}).code, 0);
+    EXPECT_TRUE(has("elsewhere/keep.me") && has("elsewhere/keep.png"));
+    EXPECT_TRUE(has("ball.snapshots/keep.me") && has("ball.snapshots/baseline.json"));
+    edited("\"command\": \"", "\"command\": \"rm -r / ; ");
+    ended = impulse({"approve", "--prune"});
+    EXPECT_EQ(ended.out.find("rm -r"), std::string::npos) << ended.out;
+}
+
 TEST_F(Snapshots, OfOneSceneDoNotFailTheOthers) {
     write(folder / "good.toml", kBallOnABox);
     write(folder / "part.toml", "[[body]]\nname = 'a'\nshape = { sphere = 1 }\n");
