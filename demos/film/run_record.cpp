@@ -4,6 +4,7 @@
 
 #include "demos/film/film_plan.h"
 #include "demos/text/hex_text.h"
+#include "demos/text/json_depth.h"
 
 namespace demos {
 namespace {
@@ -45,6 +46,7 @@ std::string jsonOf(const RunRecord& record) {
 }
 
 std::optional<RunRecord> recordFromJson(const std::string& text) try {
+    checkDepth(text);
     const Json json = Json::parse(text);
     RunRecord record;
     record.version = json.at("impulse").get<std::string>();

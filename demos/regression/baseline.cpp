@@ -10,6 +10,7 @@
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
 #include "demos/text/hex_text.h"
+#include "demos/text/json_depth.h"
 #include "demos/text/text_hash.h"
 
 namespace demos {
@@ -88,6 +89,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
 }
 
 Baseline baselineFrom(const std::string& text, const std::string& name) try {
+    checkDepth(text);
     Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kBaselineFormat)
         throw BaselineError(fmt::format(

@@ -12,6 +12,7 @@
 #include "demos/regression/judge.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/run_settings.h"
+#include "demos/text/json_depth.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 #include "render/encode/png.h"
@@ -95,6 +96,14 @@ TEST(Baselines, SayWhenTheyWereEdited) {
     EXPECT_NE(complaintAbout("\"format\": 1", "\"format\": 2").find("newer impulse"),
               std::string::npos);
     EXPECT_NE(complaintAbout("{", "[").find("is damaged"), std::string::npos);
+    // Brackets in a string are none; of others there are at most 64 in each other.
+    const std::string many(100'000, '[');
+    EXPECT_FALSE(isTooDeep("[\"\\\"" + many + "\"]"));
+    EXPECT_FALSE(isTooDeep(many.substr(0, kMostJsonDepth)));
+    EXPECT_TRUE(isTooDeep(many.substr(0, kMostJsonDepth + 1)));
+    EXPECT_NE(complaintAbout("{", "{\"a\":" + many + std::string(many.size(), ']') + ",")
+                  .find("is damaged"),
+              std::string::npos);
 }
 
 TEST(Baselines, KnowTheirPictures) {
