@@ -150,10 +150,10 @@ struct Camera {
 /// Light and ground tones.
 struct Look {
     Vec3 sunDirection{0.45f, 0.75f, 0.5f};  // towards the sun, any length
-    Color skyTop{0.66f, 0.72f, 0.78f, 1.0f};      // at the picture's upper edge
-    Color skyHorizon{0.87f, 0.89f, 0.91f, 1.0f};  // and at its horizon
-    Color fog{0.84f, 0.86f, 0.885f, 1.0f};        // what the ground fades to
-    Color ground{0.71f, 0.715f, 0.72f, 1.0f};     // near by, without its grid
+    Color skyTop{0.42f, 0.51f, 0.61f, 1.0f};      // at the picture's upper edge
+    Color skyHorizon{0.74f, 0.79f, 0.83f, 1.0f};  // and at its horizon
+    Color fog{0.80f, 0.82f, 0.83f, 1.0f};         // what the ground fades to
+    Color ground{0.76f, 0.735f, 0.70f, 1.0f};     // near by, without its grid
     bool shadows = true;           // of the sun
     bool ambientOcclusion = true;  // darker where little of the sky is seen
     bool edges = true;             // lines along the edges of bodies

@@ -11,10 +11,18 @@ inline Color fromHex(unsigned rgb) {
             static_cast<float>(rgb & 0xffu) / 255.0f, 1.0f};
 }
 
-/// Body colours, in an order in which neighbours differ clearly.
+/// Hues that say something (--colour-by), in an order in which neighbours differ clearly.
 inline Color paletteColor(int i) {
     constexpr unsigned kColors[] = {0x3579b1, 0xe69f2e, 0x2f9e73, 0xcc79a7,
                                     0x5fb4e0, 0xd9622b, 0xe3d24d};
+    return fromHex(kColors[static_cast<unsigned>(i) % 7u]);
+}
+
+/// Colours of bodies that have none of their own: one family, from deep blue to sand, and one
+/// accent, which every seventh body has.
+inline Color familyColor(int i) {
+    constexpr unsigned kColors[] = {0x2f6690, 0xd8cfbd, 0x5b92b8, 0x1f4a6b,
+                                    0xa9c4d6, 0xe2793a, 0x7d98a8};
     return fromHex(kColors[static_cast<unsigned>(i) % 7u]);
 }
 

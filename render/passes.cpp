@@ -72,7 +72,7 @@ Passes::Passes(const RendererSettings& settings)
     : settings_(settings),
       context_(makeContext({settings.width, settings.height, settings.threads,
                             settings.reproducible, settings.context})),
-      sun_(settings.shadowSize),
+      sun_(shadowTexels(settings)),
       depth_(settings.width, settings.height),
       openMap_(newTexture(GL_R8, settings.width, settings.height)),
       scene_(settings.width, settings.height) {
@@ -186,7 +186,7 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     const View view = sampleView(moment, sample);
     Lights lights;
     const bool full = settings_.finish == Finish::standard;
-    lights.soft = false, lights.corners = !full;
+    lights.corners = !full;
     setMeshes(moment, view);
     if (full && frame.look.ambientOcclusion) {
         const DepthMap depth = depth_.draw(moment, upsideDown(view), meshes_, ground_);

@@ -23,12 +23,15 @@ enum class Finish {
 struct RendererSettings {
     int width = 1280, height = 720;  // pixels, 1..16384
     int samples = 8;                 // of a pixel with an edge: 1, 2, 4, 8 or 16; 1: edges in steps
-    int shadowSize = 1024;           // texels a side of a shadow map
+    int shadowSize = 0;              // texels a side of a shadow map; 0: by the picture's size
     Finish finish = Finish::standard;
     int threads = -1;           // of the rasteriser; -1: as many as it likes, 0: the caller's
     bool reproducible = false;  // the same pixels on every x86-64 CPU, for a third more time
     ContextKind context = ContextKind::automatic;  // what OpenGL is reached through
 };
+
+/// Texels a side of the shadow map of a picture: a fifth more than it has pixels, 512 to 4096.
+int shadowTexels(const RendererSettings& settings);
 
 /// What a picture's time goes to, in this order.
 enum class Stage { depth, occlusion, shadow, scene, readBack, resolve, overlay, done };

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/linear.h"
 #include "render/trails.h"
 
 namespace render {
 namespace {
 
 // Light as it comes, linear.
-const Vec3 kSkyLight(0.40f, 0.44f, 0.50f), kGroundLight(0.27f, 0.25f, 0.23f);
+const Vec3 kSkyLight(0.40f, 0.44f, 0.50f), kNoGround(0.20f, 0.20f, 0.21f);
 const Vec3 kSunLight(1.06f, 1.00f, 0.90f);
 
 float distanceOf(const Frame& frame) { return (frame.camera.from - frame.camera.lookAt).norm(); }
@@ -19,7 +20,20 @@ float distanceOf(const Frame& frame) { return (frame.camera.from - frame.camera.
 /// Darker than the ground; on a dark ground, lighter.
 Color lineColor(const Color& ground) {
     if (ground.r < 0.4f) return {0.42f, 0.44f, 0.47f, 1.0f};
-    return {0.50f * ground.r, 0.51f * ground.g, 0.54f * ground.b, 1.0f};
+    return {0.68f * ground.r, 0.69f * ground.g, 0.71f * ground.b, 1.0f};
+}
+
+/// What comes up from below: sky and sun, as the ground throws them back. Part of it lies in
+/// bodies' own shadows.
+Vec3 groundLight(const Frame& frame) {
+    constexpr float kSeen = 0.55f;
+    for (const Ground& ground : frame.grounds) {
+        const float facing = ground.normal.dot(frame.look.sunDirection.normalized());
+        if (!ground.visible || ground.normal.y() < 0.5f) continue;
+        const Vec3 light = kSkyLight + std::max(facing, 0.0f) * kSunLight;
+        return kSeen * light.cwiseProduct(linear(frame.look.ground));
+    }
+    return kNoGround;
 }
 
 std::string featuresOf(const Lights& lights) {
@@ -113,7 +127,7 @@ GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
     setUniform(program, "toSun", lights.sun ? lights.sun->toLight() : look.sunDirection.normalized());
     setUniform(program, "eye", scene.view.eye);
     setUniform(program, "skyLight", kSkyLight);
-    setUniform(program, "groundLight", kGroundLight);
+    setUniform(program, "groundLight", groundLight(scene.frame));
     setUniform(program, "sunLight", kSunLight);
     setColorUniform(program, "fogColor", look.fog);
     const float distance = distanceOf(scene.frame);
@@ -223,7 +237,7 @@ void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh) {
 void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,
                           const std::string& features) {
     const Look& look = scene.frame.look;
-    const std::string kind = look.transparent ? " WIDE_KERNEL SHADOW_CATCHER" : " WIDE_KERNEL";
+    const std::string kind = look.transparent ? " SHADOW_CATCHER" : "";
     const GLuint program = lit("ground", "ground", features + kind, scene);
     setUniform(program, "surface", packedSurface(surfaceOfGround(scene.frame, number), 0));
     constexpr float kStrongPixels = 2.4f;  // of every fifth line (ground.frag): as wide as an edge
@@ -232,7 +246,8 @@ void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCo
     const Vec3 normal = scene.frame.grounds[number].normal.normalized();
     const float up = 0.5f + 0.5f * normal.y();
     const float facing = std::max(normal.dot(look.sunDirection.normalized()), 0.0f);
-    setUniform(program, "ambientLight", Vec3(up * kSkyLight + (1.0f - up) * kGroundLight));
+    const Vec3 ambient = up * kSkyLight + (1.0f - up) * groundLight(scene.frame);
+    setUniform(program, "ambientLight", ambient);
     setUniform(program, "fullSun", Vec3(facing * kSunLight));
     setUniform(program, "normal", normal);
     setUniform(program, "across", corners.across);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/camera.h"
+#include "render/renderer.h"
 
 namespace render {
 namespace {
@@ -43,6 +44,12 @@ float inSteps(float length) {
 }
 
 }  // namespace
+
+int shadowTexels(const RendererSettings& settings) {
+    if (settings.shadowSize > 0) return settings.shadowSize;
+    const int wanted = 6 * std::max(settings.width, settings.height) / 5;
+    return std::clamp((wanted + 255) / 256 * 256, 512, 4096);
+}
 
 ShadowPass::ShadowPass(int size)
     : size_(size),

@@ -1,5 +1,6 @@
 #include "demos/export/recording.h"
 
+#include "demos/look/key_light.h"
 #include "demos/look/theme.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/colors.h"
@@ -73,6 +74,7 @@ void RunRecorder::begin(const Player& player) {
     recording_.sections = stage.scene.sections;
     recording_.grounds = player.frame(0.0).grounds;
     recording_.look = lookOf(recording_.overlays.theme);
+    recording_.look.sunDirection = keyLight(stage.scene.camera.from, stage.scene.camera.lookAt);
     recording_.joints = jointsOf(stage);
     recording_.trails = trailsOf(stage.scene);
     slides_.resize(stage.joints.size());

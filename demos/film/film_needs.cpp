@@ -71,7 +71,7 @@ double workerBytes(const FilmPlan& plan, bool png) {
     const render::RendererSettings& picture = plan.picture;
     const double drawn = pixelsOf(picture.width, picture.height);
     const double whole = pixelsOf(plan.layout.width, plan.layout.height);
-    const double shadow = 2.0 * picture.shadowSize * picture.shadowSize;
+    const double shadow = 2.0 * std::pow(render::shadowTexels(picture), 2);
     const double sums = plan.shutter.moments > 1 ? kSum * drawn : 0.0;
     const double panels = plan.panels.size() > 1 ? 4.0 * whole : 0.0;
     return kWorker + shadow + sums + drawn * (kPixel + passBytes(plan.passes).worker) + panels +

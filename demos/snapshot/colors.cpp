@@ -128,7 +128,7 @@ std::vector<int> islandsOf(const Stage& stage) {
 render::Color ownColor(const Stage& stage, int body) {
     const BodyDescription& description = stage.scene.bodies[body];
     if (description.color) return render::fromHex(*description.color);
-    return isFixed(stage, body) ? render::fixedColor() : render::paletteColor(body);
+    return isFixed(stage, body) ? render::fixedColor() : render::familyColor(body);
 }
 
 std::vector<ColorMeaning> colorMeanings(const Stage& stage, const std::string& colorBy) {

@@ -1,5 +1,6 @@
 #include "demos/snapshot/snapshot.h"
 
+#include "demos/look/key_light.h"
 #include "demos/look/theme.h"
 #include "demos/look/type.h"
 #include "demos/snapshot/camera.h"
@@ -22,6 +23,8 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     if (overlays.stats) addStats(moment, frame);
     if (overlays.text) addLegend(moment, frame);
     applyTheme(overlays.theme, frame);
+    const CameraDescription& camera = stage.scene.camera;
+    frame.look.sunDirection = keyLight(camera.from, camera.lookAt);
     if (overlays.pixelsPerPoint > 0.0) setType(overlays.pixelsPerPoint, frame);
     return frame;
 }

@@ -6,13 +6,11 @@ uniform float shadowSize;          // texels a side
 #endif
 
 #ifdef SOFT_SHADOWS
-// Weighted so that the kernel moves smoothly with the point: on the ground, where edges are seen,
-// sixteen texels by four gathers; on bodies four by one.
+// Sixteen texels by four gathers, weighted so that the kernel moves smoothly with the point.
 float sunlit(vec3 p) {
     vec2 t = p.xy - 0.5;
     vec2 f = fract(t), g = 1.0 - f;
     float texel = 1.0 / shadowSize;
-#ifdef WIDE_KERNEL
     vec2 low = floor(t) * texel, high = low + 2.0 * texel;
     vec4 a = textureGather(shadowMap, low, p.z);
     vec4 b = textureGather(shadowMap, vec2(high.x, low.y), p.z);
@@ -22,10 +20,6 @@ float sunlit(vec3 p) {
     float lower = (a.w * g.x + a.z + b.w + b.z * f.x) * g.y + (a.x * g.x + a.y + b.x + b.y * f.x);
     float upper = (c.w * g.x + c.z + d.w + d.z * f.x) + (c.x * g.x + c.y + d.x + d.y * f.x) * f.y;
     return (lower + upper) / 9.0;
-#else
-    vec4 a = textureGather(shadowMap, (floor(t) + 1.0) * texel, p.z);
-    return dot(mix(a.wx, a.zy, f.x), vec2(g.y, f.y));
-#endif
 }
 #elif defined(HARD_SHADOWS)
 // One of many sub-frames, each with the sun in another place: their mean is soft.

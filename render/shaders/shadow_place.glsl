@@ -7,7 +7,7 @@ uniform float shadowTexel;      // m
 // acne, no gap.
 vec3 shadowPlace(vec3 world, vec3 normal) {
     float slant = 1.0 - max(dot(normal, toSun), 0.0);
-    vec3 lifted = world + normal * shadowTexel * (0.7 + 1.8 * slant);
+    vec3 lifted = world + normal * shadowTexel * (1.0 + 2.6 * slant);
     return (worldToShadow * vec4(lifted, 1.0)).xyz;
 }
 #else

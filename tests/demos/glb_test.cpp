@@ -6,6 +6,7 @@
 #include <set>
 
 #include "demos/export/glb_scene.h"
+#include "demos/look/key_light.h"
 #include "demos/text/version.h"
 #include "tests/demos/glb_reading.h"
 #include "tests/demos/recorded.h"
@@ -285,7 +286,7 @@ TEST(Glb, TheCameraLooksAtItsPointAndTheSunShinesDown) {
     const nlohmann::json& lens = one.glb.json["cameras"][0]["perspective"];
     EXPECT_NEAR(lens["yfov"].get<double>(), 50.0 * 3.14159265 / 180.0, 1e-6);
     EXPECT_LT(lens["znear"].get<double>(), lens["zfar"].get<double>());
-    const Eigen::Vector3f sun = render::Look{}.sunDirection.normalized();
+    const Eigen::Vector3f sun = keyLight({3, 4, 12}, {0, 1, 0});
     EXPECT_GT(axesOf(one.glb.node("sun")).col(2).dot(sun), 0.999999f);
 }
 
