@@ -10,4 +10,10 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// A file that was to be new has appeared under its name meanwhile.
+class AlreadyThere : public Error {
+public:
+    using Error::Error;
+};
+
 }  // namespace render

@@ -9,6 +9,7 @@
 #include "demos/export/recording.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/progress.h"
+#include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
 #include "demos/text/plural.h"
@@ -69,7 +70,9 @@ public:
     void play() {
         playThrough(
             player_, options_, [this](long step) { recorder_.look(player_, step); },
-            [this] { writeAll(); });
+            [this] {
+                if (!interrupted()) writeAll();  // to the last good step of a run that ended early
+            });
         writeAll();
         const Stage& stage = player_.stage();
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})",
@@ -80,7 +83,8 @@ private:
     void writeAll() {
         const Recording& run = recorder_.finished(player_.stage());
         for (const ExportFile& file : files_) {
-            const WrittenExport written = writeExport(file, player_.stage(), run);
+            const WrittenExport written = writeExport(file, player_.stage(), run,
+                                                      existingFiles(options_.overwrite));
             talk_.say(fmt::format("wrote {} ({})", printable(file.name),
                                   contentText(file.kind, run, written.bytes)));
             if (!written.left.empty()) talk_.mention(written.left);

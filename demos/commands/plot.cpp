@@ -62,7 +62,8 @@ private:
         for (const std::string& file : files_)
             pictures.push_back(
                 {file, chartBytes(file, charts, size, choice_.theme, choice_.paper)});
-        writeFigure(pictures, captionOf(charts, size).text(), options_);
+        writeFigure(pictures, captionOf(charts, size).text(), options_,
+                    existingPlots(files_, options_));
         for (const std::string& file : files_) {
             talk_.say(fmt::format("wrote {} ({} {})", printable(file), charts.size(),
                                   charts.size() == 1 ? "chart" : "charts"));

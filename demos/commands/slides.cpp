@@ -115,7 +115,8 @@ private:
 
     void writePage(const std::string& name) {
         const std::string page = slidesPage(deck_);
-        writeResult(name, {reinterpret_cast<const std::uint8_t*>(page.data()), page.size()});
+        writeResult(name, {reinterpret_cast<const std::uint8_t*>(page.data()), page.size()},
+                    existingFiles(options_.overwrite));
         tell(name, slides() + ", " + plural(films(), "film"), page.size());
         if (page.size() > kLargePage)
             talk_.mention(
@@ -140,7 +141,8 @@ private:
 
     void writeFolder(const std::string& name) {
         std::size_t bytes = 0;
-        const std::vector<std::filesystem::path> files = writeSlidesFolder(deck_, name);
+        const std::vector<std::filesystem::path> files =
+            writeSlidesFolder(deck_, name, options_.overwrite);
         for (const std::filesystem::path& file : files) {
             std::error_code ignored;
             bytes += std::filesystem::file_size(std::filesystem::path(name) / file, ignored);

@@ -74,10 +74,11 @@ std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescrip
     return files;
 }
 
-WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording) {
+WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording,
+                          render::Existing existing) {
     WrittenExport written;
     const std::vector<std::uint8_t> content = contentOf(file, stage, recording, written.left);
-    writeResult(file.name, content);
+    writeResult(file.name, content, existing);
     written.bytes = content.size();
     return written;
 }

@@ -6,6 +6,7 @@
 
 #include "demos/export/recording.h"
 #include "demos/options/options.h"
+#include "render/encode/file.h"
 
 namespace demos {
 
@@ -26,6 +27,7 @@ struct WrittenExport {
 };
 
 /// Whole or not at all. `stage`: whose run it is. Throws render::Error.
-WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording);
+WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording,
+                          render::Existing existing);
 
 }  // namespace demos

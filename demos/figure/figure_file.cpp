@@ -50,8 +50,12 @@ void checkFigure(const std::vector<std::string>& pictures, const Options& option
     for (const std::string& caption : captions) checkFree(caption, options.overwrite);
 }
 
+render::Existing existingPlots(const std::vector<std::string>& plots, const Options& options) {
+    return existingFiles(options.overwrite || captionFiles(plots, options).empty());
+}
+
 void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& caption,
-                 const Options& options) {
+                 const Options& options, render::Existing existing) {
     std::vector<std::string> names;
     std::vector<render::NamedBytes> files;
     for (const FigurePicture& picture : pictures) {
@@ -62,7 +66,7 @@ void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& 
     for (const std::string& name : captionFiles(names, options))
         files.push_back({name, {text, caption.size()}});
     for (const render::NamedBytes& file : files) render::makeFolder(file.path.parent_path());
-    render::writeFilesTogether(files);
+    render::writeFilesTogether(files, existing);
     for (const FigurePicture& picture : pictures)
         if (picture.file == "-") writeResult("-", picture.bytes);
 }

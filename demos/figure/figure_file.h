@@ -6,6 +6,7 @@
 
 #include "demos/film/progress.h"
 #include "demos/options/options.h"
+#include "render/encode/file.h"
 
 namespace demos {
 
@@ -23,9 +24,12 @@ struct FigurePicture {
     std::vector<std::uint8_t> bytes;
 };
 
+/// What becomes of plots that are there: those without a caption are always replaced.
+render::Existing existingPlots(const std::vector<std::string>& plots, const Options& options);
+
 /// Folders are made. Throws render::Error.
 void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& caption,
-                 const Options& options);
+                 const Options& options, render::Existing existing);
 
 /// A line for every caption that was written.
 void tellCaptions(const std::vector<std::string>& pictures, const Options& options,

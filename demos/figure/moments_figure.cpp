@@ -6,6 +6,7 @@
 #include "demos/figure/caption.h"
 #include "demos/figure/figure_file.h"
 #include "demos/film/quality.h"
+#include "demos/text/table.h"
 #include "render/encode/png.h"
 
 namespace demos {
@@ -36,7 +37,8 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
                   const Options& options) {
     const Caption caption = captionOf(figure, {picture.width, picture.height}, options);
     const int dpi = figure.paper.given() ? figure.paper.dpi : 0;
-    writeFigure({{figure.file, render::encodePng(picture, dpi)}}, caption.text(), options);
+    writeFigure({{figure.file, render::encodePng(picture, dpi)}}, caption.text(), options,
+                existingFiles(options.overwrite));
 }
 
 void tellLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,

@@ -177,7 +177,7 @@ void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& tal
     addRuns(settings_.pictured, &drawn, caption);
     addProgram(options_, caption);
     writeFigure({{target_, render::encodePng(drawn.image, panels_->paper.dpi)}}, caption.text(),
-                options_);
+                options_, existingFiles(options_.overwrite));
     talk.json(fmt::format(R"({{"event":"figure","file":{},"time":{},"size":[{},{}]}})",
                           jsonString(target_), numberText(panels_->time), size.width, size.height));
     talk.say(fmt::format("wrote {} ({} pictures, t = {:.3f} s, {}x{})", printable(target_),
@@ -190,8 +190,8 @@ void RunsFigure::writeChart(const std::vector<Chart>& charts, const Talk& talk) 
     const SceneDescription& scene = settings_.runs.front().scene;
     const Paper paper = paperOf(options_);
     const std::string theme = themeOf(scene, options_);
-    const PictureSize size = paper.given() ? chartSize(charts, paper, chartOptions_.size)
-                                           : chartSize(charts.size());
+    const PictureSize size =
+        paper.given() ? chartSize(charts, paper, chartOptions_.size) : chartSize(charts.size());
     const std::string what = capital(plottedText(charts));
     Caption caption(fmt::format("{}. {}{:g} s of simulated time", settings_.title,
                                 what.empty() ? "" : what + "; ", scene.seconds));
@@ -202,7 +202,7 @@ void RunsFigure::writeChart(const std::vector<Chart>& charts, const Talk& talk) 
     addRuns(settings_.runs, nullptr, caption);
     addProgram(options_, caption);
     writeFigure({{options_.plot, chartBytes(options_.plot, charts, size, theme, paper)}},
-                caption.text(), chartOptions_);
+                caption.text(), chartOptions_, existingPlots({options_.plot}, chartOptions_));
     talk.say(fmt::format("wrote {}", printable(options_.plot)));
     tellCaptions({options_.plot}, chartOptions_, talk);
 }

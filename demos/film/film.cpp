@@ -18,6 +18,7 @@
 #include "demos/text/plural.h"
 #include "demos/text/shell_word.h"
 #include "demos/text/stop.h"
+#include "demos/text/table.h"
 #include "demos/text/text_hash.h"
 #include "demos/text/version.h"
 #include "render/driver_environment.h"
@@ -59,7 +60,7 @@ class Writers {
 public:
     Writers(const FilmPlan& plan, const std::vector<Output>& outputs, const RunRecord& record,
             Poster poster, const FilmOptions& options, const Talk& talk)
-        : poster_(std::move(poster)) {
+        : poster_(std::move(poster)), existing_(existingFiles(options.overwrite)) {
         for (const Output& output : outputs) {
             if (output.kind == OutputKind::raw) raw_ = true;
             if (output.kind == OutputKind::frames) {
@@ -92,10 +93,15 @@ public:
     }
 
     void close(bool finished) {
-        for (const auto& files : files_) files->close(finished);
+        keepFrames(finished);
         for (const Film& film : films_)
-            if (film.writer->frames() > 0) film.writer->close();
+            if (film.writer->frames() > 0) film.writer->close(existing_);
         if (finished) poster_.write();
+    }
+
+    /// The folders' records. A film that is not closed leaves nothing.
+    void keepFrames(bool finished) {
+        for (const auto& files : files_) files->close(finished);
     }
 
     /// After an error: the folders' records, as far as they can be written.
@@ -126,11 +132,13 @@ public:
     }
 
     bool hasFilms() const { return !films_.empty(); }
+    bool hasFolders() const { return !files_.empty(); }
 
 private:
     std::vector<std::unique_ptr<FrameFiles>> files_;
     std::vector<Film> films_;
     Poster poster_;
+    render::Existing existing_;
     bool raw_ = false;
 };
 
@@ -161,9 +169,10 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
 
 [[noreturn]] void stopInterrupted(const Writers& writers, const FilmOptions& options,
                                   const std::string& what) {
-    const bool again = writers.hasFilms() && !options.overwrite;
-    throw Stop(Exit::interrupted, fmt::format("{}; to go on: {}{}", what, options.commandLine,
-                                              again ? " --overwrite" : ""));
+    const char* next = writers.hasFolders() ? "to go on" : "to run it again";
+    throw Stop(Exit::interrupted, fmt::format("{}{}; {}: {}", what,
+                                              writers.hasFilms() ? ", no film is written" : "",
+                                              next, options.commandLine));
 }
 
 /// Frame by frame, until the last one or a signal.
@@ -177,8 +186,7 @@ void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, 
         progress.advance();
         if (!interrupted()) continue;
         progress.finish();
-        watchSignals();  // the next one ends the encoding
-        writers.close(false);
+        writers.keepFrames(false);
         stopInterrupted(writers, options, fmt::format("interrupted after frame {}", frame.frame));
     }
 }

@@ -47,7 +47,7 @@ double framesASecond(const FilmPlan& plan, int workers, const TemporaryFolder& f
     const double start = seconds(CLOCK_MONOTONIC);
     source.order(std::vector<bool>(static_cast<std::size_t>(plan.frames), true));
     for (DrawnFrame frame; source.next(frame);) {
-        render::writeFileAtomically(folder.file(frame.frame), frame.png);
+        render::writeFrameFile(folder.file(frame.frame), frame.png);
         checkInterrupted();
     }
     return plan.frames / (seconds(CLOCK_MONOTONIC) - start);
@@ -97,7 +97,7 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, FilmTiming&
         clock.begin(kEncode);
         const std::vector<std::uint8_t> png = render::encodePng(image);
         clock.begin(kWrite);
-        render::writeFileAtomically(folder.file(frame), png);
+        render::writeFrameFile(folder.file(frame), png);
         clock.endFrame(frame > 0);  // the first one compiles shaders
         bytes.push_back(static_cast<double>(png.size()));
         checkInterrupted();

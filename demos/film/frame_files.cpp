@@ -157,7 +157,7 @@ fs::path FrameFiles::nameOf(int frame, Pass pass) const {
 std::uint64_t FrameFiles::addData(const DrawnFrame& frame) {
     TextHash hash;
     for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
-        render::writeFileAtomically(nameOf(frame.frame, plan_.passes[i]), frame.data.at(i));
+        render::writeFrameFile(nameOf(frame.frame, plan_.passes[i]), frame.data.at(i));
         hash.add(frame.data[i]);
     }
     return plan_.passes.empty() ? 0 : hash.value();
@@ -166,7 +166,7 @@ std::uint64_t FrameFiles::addData(const DrawnFrame& frame) {
 void FrameFiles::add(const DrawnFrame& frame) {
     if (has(frame.frame)) return;
     const std::uint64_t data = addData(frame);
-    render::writeFileAtomically(nameOf(frame.frame), frame.png);
+    render::writeFrameFile(nameOf(frame.frame), frame.png);
     record_.frames[frame.frame] = {true, frame.stateHash, hashOf(frame.png), data};
     // Seldom enough that a long film's record costs little, often enough that little is redrawn.
     if (++unrecorded_ >= std::max(50, plan_.frames / 64)) close(false);

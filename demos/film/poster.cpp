@@ -59,6 +59,7 @@ Poster::Poster(const FilmPlan& plan, const FilmOptions& options) {
                    fmt::format("--poster '{}': a poster ends in .png", printable(target_)));
     checkFree(target_, options.overwrite);
     frame_ = frame;
+    existing_ = existingFiles(options.overwrite);
 }
 
 void Poster::add(const DrawnFrame& frame) {
@@ -67,7 +68,7 @@ void Poster::add(const DrawnFrame& frame) {
 }
 
 void Poster::write() const {
-    if (!png_.empty()) writeResult(target_, png_);
+    if (!png_.empty()) writeResult(target_, png_, existing_);
 }
 
 void Poster::tell(const FilmPlan& plan, const Talk& talk) const {

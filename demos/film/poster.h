@@ -8,6 +8,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/progress.h"
+#include "render/encode/file.h"
 
 namespace demos {
 
@@ -26,6 +27,7 @@ private:
     std::string target_;
     int frame_ = -1;
     std::vector<std::uint8_t> png_;
+    render::Existing existing_ = render::Existing::replaced;
 };
 
 /// --poster-time, else what the first section with a poster says, else the middle.

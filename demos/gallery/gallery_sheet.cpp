@@ -120,7 +120,7 @@ Exit galleryOfOnePicture(const GalleryOptions& options) {
     GallerySheet sheet(static_cast<int>(posters.size()), options.columns,
                        {first.width, first.height});
     for (const NamedPoster& poster : posters) sheet.add(poster.picture, poster.name);
-    writeResult(target, render::encodePng(sheet.paper()));
+    writeResult(target, render::encodePng(sheet.paper()), existingFiles(options.overwrite));
     const int width = sheet.paper().width, height = sheet.paper().height;
     talk.json(fmt::format(R"({{"event":"done","file":{},"scenes":{},"size":[{},{}]}})",
                           jsonString(target), posters.size(), width, height));

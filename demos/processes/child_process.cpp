@@ -16,6 +16,7 @@ void becomeChildOf(pid_t parent) {
     if (getppid() != parent) _exit(1);  // it ended before that was set
     signal(SIGINT, SIG_IGN);
     signal(SIGTERM, SIG_IGN);
+    signal(SIGHUP, SIG_IGN);
 }
 
 int waitFor(pid_t process) {

@@ -20,7 +20,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
     if (file_ < 0)
         throw render::Error(fmt::format("cannot open the folder '{}': {}", name,
                                         render::describeError(errno)));
-    if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+    // Where the file system has no locks, there is none.
+    if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     close(file_);
     throw Stop(Exit::wouldOverwrite,
                fmt::format("'{}' is being written by another run; wait for it, or name another "

@@ -4,7 +4,8 @@
 
 namespace demos {
 
-/// On the folder itself, so that no file is left over; ends with its owner.
+/// On the folder itself, so that no file is left over; ends with its owner. On a file system
+/// without locks nothing is locked.
 class FolderLock {
 public:
     /// The folder has to be there. Throws Stop (wouldOverwrite) when another run holds it,

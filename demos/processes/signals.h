@@ -1,4 +1,4 @@
-/// SIGINT and SIGTERM as a question that a loop asks between two frames.
+/// SIGINT, SIGTERM and SIGHUP as a question that a loop asks between two frames.
 #pragma once
 #include <poll.h>
 #include <signal.h>

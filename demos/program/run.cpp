@@ -33,6 +33,8 @@ Exit guarded(int argc, const char* const* argv) try {
 } catch (const SceneError& error) {
     for (const std::string& line : error.lines()) tell(Exit::scene, line);
     return Exit::scene;
+} catch (const render::AlreadyThere& there) {
+    return tell(Exit::wouldOverwrite, there.what());
 } catch (const std::bad_alloc&) {
     return tell(Exit::environment, "not enough memory");
 } catch (const std::exception& error) {  // render::Error, and what a library throws

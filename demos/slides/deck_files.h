@@ -15,9 +15,11 @@ std::string slidesPage(const MadeDeck& deck);
 /// index.html beside its films and pictures in media/, notes.md, talk.tex (Beamer), talk.md (Marp),
 /// sections.json. Returns their names. Replaces and removes only what a slides run has made, as
 /// sections.json lists it; throws Stop (wouldOverwrite) for others in their place, before anything
-/// is changed; render::Error.  (slides_folder.cpp)
+/// is changed; without `overwrite` also for a folder that has files; render::Error.
+/// (slides_folder.cpp)
 std::vector<std::filesystem::path> writeSlidesFolder(const MadeDeck& deck,
-                                                     const std::filesystem::path& folder);
+                                                     const std::filesystem::path& folder,
+                                                     bool overwrite = true);
 
 /// What of this can be known before a deck is made: throws Stop (wouldOverwrite) where the folder
 /// has files and may not be written to.  (slides_folder.cpp)

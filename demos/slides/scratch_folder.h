@@ -1,4 +1,5 @@
-/// A folder for what is not whole yet; goes with its owner.
+/// A folder for what is not whole yet; goes with its owner, or, where that was killed, with the
+/// next run.
 #pragma once
 #include <filesystem>
 
@@ -15,6 +16,7 @@ public:
 
 private:
     std::filesystem::path path_;
+    int held_ = -1;  // the folder, locked
 };
 
 }  // namespace demos

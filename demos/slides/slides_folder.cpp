@@ -129,6 +129,14 @@ bool isEmpty(const fs::path& folder) {
     return true;
 }
 
+void checkEmpty(const fs::path& folder, bool overwrite) {
+    if (!overwrite && !isEmpty(folder))
+        throw Stop(Exit::wouldOverwrite,
+                   fmt::format("'{}' has files already; --overwrite replaces those that impulse "
+                               "slides made",
+                               printable(folder.string())));
+}
+
 /// The folder for one run alone, made where it is not there; gone again where nothing came of it.
 class Claim {
 public:
@@ -216,18 +224,16 @@ void checkSlidesFolder(const fs::path& target, bool overwrite) {
     if (!fs::is_directory(folder, ignored))
         throw render::Error("cannot write '" + printable(folder.string()) +
                             "': it is not a folder");
-    if (!overwrite && !isEmpty(folder))
-        throw Stop(Exit::wouldOverwrite,
-                   fmt::format("'{}' has files already; --overwrite replaces those that impulse "
-                               "slides made",
-                               printable(folder.string())));
+    checkEmpty(folder, overwrite);
     checkStrangers(folder, namesOf(wordFiles(MadeDeck{})), listedFiles(folder));
 }
 
 /// Whenever it is killed, sections.json lists all that slides runs have put there.
-std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& target) {
+std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& target,
+                                        bool overwrite) {
     const fs::path folder = withoutSlash(target);
     const Claim claim(folder);
+    checkEmpty(folder, overwrite);  // again: another run may have been here since
     const std::vector<FolderFile> files = filesOf(deck);
     const std::vector<fs::path> names = namesOf(files), own = listedFiles(folder);
     checkStrangers(folder, names, own);

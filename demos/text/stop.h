@@ -13,7 +13,7 @@ enum class Exit {
     environment = 4,     // no OpenGL, no ffmpeg, disk full
     wouldOverwrite = 5,  // without --overwrite
     diverged = 6,        // the simulation: a body that could not go on, or energy from nowhere
-    interrupted = 130    // SIGINT, SIGTERM
+    interrupted = 130    // SIGINT, SIGTERM, SIGHUP
 };
 
 /// One line: what is wrong, the value, what would be right. Caught once, in run().

@@ -8,7 +8,6 @@
 
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
-#include "render/encode/file.h"
 #include "render/error.h"
 
 namespace demos {
@@ -41,7 +40,8 @@ void Table::write() const {
     writeResult(target_, {reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size()});
 }
 
-void writeResult(const std::string& target, std::span<const std::uint8_t> bytes) {
+void writeResult(const std::string& target, std::span<const std::uint8_t> bytes,
+                 render::Existing existing) {
     if (target == "-") {
         if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() ||
             std::fflush(stdout) != 0)
@@ -49,7 +49,7 @@ void writeResult(const std::string& target, std::span<const std::uint8_t> bytes)
         return;
     }
     render::makeFolder(std::filesystem::path(target).parent_path());
-    render::writeFileAtomically(target, bytes);
+    render::writeFileAtomically(target, bytes, existing);
 }
 
 std::filesystem::path placeOf(const std::string& target) {

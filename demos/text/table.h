@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "render/encode/file.h"
+
 namespace demos {
 
 /// Rows of comma-separated values; a number reads back to the same value.
@@ -35,8 +37,15 @@ private:
     long rows_ = 0;
 };
 
-/// A file (written whole or not at all, its folder made) or "-". Throws render::Error.
-void writeResult(const std::string& target, std::span<const std::uint8_t> bytes);
+/// A file (written whole or not at all, its folder made) or "-". Throws render::Error, of a file
+/// that is kept render::AlreadyThere.
+void writeResult(const std::string& target, std::span<const std::uint8_t> bytes,
+                 render::Existing existing = render::Existing::replaced);
+
+/// What --overwrite means for a file that is there.
+inline render::Existing existingFiles(bool overwrite) {
+    return overwrite ? render::Existing::replaced : render::Existing::kept;
+}
 
 /// The same for two names of one file, which need not be there; "-" stays as it is.
 std::filesystem::path placeOf(const std::string& target);

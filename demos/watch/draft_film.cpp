@@ -60,7 +60,7 @@ void DraftFilm::addFile(int frame, const render::Image* image, std::uint64_t sum
     render::makeFolder(places_.frame(frame).parent_path());
     files_.sums.resize(std::max(files_.sums.size(), place + 1));
     files_.untold = true;
-    render::writeFileAtomically(places_.frame(frame),
+    render::writeFrameFile(places_.frame(frame),
                                 render::encodePng(image ? *image : store_.get(frame)));
     files_.sums[place] = sum;
 }

@@ -23,9 +23,7 @@ std::filesystem::path freeMark(const DraftPlaces& places) {
 }  // namespace
 
 DraftLock::DraftLock(const DraftPlaces& places)
-    : mark_(freeMark(places)), file_(render::createTemporary(mark_, mark_), "mark a folder of drafts") {
-    render::holdTemporary(file_.number());
-}
+    : mark_(freeMark(places)), file_(render::createTemporary(mark_, mark_), "mark a folder of drafts") {}
 
 DraftLock::~DraftLock() {
     std::error_code ignored;

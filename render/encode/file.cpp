@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <deque>
 #include <system_error>
 
+#include "render/encode/descriptor.h"
 #include "render/error.h"
 
 namespace render {
@@ -43,16 +45,51 @@ int writeAll(int file, std::span<const std::uint8_t> bytes) {
 /// Linux has released the number by then, and another thread may own it.
 int closeFile(int file) { return ::close(file) == 0 || errno == EINTR ? 0 : errno; }
 
-/// Under the name that it carries until it is whole.
-void writeTemporary(const NamedBytes& content) {
+/// Of the same open file: its lock lasts as long as either.
+int duplicate(int file) { return ::fcntl(file, F_DUPFD_CLOEXEC, 3); }
+
+/// Under the name that it carries until it is whole. What is returned holds its lock.
+int writeTemporary(const NamedBytes& content) {
     const fs::path temporary = temporaryNameFor(content.path);
     const int file = createTemporary(temporary, content.path);
-    int error = writeAll(file, content.bytes);
+    const int held = duplicate(file);
+    int error = held < 0 ? errno : writeAll(file, content.bytes);
     const int closeError = closeFile(file);
     if (error == 0) error = closeError;
-    if (error == 0) return;
+    if (error == 0) return held;
+    if (held >= 0) ::close(held);
     ::unlink(temporary.c_str());
     fail(content.path, error);
+}
+
+/// Opened and locked; false when a sweep of another run has taken it away in between.
+bool lockNew(int file) {
+    ::flock(file, LOCK_EX | LOCK_NB);  // not every disk has locks
+    struct stat status = {};
+    return ::fstat(file, &status) != 0 || status.st_nlink > 0;
+}
+
+/// Zero or an errno. Not every file system can look and rename in one step.
+int renameToFree(const fs::path& from, const fs::path& to) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    struct stat found = {};
+    if (::lstat(to.c_str(), &found) == 0) return EEXIST;
+    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+void writeTogether(std::span<const NamedBytes> files, Existing existing) {
+    for (const NamedBytes& file : files) checkReplaceable(file.path);
+    std::deque<Descriptor> held;
+    try {
+        for (const NamedBytes& file : files) held.emplace_back(writeTemporary(file), "hold a file");
+        for (const NamedBytes& file : files)
+            publish(temporaryNameFor(file.path), file.path, existing);
+    } catch (const Error&) {
+        for (const NamedBytes& file : files.first(held.size()))
+            ::unlink(temporaryNameFor(file.path).c_str());
+        throw;
+    }
 }
 
 }  // namespace
@@ -102,14 +139,17 @@ fs::path temporaryNameFor(const fs::path& path) {
 }
 
 int createTemporary(const fs::path& temporary, const fs::path& target) {
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-    int file = ::open(temporary.c_str(), kFlags, 0666);
-    if (file < 0 && errno == EEXIST) {
-        ::unlink(temporary.c_str());  // removes a symlink itself, never what it points to
-        file = ::open(temporary.c_str(), kFlags, 0666);
+    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    constexpr int kTries = 8;
+    int error = EEXIST;
+    for (int i = 0; i < kTries && error == EEXIST; ++i) {
+        const int file = ::open(temporary.c_str(), kFlags, 0666);
+        error = file < 0 ? errno : EEXIST;
+        if (file >= 0 && lockNew(file)) return file;
+        if (file >= 0) ::close(file);
+        if (error == EEXIST) ::unlink(temporary.c_str());  // a symlink itself, not what it names
     }
-    if (file < 0) fail(target, errno);
-    return file;
+    fail(target, error);
 }
 
 int createUnnamed(const fs::path& target) {
@@ -124,7 +164,17 @@ int createUnnamed(const fs::path& target) {
     return named;
 }
 
-void holdTemporary(int file) { ::flock(file, LOCK_EX | LOCK_NB); }
+void publish(const fs::path& temporary, const fs::path& target, Existing existing) {
+    // rename replaces a symlink that appeared meanwhile; it does not follow it
+    const int error = existing == Existing::kept ? renameToFree(temporary, target)
+                      : ::rename(temporary.c_str(), target.c_str()) == 0 ? 0
+                                                                         : errno;
+    if (error == EEXIST && existing == Existing::kept)
+        throw AlreadyThere("'" + target.string() +
+                           "' has appeared meanwhile, perhaps from another run; --overwrite "
+                           "replaces it");
+    if (error != 0) fail(target, error);
+}
 
 bool sweepTemporaries(const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
@@ -141,32 +191,27 @@ bool sweepTemporaries(const fs::path& path) {
         if (file < 0) continue;
         if (::flock(file, LOCK_EX | LOCK_NB) == 0)
             ::unlink(entry.path().c_str());
-        else
-            held = true;
+        else if (errno == EWOULDBLOCK)
+            held = true;  // otherwise the disk has no locks: nobody knows whose it is
         ::close(file);
     }
     return held;
 }
 
-void writeFilesTogether(std::span<const NamedBytes> files) {
-    for (const NamedBytes& file : files) checkReplaceable(file.path);
-    std::size_t ready = 0;
-    try {
-        for (; ready < files.size(); ++ready) writeTemporary(files[ready]);
-        for (const NamedBytes& file : files)
-            // rename replaces a symlink that appeared meanwhile; it does not follow it
-            if (::rename(temporaryNameFor(file.path).c_str(), file.path.c_str()) != 0)
-                fail(file.path, errno);
-    } catch (const Error&) {
-        for (const NamedBytes& file : files.first(ready))
-            ::unlink(temporaryNameFor(file.path).c_str());
-        throw;
-    }
+void writeFilesTogether(std::span<const NamedBytes> files, Existing existing) {
+    for (const NamedBytes& file : files) sweepTemporaries(file.path);
+    writeTogether(files, existing);
 }
 
-void writeFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes) {
+void writeFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes,
+                         Existing existing) {
     const NamedBytes file{path, bytes};
-    writeFilesTogether({&file, 1});
+    writeFilesTogether({&file, 1}, existing);
+}
+
+void writeFrameFile(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    const NamedBytes file{path, bytes};
+    writeTogether({&file, 1}, Existing::replaced);
 }
 
 }  // namespace render

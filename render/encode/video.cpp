@@ -7,6 +7,7 @@
 
 #include "render/encode/ffmpeg.h"
 #include "render/encode/file.h"
+#include "render/encode/film_file.h"
 #include "render/encode/png.h"
 #include "render/error.h"
 
@@ -63,7 +64,6 @@ VideoWriter::VideoWriter(const fs::path& path, const VideoSource& source, const 
     checkReplaceable(path);
     // Made here and not by ffmpeg, which would write through a symlink.
     held_ = std::make_unique<Descriptor>(createTemporary(temporary_, path), "write a film");
-    holdTemporary(held_->number());
     try {
         start();
     } catch (...) {
@@ -101,7 +101,7 @@ void VideoWriter::add(const Image& image) {
     ++frames_;
 }
 
-void VideoWriter::close() {
+void VideoWriter::close(Existing existing) {
     if (!ffmpeg_) return;
     if (frames_ == 0) fail("no frames; a film needs at least one");
     if (!ffmpeg_->finish()) failFeeding();
@@ -111,10 +111,14 @@ void VideoWriter::close() {
              " frames; draw it again");
     }
     if (store_) encodeStored();
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
-        const int error = errno;
+    if (!filmIsWhole(*format_, held_->number()))
+        fail("ffmpeg reported " + std::to_string(written) +
+             " frames and left no whole film; see whether 'ffmpeg' on the PATH is the real one");
+    try {
+        publish(temporary_, target_, existing);
+    } catch (const Error&) {
         abandon();
-        throw Error("cannot write " + quoted(target_) + ": " + describeError(error));
+        throw;
     }
     // An encoder whose program was killed may have made its file after this run looked for it.
     sweepTemporaries(target_);

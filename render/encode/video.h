@@ -7,6 +7,7 @@
 #include <string>
 
 #include "render/encode/ffmpeg.h"
+#include "render/encode/file.h"
 #include "render/encode/fit.h"
 #include "render/encode/video_format.h"
 #include "render/image.h"
@@ -40,8 +41,8 @@ public:
     /// Appends one frame of the size given above.
     void add(const Image& image);
 
-    /// Waits for ffmpeg, checks its exit status and its count of frames, renames.
-    void close();
+    /// Waits for ffmpeg, checks its exit status, its count of frames and its file, renames.
+    void close(Existing existing = Existing::replaced);
 
     /// Ends ffmpeg and removes the unfinished file; also what the destructor does without close().
     void abandon() noexcept;

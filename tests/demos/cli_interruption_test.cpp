@@ -198,7 +198,33 @@ TEST_F(Interruption, TwoRunsOfOneFilmAreToldApart) {
     EXPECT_EQ(run(first).code, 130);
     EXPECT_EQ(second.code, 5) << second.err;
     EXPECT_NE(second.err.find("another run"), std::string::npos) << second.err;
-    EXPECT_GE(playableFrames(folder / "film.mp4"), 4);
+    EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"ball.toml"});
+}
+
+TEST_F(Interruption, AFilmThatAppearsMeanwhileIsKept) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    Launch launch = small(folder.path(), {"-o", "film.mp4", "--seconds", "4", "--json"});
+    launch.awaited = "\"frame\":3,";
+    launch.awaitedCall = [&](pid_t) { write(folder / "film.mp4", "another's"); };
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 5) << ended.err;
+    EXPECT_NE(ended.err.find("'film.mp4' has appeared meanwhile"), std::string::npos) << ended.err;
+    EXPECT_EQ(fs::file_size(folder / "film.mp4"), 9u);
+    EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{"ball.toml", "film.mp4"}));
+}
+
+TEST_F(Interruption, AnFfmpegThatSaysMoreThanItWritesIsCode4) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const std::string counts = "cat > /dev/null; echo frame=" + std::to_string(kFrames) + "; echo progress=end";
+    for (const std::string wrote : {"true", "for f; do :; done; echo ftyp > \"${f#file:}\""})
+        for (const char* film : {"film.mp4", "film.webm", "film.webp", "film.apng"}) {
+            Launch launch = small(folder.path(), {"-o", film});
+            replaceFfmpeg(launch, "[ \"$1\" = -version ] && exit 0\n" + counts + "; " + wrote);
+            const Ended ended = run(launch);
+            EXPECT_EQ(ended.code, 4) << film << ended.err;
+            EXPECT_NE(ended.err.find("left no whole film"), std::string::npos) << ended.err;
+            EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{"ball.toml", "bin"}));
+        }
 }
 
 TEST_F(Interruption, ADyingFfmpegIsCode4AndTheFramesBesideStay) {

@@ -153,16 +153,19 @@ TEST_F(RenderCommand, AnInterruptFinishesTheFrameAndNamesTheCommandToGoOn) {
     EXPECT_NE(resumed.out.find(" kept"), std::string::npos) << resumed.out;
 }
 
-TEST_F(RenderCommand, AnInterruptedFilmPlays) {
+TEST_F(RenderCommand, AnInterruptedFilmIsNotThereAndTheSameCommandMakesIt) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
-    for (const int signal : {SIGINT, SIGTERM}) {
-        Launch launch =
-            small(folder.path(), {"--seconds", "20", "--json", "--overwrite", "-o", "film.mp4"});
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        Launch launch = small(folder.path(), {"--seconds", "20", "--json", "-o", "film.mp4"});
         launch.awaited = "\"frame\":4,";
         launch.signal = signal;
-        EXPECT_EQ(run(launch).code, 130);
-        EXPECT_GE(playableFrames(folder / "film.mp4"), 5);
+        const Ended ended = run(launch);
+        EXPECT_EQ(ended.code, 130);
+        EXPECT_NE(ended.err.find("no film is written"), std::string::npos) << ended.err;
+        EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"ball.toml"});
     }
+    EXPECT_EQ(film({"-o", "film.mp4"}).code, 0);
+    EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames);
 }
 
 TEST_F(RenderCommand, AFilmHasEveryFrameAndIsNotReplacedUnasked) {

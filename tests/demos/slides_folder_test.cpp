@@ -58,6 +58,11 @@ const std::set<std::string> kFiles = {"index.html",
                                       "media/03-loops-2.png",
                                       "media/03-loops-2.svg"};
 
+TEST_F(SlidesFolder, WhatAnotherRunHasPutThereMeanwhileIsKept) {
+    writeSlidesFolder(deck(), talk(), false);
+    EXPECT_THROW(writeSlidesFolder(deck(), talk(), false), Stop);
+}
+
 TEST_F(SlidesFolder, HoldsWhatItSaysAndNothingElse) {
     const std::vector<fs::path> names = writeSlidesFolder(deck(), talk() / "");
     std::set<std::string> said;

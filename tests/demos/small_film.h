@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <map>
 
+#include <set>
+
 #include "render/encode/png.h"
 #include "tests/demos/program.h"
 
@@ -40,6 +42,13 @@ inline int playableFrames(const fs::path& film) {
     char text[64] = {};
     const bool got = std::fgets(text, sizeof text, pipe) != nullptr;
     return pclose(pipe) == 0 && got ? std::atoi(text) : -1;
+}
+
+inline std::set<std::string> namesIn(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        names.insert(entry.path().filename().string());
+    return names;
 }
 
 class SmallFilm : public testing::Test {

@@ -101,6 +101,30 @@ TEST_F(AtomicFile, SeveralAreWrittenAllOrNone) {
     EXPECT_EQ(filesInFolder(), 2);
 }
 
+TEST_F(AtomicFile, WhatHasAppearedIsKeptWhereItIsToBe) {
+    const fs::path path = folder_ / "a.glb";
+    render::writeFileAtomically(path, "first", render::Existing::kept);
+    EXPECT_THROW(render::writeFileAtomically(path, "second", render::Existing::kept),
+                 render::AlreadyThere);
+    EXPECT_EQ(contentOf(path), "first");
+    EXPECT_EQ(filesInFolder(), 1);
+}
+
+TEST_F(AtomicFile, LeavingsOfKilledRunsGoWithTheNextWrite) {
+    const fs::path path = folder_ / "a.glb";
+    std::ofstream(folder_ / "a.glb.tmp4194399") << "torn";
+    std::ofstream(folder_ / "a.glb.tmp12x") << "a user's";
+    const fs::path other = folder_ / "a.glb.tmp4194398";
+    const int held = render::createTemporary(other, other);
+    render::writeFileAtomically(path, "whole");
+    EXPECT_FALSE(fs::exists(folder_ / "a.glb.tmp4194399"));
+    EXPECT_TRUE(fs::exists(folder_ / "a.glb.tmp12x"));
+    EXPECT_TRUE(fs::exists(other)) << "another run writes it now";
+    ::close(held);
+    render::writeFileAtomically(path, "again");
+    EXPECT_FALSE(fs::exists(other));
+}
+
 TEST_F(AtomicFile, SaysWhichPathAndWhy) {
     const fs::path path = folder_ / "missing" / "frame.png";
     try {
