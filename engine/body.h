@@ -35,7 +35,7 @@ struct BodyDef {
     Vec3 velocity{0, 0, 0};       // m/s, of the centre of mass
     Vec3 spin{0, 0, 0};           // rad/s, world axes
     std::optional<double> mass;   // kg; else density times the shape's volume
-    std::optional<Mat3> inertia;  // kg m^2, body axes, symmetric positive definite; else the
+    std::optional<Mat3> inertia;  // kg m^2, body axes, one that a body has; else the
                                   // shape's own, scaled to the mass
     bool collide = true;          // false: passes through everything
     bool sensor = false;          // true: passes through everything too, but tells of whom it

@@ -30,7 +30,7 @@ public:
     World& operator=(World&&) noexcept;  // as the constructor
 
     /// A dynamic body needs a positive mass, its own or by volume and density, and is no plane or mesh; an
-    /// inertia that is given has to be symmetric and positive definite, a rotation not zero.
+    /// inertia that is given has to be one that a body has (isInertia), a rotation not zero.
     BodyId add(const BodyDef& def);
     /// Between two different bodies of this world, one of them dynamic. A distance joint needs a
     /// positive length, a hinge an axis that is not zero, a spring no negative numbers.

@@ -14,6 +14,7 @@
 #include "demos/regression/verdict_json.h"
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/nearest.h"
 
 namespace demos {
@@ -54,7 +55,7 @@ std::string nextCommand(const std::string& command) {
 
 TestVerdict reportIn(const fs::path& results) {
     const fs::path file = results / "report.json";
-    const std::vector<std::uint8_t> bytes = contentOf(file);
+    const std::vector<std::uint8_t> bytes = contentOf(file, kMostJsonBytes);
     if (bytes.empty())
         throw Stop(Exit::environment,
                    fmt::format("there is no '{}'; run impulse test first, or name its folder with "
@@ -100,13 +101,15 @@ public:
 
     Exit run() {
         if (options_.scenes.empty() && !options_.all && !options_.prune)
-            throw Stop(Exit::usage, "approve what? name scenes or pictures (stack, stack@2.5), or "
-                                    "give --all or --prune");
+            throw Stop(Exit::usage,
+                       "approve what? name scenes or pictures (stack, stack@2.5), or "
+                       "give --all or --prune");
         verdict_ = reportIn(results_);
         const FolderLock lock(results_);
         for (const Wish& wish : wishes()) accept(wish);
         if (options_.prune) prune();
-        talk_.json(fmt::format(R"({{"event":"done","accepted":{},"pruned":{}}})", accepted_, pruned_));
+        talk_.json(
+            fmt::format(R"({{"event":"done","accepted":{},"pruned":{}}})", accepted_, pruned_));
         talk_.say(fmt::format("accepted {}, removed {}; next: {}", accepted_, pruned_,
                               nextCommand(verdict_.command)));
         return Exit::ok;
@@ -177,14 +180,16 @@ private:
 
     /// Those that are pictures in a folder of baselines.
     void prunePictures(const fs::path& folder, const std::vector<std::string>& names) {
-        if (!fs::exists(folder / kBaselineFile)) return;
+        if (fs::is_symlink(folder) || !fs::exists(folder / kBaselineFile)) return;
         for (const std::string& picture : orphansOf(folder, {}))
             if (std::count(names.begin(), names.end(), picture)) remove(folder / picture);
     }
 
     /// Only what is a baseline's; anything else in it, and then the folder, stays.
     void pruneFolder(const fs::path& folder) {
-        if (folder.extension() != kSnapshotsEnding || !fs::exists(folder / kBaselineFile)) return;
+        if (fs::is_symlink(folder) || folder.extension() != kSnapshotsEnding ||
+            !fs::exists(folder / kBaselineFile))
+            return;
         for (const std::string& picture : orphansOf(folder, {})) remove(folder / picture);
         remove(folder / kBaselineFile);
         std::error_code ignored;

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +13,8 @@
 #include "demos/load/builtin.h"
 #include "demos/measures/timing.h"
 #include "demos/processes/signals.h"
+#include "demos/scene/reader.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
 #include "demos/text/shell_word.h"
@@ -34,15 +36,21 @@ struct Earlier {
 };
 using EarlierRun = std::map<std::string, Earlier>;
 
+std::string earlierText(const std::string& path) try {
+    return readSceneFile(path, "what 'impulse bench --json' has written", kMostJsonBytes);
+} catch (const SceneError& error) {
+    throw render::Error(fmt::format("--against {}", error.what()));
+}
+
 /// What `impulse bench --json > FILE` has written.
 EarlierRun readEarlier(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw render::Error(fmt::format("cannot read '{}'", printable(path)));
+    std::istringstream file(earlierText(path));
     EarlierRun run;
     int number = 0;
     for (std::string line; std::getline(file, line);) {
         ++number;
-        const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
+        const nlohmann::json object =
+            jsonTrouble(line).empty() ? nlohmann::json::parse(line, nullptr, false) : nullptr;
         const bool good = object.is_object() && object.contains("scene") &&
                           object["scene"].is_string() && object.contains("ms_per_step_median") &&
                           object["ms_per_step_median"].is_number() && object.contains("hash") &&

@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 std::string nameOf(const WatchOptions& options) {
-    return fs::path(options.scene()).stem().string();
+    return sceneNameOf(options.scene());
 }
 
 DraftPlaces placesOf(const WatchOptions& options) {

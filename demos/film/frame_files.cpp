@@ -8,6 +8,7 @@
 #include "demos/film/outputs.h"
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/text_hash.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
@@ -49,7 +50,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     record_.frames.assign(static_cast<std::size_t>(plan.frames), {});
     render::makeFolder(folder_);
     lock_.emplace(folder_);
-    const std::vector<std::uint8_t> bytes = contentOf(recordName());
+    const std::vector<std::uint8_t> bytes = contentOf(recordName(), kMostJsonBytes);
     const auto old = recordFromJson({bytes.begin(), bytes.end()});
     const bool same = old && old->pattern == record_.pattern;
     if (same) sweepTemporaries();

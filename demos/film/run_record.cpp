@@ -4,7 +4,7 @@
 
 #include "demos/film/film_plan.h"
 #include "demos/text/hex_text.h"
-#include "demos/text/json_depth.h"
+#include "demos/text/json_limits.h"
 
 namespace demos {
 namespace {
@@ -46,7 +46,7 @@ std::string jsonOf(const RunRecord& record) {
 }
 
 std::optional<RunRecord> recordFromJson(const std::string& text) try {
-    checkDepth(text);
+    checkJson(text);
     const Json json = Json::parse(text);
     RunRecord record;
     record.version = json.at("impulse").get<std::string>();

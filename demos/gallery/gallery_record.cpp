@@ -4,7 +4,7 @@
 
 #include "demos/film/progress.h"
 #include "demos/text/file_content.h"
-#include "demos/text/json_depth.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/text_hash.h"
 #include "demos/text/version.h"
 #include "render/encode/file.h"
@@ -30,8 +30,8 @@ std::uint64_t hashOfFile(const std::filesystem::path& file) {
 
 GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(folder)) {
     try {
-        const std::vector<std::uint8_t> bytes = contentOf(folder_ / "gallery.json");
-        checkDepth({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const std::vector<std::uint8_t> bytes = contentOf(folder_ / "gallery.json", kMostJsonBytes);
+        checkJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         const Json json = Json::parse(bytes.begin(), bytes.end());
         std::map<std::string, GalleryEntry> entries;
         for (const auto& [name, entry] : json.at("scenes").items())

@@ -8,6 +8,7 @@
 
 #include "demos/load/builtin.h"
 #include "demos/load/load_scene.h"
+#include "demos/scene/reader.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
 
@@ -19,7 +20,7 @@ public:
     void add(const std::string& word) {
         if (word == "all") return addAll();
         const bool builtin = isBuiltin(word);
-        const std::string name = builtin ? word : std::filesystem::path(word).stem().string();
+        const std::string name = builtin ? word : sceneNameOf(word);
         const auto same = [&name](const GalleryChoice& choice) { return choice.name == name; };
         const auto known = std::find_if(choices_.begin(), choices_.end(), same);
         if (known != choices_.end() && known->scene == word) return;

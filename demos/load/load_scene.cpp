@@ -51,7 +51,7 @@ SceneDescription loadScene(const std::string& nameOrPath,
         nameOrPath.find('/') != std::string::npos || isModel || path.extension() == ".toml";
     if (!isPath && !fs::exists(path, error)) failUnknown(nameOrPath);
     if (isModel) return loadModel(path, overrides);
-    return readScene(readSceneFile(path), nameOrPath, path.stem().string(), overrides,
+    return readScene(readSceneFile(path), nameOrPath, sceneNameOf(path), overrides,
                      path.parent_path());
 }
 

@@ -97,7 +97,7 @@ SceneDescription readModel(const std::string& text, const std::string& fileName,
 
 SceneDescription loadModel(const fs::path& path, const std::vector<std::string>& overrides) {
     return readModel(
-        readSceneFile(path), path.string(), path.stem().string(), overrides,
+        readSceneFile(path), path.string(), sceneNameOf(path), overrides,
         [](const fs::path& file) { return readSceneFile(file, "a file of the model"); });
 }
 

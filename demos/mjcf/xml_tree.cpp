@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kDeepest = 64;
 constexpr int kMostElements = 200'000;
+constexpr std::size_t kMostAttributes = 256;  // of an element; MuJoCo knows fewer of all
 constexpr std::size_t kMostFiles = 64;
 
 /// The places of a text's bytes.
@@ -102,6 +103,9 @@ Element TreeReader::convert(const pugi::xml_node& node, const File& file, int de
 void TreeReader::addAttributes(const pugi::xml_node& node, const File& file, Element& element) {
     for (const pugi::xml_attribute& attribute : node.attributes()) {
         const Spot spot = file.spotOf(file.offsetOf(attribute.name()));
+        if (element.attributes.size() == kMostAttributes)
+            return diagnostics_.wrong(spot, "more than 256 attributes in one <" + element.name +
+                                                ">; it should have less");
         if (element.find(attribute.name()))
             diagnostics_.wrong(spot, std::string("two attributes '") + attribute.name() +
                                          "' in one <" + element.name + ">; leave one out");

@@ -30,7 +30,7 @@ struct Element {
 using FileReader = std::function<std::string(const std::filesystem::path&)>;
 
 /// The document's outermost element; what is no XML, or beyond the limits (depth 64, 200 000
-/// elements, 64 files), is reported. `include` names files beside the model's own. XML's entities
+/// elements, 256 attributes each, 64 files), is reported. `include` names files beside the model's own. XML's entities
 /// of its own making are not known, so that none can grow.
 Element readTree(const std::string& text, const std::string& fileName, const FileReader& read,
                  Diagnostics& diagnostics);

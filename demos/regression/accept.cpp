@@ -30,6 +30,15 @@ void writeBaselineFile(const Baseline& baseline, const fs::path& folder) {
     render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
 }
 
+/// What a checkout brings along may point anywhere.
+void checkFolder(const fs::path& folder) {
+    std::error_code ignored;
+    if (fs::is_symlink(folder, ignored))
+        throw BaselineError(printable(folder.string()) +
+                            " is a symbolic link, and baselines are written into folders only; "
+                            "remove it");
+}
+
 void checkLike(const Baseline& shown, const Baseline& kept) {
     if (shown.width != kept.width || shown.height != kept.height ||
         shown.trajectory.hz != kept.trajectory.hz)
@@ -41,6 +50,7 @@ void checkLike(const Baseline& shown, const Baseline& kept) {
 }  // namespace
 
 void acceptAll(const fs::path& shown, const fs::path& baseline) {
+    checkFolder(baseline);
     const Baseline now = shownIn(shown);
     std::vector<std::vector<std::uint8_t>> files;  // all of them are read before one is written
     for (const BaselinePicture& picture : now.pictures) files.push_back(readPicture(shown, picture));
@@ -52,6 +62,7 @@ void acceptAll(const fs::path& shown, const fs::path& baseline) {
 }
 
 void acceptPicture(const fs::path& shown, const fs::path& baseline, double time) {
+    checkFolder(baseline);
     Baseline now = shownIn(shown);
     Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
     checkLike(now, kept);
@@ -71,6 +82,7 @@ void acceptPicture(const fs::path& shown, const fs::path& baseline, double time)
 }
 
 void acceptPhysics(const fs::path& shown, const fs::path& baseline) {
+    checkFolder(baseline);
     Baseline now = shownIn(shown);
     Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
     checkLike(now, kept);

@@ -10,7 +10,7 @@
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
 #include "demos/text/hex_text.h"
-#include "demos/text/json_depth.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/text_hash.h"
 
 namespace demos {
@@ -89,7 +89,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
 }
 
 Baseline baselineFrom(const std::string& text, const std::string& name) try {
-    checkDepth(text);
+    checkJson(text);
     Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kBaselineFormat)
         throw BaselineError(fmt::format(
@@ -110,15 +110,17 @@ std::optional<Baseline> readBaseline(const fs::path& folder) {
     const fs::path file = folder / kBaselineFile;
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(file, ignored))) return std::nullopt;
-    const std::vector<std::uint8_t> bytes = contentOf(file);
+    const std::vector<std::uint8_t> bytes = contentOf(file, kMostJsonBytes);
     return baselineFrom({bytes.begin(), bytes.end()}, printable(file.string()));
 }
 
 std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePicture& picture) {
     const fs::path file = folder / pictureFile(picture.time);
-    std::vector<std::uint8_t> bytes = contentOf(file);
+    constexpr std::uintmax_t kMostBytes = 256u << 20;
+    std::vector<std::uint8_t> bytes = contentOf(file, kMostBytes);
     if (bytes.empty())
-        throw BaselineError(printable(file.string()) + " is not there or empty" + kAgain);
+        throw BaselineError(printable(file.string()) + " is not there, empty or beyond 256 MiB" +
+                            kAgain);
     const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     if (text.starts_with("version https://git-lfs"))
         throw BaselineError(printable(file.string()) +

@@ -4,6 +4,7 @@
 
 #include "demos/text/file_content.h"
 #include "demos/text/hex_text.h"
+#include "demos/text/json_limits.h"
 #include "render/encode/file.h"
 
 namespace demos {
@@ -11,8 +12,10 @@ namespace demos {
 using SortedJson = nlohmann::json;
 
 PassCache::PassCache(std::filesystem::path file) : file_(std::move(file)) {
-    const std::vector<std::uint8_t> bytes = contentOf(file_);
-    const SortedJson json = SortedJson::parse(bytes.begin(), bytes.end(), nullptr, false);
+    const std::vector<std::uint8_t> bytes = contentOf(file_, kMostJsonBytes);
+    const std::string text(bytes.begin(), bytes.end());
+    if (!jsonTrouble(text).empty()) return;
+    const SortedJson json = SortedJson::parse(text, nullptr, false);
     if (!json.is_object()) return;
     for (const auto& [scene, value] : json.items()) {
         if (!value.is_string()) continue;

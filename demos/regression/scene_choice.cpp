@@ -80,7 +80,7 @@ private:
     }
 
     void addScene(const std::string& scene) {
-        const std::string name = isBuiltin(scene) ? scene : fs::path(scene).stem().string();
+        const std::string name = isBuiltin(scene) ? scene : sceneNameOf(scene);
         const auto [known, added] = names_.emplace(name, scene);
         if (!added && known->second == scene) return;
         if (!added)

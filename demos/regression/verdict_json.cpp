@@ -8,7 +8,7 @@
 
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
-#include "demos/text/json_depth.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/stop.h"
 #include "demos/text/version.h"
 
@@ -209,7 +209,7 @@ std::string jsonOf(const TestVerdict& verdict) {
 }
 
 TestVerdict testVerdictFrom(const std::string& text, const std::string& name) try {
-    checkDepth(text);
+    checkJson(text);
     const Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kVerdictFormat)
         throw Stop(Exit::environment,

@@ -4,7 +4,7 @@
 
 #include "demos/scene/gltf_buffers.h"
 #include "demos/scene/mesh_file.h"
-#include "demos/text/json_depth.h"
+#include "demos/text/json_limits.h"
 
 namespace demos {
 namespace {
@@ -181,8 +181,8 @@ std::optional<std::string> chunkAt(const std::string& bytes, std::size_t at, std
 
 TriangleMesh meshOf(const std::string& text, const std::filesystem::path& folder,
                     std::optional<std::string> chunk) {
-    if (isTooDeep(text))
-        throw MeshFileError("has brackets nested deeper than " + std::to_string(kMostJsonDepth));
+    if (const std::string trouble = jsonTrouble(text); !trouble.empty())
+        throw MeshFileError(trouble);
     const GltfJson file = GltfJson::parse(text, nullptr, false);
     if (!file.is_object()) throw MeshFileError("is not JSON; it should be glTF 2.0");
     const auto asset = file.find("asset");

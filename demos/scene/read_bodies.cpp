@@ -27,12 +27,11 @@ std::optional<engine::Mat3> readInertia(Keys& keys) {
         inertia(0, 2) = inertia(2, 0) = n[4];
         inertia(1, 2) = inertia(2, 1) = n[5];
     }
-    // Positive definite: the three leading minors are (Sylvester).
-    const double second = inertia(0, 0) * inertia(1, 1) - inertia(0, 1) * inertia(0, 1);
-    if (inertia(0, 0) > 0.0 && second > 0.0 && inertia.determinant() > 0.0) return inertia;
+    if (engine::isInertia(inertia)) return inertia;
     keys.complain("inertia",
-                  "inertia should be three positive numbers (xx, yy, zz) or six (xx, "
-                  "yy, zz, xy, xz, yz) of a positive definite matrix, in kg m^2");
+                  "inertia should be three positive numbers (xx, yy, zz) or six (xx, yy, zz, xy, "
+                  "xz, yz) of a positive definite matrix, in kg m^2, with no principal moment "
+                  "larger than the sum of the others");
     return std::nullopt;
 }
 

@@ -109,6 +109,14 @@ std::vector<std::string> catalogScene(std::string_view text, const std::string& 
     return complaints.lines();
 }
 
+std::string sceneNameOf(const fs::path& file) {
+    const std::string name = file.stem().string();
+    if (name == "." || name == "..")
+        fail(file.string() + ": its name without the ending is '" + name +
+             "', which is a folder's; rename it");
+    return name;
+}
+
 std::string readSceneFile(const fs::path& path, const char* what, std::uintmax_t most) {
     const std::string name = path.string();
     std::error_code error;

@@ -30,6 +30,10 @@ SceneDescription readScene(std::string_view text, const std::string& fileName,
                            const std::vector<std::string>& overrides = {},
                            const std::optional<std::filesystem::path>& folder = std::nullopt);
 
+/// A file's name without its ending, which names outputs too. Throws SceneError for "..", which
+/// would be a folder.
+std::string sceneNameOf(const std::filesystem::path& file);
+
 constexpr std::uintmax_t kMostPartBytes = 64u << 20;  // of a mesh, say
 
 /// A regular file of at most so many bytes, 8 MiB unless given, or an error (SceneError) that says

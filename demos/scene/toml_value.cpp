@@ -1,5 +1,6 @@
 #include "demos/scene/toml_value.h"
 
+#include <cstdint>
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -54,6 +55,11 @@ Value convert(const toml::node& node, int depth, Complaints& complaints) {
     } else if (const auto* integer = node.as_integer()) {
         value.kind = Value::Kind::integer, value.integer = integer->get();
         value.real = static_cast<double>(value.integer);
+        constexpr std::int64_t kExact = std::int64_t{1} << 53;
+        if (value.integer > kExact || value.integer < -kExact)
+            complaints.add(value.place, std::to_string(value.integer) +
+                                            " is not exact; whole numbers should be from "
+                                            "-9007199254740992 to 9007199254740992");
     } else if (const auto* real = node.as_floating_point()) {
         value.kind = Value::Kind::real, value.real = real->get();
     } else if (const auto* boolean = node.as_boolean()) {

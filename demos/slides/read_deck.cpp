@@ -1,3 +1,4 @@
+#include "demos/scene/reader.h"
 #include "demos/slides/read_deck.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ public:
         : folder_(file.parent_path()),
           complaints_(complaints),
           reading_{folder_, text, std::nullopt, complaints, SectionFiles(complaints)} {
-        deck_.name = file.stem().string();
+        deck_.name = sceneNameOf(file);
         deck_.files = {file};
     }
 

@@ -4,6 +4,7 @@
 
 #include "demos/slides/slide_media.h"
 #include "demos/text/file_content.h"
+#include "demos/text/json_limits.h"
 
 namespace demos {
 namespace {
@@ -51,8 +52,10 @@ std::string sectionsJson(const MadeDeck& made, const std::vector<std::filesystem
 }
 
 std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& folder) {
-    const std::vector<std::uint8_t> text = contentOf(folder / "sections.json");
-    const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
+    const std::vector<std::uint8_t> bytes = contentOf(folder / "sections.json", kMostJsonBytes);
+    const std::string text(bytes.begin(), bytes.end());
+    if (!jsonTrouble(text).empty()) return {};
+    const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object() || json.value("made_by", Json()) != kMadeBy) return {};
     std::vector<std::filesystem::path> files;
     for (const Json& name : json.value("files", Json::array())) {

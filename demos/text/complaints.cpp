@@ -102,7 +102,7 @@ std::string Complaints::lineOf(const Complaint& complaint) const {
                          std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
                          complaint.what);
     const std::size_t option = static_cast<std::size_t>(place.column) - 1;
-    return printable("--set " + options_[option] + ": " + complaint.what);
+    return printable("--set " + shown(options_[option]) + ": " + complaint.what);
 }
 
 std::vector<std::string> Complaints::lines() const {

@@ -12,9 +12,11 @@ BodyMass massOf(const BodyDef& def) {
     m.mass = def.mass ? *def.mass : massOf(def.shape, def.material.density);
     ENGINE_CHECK(m.mass > 0.0, "a dynamic body needs a positive mass");
     m.inertia = def.inertia ? *def.inertia : inertiaOf(def.shape, m.mass);
+    ENGINE_CHECK(!def.inertia || isInertia(m.inertia),
+                 "an inertia tensor must be symmetric, positive definite and a body's: no principal "
+                 "moment larger than the sum of the others");
     const Eigen::LLT<Mat3> factor(m.inertia);
-    ENGINE_CHECK(factor.info() == Eigen::Success && m.inertia.isApprox(m.inertia.transpose()),
-                 "an inertia tensor must be symmetric and positive definite");
+    ENGINE_CHECK(factor.info() == Eigen::Success, "a dynamic body needs some extent");
     m.inverseInertia = factor.solve(Mat3::Identity());
     m.isRound = m.inertia == m.inertia(0, 0) * Mat3::Identity();
     if (m.isRound) m.inverseInertia = Mat3::Identity() / m.inertia(0, 0);

@@ -126,6 +126,15 @@ Mat3 inertiaOf(const Shape& shape, double mass) {
     return Mat3::Zero();
 }
 
+bool isInertia(const Mat3& inertia) {
+    constexpr double kRounding = 1e-6;  // of the trace; a thin plate's S has a zero in it
+    const double trace = inertia.trace();
+    const Mat3 second = (0.5 + kRounding) * trace * Mat3::Identity() - inertia;
+    return inertia.isApprox(inertia.transpose()) &&
+           Eigen::LLT<Mat3>(inertia).info() == Eigen::Success &&
+           Eigen::LLT<Mat3>(second).info() == Eigen::Success;
+}
+
 Mat3 inWorldAxes(const Mat3& inertiaBody, const Quat& rotation) {
     const Mat3 r = rotation.toRotationMatrix();
     const Mat3 half = r * inertiaBody;

@@ -21,6 +21,12 @@ double massOf(const Shape& shape, double density);
 ///   others    I = tr(S) 1 - S with the second moments S = rho int x x^T dV
 Mat3 inertiaOf(const Shape& shape, double mass);
 
+/// Whether some body has this inertia (kg m^2): it is symmetric, and its second moments
+///   S = tr(I)/2 1 - I
+/// are those of masses that are not negative, S >= 0 but for rounding. (So no principal moment is
+/// larger than the sum of the others.)
+bool isInertia(const Mat3& inertia);
+
 /// int dV (m^3), int x dV (m^4), int x x^T dV (m^5). A hull as the sum of tetrahedra (0, a, b, c):
 ///   V = a.(b x c) / 6,   V (a + b + c) / 4,   V/20 (a a^T + b b^T + c c^T + s s^T), s = a + b + c
 /// Parts count as often as they are dense.

@@ -37,6 +37,13 @@ std::string tenThousand(const std::string& what) {
 const std::string kWeld = "{ type = 'weld', a = 'ball', b = 'world', anchor = [0, 0, 0] }";
 const std::string kPush = "{ type = 'constant', force = [1, 0, 0] }";
 
+TEST(BadOption, IsCutWhereItIsLong) {
+    const std::string option = "world.hz=" + std::string(100'000, '9');
+    const std::vector<std::string> lines = errorsOf(kOneBall, {option});
+    ASSERT_EQ(lines.size(), 1u) << listed(lines);
+    EXPECT_LT(lines.front().size(), 400u);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Files, BadInputs,
     testing::Values(
@@ -49,6 +56,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"beyond every number", "seconds = 1e999\n" + kOneBall, "1:16", "not TOML"},
         BadInput{"beyond 64 bits", "seconds = 9999999999999999999\n" + kOneBall, "1:30",
                  "not TOML"},
+        BadInput{"beyond what is exact", kOneBall + "[world]\nseed = 9007199254740993\n", "7:8",
+                 "9007199254740993 is not exact"},
+        BadInput{"an inertia that no body has", kOneBall + "mass = 1\ninertia = [1, 1, 2.1]\n",
+                 "7:1", "no principal moment larger than the sum of the others"},
+        BadInput{"an inertia that no body has, turned",
+                 kOneBall + "mass = 1\ninertia = [1, 1, 1, 0.7, 0, 0]\n", "7:1",
+                 "no principal moment larger"},
         BadInput{"an expression without end",
                  kOneBall + "mass = '" + std::string(5000, '(') + "'\n", "6:8",
                  "5000 characters; it should be at most 200"}));

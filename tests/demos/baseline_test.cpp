@@ -12,11 +12,12 @@
 #include "demos/regression/judge.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/run_settings.h"
-#include "demos/text/json_depth.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 #include "render/encode/png.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace demos::test {
 namespace {
@@ -98,9 +99,15 @@ TEST(Baselines, SayWhenTheyWereEdited) {
     EXPECT_NE(complaintAbout("{", "[").find("is damaged"), std::string::npos);
     // Brackets in a string are none; of others there are at most 64 in each other.
     const std::string many(100'000, '[');
-    EXPECT_FALSE(isTooDeep("[\"\\\"" + many + "\"]"));
-    EXPECT_FALSE(isTooDeep(many.substr(0, kMostJsonDepth)));
-    EXPECT_TRUE(isTooDeep(many.substr(0, kMostJsonDepth + 1)));
+    EXPECT_EQ(jsonTrouble("[\"\\\"" + many + "\"]"), "");
+    EXPECT_EQ(jsonTrouble(many.substr(0, kMostJsonDepth)), "");
+    EXPECT_EQ(jsonTrouble(many.substr(0, kMostJsonDepth + 1)), "is nested deeper than 64");
+    const std::string member = "\"a\":[],", value = "[],";
+    EXPECT_EQ(jsonTrouble("{" + support::repeated(member, 16'384) + "}"), "");
+    EXPECT_EQ(jsonTrouble("{" + support::repeated(member, 16'385) + "}"),
+              "has an object of more members than 16384");
+    EXPECT_EQ(jsonTrouble("[" + support::repeated(value, 2'000'000) + "[]]"),
+              "has more values than 4000000");
     EXPECT_NE(complaintAbout("{", "{\"a\":" + many + std::string(many.size(), ']') + ",")
                   .find("is damaged"),
               std::string::npos);

@@ -168,6 +168,14 @@ TEST_F(RenderCommand, AnInterruptedFilmIsNotThereAndTheSameCommandMakesIt) {
     EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames);
 }
 
+TEST_F(RenderCommand, ASceneThatIsCalledLikeAFolderIsRefused) {
+    write(folder / "...toml", kBall);
+    const Ended ended = run(folder.path(), {"render", "...toml", "--seconds", "0.1"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(ended.err.find("rename it"), std::string::npos) << ended.err;
+    EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{"...toml", "ball.toml"}));
+}
+
 TEST_F(RenderCommand, AFilmHasEveryFrameAndIsNotReplacedUnasked) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
     const Ended ended = film({"-o", "film.mp4", "-o", "frames"});

@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <charconv>
 #include <sstream>
 
@@ -137,9 +139,10 @@ TEST_F(Sim, DivergenceIsCode6AndNamesStepAndBody) {
 }
 
 TEST_F(Sim, WarnsOfBodiesThatBeginInsideEachOther) {
-    write(folder / "ball.toml", kBall + "[[body]]\nname = \"inside\"\nshape = { sphere = 0.1 }\n"
-                                        "at = [0, 50, 0]\n[[body]]\nname = \"too\"\n"
-                                        "shape = { sphere = 0.1 }\nat = [0.15, 50, 0]\n");
+    write(folder / "ball.toml", kBall +
+                                    "[[body]]\nname = \"inside\"\nshape = { sphere = 0.1 }\n"
+                                    "at = [0, 50, 0]\n[[body]]\nname = \"too\"\n"
+                                    "shape = { sphere = 0.1 }\nat = [0.15, 50, 0]\n");
     const Ended ended = sim({});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.err.find("warning: ball: 'inside' and 'too' overlap by 0.05 m at the start"),
@@ -205,6 +208,12 @@ TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
     EXPECT_EQ(bad.code, 2);
     EXPECT_NE(bad.err.find("bad.json:1"), std::string::npos) << bad.err;
     EXPECT_EQ(run(folder.path(), {"bench", "ball.toml", "--against", "none.json"}).code, 4);
+    ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
+    for (const char* endless : {"/dev/zero", "fifo"}) {
+        const Ended refused = run(folder.path(), {"bench", "ball.toml", "--against", endless});
+        EXPECT_EQ(refused.code, 4);
+        EXPECT_NE(refused.err.find("is not a regular file"), std::string::npos) << refused.err;
+    }
 }
 
 TEST_F(Sim, DoesNotWriteOverItsScene) {
@@ -249,13 +258,14 @@ break_at = 5
     while (std::getline(lines, line)) {
         std::vector<double> cells;
         std::istringstream row(line);
-        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(std::atof(cell.c_str()));
+        for (std::string cell; std::getline(row, cell, ',');)
+            cells.push_back(std::atof(cell.c_str()));
         ASSERT_EQ(cells.size(), 8u);
         lowest = std::min(lowest, cells[5]);
         if (cells[7] == 1.0 && atBreak > 0.0) afterwards = cells[3];
         if (cells[7] == 1.0 && atBreak == 0.0) atBreak = cells[3];
     }
-    EXPECT_LT(lowest, -0.5);     // it falls along y, the second coordinate
+    EXPECT_LT(lowest, -0.5);  // it falls along y, the second coordinate
     EXPECT_GT(atBreak, 5.0);
     EXPECT_EQ(afterwards, 0.0);
 }
@@ -273,9 +283,10 @@ TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
     write(folder / "bad.xml", "<mujoco><worldbody><geom sise='1'/></worldbody></mujoco>");
     const Ended bad = run(folder.path(), {"sim", "bad.xml"});
     EXPECT_EQ(bad.code, 3);
-    EXPECT_EQ(bad.err, "impulse: bad.xml:1:20: a <geom> of type sphere has no size; write "
-                       "size=\"0.1\" (m; half lengths)\nimpulse: bad.xml:1:26: unknown attribute "
-                       "'sise' of <geom>; did you mean 'size'?\n");
+    EXPECT_EQ(bad.err,
+              "impulse: bad.xml:1:20: a <geom> of type sphere has no size; write "
+              "size=\"0.1\" (m; half lengths)\nimpulse: bad.xml:1:26: unknown attribute "
+              "'sise' of <geom>; did you mean 'size'?\n");
 }
 
 }  // namespace

@@ -237,6 +237,16 @@ TEST_F(Snapshots, ListAndPruneOrphans) {
     EXPECT_TRUE(has("old.snapshots/notes.txt"));
 }
 
+TEST_F(Snapshots, NothingIsWrittenThroughALinkedFolder) {
+    fs::create_directory(folder / "elsewhere");
+    fs::create_directory_symlink("elsewhere", folder / "ball.snapshots");
+    const Ended ended = test();
+    EXPECT_NE(ended.code, 0);
+    EXPECT_NE((ended.out + ended.err).find("is a symbolic link"), std::string::npos)
+        << ended.out << ended.err;
+    EXPECT_TRUE(fs::is_empty(folder / "elsewhere"));
+}
+
 TEST_F(Snapshots, AnEditedReportDeletesAndRunsNothing) {
     ASSERT_EQ(test().code, 0);
     const fs::path report = folder / "output/test/report.json";

@@ -272,7 +272,7 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
         {"[]", "is not JSON"},
         {R"({"asset":{"version":"2.0"},"extensionsRequired":[)" + std::string(100'000, '[') +
              std::string(100'000, ']') + "]}",
-         "has brackets nested deeper than 64"},
+         "is nested deeper than 64"},
         {with(&Gltf::more, R"("asset":{"version":"1.0"})"), "is not of version 2.0"},
         {with(&Gltf::more, asset + R"("extensionsRequired":["KHR_draco_mesh_compression"])"),
          "needs the extension \"KHR_draco_mesh_compression\", which is not supported"},

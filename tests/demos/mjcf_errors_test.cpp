@@ -45,6 +45,12 @@ std::string deep(int levels) {
     return text;
 }
 
+std::string attributes(int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += " a" + std::to_string(i) + "='1'";
+    return text;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Files, BadModels,
     testing::Values(
@@ -53,6 +59,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "this is not XML: Start-end tags mismatch"},
         BadModel{"attribute twice", "<worldbody><geom size='1' size='2'/></worldbody>", "2:27",
                  "two attributes 'size' in one <geom>; leave one out"},
+        BadModel{"too many attributes",
+                 "<worldbody><geom size='1'" + attributes(300) + "/></worldbody>", "2:2212",
+                 "more than 256 attributes in one <geom>"},
         BadModel{"too deep", "<worldbody>" + deep(70) + "</worldbody>", "2:384",
                  "elements more than 64 deep in each other; they should be less"},
         BadModel{"too many", "<worldbody>" + repeated("<geom/>", 200'001) + "</worldbody>",

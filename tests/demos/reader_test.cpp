@@ -43,7 +43,7 @@ TEST(Reader, ReadsABodyInFull) {
         "colour = '#0a0B0c'\n" +
         kBall +
         "turn_deg = [0, 0, 90]\nvelocity = [1, 2, 3]\nspin = [4, 5, 6]\nmass = 7\n"
-        "inertia = [1, 2, 3, 0.1, 0.2, 0.3]\nmaterial = 'm'\n");
+        "inertia = [2, 3, 4, 0.1, 0.2, 0.3]\nmaterial = 'm'\n");
     const BodyDescription& body = scene.bodies.at(0);
     EXPECT_EQ(body.def.velocity, Vec3(1, 2, 3));
     EXPECT_EQ(body.def.spin, Vec3(4, 5, 6));

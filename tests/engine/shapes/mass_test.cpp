@@ -93,6 +93,22 @@ TEST(Mass, ATensorWithProductsOfInertiaWorks) {
     EXPECT_LT((bodies.inverseMasses[0].angular - expected).norm(), 1e-14);
 }
 
+TEST(Mass, NoPrincipalMomentIsLargerThanTheSumOfTheOthers) {
+    const auto diagonal = [](double a, double b, double c) {
+        return Mat3(Vec3(a, b, c).asDiagonal());
+    };
+    const Mat3 turn = Quat(0.5, 0.1, -0.7, 0.3).normalized().toRotationMatrix();
+    for (const double size : {1e-12, 1.0, 1e12}) {
+        EXPECT_TRUE(isInertia(size * diagonal(1, 2, 3))) << "a plate";
+        EXPECT_TRUE(isInertia(size * turn * diagonal(1, 2, 2.9) * turn.transpose()));
+        EXPECT_FALSE(isInertia(size * diagonal(1, 2, 3.01)));
+        EXPECT_FALSE(isInertia(size * turn * diagonal(1, 2, 3.01) * turn.transpose()));
+        EXPECT_FALSE(isInertia(size * diagonal(1, -1, 1)));
+    }
+    EXPECT_FALSE(isInertia(diagonal(1, 1, std::nan(""))));
+    EXPECT_FALSE(isInertia(Mat3::Zero()));
+}
+
 TEST(Mass, AnInertiaThatIsNoneStopsTheProgram) {
     BodyDef def = support::body(Shape::sphere(1), Vec3::Zero());
     def.inertia = Mat3(Vec3(1, 1, -1).asDiagonal());
