@@ -5,6 +5,8 @@
 namespace demos {
 
 Command renderCommand();
+Command joinCommand();
+Command farmCommand();
 Command stillCommand();
 Command stripCommand();
 Command simCommand();

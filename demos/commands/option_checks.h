@@ -14,6 +14,7 @@ inline constexpr double kLongest = 1e5;  // s
 struct OptionTexts {
     std::string size;
     std::string maxSize;
+    std::string shard;
     std::vector<std::string> times;
     std::vector<std::string> show;
     std::vector<std::string> passes;

@@ -76,6 +76,15 @@ Run addRender(CLI::App& app) {
                      "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
                      "poses contacts events; described in passes.json; default: none")
                   ->type_name("NAMES"));
+    CLI::Option* frames = app.add_option(
+        "--frames", options.frames,
+        "which frames, with commas: 120..179, 0..-1 (to the last), 0..299:2, 20; default: all");
+    frames->type_name("LIST");
+    app.add_option("--shard", texts.shard,
+                   "part K of N, to be joined by impulse join: PNG frames, or a film that goes to "
+                   "NAME.parts/; what is there is not drawn again; default: the whole film")
+        ->type_name("K/N")
+        ->excludes(frames);
     addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
                  "say how many frames, memory and disk it takes; draw nothing; default: off");
@@ -84,6 +93,7 @@ Run addRender(CLI::App& app) {
         FilmOptions& given = settled(*asked, commandLine);
         given.passes = asked->texts.passes;
         for (const std::string& name : given.passes) checkName("--pass", name, passNames());
+        if (!asked->texts.shard.empty()) given.shard = shardCalled(asked->texts.shard);
         if (!asked->texts.maxSize.empty()) given.maxSize = bytesFrom(asked->texts.maxSize);
         if (given.posterTime && given.poster.empty())
             refuse("--poster-time belongs to --poster; name a file for it");

@@ -11,6 +11,7 @@
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
 #include "demos/film/outputs.h"
+#include "demos/film/parts.h"
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
 #include "demos/processes/signals.h"
@@ -44,6 +45,7 @@ void writeRaw(const render::Image& image) {
 struct Film {
     std::filesystem::path path;
     std::unique_ptr<render::VideoWriter> writer;
+    std::optional<RunRecord> part;  // of a --shard
 };
 
 render::VideoSource sourceOf(const FilmPlan& plan) {
@@ -71,9 +73,11 @@ public:
             }
             if (output.kind == OutputKind::film) {
                 render::makeFolder(output.path.parent_path());
-                films_.push_back(
-                    {output.path, std::make_unique<render::VideoWriter>(output.path, sourceOf(plan),
-                                                                        fitOf(options, talk))});
+                films_.push_back({output.path,
+                                  std::make_unique<render::VideoWriter>(
+                                      output.path, sourceOf(plan), fitOf(options, talk)),
+                                  {}});
+                if (output.part) films_.back().part = record;
             }
         }
     }
@@ -87,15 +91,21 @@ public:
 
     void add(const DrawnFrame& frame) {
         for (const auto& files : files_) files->add(frame);
-        for (const Film& film : films_) film.writer->add(frame.image);
+        for (Film& film : films_) {
+            film.writer->add(frame.image);
+            if (film.part) film.part->frames[frame.frame] = {true, frame.stateHash, 0, 0};
+        }
         if (raw_) writeRaw(frame.image);
         poster_.add(frame);
     }
 
     void close(bool finished) {
         keepFrames(finished);
-        for (const Film& film : films_)
-            if (film.writer->frames() > 0) film.writer->close(existing_);
+        for (Film& film : films_) {
+            if (film.writer->frames() == 0 || (film.part && !finished)) continue;
+            film.writer->close(film.part ? render::Existing::replaced : existing_);
+            if (film.part) writePartRecord(film.path, *film.part);
+        }
         if (finished) poster_.write();
     }
 
@@ -112,11 +122,18 @@ public:
             }
     }
 
-    void tell(const FilmPlan& plan, const FilmOptions& options, const Talk& talk) const {
+    void tell(const FilmPlan& plan, const std::vector<bool>& chosen, const FilmOptions& options,
+              const Talk& talk) const {
+        const int count = static_cast<int>(std::count(chosen.begin(), chosen.end(), true));
+        const int first =
+            static_cast<int>(std::find(chosen.begin(), chosen.end(), true) - chosen.begin());
+        const int last = plan.frames - 1 -
+                         static_cast<int>(std::find(chosen.rbegin(), chosen.rend(), true) -
+                                          chosen.rbegin());
         for (const auto& files : files_)
-            talk.say(fmt::format("wrote {} ... {} ({}{})", printable(files->nameOf(0).string()),
-                                 printable(files->nameOf(plan.frames - 1).filename().string()),
-                                 plural(plan.frames, "frame"),
+            talk.say(fmt::format("wrote {} ... {} ({}{})", printable(files->nameOf(first).string()),
+                                 printable(files->nameOf(last).filename().string()),
+                                 plural(count, "frame"),
                                  files->kept() ? fmt::format(", {} kept", files->kept()) : ""));
         for (const auto& files : files_)
             if (!plan.passes.empty())
@@ -126,8 +143,9 @@ public:
             talk.say(fmt::format("wrote {} ({})", printable(film.path.string()),
                                  options.maxSize
                                      ? film.writer->summary()
-                                     : fmt::format("{}, {:.3g} s", plural(plan.frames, "frame"),
-                                                   plan.timeOf(plan.frames))));
+                                     : fmt::format("{}, {:.3g} s",
+                                                   plural(film.writer->frames(), "frame"),
+                                                   plan.timeOf(film.writer->frames()))));
         poster_.tell(plan, talk);
     }
 
@@ -164,6 +182,8 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
     record.fps = plan.fps;
     record.hz = plan.scene().hz;
     record.passes = passNamesOf(plan.passes);
+    if (options.shard) record.shard = options.shard->name();
+    record.frames.assign(static_cast<std::size_t>(plan.frames), {});
     return record;
 }
 
@@ -191,13 +211,42 @@ void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, 
     }
 }
 
-std::vector<bool> wantedFrames(const Writers& writers, int frames) {
-    std::vector<bool> wanted(static_cast<std::size_t>(frames));
-    for (int frame = 0; frame < frames; ++frame) wanted[frame] = writers.wants(frame);
+/// Of those that were chosen.
+std::vector<bool> wantedFrames(const Writers& writers, const std::vector<bool>& chosen) {
+    std::vector<bool> wanted = chosen;
+    for (std::size_t frame = 0; frame < wanted.size(); ++frame)
+        wanted[frame] = wanted[frame] && writers.wants(static_cast<int>(frame));
     return wanted;
 }
 
-void tellNext(const Writers& writers, const FilmOptions& options, const Talk& talk) {
+int countOf(const std::vector<bool>& frames) {
+    return static_cast<int>(std::count(frames.begin(), frames.end(), true));
+}
+
+/// Whether the part of a film is there; another run's is not replaced unasked.
+bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const FilmOptions& options,
+            const Talk& talk) {
+    const Output& output = outputs.front();
+    if (!output.part) return false;
+    const PartState state = stateOfPart(output.path, record);
+    if (state == PartState::another && !options.overwrite)
+        refuseToReplace(output.path,
+                        "is a part of another run (other settings, scene or program); --overwrite "
+                        "replaces it");
+    if (state != PartState::done) return false;
+    talk.say(fmt::format("{} is there already, and whole", printable(output.path.string())));
+    talk.json(R"({"event":"done","frames":0})");
+    return true;
+}
+
+void tellNext(const Writers& writers, const std::vector<Output>& outputs,
+              const FilmOptions& options, const Talk& talk) {
+    if (options.shard)
+        return talk.say(fmt::format(
+            "next, when all {} parts are there: impulse join {}", options.shard->count,
+            printable(shellWord((writers.hasFilms() ? outputs.front().path.parent_path()
+                                                    : outputs.front().path)
+                                    .string()))));
     if (writers.hasFilms())
         talk.say(fmt::format("next: impulse sim {} --hash", printable(shellWord(options.scene()))));
     else
@@ -216,7 +265,8 @@ void tellPlan(const FilmNeeds& needs, const FilmPlan& plan, const std::vector<Ou
 void checkFilmPlan(const FilmPlan& plan, const FilmOptions& options) {
     const std::vector<Output> outputs = outputsOf(plan, options);
     checkOutputs(outputs, plan, options.overwrite);
-    checkNeeds(needsOf(plan, workerCount(options.jobs, plan.frames), outputs), plan);
+    const int chosen = countOf(chosenFrames(options.frames, options.shard, plan.frames));
+    checkNeeds(needsOf(plan, workerCount(options.jobs, chosen), outputs), plan);
 }
 
 void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
@@ -226,19 +276,21 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
     const bool raw = has(outputs, OutputKind::raw);
     const bool moving = raw || has(outputs, OutputKind::film);
     const Talk talk(options, raw);
-    const int workers = workerCount(options.jobs, plan.frames);
+    const std::vector<bool> chosen = chosenFrames(options.frames, options.shard, plan.frames);
+    const int frames = countOf(chosen), workers = workerCount(options.jobs, frames);
     if (options.dryRun) return tellPlan(needsOf(plan, workers, outputs), plan, outputs, talk);
     watchSignals();
     FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
     RunRecord record = recordOf(plan, options, source.renderer());
     if (has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();
+    if (isDone(outputs, record, options, talk)) return;
     Writers writers(plan, outputs, record, std::move(poster), options, talk);
-    const std::vector<bool> wanted = wantedFrames(writers, plan.frames);
-    const int missing = static_cast<int>(std::count(wanted.begin(), wanted.end(), true));
+    const std::vector<bool> wanted = wantedFrames(writers, chosen);
+    const int missing = countOf(wanted);
     talk.json(fmt::format(R"({{"event":"start","scene":{},"frames":{},"kept":{},"fps":{}}})",
-                          jsonString(plan.name), plan.frames, plan.frames - missing, plan.fps));
+                          jsonString(plan.name), frames, frames - missing, plan.fps));
     source.order(wanted);
-    Progress progress(options, plan.frames, plan.frames - missing);
+    Progress progress(options, frames, frames - missing);
     try {
         drawAll(source, writers, options, talk, progress);
         progress.finish();
@@ -254,9 +306,9 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
         writers.saveRecords();
         throw;
     }
-    writers.tell(plan, options, talk);
-    talk.json(fmt::format(R"({{"event":"done","frames":{}}})", plan.frames));
-    tellNext(writers, options, talk);
+    writers.tell(plan, chosen, options, talk);
+    talk.json(fmt::format(R"({{"event":"done","frames":{}}})", frames));
+    tellNext(writers, outputs, options, talk);
 }
 
 }  // namespace demos

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "demos/film/data_json.h"
+#include "demos/film/frame_choice.h"
 #include "demos/film/outputs.h"
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
@@ -49,11 +50,12 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     : plan_(plan), folder_(folder), record_(std::move(record)) {
     record_.frames.assign(static_cast<std::size_t>(plan.frames), {});
     render::makeFolder(folder_);
-    lock_.emplace(folder_);
+    if (!isPart()) lock_.emplace(folder_);
+    if (!isPart()) render::sweepTemporaries(recordName());
     const std::vector<std::uint8_t> bytes = contentOf(recordName(), kMostJsonBytes);
     const auto old = recordFromJson({bytes.begin(), bytes.end()});
     const bool same = old && old->pattern == record_.pattern;
-    if (same) sweepTemporaries();
+    if (same && !isPart()) sweepTemporaries();
     if (overwrite && same) {
         removeOutdated(*old);
     } else if (!overwrite && same && old->fingerprint == record_.fingerprint) {
@@ -68,6 +70,15 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     render::checkReplaceable(recordName());
     prepareData();
     close(false);
+}
+
+fs::path FrameFiles::recordName() const {
+    return folder_ / (isPart() ? "run." + record_.shard + ".json" : "run.json");
+}
+
+bool FrameFiles::hasAll() const {
+    return std::all_of(record_.frames.begin(), record_.frames.end(),
+                       [](const FrameRecord& frame) { return frame.written; });
 }
 
 bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
@@ -102,11 +113,14 @@ void FrameFiles::refuseStrangers() const {
                             "is there already, and no run.json tells whose it is; "
                             "--overwrite replaces it");
     };
-    for (int frame = 0; frame < plan_.frames; ++frame) {
+    const std::optional<Shard> shard = shardNamed(record_.shard);
+    const int first = shard ? shard->first(plan_.frames) : 0;
+    const int end = shard ? shard->end(plan_.frames) : plan_.frames;
+    for (int frame = first; frame < end; ++frame) {
         check(nameOf(frame));
         for (const Pass pass : plan_.passes) check(nameOf(frame, pass));
     }
-    if (!plan_.passes.empty()) check(dataName());
+    if (!plan_.passes.empty() && !shard) check(dataName());
 }
 
 /// A folder for each pass, and their description.
@@ -174,8 +188,10 @@ void FrameFiles::add(const DrawnFrame& frame) {
 }
 
 void FrameFiles::close(bool finished) {
-    record_.finished = finished;
-    render::writeFileAtomically(recordName(), jsonOf(record_));
+    record_.finished = finished && (isPart() || hasAll());
+    const std::string json = jsonOf(record_);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data());
+    render::writeFrameFile(recordName(), {bytes, json.size()});
     unrecorded_ = 0;
 }
 

@@ -12,7 +12,8 @@
 
 namespace demos {
 
-/// Holds the folder's lock from the constructor to the end.
+/// Holds the folder's lock from the constructor to the end, unless it is a part's: other parts are
+/// written there at the same time, perhaps by other machines.
 class FrameFiles {
 public:
     /// `record`: what this run is. Takes up a run with the same fingerprint: frames that are whole
@@ -24,6 +25,7 @@ public:
     FrameFiles& operator=(const FrameFiles&) = delete;
 
     bool has(int frame) const { return record_.frames[frame].written; }
+    bool hasAll() const;
     int kept() const { return kept_; }
     /// Writes the frame, and from time to time the record.
     void add(const DrawnFrame& frame);
@@ -44,7 +46,8 @@ private:
     void sweepTemporaries() const;
     void removeOutdated(const RunRecord& old) const;
     bool isGood(int frame, const FrameRecord& entry) const;
-    std::filesystem::path recordName() const { return folder_ / "run.json"; }
+    bool isPart() const { return !record_.shard.empty(); }
+    std::filesystem::path recordName() const;
 
     const FilmPlan& plan_;
     std::filesystem::path folder_;

@@ -66,6 +66,17 @@ Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     return framesOutput(plan, (fs::path(pattern) / "frame_{frame:6}.png").string());
 }
 
+/// Of a film a part is a file in a folder of its own.
+void takePart(const Shard& shard, const std::string& pattern, Output& output) {
+    const std::string ending = endingOf(pattern);
+    const bool joins = ending == ".mp4" || ending == ".webm";
+    if (output.kind == OutputKind::raw || (output.kind == OutputKind::film && !joins))
+        refuseOutput(pattern, "with --shard a film is .mp4 or .webm, or PNG frames");
+    if (output.kind != OutputKind::film) return;
+    output.path = partsFolderOf(output.path) / (shard.name() + ending);
+    output.part = true;
+}
+
 /// Data has its place beside PNG frames.
 void checkPasses(const std::vector<Output>& outputs, const FilmPlan& plan) {
     if (plan.passes.empty()) return;
@@ -101,6 +112,7 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
         throw Stop(Exit::usage, fmt::format("--fps {}: a {} film takes at most {} frames a second",
                                             plan.fps, ending,
                                             render::videoFormatOf(output.path)->largestFps));
+    if (output.part) return;
     if (render::sweepTemporaries(output.path))
         throw Stop(Exit::wouldOverwrite,
                    fmt::format("'{}' is being written by another run; wait for it, or give "
@@ -114,6 +126,8 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
 }
 
 }  // namespace
+
+fs::path partsFolderOf(fs::path film) { return film.replace_extension(".parts"); }
 
 bool has(const std::vector<Output>& outputs, OutputKind kind) {
     return std::any_of(outputs.begin(), outputs.end(),
@@ -129,7 +143,8 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options) 
     if (patterns.empty()) patterns = {"output/{scene}"};
     std::vector<Output> outputs;
     for (const std::string& pattern : patterns) {
-        const Output output = outputOf(plan, pattern);
+        Output output = outputOf(plan, pattern);
+        if (options.shard) takePart(*options.shard, pattern, output);
         for (const Output& other : outputs)
             if (other.kind == output.kind && other.path == output.path)
                 refuseOutput(pattern, "another --output goes there already");
@@ -140,6 +155,9 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options) 
     const auto isFilm = [](const Output& output) { return output.kind == OutputKind::film; };
     if (options.maxSize && std::none_of(outputs.begin(), outputs.end(), isFilm))
         throw Stop(Exit::usage, "--max-size belongs to a film; name one, as in -o film.gif");
+    if (options.shard && (outputs.size() > 1 || options.maxSize || !options.poster.empty()))
+        throw Stop(Exit::usage, "--shard: a part has one --output, and neither --max-size nor "
+                                "--poster, which the whole film decides about");
     checkPasses(outputs, plan);
     return outputs;
 }

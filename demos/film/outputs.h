@@ -20,7 +20,11 @@ struct Output {
     OutputKind kind = OutputKind::frames;
     std::string pattern;         // frames: of the files' names
     std::filesystem::path path;  // film: the file; frames: their folder
+    bool part = false;           // of a film: made anew unless it is there
 };
+
+/// film.mp4: film.parts, where a --shard goes.
+std::filesystem::path partsFolderOf(std::filesystem::path film);
 
 bool has(const std::vector<Output>& outputs, OutputKind kind);
 

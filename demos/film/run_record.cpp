@@ -32,6 +32,8 @@ std::string jsonOf(const RunRecord& record) {
     json["fps"] = record.fps;
     json["hz"] = record.hz;
     if (!record.passes.empty()) json["passes"] = record.passes;
+    if (!record.shard.empty()) json["shard"] = record.shard;
+    if (record.film != 0) json["film"] = hexText(record.film);
     json["finished"] = record.finished;
     Json& frames = json["frames"] = Json::array();
     for (const FrameRecord& frame : record.frames) {
@@ -53,6 +55,22 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     record.fingerprint = fromHex(json.at("fingerprint").get<std::string>()).value();
     record.pattern = json.at("pattern").get<std::string>();
     record.finished = json.at("finished").get<bool>();
+    record.scene = json.value("scene", "");
+    record.command = json.value("command", "");
+    record.renderer = json.value("renderer", "");
+    record.pixels = json.value("pixels", "");
+    record.quality = json.value("quality", "");
+    record.theme = json.value("theme", "");
+    record.show = json.value("show", std::vector<std::string>{});
+    record.settings = json.value("set", std::vector<std::string>{});
+    if (json.contains("size")) json["size"].at(0).get_to(record.width);
+    if (json.contains("size")) json["size"].at(1).get_to(record.height);
+    record.samples = json.value("samples", 0);
+    record.fps = json.value("fps", 0);
+    record.hz = json.value("hz", 0);
+    record.shard = json.value("shard", "");
+    if (json.contains("film"))
+        record.film = fromHex(json["film"].get<std::string>()).value();
     if (json.contains("passes")) record.passes = json["passes"].get<std::vector<std::string>>();
     const Json& frames = json.at("frames");
     if (!frames.is_array() || frames.size() > kMostFrames) return std::nullopt;

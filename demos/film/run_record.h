@@ -24,6 +24,8 @@ struct RunRecord {
     std::vector<std::string> show, settings;  // overlays; KEY=VALUE of the command line
     int width = 0, height = 0, samples = 0, fps = 0, hz = 0;
     std::vector<std::string> passes;  // data passes, by name
+    std::string shard;       // "003-of-016": the record of a part; empty: of a whole run
+    std::uint64_t film = 0;  // TextHash of a part's film; 0: it is of PNG frames
     bool finished = false;
     std::vector<FrameRecord> frames;
 };

@@ -7,10 +7,10 @@ namespace demos {
 
 std::span<const Command> commandTable() {
     static const Command commands[] = {
-        renderCommand(),  stillCommand(),      stripCommand(),   simCommand(),    plotCommand(),
-        compareCommand(), sweepCommand(),      exportCommand(),  slidesCommand(), watchCommand(),
-        galleryCommand(), testCommand(),       approveCommand(), listCommand(),   doctorCommand(),
-        benchCommand(),   completionCommand(),
+        renderCommand(), joinCommand(),   farmCommand(),    stillCommand(),      stripCommand(),
+        simCommand(),    plotCommand(),   compareCommand(), sweepCommand(),      exportCommand(),
+        slidesCommand(), watchCommand(),  galleryCommand(), testCommand(),       approveCommand(),
+        listCommand(),   doctorCommand(), benchCommand(),   completionCommand(),
     };
     return commands;
 }

@@ -41,7 +41,7 @@ struct Parser {
             "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
             "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would "
             "overwrite, "
-            "6 diverged, 130 interrupted.");
+            "6 diverged, 7 parts are missing, 130 interrupted.");
         for (const Command& command : commandTable()) {
             CLI::App* sub = app.add_subcommand(command.name, command.purpose);
             sub->set_help_flag("-h,--help", "this page");

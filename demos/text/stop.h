@@ -13,6 +13,7 @@ enum class Exit {
     environment = 4,     // no OpenGL, no ffmpeg, disk full
     wouldOverwrite = 5,  // without --overwrite
     diverged = 6,        // the simulation: a body that could not go on, or energy from nowhere
+    incomplete = 7,      // parts of a film are not there or do not belong together
     interrupted = 130    // SIGINT, SIGTERM, SIGHUP
 };
 

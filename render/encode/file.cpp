@@ -17,6 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// 10000..99999: machines that share a folder have processes of the same numbers.
+unsigned hostNumber() {
+    char name[256] = {};
+    ::gethostname(name, sizeof name - 1);
+    unsigned hash = 2166136261u;  // FNV-1a
+    for (const char* c = name; *c != 0; ++c) hash = (hash ^ static_cast<unsigned char>(*c)) * 16777619u;
+    return hash % 90'000u + 10'000u;
+}
+
 /// ENOENT of a folder that is there: it makes no files, as /proc does not.
 std::string reasonOf(const fs::path& path, int error) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -134,7 +143,8 @@ void checkReplaceable(const fs::path& path) {
 
 fs::path temporaryNameFor(const fs::path& path) {
     fs::path temporary = path;
-    temporary += ".tmp" + std::to_string(::getpid());
+    static const std::string host = std::to_string(hostNumber());
+    temporary += ".tmp" + host + std::to_string(::getpid());
     return temporary;
 }
 

@@ -46,7 +46,7 @@ void makeFolder(const std::filesystem::path& folder);
 void checkReplaceable(const std::filesystem::path& path);
 
 /// The name a file carries until it is whole: beside the target (rename does not cross disks),
-/// with the number of this process.
+/// with the numbers of this machine and process.
 std::filesystem::path temporaryNameFor(const std::filesystem::path& path);
 
 /// Creates a new `temporary` and opens it, never through a symlink. A file left there by a killed

@@ -1,0 +1,70 @@
+#include "render/encode/join_films.h"
+
+#include <unistd.h>
+
+#include <string>
+#include <vector>
+
+#include "render/encode/descriptor.h"
+#include "render/encode/ffmpeg.h"
+#include "render/encode/film_file.h"
+#include "render/error.h"
+
+namespace render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In single quotes, as ffmpeg's lists of files are written.
+std::string quotedName(const fs::path& file) {
+    std::string text = "file 'file:";
+    for (const char c : fs::absolute(file).string()) {
+        if (c == '\n') throw Error("cannot join '" + file.string() + "': its name has two lines");
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return text + "'\n";
+}
+
+std::vector<std::string> arguments(Codec codec, const fs::path& output) {
+    std::vector<std::string> all = {
+        "ffmpeg",    "-nostdin", "-hide_banner", "-xerror",  "-loglevel",
+        "error",     "-y",       "-progress",    "pipe:1",   "-protocol_whitelist",
+        "file,pipe", "-f",       "concat",       "-safe",    "0",
+        "-i",        "-",        "-c",           "copy",     "-map_metadata",
+        "-1",        "-fflags",  "+bitexact",    "-flags:v", "+bitexact"};
+    if (codec == Codec::h264) all.insert(all.end(), {"-movflags", "+faststart", "-f", "mp4"});
+    if (codec == Codec::vp9) all.insert(all.end(), {"-f", "webm"});
+    all.push_back("file:" + output.string());
+    return all;
+}
+
+}  // namespace
+
+void joinFilms(std::span<const fs::path> parts, int frames, const fs::path& target,
+               Existing existing) {
+    const VideoFormat* format = videoFormatOf(target);
+    if (!format || (format->codec != Codec::h264 && format->codec != Codec::vp9))
+        throw Error("film '" + target.string() + "': parts are joined into .mp4 or .webm");
+    checkReplaceable(target);
+    std::string list;
+    for (const fs::path& part : parts) list += quotedName(part);
+    const fs::path temporary = temporaryNameFor(target);
+    const Descriptor held(createTemporary(temporary, target), "write a film");
+    try {
+        Ffmpeg ffmpeg(arguments(format->codec, temporary), ffmpegPatience());
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(list.data());
+        const bool took = ffmpeg.send({bytes, list.size()});
+        const bool ended = ffmpeg.finish();
+        if (!took || !ended) throw Error("film '" + target.string() + "': " + ffmpeg.complaint());
+        if (ffmpeg.framesWritten() != frames || !filmIsWhole(*format, held.number()))
+            throw Error("film '" + target.string() + "': of " + std::to_string(frames) +
+                        " frames of its parts " + std::to_string(ffmpeg.framesWritten()) +
+                        " were joined; are they of one kind?");
+        publish(temporary, target, existing);
+    } catch (...) {
+        ::unlink(temporary.c_str());
+        throw;
+    }
+}
+
+}  // namespace render

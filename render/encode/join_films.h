@@ -1,0 +1,15 @@
+/// Films one after the other, without encoding them again.
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "render/encode/file.h"
+
+namespace render {
+
+/// `parts`: of one kind (.mp4 or .webm, as `target`), size and rate, encoded alike; `frames`: they
+/// have together. Whole or not at all. Throws Error, AlreadyThere.
+void joinFilms(std::span<const std::filesystem::path> parts, int frames,
+               const std::filesystem::path& target, Existing existing);
+
+}  // namespace render

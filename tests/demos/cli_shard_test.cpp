@@ -1,0 +1,167 @@
+// A film in parts: any order, any number of times, killed between; joined it is the film of one
+// run.
+#include "tests/demos/small_film.h"
+
+namespace demos::test {
+namespace {
+
+class Shards : public SmallFilm {
+protected:
+    static std::string numbered(int number, int count) {
+        return std::to_string(number) + "/" + std::to_string(count);
+    }
+    Ended join(std::vector<std::string> more) {
+        more.insert(more.begin(), "join");
+        return run(folder.path(), more);
+    }
+    /// A hash of every decoded frame.
+    std::string frameHashes(const std::string& film) {
+        const std::string command =
+            "cd '" + folder.path().string() + "' && for f in " + film +
+            "; do ffmpeg -v error -i $f -f framemd5 - | grep -v '#' | sed 's/.*,//'; done > hashes";
+        EXPECT_EQ(std::system(command.c_str()), 0);
+        return contentOf(folder / "hashes");
+    }
+};
+
+TEST_F(Shards, PngFramesAreThoseOfOneRunInAnyOrder) {
+    ASSERT_EQ(film({"-o", "one"}).code, 0);
+    for (const int number : {3, 1, 2}) {
+        const Ended part = film({"-o", "parts", "--shard", numbered(number, 3)});
+        ASSERT_EQ(part.code, 0) << part.err;
+    }
+    EXPECT_EQ(framesIn(folder / "parts"), framesIn(folder / "one"));
+    const Ended joined = join({"parts"});
+    EXPECT_EQ(joined.code, 0) << joined.err;
+    const Ended again = film({"-o", "parts"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("10 kept"), std::string::npos) << again.out;
+}
+
+TEST_F(Shards, AFilmIsItsPartsFrameByFrame) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    for (const int number : {2, 3, 1})
+        ASSERT_EQ(film({"-o", "film.mp4", "--shard", numbered(number, 3)}).code, 0);
+    const Ended joined = join({"film.parts"});
+    ASSERT_EQ(joined.code, 0) << joined.err;
+    EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames);
+    EXPECT_EQ(frameHashes("film.mp4"), frameHashes("film.parts/*.mp4"));
+    EXPECT_EQ(join({"film.parts"}).code, 5);
+    EXPECT_EQ(join({"film.parts", "--overwrite"}).code, 0);
+    EXPECT_EQ(join({"film.parts", "-o", "film.webm"}).code, 2);
+}
+
+TEST_F(Shards, APartThatIsThereIsNotDrawnAgain) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    ASSERT_EQ(film({"-o", "film.mp4", "--shard", "1/2"}).code, 0);
+    const fs::path part = folder / "film.parts/001-of-002.mp4";
+    const auto time = fs::last_write_time(part);
+    const Ended again = film({"-o", "film.mp4", "--shard", "1/2"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("is there already, and whole"), std::string::npos) << again.out;
+    EXPECT_EQ(fs::last_write_time(part), time);
+    EXPECT_EQ(film({"-o", "film.mp4", "--shard", "1/2", "--theme", "dark"}).code, 5);
+    EXPECT_EQ(film({"-o", "film.mp4", "--shard", "1/2", "--theme", "dark", "--overwrite"}).code, 0);
+}
+
+TEST_F(Shards, JoinNamesWhatIsMissingTornOrOfAnotherRun) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    for (const int number : {1, 2, 4, 5})
+        ASSERT_EQ(film({"-o", "film.mp4", "--shard", numbered(number, 5)}).code, 0);
+    ASSERT_EQ(film({"-o", "film.mp4", "--shard", "5/5", "--clean", "--overwrite"}).code, 0);
+    fs::resize_file(folder / "film.parts/002-of-005.mp4", 100);
+    const Ended joined = join({"film.parts"});
+    EXPECT_EQ(joined.code, 7);
+    EXPECT_EQ(joined.errorLines(), 1);
+    for (const char* said :
+         {"2 of 5 parts are whole", "missing: 3", "torn or not finished: 2", "of another run: 5"})
+        EXPECT_NE(joined.err.find(said), std::string::npos) << joined.err;
+    EXPECT_NE(joined.out.find("to do: impulse render ball.toml"), std::string::npos) << joined.out;
+    EXPECT_NE(joined.out.find("--shard 3/5"), std::string::npos) << joined.out;
+    EXPECT_FALSE(fs::exists(folder / "film.mp4"));
+}
+
+TEST_F(Shards, AKilledPartIsDrawnAgain) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    for (const char* output : {"film.mp4", "frames"}) {
+        Launch launch =
+            small(folder.path(), {"-o", output, "--seconds", "60", "--shard", "2/2", "--json"});
+        launch.awaited = "\"frame\":400,";
+        launch.signal = SIGKILL;
+        EXPECT_EQ(run(launch).signal, SIGKILL);
+    }
+    EXPECT_EQ(join({"frames"}).code, 7);
+    const Ended frames = film({"-o", "frames", "--seconds", "60", "--shard", "2/2"});
+    EXPECT_EQ(frames.code, 0) << frames.err;
+    EXPECT_NE(frames.out.find(" kept"), std::string::npos) << frames.out;
+    const Ended part = film({"-o", "film.mp4", "--seconds", "60", "--shard", "2/2"});
+    EXPECT_EQ(part.code, 0) << part.err;
+    EXPECT_EQ(playableFrames(folder / "film.parts/002-of-002.mp4"), 300);
+}
+
+TEST_F(Shards, ForeignRecordsAreReportedAndNothingIsRead) {
+    fs::create_directory(folder / "p");
+    EXPECT_EQ(join({"p"}).code, 2);
+    EXPECT_EQ(join({"none"}).code, 2);
+    write(folder / "p/001-of-002.json", std::string(100'000, '['));
+    write(folder / "p/run.002-of-002.json", "{}");
+    const Ended joined = join({"p"});
+    EXPECT_EQ(joined.code, 7);
+    EXPECT_NE(joined.err.find("torn or not finished: 1 2"), std::string::npos) << joined.err;
+    write(folder / "p/001-of-003.json", "{}");
+    EXPECT_EQ(join({"p"}).code, 2);
+}
+
+TEST_F(Shards, FramesAreNumberedAsTheFilms) {
+    ASSERT_EQ(film({"-o", "all"}).code, 0);
+    ASSERT_EQ(film({"-o", "some", "--frames", "2..3,-1"}).code, 0);
+    Files expected = framesIn(folder / "all");
+    std::erase_if(expected, [](const auto& file) {
+        return file.first != "frame_000002.png" && file.first != "frame_000003.png" &&
+               file.first != "frame_000009.png";
+    });
+    EXPECT_EQ(framesIn(folder / "some"), expected);
+    const Ended rest = film({"-o", "some"});
+    EXPECT_NE(rest.out.find("3 kept"), std::string::npos) << rest.out;
+    EXPECT_EQ(framesIn(folder / "some"), framesIn(folder / "all"));
+}
+
+TEST_F(Shards, AJobFileDrawsTheFilm) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    const std::vector<std::string> words = {"ball.toml", "-o",       "film.mp4", "--size",
+                                            "96x54",     "--fps",    "10",       "--samples",
+                                            "1",         "--shards", "3"};
+    for (const char* engine : {"commands", "make"}) {
+        std::vector<std::string> all = {"farm", engine};
+        all.insert(all.end(), words.begin(), words.end());
+        const Ended job = run(folder.path(), all);
+        ASSERT_EQ(job.code, 0) << job.err;
+        write(folder / "job", job.out);
+        fs::create_directories(folder / "bin");
+        if (!fs::exists(folder / "bin/impulse"))
+            fs::create_symlink(IMPULSE_BINARY, folder / "bin/impulse");
+        const std::string start = std::string(engine) == "make" ? "make -s -f job" : "sh -e job";
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && PATH=\"$PWD/bin:$PATH\" " + start + " > log 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "log");
+        EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames) << engine;
+        fs::remove_all(folder / "film.parts");
+        fs::remove(folder / "film.mp4");
+    }
+}
+
+TEST_F(Shards, AJobFileIsRefusedAsRenderWould) {
+    const auto farm = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), "farm");
+        return run(folder.path(), more);
+    };
+    EXPECT_EQ(farm({"slurm", "ball.toml", "--shards", "4", "-q", "best"}).code, 2);
+    EXPECT_EQ(farm({"slurm", "none.toml", "--shards", "4"}).code, 3);
+    EXPECT_EQ(farm({"slurm", "ball.toml", "--shards", "4000"}).code, 2);
+    EXPECT_EQ(farm({"slurm", "ball.toml", "--shards", "4", "-o", "film.gif"}).code, 2);
+    EXPECT_EQ(farm({"slurm", "--shards", "4"}).code, 2);
+    EXPECT_EQ(farm({"cluster", "ball.toml", "--shards", "4"}).code, 2);
+}
+
+}  // namespace
+}  // namespace demos::test
