@@ -17,7 +17,7 @@ DepthMap DepthPass::draw(const Frame& frame, const View& view, const Meshes& mes
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width_, height_);
     glClear(GL_DEPTH_BUFFER_BIT);
-    meshes.drawWith(solid_, view.worldToClip());
+    meshes.drawWith(solid_, view.worldToClip(), Detail::coarse);
     glUseProgram(ground_);
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (const Ground& plane : frame.grounds)

@@ -1,6 +1,9 @@
 #include "render/instanced_mesh.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
 
 namespace render {
 namespace {
@@ -12,22 +15,49 @@ void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, G
     glVertexAttribDivisor(index, divisor);
 }
 
-}  // namespace
-
-/// Leaves the buffer of vertices bound.
-InstancedMesh::InstancedMesh(const void* vertices, std::size_t count, std::size_t size)
-    : array_(newArray()), vertices_(newBuffer()), instances_(newBuffer()),
-      vertexCount_(static_cast<int>(count)) {
-    glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, instances_);
+/// What is bound as the array's buffer, once for every instance.
+void instanceAttributes() {
     attribute(3, 3, sizeof(Instance), offsetof(Instance, position), 1);
     attribute(4, 4, sizeof(Instance), offsetof(Instance, rotation), 1);
     attribute(5, 3, sizeof(Instance), offsetof(Instance, scale), 1);
     attribute(6, 1, sizeof(Instance), offsetof(Instance, stretch), 1);
     attribute(7, 3, sizeof(Instance), offsetof(Instance, color), 1);
     attribute(8, 1, sizeof(Instance), offsetof(Instance, surface), 1);
+}
+
+/// Every corner once, by its bytes, and the triangles as numbers of corners.
+struct Indexed {
+    std::vector<char> corners;
+    std::vector<std::uint32_t> triangles;
+};
+
+Indexed indexed(const char* vertices, std::size_t count, std::size_t size) {
+    Indexed result;
+    std::unordered_map<std::string_view, std::uint32_t> known;  // looked up only
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string_view corner(vertices + i * size, size);
+        const auto [at, isNew] = known.insert({corner, static_cast<std::uint32_t>(known.size())});
+        if (isNew) result.corners.insert(result.corners.end(), corner.begin(), corner.end());
+        result.triangles.push_back(at->second);
+    }
+    return result;
+}
+
+}  // namespace
+
+/// Leaves the buffer of vertices bound.
+InstancedMesh::InstancedMesh(const void* vertices, std::size_t count, std::size_t size)
+    : array_(newArray()), vertices_(newBuffer()), indices_(newBuffer()),
+      indexCount_(static_cast<int>(count)) {
+    const Indexed mesh = indexed(static_cast<const char*>(vertices), count, size);
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(std::uint32_t)),
+                 mesh.triangles.data(), GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * size), vertices, GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.corners.size()),
+                 mesh.corners.data(), GL_STATIC_DRAW);
 }
 
 InstancedMesh::InstancedMesh(const std::vector<Vertex>& mesh)
@@ -52,17 +82,20 @@ InstancedMesh::InstancedMesh(const std::vector<FacetVertex>& mesh)
     attribute(15, 1, sizeof(FacetVertex), offsetof(FacetVertex, apothem), 0);
 }
 
-void InstancedMesh::setInstances(const std::vector<Instance>& instances) {
-    instanceCount_ = static_cast<int>(instances.size());
-    glBindBuffer(GL_ARRAY_BUFFER, instances_);
+void InstanceList::set(const std::vector<Instance>& instances) {
+    count_ = static_cast<int>(instances.size());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
                  instances.data(), GL_STREAM_DRAW);
 }
 
-void InstancedMesh::draw() const {
-    if (instanceCount_ == 0) return;
+void InstancedMesh::draw(const InstanceList& instances) const {
+    if (instances.count_ == 0) return;
     glBindVertexArray(array_);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, vertexCount_, instanceCount_);
+    glBindBuffer(GL_ARRAY_BUFFER, instances.buffer_);
+    instanceAttributes();
+    glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr,
+                            instances.count_);
 }
 
 }  // namespace render

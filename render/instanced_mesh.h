@@ -7,19 +7,32 @@
 
 namespace render {
 
+/// The bodies that one mesh is drawn for, at the driver.
+class InstanceList {
+public:
+    InstanceList() : buffer_(newBuffer()) {}
+    void set(const std::vector<Instance>& instances);
+    int count() const { return count_; }
+
+private:
+    friend class InstancedMesh;
+    GlBuffer buffer_;
+    int count_ = 0;
+};
+
+/// Corners that are the same are sent, and shaded, once.
 class InstancedMesh {
 public:
     explicit InstancedMesh(const std::vector<Vertex>& mesh);
     explicit InstancedMesh(const std::vector<FacetVertex>& mesh);
-    void setInstances(const std::vector<Instance>& instances);
-    void draw() const;
+    void draw(const InstanceList& instances) const;
 
 private:
     InstancedMesh(const void* vertices, std::size_t count, std::size_t size);
 
     GlArray array_;
-    GlBuffer vertices_, instances_;
-    int vertexCount_ = 0, instanceCount_ = 0;
+    GlBuffer vertices_, indices_;
+    int indexCount_ = 0;
 };
 
 }  // namespace render

@@ -14,12 +14,13 @@
 namespace render {
 namespace {
 
-/// Place in kBallCorners: with n corners a circle is off by r (1 - cos(pi / n)).
-std::size_t levelOf(float pixels) {
+/// Place in `corners` of a radius in pixels: with n corners a circle is off by r (1 - cos(pi / n)).
+template <std::size_t Count>
+std::size_t levelOf(float pixels, const std::array<int, Count>& corners) {
     constexpr float kOff = 0.33f;  // pixels
     std::size_t level = 0;
-    while (level + 1 < kBallCorners.size()) {
-        const float angle = kPi / static_cast<float>(kBallCorners[level]);
+    while (level + 1 < Count) {
+        const float angle = kPi / static_cast<float>(corners[level]);
         if (pixels * 0.5f * angle * angle < kOff) break;
         ++level;
     }
@@ -33,13 +34,12 @@ void sortByDistance(std::vector<Instance>& instances, const Vec3& eye) {
     });
 }
 
-void addRod(const Rod& rod, float radius, float surface, std::vector<Instance>& bars) {
+Instance barOf(const Rod& rod, float radius, float surface) {
     const Vec3 along = rod.to - rod.from;
     const float length = along.norm();
-    if (length < 1e-6f) return;
     const Quat q = shortestTurn<float>(Vec3::UnitY(), along);
-    bars.push_back({0.5f * (rod.from + rod.to), q.coeffs(),
-                    {radius, 0.5f * length, radius}, 0.0f, linear(rod.color), surface});
+    return {0.5f * (rod.from + rod.to), q.coeffs(), {radius, 0.5f * length, radius}, 0.0f,
+            linear(rod.color), surface};
 }
 
 }  // namespace
@@ -72,12 +72,20 @@ public:
         round(result.balls, one);
     }
 
+    void add(const Rod& rod, float number) {
+        if ((rod.to - rod.from).norm() < 1e-6f) return;
+        const Instance one = barOf(rod, drawnRadius(rod, eye_, pixelsAMeter_), number);
+        const float away = std::min((rod.from - eye_).norm(), (rod.to - eye_).norm());
+        const float pixels = one.scale.x() * pixelsAMeter_ / std::max(away, 1e-3f);
+        result.bars[levelOf(pixels, kBarCorners)].push_back(one);
+    }
+
     Instances result;
 
 private:
     void round(ByCorners& levels, const Instance& one) const {
         const float away = std::max((one.position - eye_).norm(), 1e-3f);
-        levels[levelOf(one.scale.x() * pixelsAMeter_ / away)].push_back(one);
+        levels[levelOf(one.scale.x() * pixelsAMeter_ / away, kBallCorners)].push_back(one);
     }
 
     void addMesh(const std::shared_ptr<const SolidMesh>& mesh, Instance one) {
@@ -101,34 +109,43 @@ Instances instancesOf(const Frame& frame, float pixelsAMeter) {
     Instances& result = sorted.result;
     float surface = 0.0f;
     for (const Solid& s : frame.solids) sorted.add(s, surface++);
-    for (const Rod& rod : frame.rods)
-        addRod(rod, drawnRadius(rod, eye, pixelsAMeter), surface++, result.bars);
+    for (const Rod& rod : frame.rods) sorted.add(rod, surface++);
     sortByDistance(result.boxes, eye);
-    sortByDistance(result.bars, eye);
+    for (std::vector<Instance>& bars : result.bars) sortByDistance(bars, eye);
     for (ByCorners* levels : {&result.balls, &result.cylinders, &result.cones})
         for (std::vector<Instance>& instances : *levels) sortByDistance(instances, eye);
     for (Instances::OfMesh& mesh : result.meshes) sortByDistance(mesh.instances, eye);
     return std::move(result);
 }
 
-Meshes::Meshes() : boxes_(boxMesh()), bars_(barMesh()) {
+/// Coarse: with the mesh of the level below, but for the coarsest.
+void Meshes::Levels::draw(Detail detail) const {
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        meshes[detail == Detail::coarse && i > 0 ? i - 1 : i].draw(instances[i]);
+}
+
+Meshes::Meshes() : box_(boxMesh()) {
+    for (const int corners : kBarCorners) bars_.meshes.emplace_back(barMesh(corners));
     for (const int corners : kBallCorners) {
-        balls_.emplace_back(ballMesh(corners));
-        cylinders_.emplace_back(cylinderMesh(corners));
-        cones_.emplace_back(coneMesh(corners));
+        balls_.meshes.emplace_back(ballMesh(corners));
+        cylinders_.meshes.emplace_back(cylinderMesh(corners));
+        cones_.meshes.emplace_back(coneMesh(corners));
     }
+    for (Levels* shape : {&bars_, &balls_, &cylinders_, &cones_})
+        shape->instances = std::vector<InstanceList>(shape->meshes.size());
 }
 
 void Meshes::set(const Instances& instances) {
-    boxes_.setInstances(instances.boxes);
-    bars_.setInstances(instances.bars);
+    boxes_.set(instances.boxes);
+    for (std::size_t i = 0; i < instances.bars.size(); ++i)
+        bars_.instances[i].set(instances.bars[i]);
     facets_ = false;
     for (const Instances::OfMesh& one : instances.meshes)
         facets_ = facets_ || one.mesh->anyCrisp;
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-        balls_[i].setInstances(instances.balls[i]);
-        cylinders_[i].setInstances(instances.cylinders[i]);
-        cones_[i].setInstances(instances.cones[i]);
+    for (std::size_t i = 0; i < kBallCorners.size(); ++i) {
+        balls_.instances[i].set(instances.balls[i]);
+        cylinders_.instances[i].set(instances.cylinders[i]);
+        cones_.instances[i].set(instances.cones[i]);
         facets_ = facets_ || !instances.cylinders[i].empty() || !instances.cones[i].empty();
     }
     setMeshes(instances.meshes);
@@ -144,37 +161,38 @@ void Meshes::setMeshes(const std::vector<Instances::OfMesh>& meshes) {
         if (known != old.end())
             now.push_back(std::move(*known->second));
         else
-            now.push_back({one.mesh, InstancedMesh(facetMesh(*one.mesh))});
-        now.back().drawn.setInstances(one.instances);
+            now.push_back({one.mesh, InstancedMesh(facetMesh(*one.mesh)), InstanceList()});
+        now.back().instances.set(one.instances);
     }
     meshes_ = std::move(now);
 }
 
-void Meshes::drawRound() const {
-    for (const InstancedMesh& ball : balls_) ball.draw();
-    bars_.draw();
+void Meshes::drawRound(Detail detail) const {
+    balls_.draw(detail);
+    bars_.draw(detail);
     for (const Uploaded& one : meshes_)
-        if (!one.mesh->anyCrisp) one.drawn.draw();
+        if (!one.mesh->anyCrisp) one.drawn.draw(one.instances);
 }
 
-void Meshes::drawFacets(GLuint program) const {
+void Meshes::drawFacets(GLuint program, Detail detail) const {
     setUniform(program, "thinnestOfUnit", 1.0f);
-    for (const InstancedMesh& cylinder : cylinders_) cylinder.draw();
-    for (const InstancedMesh& cone : cones_) cone.draw();
+    cylinders_.draw(detail);
+    cones_.draw(detail);
     for (const Uploaded& one : meshes_) {
         if (!one.mesh->anyCrisp) continue;
         setUniform(program, "thinnestOfUnit", one.mesh->thinnest);
-        one.drawn.draw();
+        one.drawn.draw(one.instances);
     }
 }
 
-void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip) const {
+void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip,
+                      Detail detail) const {
     glUseProgram(program);
     setUniform(program, "worldToClip", worldToClip);
     glEnable(GL_CULL_FACE);
     drawBoxes();
-    drawRound();
-    drawFacets(program);
+    drawRound(detail);
+    drawFacets(program, detail);
     glDisable(GL_CULL_FACE);
 }
 

@@ -10,8 +10,13 @@
 namespace render {
 
 /// Corners around what is round, from small pictures of it to large ones: a third of a pixel off.
-inline constexpr std::array<int, 4> kBallCorners = {16, 28, 44, 64};
+inline constexpr std::array<int, 6> kBallCorners = {12, 16, 20, 28, 44, 64};
+inline constexpr std::array<int, 3> kBarCorners = {6, 10, 20};
 using ByCorners = std::array<std::vector<Instance>, kBallCorners.size()>;
+
+/// Of what is round: as the picture needs it, or one step coarser, where two thirds of a pixel are
+/// not seen: in the shadow map and in the depth that darkens corners.
+enum class Detail { fine, coarse };
 
 /// Solids and rods of a frame, by mesh, nearest first: what is hidden is not shaded.
 struct Instances {
@@ -19,7 +24,8 @@ struct Instances {
         std::shared_ptr<const SolidMesh> mesh;
         std::vector<Instance> instances;
     };
-    std::vector<Instance> boxes, bars;
+    std::vector<Instance> boxes;
+    std::array<std::vector<Instance>, kBarCorners.size()> bars;
     ByCorners balls, cylinders, cones;
     std::vector<OfMesh> meshes;  // each once
 };
@@ -35,14 +41,14 @@ class Meshes {
 public:
     Meshes();
     void set(const Instances& instances);
-    void drawBoxes() const { boxes_.draw(); }
+    void drawBoxes() const { box_.draw(boxes_); }
     /// Also meshes without a crisp edge.
-    void drawRound() const;
+    void drawRound(Detail detail) const;
     /// Cylinders, cones and meshes with crisp edges; the program takes `thinnestOfUnit`.
-    void drawFacets(GLuint program) const;
+    void drawFacets(GLuint program, Detail detail) const;
     bool anyFacets() const { return facets_; }
     /// All of them, front faces only, with a program that takes `worldToClip`.
-    void drawWith(GLuint program, const Eigen::Matrix4f& worldToClip) const;
+    void drawWith(GLuint program, const Eigen::Matrix4f& worldToClip, Detail detail) const;
 
 private:
     void setMeshes(const std::vector<Instances::OfMesh>& meshes);
@@ -50,9 +56,17 @@ private:
     struct Uploaded {
         std::shared_ptr<const SolidMesh> mesh;
         InstancedMesh drawn;
+        InstanceList instances;
     };
-    InstancedMesh boxes_, bars_;
-    std::vector<InstancedMesh> balls_, cylinders_, cones_;  // as kBallCorners
+    /// One shape in several details, and the instances of each.
+    struct Levels {
+        std::vector<InstancedMesh> meshes;
+        std::vector<InstanceList> instances;
+        void draw(Detail detail) const;
+    };
+    InstancedMesh box_;
+    InstanceList boxes_;
+    Levels bars_, balls_, cylinders_, cones_;
     std::vector<Uploaded> meshes_;                          // those of the last frame
     bool facets_ = false;
 };

@@ -189,10 +189,10 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
     if (meshes.anyFacets()) {
         const GLuint facets = lit("facet", "facet", features, scene);
         setLines(facets);
-        meshes.drawFacets(facets);
+        meshes.drawFacets(facets, Detail::fine);
     }
     lit("solid", "round", features, scene);
-    meshes.drawRound();  // scenery last: much of it is hidden
+    meshes.drawRound(Detail::fine);  // scenery last: much of it is hidden
     glDisable(GL_CULL_FACE);
 }
 

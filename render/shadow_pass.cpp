@@ -118,7 +118,7 @@ void ShadowPass::draw(const Frame& frame, const Vec3& toLight, const Meshes& mes
     toClip(1, 1) = 1.0f / half_.y();
     toClip(2, 2) = -1.0f / depth_;
     glCullFace(GL_FRONT);  // the picture's rows go down, the map's go up
-    meshes.drawWith(program_, toClip * worldToLight_);
+    meshes.drawWith(program_, toClip * worldToLight_, Detail::coarse);
     glCullFace(GL_BACK);
 }
 

@@ -49,15 +49,15 @@ std::vector<Vertex> ballMesh(int corners) {
 }
 
 /// A cylinder along y from -1 to 1, open: its ends are hidden in what it holds together.
-std::vector<Vertex> barMesh() {
-    constexpr int kSlices = 20;
-    const auto vertex = [](int slice, float y) {
-        const float turn = 2 * kPi * static_cast<float>(slice % kSlices) / kSlices;
+std::vector<Vertex> barMesh(int corners) {
+    const auto vertex = [corners](int slice, float y) {
+        const float share = static_cast<float>(slice % corners) / static_cast<float>(corners);
+        const float turn = 2 * kPi * share;
         const Vec3 out(std::cos(turn), 0, -std::sin(turn));
         return Vertex{out + Vec3(0, y, 0), out, 0.0f, 0.0f};
     };
     std::vector<Vertex> mesh;
-    for (int s = 0; s < kSlices; ++s) {
+    for (int s = 0; s < corners; ++s) {
         const Vertex a = vertex(s, -1), b = vertex(s + 1, -1);
         const Vertex c = vertex(s + 1, 1), d = vertex(s, 1);
         mesh.insert(mesh.end(), {a, b, c, a, c, d});

@@ -10,7 +10,7 @@ namespace render {
 std::vector<Vertex> boxMesh();
 /// Of radius 1 and of so many corners around; a multiple of 4.
 std::vector<Vertex> ballMesh(int corners);
-/// Of radius 1, from y = -1 to 1, without ends.
-std::vector<Vertex> barMesh();
+/// Of radius 1 and of so many corners around, from y = -1 to 1, without ends.
+std::vector<Vertex> barMesh(int corners);
 
 }  // namespace render

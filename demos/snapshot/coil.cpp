@@ -8,10 +8,19 @@
 namespace demos {
 namespace {
 
-constexpr int kCoilTurns = 9, kRodsPerTurn = 10;
+constexpr int kCoilTurns = 9, kFewestRods = 5, kMostRods = 10;  // rods a turn
 constexpr float kStraight = 0.12f;  // of the length, at either end
 constexpr float kWide = 0.09f;      // of the length at rest: the coil's radius
 constexpr float kThick = 0.15f;     // of that radius: the wire's
+
+/// So many that a turn is off by less than half a pixel in a picture 720 high: r (1 - cos(pi / n)).
+int rodsPerTurn(const render::Camera& camera, const render::Vec3& place, float radius) {
+    const float away = std::max((place - camera.from).norm(), 1e-3f);
+    const float half = std::tan(0.5f * camera.fovDegrees * 0.01745329252f);
+    const float pixels = 360.0f * radius / (half * away);
+    const float wanted = 3.14159265359f * std::sqrt(pixels);  // cos(x) is about 1 - x^2 / 2
+    return std::clamp(static_cast<int>(std::ceil(wanted)), kFewestRods, kMostRods);
+}
 
 float coilRadius(float rest) { return std::clamp(kWide * rest, 0.02f, 0.2f); }
 
@@ -35,8 +44,9 @@ void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int i
         frame.rods.push_back({last, next, wire, render::jointColor(), id});
         last = next;
     };
-    for (int i = 0; i <= kCoilTurns * kRodsPerTurn; ++i) {
-        const float share = static_cast<float>(i) / (kCoilTurns * kRodsPerTurn);
+    const int rods = kCoilTurns * rodsPerTurn(frame.camera, 0.5f * (from + to), radius);
+    for (int i = 0; i <= rods; ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(rods);
         const float angle = 6.28318530718f * kCoilTurns * share;
         go(from + (kStraight + (1.0f - 2.0f * kStraight) * share) * way +
            radius * (std::cos(angle) * across + std::sin(angle) * third));

@@ -4,7 +4,8 @@
 
 namespace demos {
 
-/// `rest`: m, its length without load; it sets how wide the coil is.
+/// `rest`: m, its length without load; it sets how wide the coil is. What is small in the picture
+/// of `frame.camera` gets few rods.
 void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int id,
              render::Frame& frame);
 

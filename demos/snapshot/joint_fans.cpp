@@ -157,6 +157,7 @@ void addSuspension(const JointState& joint, double size, render::Frame& frame) {
     const Vec3 top = joint.worldB + (high - joint.position) * joint.worldAxis;
     // Lines, which are seen through the wheel that the spring of most cars is drawn inside of.
     render::Frame coil;
+    coil.camera = frame.camera;
     addCoil(drawn(top), drawn(joint.worldB), static_cast<float>(size), 0, coil);
     for (const render::Rod& rod : coil.rods)
         frame.lines.push_back({rod.from, rod.to, 1.5f, render::jointColor()});

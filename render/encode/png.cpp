@@ -14,17 +14,23 @@
 
 namespace {
 
+/// Kept for the next picture: it is a megabyte that would be cleared for every one.
+libdeflate_compressor* keptCompressor() {
+    thread_local const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>
+        kept(libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
+    return kept.get();
+}
+
 /// stb's compressor, replaced: level 1 of libdeflate is both faster and smaller.
 /// The buffer comes from malloc because stb frees it.
 unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, int /*quality*/) {
-    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-        libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
+    libdeflate_compressor* const compressor = keptCompressor();
     if (!compressor) return nullptr;
     const auto length = static_cast<std::size_t>(size);
-    const std::size_t room = libdeflate_zlib_compress_bound(compressor.get(), length);
+    const std::size_t room = libdeflate_zlib_compress_bound(compressor, length);
     auto* out = static_cast<unsigned char*>(std::malloc(room));
     if (!out) return nullptr;
-    const auto used = libdeflate_zlib_compress(compressor.get(), bytes, length, out, room);
+    const auto used = libdeflate_zlib_compress(compressor, bytes, length, out, room);
     *compressedSize = static_cast<int>(used);  // fits: 4 * 16384^2 = 2^30
     return out;
 }
