@@ -27,6 +27,12 @@ const BuiltinScene* findBuiltin(const std::string& name) {
                                 suggestion(name, names))});
 }
 
+[[noreturn]] void failUrdf(const fs::path& path) {
+    throw SceneError({printable(path.string() +
+                                ": URDF is not supported; MuJoCo's models (MJCF, .xml) are, and "
+                                "MuJoCo's own 'compile' program turns one into the other")});
+}
+
 SceneDescription loadModel(const fs::path& path, const std::vector<std::string>& overrides) {
 #ifdef IMPULSE_HAVE_MJCF
     return mjcf::loadModel(path, overrides);
@@ -46,6 +52,7 @@ SceneDescription loadScene(const std::string& nameOrPath,
         return readScene(scene->text, nameOrPath + ".toml", nameOrPath, overrides);
     const fs::path path(nameOrPath);
     std::error_code error;
+    if (path.extension() == ".urdf") failUrdf(path);
     const bool isModel = path.extension() == ".xml";
     const bool isPath =
         nameOrPath.find('/') != std::string::npos || isModel || path.extension() == ".toml";

@@ -37,6 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"NoScene", {"render"}, 2, "needs a scene"},
         {"TwoScenes", {"sim", "stack", "wall"}, 2, "one scene"},
         {"UnknownScene", {"sim", "stakc"}, 3, "did you mean 'stack'"},
+        {"Urdf", {"render", "robot.urdf"}, 3, "robot.urdf: URDF is not supported; MuJoCo's models"},
         {"UnknownListed", {"list", "stakc"}, 2, "did you mean 'stack'"},
         {"NoNumber", {"render", "stack", "--fps", "many"}, 2, "must be a whole number"},
         {"NoFrameRate", {"render", "stack", "--fps", "0"}, 2, "1 to 1000"},
