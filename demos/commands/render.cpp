@@ -64,7 +64,7 @@ Run addRender(CLI::App& app) {
     addSceneChoice(app, options, texts);
     takesAgain(app.add_option(
                       "-o,--output", options.outputs,
-                      "a folder, a pattern (#### {frame:6} {scene} {quality} {time}), a film (.mp4 "
+                      "a folder, a pattern (#### %06d {frame:6} {scene} {quality} {time}), a film (.mp4 "
                       ".webm .gif .webp .apng) or - for raw RGBA; may be given again; "
                       "default: output/<scene>")
                    ->type_name("OUT"));

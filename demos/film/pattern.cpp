@@ -42,6 +42,23 @@ std::string hole(const std::string& pattern, const std::string& word, const Patt
                                       suggestion(name, {"frame", "time", "scene", "quality"})));
 }
 
+/// Where `%06d`, `%d` or `%%` at `at` ends; npos: it is none, and a per cent sign is one.
+std::size_t printfEnd(const std::string& pattern, std::size_t at) {
+    const std::size_t end = pattern.find_first_not_of("0123456789", at + 1);
+    if (end == std::string::npos) return end;
+    if (pattern[end] == '%' && end == at + 1) return end + 1;
+    const bool filled = end == at + 1 || (pattern[at + 1] == '0' && end > at + 2);
+    return pattern[end] == 'd' && filled ? end + 1 : std::string::npos;
+}
+
+std::string printfHole(const std::string& pattern, std::size_t at, std::size_t end,
+                       const PatternValues& values) {
+    if (pattern[end - 1] == '%') return "%";
+    if (end - at == 2) return fmt::format("{}", values.frame);
+    const std::string width = pattern.substr(at + 2, end - at - 3);
+    return padded(pattern, values.frame, width.size() > 2 ? 100u : std::stoul(width));
+}
+
 }  // namespace
 
 void refuseOutput(const std::string& output, const std::string& what) {
@@ -56,6 +73,10 @@ std::string expandPattern(const std::string& pattern, const PatternValues& value
             std::size_t end = pattern.find_first_not_of('#', i);
             if (end == std::string::npos) end = pattern.size();
             name += padded(pattern, values.frame, end - i);
+            i = end;
+        } else if (c == '%' && printfEnd(pattern, i) != std::string::npos) {
+            const std::size_t end = printfEnd(pattern, i);
+            name += printfHole(pattern, i, end, values);
             i = end;
         } else if ((c == '{' || c == '}') && i + 1 < pattern.size() && pattern[i + 1] == c) {
             name += c;

@@ -13,8 +13,9 @@ struct PatternValues {
 /// Throws Stop (usage): `what` is wrong with this --output.
 [[noreturn]] void refuseOutput(const std::string& output, const std::string& what);
 
-/// `####` and `{frame:6}`: the frame, filled up with zeros; `{frame}`: as it is; `{time}`: seconds
-/// with three decimals; `{scene}`, `{quality}`; `{{` and `}}`: the brackets themselves.
+/// `####`, `{frame:6}` and printf's `%06d`: the frame, filled up with zeros; `{frame}` and `%d`: as
+/// it is; `{time}`: seconds with three decimals; `{scene}`, `{quality}`; `{{`, `}}` and `%%`: the
+/// characters themselves. Any other `%` stands for itself.
 /// Throws Stop (usage) for what is none of these.
 std::string expandPattern(const std::string& pattern, const PatternValues& values);
 

@@ -19,6 +19,17 @@ TEST(Pattern, BracesNameWhatTheyStandFor) {
     EXPECT_EQ(expandPattern("{frame}_{time}.png", kValues), "42_1.400.png");
 }
 
+TEST(Pattern, PrintfsHolesAreTheFrame) {
+    EXPECT_EQ(expandPattern("f_%06d.png", kValues), "f_000042.png");
+    EXPECT_EQ(expandPattern("%d.png", kValues), "42.png");
+    EXPECT_EQ(expandPattern("%%06d_%01d.png", kValues), "%06d_42.png");
+    EXPECT_EQ(expandPattern("50%_%s_%6d_5%", kValues), "50%_%s_%6d_5%");
+    EXPECT_TRUE(namesEveryFrame("f_%04d.png"));
+    EXPECT_FALSE(namesEveryFrame("f_%%04d.png"));
+    EXPECT_THROW(expandPattern("%013d", kValues), Stop);
+    EXPECT_THROW(expandPattern("%0999999999999999999999d", kValues), Stop);
+}
+
 TEST(Pattern, DoubledBracesAreBraces) { EXPECT_EQ(expandPattern("{{{frame}}}", kValues), "{42}"); }
 
 TEST(Pattern, WhatIsNotUnderstoodIsAnError) {
