@@ -1,5 +1,5 @@
 /// Small scenes that use every key of the format at least once: what the schema is made of. A key
-/// of the reader that none of them uses is found by tests/demos/schema_test.cpp and
+/// of the reader that none of them uses is found by tests/demos/scene/schema_test.cpp and
 /// tests/docs/schema_test.cpp.
 #pragma once
 #include <span>

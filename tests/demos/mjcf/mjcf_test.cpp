@@ -6,7 +6,7 @@
 
 #include "engine/base/trigonometry.h"
 #include "engine/shapes/mass.h"
-#include "tests/demos/mjcf_reading.h"
+#include "tests/demos/mjcf/mjcf_reading.h"
 
 namespace demos::test {
 namespace {

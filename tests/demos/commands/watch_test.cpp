@@ -1,7 +1,7 @@
 // impulse watch: what is reported and drawn when a file is saved.
 #include <nlohmann/json.hpp>
 
-#include "tests/demos/conversation.h"
+#include "tests/demos/commands/conversation.h"
 #include "tests/demos/small_film.h"
 
 namespace demos::test {

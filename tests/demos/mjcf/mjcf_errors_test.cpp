@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "demos/load/load_scene.h"
-#include "tests/demos/mjcf_reading.h"
+#include "tests/demos/mjcf/mjcf_reading.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/text.h"
 

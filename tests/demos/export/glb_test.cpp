@@ -8,7 +8,7 @@
 #include "demos/export/glb_scene.h"
 #include "demos/look/key_light.h"
 #include "demos/text/version.h"
-#include "tests/demos/glb_reading.h"
+#include "tests/demos/export/glb_reading.h"
 #include "tests/demos/recorded.h"
 
 namespace demos::test {

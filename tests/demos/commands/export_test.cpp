@@ -1,5 +1,5 @@
 /// 'impulse export': what is written where, and what is refused.
-#include "tests/demos/glb_reading.h"
+#include "tests/demos/export/glb_reading.h"
 #include "tests/demos/program.h"
 
 namespace demos::test {
@@ -78,7 +78,7 @@ TEST_F(Export, NumpyReadsWhatSimSays) {
         command({"sim", "ball.toml", "--bodies", "b.csv", "--csv", "e.csv", "--every", "2"}).code,
         0);
     const std::string check = "cd '" + folder.path().string() + "' && /usr/bin/python3 '" +
-                              IMPULSE_SOURCE_DIR "/tests/demos/check_npz.py' a.npz b.csv e.csv";
+                              IMPULSE_SOURCE_DIR "/tests/demos/export/check_npz.py' a.npz b.csv e.csv";
     EXPECT_EQ(std::system(check.c_str()), 0);
 }
 

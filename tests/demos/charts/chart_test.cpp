@@ -11,7 +11,7 @@
 #include "demos/charts/layout.h"
 #include "demos/charts/ticks.h"
 #include "demos/look/inks.h"
-#include "tests/demos/labels.h"
+#include "tests/demos/charts/labels.h"
 #include "tests/support/text.h"
 
 namespace demos {

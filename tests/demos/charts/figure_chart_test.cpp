@@ -9,8 +9,8 @@
 #include "demos/charts/layout.h"
 #include "demos/look/inks.h"
 #include "demos/text/stop.h"
-#include "tests/demos/column.h"
-#include "tests/demos/labels.h"
+#include "tests/demos/charts/column.h"
+#include "tests/demos/charts/labels.h"
 
 namespace demos {
 namespace {

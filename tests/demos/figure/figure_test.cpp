@@ -13,7 +13,7 @@
 #include "demos/scene/reader.h"
 #include "demos/scene/solver_settings.h"
 #include "demos/text/stop.h"
-#include "tests/demos/column.h"
+#include "tests/demos/charts/column.h"
 
 namespace demos {
 namespace {

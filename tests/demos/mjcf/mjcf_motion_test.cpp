@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
-#include "tests/demos/mjcf_reading.h"
+#include "tests/demos/mjcf/mjcf_reading.h"
 
 namespace demos::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "demos/mjcf/model_reader.h"
 #include "demos/play/stage.h"
-#include "tests/demos/mujoco_samples.h"
+#include "tests/demos/mjcf/mujoco_samples.h"
 #include "tests/support/temporary_folder.h"
 
 namespace demos::test {
