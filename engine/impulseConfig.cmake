@@ -1,6 +1,5 @@
 # find_package(impulse [VERSION] [COMPONENTS engine render program]): impulse::engine, impulse::render,
-# the program impulse::impulse with impulse_add_snapshot_test(). Without COMPONENTS: all that are
-# installed.
+# the program impulse::impulse with impulse_add_snapshot_test(). Without COMPONENTS: all installed components.
 include(CMakeFindDependencyMacro)
 set(impulse_installed "")
 foreach(component engine render program)

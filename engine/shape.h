@@ -1,4 +1,4 @@
-/// What a body occupies. Every shape is centred on the body's centre of mass.
+/// The shape of a body, centred on its centre of mass.
 #pragma once
 #include <array>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace engine {
 
-/// plane: bounds a half space. mesh: a surface, also height fields. The others are bodies.
+/// plane: bounds a half space. mesh: a surface, also for height fields. The others are solids.
 enum class ShapeType { sphere, box, capsule, plane, cylinder, cone, hull, compound, mesh };
 
 struct Hull;       // shapes/hull.h
@@ -18,21 +18,21 @@ struct Mesh;       // shapes/mesh.h
 struct ShapePart;  // below
 using ShapeParts = std::vector<ShapePart>;  // of a compound
 
-/// Made by one of the functions below, which stop the program where a size is not positive.
+/// Made by the functions below, which stop the program if a size is not positive.
 struct Shape {
     ShapeType type = ShapeType::sphere;
     double radius = 0.5;                  // m; sphere, capsule, cylinder, a cone's base
     double halfLength = 0.0;              // m, along the local y; capsule: half its core segment;
                                           // cylinder, cone: half its height
     Vec3 halfSize{0.5, 0.5, 0.5};         // m; box: half edges
-    Vec3 normal{0, 1, 0};                 // plane: unit, out of the solid half space, which ends
-                                          // at the body's position; static bodies only
-    Vec3 origin{0, 0, 0};                 // m; hull, compound: where the origin of the points it
-                                          // was made of lies, from the centre of mass
+    Vec3 normal{0, 1, 0};                 // plane: unit, out of the solid half space, bounded
+                                          // at the body's position; not for dynamic bodies
+    Vec3 origin{0, 0, 0};                 // m; hull, compound: the origin of the points it was
+                                          // made of, relative to the centre of mass
     std::shared_ptr<const Hull> hull;         // of a hull, about the centre of mass
-    std::shared_ptr<const ShapeParts> parts;  // of a compound, likewise
-    std::shared_ptr<const Mesh> mesh;         // of a mesh, in the axes it was given in
-    double reach = 0.0;                   // m; hull, compound, mesh: as reachOf says
+    std::shared_ptr<const ShapeParts> parts;  // of a compound, the same
+    std::shared_ptr<const Mesh> mesh;         // of a mesh, in its original axes
+    double reach = 0.0;                   // m; hull, compound, mesh: see reachOf
 
     /// `radius`: m.
     static Shape sphere(double radius);
@@ -44,37 +44,38 @@ struct Shape {
     static Shape plane(const Vec3& normal);
     /// Along the local y.
     static Shape cylinder(double radius, double height);
-    /// Along the local y, its tip up: the base lies a quarter of the height below the origin.
+    /// Along the local y, tip up; the base is a quarter of the height below the origin.
     static Shape cone(double radius, double height);
-    /// The convex hull of points (m). Nothing where they are flat to a ten-thousandth of their
-    /// extent, are not all finite, or span more than kMostCorners corners.
+    /// The convex hull of points (m). Null if they are flat to a ten-thousandth of their extent,
+    /// are not all finite, or span more than kMostCorners corners.
     static std::optional<Shape> hullOf(std::span<const Vec3> points);
-    /// Of anything but planes and meshes; parts that overlap weigh there with both their densities.
-    /// At least one. `centre`: the centre of mass (m) where it is another one; the body then gives
-    /// its mass and its inertia.
+    /// One or more parts of any type except planes and meshes; overlapping parts both contribute
+    /// their densities. `centre`: overrides the centre of mass (m); the body must then specify its
+    /// mass and inertia.
     static Shape compound(std::span<const ShapePart> parts,
                           const std::optional<Vec3>& centre = std::nullopt);
-    /// A surface for bodies that are not dynamic: it holds from the side from which its triangles
-    /// are seen counter-clockwise. Those without an area are left out; at least one must stay.
+    /// A surface for bodies that are not dynamic. It is solid from the side from which its
+    /// triangles are counter-clockwise. Triangles without an area are omitted; at least one must
+    /// remain.
     static Shape meshOf(std::span<const Vec3> corners,
                         std::span<const std::array<int, 3>> triangles);
-    /// A mesh over a grid in x and z, centred on the origin: heights (m) row after row, x running
-    /// fastest, `spacing` (m) apart; at least two each way.
+    /// A mesh over a grid in x and z, centred on the origin: heights (m) row by row, x changing
+    /// fastest, `spacing` (m) apart; at least two columns and rows.
     static Shape heightField(int columns, int rows, double spacing,
                              std::span<const double> heights);
 
     static constexpr int kMostCorners = 256;  // of a hull
 };
 
-/// A piece of a compound, placed in the axes in which it is written down.
+/// A part of a compound, placed in the compound's original axes.
 struct ShapePart {
     Shape shape;
     Pose pose;
-    double density = 1.0;  // positive; times the body's own: 2 weighs twice as much as the rest
-    Vec3 low{0, 0, 0}, high{0, 0, 0};  // m: bounds in the compound's axes, which compound() finds
+    double density = 1.0;  // positive, relative to the body's density
+    Vec3 low{0, 0, 0}, high{0, 0, 0};  // m: bounds in the compound's axes, set by compound()
 };
 
-/// m: the farthest of its points from the centre of mass; 0 for a plane.
+/// The largest distance of a point from the centre of mass, m; 0 for a plane.
 double reachOf(const Shape& shape);
 
 }  // namespace engine

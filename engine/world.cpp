@@ -31,16 +31,16 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-/// The second seed's six steps, in its order; the step may be cut in several, with collision
-/// detection once, at its end.
+/// The six steps of the second seed, in its order. The first five are done in every sub-step; collision
+/// detection runs at the end, and within the step only for fast bodies.
 bool World::step(double dt) {
-    ENGINE_CHECK(dt > 0.0, "a step needs time; to look at the world, read it");
+    ENGINE_CHECK(dt > 0.0, "a step needs a positive time; reading the world needs no step");
     WorldState& s = *state_;
     if (!beginStep(s, dt)) return false;
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
-        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // where fast bodies meet
-        beginSubstep(s, i);                                   // world_paces.cpp: whose turn it is
+        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // for fast bodies
+        beginSubstep(s, i);                                   // world_paces.cpp
         s.phase(Phase::forces, i);
         evaluateForces(*this, s, i, h);                  // world_state.cpp, forces/
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp
@@ -60,7 +60,7 @@ bool World::step(double dt) {
         solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);
-    if (!staysFinite(s)) return step(dt);  // without those that did not
+    if (!staysFinite(s)) return step(dt);  // without the removed bodies
     return endStep(s, dt);  // world_state.cpp: collision/contacts.cpp, solved in the next step
 }
 
@@ -88,10 +88,10 @@ JointId World::add(const JointDef& def) {
 
 ForceId World::add(const ForceDef& def) {
     ENGINE_CHECK(std::ranges::all_of(def.on, [&](BodyId id) { return has(id); }),
-                 "a force acts on bodies of this world");
+                 "a force needs bodies of this world");
     ENGINE_CHECK(!std::holds_alternative<SpringForce>(def.kind) || def.on.size() == 2,
                  "a spring has two ends: put both bodies in `on`");
-    ENGINE_CHECK(def.from <= def.until, "a force ends after it began");
+    ENGINE_CHECK(def.from <= def.until, "a force must not end before it begins");
     WorldState& s = *state_;
     const int i = s.forceSlots.take();
     s.forces.resize(larger(s.forces.size(), std::size_t(i) + 1));
@@ -129,11 +129,11 @@ void World::remove(ForceId id) {
 
 void World::setSettings(const Settings& settings) {
     ENGINE_CHECK(settings.substeps >= 1 && settings.sweeps >= 0 && settings.nudges >= 0,
-                 "a step has at least one sub-step, and no negative number of sweeps");
+                 "a step needs at least one sub-step, and sweeps and nudges must not be negative");
     ENGINE_CHECK(settings.baumgarte == 0.0 || settings.nudges == 0,
                  "use Baumgarte or nudges for one error, never both");
-    ENGINE_CHECK(settings.sleepAfter > 0.0, "to fall asleep, a body has to rest for some time");
-    ENGINE_CHECK(settings.threads >= 1, "a step needs a thread");
+    ENGINE_CHECK(settings.sleepAfter > 0.0, "sleepAfter must be positive");
+    ENGINE_CHECK(settings.threads >= 1, "a step needs at least one thread");
     state_->settings = settings;
     state_->sleep.callAll(state_->bodies);
     state_->solver.workers.setCount(settings.threads);
@@ -152,7 +152,7 @@ int World::jointCount() const { return static_cast<int>(state_->joints.size()); 
 
 std::optional<RayHit> World::castRay(const Vec3& from, const Vec3& to,
                                      const std::function<bool(BodyId)>& wanted) const {
-    ENGINE_CHECK(from.allFinite() && to.allFinite(), "a ray goes from a finite place to another");
+    ENGINE_CHECK(from.allFinite() && to.allFinite(), "both ends of a ray must be finite");
     const WorldState& s = *state_;
     std::optional<RayHit> first;
     const auto look = [&](int i) {
@@ -166,7 +166,7 @@ std::optional<RayHit> World::castRay(const Vec3& from, const Vec3& to,
         return hit->fraction;
     };
     for (const int i : s.untreed) look(i);
-    if (s.contactsStale)  // the tree does not know where the caller has put bodies since
+    if (s.contactsStale)  // the tree does not include the caller's latest changes
         for (int i = 0; i < s.bodies.count(); ++i)
             if (s.bodies.present[i] && s.bodies.placed[i]) look(i);
     s.finder.broadPhase.tree().along(from, to, first ? first->fraction : 1.0, look);

@@ -8,7 +8,7 @@ namespace {
 
 Vec3 secondAxis(const JointDef& def) { return def.axis2.isZero(0.0) ? def.axis : def.axis2; }
 
-/// How many coordinates a type leaves free; a sixDof has them all.
+/// The number of free coordinates of a type; a sixDof has all.
 int coordinateCount(JointType type) {
     switch (type) {
         case JointType::weld:
@@ -29,7 +29,7 @@ int coordinateCount(JointType type) {
 }
 
 constexpr const char* kNoNegativeSpring =
-    "a spring has no negative frequency, damping, stiffness or resistance";
+    "a spring's frequency, damping, stiffness and resistance must not be negative";
 
 bool isSound(const Spring& s) {
     return s.hz >= 0.0 && s.damping >= 0.0 && s.stiffness >= 0.0 && s.resistance >= 0.0;
@@ -39,7 +39,7 @@ bool areAcross(const Vec3& a, const Vec3& b) {
     return std::abs(a.dot(b)) < 1e-6 * a.norm() * b.norm();
 }
 
-/// The turn that brings h to k by the short way; half a turn about anything across, if opposite.
+/// The shortest rotation from h to k; if opposite, half a turn about any perpendicular axis.
 Quat swingBetween(const Vec3& h, const Vec3& k) {
     const double c = h.dot(k);
     Vec3 across, other;
@@ -59,7 +59,7 @@ void measurePath(const Pose& a, const Pose& b, Joint& joint) {
     joint.nearest = nearestOnCurve(def.path, def.closed, a.toLocal(b.toWorld(def.anchorB)));
 }
 
-/// By how much the limits of ways are missed, m.
+/// The violation of limits of translations, m.
 double beyondLimits(const Joint& joint, const Pose& a, const Pose& b) {
     double worst = 0.0;
     if (!joint.acts) return worst;
@@ -72,7 +72,7 @@ double beyondLimits(const Joint& joint, const Pose& a, const Pose& b) {
     return worst;
 }
 
-/// |C| of the rows in metres.
+/// |C| of the rows measured in metres.
 double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     const JointDef& def = joint.def;
     if (rowCount(def) == 0) return 0.0;
@@ -87,8 +87,8 @@ double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     return std::sqrt(sum);
 }
 
-/// Whether a joint of a tree is farther apart than the errors of a step make it, because something else
-/// cannot hold (solver/joint_forests.h). Once torn, until it is whole again.
+/// Detects a joint of a tree that is farther apart than the errors of a step, because not all constraints can
+/// hold (solver/joint_forests.h). It stays torn until it has closed again.
 void findTorn(WorldState& s, Joint& joint) {
     constexpr double kTorn = 0.02, kWhole = 0.002;  // of its arms
     const JointDef& def = joint.def;
@@ -109,11 +109,11 @@ void checkFreedom(JointType type, int coordinate, const Freedom& f) {
     ENGINE_CHECK(!f.acts() || type != JointType::constantVelocity || coordinate == 1,
                  "a constant velocity joint holds its twist; its swing is coordinate 1");
     ENGINE_CHECK(!f.locked || (type == JointType::sixDof && !f.acts()),
-                 "only a sixDof locks coordinates, and then nothing else acts along them");
-    ENGINE_CHECK(f.limits.low <= f.limits.high, "a lower limit is not above the upper one");
-    ENGINE_CHECK(f.motor.strength >= 0.0, "a motor has no negative strength; turn its speed");
+                 "only a sixDof can lock coordinates, and nothing else may act along a locked one");
+    ENGINE_CHECK(f.limits.low <= f.limits.high, "a lower limit must not exceed the upper one");
+    ENGINE_CHECK(f.motor.strength >= 0.0, "a motor's strength must not be negative; reverse its speed");
     ENGINE_CHECK(isSound(f.spring), kNoNegativeSpring);
-    ENGINE_CHECK(f.inertia >= 0.0, "a rotor has no negative inertia");
+    ENGINE_CHECK(f.inertia >= 0.0, "a rotor's inertia must not be negative");
 }
 
 void checkJoint(const WorldState& s, const JointDef& def) {
@@ -123,16 +123,16 @@ void checkJoint(const WorldState& s, const JointDef& def) {
     ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0 || rowCount(def) == 0,
                  "a distance joint needs a positive length; for zero use a ball joint");
     ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
-                 "a hinge needs an axis that is not zero");
-    ENGINE_CHECK(def.axis.norm() > 0.0, "a joint's axis is not zero; leave it where none is used");
+                 "a hinge needs a nonzero axis");
+    ENGINE_CHECK(def.axis.norm() > 0.0, "a joint's axis must not be zero; keep the default if unused");
     ENGINE_CHECK((def.type != JointType::universal && def.type != JointType::wheel) ||
                      (!def.axis2.isZero(0.0) && areAcross(def.axis, def.axis2)),
-                 "the axes of a universal joint or a wheel are at right angles");
-    ENGINE_CHECK(def.type != JointType::gear || def.ratio != 0.0, "a gear's ratio is not zero");
+                 "the axes of a universal joint or a wheel must be at right angles");
+    ENGINE_CHECK(def.type != JointType::gear || def.ratio != 0.0, "a gear's ratio must not be zero");
     ENGINE_CHECK(def.type != JointType::path || def.path.size() >= 2,
-                 "a path goes through two points or more");
+                 "a path needs at least two points");
     ENGINE_CHECK(def.breakForce > 0.0 && def.breakTorque > 0.0,
-                 "a joint that breaks bears some force and torque first");
+                 "breakForce and breakTorque must be positive");
     ENGINE_CHECK(isSound(def.spring), kNoNegativeSpring);
     for (int i = 0; i < 6; ++i) checkFreedom(def.type, i, def.free[i]);
 }
@@ -217,7 +217,7 @@ bool breakJoints(WorldState& s) {
     s.report.broken.clear();
     for (std::size_t i = 0; i < s.joints.size(); ++i) {
         Joint& joint = s.joints[i];
-        if (!joint.present) joint.force = joint.torque = Vec3::Zero();  // since the step before
+        if (!joint.present) joint.force = joint.torque = Vec3::Zero();  // removed since the last step
         const bool bears = joint.force.norm() <= joint.def.breakForce &&
                            joint.torque.norm() <= joint.def.breakTorque;
         if (!joint.present || bears) continue;

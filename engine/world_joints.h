@@ -1,27 +1,27 @@
-/// A world's joints: made, looked at, broken.
+/// Making, reading and breaking a world's joints.
 #pragma once
 #include "engine/world_state.h"
 
 namespace engine {
 
-/// The caller's bugs (base/check.h).
+/// Check for bugs of the caller (base/check.h).
 void checkJoint(const WorldState& s, const JointDef& def);
 void checkFreedom(JointType type, int coordinate, const Freedom& freedom);
 
 Joint makeJoint(const WorldState& s, const JointDef& def);
 JointState stateOf(const WorldState& s, const Joint& joint);
-/// m; JointState::separation alone.
+/// JointState::separation alone, m.
 double separationOf(const WorldState& s, const Joint& joint);
 
-/// At the end of a step: turns are counted, what is torn is found, and joints that carried more than
-/// they can bear go. True: some have.
+/// At the end of a step. followJoints counts turns and finds torn joints; breakJoints removes joints loaded
+/// beyond their strength, and returns true if there were any.
 void followJoints(WorldState& s);
 bool breakJoints(WorldState& s);
 
-/// The caller has put a body elsewhere: its place on a path is looked for again.
+/// After the caller has moved a body: finds its position on paths again.
 void findOnPaths(WorldState& s, int body);
 
-/// A motor that wants to turn something keeps it awake.
+/// Keeps bodies awake that a motor of nonzero speed acts on.
 void wakeMotors(WorldState& s);
 bool hasMotors(const WorldState& s);
 

@@ -8,8 +8,8 @@
 namespace engine {
 namespace {
 
-/// Bodies that forces act on, which look at where others are; all of them, where nobody knows whose forces
-/// or rows the method mixes.
+/// Bodies that forces act on, which may depend on other bodies; all bodies if the forces are unknown or the
+/// method mixes all rows.
 void findWhoMovesAlways(WorldState& s) {
     const bool all = s.field || s.settings.method != Method::impulses || s.settings.compareExact;
     s.everyStep.assign(s.bodies.count(), 0);
@@ -20,7 +20,7 @@ void findWhoMovesAlways(WorldState& s) {
     if (all) s.everyStep.assign(s.bodies.count(), 1);
 }
 
-/// Velocities are those of half a sub-step ago (dynamics/energy.h); of a sub-step of another length.
+/// Velocities belong to half a sub-step ago (dynamics/energy.h), so they change with its length.
 void setSpan(Bodies& bodies, int i, double span, double& scale) {
     const double before = bodies.spans[i];
     bodies.spans[i] = span;
@@ -44,7 +44,7 @@ void scaleImpulses(WorldState& s) {
     s.solver.trees.scaleImpulses(scaleOf);
 }
 
-/// Who sleeps keeps the length it fell asleep with, and the impulses of it.
+/// A sleeping body keeps its sub-step length and the impulses that belong to it.
 void setSpans(WorldState& s, double dt) {
     const double h = dt / s.report.substeps;
     bool any = false;
@@ -59,7 +59,7 @@ void setSpans(WorldState& s, double dt) {
     keepRates(s.solver.constraints, s.bodies.velocities);
 }
 
-/// Which bodies they connect, and in which order they are solved.
+/// Finds the connected bodies and the order of the contacts.
 void arrangeContacts(WorldState& s) {
     connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
     orderContacts(s.finder.contacts, s.bodies, s.gravity, s.settings.order, s.solver.keys,

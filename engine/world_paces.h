@@ -1,17 +1,17 @@
-/// A step's sub-steps: how many, and whose turn each of them is (solver/paces.h).
+/// The number of sub-steps of a step, and which bodies act in each (solver/paces.h).
 #pragma once
 #include "engine/world_state.h"
 
 namespace engine {
 
-/// As many as the islands and the looks for contacts ask for, in a step of dt (s). An impulse is a force
-/// times a sub-step: where that gets another length, what is carried over follows.
+/// Chooses as many sub-steps as the islands and contact detection need, for a step of dt (s). An impulse is a
+/// force times a sub-step, so impulses carried over are scaled when its length changes.
 void choosePaces(WorldState& s, double dt);
 
-/// Islands that have met within a step go on together.
+/// Combines islands that have met within a step.
 void joinPaces(WorldState& s, double dt);
 
-/// Whose turn sub-step i is.
+/// Selects the bodies that act in sub-step i.
 void beginSubstep(WorldState& s, int i);
 
 }  // namespace engine

@@ -8,7 +8,7 @@
 namespace engine {
 namespace {
 
-/// What is to be solved moves: contacts at rest lie in `asleep`.
+/// Contacts to be solved keep bodies awake: those at rest are in `asleep`.
 void wakeTouched(WorldState& s) {
     if (s.sleep.count() == 0) return;
     for (const Contact& contact : s.finder.contacts)
@@ -33,7 +33,7 @@ void fallAsleep(WorldState& s, double dt) {
 
 void callAround(WorldState& s, int body) {
     s.sleep.call(s.bodies, body);
-    if (s.bodies.isDynamic(body)) return;  // whoever it touches is of its island
+    if (s.bodies.isDynamic(body)) return;  // all it touches are in its island
     const auto callOther = [&](int a, int b) {
         if (a == body) s.sleep.call(s.bodies, b);
         if (b == body) s.sleep.call(s.bodies, a);

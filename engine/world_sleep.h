@@ -1,21 +1,21 @@
-/// Who falls asleep and who wakes, from everything a world knows: contacts, joints, and what the
-/// caller did. All of it happens between two steps.
+/// Decides which bodies fall asleep and which wake, from contacts, joints, and the caller's
+/// changes. This happens only between two steps.
 #pragma once
 #include "engine/world_state.h"
 
 namespace engine {
 
-/// To wake with the next step: the body's island, and those that it touches or is jointed to.
+/// Calls the body's island, and those it touches or is joined to, to wake in the next step.
 void callAround(WorldState& s, int body);
 
-/// To stay awake: whoever a force acts on within the next dt (s).
+/// Calls the bodies that a force acts on within the next dt (s) to stay awake.
 void callForced(WorldState& s, double dt);
 
-/// Whoever was called, with its contacts and joints.
+/// Wakes the called islands, with their contacts and joints.
 void wakeCalled(WorldState& s);
 
-/// With the contacts that the next step is to solve: who touches somebody awake wakes; islands that
-/// have been slow for long enough fall asleep.
+/// With the contacts of the next step: wakes islands touched by awake bodies, and puts islands to
+/// sleep that have been slow for long enough.
 void updateSleep(WorldState& s, double dt);
 
 }  // namespace engine

@@ -18,7 +18,7 @@ void findContacts(WorldState& s, double dt) {
     s.contactsStale = false;
 }
 
-/// Bodies held together by a joint do not collide with each other.
+/// Bodies joined by a joint do not collide with each other.
 void listJointedPairs(WorldState& s) {
     s.finder.jointed.clear();
     for (const Joint& joint : s.joints)
@@ -39,7 +39,7 @@ Trouble notFinite(const Pose& pose) {
                : Trouble::positionNotFinite;
 }
 
-/// Slower: so that |v| <= `most` in every direction. True: it was faster.
+/// Limits every component of v to `most`. True if it was faster.
 bool limit(Vec3& v, double most) {
     const double fastest = v.cwiseAbs().maxCoeff();
     if (fastest <= most) return false;
@@ -67,9 +67,9 @@ void removeTheFar(WorldState& s) {
     }
 }
 
-/// Ten times the energy in one step: nothing but a kinematic body, a motor or a force from outside
-/// has so much to give. Measured against the kinetic energy and 10 J/kg: a start at rest may fall,
-/// and a deep overlap be thrown out by Baumgarte's bias.
+/// Tenfold energy in one step: only a kinematic body, a motor or an external force could add so much. It is
+/// compared with the kinetic energy and 10 J/kg, because bodies at rest may fall, and Baumgarte's bias may
+/// separate a deep overlap.
 bool energyJumped(const WorldState& s, const Energy& before, const Energy& after) {
     if (hasMotors(s)) return false;
     double mass = 0.0;
@@ -92,7 +92,7 @@ ContactState stateOf(const WorldState& s, const Contact& contact, int i, const P
             -contact.normal.dot(onB - onA), got.total, got.totalFriction, point.feature};
 }
 
-/// What a point will start from, as if it got that in every sub-step.
+/// The start impulses of a point, as if it got them in every sub-step.
 PointImpulses carried(const WorldState& s, const Contact& contact, int i) {
     const ContactPoint& point = contact.points[i];
     const double span = s.bodies.spans[s.bodies.movable(contact.a, contact.b)];
@@ -100,8 +100,8 @@ PointImpulses carried(const WorldState& s, const Contact& contact, int i) {
     return {point.impulse, substeps * point.impulse, point.friction, substeps * point.friction};
 }
 
-/// States of the contacts awake, got(k, i) being what point i of contact k got, and of those asleep;
-/// in the order of pairs.
+/// Lists the states of awake contacts, where got(k, i) gives the impulses of point i of contact k, and of
+/// sleeping contacts, in the order of pairs.
 template <class Got>
 void listStates(const WorldState& s, std::span<const Contact> awake, std::span<const Pose> poses,
                 Got got, std::vector<ContactState>& states) {
@@ -123,13 +123,14 @@ void listStates(const WorldState& s, std::span<const Contact> awake, std::span<c
 void goBack(WorldState& s) {
     s.bodies.poses = s.posesBefore;
     s.bodies.velocities = s.velocitiesBefore;
-    s.listed = WorldState::Listed::none;  // the impulses of a step that did not happen
+    s.listed = WorldState::Listed::none;  // the impulses belong to an undone step
     s.touches.events.clear();
     for (int i = 0; i < s.bodies.count(); ++i)
         if (s.bodies.present[i]) updateInverseInertia(s.bodies, i);
 }
 
-/// Who began the step, or was pushed, with numbers that are none; nobody: all that `ended` with them.
+/// The bodies that began the step, or were loaded, with non-finite values; if there are none, all that
+/// `ended` so.
 std::vector<Incident> culprits(const WorldState& s, const std::vector<Incident>& ended) {
     std::vector<Incident> found;
     for (const Incident& incident : ended) {
@@ -159,7 +160,7 @@ void removeBody(WorldState& s, BodyId id) {
             s.jointSlots.remove(static_cast<int>(i));
         }
     for (std::optional<ForceDef>& force : s.forces)
-        if (force) std::erase(force->on, id);  // its number may become another body's
+        if (force) std::erase(force->on, id);  // its number may be reused
     s.bodySlots.remove(id.index);
     std::erase(s.untreed, id.index);
     s.bodies.present[id.index] = 0;
@@ -220,7 +221,7 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
 
 bool looksAgain(const WorldState& s, int substep, double h) {
     const int most = s.paces.longest();
-    if (substep == 0 || substep % most != 0) return false;  // not all islands are at the same time
+    if (substep == 0 || substep % most != 0) return false;  // islands are at different times
     return substep % s.substepsALook == 0 ||
            anyTurnsFar(s.finder.contacts, s.bodies, (substep + most - s.lookedAt) * h);
 }
@@ -251,7 +252,7 @@ bool staysFinite(WorldState& s) {
         removeBody(s, incident.body);
     }
     for (std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.previous})
-        contacts->clear();  // their impulses may be no numbers either
+        contacts->clear();  // their impulses may not be finite either
     s.jointsStale = s.contactsStale = s.again = true;
     return false;
 }
@@ -289,7 +290,7 @@ void findContactsNow(WorldState& s) {
     listJointedPairs(s);
     wakeCalled(s);
     findContacts(s, s.lastDt);
-    s.contactsStale = s.report.step > 0;  // the caller's changes still count for the next step
+    s.contactsStale = s.report.step > 0;  // the next step must still see the caller's changes
     s.report.energy = energyNow(s);
     s.listed = WorldState::Listed::found;
 }
@@ -297,7 +298,7 @@ void findContactsNow(WorldState& s) {
 void listContacts(const WorldState& s, std::vector<ContactState>& states) {
     states.clear();
     const std::vector<Contact>& found = s.finder.contacts;
-    // Step 6 has put the contacts that were solved aside, to remember their impulses by.
+    // Step 6 has moved the solved contacts to `previous`, for their impulses.
     if (s.listed == WorldState::Listed::solved)
         listStates(
             s, s.finder.previous, s.solver.posesAtStart,

@@ -7,7 +7,7 @@
 namespace engine {
 namespace {
 
-/// m/s, of the two bodies towards each other at p along n.
+/// The approach speed of the two bodies at p along n, m/s.
 double approachAt(const Vec3& p, const Vec3& n, const PairKey& pair, std::span<const Pose> poses,
                   std::span<const Velocity> velocities) {
     const auto velocityOf = [&](int body) {
@@ -17,7 +17,7 @@ double approachAt(const Vec3& p, const Vec3& n, const PairKey& pair, std::span<c
     return n.dot(velocityOf(pair.a) - velocityOf(pair.b));
 }
 
-/// The touching points of one pair become one touch, in the middle between them.
+/// The touching points of one pair become one touch, at their mean.
 void addContacts(const WorldState& s, std::vector<Touch>& touches) {
     const std::vector<ContactState>& points = s.touches.points;
     for (std::size_t i = 0; i < points.size();) {

@@ -1,7 +1,6 @@
-/// Contacts as events: who began to touch in a step, who has parted, in the order of pairs. A
-/// contact that lasts makes none in between; its impulses add up. Bodies touch in a step if a point
-/// of theirs overlaps or got an impulse: points that the solver looked at ahead of time do not
-/// count.
+/// Contacts as events: which bodies began or ceased to touch in a step, in the order of pairs. A
+/// lasting contact makes no events in between; its impulses are added up. Bodies touch in a step if
+/// one of their points overlaps or got an impulse; points ahead of touching do not count.
 #pragma once
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace engine {
 
 struct WorldState;
 
-/// A pair that touches.
+/// A touching pair.
 struct Touch {
     PairKey pair;
     bool sensor = false;
@@ -27,10 +26,10 @@ struct TouchLog {
     bool watched = false;
     std::vector<Touch> before, now;  // sorted by pair
     std::vector<TouchEvent> events;  // of the last step
-    std::vector<ContactState> points;  // likewise; kept for its memory
+    std::vector<ContactState> points;  // the same; kept for its memory
 };
 
-/// After a step, if the log is watched.
+/// Called after a step, if the log is watched.
 void recordTouches(WorldState& s);
 
 }  // namespace engine

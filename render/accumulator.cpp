@@ -7,9 +7,9 @@
 namespace render {
 namespace {
 
-constexpr int kFine = 4096;  // steps of the way back; sRGB's darkest levels are 1/3294 apart
+constexpr int kFine = 4096;  // steps of the inverse table; sRGB's darkest levels are 1/3294 apart
 
-/// sRGB levels to light, 0..65535 (IEC 61966-2-1).
+/// sRGB levels to linear light, 0..65535 (IEC 61966-2-1).
 const std::array<std::uint16_t, 256>& lightOf() {
     static const std::array<std::uint16_t, 256> table = [] {
         std::array<std::uint16_t, 256> light{};
@@ -23,8 +23,8 @@ const std::array<std::uint16_t, 256>& lightOf() {
     return table;
 }
 
-/// The level whose light is nearest, for light in `kFine` steps: by counting up, so that every
-/// level comes back as itself.
+/// The level nearest to a light value in `kFine` steps. It is found by counting up, so that every
+/// level maps back to itself.
 const std::array<std::uint8_t, kFine + 1>& levelOf() {
     static const std::array<std::uint8_t, kFine + 1> table = [] {
         std::array<std::uint8_t, kFine + 1> levels{};

@@ -1,5 +1,5 @@
-/// The mean of several pictures, in light and not in sRGB: anti-aliasing, motion blur and soft
-/// shadows at once.
+/// The mean of several pictures, computed in linear light, not in sRGB. It gives anti-aliasing,
+/// motion blur and soft shadows at once.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,14 +11,14 @@ namespace render {
 class Accumulator {
 public:
     Accumulator(int width, int height);
-    /// At most 256 pictures of the size given above.
+    /// Adds a picture of the size given above; at most 256.
     void add(const Image& image);
     Image mean() const;
 
 private:
     int width_, height_;
     std::uint32_t count_ = 0;
-    std::vector<std::uint32_t> sums_;  // red, green, blue times cover, and cover; 0..65535 each
+    std::vector<std::uint32_t> sums_;  // red, green, blue times alpha, and alpha; 0..65535 each
 };
 
 }  // namespace render

@@ -1,4 +1,4 @@
-/// One colour over one pixel.
+/// Blends one colour over one pixel.
 #pragma once
 #include <cstdint>
 
@@ -6,14 +6,14 @@
 
 namespace render {
 
-/// In sRGB, as text and flat marks are expected to look; `cover` 0..1 times the colour's own alpha.
-/// The pixel's alpha is not multiplied into its colour.
+/// Blends in sRGB, as is usual for text and flat marks. `cover`: 0..1, times the colour's alpha.
+/// The pixel's alpha is not premultiplied.
 inline void blend(std::uint8_t* pixel, const Color& color, float cover) {
     const float a = cover * color.a;
     if (a <= 0.0f) return;
     const float alpha = static_cast<float>(pixel[3]);
     const float after = alpha + (255.0f - alpha) * a;
-    const float share = pixel[3] == 255 ? a : 255.0f * a / after;  // of what is seen there
+    const float share = pixel[3] == 255 ? a : 255.0f * a / after;  // of the resulting colour
     const float over[3] = {color.r, color.g, color.b};
     for (int i = 0; i < 3; ++i) {
         const float under = static_cast<float>(pixel[i]);

@@ -8,7 +8,7 @@
 namespace render {
 
 Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up) {
-    // An eye in its own target looks along -z; the scene reader refuses it with a reason.
+    // An eye at its own target looks along -z; the scene reader rejects it with a message.
     const Vec3 way = eye - target;
     const Vec3 back = way.norm() > 1e-6f ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
     Vec3 right = up.cross(back);

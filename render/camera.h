@@ -1,20 +1,20 @@
-/// Matrices of a camera, and from the world to the picture.
+/// Matrices of a camera, and the projection from the world to the picture.
 #pragma once
 #include "render/frame.h"
 
 namespace render {
 
-/// What a camera makes of the world.
+/// The matrices and clip planes of a camera.
 struct View {
     Eigen::Matrix4f view;        // world to eye: x right, y up, z towards the viewer
     Eigen::Matrix4f projection;  // eye to clip
     Vec3 eye;                    // m, world
     float nearest, farthest;     // m, the clip planes
 
-    Eigen::Matrix4f worldToClip() const { return projection * view; }  // both in a row
+    Eigen::Matrix4f worldToClip() const { return projection * view; }  // both transforms
 };
 
-/// Of a length at 1 m from the eye.
+/// Pixels per metre at a distance of 1 m from the eye.
 inline float pixelsAMeter(const View& view, int height) {
     return 0.5f * static_cast<float>(height) * view.projection(1, 1);
 }
@@ -26,10 +26,10 @@ View makeView(const Camera& camera, float aspect);
 struct Projected {
     float x = 0, y = 0, depth = 0;  // pixels, pixels, m
 };
-/// Where a point of the world (m) is in a picture of so many pixels.
+/// Projects a point of the world (m) into a picture of this size.
 Projected project(const View& view, const Vec3& world, int width, int height);
 
-/// World to eye; `up` is not along the view.
+/// World to eye; `up` must not be parallel to the view direction.
 Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up);
 
 }  // namespace render

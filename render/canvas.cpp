@@ -11,7 +11,7 @@ namespace {
 
 using Vec2d = Eigen::Vector2d;
 
-constexpr int kBandRows = 64;  // of coverage held at a time: a tall line needs little memory
+constexpr int kBandRows = 64;  // of coverage at a time, so that a tall line needs little memory
 
 bool isFinite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
@@ -27,12 +27,12 @@ PixelSpan spanOf(double low, double high, PixelSpan within) {
             static_cast<int>(std::floor(std::clamp(high - 0.5, first - 1.0, end - 1.0)))};
 }
 
-/// How much of the unit interval about x lies in [low, high].
+/// The part of the unit interval around x that lies in [low, high].
 double overlap(double x, double low, double high) {
     return std::clamp(std::min(x + 0.5, high) - std::max(x - 0.5, low), 0.0, 1.0);
 }
 
-/// A part of a picture, each pixel the share of it that a line covers.
+/// A part of a picture; for each pixel the share of it that a line covers.
 struct Band {
     PixelSpan columns, rows;  // of the picture
     std::vector<float> cover;
@@ -43,7 +43,7 @@ struct Band {
     }
 };
 
-/// A segment with the half width of the line it belongs to.
+/// A segment of a line, with the line's half width.
 struct Segment {
     Vec2d a, b;
     double half;
@@ -55,7 +55,7 @@ struct Segment {
         return (p - a - t * ab).norm();
     }
     double reach() const { return half + 0.5; }
-    /// Where on the row at height y the line can have ink: the part of the segment near the row.
+    /// The columns that the line may cover in the row at height y.
     PixelSpan columns(double y, PixelSpan within) const {
         double from = 0.0, to = 1.0;
         const double rise = b.y() - a.y();
@@ -69,7 +69,7 @@ struct Segment {
     }
 };
 
-/// The greatest coverage of all segments is that of the nearest, so joints are not drawn twice.
+/// Keeps the greatest coverage of all segments, that of the nearest, so joints are not drawn twice.
 void cover(Band& band, const Segment& s) {
     const PixelSpan rows = spanOf(std::min(s.a.y(), s.b.y()) - s.reach(),
                                   std::max(s.a.y(), s.b.y()) + s.reach(), band.rows);
@@ -97,13 +97,13 @@ std::vector<Segment> segmentsOf(std::span<const Point> points, double half) {
         const bool cameFrom = i > 0 && isFinite(points[i - 1]);
         if (goesOn)
             segments.push_back({vec(points[i]), vec(points[i + 1]), half});
-        else if (!cameFrom)  // a point alone is a dot
+        else if (!cameFrom)  // a single point is a dot
             segments.push_back({vec(points[i]), vec(points[i]), half});
     }
     return segments;
 }
 
-/// All that the segments can reach, cut off at the picture's edges.
+/// The bounds of all segments, clipped to the picture.
 void boundsOf(const std::vector<Segment>& segments, const Image& image, PixelSpan& columns,
               PixelSpan& rows) {
     Vec2d low(1e300, 1e300), high(-1e300, -1e300);

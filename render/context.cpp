@@ -7,14 +7,14 @@
 namespace render {
 namespace {
 
-constexpr int kMostPixels = 16384;  // a side; OSMesa takes more without a word and draws nothing
+constexpr int kMostPixels = 16384;  // per side; OSMesa accepts more but draws nothing
 
 void checkSides(const ContextSettings& settings) {
     for (const int side : {settings.width, settings.height})
         if (side < 1 || side > kMostPixels)
-            throw Error("a picture of " + std::to_string(settings.width) + "x" +
-                        std::to_string(settings.height) + " pixels cannot be drawn; 1 to " +
-                        std::to_string(kMostPixels) + " a side can");
+            throw Error("cannot draw a picture of " + std::to_string(settings.width) + "x" +
+                        std::to_string(settings.height) + ": each side must be within 1.." +
+                        std::to_string(kMostPixels) + " pixels");
 }
 
 std::unique_ptr<Context> make(ContextKind kind) {
@@ -25,10 +25,10 @@ std::unique_ptr<Context> make(ContextKind kind) {
     if (kind == ContextKind::egl) return makeEglContext();
 #endif
     throw Error(std::string("this program was built without the context '") + nameOf(kind) +
-                "'; 'auto' takes one that it has");
+                "'; 'auto' selects one that it has");
 }
 
-/// The first that works; where none does, the first one's reason.
+/// The first kind that works. If none does, throws the first one's error.
 std::unique_ptr<Context> makeAny() {
     std::string reason;
     for (const ContextKind kind : contextKinds()) {

@@ -14,15 +14,15 @@ namespace {
     char code[16];
     std::snprintf(code, sizeof code, "0x%04x", static_cast<unsigned>(eglGetError()));
     throw Error(std::string("no OpenGL 3.3 core context from EGL: ") + what + " (error " + code +
-                "); are libegl-mesa0 and libgl1-mesa-dri there?");
+                "); are libegl-mesa0 and libgl1-mesa-dri installed?");
 }
 
 /// No window system, no device file: EGL_MESA_platform_surfaceless.
 EGLDisplay openDisplay() {
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display == EGL_NO_DISPLAY) fail("it knows no surfaceless platform");
-    if (!eglInitialize(display, nullptr, nullptr)) fail("its display does not open");
+    if (display == EGL_NO_DISPLAY) fail("it has no surfaceless platform");
+    if (!eglInitialize(display, nullptr, nullptr)) fail("its display cannot be opened");
     return display;
 }
 
@@ -32,7 +32,7 @@ EGLConfig chooseConfig(EGLDisplay display) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1)
-        fail("it draws no desktop OpenGL");
+        fail("it does not support desktop OpenGL");
     return config;
 }
 
@@ -67,9 +67,9 @@ private:
                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                      EGL_NONE};
-        if (!eglBindAPI(EGL_OPENGL_API)) fail("it draws no desktop OpenGL");
+        if (!eglBindAPI(EGL_OPENGL_API)) fail("it does not support desktop OpenGL");
         context_ = eglCreateContext(display_, chooseConfig(display_), EGL_NO_CONTEXT, attributes);
-        if (context_ == EGL_NO_CONTEXT) fail("its driver makes none");
+        if (context_ == EGL_NO_CONTEXT) fail("its driver cannot create one");
         if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
             fail("it cannot be made current without a surface");
         if (!gladLoadGL(eglGetProcAddress)) fail("functions of OpenGL 3.3 are missing");

@@ -1,4 +1,5 @@
-/// The two makers behind makeContext(), each in a file of its own and only where it was built in.
+/// The two functions behind makeContext(). Each has its own source file and exists only if its kind
+/// was built in.
 #pragma once
 #include <memory>
 
@@ -6,11 +7,11 @@
 
 namespace render {
 
-/// Both throw Error, and find the driver's environment prepared.
+/// Both throw Error. The driver's environment must have been prepared before.
 std::unique_ptr<Context> makeOsmesaContext();
 std::unique_ptr<Context> makeEglContext();
 
-/// "renderer, version", as the current context names them.
+/// "renderer, version", as the current context reports them.
 std::string describeOpenGl();
 
 }  // namespace render

@@ -1,4 +1,4 @@
-#include "render/gl.h"  // before osmesa.h, whose own gl.h then stays out
+#include "render/gl.h"  // before osmesa.h, so that its own gl.h is not used
 
 #include <GL/osmesa.h>
 
@@ -27,8 +27,9 @@ public:
                                   3,
                                   0};
         context_ = OSMesaCreateContextAttribs(attributes, nullptr);
-        if (!context_) throw Error("no OpenGL 3.3 core context from OSMesa; is libosmesa6 there?");
-        // Everything is drawn into framebuffers of our own; OSMesa wants a buffer all the same.
+        if (!context_)
+            throw Error("no OpenGL 3.3 core context from OSMesa; is libosmesa6 installed?");
+        // Everything is drawn into our own framebuffers, but OSMesa requires a buffer.
         if (!OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) ||
             !gladLoadGL(OSMesaGetProcAddress)) {
             OSMesaDestroyContext(context_);

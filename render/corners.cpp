@@ -21,7 +21,7 @@ struct Margins {
 bool isRight(Corner c) { return c == Corner::topRight || c == Corner::bottomRight; }
 bool isBottom(Corner c) { return c == Corner::bottomLeft || c == Corner::bottomRight; }
 
-/// In its corner, or as near to it as others leave room, up or down.
+/// In its corner, or as near to it as the others allow, moved up or down.
 std::optional<Box> placed(float width, float height, Corner corner, float gap,
                           const CornerLayout& layout, const Margins& m) {
     Box box{isRight(corner) ? m.right() - width : m.side,
@@ -39,13 +39,13 @@ int pixelsOf(float size, const Margins& m, float share = 1.0f) {
     return textPixels(share * size, m.look, static_cast<int>(m.width), static_cast<int>(m.height));
 }
 
-/// How letters may shrink to find room; those of a given size do not.
+/// By how much letters may shrink to fit; letters of a fixed size do not.
 std::span<const float> sharesOf(std::span<const float> all, const Look& look) {
     return look.unit > 0.0f ? all.first(1) : all;
 }
 constexpr float kTextShares[] = {1.0f, 0.8f, 0.65f}, kPlateShares[] = {1.0f, 0.85f, 0.7f};
 
-/// Without the last letter of UTF-8.
+/// Removes the last UTF-8 letter.
 void dropLetter(std::string& text) {
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80)
         text.pop_back();
@@ -144,7 +144,7 @@ CornerLayout layoutCorners(const Frame& frame, int width, int height) {
     const Margins m{cornerMargin(width, height), static_cast<float>(width),
                     static_cast<float>(height), frame.look};
     CornerLayout layout;
-    // The lowest line of a lower corner is its last one.
+    // The last text of a lower corner is at the bottom.
     for (const Text& text : frame.texts)
         if (!isBottom(text.corner) && !text.text.empty()) addText(text, m, layout);
     for (auto text = frame.texts.rbegin(); text != frame.texts.rend(); ++text)

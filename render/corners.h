@@ -1,5 +1,5 @@
-/// Where texts, plates and names go on a picture: nothing over anything else, nothing beyond the
-/// margins. The order is the priority; what has no room is left out.
+/// Layout of texts and plates in the corners of a picture: they do not overlap and stay within the
+/// margins. Earlier items have priority; an item without room is left out.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace render {
 
-/// Pixels, y down.
+/// A rectangle in pixels, y down.
 struct Box {
     float x = 0, y = 0, width = 0, height = 0;
     bool overlaps(const Box& o) const {
@@ -21,15 +21,15 @@ struct Box {
 struct PlacedText {
     Box box;
     std::vector<std::string> lines;
-    int pixels = 0;  // of a line's cap-to-descender height
+    int pixels = 0;  // cap-to-descender height of a line
     float lineHeight = 0;
     bool right = false;  // lines end at the box's right edge
     Color color;
 };
 
-/// A plate's columns.
+/// The measurements of a plate, in pixels.
 struct PlateMetrics {
-    int pixels = 0;  // as a text's
+    int pixels = 0;  // as for a text
     float pad = 0, swatch = 0, gap = 0, row = 0, bar = 0;
     float width = 0, height = 0;
 };
@@ -49,15 +49,15 @@ struct CornerLayout {
 /// The result points into the frame.
 CornerLayout layoutCorners(const Frame& frame, int width, int height);
 
-/// Pixels from a picture's edge to what stands in its corners.
+/// Pixels from a picture's edge to the texts and plates in its corners.
 float cornerMargin(int width, int height);
-/// Pixels of a text's cap-to-descender height, for its size in a picture of 1280x720.
+/// Cap-to-descender height in pixels of a text with this size in a picture of 1280x720.
 int textPixels(float size, const Look& look, int width, int height);
 
-/// The text in lines of at most `room` pixels; a word that is wider loses its end.
+/// Breaks the text into lines of at most `room` pixels; the end of a wider word is cut off.
 std::vector<std::string> brokenText(const std::string& text, int pixels, float room);
 
-/// Pixels of a metre where the camera looks.
+/// Pixels per metre at the point the camera looks at.
 float pixelsPerMeter(const Camera& camera, int height);
 
 PlateMetrics metricsOf(const Plate& plate, int pixels, float pixelsPerMeter);  // plate.cpp

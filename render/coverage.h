@@ -1,5 +1,5 @@
-/// Filling shapes on a picture by their signed distance (pixels, negative inside): a pixel is
-/// covered by half a pixel less than the distance of its centre from the edge.
+/// Fills shapes on a picture by their signed distance (pixels, negative inside). A pixel's coverage
+/// is 0.5 minus the signed distance of its centre from the edge, clamped to 0..1.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace render {
 
 using Vec2 = Eigen::Vector2f;
 
-/// Pixels low..high, within the picture.
+/// Pixels low..high inclusive, within the picture.
 struct PixelRange {
     int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
 };
@@ -32,7 +32,7 @@ inline Vec2 centreOf(int x, int y) {
     return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
 }
 
-/// What a shape is filled with, and a rim around it.
+/// The fill colour of a shape, and the rim around it.
 struct Paint {
     Color color, rim;
     float rimWidth = 0.0f;  // pixels
@@ -53,7 +53,7 @@ void fill(Image& image, const Vec2& low, const Vec2& high, const Paint& paint, D
         }
 }
 
-/// Distance from p to the segment a-b, and where along it: 0 at a, 1 at b.
+/// Distance from p to the segment a-b. `along`: the nearest point, from 0 at a to 1 at b.
 inline float toSegment(const Vec2& p, const Vec2& a, const Vec2& b, float& along) {
     const Vec2 ab = b - a;
     const float square = ab.squaredNorm();
@@ -68,8 +68,8 @@ inline float toRoundedBox(const Vec2& p, const Vec2& low, const Vec2& high, floa
     return q.cwiseMax(0.0f).norm() + std::min(q.maxCoeff(), 0.0f) - radius;
 }
 
-/// Pixels of a picture, for 1 pixel of 1280x720: what the look says, else by area, so that a tall
-/// picture reads like a wide one, but never larger than a side allows.
+/// Pixels of a picture for 1 pixel of 1280x720: `look.unit` if set, else by area, so that a tall
+/// picture is as legible as a wide one, but limited by the shorter side.
 inline float overlayScale(const Look& look, int width, int height) {
     if (look.unit > 0.0f) return look.unit;
     const float w = static_cast<float>(width), h = static_cast<float>(height);

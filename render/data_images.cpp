@@ -1,7 +1,7 @@
 // Pixel centre (u, v), lens f, c; in eye axes its ray is  e = ((u - c_x)/f_x, (c_y - v)/f_y, -1),
 // so that t of eye + t R^T e is the depth.  R, p: the view's rotation and translation.
-// Carried by its body from pose (x, Q) to (x', Q'), a point X is at  X' = x' + Q' S Q^T (X - x),
-// S = 1 but for rods, which stretch.   flow = project'(X') - (u, v)
+// A point X of a body that moves from pose (x, Q) to (x', Q') goes to  X' = x' + Q' S Q^T (X - x),
+// with S = 1 except for rods, which stretch.   flow = project'(X') - (u, v)
 #include "render/data_images.h"
 
 #include <Eigen/LU>
@@ -12,7 +12,7 @@
 namespace render {
 namespace {
 
-/// The camera in doubles, of the same matrices that the picture is drawn with.
+/// The camera in double precision, from the same matrices that the picture is drawn with.
 struct Eye {
     Lens lens;
     Mat3d rotation, back;  // world to eye, eye to world
@@ -34,14 +34,14 @@ struct Eye {
         return {position, back * way};
     }
 
-    /// From eye axes; not for points behind the eye.
+    /// From eye axes. The point must not be behind the eye.
     Eigen::Vector2d project(const Vec3d& p) const {
         return {lens.centreX - lens.focalX * p.x() / p.z(),
                 lens.centreY + lens.focalY * p.y() / p.z()};
     }
 };
 
-/// Where a surface takes its points until the next frame.
+/// How the points of a surface move until the next frame.
 struct Motion {
     bool known = false, still = false;
     Mat3d turn = Mat3d::Identity();
@@ -54,7 +54,7 @@ Motion motionBetween(const Surface& now, const Surface& next) {
     motion.still = now == next;
     Mat3d axes = next.axes;
     Vec3d stretch(1, 1, 1);
-    if (now.kind == SurfaceKind::bar || now.kind == SurfaceKind::plane)  // their spin is unseen
+    if (now.kind == SurfaceKind::bar || now.kind == SurfaceKind::plane)  // their spin is not visible
         axes = shortestTurn<double>(now.axes.col(1), next.axes.col(1)).toRotationMatrix() * now.axes;
     if (now.kind == SurfaceKind::bar && now.half.y() > 0.0)
         stretch.y() = next.half.y() / now.half.y();
@@ -76,7 +76,7 @@ bool sameView(const Camera& a, const Camera& b) {
            a.fovDegrees == b.fovDegrees;
 }
 
-/// One frame's geometry, ready to be asked pixel by pixel.
+/// One frame's geometry, for lookups pixel by pixel.
 class SeenFrame {
 public:
     SeenFrame(const Frame& now, const Frame* next, const SurfaceMap& map, const DataPasses& wanted)
@@ -129,7 +129,7 @@ private:
                            const Eigen::Vector2d& pixel) const {
         const Motion& motion = motions_[surface];
         if (!motion.known) return {kNoFlow, kNoFlow};
-        if (motion.still && cameraStill_) return {0, 0};  // not what rounding would make of it
+        if (motion.still && cameraStill_) return {0, 0};  // exactly, without rounding errors
         const Vec3d point = ray.from + hit.t * ray.along;
         const Vec3d moved = motion.still ? point : Vec3d(motion.turn * point + motion.shift);
         return flowTo(later_.rotation * moved + later_.translation, pixel);

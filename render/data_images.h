@@ -1,7 +1,6 @@
-/// What a picture shows, as numbers that line up with it pixel by pixel: how far, which way it
-/// faces, which body, where it goes. Of the surface at the pixel's centre, computed in closed form
-/// from the body's pose: a ball is round here, not made of triangles, and no value is the mean of
-/// two bodies.
+/// Depth, normal, body id and flow of every pixel of a picture. They describe the surface at the
+/// pixel's centre and are computed in closed form from the body's pose: a ball is a true sphere,
+/// not triangles, and no value is the mean of two bodies.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -12,7 +11,7 @@
 
 namespace render {
 
-/// Which of the images are wanted.
+/// Which of the images to compute.
 struct DataPasses {
     bool depth = false, normal = false, id = false, flow = false;  // as in DataImages
     bool any() const { return depth || normal || id || flow; }  // at all
@@ -21,7 +20,7 @@ struct DataPasses {
 inline constexpr float kNoDepth = std::numeric_limits<float>::infinity();  // the sky
 inline constexpr float kNoFlow = 1e10f;  // above 1e9 is 'unknown' in Middlebury's files
 
-/// Row 0 on top; what was not asked for is empty.
+/// Row 0 on top; images that were not requested are empty.
 struct DataImages {
     int width = 0, height = 0;          // pixels
     std::vector<float> depth;           // m along the view axis; kNoDepth: the sky
@@ -30,22 +29,22 @@ struct DataImages {
     std::vector<Eigen::Vector2f> flow;  // pixels, x right, y down; kNoFlow both: unknown
 };
 
-/// `map`: Renderer::surfaces(now). `next`: where everything is one frame later, for the flow; null:
-/// the flow is unknown everywhere. The flow of a pixel is where the point seen there, carried by
-/// its body, is in the next frame's picture, minus the pixel's centre, seen or hidden; of the sky,
-/// points infinitely far away. Unknown where that is behind the camera, and for what is not there
-/// in the next frame. Surfaces of two frames are matched by place and id. A rod is taken not to
-/// twist, and to stretch evenly; a ground has no features, so it moves along its normal alone.
+/// `map`: Renderer::surfaces(now). `next`: the frame one later, for the flow; null: the flow is
+/// unknown everywhere. The flow of a pixel is the position in the next picture of the point seen
+/// there, moved with its body and visible or not, minus the pixel's centre. The sky's points are
+/// infinitely far away. The flow is unknown where the point is behind the camera, and for surfaces
+/// missing in the next frame. Surfaces of two frames are matched by index and id. A rod is assumed
+/// not to twist and to stretch evenly; a ground has no features, so it moves only along its normal.
 DataImages dataImages(const Frame& now, const Frame* next, const SurfaceMap& map,
                       const DataPasses& wanted);
 
-/// The lens in pixels: a point (x, y, z) in eye axes is seen at
-/// (centreX + focalX * x / -z, centreY - focalY * y / -z), the top left pixel's centre being at
+/// The lens in pixels: a point (x, y, z) in eye axes appears at
+/// (centreX + focalX * x / -z, centreY - focalY * y / -z); the top left pixel's centre is at
 /// (0.5, 0.5).
 struct Lens {
     double focalX = 1, focalY = 1, centreX = 0, centreY = 0;  // pixels
 };
-/// Of a view in a picture of so many pixels.
+/// The lens of a view in a picture of this size.
 Lens lensOf(const View& view, int width, int height);
 
 }  // namespace render

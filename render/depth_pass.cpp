@@ -26,7 +26,7 @@ DepthMap DepthPass::draw(const Frame& frame, const View& view, const Meshes& mes
     DepthMap map{width_, height_, {}};
     map.meters.resize(static_cast<std::size_t>(width_) * height_);
     glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, map.meters.data());
-    // From what is stored: 1 / m = a + b stored.
+    // The depth in m from the stored value: 1 / m = a + b stored.
     const float a = 1.0f / view.nearest, b = 1.0f / view.farthest - a;
     for (float& depth : map.meters) depth = 1.0f / (a + b * depth);
     return map;

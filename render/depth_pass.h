@@ -1,5 +1,5 @@
-/// Depths at half the picture's size, without colour: for ambient occlusion, and for what is drawn
-/// over the picture and may be hidden.
+/// Depths at half the picture's size, without colour: for ambient occlusion, and for overlays that
+/// bodies may hide.
 #pragma once
 #include "render/ground_mesh.h"
 #include "render/meshes.h"

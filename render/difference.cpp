@@ -7,8 +7,8 @@
 namespace render {
 namespace {
 
-constexpr int kWindow = 16;  // pixels a side
-constexpr int kBlock = 8;    // pixels a side
+constexpr int kWindow = 16;  // pixels per side
+constexpr int kBlock = 8;    // pixels per side
 
 int pixelDifference(const std::uint8_t* a, const std::uint8_t* b) {
     int largest = 0;
@@ -18,7 +18,7 @@ int pixelDifference(const std::uint8_t* a, const std::uint8_t* b) {
     return largest;
 }
 
-/// sum(x, y): counted pixels left of column x and above row y, so any window costs four look-ups.
+/// sum(x, y): counted pixels left of column x and above row y, so any window costs four lookups.
 struct SummedArea {
     int columns = 0;
     std::vector<int> sums;

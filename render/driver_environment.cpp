@@ -9,14 +9,14 @@
 namespace render {
 namespace {
 
-// By prefix, as Mesa adds and renames variables. The lower-case ones override an entry of drirc.
+// By prefix, because Mesa adds and renames variables. Lower-case ones override entries of drirc.
 constexpr std::string_view kPrefixes[] = {"DRAW_",    "DRIRC_",    "EGL_",  "GALLIUM_", "GALLIVM_",
                                           "GLSL_",    "LIBGL_",    "LP_",   "MESA_",    "NIR_",
                                           "OSMESA_",  "SOFTPIPE_", "ST_",   "TGSI_",    "allow_",
                                           "disable_", "force_",    "glsl_", "mesa_"};
 
-/// Where files lie is a matter of the installation. The cache of compiled shaders changes no pixel:
-/// the processor's features and GALLIVM_PERF are part of its keys. It saves a process a
+/// The places of files depend on the installation. The cache of compiled shaders changes no pixel,
+/// because the processor's features and GALLIVM_PERF are part of its keys. It saves a process a
 /// second of CPU.
 constexpr std::string_view kKept[] = {"LIBGL_DRIVERS_PATH", "MESA_SHADER_CACHE_DIR",
                                       "MESA_SHADER_CACHE_DISABLE", "MESA_SHADER_CACHE_MAX_SIZE"};
@@ -43,12 +43,12 @@ bool isDriverVariable(std::string_view name) {
 
 void prepareDriverEnvironment(const ContextSettings& settings) {
     for (const std::string& name : driverVariables()) unsetenv(name.c_str());
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // EGL would take a graphics card, with other pixels
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);  // or EGL's own choice among the software drivers
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // EGL would use a graphics card, with other pixels
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);  // else EGL chooses among the software drivers
     if (settings.threads >= 0)
         setenv("LP_NUM_THREADS", std::to_string(settings.threads).c_str(), 1);
     if (!settings.reproducible) return;
-    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);  // no FMA: the two classes of pixels meet
+    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);  // no FMA: both classes give the same pixels
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
 }
 

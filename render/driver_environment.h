@@ -1,5 +1,5 @@
-/// What Mesa reads from the environment: some changes pixels (GALLIUM_HUD draws on them), some
-/// crashes the driver, some replaces our shaders. Only this program speaks to the driver.
+/// The environment variables that Mesa reads: some change pixels (GALLIUM_HUD draws on them), some
+/// crash the driver, some replace our shaders. Only this program may configure the driver.
 #pragma once
 #include <string_view>
 
@@ -7,14 +7,14 @@
 
 namespace render {
 
-/// Whether Mesa might listen to a variable of this name, which is then cleared.
+/// Whether Mesa may read a variable of this name; such variables are cleared.
 bool isDriverVariable(std::string_view name);
 
-/// Clears those of the user and sets ours. To be called before the first context of a process,
-/// which is when the driver reads them.
+/// Clears the user's variables and sets ours. Call it before the first context of a process is
+/// created: the driver reads them then.
 void prepareDriverEnvironment(const ContextSettings& settings);
 
-/// Which pixels this processor gives, where two may differ: "reproducible", else "fma" or "no fma".
+/// The class of processors that give the same pixels: "reproducible", "fma" or "no fma".
 const char* pixelClass(bool reproducible);
 
 }  // namespace render

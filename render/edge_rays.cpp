@@ -1,9 +1,9 @@
-// As in ray_surface.cpp, but the rays may miss. With the ray o + t d in the surface's own axes:
-// Box:      the last of the three entries  (-sign(d_i) half_i - o_i) / d_i,  if before every exit
+// As in ray_surface.cpp, but the rays may miss. With the ray o + t d in the surface's axes:
+// Box:      the last of the three entries  (-sign(d_i) half_i - o_i) / d_i,  if before all exits
 // Cylinder: the smaller root of  a t^2 + 2 b t + c = 0  across the core;  sphere: in all axes
 // Plane:    t = -o_y / d_y
-// Closed:   in the cylinder or cone, and in the layer between its ends, at the same time
-// Hull:     the last entry through its planes, if before every exit
+// Closed:   inside the cylinder or cone and inside the layer between its ends at the same time
+// Hull:     the last entry through its planes, if it is before all exits
 #include "render/edge_rays.h"
 
 #include "render/mesh_tree.h"
@@ -18,17 +18,17 @@ Four where(FourInts hit, Four t) {
     return hit ? t : fourOf(kNever);
 }
 
-/// The smaller root of a t^2 + 2 b t + c; not a number where there is none.
+/// The smaller root of a t^2 + 2 b t + c; NaN if there is none.
 Four firstRoot(Four a, Four b, Four c) { return (-b - squareRoot(b * b - a * c)) / a; }
 
 Four larger(Four a, Four b) { return a > b ? a : b; }
 
-/// Where rays are inside of something, from `in` to `out`.
+/// The part of each ray that is inside, from `in` to `out`.
 struct RaySpan {
     Four in, out;
 };
 
-/// What of a span is between two heights; face 2 or 3 where its end comes last.
+/// Clips a span to the layer between two heights; face 2 or 3 where the ray enters through an end.
 FourHits between(float low, float high, float eye, Four dy, RaySpan span) {
     const Four inverse = 1.0f / dy;
     const FourInts upwards = dy > 0.0f;
@@ -80,7 +80,7 @@ FourHits SeenSurface::enterBox(const Rays& rays) const {
         const Four inverse = 1.0f / rays.d[i];
         const FourInts forward = rays.d[i] > 0.0f;
         const Four low = (-half_[i] - eye_[i]) * inverse, high = (half_[i] - eye_[i]) * inverse;
-        const Four entry = smaller(low, high);  // also along a face, where they are infinite
+        const Four entry = smaller(low, high);  // also if infinite, for a ray along a face
         const FourInts later = entry > in;
         in = later ? entry : in;
         face = later ? (forward ? FourInts{} + 2 * i : FourInts{} + (2 * i + 1)) : face;
@@ -89,7 +89,7 @@ FourHits SeenSurface::enterBox(const Rays& rays) const {
     return {where(in <= out, in), face};
 }
 
-/// A ray that comes into the endless cylinder beyond an end can only come into the capsule there.
+/// A ray that enters the infinite cylinder beyond an end can enter the capsule only at that end.
 FourHits SeenSurface::enterCapsule(const Rays& rays) const {
     const auto& [dx, dy, dz] = rays.d;
     const float r = half_.x(), length = half_.y();
@@ -131,7 +131,7 @@ FourHits SeenSurface::enterCylinder(const Rays& rays) const {
     return between(-half_.y(), half_.y(), eye_.y(), dy, span);
 }
 
-/// A steep ray (a < 0) is inside of one half of the double cone from a root on, or up to one.
+/// A steep ray (a < 0) is inside one half of the double cone from a root on, or up to a root.
 FourHits SeenSurface::enterCone(const Rays& rays) const {
     const auto& [dx, dy, dz] = rays.d;
     const float k = half_.x() / (2.0f * half_.y()), kk = k * k, y = eye_.y() - 1.5f * half_.y();
@@ -139,7 +139,7 @@ FourHits SeenSurface::enterCone(const Rays& rays) const {
     const Four b = dx * eye_.x() + dz * eye_.z() - kk * y * dy;
     const float c = eye_.x() * eye_.x() + eye_.z() * eye_.z() - kk * y * y;
     const Four square = b * b - a * c, root = squareRoot(positive(square));
-    const Four far = b > 0.0f ? -b - root : root - b;  // not the difference of what is alike
+    const Four far = b > 0.0f ? -b - root : root - b;  // avoids cancellation
     const Four one = far / a, other = c / far;
     const Four first = smaller(one, other), last = larger(one, other);
     const FourInts steep = a < 0.0f, never = (a > 0.0f) & (square < 0.0f), down = dy < 0.0f;

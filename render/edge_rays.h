@@ -1,5 +1,5 @@
-/// Rays through points of the picture, four side by side, and where they enter a surface as it is
-/// drawn: from outside. Single precision: a millionth of the distance is far below a pixel.
+/// Rays through points of the picture, four at a time, and where they enter a surface from outside,
+/// as it is drawn. Single precision: a millionth of the distance is far below a pixel.
 #pragma once
 #include "render/four.h"
 #include "render/ray_surface.h"
@@ -7,13 +7,13 @@
 
 namespace render {
 
-/// Where four rays enter: t is infinite where they miss; the face as in a SurfaceMap.
+/// Where four rays enter. t is infinite for a ray that misses; the face is as in a SurfaceMap.
 struct FourHits {
     Four t{};
     FourInts face{};
 };
 
-/// One surface as one camera's rays see it.
+/// One surface, prepared for the rays of one camera.
 class SeenSurface {
 public:
     SeenSurface(const Surface& surface, const Sight& sight);
@@ -32,8 +32,8 @@ private:
 
     SurfaceKind kind_;
     const SolidMesh* mesh_;
-    Vec3 half_;                       // m, as the surface's
-    Vec3 eye_, ahead_, right_, down_;  // the sight, in the surface's own axes
+    Vec3 half_;                       // m, as in Surface
+    Vec3 eye_, ahead_, right_, down_;  // the Sight, in the surface's axes
 };
 
 }  // namespace render

@@ -1,4 +1,4 @@
-// colour = 1/n sum over rays of  colour of the nearest pixel, of 3 x 3, with the surface it meets
+// colour = 1/n sum over rays of  colour of the nearest pixel, of 3 x 3, with the surface it hits
 #include "render/edge_samples.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Offset {
     float x, y;  // pixels from a pixel's middle
 };
 
-/// No two in a row or a column: an edge that is nearly upright or level gets all the steps.
+/// No two in one row or column, so that a nearly vertical or horizontal edge gets all steps.
 std::vector<Offset> offsets(int samples) {
     constexpr int kTwo[][2] = {{4, 4}, {-4, -4}};
     constexpr int kFourth[][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
@@ -57,7 +57,7 @@ std::array<std::size_t, kAround> nearestFirst(const Offset& offset) {
     return order;
 }
 
-/// As they are drawn.
+/// The surfaces as they are drawn: thin rods are wider.
 std::vector<Surface> drawnSurfaces(const Frame& frame, const View& view, int height) {
     std::vector<Surface> surfaces = surfacesOf(frame);
     for (std::size_t i = 0; i < frame.rods.size(); ++i) {
@@ -107,7 +107,7 @@ private:
     const FaceTables joined_;
     const SurfaceMap map_;
     const Sight sight_;
-    std::vector<std::optional<SeenSurface>> seen_;  // made when first met
+    std::vector<std::optional<SeenSurface>> seen_;  // made when first needed
     std::vector<Four> x_, y_;                       // of the samples
     std::vector<std::array<std::size_t, kAround>> order_;   // by sample
     std::array<std::int32_t, kAround> around_{};    // packed surfaces
@@ -131,7 +131,7 @@ FourInts EdgeSamples::packedFaces(int surface, FourInts faces) const {
     return faces + packedSurface(surface, 0);
 }
 
-/// The packed surface that each of four rays meets first.
+/// The packed surface that each of four rays hits first.
 FourInts EdgeSamples::meet(Four x, Four y, int count) {
     Four nearest = fourOf(std::numeric_limits<float>::infinity());
     FourInts met = FourInts{} + kNoSurface;
@@ -144,7 +144,8 @@ FourInts EdgeSamples::meet(Four x, Four y, int count) {
     return met;
 }
 
-/// The nearest pixel that has it; of a face that none has, one of the same body; else the middle.
+/// The nearest pixel with this surface; if none shows this face, one with the same body; else the
+/// middle.
 std::size_t EdgeSamples::placeOf(std::int32_t surface, std::size_t sample) const {
     for (const std::size_t place : order_[sample])
         if (around_[place] == surface) return place;
@@ -185,7 +186,7 @@ std::array<std::uint8_t, 4> EdgeSamples::mean(const std::array<int, kAround>& ti
     return color;
 }
 
-/// Whether one of four numbers has another one at the same place of the other four.
+/// Whether any of four numbers differs from the one at the same place in the other four.
 bool differ(const std::int32_t* a, const std::int32_t* b) {
     std::uint64_t x[2], y[2];
     std::memcpy(x, a, sizeof x);
@@ -193,7 +194,7 @@ bool differ(const std::int32_t* a, const std::int32_t* b) {
     return ((x[0] ^ y[0]) | (x[1] ^ y[1])) != 0;
 }
 
-/// Pixels of a row with another surface beside, above or below them, in order.
+/// Pixels of a row with another surface next to, above or below them, in order.
 void findEdges(const SurfaceMap& map, int y, std::vector<int>& found) {
     const int w = map.width;
     const std::int32_t* row = &map.packed[static_cast<std::size_t>(y) * w];
@@ -223,7 +224,7 @@ void smoothEdges(Image& image, SurfaceMap map, const Frame& frame, const View& v
         std::size_t at;
         std::array<std::uint8_t, 4> color;
     };
-    std::vector<Smooth> pixels;  // put in afterwards: neighbours still look at the old ones
+    std::vector<Smooth> pixels;  // stored afterwards: neighbours still need the old colours
     std::vector<int> found;
     const SurfaceMap& faces = edges.map();
     for (int y = 0; y < faces.height; ++y) {

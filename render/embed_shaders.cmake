@@ -1,12 +1,12 @@
 # cmake -DOUT=shaders.cpp -DDIR=render/shaders -P embed_shaders.cmake
-# Every file of DIR, with the parts (.glsl) put in where it includes them, as text in one source file.
+# Writes every file of DIR as text into one source file; included parts (.glsl) are inserted.
 file(GLOB files ${DIR}/*.vert ${DIR}/*.frag)
 list(SORT files)
 set(cases "")
 foreach(file ${files})
   get_filename_component(name ${file} NAME)
   file(READ ${file} text)
-  foreach(depth RANGE 2)  # a part may hold others
+  foreach(depth RANGE 2)  # a part may include others
     string(REGEX MATCHALL "#include \"[a-z_]+\\.glsl\"" includes "${text}")
     foreach(include ${includes})
       string(REGEX REPLACE "#include \"(.*)\"" "\\1" part "${include}")

@@ -1,5 +1,5 @@
-/// The world's fault (no context, disk full, no ffmpeg), told in one line: what is wrong, the value,
-/// what would be right.
+/// Errors of the environment (no context, disk full, no ffmpeg). The message is one line: what is
+/// wrong, the value, and what would be right.
 #pragma once
 #include <stdexcept>
 
@@ -10,7 +10,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A file that was to be new has appeared under its name meanwhile.
+/// A file that must not be replaced exists under the name of a new one.
 class AlreadyThere : public Error {
 public:
     using Error::Error;

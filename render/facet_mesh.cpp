@@ -1,5 +1,5 @@
-// A facet of a convex mesh is a fan around its middle, whose triangles each lie along one edge of
-// it and know the edges before and after that: their lines and bevels meet at the corners.
+// A facet of a convex mesh is a fan around its middle. Each triangle lies along one edge of the
+// facet and also stores the edges before and after it: lines and bevels meet at the corners.
 #include "render/facet_mesh.h"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ Vec3 around(int corner, float share, int corners) {
     return {std::cos(turn), 0.0f, -std::sin(turn)};
 }
 
-/// A disc's part at `height`; `up`: +-y. `side`: the normal beyond the rim, across and along y.
+/// One sector of a disc at `height`; `up`: +-y. `side`: the normal beyond the rim, across and along
+/// y.
 void addDiscPart(std::vector<FacetVertex>& mesh, int corner, int corners, float height,
                  const Vec3& up, const Eigen::Vector2f& side) {
     const auto vertex = [&](float share, float radius) {
@@ -44,7 +45,7 @@ FacetVertex coneSide(int corner, float share, int corners, float y) {
 struct TriangleCorner {
     Vec3 position, normal;
 };
-/// An edge of it: a point, the way inwards on the face, and the normal beyond it.
+/// An edge of a triangle: a point, the direction inwards on the face, and the normal beyond it.
 struct Edge {
     Vec3 at, inwards, beyond;
 
@@ -67,7 +68,7 @@ void addTriangle(std::vector<FacetVertex>& mesh, const TriangleCorner (&corners)
 }
 
 /// Corners of a facet in order, and the facets beyond the edges that begin there (-1: none). Empty
-/// where the outline is not one ring.
+/// if the outline is not a single ring.
 struct Outline {
     std::vector<int> corners, beyond;
 };
@@ -128,14 +129,14 @@ void addFan(std::vector<FacetVertex>& vertices, const SolidMesh& mesh, int facet
     }
 }
 
-/// At every corner of every triangle the mean normal of the triangles around it that are not beyond
-/// a crease; by area.
+/// For every corner of every triangle: the mean normal of the triangles around it that are not
+/// beyond a crease, weighted by area.
 class Normals {
 public:
     explicit Normals(const SolidMesh& mesh) : mesh_(mesh) {}
-    /// From triangle to triangle around the corner, both ways.
+    /// Walks from triangle to triangle around the corner, both ways.
     Vec3 at(int triangle, int corner) const {
-        constexpr int kMost = 1000;  // triangles; a ring that joins itself elsewhere never closes
+        constexpr int kMost = 1000;  // triangles: a ring that joins itself elsewhere never closes
         const Vec3& point = mesh_.vertices[corner];
         Vec3 sum = area(triangle);
         for (const int way : {1, 2}) {
@@ -185,7 +186,7 @@ std::vector<FacetVertex> cylinderMesh(int corners) {
     return mesh;
 }
 
-/// Its normals turn within a triangle at the tip, so these are kept small.
+/// Normals change within a triangle at the tip, so the triangles there are small.
 std::vector<FacetVertex> coneMesh(int corners) {
     constexpr float kHeights[] = {-0.5f, 0.5f, 1.0f, 1.25f, 1.4f, 1.5f};
     std::vector<FacetVertex> mesh;

@@ -1,13 +1,13 @@
-/// Cylinder, cone and meshes as triangles that know how far they are from the edges that are seen.
+/// Cylinder, cone and meshes as triangles whose corners store the distance to the visible edges.
 #pragma once
 #include "render/solid_mesh.h"
 #include "render/vertex.h"
 
 namespace render {
 
-/// Of radius 1, from y = -1 to 1, of so many corners around.
+/// Radius 1, from y = -1 to 1, with this many corners around.
 std::vector<FacetVertex> cylinderMesh(int corners);
-/// Of radius 1, from y = -0.5 to the tip at y = 1.5.
+/// Radius 1, from y = -0.5 to the tip at y = 1.5.
 std::vector<FacetVertex> coneMesh(int corners);
 /// In metres.
 std::vector<FacetVertex> facetMesh(const SolidMesh& mesh);

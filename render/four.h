@@ -1,5 +1,5 @@
-/// Four numbers side by side, which every x86-64 processor has; the compilers' vector extensions
-/// give them operators. Wider ones are taken apart into single numbers by one of the compilers.
+/// Vectors of four numbers, which every x86-64 processor supports; the compilers' vector extensions
+/// provide the operators. One of the compilers splits wider vectors into single numbers.
 #pragma once
 #include <cmath>
 
@@ -7,7 +7,7 @@ namespace render {
 
 inline constexpr int kFour = 4;
 using Four = float __attribute__((vector_size(16)));
-using FourInts = int __attribute__((vector_size(16)));  // also what comparisons give: 0 or -1
+using FourInts = int __attribute__((vector_size(16)));  // also the result of comparisons: 0 or -1
 
 inline Four fourOf(float v) { return Four{v, v, v, v}; }
 inline Four positive(Four v) { return v > 0.0f ? v : Four{}; }

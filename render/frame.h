@@ -1,6 +1,6 @@
-/// What one picture shows, as plain values: nothing points back into a simulation, so a frame can
-/// be kept, compared, sent to another process or written by hand.
-/// Units: metres, radians unless a name ends in Degrees, Y up, right-handed. Colours are sRGB.
+/// The contents of one picture, as plain values without pointers into a simulation: a frame can be
+/// stored, compared, sent to another process or written by hand.
+/// Units: metres; radians unless a name ends in Degrees. Y up, right-handed. Colours are sRGB.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@
 namespace render {
 
 using Vec3 = Eigen::Vector3f;       // x, y, z
-using Quat = Eigen::Quaternionf;    // a rotation, of length 1
+using Quat = Eigen::Quaternionf;    // a rotation, unit length
 
 /// sRGB, each channel 0..1; a = 1 is opaque.
 struct Color {
@@ -20,7 +20,7 @@ struct Color {
 
 struct SolidMesh;  // solid_mesh.h
 
-/// Each of the half sizes that Solid gives it.
+/// The shape of a solid; Solid::halfSize gives its size.
 enum class SolidShape { box, sphere, capsule, cylinder, cone, mesh };
 
 /// A body's picture.
@@ -30,12 +30,12 @@ struct Solid {
                                       // capsule: (radius, half length of the core segment, radius)
                                       // cylinder, cone: (radius, half height, radius)
                                       // mesh: SolidMesh::halfSize
-    Vec3 position{0, 0, 0};           // m, centre; of a cone that of its mass: the base is
+    Vec3 position{0, 0, 0};           // m, centre; for a cone the centre of mass: the base is
                                       // halfSize.y / 2 below it, the tip 1.5 halfSize.y above
-    Quat rotation = Quat::Identity(); // what is round has its axis along its own y
+    Quat rotation = Quat::Identity(); // round shapes have their axis along local y
     Color color;
     int id = 0;                       // 0..65534, for data passes (data_images.h)
-    std::shared_ptr<const SolidMesh> mesh{};  // of a mesh; without it nothing is drawn
+    std::shared_ptr<const SolidMesh> mesh{};  // for a mesh; if null, nothing is drawn
 };
 
 /// A straight round bar: joints, ropes.
@@ -43,27 +43,27 @@ struct Rod {
     Vec3 from{0, 0, 0}, to{0, 0, 0};  // m
     float radius = 0.03f;             // m
     Color color;
-    int id = 0;  // as a solid's
+    int id = 0;  // as for a solid
 };
 
-/// Drawn over the picture, with a head at `to`; faint where it starts behind something.
+/// An arrow over the picture, with its head at `to`; faint if it starts behind something.
 struct Arrow {
     Vec3 from{0, 0, 0}, to{0, 0, 0};  // m
     Color color;
-    float reach = 0.0f;  // m: what is in front of `from` by less than this does not hide it
+    float reach = 0.0f;  // m: something less than this in front of `from` does not hide it
 };
 
 /// A dot, or a quartered disc.
 enum class MarkerShape { dot, quartered };
 
-/// A mark of constant size on the picture: contact points, and the quartered disc of a centre of
+/// A mark of constant size on the picture: a contact point, or the quartered disc of a centre of
 /// mass.
 struct Marker {
     Vec3 position{0, 0, 0};  // m
     float pixels = 3.5f;  // radius in a picture of 1280x720
     Color color;
-    float largest = 0.0f;  // m: a radius that it does not exceed in the world; 0 = any
-    float reach = 0.0f;    // m, as an arrow's
+    float largest = 0.0f;  // m: upper limit of its radius in the world; 0 = none
+    float reach = 0.0f;    // m, as for an arrow
     MarkerShape shape = MarkerShape::dot;
 };
 
@@ -74,14 +74,14 @@ struct Line {
     Color color;
 };
 
-/// A name at a place. Left out where it would cover another one or a corner's text, or where it is
-/// behind something. The nearest are placed first.
+/// A name at a point. It is left out if it would cover another one or a corner's text, or if it is
+/// behind something. The nearest labels are placed first.
 struct Label {
     std::string text;    // one line, UTF-8
     Vec3 position{0, 0, 0};  // m
-    float reach = 0.0f;  // m, as an arrow's; smaller bodies have smaller names
-    float size = 15.0f;  // as a text's
-    float below = 0.0f;  // in heights of the name, how far its middle is below the place
+    float reach = 0.0f;  // m, as for an arrow; smaller bodies have smaller names
+    float size = 15.0f;  // as for a text
+    float below = 0.0f;  // distance of its middle below the point, in heights of the name
 };
 
 /// A band along a path that fades towards its oldest (first) point.
@@ -93,17 +93,17 @@ struct Trail {
 
 /// An infinite plane with a grid that fades into the fog: {x : normal . x = offset}.
 struct Ground {
-    bool visible = true;   // false: it hides nothing and takes no shadow
+    bool visible = true;   // false: it hides nothing and receives no shadow
     Vec3 normal{0, 1, 0};  // unit
     float offset = 0.0f;  // m
-    int id = 0;           // as a solid's
+    int id = 0;           // as for a solid
 };
 
-/// Of the picture: topLeft, topRight, bottomLeft or bottomRight.
+/// A corner of the picture.
 enum class Corner { topLeft, topRight, bottomLeft, bottomRight };
 
-/// A text in a corner of the picture; texts in one corner stack in the order given. What is longer
-/// than the picture is wide is broken into lines.
+/// A text in a corner of the picture; texts in one corner stack in the order given. A text wider
+/// than the picture is broken into lines.
 struct Text {
     std::string text;  // UTF-8; glyphs: Latin, Greek, arrows, arithmetic signs
     Corner corner = Corner::topLeft;
@@ -111,7 +111,7 @@ struct Text {
     Color color{0.1f, 0.1f, 0.11f, 1.0f};
 };
 
-/// What stands before a row's text: a sample of what the picture shows.
+/// The symbol before a row's text: a sample of a mark in the picture.
 enum class Swatch { none, dot, quartered, arrow, line };
 
 /// A share of a bar, 0..1 of its width.
@@ -125,48 +125,48 @@ struct PlateRow {
     std::string name, value;   // UTF-8
     Swatch swatch = Swatch::none;
     Color color{};             // of the swatch
-    float meters = 0.0f;       // length of an arrow, where the camera looks; 0 = short
+    float meters = 0.0f;       // length of an arrow, at the camera's lookAt; 0 = short
     std::vector<BarPart> bar{};  // below the text, from left to right; empty = none
     std::vector<Color> ramp{};   // a colour scale above the text, from left to right; empty = none
 };
 
-/// A table on a translucent ground, in a corner below the corner's texts.
+/// A table on a translucent background, in a corner, below the corner's texts.
 struct Plate {
     Corner corner = Corner::topRight;
-    float size = 15.0f;  // as a text's
+    float size = 15.0f;  // as for a text
     std::vector<PlateRow> rows;
 };
 
-/// Where the picture is seen from.
+/// The viewpoint of the picture.
 struct Camera {
     Vec3 from{8, 5, 14};       // m
-    Vec3 lookAt{0, 2, 0};      // m, the picture's middle; not `from`
-    Vec3 up{0, 1, 0};          // not along the view
+    Vec3 lookAt{0, 2, 0};      // m, the picture's middle; must differ from `from`
+    Vec3 up{0, 1, 0};          // not parallel to the view direction
     float fovDegrees = 35.0f;  // vertical
-    float aperture = 0.0f;     // m, the lens's radius: what is not in focus is soft, in sub-frames
+    float aperture = 0.0f;     // m, radius of the lens: blur out of focus, in sub-frames
     float focus = 0.0f;        // m along the view axis; 0: at lookAt
 };
 
-/// Light and ground tones.
+/// Light, colours and line widths.
 struct Look {
     Vec3 sunDirection{0.45f, 0.75f, 0.5f};  // towards the sun, any length
     Color skyTop{0.42f, 0.51f, 0.61f, 1.0f};      // at the picture's upper edge
     Color skyHorizon{0.74f, 0.79f, 0.83f, 1.0f};  // and at its horizon
-    Color fog{0.80f, 0.82f, 0.83f, 1.0f};         // what the ground fades to
-    Color ground{0.76f, 0.735f, 0.70f, 1.0f};     // near by, without its grid
+    Color fog{0.80f, 0.82f, 0.83f, 1.0f};         // colour the ground fades to
+    Color ground{0.76f, 0.735f, 0.70f, 1.0f};     // nearby, without its grid
     bool shadows = true;           // of the sun
-    bool ambientOcclusion = true;  // darker where little of the sky is seen
+    bool ambientOcclusion = true;  // darker where little of the sky is visible
     bool edges = true;             // lines along the edges of bodies
-    bool transparent = false;  // no sky and no ground: alpha is 0 where nothing stands
+    bool transparent = false;  // no sky and no ground: alpha is 0 where there is no body
     float lineStrength = 1.0f;  // of edges and of the grid
-    float unit = 0.0f;  // pixels of what is 1 pixel in a picture of 1280x720: letters, which then
-                        // never shrink, marks, lines; 0: by the picture's area
+    float unit = 0.0f;  // pixels for 1 pixel of 1280x720, for text (which then never shrinks),
+                        // marks and lines; 0: by the picture's area
     float edgePixels = 0.0f;  // width of bodies' edges and the ground's lines; 0: by the height
-    Color ink{0.1f, 0.1f, 0.11f, 1.0f};         // of plates and labels
-    Color plate{0.96f, 0.965f, 0.97f, 0.72f};  // the ground of plates
+    Color ink{0.1f, 0.1f, 0.11f, 1.0f};         // text of plates and labels
+    Color plate{0.96f, 0.965f, 0.97f, 0.72f};  // background of plates
 };
 
-/// Everything that one picture shows; what is empty is not there.
+/// Everything that one picture shows.
 struct Frame {
     Camera camera;
     Look look;

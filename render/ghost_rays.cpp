@@ -26,7 +26,7 @@ std::optional<Entry> hitBox(const Vec3& half, const Vec3& from, const Vec3& way)
     return Entry{enter, way[face] > 0.0f ? Vec3(-Vec3::Unit(face)) : Vec3(Vec3::Unit(face))};
 }
 
-/// A ball about the point of the core nearest to the ray: exact for a sphere, near enough else.
+/// A ball around the core's point nearest to the ray: exact for a sphere, else an approximation.
 std::optional<Entry> hitRound(float radius, float core, const Vec3& from, const Vec3& way) {
     const float a = way.squaredNorm(), b = way.y(), d = way.dot(from);
     const float square = a - b * b;  // |way|^2 |y|^2 - (way . y)^2

@@ -1,4 +1,4 @@
-/// Where the rays of a picture's pixels enter a ghost.
+/// Intersects the rays through a picture's pixels with a ghost.
 #pragma once
 #include <optional>
 
@@ -14,11 +14,11 @@ struct GhostHit {
 
 class GhostRays {
 public:
-    /// `sun`: towards it, unit.
+    /// `sun`: direction towards the sun, unit.
     GhostRays(const Solid& ghost, const View& view, const Vec3& sun, int width, int height);
     /// `pixel`: from the upper left corner.
     std::optional<GhostHit> at(const Vec2& pixel) const;
-    /// m along the view axis to the ghost's middle, about.
+    /// Approximate distance of the ghost's middle, m along the view axis.
     float middle(const Vec2& pixel) const { return from_.norm() / through(pixel).norm(); }
 
 private:
@@ -26,8 +26,8 @@ private:
     std::optional<GhostHit> onSurface(const Vec2& pixel) const;
 
     const Solid& ghost_;
-    // In the ghost's axes: the eye; the way through the upper left corner of the picture, 1 m along
-    // the view axis; a pixel on, either way.
+    // In the ghost's axes: the eye; the direction through the upper left corner of the picture, 1 m
+    // along the view axis; the step of one pixel right and down.
     Vec3 from_, corner_, right_, down_;
     Vec3 sun_, sunInGhost_;
     Surface surface_;

@@ -1,5 +1,5 @@
-// Earlier poses as translucent silhouettes: every pixel asks by a ray how far the ghost's surface
-// is and how it is turned to the light; what the picture shows in front of that stays.
+// Earlier poses as translucent silhouettes. A ray through every pixel gives the distance of the
+// ghost's surface and its angle to the light; nearer parts of the picture stay.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,7 +23,7 @@ void addCircle(std::vector<Vec3>& points, const Vec3& middle, const Vec3& u, con
     }
 }
 
-/// Of what has corners or sharp rims.
+/// For shapes with corners or sharp rims.
 std::vector<Vec3> cornerPoints(const Solid& solid) {
     std::vector<Vec3> points;
     const float r = solid.halfSize.x(), h = solid.halfSize.y();
@@ -38,7 +38,7 @@ std::vector<Vec3> cornerPoints(const Solid& solid) {
     return points;
 }
 
-/// Points whose hull on the picture is the silhouette.
+/// Points whose convex hull in the picture is the silhouette.
 std::vector<Vec3> rimPoints(const Solid& solid, const Vec3& eye) {
     std::vector<Vec3> points;
     if (solid.shape == SolidShape::cylinder || solid.shape == SolidShape::cone ||
@@ -108,7 +108,7 @@ public:
             low_ = low_.cwiseMin(a), high_ = high_.cwiseMax(a);
         }
     }
-    /// Pixels, negative inside; near enough beyond the corners.
+    /// Pixels, negative inside; approximate beyond the corners.
     float distance(const Vec2& p) const {
         float most = -1e9f;
         for (const Edge& edge : edges_) most = std::max(most, edge.out.dot(p) - edge.offset);
@@ -138,7 +138,7 @@ std::optional<Silhouette> silhouetteOf(const Solid& ghost, const View& view, con
     return Silhouette(hull);
 }
 
-/// Inkier and denser towards the outline, which is `edge` pixels wide; d: pixels, negative inside.
+/// Darker and denser towards the outline, which is `edge` pixels wide; d: pixels, negative inside.
 Color tintOf(const Color& color, const Color& ink, float light, float d, float edge) {
     const float rim = std::clamp(d + 0.5f + edge, 0.0f, 1.0f), share = 0.35f * rim;
     Color tint = shaded(color, light);

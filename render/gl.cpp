@@ -76,14 +76,14 @@ GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint co
     }
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("OpenGL refuses a framebuffer (status " + std::to_string(status) +
-                    "); is the picture too large for the memory?");
+        throw Error("OpenGL rejects a framebuffer (status " + std::to_string(status) +
+                    "); is the picture too large for memory?");
     return framebuffer;
 }
 
 namespace {
 
-/// The text with its definitions, which have to stand behind the first line, `#version`.
+/// Inserts the definitions after the first line of the source, `#version`.
 GLuint compile(GLenum stage, const std::string& name, const std::string& defines) {
     std::string text = shaderText(name);
     text.insert(text.find('\n') + 1, defines);

@@ -10,7 +10,7 @@
 
 namespace render {
 
-/// One name of OpenGL's, deleted with its owner.
+/// The name of one OpenGL object, which is deleted with its owner.
 template <auto Delete>
 class GlName {
 public:
@@ -46,16 +46,16 @@ using GlProgram = GlName<deleteProgram>;
 
 GlBuffer newBuffer();
 GlArray newArray();
-/// NEAREST, clamped; `format` is sized (GL_RGBA8, GL_R8, GL_DEPTH_COMPONENT16 ...).
+/// NEAREST, clamped; `format` is a sized format (GL_RGBA8, GL_R8, GL_DEPTH_COMPONENT16 ...).
 GlTexture newTexture(GLenum format, int width, int height);
 GlRenderbuffer newRenderbuffer(GLenum format, int width, int height);
-/// With the attachments given (0 = none); throws Error when incomplete. `secondBuffer`: a second
-/// colour's.
+/// A framebuffer with these attachments (0 = none). `secondBuffer`: for a second colour. Throws
+/// Error if it is incomplete.
 GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint colorBuffer = 0,
                              GLuint depthBuffer = 0, GLuint secondBuffer = 0);
 
-/// Compiles and links two files of render/shaders, named without their endings .vert and .frag.
-/// `defines`: words that are defined in both, with blanks between them.
+/// Compiles and links two files of render/shaders, given without their endings .vert and .frag.
+/// `defines`: macros defined in both, separated by blanks.
 /// Throws Error with the compiler's first line.
 GlProgram newProgram(const std::string& vertex, const std::string& fragment,
                      const std::string& defines = "");
@@ -67,7 +67,7 @@ void setUniform(GLuint program, const char* name, const Vec3& value);
 void setUniform(GLuint program, const char* name, const Eigen::Matrix4f& value);
 void setColorUniform(GLuint program, const char* name, const Color& color);
 
-/// Three corners without a buffer: a triangle that covers the picture.
+/// Draws a triangle that covers the picture; its three corners need no buffer.
 void drawFullScreen(GLuint emptyArray);
 
 }  // namespace render

@@ -57,7 +57,7 @@ struct Glyph {
     Bitmap ink, halo;
 };
 
-/// The ink laid over itself at every shift up to `reach`, a sixth of its strength each:
+/// The ink blended over itself at every shift up to `reach`, at a sixth of its strength each:
 /// 1 - product of (1 - 0.16 cover).
 Bitmap haloOf(const Bitmap& ink, int reach) {
     Bitmap halo{
@@ -115,7 +115,7 @@ Font& font() {
     return theFont;
 }
 
-/// Calls draw(code, glyph, x) for every glyph of a line, and returns where the line ends.
+/// Calls draw(code, glyph, x) for every glyph of a line, and returns the x of the line's end.
 template <class Draw>
 float walk(const std::string& text, int pixels, float x, Draw draw) {
     for (const int code : codepoints(text)) {
@@ -138,7 +138,7 @@ void paint(Image& image, const Bitmap& b, int penX, int penY, const Color& color
         }
 }
 
-/// Light behind dark letters, dark behind light ones.
+/// A light halo for dark letters, a dark one for light letters.
 Color haloColorOf(const Color& color) {
     const bool dark = color.r + color.g + color.b < 1.5f;
     return dark ? Color{1, 1, 1, 1} : Color{0.05f, 0.05f, 0.06f, 1};
@@ -167,7 +167,7 @@ void drawLabel(Image& image, const std::string& text, Point at, Anchor anchor, f
                const Color& color) {
     const float most = 4.0f * static_cast<float>(image.width + image.height);
     if (!(std::abs(at.x) <= most && std::abs(at.y) <= most && pixels >= 1.0f && pixels <= most))
-        return;  // not finite, or nowhere near the picture
+        return;  // not finite, or far outside the picture
     const float width = anchor == Anchor::start ? 0.0f : textWidth(text, pixels);
     const float x = at.x - (anchor == Anchor::end ? width : 0.5f * width);
     const int y = static_cast<int>(std::lround(at.y));

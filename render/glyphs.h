@@ -1,5 +1,5 @@
-/// Letters as bitmaps: exact coverage at every size, with a soft halo that sets them off from any
-/// ground. Both are made once for every letter and size.
+/// Letters as bitmaps with exact coverage at every size, and a soft halo that makes them legible on
+/// any background. Both are made once per letter and size.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,16 +11,16 @@ namespace render {
 
 constexpr int kSmallestText = 11;  // pixels of cap-to-descender height; smaller is not legible
 
-/// Width in pixels that a line of text takes at a cap-to-descender height of `pixels`.
+/// Width in pixels of a line of text at a cap-to-descender height of `pixels`.
 float textWidth(const std::string& text, float pixels);
 
-/// Of UTF-8; a broken byte, or one of control, is a question mark.
+/// The code points of UTF-8 text; an invalid byte or a control character becomes a question mark.
 std::vector<int> codepoints(const std::string& text);
 
-/// From the top of a line to its baseline: pixels.
+/// Pixels from the top of a line to its baseline.
 float textAscent(int pixels);
 
-/// One line that begins at x, with a halo of the opposite lightness.
+/// Draws one line that begins at x, with a halo of the opposite lightness.
 void drawHaloed(Image& image, const std::string& text, int pixels, float x, float baseline,
                 const Color& color);
 

@@ -31,7 +31,7 @@ Quad grown(const Quad& inner, const Vec3& eye, float distance) {
     return outer;
 }
 
-/// Whether a ray from the eye meets the ground well before the last thing that is drawn.
+/// Whether a ray from the eye hits the ground well in front of the far clip plane.
 bool meets(const Ground& ground, const Vec3& ray, const View& view) {
     const Vec3 n = ground.normal.normalized();
     const float above = n.dot(view.eye) - ground.offset, down = -n.dot(ray);
@@ -43,7 +43,7 @@ bool meets(const Ground& ground, const Vec3& ray, const View& view) {
 int rowsOfSky(const Frame& frame, const View& view, int width, int height) {
     const Sight sight = sightOf(view, width, height);
     int rows = height;
-    const auto covered = [&](float y) {  // worst at one of the row's ends
+    const auto covered = [&](float y) {  // the worst case is at one of the row's ends
         const Vec3 left = sight.ahead + y * sight.down;
         const Vec3 right = left + static_cast<float>(width) * sight.right;
         return std::any_of(frame.grounds.begin(), frame.grounds.end(), [&](const Ground& ground) {

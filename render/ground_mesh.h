@@ -1,4 +1,4 @@
-/// Triangles that are given again for every frame.
+/// Triangles that are uploaded for every frame.
 #pragma once
 #include <vector>
 

@@ -5,13 +5,14 @@
 
 namespace render {
 
-/// `pixels` fill the picture exactly: what writes files throws Error where they do not.
+/// `pixels` must have exactly width * height * 4 bytes: the functions that write files throw Error
+/// otherwise.
 struct Image {
     int width = 0, height = 0;         // pixels
     std::vector<std::uint8_t> pixels;  // width * height * 4 bytes, RGBA
-    /// The four bytes of a pixel; x and y have to be inside.
+    /// The four bytes of a pixel; x and y must be inside.
     const std::uint8_t* at(int x, int y) const { return pixels.data() + 4 * (y * width + x); }
-    /// The same, to be written.
+    /// The same, writable.
     std::uint8_t* at(int x, int y) { return pixels.data() + 4 * (y * width + x); }
 };
 

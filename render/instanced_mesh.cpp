@@ -15,7 +15,7 @@ void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, G
     glVertexAttribDivisor(index, divisor);
 }
 
-/// What is bound as the array's buffer, once for every instance.
+/// The attributes per instance, read from the buffer that is bound.
 void instanceAttributes() {
     attribute(3, 3, sizeof(Instance), offsetof(Instance, position), 1);
     attribute(4, 4, sizeof(Instance), offsetof(Instance, rotation), 1);
@@ -25,7 +25,7 @@ void instanceAttributes() {
     attribute(8, 1, sizeof(Instance), offsetof(Instance, surface), 1);
 }
 
-/// Every corner once, by its bytes, and the triangles as numbers of corners.
+/// The distinct corners, compared by their bytes, and the triangles as indices of corners.
 struct Indexed {
     std::vector<char> corners;
     std::vector<std::uint32_t> triangles;
@@ -33,7 +33,7 @@ struct Indexed {
 
 Indexed indexed(const char* vertices, std::size_t count, std::size_t size) {
     Indexed result;
-    std::unordered_map<std::string_view, std::uint32_t> known;  // looked up only
+    std::unordered_map<std::string_view, std::uint32_t> known;  // for lookup only
     for (std::size_t i = 0; i < count; ++i) {
         const std::string_view corner(vertices + i * size, size);
         const auto [at, isNew] = known.insert({corner, static_cast<std::uint32_t>(known.size())});
@@ -45,7 +45,7 @@ Indexed indexed(const char* vertices, std::size_t count, std::size_t size) {
 
 }  // namespace
 
-/// Leaves the buffer of vertices bound.
+/// The buffer of vertices stays bound.
 InstancedMesh::InstancedMesh(const void* vertices, std::size_t count, std::size_t size)
     : array_(newArray()), vertices_(newBuffer()), indices_(newBuffer()),
       indexCount_(static_cast<int>(count)) {
@@ -68,7 +68,7 @@ InstancedMesh::InstancedMesh(const std::vector<Vertex>& mesh)
     attribute(9, 1, sizeof(Vertex), offsetof(Vertex, face), 0);
 }
 
-/// Without ends: what no array gives is 0.
+/// Has no ends: attributes without an array are 0.
 InstancedMesh::InstancedMesh(const std::vector<FacetVertex>& mesh)
     : InstancedMesh(mesh.data(), mesh.size(), sizeof(FacetVertex)) {
     attribute(0, 3, sizeof(FacetVertex), offsetof(FacetVertex, position), 0);

@@ -1,4 +1,4 @@
-/// Triangles that are drawn many times in one call.
+/// A mesh that is drawn many times in one call.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace render {
 
-/// The bodies that one mesh is drawn for, at the driver.
+/// The instances of one mesh, in a buffer of the driver.
 class InstanceList {
 public:
     InstanceList() : buffer_(newBuffer()) {}
@@ -20,7 +20,7 @@ private:
     int count_ = 0;
 };
 
-/// Corners that are the same are sent, and shaded, once.
+/// Identical corners are uploaded and shaded once.
 class InstancedMesh {
 public:
     explicit InstancedMesh(const std::vector<Vertex>& mesh);

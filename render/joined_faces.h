@@ -1,4 +1,4 @@
-/// Facets of meshes between which a camera sees no edge.
+/// Joins the facets of meshes between which a camera sees no edge.
 #pragma once
 #include <vector>
 
@@ -7,12 +7,13 @@
 
 namespace render {
 
-/// By surface and face the face that stands for it; where a surface's are empty each is itself.
+/// By surface and face: the face that represents it. If a surface's table is empty, each face
+/// represents itself.
 using FaceTables = std::vector<std::vector<int>>;
 
-/// Empty when no surface is a mesh. A facet that ends nowhere before the eye, neither at a crisp
-/// edge nor at one beyond which the mesh faces away or is no more, hides none of its neighbours:
-/// all such facets of a mesh become one.
+/// Empty if no surface is a mesh. A facet without a visible border (a crisp edge, or one beyond
+/// which the mesh faces away or ends) hides none of its neighbours: all such facets of a mesh
+/// become one.
 FaceTables joinedFaces(const std::vector<Surface>& surfaces, const Vec3& eye);
 
 SurfaceMap joined(SurfaceMap map, const FaceTables& tables);

@@ -1,4 +1,4 @@
-/// sRGB to linear, in which light adds up.
+/// sRGB to linear light.
 #pragma once
 #include <cmath>
 

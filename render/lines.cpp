@@ -1,19 +1,19 @@
-// Thin lines over the picture, each of their pixels faint where something is in front of it.
+// Thin lines over the picture; pixels with something in front of them are faint.
 #include "render/coverage.h"
 #include "render/overlay.h"
 
 namespace render {
 namespace {
 
-constexpr float kFaintLine = 0.22f;  // of what is behind something
+constexpr float kFaintLine = 0.22f;  // opacity where the line is behind something
 
-/// A line on the picture; along it 1 / depth changes evenly.
+/// A line in the picture; 1 / depth changes linearly along it.
 struct FlatLine {
     Vec2 a, b;
     float nearA = 0, nearB = 0;  // 1 / depth: 1/m
 };
 
-/// The part in front of the camera; false: there is none.
+/// Finds the part in front of the camera; false if there is none.
 bool flatten(const Line& line, const View& view, const Image& image, FlatLine& flat) {
     const auto depthOf = [&](const Vec3& p) {
         return -(view.view.block<1, 3>(2, 0) * p)(0) - view.view(2, 3);
@@ -32,7 +32,7 @@ bool flatten(const Line& line, const View& view, const Image& image, FlatLine& f
     return true;
 }
 
-/// Walks along the longer axis and covers the few pixels across.
+/// Walks along the longer axis and draws the few pixels across.
 void draw(Image& image, const FlatLine& l, float half, const Color& color, const DepthMap& depth) {
     const Vec2 way = l.b - l.a;
     const int major = std::abs(way.x()) >= std::abs(way.y()) ? 0 : 1, minor = 1 - major;

@@ -1,6 +1,6 @@
 // Ray o + t d, triangle a, a + e, a + f with normal n = e x f, s = o - a:
 // t = s . n / D,  u = d . (f x s) / D,  v = d . (s x e) / D,  D = -d . n > 0 from outside;
-// of rays from one point all products without d are the same.
+// products without d are the same for all rays from one point.
 #include "render/mesh_tree.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace render {
 namespace {
 
 constexpr int kLeaf = 4;           // triangles
-constexpr float kSlack = 1e-5f;    // of a triangle, beyond its edges: no ray falls in between
-constexpr int kDeepest = 64;       // nodes that wait; halves of 2^31 triangles are half as many
+constexpr float kSlack = 1e-5f;    // of a triangle, beyond its edges: no ray passes between two
+constexpr int kDeepest = 64;       // stack of nodes; halving 2^31 triangles needs half as many
 
 class Builder {
 public:

@@ -1,4 +1,4 @@
-/// Boxes around boxes around triangles, so that a ray is tried against few of them.
+/// A bounding volume hierarchy of boxes, so that a ray is tested against few triangles.
 #pragma once
 #include <array>
 #include <limits>
@@ -12,9 +12,9 @@ namespace render {
 struct MeshTree {
     struct Node {
         Vec3 low{0, 0, 0}, high{0, 0, 0};  // m
-        int first = 0, count = 0;          // of a leaf, in `order`; count 0: two nodes below
-        int second = 0;                    // the second of these; the first is the next node
-        int axis = 0;                      // along which they were parted
+        int first = 0, count = 0;          // of a leaf, in `order`; count 0: has two children
+        int second = 0;                    // the second child; the first is the next node
+        int axis = 0;                      // along which they were split
     };
     std::vector<Node> nodes;
     std::vector<int> order;  // triangles, leaf by leaf
@@ -22,22 +22,22 @@ struct MeshTree {
 
 MeshTree treeOf(const std::vector<Vec3>& vertices, const MeshTriangles& triangles);
 
-/// from + t along, four of them.
+/// Four rays from + t along.
 struct FourRays {
     Vec3 from{0, 0, 0};
     Four along[3];
 };
 
-/// The t of a ray that meets nothing.
+/// The t of a ray that hits nothing.
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
 struct FourTriangles {
-    Four t{};             // kNever where nothing is met
+    Four t{};             // kNever for a miss
     FourInts triangle{};  // -1 there
 };
 
-/// The nearest triangles that the rays meet from outside, in front of them (Moeller and Trumbore
-/// 1997). `facet`: of this one alone, as a SurfaceMap has it; -1: of all.
+/// The nearest triangles in front of the rays that they hit from outside (Moeller and Trumbore
+/// 1997). `facet`: tests only this one, numbered as in a SurfaceMap; -1: all.
 FourTriangles nearestTriangles(const SolidMesh& mesh, const FourRays& rays, int facet = -1);
 
 }  // namespace render

@@ -14,7 +14,7 @@
 namespace render {
 namespace {
 
-/// Place in `corners` of a radius in pixels: with n corners a circle is off by r (1 - cos(pi / n)).
+/// Index in `corners` for a radius in pixels: a circle of n corners is off by r (1 - cos(pi / n)).
 template <std::size_t Count>
 std::size_t levelOf(float pixels, const std::array<int, Count>& corners) {
     constexpr float kOff = 0.33f;  // pixels
@@ -52,7 +52,7 @@ float drawnRadius(const Rod& rod, const Vec3& eye, float pixelsAMeter) {
 
 namespace {
 
-/// Instances of solids, sorted by what they are drawn with.
+/// Instances of solids and rods, grouped by the mesh they are drawn with.
 class Sorted {
 public:
     Sorted(const Vec3& eye, float pixelsAMeter) : eye_(eye), pixelsAMeter_(pixelsAMeter) {}
@@ -98,7 +98,7 @@ private:
 
     const Vec3 eye_;
     const float pixelsAMeter_;
-    std::map<const SolidMesh*, std::size_t> places_;  // looked up only: its order plays no part
+    std::map<const SolidMesh*, std::size_t> places_;  // for lookup only: its order does not matter
 };
 
 }  // namespace
@@ -118,7 +118,7 @@ Instances instancesOf(const Frame& frame, float pixelsAMeter) {
     return std::move(result);
 }
 
-/// Coarse: with the mesh of the level below, but for the coarsest.
+/// Coarse: uses the mesh of the level below, if there is one.
 void Meshes::Levels::draw(Detail detail) const {
     for (std::size_t i = 0; i < meshes.size(); ++i)
         meshes[detail == Detail::coarse && i > 0 ? i - 1 : i].draw(instances[i]);
@@ -151,7 +151,7 @@ void Meshes::set(const Instances& instances) {
     setMeshes(instances.meshes);
 }
 
-/// What the last frame had is not sent again; what this one has not is freed.
+/// Meshes of the last frame are not uploaded again; those this frame does not use are freed.
 void Meshes::setMeshes(const std::vector<Instances::OfMesh>& meshes) {
     std::map<const SolidMesh*, Uploaded*> old;
     for (Uploaded& one : meshes_) old[one.mesh.get()] = &one;

@@ -1,4 +1,4 @@
-/// The instances of a frame, and all meshes that they are drawn with.
+/// The instances of a frame, and all the meshes used to draw them.
 #pragma once
 #include <array>
 #include <memory>
@@ -9,16 +9,16 @@
 
 namespace render {
 
-/// Corners around what is round, from small pictures of it to large ones: a third of a pixel off.
+/// Corners around round shapes, by their size in the picture, with an error of a third of a pixel.
 inline constexpr std::array<int, 6> kBallCorners = {12, 16, 20, 28, 44, 64};
 inline constexpr std::array<int, 3> kBarCorners = {6, 10, 20};
 using ByCorners = std::array<std::vector<Instance>, kBallCorners.size()>;
 
-/// Of what is round: as the picture needs it, or one step coarser, where two thirds of a pixel are
-/// not seen: in the shadow map and in the depth that darkens corners.
+/// The detail of round shapes: as the picture needs it, or one step coarser for the shadow map and
+/// the depths of ambient occlusion, where an error of two thirds of a pixel is not visible.
 enum class Detail { fine, coarse };
 
-/// Solids and rods of a frame, by mesh, nearest first: what is hidden is not shaded.
+/// Solids and rods of a frame, by mesh, nearest first: hidden ones are not shaded.
 struct Instances {
     struct OfMesh {
         std::shared_ptr<const SolidMesh> mesh;
@@ -29,11 +29,11 @@ struct Instances {
     ByCorners balls, cylinders, cones;
     std::vector<OfMesh> meshes;  // each once
 };
-/// `pixelsAMeter`: at 1 m from the eye; a ball of few pixels gets few triangles.
+/// `pixelsAMeter`: at 1 m from the eye. A ball of few pixels gets few triangles.
 Instances instancesOf(const Frame& frame, float pixelsAMeter);
 
-/// m; a rod that would be thinner in the picture is drawn a little wider than a pixel, so that no
-/// row of it falls between the pixels' centres.
+/// m. A rod thinner than a pixel is drawn a little wider than a pixel, so that no row of it falls
+/// between the pixels' centres.
 float drawnRadius(const Rod& rod, const Vec3& eye, float pixelsAMeter);
 
 /// All meshes, with the instances of one frame.
@@ -44,10 +44,10 @@ public:
     void drawBoxes() const { box_.draw(boxes_); }
     /// Also meshes without a crisp edge.
     void drawRound(Detail detail) const;
-    /// Cylinders, cones and meshes with crisp edges; the program takes `thinnestOfUnit`.
+    /// Cylinders, cones and meshes with crisp edges; the program has the uniform `thinnestOfUnit`.
     void drawFacets(GLuint program, Detail detail) const;
     bool anyFacets() const { return facets_; }
-    /// All of them, front faces only, with a program that takes `worldToClip`.
+    /// All of them, front faces only, with a program that has the uniform `worldToClip`.
     void drawWith(GLuint program, const Eigen::Matrix4f& worldToClip, Detail detail) const;
 
 private:

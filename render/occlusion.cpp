@@ -11,11 +11,11 @@ namespace {
 
 constexpr int kCell = 4;  // the pattern repeats every 4 x 4 pixels
 constexpr float kTurns = 3.0f;
-constexpr float kWidest = 0.12f;  // of the height: a sample is never farther away
-static_assert(kCell == kFour, "four pixels side by side are a row of a cell");
+constexpr float kWidest = 0.12f;  // of the height: the largest distance of a sample
+static_assert(kCell == kFour, "four pixels in a row are a row of a cell");
 
-/// Where the samples of a pixel lie: a spiral of a radius of 1, started by the pixel's place in its
-/// cell. Four pixels' side by side, by sample and row of the cell.
+/// The positions of a pixel's samples: a spiral of radius 1, whose start depends on the pixel's
+/// place in its cell. Stored for four pixels in a row, by sample and row of the cell.
 class Pattern {
 public:
     Pattern(int samples, float turn) : samples_(samples) {
@@ -42,7 +42,7 @@ private:
     std::vector<Four> x_, y_;
 };
 
-/// Four points side by side.
+/// Four points.
 struct Points {
     Four x, y, z;
 };
@@ -52,14 +52,14 @@ Points cross(const Points& a, const Points& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The shorter of the two steps: the other one may lead off the surface.
+/// The shorter of the two steps: the other one may leave the surface.
 Points slope(const Points& before, const Points& here, const Points& after) {
     const Points a = here - before, b = after - here;
     const FourInts first = magnitude(a.z) < magnitude(b.z);
     return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
 
-/// The whole computation of one map, for four pixels side by side.
+/// The computation of one map, four pixels at a time.
 class Occlusion {
 public:
     Occlusion(const DepthMap& depth, const OcclusionSettings& settings, int samples, float turn)
@@ -69,7 +69,7 @@ public:
           scaleX_(2.0f * settings.lensX / static_cast<float>(depth.width)),
           scaleY_(2.0f * settings.lensY / static_cast<float>(depth.height)) {}
 
-    /// `x`: a multiple of 4. Beyond the right edge: of no use.
+    /// `x`: a multiple of 4. Values beyond the right edge are meaningless.
     Four open(int x, int y) const;
 
 private:
@@ -82,10 +82,10 @@ private:
     const DepthMap& depth_;
     const OcclusionSettings& set_;
     const Pattern pattern_;
-    float scaleX_, scaleY_;  // m a pixel at 1 m
+    float scaleX_, scaleY_;  // m per pixel at 1 m
 };
 
-/// Of the pixels from (x, y) to the right; outside the map: of the nearest inside.
+/// The depths of four pixels from (x, y) to the right; outside the map, of the nearest inside.
 Four Occlusion::depths(int x, int y) const {
     const int row = std::clamp(y, 0, depth_.height - 1);
     Four four;
@@ -150,7 +150,7 @@ Four Occlusion::open(int x, int y) const {
     return far ? fourOf(1.0f) : positive(1.0f - sum * strength);
 }
 
-/// Calls put(x, y, open) for every pixel of the tiles that have something of `where`.
+/// Calls put(x, y, open) for every pixel of the tiles that `where` touches.
 template <class Put>
 void forAll(const DepthMap& depth, const std::vector<PixelRect>& where, const Occlusion& occlusion,
             Put put) {
@@ -165,12 +165,12 @@ void forAll(const DepthMap& depth, const std::vector<PixelRect>& where, const Oc
         }
 }
 
-/// 0..1 to a byte, in 51 steps: finer ones are not seen, and make files larger.
+/// 0..1 to a byte, in 51 steps: finer steps are not visible and make files larger.
 std::uint8_t byteInSteps(float open) {
     return static_cast<std::uint8_t>(5 * static_cast<int>(51.0f * open + 0.5f));
 }
 
-/// The mean over the pattern's 4 x 4 cells, leaving out what lies at another depth: a row of it.
+/// One row of the mean over the pattern's 4 x 4 cells, without pixels at another depth.
 class BlurredRow {
 public:
     BlurredRow(const DepthMap& depth, const std::vector<float>& open, const PixelRect& where)
@@ -240,7 +240,7 @@ ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, 
 
 namespace {
 
-/// Two pixels for each of `column`, which has one more on either side: a row of a doubled map.
+/// A row of a doubled map: two pixels for each value of `column`, which has one more on each side.
 void doubleRow(const std::uint16_t* column, int count, std::uint8_t* out) {
     for (int k = 0; k < count; ++k) {
         const int near = 3 * column[k + 1] + 8;

@@ -9,16 +9,16 @@
 namespace render {
 namespace {
 
-constexpr float kFaintArrow = 0.3f;  // of what starts behind something
-constexpr std::size_t kCrowd = 100;  // of so many arrows, the hidden ones only confuse
+constexpr float kFaintArrow = 0.3f;  // opacity of an arrow that starts behind something
+constexpr std::size_t kCrowd = 100;  // with more arrows than this, the hidden ones only confuse
 
-/// Light around marks on a light ground, dark on a dark one.
+/// A light rim for marks on a light background, a dark one on a dark background.
 Color rimOf(const Look& look) {
     const bool light = look.skyTop.g > 0.4f;
     return light ? Color{1, 1, 1, 0.8f} : Color{0.03f, 0.03f, 0.04f, 0.7f};
 }
 
-/// The radius in pixels, or 0 when the marker is not to be seen.
+/// The radius in pixels, at least 1.2.
 float radiusOf(const Marker& marker, const Projected& p, const Image& image, const View& view,
                const Look& look) {
     const float wanted = marker.pixels * overlayScale(look, image.width, image.height);
@@ -28,7 +28,7 @@ float radiusOf(const Marker& marker, const Projected& p, const Image& image, con
     return std::max(std::min(wanted, marker.largest * pixelsPerMeter), 1.2f);
 }
 
-/// The usual sign of a centre of mass: quarters of ink and white.
+/// The usual symbol of a centre of mass: quarters of ink and white.
 void drawQuartered(Image& image, const Vec2& c, float r, const Color& color) {
     const Vec2 reach(r, r);
     const float rim = std::max(0.14f * r, 0.8f);
@@ -55,7 +55,7 @@ bool isHidden(const Projected& p, float reach, const Image& image, const DepthMa
         p.y >= static_cast<float>(image.height))
         return false;
     const float there = metersAt(depth, image, static_cast<int>(p.x), static_cast<int>(p.y));
-    // A contact lies between two surfaces, so a little in front of it is its own body.
+    // A contact lies between two surfaces, so its own body may be a little in front of it.
     return there < 0.985f * p.depth - 0.02f - reach;
 }
 
@@ -74,7 +74,7 @@ void drawMarkers(Image& image, const Frame& frame, const View& view, const Depth
     }
 }
 
-/// A shaft that grows towards its head, so that the way it points is seen along all of it.
+/// The shaft grows towards the head, so that the direction is visible along all of it.
 void drawFlatArrow(Image& image, const Vec2& from, const Vec2& to, const Color& color,
                    const Look& look) {
     const float length = (to - from).norm();
@@ -87,7 +87,7 @@ void drawFlatArrow(Image& image, const Vec2& from, const Vec2& to, const Color& 
     const float slope = 0.4f,
                 cosine = 1.0f / std::sqrt(1.0f + slope * slope);  // of the head's sides
     Color rim = rimOf(look);
-    if (color.a < 1.0f) rim.a = 0.0f;  // it would be seen through the arrow
+    if (color.a < 1.0f) rim.a = 0.0f;  // it would show through the arrow
     fill(image, from.cwiseMin(to) - reach, from.cwiseMax(to) + reach, {color, rim, 0.55f * half},
          [&](const Vec2& q) {
              float along = 0.0f;

@@ -11,12 +11,12 @@
 namespace render {
 namespace {
 
-/// Of a map of half the size.
+/// To a map of half the size.
 PixelRect halved(const PixelRect& rect) {
     return {rect.x0 / 2, rect.y0 / 2, (rect.x1 + 1) / 2, (rect.y1 + 1) / 2};
 }
 
-/// The other way, in a picture of the given size.
+/// The reverse, in a picture of the given size.
 PixelRect doubled(const PixelRect& rect, int width, int height) {
     return PixelRect{2 * rect.x0, 2 * rect.y0, 2 * rect.x1, 2 * rect.y1}.grown(1, width, height);
 }
@@ -33,7 +33,7 @@ void checkGl() {
     if (error != GL_NO_ERROR) throw Error("OpenGL reports error " + std::to_string(error));
 }
 
-/// A picture all of one colour is a driver that draws nothing: say so before a film of it is made.
+/// A picture all of one colour means that the driver draws nothing: stop before a film is made.
 void checkNotEmpty(const Image& image) {
     const std::uint8_t* first = image.pixels.data();
     for (std::size_t i = 4; i < image.pixels.size(); i += 4)
@@ -42,7 +42,7 @@ void checkNotEmpty(const Image& image) {
         throw Error("the picture is all one colour; the OpenGL driver draws nothing");
 }
 
-/// Colours as they are, no longer multiplied by their alpha.
+/// Premultiplied to straight alpha.
 void divideByAlpha(Image& image) {
     for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
         const int alpha = image.pixels[i + 3];
@@ -54,7 +54,7 @@ void divideByAlpha(Image& image) {
     }
 }
 
-/// The camera on another place of its lens; what is in focus stays where it is in the picture.
+/// Moves the camera to another point of its lens; points in focus keep their place in the picture.
 Camera moved(Camera camera, const Eigen::Vector2f& lens) {
     if (camera.aperture <= 0.0f) return camera;
     const Vec3 sight = (camera.lookAt - camera.from).normalized();

@@ -1,4 +1,4 @@
-/// All that a renderer holds: the context, the passes, and how a picture goes through them.
+/// The implementation of a renderer: the context, and the passes that make a picture.
 #pragma once
 #include <functional>
 #include <memory>
@@ -11,16 +11,16 @@
 
 namespace render {
 
-/// In the order of drawing; the context first, so that everything else is freed before it.
+/// Members are in the order of drawing; the context is first, so that it is destroyed last.
 class Passes {
 public:
     explicit Passes(const RendererSettings& settings);
 
-    /// The bodies, their ground and the sky. `depth`: filled where overlays need it.
+    /// Draws the bodies, their ground and the sky. `depth`: filled if overlays need it.
     Image drawScene(const Frame& frame, DepthMap& depth);
-    /// One sub-frame, without a depth of its own.
+    /// Draws one sub-frame, without returning depths.
     Image drawSample(const Frame& frame, const SubSample& sample);
-    /// Depths of a frame, for what is drawn over it.
+    /// The depths of a frame, for its overlays.
     DepthMap drawDepth(const Frame& frame);
     SurfaceMap drawSurfaces(const Frame& frame);
 
@@ -35,7 +35,7 @@ public:
 private:
     void setMeshes(const Frame& frame, const View& view);
     OcclusionSettings occlusionOf(const Frame& frame, const View& view, const DepthMap& map) const;
-    /// `where`: of the half-size map, the rest of which is full.
+    /// `where`: parts of the half-size map; the rest is 255.
     void darken(const ByteMap& halfSize, const std::vector<PixelRect>& where, Lights& lights);
     Image readBack() const;
     Image finished(Image image, const Look& look) const;
@@ -48,7 +48,7 @@ private:
     DepthPass depth_;
     GlTexture openMap_;
     ScenePass scene_;
-    std::unique_ptr<SurfacePass> surfaces_;  // made when first asked for
+    std::unique_ptr<SurfacePass> surfaces_;  // made when first needed
 };
 
 }  // namespace render

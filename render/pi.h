@@ -1,4 +1,4 @@
-/// Half a turn in radians, for pictures.
+/// Pi in single precision, for pictures.
 #pragma once
 
 namespace render {

@@ -8,7 +8,7 @@
 namespace render {
 namespace {
 
-constexpr float kEdge = 2.0f;  // pixels: a smoothed edge reaches a little beyond itself
+constexpr float kEdge = 2.0f;  // pixels: an anti-aliased edge is a little wider
 
 /// Collects projected points.
 class Around {

@@ -1,4 +1,4 @@
-/// The parts of a picture that hold bodies: only there are corners to darken.
+/// The parts of a picture with bodies: only they need ambient occlusion.
 #pragma once
 #include <vector>
 
@@ -11,18 +11,18 @@ struct PixelRect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
     bool empty() const { return x0 >= x1 || y0 >= y1; }
-    /// Wider by `border` on all sides, within a picture.
+    /// Enlarged by `border` on all sides, clipped to the picture.
     PixelRect grown(int border, int width, int height) const;
 };
 
-/// Around every solid and rod that is in the picture; the whole picture for one that lies on both
-/// sides of the eye.
+/// One around every solid and rod in the picture; the whole picture for a body partly behind the
+/// eye.
 std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width, int height);
 
-/// Around all of them.
+/// The bounding rectangle of all of them.
 PixelRect boundsOf(const std::vector<PixelRect>& rects);
 
-/// Rectangles of a picture, to the nearest 8 pixels outwards.
+/// The tiles of 8 x 8 pixels that a set of rectangles touches.
 class Tiles {
 public:
     Tiles(const std::vector<PixelRect>& rects, int width, int height);

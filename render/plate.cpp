@@ -21,7 +21,7 @@ float arrowLength(const PlateRow& row, int pixels, float pixelsPerMeter) {
                              : kShortArrow * static_cast<float>(pixels);
 }
 
-/// Height that a row's bar or scale takes besides its text.
+/// Height of a row's bar or scale, in addition to its text.
 float extraOf(const PlateRow& row, const PlateMetrics& m) {
     return (row.bar.empty() ? 0.0f : m.bar + 0.4f * m.gap) +
            (row.ramp.empty() ? 0.0f : 1.6f * m.bar);
@@ -40,7 +40,7 @@ void drawSwatch(Image& image, const PlateRow& row, float left, float middle, con
                         [&](const Vec2& q) { return (q - centre).norm() - 0.26f * size; });
         }
         case Swatch::quartered: {
-            // The eight pieces are few: a disc of ink, and two quarters of white.
+            // A disc of ink, and two white quarters.
             const Vec2 reach(0.4f * size, 0.4f * size);
             fill(image, centre - reach, centre + reach, {row.color, {}, 0.0f},
                  [&](const Vec2& q) { return (q - centre).norm() - 0.4f * size; });
@@ -98,7 +98,7 @@ PlateMetrics metricsOf(const Plate& plate, int pixels, float pixelsPerMeter) {
     m.pixels = pixels;
     const float size = static_cast<float>(pixels);
     m.pad = std::round(0.65f * size);
-    m.row = std::round((pixels > 12 ? 1.3f : 1.15f) * size);  // small pictures have little room
+    m.row = std::round((pixels > 12 ? 1.3f : 1.15f) * size);  // tighter rows in small pictures
     m.bar = std::max(std::round(0.5f * size), 4.0f);
     m.gap = size;
     for (const PlateRow& row : plate.rows)

@@ -1,4 +1,4 @@
-/// A table on a translucent ground: swatches, names, values, bars, colour scales.
+/// A table on a translucent background: swatches, names, values, bars, colour scales.
 #pragma once
 #include "render/corners.h"
 #include "render/image.h"

@@ -3,7 +3,7 @@
 // Plane:    t = -o_y / d_y
 // Cone:     x^2 + z^2 = k^2 y^2 from the tip down, k = radius / height
 // Mesh:     n . (o + t d) = n . a, n the normal of the triangle's or facet's plane, a on it
-// with the ray o + t d in the surface's own axes.
+// with the ray o + t d in the surface's axes.
 #include "render/ray_surface.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Mat3d axesOf(const Quat& rotation) {
     return rotation.cast<double>().normalized().toRotationMatrix();
 }
 
-/// World axes turned the shortest way until y is `up`.
+/// The world axes, rotated the shortest way so that y is `up`.
 Mat3d axesAlong(const Vec3d& up) { return shortestTurn<double>(Vec3d::UnitY(), up).toRotationMatrix(); }
 
 SurfaceKind kindOf(const Solid& solid) {
@@ -52,12 +52,12 @@ Surface surfaceOf(const Ground& ground) {
             Vec3d::Zero(), ground.id, nullptr};
 }
 
-/// The smaller root of a t^2 + 2 b t + c = 0; where there is none, the lowest point of the curve.
+/// The smaller root of a t^2 + 2 b t + c = 0; if there is none, the curve's minimum.
 double firstRoot(double a, double b, double c) {
     return (-b - std::sqrt(std::max(b * b - a * c, 0.0))) / a;
 }
 
-/// What is seen edge-on has no sharp answer; none is outside the sphere around a body.
+/// Limits t to the sphere around a body: for a face seen edge-on, t is ill-conditioned.
 double within(double radius, double t, const Vec3d& o, const Vec3d& d) {
     const double middle = -o.dot(d) / d.squaredNorm(), reach = radius / d.norm();
     return std::max(middle - reach, std::min(t, middle + reach));
@@ -82,7 +82,7 @@ Hit enterCylinder(double radius, const Vec3d& o, const Vec3d& d) {
     return {t, (w + t * e).normalized()};
 }
 
-/// A ray that comes into the endless cylinder beyond an end can only come into the capsule there.
+/// A ray that enters the infinite cylinder beyond an end can enter the capsule only at that end.
 Hit enterCapsule(const Vec3d& half, const Vec3d& o, const Vec3d& d) {
     const Vec3d end(0, half.y(), 0);
     if (half.y() == 0.0) return enterBall(half.x(), Vec3d::Zero(), o, d);
@@ -93,7 +93,7 @@ Hit enterCapsule(const Vec3d& half, const Vec3d& o, const Vec3d& d) {
     return enterBall(half.x(), y > 0.0 ? end : -end, o, d);
 }
 
-/// The ends as a box's faces.
+/// The ends are treated like faces of a box.
 Hit enterClosed(const Vec3d& half, int face, const Vec3d& o, const Vec3d& d) {
     if (face == 2 || face == 3) return enterBox(half, face, o, d);
     Hit hit = enterCylinder(half.x(), o, d);
@@ -101,8 +101,8 @@ Hit enterClosed(const Vec3d& half, int face, const Vec3d& o, const Vec3d& d) {
     return hit;
 }
 
-/// Beyond the tip the equation's other half begins: a ray that comes down from there enters by the
-/// later root.
+/// Above the tip the equation describes the other half of the double cone: a ray that comes down from
+/// there enters at the later root.
 Hit enterCone(const Vec3d& half, int face, const Vec3d& o, const Vec3d& d) {
     const double reach = std::hypot(half.x(), 1.5 * half.y());
     if (face == 2) return {within(reach, (-0.5 * half.y() - o.y()) / d.y(), o, d), {0, -1, 0}};
@@ -111,7 +111,7 @@ Hit enterCone(const Vec3d& half, int face, const Vec3d& o, const Vec3d& d) {
     const double a = d.cwiseProduct(slope).dot(d), b = w.cwiseProduct(slope).dot(d);
     const double c = w.cwiseProduct(slope).dot(w);
     const double root = std::sqrt(std::max(b * b - a * c, 0.0));
-    const double far = -b + (b > 0.0 ? -root : root);  // not the difference of what is alike
+    const double far = -b + (b > 0.0 ? -root : root);  // avoids cancellation
     const double one = far / a, other = far != 0.0 ? c / far : one;
     const double t = a > 0.0 ? std::min(one, other) : std::max(one, other);
     const Vec3d normal = (w + t * d).cwiseProduct(slope);
@@ -125,8 +125,7 @@ Hit enterHull(const SolidMesh& mesh, int face, const Vec3d& o, const Vec3d& d) {
     return {within(mesh.halfSize.cast<double>().norm(), t, o, d), n};
 }
 
-/// Where no triangle of the facet is met, the one that is passed by the least; -1: none faces the
-/// ray.
+/// If the ray hits no triangle of the facet: the one it misses by the least; -1: none faces the ray.
 int nearlyMet(const SolidMesh& mesh, int face, const Vec3d& o, const Vec3d& d) {
     int best = -1;
     double least = 1e30;
@@ -160,7 +159,7 @@ Hit enterMesh(const SolidMesh& mesh, int face, const Vec3d& o, const Vec3d& d) {
     return {within(reach, n.dot(a - o) / n.dot(d), o, d), n};
 }
 
-/// At the horizon itself the ray may just miss it.
+/// Exactly at the horizon the ray may just miss the plane.
 Hit enterPlane(const Vec3d& o, const Vec3d& d) {
     constexpr double kHorizon = 1e7;  // times the ray's `along`
     const double t = -o.y() / d.y();

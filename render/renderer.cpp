@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostMoments = 256;
 
-/// What is drawn on the finished picture.
+/// Draws the overlays on the finished picture.
 void drawOver(Image& image, const Frame& frame, const DepthMap& depth, const Passes& passes) {
     passes.enter(Stage::overlay);
     const View view = passes.viewOf(frame);
@@ -40,8 +40,8 @@ Image Renderer::draw(const Frame& frame) {
 
 Image Renderer::draw(std::span<const Frame> moments) {
     if (moments.empty() || moments.size() > kMostMoments)
-        throw Error("a picture of " + std::to_string(moments.size()) +
-                    " moments cannot be drawn; 1 to 256 can");
+        throw Error("cannot draw a picture of " + std::to_string(moments.size()) +
+                    " moments: 1 to 256 are allowed");
     const Vec3& sun = moments.back().look.sunDirection;
     const int count = static_cast<int>(moments.size());
     Accumulator sum(passes_->settings().width, passes_->settings().height);

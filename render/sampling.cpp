@@ -8,9 +8,9 @@ namespace render {
 namespace {
 
 constexpr float kTwoPi = 6.28318531f;
-constexpr float kSunRadius = 0.035f;  // rad: seven times the real sun's, a large studio lamp
+constexpr float kSunRadius = 0.035f;  // rad: seven times the real sun's, as of a large studio lamp
 
-/// The digits of `index` in `base`, mirrored at the point (van der Corput): 0 <= result < 1.
+/// The digits of `index` in `base`, mirrored at the radix point (van der Corput): 0 <= result < 1.
 float mirrored(int index, int base) {
     float result = 0.0f, digit = 1.0f;
     for (; index > 0; index /= base) {
@@ -20,13 +20,13 @@ float mirrored(int index, int base) {
     return result;
 }
 
-/// Even over a disc of radius 1; u, v: 0..1.
+/// A uniform distribution over a disc of radius 1; u, v: 0..1.
 Eigen::Vector2f onDisc(float u, float v) {
     const float radius = std::sqrt(u), angle = kTwoPi * v;
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Each of the middles of `count` strips of 0..1 once, in an order that `stride` gives.
+/// The middles of `count` strips of 0..1, each once, in an order that depends on `stride`.
 float strip(int index, int count, int stride) {
     while (std::gcd(stride, count) != 1) ++stride;
     return (static_cast<float>(index * stride % count) + 0.5f) / static_cast<float>(count);

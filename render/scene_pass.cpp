@@ -11,7 +11,7 @@
 namespace render {
 namespace {
 
-// Light as it comes, linear.
+// Light, linear.
 const Vec3 kSkyLight(0.40f, 0.44f, 0.50f), kNoGround(0.20f, 0.20f, 0.21f);
 const Vec3 kSunLight(1.06f, 1.00f, 0.90f);
 
@@ -23,8 +23,8 @@ Color lineColor(const Color& ground) {
     return {0.68f * ground.r, 0.69f * ground.g, 0.71f * ground.b, 1.0f};
 }
 
-/// What comes up from below: sky and sun, as the ground throws them back. Part of it lies in
-/// bodies' own shadows.
+/// Light from below: sky and sun, reflected by the ground. Part of the ground lies in the shadows of
+/// bodies.
 Vec3 groundLight(const Frame& frame) {
     constexpr float kSeen = 0.55f;
     for (const Ground& ground : frame.grounds) {
@@ -61,13 +61,13 @@ void scissor(const PixelRect& rect) {
     glScissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);
 }
 
-/// The picture, or the picture and the numbers of its surfaces.
+/// 1: the picture; 2: also the numbers of its surfaces.
 void drawInto(int buffers) {
     constexpr GLenum kBuffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     glDrawBuffers(buffers, kBuffers);
 }
 
-/// Colours and numbers need it only where nothing else covers the picture.
+/// Colours and numbers need clearing only if ground and sky do not cover the picture.
 void clear(const Look& look, bool numbered) {
     constexpr float kNothing[] = {0, 0, 0, 0};
     constexpr GLint kNone[] = {kNoSurface, 0, 0, 0};
@@ -77,7 +77,7 @@ void clear(const Look& look, bool numbered) {
     if (numbered) glClearBufferiv(GL_COLOR, 1, kNone);
 }
 
-/// What of `all` is left around a hole: above, below, left, right.
+/// The parts of `all` around a hole: above, below, left, right.
 std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
     if (hole.empty()) return {all};
     std::vector<PixelRect> parts;
@@ -115,7 +115,7 @@ ScenePass::ScenePass(int width, int height)
     attribute(2, 2, offsetof(TrailVertex, across));
 }
 
-/// A program with everything set that lights need.
+/// A program with all uniforms of the light set.
 GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
                       const std::string& features, const Scene& scene) {
     GlProgram& program = programs_[fragment + features];
@@ -150,7 +150,7 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
     clear(frame.look, numbered);
     drawBodies(scene, meshes);
     drawBackground(scene, ground);
-    drawInto(1);  // a trail has no number, and its shader gives none
+    drawInto(1);  // a trail has no number, and its shader writes none
     drawTrails(scene);
 }
 
@@ -196,10 +196,10 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
     glDisable(GL_CULL_FACE);
 }
 
-/// Without a sky, what is empty stays transparent, and the ground only catches shadows.
+/// Without a sky, empty pixels stay transparent, and the ground only receives shadows.
 void ScenePass::drawBackground(const Scene& scene, const GroundMesh& mesh) {
     const PixelRect all{0, 0, width_, height_};
-    Scene bright = scene;  // where the map is full, it need not be looked into
+    Scene bright = scene;  // where openness is full, no lookup is needed
     bright.lights.openMap = 0;
     glEnable(GL_SCISSOR_TEST);
     if (scene.lights.openMap && !scene.lights.darkened.empty()) {
@@ -288,7 +288,7 @@ void ScenePass::drawTrails(const Scene& scene) {
                  band.data(), GL_STREAM_DRAW);
     glUseProgram(trail_);
     glEnable(GL_BLEND);
-    const bool own = scene.frame.look.transparent;  // else the picture stays opaque, to the bit
+    const bool own = scene.frame.look.transparent;  // else the picture stays exactly opaque
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, own ? GL_ONE : GL_ZERO,
                         own ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     glDepthMask(GL_FALSE);

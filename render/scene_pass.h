@@ -1,4 +1,4 @@
-/// The picture itself: solids, rods, grounds, sky and trails, one sample a pixel.
+/// Draws the picture itself: solids, rods, grounds, sky and trails, with one sample per pixel.
 #pragma once
 #include <map>
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace render {
 
-/// What lights a picture.
+/// The light of a picture.
 struct Lights {
     const ShadowPass* sun = nullptr;  // null: nothing casts shadows
-    bool soft = true;                 // the shadows' edges
-    bool corners = false;             // light is found at bodies' corners only: for drafts
-    GLuint openMap = 0;               // how much of the sky a point sees; 0: all of it
-    PixelRect darkened;               // where openMap is less than full
+    bool soft = true;                 // soft edges of shadows
+    bool corners = false;             // light per vertex only: for drafts
+    GLuint openMap = 0;               // visible share of the sky; 0: all of it everywhere
+    PixelRect darkened;               // where openMap may be below its maximum
 };
 
 class ScenePass {
 public:
     ScenePass(int width, int height);
-    /// `numbered`: also which surface every pixel shows, for surfaces().
+    /// `numbered`: also stores the surface at every pixel, for surfaces().
     void draw(const Frame& frame, const View& view, const Lights& lights, bool numbered,
               const Meshes& meshes, const GroundMesh& ground);
 
@@ -30,7 +30,7 @@ public:
     SurfaceMap surfaces() const;
 
 private:
-    /// One drawing, as all its parts need it.
+    /// The arguments of draw() that all its parts need.
     struct Scene {
         const Frame& frame;
         const View& view;

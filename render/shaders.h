@@ -1,10 +1,10 @@
-/// The texts of render/shaders, embedded at build time.
+/// The sources in render/shaders, embedded at build time.
 #pragma once
 #include <string>
 
 namespace render {
 
-/// "solid.vert"; empty when there is none.
+/// The source of a file such as "solid.vert"; empty for an unknown name.
 const char* shaderText(const std::string& name);
 
 }  // namespace render

@@ -10,10 +10,10 @@
 namespace render {
 namespace {
 
-constexpr float kTooLarge = 40.0f;  // m: a table or floor that would leave a texel for a brick
-constexpr float kApron = 4.0f;      // texels that are kept free around the casters
+constexpr float kTooLarge = 40.0f;  // m: with such a table or floor, a brick gets one texel
+constexpr float kApron = 4.0f;      // texels kept free around the casters
 
-/// Around what casts shadows worth seeing, in the light's own axes.
+/// Around the bodies that cast visible shadows, in the light's axes.
 Eigen::AlignedBox3f boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight) {
     Eigen::AlignedBox3f box;
     for (const Solid& s : frame.solids) {
@@ -38,7 +38,7 @@ Eigen::AlignedBox3f boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight)
     return box;
 }
 
-/// Up to the next quarter of an octave: what is fitted in steps stands still between them.
+/// Rounds up to the next quarter of an octave, so that the map's size rarely changes.
 float inSteps(float length) {
     return std::exp2(std::ceil(std::log2(std::max(length, 0.5f)) * 4.0f) / 4.0f);
 }
@@ -61,8 +61,8 @@ ShadowPass::ShadowPass(int size)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 }
 
-/// The middle in whole texels: the map stands still while the scene moves a little, and so do the
-/// stairs at the shadows' edges.
+/// The middle is rounded to whole texels: the map does not move while the scene moves a little, and
+/// neither do the steps at the shadows' edges.
 void ShadowPass::fit(const Frame& frame) {
     worldToLight_ = lookAt(toLight_, Vec3::Zero(), Vec3::UnitY());
     worldToLight_.block<3, 1>(0, 3).setZero();

@@ -1,14 +1,14 @@
-/// The shortest way round from one direction to another.
+/// The shortest rotation from one direction to another.
 #pragma once
 #include <Eigen/Geometry>
 #include <cmath>
 
 namespace render {
 
-/// q = (cos(phi / 2), sin(phi / 2) n) = (s / 2, (a x b) / s), s = sqrt(2 (1 + a . b)), of the two
-/// unit vectors. Opposite ones: half a turn about something across. As Eigen's
-/// Quaternion::FromTwoVectors to the bit, but for that something, which costs Eigen a singular
-/// value decomposition, and a compiler long.
+/// q = (cos(phi / 2), sin(phi / 2) n) = (s / 2, (a x b) / s), s = sqrt(2 (1 + a . b)), for the two
+/// unit vectors. For opposite vectors: half a turn about any perpendicular axis. Equal to Eigen's
+/// Quaternion::FromTwoVectors to the bit, except for that axis, for which Eigen uses a singular
+/// value decomposition that takes long to compile.
 template <class Real>
 Eigen::Quaternion<Real> shortestTurn(const Eigen::Matrix<Real, 3, 1>& from,
                                      const Eigen::Matrix<Real, 3, 1>& to) {

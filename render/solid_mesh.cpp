@@ -1,6 +1,6 @@
-// Facets: from a triangle on, what is joined to it by edges that are not crisp, as long as its
-// normal stays near the first one's. So a facet has no folds behind which another part of it
-// begins, and where facets meet is where one may hide another.
+// A facet starts with one triangle and grows across edges that are not crisp, to triangles whose
+// normals are near the first one's. So no part of a facet hides another part of it; only different
+// facets can hide each other.
 #include "render/solid_mesh.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 constexpr float kFlat = 0.99996f;         // cosine of half a degree
 constexpr float kSharp = 0.8660254f;      // of 30 degrees
 constexpr float kOneFacet = 0.9781476f;   // of 12 degrees
-constexpr int kMostPlanes = 128;          // of a convex mesh: more of them are slower than the tree
+constexpr int kMostPlanes = 128;          // of a convex mesh: with more, the tree is faster
 
 float creaseOf(MeshEdges edges) {
     return edges == MeshEdges::all ? kFlat : edges == MeshEdges::sharp ? kSharp : -2.0f;
@@ -31,7 +31,7 @@ void check(const std::vector<Vec3>& vertices, const MeshTriangles& triangles) {
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (const int corner : triangles[i])
             if (corner < 0 || corner >= static_cast<int>(vertices.size()))
-                throw Error("triangle " + std::to_string(i) + " of a mesh names vertex " +
+                throw Error("triangle " + std::to_string(i) + " of a mesh refers to vertex " +
                             std::to_string(corner) + " of " + std::to_string(vertices.size()));
 }
 
@@ -47,10 +47,10 @@ void dropEmpty(SolidMesh& mesh) {
                             (mesh.vertices[t[2]] - a).squaredNorm();
         return !(areaOf(mesh, t).norm() > 1e-6f * sides);
     });
-    if (mesh.triangles.empty()) throw Error("a mesh needs a triangle that has an area");
+    if (mesh.triangles.empty()) throw Error("a mesh needs a triangle with an area");
 }
 
-/// For every vertex the first one that lies where it does.
+/// For every vertex: the first one at the same position.
 std::vector<int> welded(const std::vector<Vec3>& vertices) {
     std::vector<int> order(vertices.size()), first(vertices.size());
     std::iota(order.begin(), order.end(), 0);
@@ -66,7 +66,7 @@ std::vector<int> welded(const std::vector<Vec3>& vertices) {
     return first;
 }
 
-/// An edge that more than two triangles share joins those that come first.
+/// An edge shared by more than two triangles joins the first two.
 void findNeighbors(SolidMesh& mesh) {
     const std::vector<int> same = welded(mesh.vertices);
     std::map<std::pair<int, int>, std::pair<int, int>> open;  // edge -> triangle and its edge
@@ -115,7 +115,7 @@ void findFacets(SolidMesh& mesh, float bend) {
     }
 }
 
-/// Each with the mean normal of its facet, and as far out as the outermost of its corners.
+/// Each plane has the mean normal of its facet and goes through the facet's outermost corner.
 void findPlanes(SolidMesh& mesh) {
     std::vector<Vec3> area(static_cast<std::size_t>(mesh.facetCount), Vec3::Zero());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

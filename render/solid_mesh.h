@@ -1,4 +1,4 @@
-/// Solids of triangles: convex polyhedra, and scenery such as height fields.
+/// Solids made of triangles: convex polyhedra, and scenery such as height fields.
 #pragma once
 #include <array>
 #include <memory>
@@ -8,10 +8,10 @@
 
 namespace render {
 
-/// Three vertices each, by their places; counter-clockwise as seen from outside.
+/// Three indices of vertices each; counter-clockwise as seen from outside.
 using MeshTriangles = std::vector<std::array<int, 3>>;
 
-struct MeshTree;  // boxes around triangles, for rays; the renderer's own
+struct MeshTree;  // boxes around triangles, for rays; internal to the renderer
 
 /// {x : normal . x = offset}
 struct MeshPlane {
@@ -19,40 +19,40 @@ struct MeshPlane {
     float offset = 0.0f;   // m
 };
 
-/// Which edges of a mesh are seen as edges: those of more than half a degree, those of more than 30
-/// degrees, or none. Between the others the light changes smoothly.
+/// Which edges of a mesh are drawn as edges: those of more than half a degree, those of more than
+/// 30 degrees, or none. Across the others the shading is smooth.
 enum class MeshEdges { all, sharp, none };
 
-/// Plain values, made by makeMesh and not changed afterwards: frames share it.
+/// Plain values, made by makeMesh() and never changed afterwards: frames share a mesh.
 struct SolidMesh {
     std::vector<Vec3> vertices;  // m, body axes
     MeshTriangles triangles;     // seen from outside only
     bool convex = false;         // a body; otherwise a surface
 
-    // What drawing it and meeting it by rays take from that, by triangle.
+    // Derived from the above, for drawing and for rays; by triangle.
     std::vector<Vec3> normals;               // unit
     std::vector<std::array<int, 3>> beyond;  // the triangle across edge i, from corner i to the
                                              // next one; -1: none
-    std::vector<std::array<bool, 3>> crisp;  // whether that edge is seen as one
+    std::vector<std::array<bool, 3>> crisp;  // whether that edge is drawn as one
     bool anyCrisp = false;                   // whether there is such an edge
-    std::vector<int> facets;                 // its number in a SurfaceMap: what lies together and
-                                             // is hardly bent
-    int facetCount = 0;                      // how many of these there are
-    std::vector<MeshPlane> planes;  // by facet; of a convex mesh with all its edges, else none
+    std::vector<int> facets;                 // its face in a SurfaceMap: adjacent triangles that
+                                             // are almost coplanar
+    int facetCount = 0;                      // number of facets
+    std::vector<MeshPlane> planes;  // by facet; for a convex mesh with MeshEdges::all, else empty
     std::shared_ptr<const MeshTree> tree;    // of boxes around the triangles
-    Vec3 halfSize{0, 0, 0};  // m, of the box around the origin that holds it
-    float thinnest = 0.0f;   // m, half of the least of its sizes
+    Vec3 halfSize{0, 0, 0};  // m, of the box centred on the origin that contains it
+    float thinnest = 0.0f;   // m, half of its smallest extent
 };
 
-/// Triangles without an area are left out. Throws Error where none is left, where a triangle names
-/// a vertex that is not there, and where a vertex is not finite.
+/// Triangles without an area are left out. Throws Error if none is left, if a triangle refers to a
+/// missing vertex, or if a vertex is not finite.
 std::shared_ptr<const SolidMesh> makeMesh(std::vector<Vec3> vertices, MeshTriangles triangles,
                                           bool convex, MeshEdges edges);
-/// A convex one with all its edges, another one with the sharp ones.
+/// MeshEdges::all for a convex mesh, MeshEdges::sharp for others.
 std::shared_ptr<const SolidMesh> makeMesh(std::vector<Vec3> vertices, MeshTriangles triangles,
                                           bool convex);
 
-/// m: half of the box around a solid's position, along its own axes, that holds it.
+/// m: half size of the box around a solid's position, along its own axes, that contains it.
 Vec3 holdingHalfSize(const Solid& solid);
 
 }  // namespace render

@@ -1,6 +1,6 @@
-/// Which surface is seen at the centre of every pixel: one sample a pixel, because numbers of two
-/// surfaces have no mean. The driver says who is seen; where and how is computed from that on the
-/// processor (data_images.h), in closed form.
+/// Finds the surface seen at the centre of every pixel, with one sample per pixel: the numbers of
+/// two surfaces have no mean. The driver decides which surface is seen; its depth, normal and flow
+/// are then computed in closed form in C++ (data_images.h).
 #pragma once
 #include "render/ground_mesh.h"
 #include "render/meshes.h"

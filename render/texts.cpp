@@ -39,8 +39,8 @@ std::vector<SeenLabel> seenLabels(const Image& image, const Frame& frame, const 
     return seen;
 }
 
-/// Where a name may stand: at its place, or a line above or below it if that is not farther than
-/// `most` pixels; wholly within the picture.
+/// Finds a place for a name: at its point, or a line above or below it if that is at most `most`
+/// pixels away; entirely within the picture.
 bool findPlace(Box& box, float most, const Image& image, const CornerLayout& corners,
                const std::vector<Box>& taken) {
     const float y = box.y;
@@ -57,7 +57,7 @@ bool findPlace(Box& box, float most, const Image& image, const CornerLayout& cor
     return false;
 }
 
-/// `reach`: pixels of the body.
+/// `reach`: of the body, in pixels.
 int namePixels(const Label& label, float reach, float scale, const Look& look) {
     const bool given = look.unit > 0.0f;
     const float wanted = given ? label.size * scale : std::min(label.size * scale, 0.4f * reach);

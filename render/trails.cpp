@@ -3,7 +3,7 @@
 namespace render {
 namespace {
 
-/// A pixel across the band's way over the picture, in clip coordinates.
+/// One pixel perpendicular to the band in the picture, in clip coordinates.
 Eigen::Vector4f sideways(const Eigen::Vector4f& before, const Eigen::Vector4f& here,
                          const Eigen::Vector4f& after, int width, int height) {
     const float w = static_cast<float>(width), h = static_cast<float>(height);
@@ -14,7 +14,7 @@ Eigen::Vector4f sideways(const Eigen::Vector4f& before, const Eigen::Vector4f& h
     return Eigen::Vector4f(-way.y() * 2 / w, way.x() * 2 / h, 0, 0) * here.w();
 }
 
-/// Pixels of the picture for pixels of a trail.
+/// Pixels of the picture per pixel of a trail: times / over.
 struct TrailScale {
     float times, over;
 };

@@ -1,5 +1,5 @@
-/// Trails as bands of triangles that face the viewer, wider than the trail by half a pixel on
-/// either side: there it covers pixels in part.
+/// Trails as bands of triangles that face the viewer, half a pixel wider than the trail on either
+/// side for the pixels it covers partly.
 #pragma once
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace render {
 
 struct TrailVertex {
     Eigen::Vector4f clip;
-    Eigen::Vector4f color;   // sRGB, and how much it covers
+    Eigen::Vector4f color;   // sRGB, and opacity
     Eigen::Vector2f across;  // pixels: from the trail's middle, and half its width
 };
 

@@ -20,7 +20,7 @@ std::vector<Vertex> boxMesh() {
     return mesh;
 }
 
-/// In rings; the equator is there twice, once for either end of a capsule.
+/// Made of rings; the equator is there twice, once for each end of a capsule.
 std::vector<Vertex> ballMesh(int corners) {
     const int slices = corners, half = corners / 4;
     struct Ring {
@@ -48,7 +48,7 @@ std::vector<Vertex> ballMesh(int corners) {
     return mesh;
 }
 
-/// A cylinder along y from -1 to 1, open: its ends are hidden in what it holds together.
+/// A cylinder along y from -1 to 1 with open ends: the bodies it connects hide them.
 std::vector<Vertex> barMesh(int corners) {
     const auto vertex = [corners](int slice, float y) {
         const float share = static_cast<float>(slice % corners) / static_cast<float>(corners);

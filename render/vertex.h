@@ -1,4 +1,4 @@
-/// What is sent to the driver: corners of triangles, and the bodies that are drawn with them.
+/// The data sent to the driver: corners of triangles, and the instances drawn with them.
 #pragma once
 #include "render/frame.h"
 
@@ -12,14 +12,14 @@ struct Vertex {
     float face;
 };
 
-/// A corner of a solid with faces of any outline. Its triangle lies along up to three edges; over
-/// one that is not seen the normal beyond is the own one.
+/// A corner of a solid whose faces have any outline. Its triangle touches up to three edges; across
+/// one that is not drawn, the normal beyond equals its own.
 struct FacetVertex {
     Vec3 position, normal;
     float face;
     Vec3 toEdges;           // lengths of `along`
     Vec3 beyond[3];         // the normals on the other side of the edges
-    Eigen::Vector2f along;  // the way to the edges: across the y axis, and along it; before scaling
+    Eigen::Vector2f along;  // direction to the edges, across and along the y axis; before scaling
     float apothem;          // lengths of `along`, from the face's middle to an edge
 };
 

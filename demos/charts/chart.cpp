@@ -22,7 +22,7 @@ using render::Point;
 constexpr float kMiddle =
     0.31f;  // of a text's height: from the middle of its digits to the baseline
 
-/// A page under the pen.
+/// Draws the charts of a page.
 class Pen {
 public:
     Pen(const Page& page, PictureSize size, const std::string& theme)
@@ -50,7 +50,7 @@ private:
     void add(std::vector<Point> points, float width, const render::Color& color) {
         drawing_.lines.push_back({std::move(points), width, color});
     }
-    /// Nothing for an empty text, so that all labels have ink.
+    /// Ignores an empty text, so that all labels have ink.
     void add(std::string text, Point at, Anchor anchor, float pixels, const render::Color& color) {
         if (!text.empty()) drawing_.labels.push_back({std::move(text), at, anchor, pixels, color});
     }
@@ -102,7 +102,7 @@ private:
         }
     }
 
-    /// Below the middle of the axis, as far as there is room; several lines from the margin.
+    /// Below the middle of the axis if there is room; several lines begin at the margin.
     void drawXTitle(const Plot& plot) {
         if (!plot.xTitleBelow || plot.xTitle.empty()) return;
         if (plot.xTitle.size() > 1)
@@ -141,7 +141,7 @@ private:
             Anchor::middle, page_.title, inks_.muted);
     }
 
-    /// Its unbroken pieces; few samples are marked by dots.
+    /// Draws the pieces between gaps; if there are few samples, each is marked by a dot.
     void drawSeries(const Chart& chart, const Plot& plot, int number) {
         const Series& series = chart.series[number];
         const render::Color color = lineColor(inkOf(chart, number), inks_);
@@ -163,7 +163,7 @@ private:
                 add({point}, (named ? 4.5f : 2.6f) * lineWidth(), color);
     }
 
-    /// On average, and there are two at least.
+    /// On average, and if there are at least two.
     static bool areApart(const std::vector<Point>& points, float pixels) {
         const float steps = static_cast<float>(points.size()) - 1.0f;
         return points.size() > 1 && points.back().x - points.front().x > steps * pixels;
@@ -194,12 +194,12 @@ private:
     Drawing drawing_;
 };
 
-constexpr double kLeastChart = 40.0;  // mm: ticks and their numbers, and a plot as wide again
-constexpr double kLeastAsked = 30.0;  // mm of a chart's height where --size asks for one
+constexpr double kLeastChart = 40.0;  // mm: ticks with their numbers, and a plot of the same width
+constexpr double kLeastAsked = 30.0;  // mm of a chart's height where --size sets it
 
 void checkChartWidth(const Paper& paper) {
     if (paper.width < kLeastChart)
-        throw Stop(Exit::usage, fmt::format("--width {:g}mm: a chart needs {:g}mm at least",
+        throw Stop(Exit::usage, fmt::format("--width {:g}mm: a chart needs {:g}mm or more",
                                             paper.width, kLeastChart));
 }
 
@@ -209,7 +209,7 @@ PictureSize askedSize(double charts, const Paper& paper, PictureSize ratio) {
     if (each < kLeastAsked)
         throw Stop(Exit::usage,
                    fmt::format("--size {}x{}: {:g} {} of {:.1f} mm height in a width of {:g} mm; "
-                               "each needs {:g} mm: use --size {}x{:.0f} or higher, or none",
+                               "each needs {:g} mm: use --size {}x{:.0f} or higher, or omit it",
                                ratio.width, ratio.height, charts, charts > 1 ? "charts" : "chart",
                                each, paper.width, kLeastAsked, ratio.width,
                                std::ceil(kLeastAsked * charts / paper.width * ratio.width)));
@@ -226,13 +226,13 @@ bool hasData(const Chart& chart) {
 }
 
 PictureSize chartSize(std::size_t count) {
-    const int most = 16384;  // what a picture may have
+    const int most = 16384;  // the limit of a picture
     const int charts = static_cast<int>(std::min<std::size_t>(std::max<std::size_t>(count, 1), 40));
     return {1280, std::min(std::max(360 * charts, 720), most)};
 }
 
 PictureSize chartSize(std::size_t count, const Paper& paper, std::optional<PictureSize> ratio) {
-    constexpr double kLeast = 38.0;  // mm a chart: half as much again as its titles and ticks take
+    constexpr double kLeast = 38.0;  // mm per chart: one and a half times its titles and ticks
     const double charts = static_cast<double>(std::max<std::size_t>(count, 1));
     checkChartWidth(paper);
     if (ratio) return askedSize(charts, paper, *ratio);

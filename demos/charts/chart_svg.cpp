@@ -40,7 +40,7 @@ std::string colorText(const render::Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
 }
 
-/// `name="#rrggbb"`, and how much of it.
+/// `name="#rrggbb"`, and its opacity.
 std::string paint(const char* name, const render::Color& color) {
     const std::string text = fmt::format("{}=\"{}\"", name, colorText(color));
     return color.a < 1.0f ? fmt::format("{} {}-opacity=\"{:.2f}\"", text, name, color.a) : text;
@@ -55,14 +55,13 @@ std::string svgText(const Line& line) {
     std::string path;
     for (const render::Point& p : line.points)
         path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? 'M' : 'L', p.x, p.y);
-    // round caps make a dot of a line to itself
+    // with round caps a line to itself is a dot
     if (line.points.size() == 1) path += "L" + path.substr(1);
     return fmt::format("<path d=\"{}\" {} stroke-width=\"{:.2f}\"/>\n", path,
                        paint("stroke", line.color), line.width);
 }
 
-/// Pixels of the font's em. Letters of a picture come to whole pixels; on paper these have whole
-/// points.
+/// Pixels of the font's em. Letters have whole pixels in a picture and whole points on paper.
 double emOf(const Label& label, double pixelsPerPoint) {
     const double em = kEmShare * static_cast<double>(label.pixels);
     return pixelsPerPoint > 0.0 ? std::round(em / pixelsPerPoint) * pixelsPerPoint : em;
@@ -77,7 +76,7 @@ std::string svgText(const Label& label, double pixelsPerPoint) {
         kAnchors[static_cast<int>(label.anchor)], paint("fill", label.color), escaped(label.text));
 }
 
-/// On paper its coordinates stay pixels.
+/// The size; on paper in mm, while coordinates stay pixels.
 std::string sizeText(const Drawing& drawing) {
     const auto [width, height] = drawing.size;
     if (!(drawing.millimetres > 0.0))

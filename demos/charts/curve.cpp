@@ -9,7 +9,7 @@
 namespace demos {
 namespace {
 
-/// The lowest and highest of points[first, last), in their order.
+/// Adds the lowest and highest of points[first, last), in their order.
 void addExtremes(const std::vector<render::Point>& points, std::size_t first, std::size_t last,
                  std::vector<render::Point>& kept) {
     std::size_t low = first, high = first;
@@ -28,7 +28,7 @@ struct Block {
     float mean() const { return sum / static_cast<float>(count); }
 };
 
-/// The nearest sequence that never falls (pool adjacent violators; Barlow et al. 1972).
+/// The nearest non-decreasing sequence (pool adjacent violators; Barlow et al. 1972).
 std::vector<float> neverFalling(const std::vector<float>& values) {
     std::vector<Block> blocks;
     for (const float value : values) {
@@ -60,7 +60,7 @@ std::vector<render::Point> thinned(const std::vector<render::Point>& points) {
     return kept;
 }
 
-/// With y_i = z_i + i * spacing the labels are apart exactly when z never falls.
+/// With y_i = z_i + i * spacing, the labels are apart exactly if z is non-decreasing.
 std::vector<float> separated(const std::vector<float>& wanted, float spacing, float low,
                              float high) {
     std::vector<std::size_t> order(wanted.size());

@@ -1,5 +1,5 @@
-/// A picture of charts as primitives, from which both SVG and pixels are made: they cannot differ.
-/// Places in pixels, y down.
+/// A picture of charts as primitives. Both SVG and pixels are made from it, so they cannot differ.
+/// Positions are in pixels, y down.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct Rectangle {
     render::Color color;
 };
 
-/// All points are finite; one alone is a dot.
+/// All points are finite; a single point is a dot.
 struct Line {
     std::vector<render::Point> points;
     float width = 1.0f;
@@ -23,18 +23,18 @@ struct Line {
 };
 
 struct Label {
-    std::string text;  // one line of clean UTF-8
+    std::string text;  // one line of valid UTF-8
     render::Point at;  // its anchor, on the baseline
     render::Anchor anchor = render::Anchor::start;
-    float pixels = 20.0f;  // whole; cap to descender
+    float pixels = 20.0f;  // a whole number; cap to descender
     render::Color color;
 };
 
-/// Rectangles below, lines upon them, labels on top, each in their order.
+/// Drawn in this order: rectangles, lines, labels.
 struct Drawing {
     PictureSize size;
-    double millimetres = 0.0;     // of its width on paper; 0 = not known
-    double pixelsPerPoint = 0.0;  // likewise
+    double millimetres = 0.0;     // width on paper; 0 = not known
+    double pixelsPerPoint = 0.0;  // 0 = not known
     std::vector<Rectangle> rectangles;
     std::vector<Line> lines;
     std::vector<Label> labels;

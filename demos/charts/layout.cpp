@@ -15,9 +15,9 @@
 namespace demos {
 namespace {
 
-constexpr double kLargest = 1e300, kSmallest = 1e-300;  // beyond, an axis could not be computed
+constexpr double kLargest = 1e300, kSmallest = 1e-300;  // limits of what an axis can show
 constexpr float kSmallestText = 9.0f;                   // pixels; smaller is not legible
-constexpr float kLineSpacing = 1.15f;                   // of end labels, in their height
+constexpr float kLineSpacing = 1.15f;                   // of end labels, times their height
 
 struct DataRange {
     double low = kLargest, high = -kLargest;
@@ -34,7 +34,7 @@ struct Ranges {
     int zero = 0, negative = 0, tiny = 0;  // left out of a log axis
 };
 
-/// The x axis reaches over gaps, so that charts of one run can be read below each other.
+/// The x axis includes gaps, so that charts of one run are aligned below each other.
 Ranges rangesOf(const Chart& chart) {
     Ranges ranges;
     for (const Series& series : chart.series)
@@ -66,13 +66,13 @@ float widest(const std::vector<std::string>& texts, float pixels) {
     return most;
 }
 
-/// Values that are labelled for want of round ones between them.
+/// Labels the ends of the range if there are no round values between them.
 void addEnds(const DataRange& range, Axis& axis) {
     axis.ticks = {range.low, range.high};
     axis.texts = {fmt::format("{:.3g}", range.low), fmt::format("{:.3g}", range.high)};
 }
 
-/// A time that begins with the first step begins at 0.
+/// A range that begins near 0, such as with the first step's time, is extended to 0.
 Axis linearXAxis(DataRange range, float length, float text) {
     if (!range.whole && range.low > 0.0 && range.low < 0.05 * range.high) range.low = 0.0;
     Axis axis;
@@ -86,7 +86,7 @@ Axis linearXAxis(DataRange range, float length, float text) {
     return axis;
 }
 
-/// A tick at every value; where they are crowded, every second, third, ... has its number.
+/// A tick at every value; if they are crowded, only every second, third, ... has a number.
 Axis logXAxis(const Chart& chart, const DataRange& range, float length, float text) {
     std::set<double> values;
     for (const Series& series : chart.series)
@@ -107,7 +107,7 @@ Axis logXAxis(const Chart& chart, const DataRange& range, float length, float te
     return axis;
 }
 
-/// Half a place is left beside the outer ones.
+/// Half a place is left free on both sides.
 Axis namedXAxis(const Chart& chart, bool numbered, float length, float text) {
     Axis axis;
     const std::size_t count = chart.xNames.size();
@@ -137,7 +137,7 @@ Axis yAxisOf(const Chart& chart, const DataRange& range, float length, float tex
                       range.whole);
 }
 
-/// Rows of text and the axes' places, from the top of the chart's share of the page.
+/// The positions of text rows and axes, from the top of the chart's part of the page.
 void placeRows(Plot& plot, const Page& page, float top, float height) {
     const auto rows = [](std::size_t lines, float pixels) {
         return kRow * pixels * static_cast<float>(std::max<std::size_t>(lines, 1) - 1);
@@ -157,7 +157,7 @@ void placeRows(Plot& plot, const Page& page, float top, float height) {
     plot.legendBase = plot.tickBase + (titles + 1.3f * kRow) * page.text;
 }
 
-/// The labels in the order of the series; what has no room is counted in the last.
+/// The labels in the order of the series; the last one counts those without room.
 void chooseLabels(Plot& plot, const Chart& chart, const Page& page) {
     plot.labels = labelsOf(chart);
     for (EndLabel& label : plot.labels) {
@@ -185,7 +185,7 @@ void separateLabels(Plot& plot) {
     for (std::size_t i = 0; i < y.size(); ++i) plot.labels[i].y = y[i];
 }
 
-/// What its texts are is settled.
+/// Places a plot whose texts are set.
 void placePlot(const Chart& chart, const Ranges& ranges, const Page& page, float top, float height,
                Plot& plot) {
     placeRows(plot, page, top, height);
@@ -197,7 +197,7 @@ void placePlot(const Chart& chart, const Ranges& ranges, const Page& page, float
     separateLabels(plot);
 }
 
-/// Letters and lines, by the page's size or in points; `height`: pixels a chart.
+/// Sizes of letters and lines, by the page's size or in points; `height`: pixels per chart.
 Page emptyPage(float width, float height, const Paper& paper) {
     Page page;
     if (paper.given()) {
@@ -218,7 +218,7 @@ Page emptyPage(float width, float height, const Paper& paper) {
     return page;
 }
 
-/// What stands to the right of the lines: labels, and the x axis's title where it is beside its
+/// The room to the right of the lines, for labels, and for the x axis's title if it is next to the
 /// ticks.
 float rightRoom(const Plot& plot, const Page& page) {
     float room = plot.xTitleBelow      ? 0.6f * page.text
@@ -257,7 +257,7 @@ bool isDrawable(const Chart& chart, const Series& series, std::size_t sample) {
     return !chart.logY || y >= std::max(kSmallest, chart.leastY);
 }
 
-/// All plots are equally high: what their texts take beyond is theirs alone.
+/// All plots are equally high: a chart whose texts take more lines is higher by that.
 Page pageOf(const std::vector<Chart>& charts, PictureSize size, const Paper& paper) {
     const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
     const float count = static_cast<float>(std::max<std::size_t>(charts.size(), 1));

@@ -12,15 +12,15 @@
 namespace demos {
 namespace {
 
-constexpr std::size_t kMostEndLabels = 5;  // on paper; more take the height of a chart
-constexpr float kLabelShare = 0.2f;       // of the width, that labels at the ends may take
-constexpr float kSample = 2.2f;            // width of a legend's line and its gap, in text heights
+constexpr std::size_t kMostEndLabels = 5;  // on paper; more would take the chart's whole height
+constexpr float kLabelShare = 0.2f;       // of the width: the limit of end labels
+constexpr float kSample = 2.2f;            // of a legend's sample with its gap, in text heights
 
 std::string withUnit(const std::string& title, const std::string& unit) {
     return printable(unit.empty() ? title : title + " (" + unit + ")");
 }
 
-/// On paper as many lines as it takes, on a screen one, and as much as it holds.
+/// On paper as many lines as needed; on a screen one line, shortened if necessary.
 std::vector<std::string> linesOf(const std::string& text, float pixels, float room,
                                  const Page& page) {
     if (text.empty()) return {};
@@ -28,13 +28,13 @@ std::vector<std::string> linesOf(const std::string& text, float pixels, float ro
     return render::brokenText(text, static_cast<int>(pixels), room);
 }
 
-/// Asides go first: a caption has them.
+/// Asides are removed first: the caption has them.
 std::vector<std::string> titleLines(const std::string& text, const Page& page, float room) {
     if (text.empty()) return {};
     return linesOf(withoutAsides(text, page.title, room), page.title, room, page);
 }
 
-/// "solver.type: 1 impulses, 2 pgs", where names have no room at the ticks.
+/// "solver.type: 1 impulses, 2 pgs", if names have no room at the ticks.
 std::string numberedNames(const std::string& title, const std::vector<std::string>& names) {
     std::string text = title + ":";
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -42,7 +42,7 @@ std::string numberedNames(const std::string& title, const std::vector<std::strin
     return text;
 }
 
-/// A guess before the labels are placed: never too wide.
+/// An estimate before the labels are placed, on the safe side.
 bool namesFit(const Chart& chart, const Page& page, float width) {
     const float room = width - 2.0f * page.margin - 6.0f * page.text;
     const float each = room / static_cast<float>(std::max<std::size_t>(chart.xNames.size(), 1));

@@ -1,4 +1,4 @@
-/// The texts of a chart in lines: titles, the x axis's names, the legend below.
+/// The texts of a chart, broken into lines: titles, the x axis's names, the legend below.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace demos {
 
-inline constexpr float kRow = 1.25f;  // of lines of one text, in their height
+inline constexpr float kRow = 1.25f;  // distance of lines of one text, times their height
 
-/// Labels of the lines that have data; their values are not set.
+/// Labels of the lines with data; their positions are not set.
 std::vector<EndLabel> labelsOf(const Chart& chart);
 
-/// Number of the last sample that can be drawn; -1: none.
+/// The index of the last sample that can be drawn; -1: none.
 int lastDrawn(const Chart& chart, const Series& series);
 
-/// Sets titles and legend, and how much higher they make the plot. `note`: behind the y axis's
-/// title; `width`: of the page, pixels.
+/// Sets titles and legend, and the plot's additional height for them. `note`: added to the y axis's
+/// title. `width`: of the page, pixels.
 void setTexts(const Chart& chart, const std::string& note, const Page& page, float width,
               Plot& plot);
 

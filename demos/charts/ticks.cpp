@@ -8,13 +8,13 @@
 namespace demos {
 namespace {
 
-constexpr double kConstant = 1e-5;  // of the value: a smaller change would need endless ticks
+constexpr double kConstant = 1e-5;  // of the value: a smaller change would need too long tick texts
 
-constexpr double kBeyond = 0.08;  // of the range: no farther to reach a tick
+constexpr double kBeyond = 0.08;  // of the range: the farthest extension to reach a tick
 
 double powerOfTen(int exponent) { return std::pow(10.0, exponent); }
 
-/// 10^exponent <= value < 10^(exponent + 1); of positive values.
+/// 10^exponent <= value < 10^(exponent + 1), for positive values.
 int exponentOf(double value) {
     const int guess = static_cast<int>(std::floor(std::log10(value)));
     return value >= powerOfTen(guess + 1) ? guess + 1 : guess;  // log10(1000) may be 2.9999...
@@ -43,7 +43,7 @@ Step niceStep(double range, double most, bool whole) {
     return step;
 }
 
-/// Room for values that hardly differ, and the 0 where it is near.
+/// Widens a range of values that hardly differ, and includes 0 if it is near.
 void widen(double& low, double& high, Reach reach) {
     const double most = std::max(std::abs(low), std::abs(high));
     const bool same = high - low <= kConstant * most || most < 1e-290;
@@ -69,7 +69,7 @@ std::string superscript(int number) {
     return text;
 }
 
-/// With as many decimals as its step has, and a real minus.
+/// With as many decimals as the step has, and a typographic minus sign.
 std::string fixedText(double value, double step) {
     const int decimals = std::clamp(-exponentOf(step), 0, 12);
     return (value < 0.0 ? "−" : "") + fmt::format("{:.{}f}", std::abs(value), decimals);

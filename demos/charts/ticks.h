@@ -1,4 +1,4 @@
-/// Axes: how far they reach, where their ticks are and what stands there.
+/// Axes: their range, and the positions and texts of their ticks.
 #pragma once
 #include <string>
 #include <vector>
@@ -16,18 +16,18 @@ struct Axis {
 };
 
 enum class Reach {
-    data,  // from the least to the largest value
-    ticks  // on to the next ticks where they are near, and to 0 where that is not far
+    data,  // from the smallest to the largest value
+    ticks  // extended to the next ticks and to 0 if they are near
 };
 
-/// At most `most` steps of 1, 2 or 5 times a power of ten; `whole`: of 1 at least.
-/// Where low and high are the same, or nearly, the axis begins or ends at 0.
+/// At most `most` steps of 1, 2 or 5 times a power of ten; `whole`: steps of at least 1.
+/// If low and high are equal, or nearly, the axis begins or ends at 0.
 Axis linearAxis(double low, double high, double most, Reach reach, bool whole);
 
-/// Whole decades around low..high, both above 0, with a tick at every one, or every few.
+/// Whole decades around low..high, both above 0, with a tick at every one or every few of them.
 Axis logAxis(double low, double high, int most);
 
-/// Short forms: 0, 0.25, 1500, 20k, 1.5M, 2×10⁻⁴; of a tick, by the axis's step and largest tick.
+/// Short forms: 0, 0.25, 1500, 20k, 1.5M, 2×10⁻⁴. They depend on the axis's step and largest tick.
 std::string tickText(double value, double step, double largest);
 
 /// 10⁻⁶, 1, 10, 10²

@@ -1,4 +1,4 @@
-// impulse approve: what the last test has shown becomes the baseline.
+// impulse approve: makes the results of the last test the new baselines.
 
 #include <fmt/format.h>
 
@@ -21,13 +21,13 @@ namespace demos {
 namespace {
 
 struct ApproveOptions : Options {
-    std::string results = "output/test";  // of which test
+    std::string results = "output/test";  // folder of the test's report
     bool all = false, prune = false;
 };
 
 namespace fs = std::filesystem;
 
-/// What a name on the command line means.
+/// What one name on the command line asks to accept.
 struct Wish {
     enum class What { all, physics, picture };
     const SceneVerdict* scene = nullptr;
@@ -35,18 +35,18 @@ struct Wish {
     double time = 0.0;  // s
 };
 
-/// A report may come from elsewhere: what it names has the form of a scene's baselines, or nothing
-/// of it is used.
+/// A report may come from another machine. Its folders must be named like baselines of its scenes,
+/// or the report is refused.
 void checkPlaces(const SceneVerdict& scene) {
     const fs::path name(scene.name), folder(scene.folder);
     if (name.filename() == name && folder.filename() == scene.name + kSnapshotsEnding) return;
     throw Stop(Exit::environment,
-               fmt::format("the report has the baselines of '{}' in '{}', and they are in a folder "
-                           "NAME{}; it was edited: run impulse test again",
+               fmt::format("the report has the baselines of '{}' in '{}', but they must be in a "
+                           "folder NAME{}; the report was edited: run impulse test again",
                            printable(scene.name), printable(scene.folder), kSnapshotsEnding));
 }
 
-/// The command to run next, unless a shell would do more with it than run impulse test.
+/// The command to run next; without its options where a shell could run more than impulse test.
 std::string nextCommand(const std::string& command) {
     const bool plain = command.starts_with("impulse test") &&
                        command.find_first_of(";|&`$<>\n\r") == std::string::npos;
@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    /// All of them are understood before anything is written.
+    /// Resolves all names before anything is written.
     std::vector<Wish> wishes() const {
         std::vector<Wish> wishes;
         for (const std::string& name : options_.scenes) wishes.push_back(wishOf(name));
@@ -178,14 +178,14 @@ private:
         for (const std::string& orphan : verdict_.orphans) pruneFolder(orphan);
     }
 
-    /// Those that are pictures in a folder of baselines.
+    /// Removes pictures only, and only from a folder of baselines.
     void prunePictures(const fs::path& folder, const std::vector<std::string>& names) {
         if (fs::is_symlink(folder) || !fs::exists(folder / kBaselineFile)) return;
         for (const std::string& picture : orphansOf(folder, {}))
             if (std::count(names.begin(), names.end(), picture)) remove(folder / picture);
     }
 
-    /// Only what is a baseline's; anything else in it, and then the folder, stays.
+    /// Removes a baseline's files only; the folder stays if it holds other files.
     void pruneFolder(const fs::path& folder) {
         if (fs::is_symlink(folder) || folder.extension() != kSnapshotsEnding ||
             !fs::exists(folder / kBaselineFile))
@@ -220,10 +220,11 @@ Run addApprove(CLI::App& app) {
         ->type_name("NAME")
         ->expected(0, kMostScenes);
     app.add_flag("--all", options.all,
-                 "everything that the last test found different; default: off");
+                 "accept everything that differed in the last test; default: off");
     app.add_flag("--prune", options.prune,
-                 "remove baselines that no scene asks for any more; default: off");
-    app.add_option("--results", options.results, "the folder of impulse test; default: output/test")
+                 "remove baselines that no scene uses any more; default: off");
+    app.add_option("--results", options.results,
+                   "the folder that impulse test wrote; default: output/test")
         ->type_name("DIR");
     addFeedback(app, options);
     return
@@ -234,7 +235,7 @@ Run addApprove(CLI::App& app) {
 
 Command approveCommand() {
     return {"approve",
-            "take what a test drew as the new baseline",
+            "accept what a test drew as the new baseline",
             {"impulse approve stack@2.5 wall", "impulse approve --all", "impulse approve --prune"},
             addApprove};
 }

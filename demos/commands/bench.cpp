@@ -42,7 +42,7 @@ std::string earlierText(const std::string& path) try {
     throw render::Error(fmt::format("--against {}", error.what()));
 }
 
-/// What `impulse bench --json > FILE` has written.
+/// Reads what `impulse bench --json > FILE` wrote.
 EarlierRun readEarlier(const std::string& path) {
     std::istringstream file(earlierText(path));
     EarlierRun run;
@@ -88,7 +88,8 @@ void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
                hexText(t.hash));
     if (before)
         fmt::print("  {:.2f} x {}", t.median() / before->ms,
-                   before->hash == hexText(t.hash) ? "as before, same state" : "another state");
+                   before->hash == hexText(t.hash) ? "before, same state"
+                                                   : "before, different state");
     fmt::print("\n");
     if (phases) {
         fmt::print("{:18}", "");
@@ -152,7 +153,7 @@ Exit bench(const BenchOptions& options) {
     if (options.film && !options.json && !options.quiet) sayFilmHeader();
     if (!options.film && !options.json && !options.quiet)
         fmt::print("{:18} {:>6} {:>6} {:>8}  {:>8} {:>8} {:>8}  {:>8}  {}\n", "scene", "bodies",
-                   "joints", "contacts", "ms/step", "least", "most", "ns/point", "state");
+                   "joints", "contacts", "ms/step", "min", "max", "ns/point", "state");
     for (const std::string& name : scenes) {
         BenchOptions one = options;
         one.scenes = {name};
@@ -174,14 +175,14 @@ Run addBench(CLI::App& app) {
     app.get_option("scene")->expected(0, kMostScenes)->required(false);
     addSeconds(app, options);
     app.add_flag("--film", options.film,
-                 "processor time of every stage of a frame, and frames/s, of the film as it would "
-                 "be rendered with the options below; default: off");
+                 "measure processor time of every stage of a frame, and frames/s, for the film "
+                 "that the options below describe; default: off");
     addPicture(app, options, texts);
     addJobs(app, options);
     app.add_flag("--phases", options.phases,
-                 "ms of every phase of the step, from a second run; default: off");
+                 "print the ms of every phase of the step, from a second run; default: off");
     app.add_option("--against", options.against,
-                   "compare with an earlier 'impulse bench --json > FILE'; default: none")
+                   "compare with the output of an earlier 'impulse bench --json'; default: none")
         ->type_name("FILE");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) { return bench(settled(*asked, commandLine)); };

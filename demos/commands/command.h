@@ -1,4 +1,4 @@
-/// A command in one place: what it is called and for, its options, what it does.
+/// One command of the program: its name, its purpose, its options and the function that runs it.
 #pragma once
 #include <functional>
 #include <string>
@@ -11,15 +11,15 @@ class App;
 
 namespace demos {
 
-/// What a command does once its options are parsed. Throws Stop, SceneError or render::Error, or
-/// returns its code. `commandLine`: as a shell takes it.
+/// Runs a command after its options were parsed. Returns the exit code, or throws Stop, SceneError
+/// or render::Error. `commandLine` is quoted for a shell.
 using Run = std::function<Exit(const std::string& commandLine)>;
 
 struct Command {
     const char* name;
     const char* purpose;
     const char* examples[3];
-    Run (*add)(CLI::App& app);  // adds its options, which the Run keeps
+    Run (*add)(CLI::App& app);  // adds its options; the Run owns them
 };
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// The commands, each in the file of its name.
+/// All commands; each is defined in the file of its name.
 #pragma once
 #include "demos/commands/command.h"
 

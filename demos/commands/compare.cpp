@@ -44,7 +44,7 @@ FilmPlan filmOf(const Comparing& plan) {
     return film;
 }
 
-/// What the chart's lines are called where the pictures have letters.
+/// Labels the chart's lines with the letters of the pictures.
 std::vector<Chart> lettered(Chart chart) {
     for (std::size_t i = 0; i < chart.series.size(); ++i)
         chart.series[i].label = panelLetter(static_cast<int>(i));
@@ -80,8 +80,8 @@ Exit compare(const CompareOptions& options) {
     const Comparing plan = comparingOf(options);
     if (!options.film && !options.outputs.empty())
         refuse(
-            fmt::format("--output '{}' and --no-film: without pictures nothing goes there; leave "
-                        "one of them out",
+            fmt::format("--output '{}' and --no-film: there are no pictures to write; leave one of "
+                        "them out",
                         printable(options.outputs.front())));
     checkFigureOptions(options, options.film, "--plot FILE, or leave --no-film out");
     const RunsFigure figure = figureOf(plan);
@@ -118,23 +118,25 @@ Run addCompare(CLI::App& app) {
     app.get_option("scene")->expected(0, 1)->required(false);
     takesAgain(app.add_option(
                       "--vary", options.vary,
-                      "a setting and its values, e.g. solver.nudges=0,4; several: all combinations")
+                      "a setting and its values, e.g. solver.nudges=0,4; given again: all "
+                      "combinations")
                    ->type_name("KEY=A,B"));
     takesAgain(
         app.add_option(
                "--case", options.cases,
-               "settings that go together: 'LABEL: KEY=VALUE KEY=VALUE'; two to four of them")
+               "one set of settings, 'LABEL: KEY=VALUE KEY=VALUE'; give two to four of them")
             ->type_name("CASE"));
     app.add_option("--plot", options.plot,
-                   "the measure over time alone, as .svg or .png; default: not drawn")
+                   "only the chart of the measure over time, as .svg or .png; default: not drawn")
         ->type_name("FILE");
     takesAgain(
         app.add_option("-o,--output", options.outputs,
-                       "as for render, with --width one .png; default: output/<scene>-compare")
+                       "as for render; with --width, one .png; default: output/<scene>-compare")
             ->type_name("OUT"));
-    app.add_flag("--film,!--no-film", options.film, "draw it; default: on");
-    app.add_flag("--strip,!--no-strip", options.strip, "a plot below the pictures; default: on");
-    app.add_flag("--list", options.listOnly, "the built-in comparisons; default: off");
+    app.add_flag("--film,!--no-film", options.film, "draw the film; default: on");
+    app.add_flag("--strip,!--no-strip", options.strip,
+                 "draw a plot below the pictures; default: on");
+    app.add_flag("--list", options.listOnly, "list the built-in comparisons; default: off");
     return [asked](const std::string& commandLine) {
         const CompareOptions& given = settled(*asked, commandLine);
         checkRuns(given);

@@ -23,7 +23,7 @@ struct Finding {
     std::string name, value;
     bool good = true;
     std::string advice;  // what to do when it is not
-    bool needed = true;  // false: the rest does without
+    bool needed = true;  // false: the rest works without it
 };
 
 /// 200 boxes on the ground: about what a demo shows.
@@ -50,7 +50,7 @@ double pictureTime(render::Renderer& renderer) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// True when it works. One of the kinds is enough, and one time tells of all: their driver is one.
+/// True when it works. One working kind is enough, and only one is timed: all share one driver.
 bool findContext(render::ContextKind kind, bool timed, std::vector<Finding>& findings) try {
     render::RendererSettings settings;
     settings.threads = 0;
@@ -62,7 +62,7 @@ bool findContext(render::ContextKind kind, bool timed, std::vector<Finding>& fin
     const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
     findings.push_back({"picture",
                         fmt::format("{:.0f} ms for 1280x720 on one core; 10 s of film "
-                                    "in about {:.0f} s on {}",
+                                    "in about {:.0f} s on all {}",
                                     one, 300 * one / 1000 / cores, cores),
                         true, ""});
     return true;
@@ -78,8 +78,8 @@ void findContexts(std::vector<Finding>& findings) {
         working += findContext(kind, working == 0, findings);
     findings.push_back(
         {"OpenGL",
-         fmt::format("by {} of {} contexts (--context)", working, render::contextKinds().size()),
-         working > 0, "install libosmesa6 or libegl-mesa0; 'sim' works without"});
+         fmt::format("from {} of {} contexts (--context)", working, render::contextKinds().size()),
+         working > 0, "install libosmesa6 or libegl-mesa0; 'sim' works without it"});
 }
 
 std::vector<Finding> examine() {
@@ -93,11 +93,11 @@ std::vector<Finding> examine() {
     findContexts(findings);
     const bool ffmpeg = render::haveFfmpeg();
     findings.push_back({"ffmpeg", ffmpeg ? "found" : "not found", ffmpeg,
-                        "install ffmpeg for .mp4 .webm .gif; PNG frames work without"});
+                        "install ffmpeg for .mp4 .webm .gif; PNG frames work without it"});
 #ifdef IMPULSE_HAVE_SLIDES
     const bool chromium = !pdfBrowser().empty();
     findings.push_back({"chromium", chromium ? "found" : "not found", chromium,
-                        "install chromium for slides as .pdf; .html and folders work without",
+                        "install chromium for slides as .pdf; .html and folders work without it",
                         false});
 #endif
     std::error_code error;

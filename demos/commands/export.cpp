@@ -19,7 +19,7 @@
 namespace demos {
 namespace {
 
-constexpr double kMostPoses = 1e7;  // of all bodies and frames: a gigabyte of memory
+constexpr double kMostPoses = 1e7;  // all bodies in all frames; a gigabyte of memory
 
 FilmPlan planOf(const Options& options) {
     Panel panel;
@@ -37,12 +37,12 @@ void checkLength(const FilmPlan& plan) {
                         bodies, plan.frames, kMostPoses / 1e6));
 }
 
-/// The frames of a film that is shorter than one of them.
+/// Warns where the film is shorter than one frame.
 void tellShort(const FilmPlan& plan, const Options& options) {
     if (options.seconds && *options.seconds * plan.fps < 1.0)
         Talk(options, false)
-            .mention(fmt::format("--seconds {}: less than the {:.3g} s of a frame; what is written "
-                                 "is the first frame alone",
+            .mention(fmt::format("--seconds {}: less than one frame ({:.3g} s); only the first "
+                                 "frame is written",
                                  *options.seconds, 1.0 / plan.fps));
 }
 
@@ -71,7 +71,7 @@ public:
         playThrough(
             player_, options_, [this](long step) { recorder_.look(player_, step); },
             [this] {
-                if (!interrupted()) writeAll();  // to the last good step of a run that ended early
+                if (!interrupted()) writeAll();  // to the last good step, if the run ended early
             });
         writeAll();
         const Stage& stage = player_.stage();
@@ -120,18 +120,17 @@ Run addExport(CLI::App& app) {
     takesAgain(
         app.add_option(
                "-o,--output", options.outputs,
-               ".glb: bodies, colours and camera with their motion; .csv: poses, a row a frame "
-               "and body, columns of 'sim --bodies'; .npz: the same, energies and contacts as "
-               "arrays for numpy; .json: the events of 'sim --events'; .html: a page to look at "
-               "the "
-               "run from all sides, without a network; may be given again; "
+               ".glb: bodies, colours and camera with their motion; .csv: poses, one row per frame "
+               "and body, with the columns of 'sim --bodies'; .npz: the same, energies and "
+               "contacts as numpy arrays; .json: the events of 'sim --events'; .html: a page that "
+               "shows the run from all sides, without a network; may be given again; "
                "default: output/<scene>.glb")
             ->type_name("FILE"));
     app.add_option("--fps", options.fps,
-                   "frames a second; the scene's steps a second must be a multiple; default: 30")
+                   "frames per second; must divide the scene's steps per second; default: 30")
         ->type_name("N");
     addSeconds(app, options);
-    app.add_flag("--overwrite", options.overwrite, "replace what is there; default: off");
+    app.add_flag("--overwrite", options.overwrite, "replace existing files; default: off");
     addFeedback(app, options);
     return
         [asked](const std::string& commandLine) { return exportRun(settled(*asked, commandLine)); };

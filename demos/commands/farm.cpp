@@ -23,7 +23,7 @@ struct FarmOptions {
     std::vector<std::string> words;  // of impulse render
 };
 
-/// What a job file is made of, each as a shell takes it.
+/// The parts of a job file; the commands are quoted for a shell.
 struct Job {
     std::string name;    // of the scene
     std::string render;  // impulse render ..., without --shard
@@ -34,11 +34,9 @@ struct Job {
 std::string slurmText(const Job& job) {
     return fmt::format(
         "#!/bin/sh\n"
-        "# {3} parts, then one film; run this file with sh. A part that is there is not drawn "
-        "again:\n"
-        "# run it again for what is missing. The join runs after all parts, however they ended, "
-        "and\n"
-        "# tells what is missing (exit code 7).\n"
+        "# Draws {3} parts, then joins them into one film. Run this file with sh. Finished parts\n"
+        "# are not drawn again: run it again for what is missing. The join runs after all parts,\n"
+        "# however they ended, and reports what is missing (exit code 7).\n"
         "set -eu\n"
         "draw=$(sbatch --parsable --requeue --array=1-{3} --job-name={0} <<'END'\n"
         "#!/bin/sh\n"
@@ -55,14 +53,14 @@ std::string slurmText(const Job& job) {
 std::string parallelText(const Job& job) {
     return fmt::format(
         "#!/bin/sh\n"
-        "# Run it with sh; for other machines: parallel --sshlogin or --sshloginfile, with this\n"
-        "# folder on all of them.\n"
+        "# Run this file with sh. To use other machines, add --sshlogin or --sshloginfile to\n"
+        "# parallel; this folder must be on all of them.\n"
         "seq {3} | parallel --retries 3 --joblog {0}.joblog {1} --shard '{{}}/{3}'\n"
         "{2}\n",
         shellWord(job.name), job.render, job.join, job.shards);
 }
 
-/// A command as a recipe takes it.
+/// A command, escaped for a makefile's recipe.
 std::string recipe(std::string command) {
     for (std::size_t at = 0; (at = command.find('$', at)) != std::string::npos; at += 2)
         command.insert(at, "$");
@@ -88,7 +86,7 @@ std::string commandsText(const Job& job) {
     return text + job.join + "\n";
 }
 
-/// In double quotes, as YAML and JSON take it.
+/// In double quotes, escaped for YAML and JSON.
 std::string quoted(const std::string& text) {
     std::string all = "\"";
     for (const char c : text) {
@@ -137,7 +135,7 @@ Writer writerOf(const std::string& engine) {
     return nullptr;
 }
 
-/// The words of impulse render as it takes them itself: what it would refuse is refused here.
+/// Refuses here what impulse render would refuse, by its own checks.
 void checkRender(std::vector<std::string> words, int shards) {
     CLI::App app{"", "impulse render"};
     const Run run = renderCommand().add(app);
@@ -146,12 +144,12 @@ void checkRender(std::vector<std::string> words, int shards) {
     try {
         app.parse(words);
     } catch (const CLI::ParseError& error) {
-        refuse(fmt::format("as impulse render takes it: {}", printable(error.what())));
+        refuse(fmt::format("impulse render refuses this: {}", printable(error.what())));
     }
     run("impulse render");
 }
 
-/// Of -o in the words; empty: the default.
+/// The value of -o among the words; empty: the default.
 std::string outputIn(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         for (const std::string option : {"-o", "--output"})
@@ -185,7 +183,7 @@ Exit farm(const FarmOptions& options) {
     checkRange("--shards", options.shards, 1, kMostShards);
     if (options.words.empty() || options.words.front().starts_with('-'))
         refuse(
-            "farm: a scene is needed behind the engine, as in impulse farm slurm wall -o wall.mp4 "
+            "farm: a scene must follow the engine, as in impulse farm slurm wall -o wall.mp4 "
             "--shards 16");
     checkRender(options.words, options.shards);
     putText(stdout, writer(jobOf(options)));
@@ -197,10 +195,10 @@ Run addFarm(CLI::App& app) {
     app.add_option("engine", options->engine, "slurm, parallel, make, commands or openjd")
         ->type_name("ENGINE")
         ->required();
-    app.add_option("--shards", options->shards, "parts of the film")->type_name("N")->required();
+    app.add_option("--shards", options->shards, "number of parts")->type_name("N")->required();
     app.allow_extras();
-    app.footer("\nWhat else is given is for impulse render: the scene, -o, -q and so on.");
-    // The parser is gone when the command runs.
+    app.footer("\nAll other arguments are passed to impulse render: the scene, -o, -q and so on.");
+    // The parser no longer exists when the command runs.
     app.parse_complete_callback([options, &app] { options->words = app.remaining(); });
     return [options](const std::string&) { return farm(*options); };
 }

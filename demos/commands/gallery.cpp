@@ -1,4 +1,4 @@
-// impulse gallery: films and posters of scenes with a page of them, or one picture of all.
+// impulse gallery: films and posters of scenes with a page that shows them, or one picture of all.
 
 #include "demos/gallery/gallery.h"
 
@@ -20,8 +20,8 @@ Exit gallery(const GalleryOptions& options) {
     if (const auto ending = std::filesystem::path(target).extension();
         !ending.empty() && !std::filesystem::is_directory(target))
         throw Stop(Exit::usage,
-                   fmt::format("--output '{}': a gallery is a folder, or one picture, which ends "
-                               "in .png or is -",
+                   fmt::format("--output '{}': a gallery goes to a folder; one picture of all "
+                               "scenes ends in .png or is -",
                                printable(target)));
     return galleryInFolder(options);
 }
@@ -36,13 +36,13 @@ Run addGallery(CLI::App& app) {
         ->required(false)
         ->description("built-in scenes or scene files; all: every built-in one; default: all");
     app.add_option("-o,--output", options.outputs,
-                   "a folder: index.html, NAME.mp4, NAME.png, sheet.png; or the sheet alone: "
-                   "a .png or -; default: output/gallery")
+                   "a folder for index.html, NAME.mp4, NAME.png and sheet.png; or, for the sheet "
+                   "alone, a .png or -; default: output/gallery")
         ->type_name("DIR|FILE")
         ->expected(1);
-    app.add_flag("--films,!--no-films", options.films, "films, not posters alone; default: on");
+    app.add_flag("--films,!--no-films", options.films, "make films, not only posters; default: on");
     app.add_option("--columns", options.columns,
-                   "of the sheet: scenes in a row; default: 0, up to six, and all rows alike")
+                   "scenes per row of the sheet; default: 0, up to six, rows as even as possible")
         ->type_name("N");
     addSeconds(app, options);
     addPicture(app, options, texts);
@@ -50,13 +50,14 @@ Run addGallery(CLI::App& app) {
         asked->options.qualityAsked = true;
     });
     app.get_option("--size")->description(
-        "pixels, 1..16384 a side; default: the quality's, 640x360 without one, 480x270 in a sheet");
+        "pixels, 1..16384 a side; default: the quality's; 640x360 without --quality, 480x270 in a "
+        "sheet");
     app.get_option("--fps")->description(
-        "frames a second; the scene's steps a second must be a multiple; "
-        "default: the quality's, or the next lower that is right");
+        "frames per second; must divide the scene's steps per second; "
+        "default: the quality's, or the next lower one that does");
     app.get_option("--overwrite")
-        ->description("replace what differs from what was made before; default: off");
-    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
+        ->description("replace films and posters that are out of date; default: off");
+    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one per core")
         ->type_name("N");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
@@ -70,7 +71,7 @@ Run addGallery(CLI::App& app) {
 
 Command galleryCommand() {
     return {"gallery",
-            "films and posters of scenes with a page of them all, or one picture",
+            "films and posters of scenes with a page that shows them, or one picture of all",
             {"impulse gallery", "impulse gallery stack my.toml -o site -q low",
              "impulse gallery -o scenes.png --size 240x135"},
             addGallery};

@@ -1,11 +1,11 @@
-/// Nothing that is written may take the place of a scene file that is read.
+/// Protects scene files from being overwritten by a command's output.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace demos {
 
-/// Throws Stop (usage) where a target is one of the scenes. Empty targets are none.
+/// Throws Stop (usage) if a target is one of the scenes. Empty targets are ignored.
 void spareScenes(const std::vector<std::string>& scenes, const std::vector<std::string>& targets);
 
 }  // namespace demos

@@ -23,7 +23,7 @@ struct JoinOptions : Options {
     std::string folder;
 };
 
-/// The commands that make what is not there, then the line that ends the run.
+/// Prints the commands that draw the missing parts, then ends the run.
 [[noreturn]] void refuseIncomplete(const Parts& parts, const JoinOptions& options,
                                    const Talk& talk) {
     for (const int number : parts.wanted) {
@@ -33,19 +33,19 @@ struct JoinOptions : Options {
                               jsonString(command)));
     }
     throw Stop(Exit::incomplete,
-               fmt::format("'{}': {} of {} parts are whole; {}", printable(options.folder),
+               fmt::format("'{}': {} of {} parts are complete; {}", printable(options.folder),
                            parts.count - static_cast<int>(parts.wanted.size()), parts.count,
                            fmt::join(parts.troubles, "; ")));
 }
 
-/// The parts' folder without its ending, and with theirs.
+/// --output, or the folder's name with the parts' ending instead of .parts.
 std::string targetOf(const Parts& parts, const JoinOptions& options) {
     const std::string ending = parts.files.front().extension().string();
     if (options.outputs.empty())
         return fs::path(options.folder).lexically_normal().replace_extension(ending).string();
     const std::string& target = options.outputs.front();
     if (fs::path(target).extension() != ending)
-        refuse(fmt::format("--output '{}': the parts are {}, and so is their film",
+        refuse(fmt::format("--output '{}': must end in {}, as the parts do",
                            printable(target), ending));
     return target;
 }
@@ -65,7 +65,7 @@ Exit joinFilm(const Parts& parts, const JoinOptions& options, const Talk& talk) 
     return Exit::ok;
 }
 
-/// Their frames are where they belong already: what is missing is the record of all.
+/// The frames are in place already; only the record of the whole film is missing.
 Exit joinFrames(const Parts& parts, const JoinOptions& options, const Talk& talk) {
     if (!options.outputs.empty())
         refuse("--output: parts of PNG frames stay where they are; leave it out");
@@ -85,7 +85,7 @@ Exit joinFrames(const Parts& parts, const JoinOptions& options, const Talk& talk
 Exit join(const JoinOptions& options) {
     std::error_code ignored;
     if (!fs::is_directory(options.folder, ignored))
-        refuse(fmt::format("'{}' is not a folder of parts, as impulse render --shard makes them",
+        refuse(fmt::format("'{}' is not a folder of parts; impulse render --shard makes one",
                            printable(options.folder)));
     const Talk talk(options, false);
     const Parts parts = partsIn(options.folder);
@@ -96,11 +96,11 @@ Exit join(const JoinOptions& options) {
 Run addJoin(CLI::App& app) {
     const auto asked = std::make_shared<Asked<JoinOptions>>();
     auto& options = asked->options;
-    app.add_option("folder", options.folder, "what impulse render --shard has filled")
+    app.add_option("folder", options.folder, "the folder that impulse render --shard wrote to")
         ->type_name("FOLDER")
         ->required();
     app.add_option("-o,--output", options.outputs,
-                   "the film, of the parts' kind; default: FOLDER without .parts")
+                   "the film, of the same type as the parts; default: FOLDER without .parts")
         ->type_name("FILE")
         ->expected(1);
     app.add_flag("--overwrite", options.overwrite, "replace what is there; default: off");
@@ -112,7 +112,7 @@ Run addJoin(CLI::App& app) {
 
 Command joinCommand() {
     return {"join",
-            "put the parts of a film together that runs with --shard have drawn",
+            "join the parts of a film that were drawn with --shard",
             {"impulse join wall.parts", "impulse join wall.parts -o films/wall.mp4",
              "impulse join output/wall"},
             addJoin};

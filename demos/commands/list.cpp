@@ -48,7 +48,7 @@ std::vector<SceneDescription> scenesByGroup() {
     std::vector<SceneDescription> scenes;
     for (const BuiltinScene& scene : builtinScenes()) scenes.push_back(described(scene));
     std::stable_sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) {
-        return a.group < b.group;  // by name within a group, as they come
+        return a.group < b.group;  // stable: within a group they stay sorted by name
     });
     return scenes;
 }
@@ -73,7 +73,7 @@ void sayOne(const SceneDescription& scene) {
     for (const Section& section : scene.sections)
         fmt::print("section  {:g} s  {}  {}\n", section.at, printable(section.name),
                    printable(section.caption));
-    fmt::print("expects  {} things; impulse sim {} checks them\n", scene.expectations.size(),
+    fmt::print("expects  {} results; impulse sim {} checks them\n", scene.expectations.size(),
                scene.name);
     fmt::print("next: impulse render {}\n", scene.name);
 }
@@ -81,12 +81,14 @@ void sayOne(const SceneDescription& scene) {
 Exit listScenes(const ListOptions& options) {
     if (options.schema) {
         if (!options.scenes.empty() || options.print || options.json)
-            throw Stop(Exit::usage, "--schema stands alone, as in 'impulse list --schema'");
+            throw Stop(Exit::usage,
+                       "--schema takes no scene and no other option: 'impulse list --schema'");
         fmt::print("{}", sceneSchema());
         return Exit::ok;
     }
     if (options.scenes.size() > 1)
-        throw Stop(Exit::usage, "several scenes; list describes one; impulse gallery draws them");
+        throw Stop(Exit::usage,
+                   "several scenes: list describes one; impulse gallery draws several");
     if (options.scenes.empty()) {
         if (options.print)
             throw Stop(Exit::usage, "--print needs a scene, as in 'impulse list stack --print'");
@@ -110,9 +112,9 @@ Run addList(CLI::App& app) {
     app.add_option("scene", options.scenes, "a scene to describe; default: all")
         ->type_name("SCENE")
         ->expected(0, kMostScenes);
-    app.add_flag("--print", options.print, "the scene file itself; default: off");
+    app.add_flag("--print", options.print, "print the scene file itself; default: off");
     app.add_flag("--schema", options.schema,
-                 "the JSON Schema of scene files, for editors; default: off");
+                 "print the JSON Schema of scene files, for editors; default: off");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
         return listScenes(settled(*asked, commandLine));

@@ -1,4 +1,4 @@
-// `impulse slides` of a build without it.
+// `impulse slides` in a build without slides.
 #ifndef IMPULSE_HAVE_SLIDES
 
 #include <CLI/CLI.hpp>

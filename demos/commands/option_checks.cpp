@@ -61,7 +61,7 @@ std::vector<std::string> contextNames() {
     return names;
 }
 
-/// What needs a ground says so itself to who asks for none.
+/// "transparent" passes: commands that need a ground refuse it themselves, with the reason.
 void checkTheme(const Options& options, bool opaque) {
     std::vector<std::string> names = themeNames();
     if (opaque && options.theme != "transparent") std::erase(names, "transparent");
@@ -91,7 +91,7 @@ void checkPicture(Options& options, const OptionTexts& texts) {
     checkRange("--jobs", options.jobs, 0, 256);
 }
 
-/// Widths that are no slip of the keys: a postage stamp to a poster.
+/// Accepts widths from a postage stamp to a poster; others are most likely typing errors.
 void checkWidth(Options& options, const std::string& text) {
     constexpr double kLeast = 10.0, kMost = 2000.0;  // mm
     options.width = lengthFrom(text);
@@ -113,7 +113,7 @@ void checkWidth(Options& options, const std::string& text) {
 void checkFigure(Options& options, const OptionTexts& texts) {
     if (texts.dpi) {
         if (texts.width.empty())
-            refuse("--dpi belongs to --width; give one, for example --width 85mm");
+            refuse("--dpi needs --width, for example --width 85mm");
         checkRange("--dpi", *texts.dpi, 72, 2400);
         options.dpi = *texts.dpi;
     }

@@ -1,4 +1,4 @@
-/// Ranges and names of the command line, with messages that say what would be right.
+/// Checks of numbers and names on the command line; the messages say what is valid.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@ namespace demos {
 
 inline constexpr double kLongest = 1e5;  // s
 
-/// What is parsed as text first and understood later.
+/// Options that are read as text first and interpreted later.
 struct OptionTexts {
     std::string size;
     std::string maxSize;
@@ -22,7 +22,7 @@ struct OptionTexts {
     std::string solver;
     std::string width;
     std::optional<int> dpi;
-    bool opaque = false;  // no theme without a ground
+    bool opaque = false;  // the transparent theme is not allowed
 };
 
 /// Each throws Stop (usage).
@@ -30,7 +30,7 @@ void checkRange(const char* name, int value, int low, int high);
 void checkName(const char* option, const std::string& word, const std::vector<std::string>& names);
 void checkTime(const char* name, const std::optional<double>& time);
 
-/// Moves `texts` into `options` and checks what commands share. Throws Stop (usage).
+/// Moves `texts` into `options` and checks the options that commands share. Throws Stop (usage).
 void checkOptions(Options& options, const OptionTexts& texts);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// A whole run, whose results are worth keeping however it ends.
+/// Simulates a scene to its end. The results so far are kept if the run ends early.
 #pragma once
 #include <functional>
 
@@ -7,11 +7,11 @@
 
 namespace demos {
 
-/// Of a scene's length, one at least.
+/// The number of steps in the scene's length, at least one.
 long stepsOf(const SceneDescription& scene);
 
-/// Calls `look(step)` at time 0 and after every step. Throws Stop where the run diverges or is
-/// interrupted, after `keep()`: what was good stays readable.
+/// Calls `look(step)` at time 0 and after every step. If the run diverges or is interrupted, calls
+/// `keep()` to write the results so far, and throws Stop.
 void playThrough(Player& player, const Options& options, const std::function<void(long)>& look,
                  const std::function<void()>& keep);
 

@@ -26,7 +26,7 @@ std::vector<std::string> filesOf(const PlotOptions& options, const SceneDescript
     for (std::size_t i = 0; i < options.outputs.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (placeOf(options.outputs[k]) == placeOf(options.outputs[i]))
-                throw Stop(Exit::usage, fmt::format("two plots to '{}'; give another --output",
+                throw Stop(Exit::usage, fmt::format("two plots go to '{}'; name another --output",
                                                     printable(options.outputs[i])));
     return options.outputs;
 }
@@ -44,7 +44,7 @@ public:
         if (!captionFiles(files_, options_).empty()) checkFigure(files_, options_);
     }
 
-    /// A run that diverges is worth a look all the more.
+    /// Writes the charts even if the run diverges: they help to find out why.
     Exit play() {
         playThrough(
             player_, options_, [this](long) { recorder_.look(player_.stage()); },
@@ -75,7 +75,7 @@ private:
 
     Caption captionOf(const std::vector<Chart>& charts, PictureSize size) const {
         const Stage& stage = player_.stage();
-        std::string what;  // their titles begin with the scene's name
+        std::string what;  // the charts' titles without the scene's name
         for (const Chart& chart : charts)
             what += (what.empty() ? "" : "; ") + chart.title.substr(stage.scene.name.size() + 2);
         const long step = stage.world.report().step;
@@ -112,10 +112,10 @@ Run addPlot(CLI::App& app) {
         app.add_option(
                "--what", texts.what,
                "charts, with commas: energy penetration separation contacts impulse residual; "
-               "default: energy,penetration,separation,residual where there is something")
+               "default: those of energy,penetration,separation,residual that have data")
             ->type_name("NAMES"));
     app.add_option("--size", texts.size,
-                   "pixels, 1..16384 a side; default: 1280 wide, 360 high a chart, 720 at least")
+                   "pixels, 1..16384 a side; default: 1280 wide, 360 high per chart, at least 720")
         ->type_name("WxH");
     app.add_option("--theme", options.theme,
                    "studio, dark, print or transparent; default: the scene's")

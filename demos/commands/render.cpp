@@ -33,17 +33,19 @@ std::uint64_t bytesFrom(const std::string& given) {
     return static_cast<std::uint64_t>(number * unit);
 }
 
-/// What a film is made for: a limit of a page or a chat, a picture to show before it plays.
+/// Options for publishing a film: the size limit of a page or a chat, a picture shown before it
+/// plays.
 void addDelivery(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
     app.add_option("--max-size", texts.maxSize,
-                   "bytes a film may have, e.g. 8M (K, M, G count in thousands); exactness, then "
-                   "frames, then size are given up for it; default: no limit")
+                   "largest film in bytes, e.g. 8M (K, M, G count in thousands); to fit, quality, "
+                   "then frame rate, then picture size are reduced; default: no limit")
         ->type_name("BYTES");
     app.add_option("--poster", options.poster,
-                   "one frame as a .png of its own, patterns as above; default: not written")
+                   "write one frame as a .png, patterns as above; default: not written")
         ->type_name("FILE");
     app.add_option("--poster-time", options.posterTime,
-                   "which, in s; default: the scene's section.poster, else the middle of the film")
+                   "time of the poster in s; default: the scene's section.poster, else the middle "
+                   "of the film")
         ->type_name("S");
 }
 
@@ -73,21 +75,22 @@ Run addRender(CLI::App& app) {
     addPicture(app, options, texts);
     takesList(app.add_option(
                      "--pass", texts.passes,
-                     "data beside the PNG frames, with commas: depth depth16 normal id flow camera "
-                     "poses contacts events; described in passes.json; default: none")
+                     "data next to the PNG frames, with commas: depth depth16 normal id flow "
+                     "camera poses contacts events; described in passes.json; default: none")
                   ->type_name("NAMES"));
     CLI::Option* frames = app.add_option(
         "--frames", options.frames,
-        "which frames, with commas: 120..179, 0..-1 (to the last), 0..299:2, 20; default: all");
+        "these frames only, with commas: 120..179, 0..-1 (to the last), 0..299:2, 20; default: "
+        "all");
     frames->type_name("LIST");
     app.add_option("--shard", texts.shard,
-                   "part K of N, to be joined by impulse join: PNG frames, or a film that goes to "
-                   "NAME.parts/; what is there is not drawn again; default: the whole film")
+                   "draw part K of N, for impulse join: PNG frames, or a film in NAME.parts/; what "
+                   "exists is not drawn again; default: the whole film")
         ->type_name("K/N")
         ->excludes(frames);
     addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
-                 "say how many frames, memory and disk it takes; draw nothing; default: off");
+                 "print the frames, memory and disk space needed; draw nothing; default: off");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
         FilmOptions& given = settled(*asked, commandLine);
@@ -96,7 +99,7 @@ Run addRender(CLI::App& app) {
         if (!asked->texts.shard.empty()) given.shard = shardCalled(asked->texts.shard);
         if (!asked->texts.maxSize.empty()) given.maxSize = bytesFrom(asked->texts.maxSize);
         if (given.posterTime && given.poster.empty())
-            refuse("--poster-time belongs to --poster; name a file for it");
+            refuse("--poster-time needs --poster; name a file for the poster");
         checkTime("--poster-time", given.posterTime);
         spareScenes(given.scenes, {given.poster});
         return render(given);

@@ -9,11 +9,12 @@ void addRuns(CLI::App& app, RunsOptions& options, OptionTexts& texts) {
     addSeconds(app, options);
     addPicture(app, options, texts);
     addFigure(app, options, texts);
-    app.add_option("-t,--time", options.time, "with --width: of the figure, in s; default: the end")
+    app.add_option("-t,--time", options.time,
+                   "with --width: time of the figure in s; default: the end")
         ->type_name("S");
     addJobs(app, options);
     app.add_option("--measure", options.measure,
-                   "what to plot: drift speed penetration separation energy residual "
+                   "the measure to plot: drift speed penetration separation energy residual "
                    "sweeps ms; "
                    "default: the most telling")
         ->type_name("NAME");

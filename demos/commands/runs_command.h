@@ -1,5 +1,5 @@
-/// What `impulse compare` and `impulse sweep` take alike: several runs of one scene, as a table, as
-/// a film and as a figure.
+/// The options that `impulse compare` and `impulse sweep` share: several runs of one scene, shown
+/// as a table, a film and a figure.
 #pragma once
 #include "demos/commands/shared_options.h"
 #include "demos/comparisons/runs_options.h"

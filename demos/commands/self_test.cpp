@@ -1,4 +1,4 @@
-// impulse test --self-test: which damage to the scenes' pictures and states a test would notice.
+// impulse test --self-test: shows which damage to the scenes' pictures and states a test detects.
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the process of one scene has found.
+/// The results of the process of one scene.
 struct Findings {
     std::vector<std::string> lines, objects;  // for people, for programs
     std::string problem;                      // why the scene could not be tested; empty: it was
@@ -54,8 +54,10 @@ std::string headOf(const std::string& scene, const FilmPlan& plan) {
     std::string times;
     for (const double time : snapshot.times)
         times += (times.empty() ? "" : ", ") + numberText(time);
-    return fmt::format("{}: {}x{} at {} s; {} pixels a window and SSIM {} pass", printable(scene),
-                       plan.picture.width, plan.picture.height, times, snapshot.gate.windowPixels,
+    return fmt::format("{}: {}x{} at {} s; up to {} differing pixels per window and SSIM from {} "
+                       "pass",
+                       printable(scene), plan.picture.width, plan.picture.height, times,
+                       snapshot.gate.windowPixels,
                        numberText(snapshot.gate.ssim));
 }
 

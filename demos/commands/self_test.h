@@ -1,4 +1,4 @@
-/// `impulse test --self-test`: which damage a test would notice.
+/// `impulse test --self-test`: shows which damage a test would detect.
 #pragma once
 #include "demos/regression/test_options.h"
 #include "demos/text/stop.h"

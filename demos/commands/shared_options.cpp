@@ -16,12 +16,12 @@ void addRenderer(CLI::App& app, Options& options) {
     app.add_flag("--reproducible", options.reproducible,
                  "the same pixels on every x86-64 processor, a fifth slower; default: off");
     app.add_option("--context", options.context,
-                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+                   "source of OpenGL: osmesa, egl or auto, the first that works; default: auto")
         ->type_name("NAME");
 }
 
 void addJobs(CLI::App& app, Options& options) {
-    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one a core")
+    app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one per core")
         ->type_name("N");
 }
 
@@ -32,7 +32,8 @@ void addSceneChoice(CLI::App& app, Options& options, OptionTexts& texts) {
         ->required();
     takesAgain(
         app.add_option("--set", options.overrides,
-                       "a scene value, e.g. world.hz=240 or solver.sweeps=10; may be given again")
+                       "change a scene value, e.g. world.hz=240 or solver.sweeps=10; may be given "
+                       "again")
             ->type_name("KEY=VALUE"));
     app.add_option("--solver", texts.solver,
                    "the same as --set solver.type=NAME; default: the scene's")
@@ -40,30 +41,31 @@ void addSceneChoice(CLI::App& app, Options& options, OptionTexts& texts) {
 }
 
 void addFeedback(CLI::App& app, Options& options) {
-    app.add_flag("--quiet", options.quiet, "print errors and asked-for results only; default: off");
-    app.add_flag("--json", options.json, "one JSON object a line on standard output; default: off");
+    app.add_flag("--quiet", options.quiet, "print only errors and requested results; default: off");
+    app.add_flag("--json", options.json,
+                 "one JSON object per line on standard output; default: off");
 }
 
 void addPicture(CLI::App& app, Options& options, OptionTexts& texts) {
     app.add_option("-q,--quality", options.quality,
                    "draft 480x270 @15, low 854x480 @30, medium 1280x720 @30, high 1920x1080 @60, "
-                   "4k 3840x2160 @60, film 1280x720 @30 of 12 moments a frame; default: medium")
+                   "4k 3840x2160 @60, film 1280x720 @30, 12 moments per frame; default: medium")
         ->type_name("NAME");
     app.add_option("--size", texts.size, "pixels, 1..16384 a side; default: the quality's")
         ->type_name("WxH");
     app.add_option("--fps", options.fps,
-                   "frames a second; the scene's steps a second must be a multiple; "
+                   "frames per second; must divide the scene's steps per second; "
                    "default: the quality's")
         ->type_name("N");
     app.add_option("--samples", options.samples,
-                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: the quality's")
+                   "samples per pixel at edges: 1, 2, 4, 8 or 16; default: the quality's")
         ->type_name("N");
     app.add_option("--blur", options.blur,
-                   "moments a frame is the mean of, 1..256: motion blur, soft shadows, "
-                   "anti-aliasing; default: the quality's, 1 or 16")
+                   "moments averaged per frame, 1..256: motion blur, soft shadows, "
+                   "anti-aliasing; default: the quality's, 1 or 12")
         ->type_name("N");
     app.add_option("--shutter", options.shutter,
-                   "with --blur: how much of a frame's time the shutter is open, 0..1; "
+                   "with --blur: the share of a frame's time that the shutter is open, 0..1; "
                    "default: 0.5")
         ->type_name("S");
     takesList(app.add_option("--show", texts.show,
@@ -73,26 +75,27 @@ void addPicture(CLI::App& app, Options& options, OptionTexts& texts) {
                    "studio, dark, print or transparent; default: the scene's")
         ->type_name("NAME");
     app.add_option("--colour-by,--color-by", options.colorBy,
-                   "what colours bodies: body, speed, impulse, island, group, material or id; "
-                   "default: the scene's")
+                   "what the bodies' colours show: body, speed, impulse, island, group, material "
+                   "or id; default: the scene's")
         ->type_name("NAME");
-    app.add_flag("--clean", options.clean, "no text in the picture; default: off");
+    app.add_flag("--clean", options.clean, "draw no text into the picture; default: off");
     addRenderer(app, options);
     app.add_flag("--overwrite", options.overwrite,
-                 "replace what another run has written; default: off");
+                 "replace files of another run; default: off");
 }
 
 void addFigure(CLI::App& app, Options& options, OptionTexts& texts) {
     app.add_option("--width", texts.width,
-                   "width on paper, e.g. 85mm, 17cm, 3.35in, 241pt; a plain number is mm: type and "
-                   "lines in points, theme print unless another is chosen, a caption beside the "
-                   "file; --size then gives the ratio; default: none, for a screen")
+                   "width on paper, e.g. 85mm, 17cm, 3.35in, 241pt; a plain number is mm. Type and "
+                   "lines are then in points, the theme is print unless another is chosen, a "
+                   "caption is written next to the file, and --size gives the ratio; default: none, "
+                   "for a screen")
         ->type_name("LENGTH");
-    app.add_option("--dpi", texts.dpi, "with --width: pixels an inch, 72..2400; default: 300")
+    app.add_option("--dpi", texts.dpi, "with --width: pixels per inch, 72..2400; default: 300")
         ->type_name("N");
     app.add_option("--caption", options.caption,
-                   "a text file for the caption and the settings; default: with --width beside the "
-                   "figure, fig.png: fig.caption.txt")
+                   "a text file for the caption and the settings; default: with --width next to "
+                   "the figure (fig.caption.txt for fig.png)")
         ->type_name("FILE");
 }
 

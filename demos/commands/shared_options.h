@@ -1,5 +1,5 @@
-/// Options that several commands take, for their `add`. With the commands and program/parse.cpp the
-/// only place that knows the option parser.
+/// Options that several commands share, for their `add`. Only this file, the commands and program/
+/// know the option parser.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -11,14 +11,14 @@ namespace demos {
 
 inline constexpr int kMostScenes = 1000;
 
-/// What a command was asked for; its `add` binds the parser to it, and its Run keeps it.
+/// The values of a command's options: its `add` binds the parser to them, its Run owns them.
 template <class CommandOptions>
 struct Asked {
     CommandOptions options;
     OptionTexts texts;
 };
 
-/// The options, with everything that commands share checked. Throws Stop (usage).
+/// The options, after the checks that all commands share. Throws Stop (usage).
 template <class CommandOptions>
 CommandOptions& settled(Asked<CommandOptions>& asked, const std::string& commandLine) {
     checkOptions(asked.options, asked.texts);
@@ -28,18 +28,18 @@ CommandOptions& settled(Asked<CommandOptions>& asked, const std::string& command
     return asked.options;
 }
 
-/// An option that may be given again, a value each time.
+/// Makes an option repeatable, with one value each time.
 CLI::Option* takesAgain(CLI::Option* option);
-/// An option of several values with commas.
+/// Makes an option take several values, separated by commas.
 CLI::Option* takesList(CLI::Option* option);
 void addRenderer(CLI::App& app, Options& options);
 void addJobs(CLI::App& app, Options& options);
 
-/// The scene, and what changes its values.
+/// The scene, and the options that change its values.
 void addSceneChoice(CLI::App& app, Options& options, OptionTexts& texts);
 void addFeedback(CLI::App& app, Options& options);
 void addPicture(CLI::App& app, Options& options, OptionTexts& texts);
-/// A figure for a paper: its size there, and the caption beside it.
+/// A figure for a paper: its size on paper, and its caption.
 void addFigure(CLI::App& app, Options& options, OptionTexts& texts);
 void addSeconds(CLI::App& app, Options& options);
 

@@ -27,18 +27,18 @@ namespace {
 
 struct SimOptions : Options {
     std::string csv, bodies, joints, contacts, sweeps,
-        events;          // a file or "-"; empty = not asked for
+        events;          // a file or "-"; empty = not written
     bool exact = false;  // sweeps are compared with the direct solution
-    int every = 1;       // step that has rows
+    int every = 1;       // rows for every Nth step only
     bool hash = false;
     int hashEvery = 0;  // 0 = the last step only
     bool expect = true;
-    std::string plot;  // a file; empty = not asked for
+    std::string plot;  // a file; empty = not drawn
 };
 
 namespace fs = std::filesystem;
 
-/// What one run writes, a row per step or more.
+/// The tables that one run writes, with one row or more per step.
 struct Tables {
     Table energies, bodies, joints, contacts, sweeps;
 
@@ -109,7 +109,7 @@ void addSweeps(const Stage& stage, double time, Table& table) {
     }
 }
 
-/// Contacts and sweeps belong to a step that was taken, so none are written for time 0.
+/// Contacts and sweeps belong to a step that was taken, so time 0 has none.
 void addRows(const Stage& stage, long step, Tables& tables) {
     const double time = static_cast<double>(step) / stage.scene.hz;
     if (tables.energies.wanted()) addEnergies(stage, time, tables.energies);
@@ -143,11 +143,11 @@ bool checkTargets(const Tables& tables, const SimOptions& options) {
     const bool standard = std::find(seen.begin(), seen.end(), "-") != seen.end();
     if (!options.plot.empty()) add(options.plot, "a table and the plot");
     if (standard && options.json)
-        throw Stop(Exit::usage, "--json has standard output; write the table to a file");
+        throw Stop(Exit::usage, "--json uses standard output; write the table to a file");
     return standard;
 }
 
-/// Asked for by name, so said with --quiet too.
+/// Printed even with --quiet, because it was requested.
 void sayHash(const Stage& stage, long step, const SimOptions& options, bool dataOnStdout) {
     const std::string hash = hexText(stage.world.hash());
     if (options.json)
@@ -157,7 +157,7 @@ void sayHash(const Stage& stage, long step, const SimOptions& options, bool data
         putText(dataOnStdout ? stderr : stdout, fmt::format("step {}  state {}\n", step, hash));
 }
 
-/// False when one failed; those are errors, and said in any case.
+/// False when one failed. Failures are errors, printed even with --quiet.
 bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& scene,
                      const Talk& talk) {
     bool allPassed = true;
@@ -282,22 +282,27 @@ Run addSim(CLI::App& app) {
         app.add_option(name, file, std::string(columns) + "; default: not written")
             ->type_name("FILE|-");
     };
-    table("--csv", options.csv, "a row a step: energies (J), contacts, penetration (m), residual");
-    table("--bodies", options.bodies, "a row a step and body: position (m), rotation, velocities");
-    table("--joints", options.joints, "a row a step and joint: separation (m), force, position");
-    table("--contacts", options.contacts, "a row a contact point: where, normal, impulse (N s)");
-    table("--sweeps", options.sweeps, "a row a sweep: residual (m/s), change (N s)");
+    table("--csv", options.csv,
+          "one row per step: energies (J), contacts, penetration (m), residual");
+    table("--bodies", options.bodies,
+          "one row per step and body: position (m), rotation, velocities");
+    table("--joints", options.joints,
+          "one row per step and joint: separation (m), force, position");
+    table("--contacts", options.contacts,
+          "one row per contact point: position, normal, impulse (N s)");
+    table("--sweeps", options.sweeps, "one row per sweep: residual (m/s), change (N s)");
     table("--events", options.events, "JSON: contacts that begin and end, joints that break");
     app.add_flag("--exact", options.exact,
-                 "with --sweeps: the distance to the direct solution; slow; default: off");
-    app.add_option("--every", options.every, "rows of every Nth step only; default: 1")
+                 "with --sweeps: adds the distance to the direct solution; slow; default: off");
+    app.add_option("--every", options.every, "write rows of every Nth step only; default: 1")
         ->type_name("N");
     app.add_option("--plot", options.plot,
-                   "energy, penetration, joints and residual over time, as .svg or .png; "
+                   "charts of energy, penetration, joints and residual over time, as .svg or .png; "
                    "default: not drawn")
         ->type_name("FILE");
     app.add_flag("--hash", options.hash, "print the last step's state hash; default: off");
-    app.add_option("--hash-every", options.hashEvery, "and every Nth step's; default: 0, off")
+    app.add_option("--hash-every", options.hashEvery,
+                   "print every Nth step's state hash as well; default: 0, off")
         ->type_name("N");
     app.add_flag("--expect,!--no-expect", options.expect,
                  "check the scene's [[expect]]; default: on");
@@ -307,7 +312,7 @@ Run addSim(CLI::App& app) {
         checkRange("--every", given.every, 1, 1'000'000'000);
         checkRange("--hash-every", given.hashEvery, 0, 1'000'000'000);
         if (given.exact && given.sweeps.empty())
-            refuse("--exact belongs to --sweeps; name a file for them");
+            refuse("--exact needs --sweeps; name a file for the sweeps");
         spareScenes(given.scenes, {given.csv, given.bodies, given.joints, given.contacts,
                                    given.sweeps, given.events, given.plot});
         return sim(given);

@@ -26,21 +26,21 @@ struct SlidesOptions : Options {
     bool dryRun = false;  // say what the deck holds, draw nothing
 };
 
-constexpr std::size_t kLargePage = 50'000'000;  // bytes, which some browsers take their time for
+constexpr std::size_t kLargePage = 50'000'000;  // bytes; some browsers are slow to load more
 
-/// What a deck says itself cannot be said again for all of its slides.
+/// Refuses options that a deck sets itself, slide by slide.
 void checkDeckAlone(const std::string& deckFile, const SlidesOptions& options) {
     if (options.scenes.size() > 1)
-        refuse(fmt::format("'{}' is a deck, which is shown alone", printable(deckFile)));
+        refuse(fmt::format("'{}' is a deck; it takes no other scene or deck", printable(deckFile)));
     if (!options.overrides.empty())
-        refuse("--set belongs to scenes; a deck's slides have settings of their own");
-    if (options.seconds) refuse("--seconds belongs to scenes; a deck's slides have from and until");
+        refuse("--set is for scenes; a deck's slides have settings of their own");
+    if (options.seconds) refuse("--seconds is for scenes; a deck's slides have from and until");
 }
 
-/// As a deck may say it.
+/// The limits are those of a deck's own theme and size.
 void checkLook(const SlidesOptions& options) {
     if (options.theme == "transparent")
-        refuse("--theme transparent: slides have a ground; studio, dark or print");
+        refuse("--theme transparent: slides need a ground; use studio, dark or print");
     if (!options.size) return;
     const PictureSize size = *options.size;
     for (const int side : {size.width, size.height})
@@ -63,18 +63,18 @@ Deck deckOf(const SlidesOptions& options) {
 
 bool isPdf(const SlidesOutput& output) { return output.kind == SlidesKind::pdf; }
 
-/// Before anything is drawn: what will not be there. Stops where that is all that was asked for.
+/// Warns before drawing of PDFs that cannot be made. Throws if nothing else is requested.
 void checkBrowser(const std::vector<SlidesOutput>& outputs, const Talk& talk) {
     if (std::none_of(outputs.begin(), outputs.end(), isPdf) || !pdfBrowser().empty()) return;
     if (std::all_of(outputs.begin(), outputs.end(), isPdf))
         throw render::Error(
             "chromium is needed for a PDF; install it (apt install chromium); -o talk.html and "
-            "-o talk/ are made without it");
+            "-o talk/ work without it");
     for (const SlidesOutput& output : outputs)
         if (isPdf(output))
             talk.mention(
-                fmt::format("no chromium, which prints PDFs: apt install chromium; '{}' will not "
-                            "be made, all else is",
+                fmt::format("no chromium to print PDFs (apt install chromium): '{}' will not be "
+                            "made, all other outputs will",
                             printable(output.name)));
 }
 
@@ -97,7 +97,7 @@ public:
                 return writeFolder(output.name);
         }
     }
-    /// Of what could not be written, each once; the others are.
+    /// The errors of outputs that could not be written, without repetitions.
     const std::vector<std::string>& troubles() const { return troubles_; }
 
 private:
@@ -121,11 +121,11 @@ private:
         if (page.size() > kLargePage)
             talk_.mention(
                 fmt::format("{} is large for one page; a folder (-o talk/) loads films "
-                            "as they come",
+                            "when they are shown",
                             printable(name)));
     }
 
-    /// The others are worth having without it.
+    /// Errors are only noted: the other outputs are useful without the PDF.
     void writePdf(const std::string& name) try {
         writeSlidesPdf(deck_, name);
         std::error_code ignored;
@@ -209,7 +209,7 @@ Run addSlides(CLI::App& app) {
     takesAgain(
         app.add_option(
                "-o,--output", options.outputs,
-               ".html: one page with everything in it; .pdf: a picture a slide, by Chromium; a "
+               ".html: one page with everything in it; .pdf: one picture per slide, by Chromium; a "
                "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
                "again; default: output/<name>.html")
             ->type_name("OUT"));
@@ -217,21 +217,22 @@ Run addSlides(CLI::App& app) {
     app.add_option(
            "--size", texts.size,
            "pixels of a picture that fills a slide, even, 64..8192 a side; default: the deck's, "
-           "1280x720")
+           "else 1280x720")
         ->type_name("WxH");
-    app.add_option("--fps", options.fps, "frames a second of films; default: the deck's, 30")
+    app.add_option("--fps", options.fps, "frames per second of films; default: the deck's, else 30")
         ->type_name("N");
     app.add_option("--samples", options.samples,
-                   "samples of a pixel with an edge: 1, 2, 4, 8 or 16; default: 4")
+                   "samples per pixel at edges: 1, 2, 4, 8 or 16; default: 4")
         ->type_name("N");
-    app.add_option("--theme", options.theme, "studio, dark or print; default: the deck's, studio")
+    app.add_option("--theme", options.theme,
+                   "studio, dark or print; default: the deck's, else studio")
         ->type_name("NAME");
     addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
-                 "say what the deck holds and where it goes; draw nothing; default: off");
+                 "print what the deck holds and what would be written; draw nothing; default: off");
     addRenderer(app, options);
     app.add_flag("--overwrite", options.overwrite,
-                 "replace what is there; in a folder, what slides has made; default: off");
+                 "replace existing files; in a folder, those that slides made; default: off");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) { return slides(settled(*asked, commandLine)); };
 }
@@ -240,7 +241,7 @@ Run addSlides(CLI::App& app) {
 
 Command slidesCommand() {
     return {"slides",
-            "a talk of scenes or of a deck file: one page with films and notes, a PDF, a folder",
+            "a talk from scenes or a deck file: one page with films and notes, a PDF, a folder",
             {"impulse slides stack wall -o talk.html",
              "impulse slides talk.toml -o talk.html -o talk.pdf",
              "impulse slides talk.toml -o talk/ --theme dark --overwrite"},

@@ -20,13 +20,13 @@
 namespace demos {
 namespace {
 
-/// What `impulse still` is asked for: one frame, by its time or its number.
+/// The options of `impulse still`: one frame, by its time or its number.
 struct StillOptions : Options {
     std::optional<double> time;  // s
     std::optional<int> frame;    // negative counts from the end
 };
 
-/// Which picture: after so many steps.
+/// The moment of the picture, as a number of steps.
 struct Moment {
     int steps = 0;
     int frame = 0;      // of the film, the one shown at this time

@@ -25,7 +25,7 @@
 namespace demos {
 namespace {
 
-/// The pictures' size, or on paper their ratio.
+/// The size of each picture; on paper, only its ratio counts.
 PictureSize pictureSize(const StripOptions& options) {
     const Quality& quality = qualityOf(options.quality);
     return options.size.value_or(PictureSize{quality.width / 2, quality.height / 2});
@@ -57,7 +57,7 @@ std::string targetOf(const FilmPlan& plan, const StripOptions& options) {
     return name;
 }
 
-/// Letters on paper do not shrink; where there is no room for all, the time says enough.
+/// Type on paper keeps its size: where "t = 1.00 s" does not fit, the label is the time alone.
 void label(const StripLayout& layout, int moment, double time, const render::Color& ink,
            render::Image& paper) {
     if (layout.label == 0) return;
@@ -119,7 +119,7 @@ Exit strip(const StripOptions& options) {
     return Exit::ok;
 }
 
-/// --times, rising.
+/// Reads --times, which must increase.
 std::vector<double> timesFrom(const std::vector<std::string>& texts) {
     std::vector<double> times;
     for (const std::string& text : texts) {
@@ -130,7 +130,7 @@ std::vector<double> timesFrom(const std::vector<std::string>& texts) {
             refuse(fmt::format("--times '{}': must be times of 0 to 100000 s, with commas",
                                printable(text)));
         if (!times.empty() && time <= times.back())
-            refuse(fmt::format("--times: {} does not come after {}; the times must rise", time,
+            refuse(fmt::format("--times: {} does not come after {}; the times must increase", time,
                                times.back()));
         times.push_back(time);
     }
@@ -145,15 +145,16 @@ Run addStrip(CLI::App& app) {
     addSceneChoice(app, options, texts);
     CLI::Option* moments = app.add_option(
         "-n,--moments", options.moments,
-        "how many, 1..100, evenly from the film's first frame to its last; default: 6");
+        "number of moments, 1..100, evenly from the film's first frame to its last; default: 6");
     moments->type_name("N");
-    app.add_option("--times", texts.times, "which, in s, with commas, rising; default: evenly")
+    app.add_option("--times", texts.times,
+                   "their times in s, with commas, increasing; default: evenly spaced")
         ->type_name("S,S")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->excludes(moments);
     app.add_option("--columns", options.columns,
-                   "moments in a row; default: 0, up to six, and all rows alike")
+                   "moments per row; default: 0, up to six, rows as even as possible")
         ->type_name("N");
     app.add_option("-o,--output", options.outputs,
                    "a .png, patterns as for render, or - ; default: output/<scene>/strip.png")
@@ -163,7 +164,7 @@ Run addStrip(CLI::App& app) {
     addPicture(app, options, texts);
     app.get_option("--size")->description(
         "pixels of one picture, 1..16384 a side; default: half of the quality's");
-    app.get_option("--clean")->description("no times below the pictures; default: off");
+    app.get_option("--clean")->description("draw no times below the pictures; default: off");
     addFigure(app, options, texts);
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {

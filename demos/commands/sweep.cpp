@@ -29,7 +29,7 @@ std::vector<int> plotted(const SweepOptions& options) {
     if (!options.measure.empty()) return {measureCalled(options.measure)};
     std::vector<int> all = {measureCalled("drift"), measureCalled("penetration"),
                             measureCalled("separation"), measureCalled("residual")};
-    if (!options.width) all.push_back(measureCalled("ms"));  // no two runs take the same time
+    if (!options.width) all.push_back(measureCalled("ms"));  // varies from run to run
     return all;
 }
 
@@ -97,7 +97,8 @@ Run addSweep(CLI::App& app) {
     app.add_option("--over", options.over,
                    "a setting and its values: KEY=1,4,16 or a range: 1..64, 1..64:x2, 0..1:0.25")
         ->type_name("KEY=RANGE");
-    app.add_option("--csv", options.csv, "a row a value, all measures; default: not written")
+    app.add_option("--csv", options.csv,
+                   "one row per value, with all measures; default: not written")
         ->type_name("FILE|-");
     app.add_option("--plot", options.plot,
                    "the measures over the values, as .svg or .png; default: not drawn")
@@ -105,7 +106,7 @@ Run addSweep(CLI::App& app) {
     takesAgain(
         app.add_option(
                "-o,--output", options.outputs,
-               "a grid of up to 16 of the runs as a film, as for render, with --width as one "
+               "a film of up to 16 of the runs in a grid, as for render; with --width, one "
                ".png; default: none")
             ->type_name("OUT"));
     return [asked](const std::string& commandLine) {

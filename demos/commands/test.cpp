@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The results may not take the place of the baselines: a test clears what it left before.
+/// Refuses to write results over the baselines: a test deletes the results of the test before.
 void checkApart(const SceneChoice& choice, const fs::path& results) {
     std::error_code ignored;
     for (const ChosenScene& scene : choice.scenes) {
@@ -44,7 +44,7 @@ void checkApart(const SceneChoice& choice, const fs::path& results) {
     }
 }
 
-/// Of a process that did not come to its end.
+/// The verdict on a scene whose process ended early.
 SceneVerdict crashed(const ChosenScene& scene, const std::string& how) {
     SceneVerdict verdict;
     verdict.name = scene.name;
@@ -80,8 +80,8 @@ public:
                 count, workerCount(options_.jobs, count), [this](int i) { return tested(i); },
                 [this](int i, const PoolResult& result) { take(i, result); });
         } catch (const Stop& stop) {
-            cache_.write();  // what has passed need not be played again
-            throw Stop(stop.code(), fmt::format("{} scenes; to go on: {}", stop.what(),
+            cache_.write();  // scenes that passed need not run again
+            throw Stop(stop.code(), fmt::format("{} scenes; to resume: {}", stop.what(),
                                                 options_.commandLine));
         }
         return finish();
@@ -97,7 +97,7 @@ private:
         talk_.json(fmt::format(R"({{"event":"start","scenes":{}}})", choice_.scenes.size()));
     }
 
-    /// In the scene's own process.
+    /// Runs in the scene's own process.
     std::string tested(int i) const {
         const SceneTested tested = testScene(choice_.scenes[i], run_);
         const Json json{{"verdict", jsonOf(tested.verdict)},
@@ -113,7 +113,7 @@ private:
         tell(verdict_.scenes.back());
     }
 
-    /// What `tested` has sent; one that passed is known from now on.
+    /// The verdict that `tested` sent; a scene that passed goes into the cache.
     SceneVerdict received(const std::string& text) {
         const Json json = Json::parse(text);
         SceneVerdict verdict = sceneVerdictFrom(json.at("verdict"));
@@ -122,7 +122,7 @@ private:
         return verdict;
     }
 
-    /// What failed is reported with --quiet too, and where errors go.
+    /// Failures are reported even with --quiet, on standard error.
     void tell(const SceneVerdict& scene) const {
         Json event = jsonOf(scene);
         event["event"] = "scene";
@@ -143,7 +143,7 @@ private:
         writeReport(verdict_, options_, results_);
         const std::string page = (results_ / "report.html").string();
         for (const std::string& orphan : verdict_.orphans)
-            talk_.say(fmt::format("{} is of no scene; impulse approve --prune removes it",
+            talk_.say(fmt::format("{} belongs to no scene; impulse approve --prune removes it",
                                   printable(orphan)));
         talk_.say(summaryOf(verdict_));
         talk_.say("wrote " + printable(page) + ", report.json, junit.xml");
@@ -157,7 +157,7 @@ private:
         if (!verdict_.passed()) return "next: look at " + printable(page);
         if (verdict_.count(SceneVerdict::State::added) > 0)
             return "next: look at the new pictures, and commit them with their baseline.json";
-        return "next: impulse test --self-test tells which damage this would notice";
+        return "next: impulse test --self-test shows which damage a test would detect";
     }
 
     const TestOptions& options_;
@@ -182,7 +182,7 @@ Run addTest(CLI::App& app) {
         ->description(
             "built-in scenes, scene files or folders of them; default: all built-in ones");
     app.add_option("--baselines", options.baselines,
-                   "the folder of all NAME.snapshots; default: beside each scene file, and "
+                   "the folder of all NAME.snapshots; default: next to each scene file, and "
                    "snapshots/ for built-in scenes")
         ->type_name("DIR");
     app.add_option("-o,--output", options.outputs,
@@ -190,18 +190,18 @@ Run addTest(CLI::App& app) {
         ->type_name("DIR")
         ->expected(1);
     app.add_option("--update", options.update,
-                   "which baselines are written: missing, changed (and missing), all or none; "
-                   "default: missing, and none where CI=true; with none a missing one fails")
+                   "which baselines to write: missing, changed (and missing), all or none; "
+                   "default: missing, or none if CI=true; with none, a missing baseline fails")
         ->type_name("WHICH");
     app.add_flag("--cache,!--no-cache", options.cache,
-                 "leave out what has passed and not changed since; default: on");
+                 "skip scenes that passed and have not changed since; default: on");
     app.add_flag("--self-test", options.selfTest,
-                 "damage every picture on purpose and tell what would be noticed; default: off");
+                 "damage every picture on purpose and show what would be detected; default: off");
     app.add_option("--size", texts.size,
                    "pixels, 1..16384 a side; default: the scene's [snapshot] size")
         ->type_name("WxH");
     addRenderer(app, options);
-    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one a core")
+    app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one per core")
         ->type_name("N");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
@@ -216,7 +216,7 @@ Run addTest(CLI::App& app) {
 
 Command testCommand() {
     return {"test",
-            "pictures, states and expectations of scenes against their baselines",
+            "check pictures, states and expectations of scenes against their baselines",
             {"impulse test", "impulse test scenes/ --baselines snapshots -o results",
              "impulse test my.toml --self-test"},
             addTest};

@@ -29,7 +29,7 @@ namespace demos {
 namespace {
 
 struct WatchOptions : Options {
-    bool once = false;  // one draft, then the end
+    bool once = false;  // make one draft and exit
 };
 
 namespace fs = std::filesystem;
@@ -58,17 +58,18 @@ public:
         watchSignals();
         if (options_.theme == "transparent")
             throw Stop(Exit::usage,
-                       "--theme transparent: a draft holds no alpha; leave it out, or film it: "
+                       "--theme transparent: a draft has no alpha; leave it out, or make a film: "
                        "impulse render -o FILE.webm");
         if (!drafts_.places().films)
-            talk_.mention("ffmpeg is not installed: PNG frames and a strip; with it a film");
+            talk_.mention(
+                "ffmpeg is not installed: drafts are PNG frames and a strip instead of a film");
         if (options_.once) return makeDraft();
         if (isBuiltin(options_.scene()))
             throw Stop(Exit::usage,
-                       fmt::format("'{0}' is built in and does not change; watch a file of yours "
-                                   "(impulse list {0} --print > {0}.toml), or give --once",
+                       fmt::format("'{0}' is built in and does not change; watch a file of your "
+                                   "own (impulse list {0} --print > {0}.toml), or give --once",
                                    options_.scene()));
-        if (!fs::exists(options_.scene())) loadScene(options_.scene());  // tells why not
+        if (!fs::exists(options_.scene())) loadScene(options_.scene());  // throws the reason
         files_.emplace(DraftPlaces::names());
         files_->watch({options_.scene()});
         return goOn();
@@ -81,14 +82,14 @@ private:
             if (interrupted()) return Exit::interrupted;
             if (first) tellWatched();
             std::fflush(stdout);
-            // What an error names may be a file that is not known to be read.
+            // An error may name a file that is not watched yet.
             const auto which =
                 errors_.empty() ? FileWatch::Which::files : FileWatch::Which::anyBeside;
             if (!files_->wait(which)) return Exit::interrupted;
         }
     }
 
-    /// What goes wrong is reported, and mended by the next save.
+    /// Errors are reported; the next save may fix them.
     void attempt(bool first) {
         try {
             if (!first && !fs::exists(options_.scene()))
@@ -104,7 +105,7 @@ private:
         }
     }
 
-    /// Told with --quiet too; not again while they are the same.
+    /// Printed even with --quiet, but not again while they stay the same.
     void tellErrors(const std::vector<std::string>& lines) {
         if (lines == errors_) return;
         errors_ = lines;
@@ -141,7 +142,7 @@ private:
         return draft.failed.empty() ? Exit::ok : Exit::failed;
     }
 
-    /// The scene is read until all of its files are watched before they are read.
+    /// Reads the scene until all of its files were watched before they were read.
     Options optionsOfDraft() {
         SceneDescription scene = loadScene(options_.scene(), options_.overrides);
         while (files_ && files_->watch(filesOf(scene)))
@@ -183,7 +184,7 @@ Run addWatch(CLI::App& app) {
     auto& texts = asked->texts;
     addSceneChoice(app, options, texts);
     app.add_flag("--once", options.once,
-                 "one draft, then the end; default: off, until Ctrl-C (130)");
+                 "make one draft and exit; default: off, until Ctrl-C (exit code 130)");
     app.add_option("-o,--output", options.outputs,
                    "a folder for draft.mp4 and draft.png; default: output/<scene>")
         ->type_name("DIR")
@@ -198,10 +199,10 @@ Run addWatch(CLI::App& app) {
     app.add_option("--theme", options.theme, "studio, dark or print; default: the scene's")
         ->type_name("NAME");
     app.add_option("--colour-by,--color-by", options.colorBy,
-                   "what colours bodies, see impulse render --help; default: the scene's")
+                   "what the bodies' colours show, see impulse render --help; default: the scene's")
         ->type_name("NAME");
     app.add_option("--context", options.context,
-                   "what gives OpenGL: osmesa, egl or auto, the first that works; default: auto")
+                   "source of OpenGL: osmesa, egl or auto, the first that works; default: auto")
         ->type_name("NAME");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) { return watch(settled(*asked, commandLine)); };
@@ -211,7 +212,7 @@ Run addWatch(CLI::App& app) {
 
 Command watchCommand() {
     return {"watch",
-            "a draft of a scene file whenever it is saved: what changed is drawn again",
+            "draw a draft of a scene file whenever it is saved; only what changed is drawn again",
             {"impulse watch my.toml", "impulse watch my.toml --show contacts --seconds 3",
              "impulse watch stack --once"},
             addWatch};

@@ -48,7 +48,7 @@ std::pair<std::string, std::vector<std::string>> caseFrom(const std::string& tex
 Comparing comparingOf(const CompareOptions& options) {
     if (const Comparison* comparison = comparisonCalled(options.scene())) {
         if (!options.vary.empty() || !options.cases.empty())
-            throw Stop(Exit::usage, fmt::format("'{}' is a comparison of its own; for --vary and "
+            throw Stop(Exit::usage, fmt::format("'{}' is a built-in comparison; for --vary and "
                                                 "--case name a scene",
                                                 comparison->name));
         return comparingOf(*comparison, options);
@@ -70,7 +70,7 @@ Comparing comparingOf(const CompareOptions& options) {
     if (settings.size() < 2 || settings.size() > kMostCompared)
         throw Stop(Exit::usage,
                    fmt::format("{} to compare; give two to four, for example --vary "
-                               "solver.sweeps=1,4,16; built in: see impulse compare --list",
+                               "solver.sweeps=1,4,16; built-in ones: impulse compare --list",
                                settings.size()));
     plan.variants =
         variantsOf(options, settings, labels, options.vary.empty() ? "--case" : "--vary");

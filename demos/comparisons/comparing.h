@@ -8,14 +8,14 @@
 
 namespace demos {
 
-/// Side by side in one film.
+/// The most variants side by side in one film.
 inline constexpr std::size_t kMostCompared = 4;
 
 struct CompareOptions : RunsOptions {
     std::vector<std::string> vary, cases;  // KEY=VALUE,VALUE... | LABEL: KEY=VALUE KEY=VALUE
     bool film = true;                      // draw it
     bool strip = true;                     // a plot below the pictures
-    bool listOnly = false;                 // the built-in ones
+    bool listOnly = false;                 // list the built-in ones
 };
 
 struct Comparing {

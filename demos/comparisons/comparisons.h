@@ -1,4 +1,4 @@
-/// The comparisons that make the seeds' points, by name: impulse compare clamping
+/// The built-in comparisons, by name: impulse compare clamping
 #pragma once
 #include <string>
 #include <vector>
@@ -14,12 +14,12 @@ struct Comparison {
     const char* point;  // what one should see
     const char* scene;
     double seconds;    // of the film
-    const char* plot;  // a measure (report/summary.h)
+    const char* plot;  // a measure (measures/summary.h)
     std::vector<Case> cases;
 };
 
 const std::vector<Comparison>& builtinComparisons();
-/// Null when there is none of this name.
+/// Null if there is none of this name.
 const Comparison* comparisonCalled(const std::string& name);
 
 }  // namespace demos

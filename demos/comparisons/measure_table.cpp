@@ -15,7 +15,7 @@ namespace {
 
 std::string shortText(double value) { return fmt::format("{:.4g}", value); }
 
-/// Lengths are told in mm: a separation of 3e-05 m says less than one of 0.03 mm.
+/// Lengths are shown in mm: 0.03 mm is easier to read than 3e-05 m.
 struct Unit {
     double scale;
     std::string name;
@@ -49,13 +49,14 @@ double numberOf(const std::string& text) {
     return got.ptr == end ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// What stands behind the '=' of the run's last setting.
+/// The text after the '=' of the run's last setting.
 std::string valueOf(const Measured& run) {
     const std::string& setting = run.variant.settings.back();
     return setting.substr(setting.find('=') + 1);
 }
 
-/// Each so many times the one before, over more than a few: a range of factors.
+/// Whether each value is the same multiple of the one before it, and the last at least 4 times the
+/// first.
 bool isGeometric(const std::vector<double>& x) {
     if (x.size() < 3 || !(x[0] > 0.0) || !(x[1] >= 1.2 * x[0])) return false;
     const double factor = x[1] / x[0];
@@ -64,7 +65,7 @@ bool isGeometric(const std::vector<double>& x) {
     return x.back() >= 4.0 * x.front();
 }
 
-/// Numbers where all values are numbers, else places in a row of names.
+/// The values if all are numbers, else their places in a row of names.
 void setValues(const std::vector<Measured>& runs, Chart& chart, Series& series) {
     for (const Measured& run : runs) series.x.push_back(numberOf(valueOf(run)));
     const bool numbers =

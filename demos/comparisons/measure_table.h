@@ -1,4 +1,4 @@
-/// The measures of several runs as a table: for eyes, as JSON lines, as CSV, and as charts.
+/// The measures of several runs: as a table of text, as JSON lines, as CSV and as charts.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,18 +14,18 @@ struct Measured {
     Summary summary;
 };
 
-/// Numbers as text, four digits, their units in the head.
+/// Numbers as text with four digits; their units are in the head.
 struct MeasureCells {
     std::vector<int> measures;  // in measures(): those that are not 0 in all runs
     std::vector<std::string> head;
-    std::vector<std::vector<std::string>> rows;  // a row a run
+    std::vector<std::vector<std::string>> rows;  // one row per run
 };
 MeasureCells cellsOf(const std::vector<Measured>& runs);
 
 /// A line per run; measures that are 0 in all runs are left out.
 std::string tableText(const std::vector<Measured>& runs);
 
-/// An object on a line: label, settings, measures, how it diverged or null.
+/// A JSON object on one line: label, settings, measures, how it diverged or null.
 std::string jsonLine(const Measured& run);
 
 /// A row per run: the swept values, then every measure.
@@ -34,7 +34,8 @@ std::string csvText(const std::vector<Measured>& runs, const std::string& key);
 /// The measure over time, a line per run.
 Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title);
 
-/// The measure over the swept value: numbers, by factors on a log axis, or names.
+/// The measure over the swept value: numbers (on a log axis if each is a multiple of the last) or
+/// names.
 Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key);
 
 }  // namespace demos

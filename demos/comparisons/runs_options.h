@@ -10,8 +10,8 @@ namespace demos {
 
 struct RunsOptions : FilmOptions {
     std::optional<double> time;  // s, of the figure
-    std::string measure;         // to plot; empty = the most telling
-    std::string plot;            // a file; empty = not asked for
+    std::string measure;         // to plot; empty = the command's choice
+    std::string plot;            // a file; empty = none
 };
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// What `impulse sweep` goes through.
+/// The runs of `impulse sweep`.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,18 +10,18 @@ namespace demos {
 
 struct SweepOptions : RunsOptions {
     std::string over;  // KEY=FROM..TO
-    std::string csv;   // a file or "-"; empty = not asked for
+    std::string csv;   // a file or "-"; empty = none
 };
 
 struct Sweeping {
     std::string key;                // the setting that changes
-    std::vector<Variant> variants;  // one a value
+    std::vector<Variant> variants;  // one per value
 };
 
 /// options.over. Throws Stop (usage), SceneError.
 Sweeping sweepingOf(const SweepOptions& options);
 
-/// At most 16 of them, the first and the last among them.
+/// At most 16 of them, evenly spread, with the first and the last.
 std::vector<Variant> spread(const std::vector<Variant>& variants);
 
 }  // namespace demos

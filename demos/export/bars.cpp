@@ -31,7 +31,7 @@ float radiusOf(const JointBar& bar) {
                           : coilWire(static_cast<float>(bar.rest));
 }
 
-/// From the pose before by the least turn, so that the bar does not twist on its way.
+/// The pose before, turned as little as possible, so that the bar does not twist over time.
 engine::Pose poseOf(const render::Vec3& from, const render::Vec3& to, const engine::Pose& before) {
     const Vec3 way = (to - from).cast<double>();
     const Vec3 axis = before.rotation * Vec3::UnitY();
@@ -39,7 +39,7 @@ engine::Pose poseOf(const render::Vec3& from, const render::Vec3& to, const engi
             (render::shortestTurn<double>(axis, way) * before.rotation).normalized()};
 }
 
-/// Where a bar is in a frame; before it is first seen it waits there, without a size.
+/// A bar's pose in a frame; before the bar is first seen it is there with size 0.
 void place(const JointBar& bar, const Recording& recording, std::size_t number, BarMotion& motion) {
     const RecordedFrame& frame = recording.frames[number];
     const render::Vec3 from = endOf(frame, bar.a, bar.atA), to = endOf(frame, bar.b, bar.atB);

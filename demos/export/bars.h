@@ -1,4 +1,4 @@
-/// Joints as they are drawn, in bars that keep their numbers from frame to frame.
+/// Joints as drawn: bars that keep their numbers from frame to frame.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,9 +9,9 @@ namespace demos {
 
 /// One bar through all frames: a cylinder along its own y.
 struct BarMotion {
-    std::string name;                 // of its joint, and a number
-    std::vector<engine::Pose> poses;  // m, of its middle; where it is gone, as before
-    std::vector<render::Vec3> sizes;  // m: radius, half length, radius; zero where it is gone
+    std::string name;                 // its joint's name and a number
+    std::vector<engine::Pose> poses;  // m, of its middle; the last one while it is gone
+    std::vector<render::Vec3> sizes;  // m: radius, half length, radius; zero while it is gone
 };
 
 /// In the order of joints, then of springs that are forces; a coil is one bar, as thick as its wire.

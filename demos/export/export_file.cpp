@@ -20,16 +20,16 @@ constexpr std::pair<const char*, ExportKind> kEndings[] = {{".glb", ExportKind::
                                                            {".html", ExportKind::replay}};
 
 ExportFile fileOf(const std::string& name) {
-    if (name.find('\0') != std::string::npos) refuseOutput(name, "a name holds no NUL");
+    if (name.find('\0') != std::string::npos) refuseOutput(name, "a name cannot contain NUL");
     for (const auto& [ending, kind] : kEndings)
         if (name.ends_with(ending)) return {kind, name};
     refuseOutput(name, "the ending says what is written; known are: .glb .csv .npz .json .html");
 }
 
-/// What a model is made of besides its own file.
+/// Refuses to overwrite a file that the scene reads.
 void spareSources(const std::string& name, const SceneDescription& scene) {
     for (const std::string& source : scene.files) {
-        std::error_code neither;  // one of them is no file
+        std::error_code neither;  // one of them may not exist
         if (std::filesystem::equivalent(name, source, neither))
             refuseOutput(name, "the scene reads this file; write to another one");
     }

@@ -1,4 +1,4 @@
-/// Where a run goes: the ending of a file picks what is written.
+/// The files of an export: the ending of a name selects the format.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -17,16 +17,16 @@ struct ExportFile {
     std::string name;
 };
 
-/// Those of -o, or the default. Throws Stop (usage, wouldOverwrite) or render::Error for what
-/// cannot be written, or twice to one place.
+/// The files of -o, or the default. Throws Stop (usage, wouldOverwrite) or render::Error for a file
+/// that cannot be written or is given twice.
 std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescription& scene);
 
 struct WrittenExport {
     std::size_t bytes = 0;
-    std::string left;  // what a replay had to leave out, for a line on the screen; empty: nothing
+    std::string left;  // what a replay had to leave out, to be reported; empty: nothing
 };
 
-/// Whole or not at all. `stage`: whose run it is. Throws render::Error.
+/// Writes the file completely or not at all. `stage`: of the run. Throws render::Error.
 WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording,
                           render::Existing existing);
 

@@ -26,7 +26,7 @@ const char* nameOf(GlbType type) {
 
 std::uint32_t sizeInGlb(std::size_t size) {
     if (size > std::numeric_limits<std::uint32_t>::max())
-        throw render::Error("a .glb of more than 4 GiB; fewer frames (--fps, --seconds) fit");
+        throw render::Error("a .glb cannot exceed 4 GiB; use fewer frames (--fps, --seconds)");
     return static_cast<std::uint32_t>(size);
 }
 
@@ -43,7 +43,7 @@ void addChunk(std::vector<std::uint8_t>& out, std::uint32_t type,
 }  // namespace
 
 int GlbBuffer::addView(std::span<const std::byte> bytes, int target) {
-    bytes_.resize((bytes_.size() + 3) / 4 * 4);  // an accessor begins at a multiple of its number
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);  // accessors must be aligned to their components
     GlbJson& view = views_.emplace_back();
     view = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
     if (target != kNoTarget) view["target"] = target;
@@ -89,7 +89,7 @@ int GlbBuffer::addNormals(std::span<const float> values) {
     return addFloats(values, GlbType::vec3, kVertices, false);
 }
 
-/// The largest 16-bit number is not to be used (3.7.2.1).
+/// The largest 16-bit number must not be used as an index (3.7.2.1).
 int GlbBuffer::addCorners(std::span<const std::uint32_t> corners, std::size_t vertices) {
     if (vertices > std::numeric_limits<std::uint16_t>::max())
         return addAccessor(addView(std::as_bytes(corners), kCorners), kUnsigned32, corners.size(),
@@ -102,7 +102,7 @@ int GlbBuffer::addCorners(std::span<const std::uint32_t> corners, std::size_t ve
 std::vector<std::uint8_t> GlbBuffer::file(GlbJson json) const {
     constexpr std::uint32_t kMagic = 0x46546c67, kVersion2 = 2, kHeader = 12;
     constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
-    if (!bytes_.empty()) {  // the format knows no empty ones
+    if (!bytes_.empty()) {  // the format allows no empty lists
         json["accessors"] = accessors_;
         json["bufferViews"] = views_;
         json["buffers"] = {{{"byteLength", bytes_.size()}}};

@@ -1,4 +1,4 @@
-/// The binary part of a .glb, and the lists of its JSON that say what lies where.
+/// The binary part of a .glb, and the lists of its JSON that describe the layout.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -17,19 +17,19 @@ enum class GlbType { scalar, vec3, vec4 };
 class GlbBuffer {
 public:
     GlbBuffer() = default;
-    GlbBuffer(const GlbBuffer&) = delete;  // others hold on to it
+    GlbBuffer(const GlbBuffer&) = delete;  // others keep references to it
     GlbBuffer& operator=(const GlbBuffer&) = delete;
 
-    /// Each returns the number of an accessor. Of an animation; times have their least and largest.
+    /// Each returns an accessor's number. For an animation; times have minimum and maximum.
     int addKeys(std::span<const float> values, GlbType type);
-    /// Of vertices: positions have their least and largest, normals need none.
+    /// For vertices: positions have minimum and maximum, normals need none.
     int addPositions(std::span<const float> values);
     int addNormals(std::span<const float> values);
-    /// Corners of triangles, of so many vertices.
+    /// Corners of triangles, of `vertices` vertices.
     int addCorners(std::span<const std::uint32_t> corners, std::size_t vertices);
 
     /// The whole file: `json` with `accessors`, `bufferViews` and `buffers` added. Throws
-    /// render::Error where it would be too large for the format.
+    /// render::Error if it would be too large for the format.
     std::vector<std::uint8_t> file(GlbJson json) const;
 
 private:

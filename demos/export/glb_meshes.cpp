@@ -7,7 +7,7 @@
 namespace demos {
 
 int GlbMeshes::materialOf(const render::Color& color) {
-    constexpr float kRoughness = 0.6f;  // between paint and plastic, as the renderer's light
+    constexpr float kRoughness = 0.6f;  // between paint and plastic, like the renderer's
     const auto [place, isNew] = byColor_.try_emplace({color.r, color.g, color.b, color.a},
                                                      static_cast<int>(materials_.size()));
     if (!isNew) return place->second;

@@ -1,4 +1,4 @@
-/// Materials and meshes of a .glb, each once: what has the same triangles shares them.
+/// Materials and meshes of a .glb, each once: equal triangles are shared.
 #pragma once
 #include <map>
 #include <utility>
@@ -12,12 +12,12 @@ class GlbMeshes {
 public:
     explicit GlbMeshes(GlbBuffer& buffer) : buffer_(buffer) {}
 
-    /// The number of a material; see-through where the colour is.
+    /// The number of a material, translucent if the colour is.
     int materialOf(const render::Color& color);
     /// The number of a mesh.
     int meshOf(const Triangles& triangles, int material);
 
-    /// What a file's `materials` and `meshes` are.
+    /// A file's `materials` and `meshes`.
     const GlbJson& materials() const { return materials_; }
     const GlbJson& meshes() const { return meshes_; }
 

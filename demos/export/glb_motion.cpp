@@ -5,13 +5,13 @@
 namespace demos {
 namespace {
 
-/// q and -q turn alike, but a viewer that goes from one to the other turns a body round.
+/// q and -q are the same rotation, but interpolating between them would turn the body.
 void makeContinuous(std::vector<GlbPose>& poses) {
     for (std::size_t i = 1; i < poses.size(); ++i)
         if (poses[i].rotation.dot(poses[i - 1].rotation) < 0.0f) poses[i].rotation *= -1.0f;
 }
 
-/// What `of` gives of each; empty where all are the same.
+/// The values of `of` for all items; empty if all are the same.
 template <class Item, class Of>
 std::vector<float> changing(const std::vector<Item>& items, Of of) {
     std::vector<float> values;

@@ -1,4 +1,4 @@
-/// The animation of a .glb: where nodes are at the times of the frames.
+/// The animation of a .glb: the poses of nodes at the times of the frames.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace demos {
 
-/// What a file says of a place: floats, the rotation (x, y, z, w) of length 1.
+/// A pose as in the file: floats, the rotation (x, y, z, w) of length 1.
 struct GlbPose {
     Eigen::Vector3f translation{0, 0, 0};  // m
     Eigen::Vector4f rotation{0, 0, 0, 1};
@@ -16,15 +16,15 @@ GlbPose glbPoseOf(const engine::Pose& pose);
 
 class GlbMotion {
 public:
-    /// `times`: s, rising; of every channel.
+    /// `times`: s, ascending; for every channel.
     GlbMotion(std::vector<float> times, GlbBuffer& buffer)
         : times_(std::move(times)), buffer_(buffer) {}
 
-    /// Where a node is at every time. What stays as it is gets no channel.
+    /// A node's pose at every time. A value that does not change gets no channel.
     void add(int node, std::vector<GlbPose> poses);
-    /// How large it is, likewise.
+    /// Its scale, likewise.
     void addScales(int node, const std::vector<Eigen::Vector3f>& scales);
-    /// A file's `animations`; empty where nothing moves.
+    /// A file's `animations`; empty if nothing moves.
     GlbJson animations() const;
 
 private:

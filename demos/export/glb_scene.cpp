@@ -1,4 +1,5 @@
-// glTF looks along -z of a camera's and a light's node; both come out of their axes in the world.
+// In glTF a camera and a light look along -z of their node; the poses here come from their axes in
+// the world.
 #include "demos/export/glb_scene.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double kGroundHalf = 20.0;  // m
 constexpr float kAspect = 16.0f / 9;  // of every quality's picture
-constexpr float kSunLux = 3.0f;       // white in viewers that do without an exposure
+constexpr float kSunLux = 3.0f;       // white in viewers without an exposure
 
 GlbJson numbersOf(const auto& v) {
     GlbJson list = GlbJson::array();
@@ -25,7 +26,7 @@ GlbJson numbersOf(const auto& v) {
     return list;
 }
 
-/// What is as glTF takes it anyway is left out.
+/// Leaves out glTF's default values.
 GlbJson nodeOf(const std::string& name, const GlbPose& pose,
                const render::Vec3& scale = render::Vec3::Ones()) {
     GlbJson node;
@@ -79,7 +80,7 @@ public:
         for (const auto& [key, list] :
              {std::pair("materials", &meshes_.materials()), std::pair("meshes", &meshes_.meshes()),
               std::pair("animations", &animations)})
-            if (!list->empty()) json[key] = *list;  // the format knows no empty lists
+            if (!list->empty()) json[key] = *list;  // the format allows no empty lists
         return buffer_.file(std::move(json));
     }
 
@@ -119,7 +120,7 @@ private:
                 render::Vec3(kGroundHalf, 1.0f, kGroundHalf)};
     }
 
-    /// What is one piece in the body's own axes is the body's node; otherwise a child a piece.
+    /// A single part in the body's own axes is in the body's node; otherwise each part is a child.
     void addBody(std::size_t body) {
         const std::string& name = run_.bodies[body].name;
         std::vector<GlbPose> poses;
@@ -150,7 +151,7 @@ private:
         motion_.addScales(number, bar.sizes);
     }
 
-    /// The angle of view cannot be animated: it is the one of time 0.
+    /// The angle of view cannot be animated: it is that of time 0.
     void addCamera() {
         std::vector<GlbPose> poses;
         float nearest = 1e9f, farthest = 0.0f;  // m

@@ -7,9 +7,8 @@
 
 namespace demos {
 
-/// A node a body, with its name; grounds as squares of 40 m; the camera and the sun. Bodies and
-/// camera move as in the frames, straight from one to the next. Throws render::Error where it would
-/// have more than 4 GiB.
+/// One node per body, with its name; grounds as squares of 40 m; the camera and the sun. Bodies and
+/// camera move as in the frames, linearly between them. Throws render::Error above 4 GiB.
 std::vector<std::uint8_t> glbOf(const Recording& recording);
 
 }  // namespace demos

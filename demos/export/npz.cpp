@@ -1,4 +1,4 @@
-// An .npy is a line of Python that tells type and shape, and the numbers as they lie in memory
+// An .npy is a line of Python with type and shape, and the numbers as they are in memory
 // (numpy/lib/format.py, version 1.0); an .npz is a ZIP of them.
 #include "demos/export/npz.h"
 
@@ -15,7 +15,7 @@
 namespace demos {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "arrays are told to be little-endian");
+static_assert(std::endian::native == std::endian::little, "arrays are declared little-endian");
 
 using Shape = std::vector<std::size_t>;
 
@@ -51,7 +51,7 @@ public:
     void add(const std::string& name, const Shape& shape, const std::vector<std::int64_t>& values) {
         add(name, "<i8", shape, std::as_bytes(std::span(values)));
     }
-    /// Four bytes a letter, all as long as the longest.
+    /// Four bytes per letter; all texts are as long as the longest.
     void add(const std::string& name, const std::vector<std::string>& texts) {
         std::size_t longest = 1;
         for (const std::string& text : texts)
@@ -95,7 +95,7 @@ void addMotions(const Recording& recording, std::size_t bodies, Arrays& arrays) 
     arrays.add("spin", {frames, bodies, 3}, spins);
 }
 
-/// One row a point, all frames below each other: their number differs from frame to frame.
+/// One row per point, for all frames one after the other: each frame has its own number of points.
 void addContacts(const Recording& recording, std::size_t bodyCount, Arrays& arrays) {
     std::vector<std::int64_t> frames, bodies;
     std::vector<double> positions, normals, penetrations, impulses, frictions;

@@ -1,4 +1,4 @@
-/// Poses and velocities as a table, a row a time and body: of `impulse export` and `impulse sim`.
+/// Poses and velocities as a table, one row per time and body: for `impulse export` and `sim`.
 #pragma once
 #include "demos/export/recording.h"
 #include "demos/text/table.h"

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-/// A file has one colour a body: what changes with the run leaves bodies their own.
+/// A file has one colour per body: where colours would change in the run, bodies have their own.
 Overlays lasting(Overlays overlays) {
     for (const char* changing : {"speed", "impulse", "island"})
         if (overlays.colorBy == changing) overlays.colorBy = "body";

@@ -1,5 +1,5 @@
-/// A run as plain values, sampled at the frames of its film and once more at its end: what every
-/// file of `impulse export` is made of.
+/// A run as plain values, sampled at the frames of its film and once more at its end: the source of
+/// every file of `impulse export`.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,24 +14,24 @@
 
 namespace demos {
 
-/// What a body looks like as long as it is there.
+/// A body's properties that do not change.
 struct RecordedBody {
     std::string name;
     render::Color color;           // as drawn at time 0; translucent: a sensor
-    std::vector<DrawnPart> parts;  // none: a plane, which is in Recording::grounds too
-    Vec3 plane{0, 0, 0};           // unit, in its axes: the normal of a plane
+    std::vector<DrawnPart> parts;  // empty: a plane, which is also in Recording::grounds
+    Vec3 plane{0, 0, 0};           // unit, in its axes: a plane's normal
     double mass = 0.0;             // kg; 0: not dynamic
 };
 
 /// A joint's two anchors.
 struct RecordedJoint {
     std::string name;
-    int a = -1, b = -1;               // places of bodies; -1: the world
+    int a = -1, b = -1;               // indices of bodies; -1: the world
     Vec3 atA{0, 0, 0}, atB{0, 0, 0};  // m, in a's and in b's body axes
-    int frames = 0;                   // that it is there for; later it is removed or broken
+    int frames = 0;                   // for which it exists; later it is removed or broken
 };
 
-/// How a body is and goes on at one time.
+/// A body's state at one time.
 struct BodyMotion {
     engine::Pose pose;             // m
     Vec3 velocity = Vec3::Zero();  // m/s
@@ -41,9 +41,9 @@ BodyMotion motionOf(const Stage& stage, std::size_t body);
 
 struct RecordedFrame {
     double time = 0.0;                           // s
-    std::vector<BodyMotion> bodies;              // by place in Recording::bodies
+    std::vector<BodyMotion> bodies;              // by index in Recording::bodies
     std::vector<engine::ContactState> contacts;  // of the step that ends here; none at time 0
-    std::vector<JointBar> bars;                  // of joints that are there, as they stand here
+    std::vector<JointBar> bars;                  // of the joints that exist, as they are here
     Measures measures;
     render::Camera camera;
     int shot = 0;              // frames of the same number have no cut between them
@@ -53,28 +53,28 @@ struct RecordedFrame {
 struct Recording {
     std::string name, title;
     double framesASecond = 30.0;
-    double seconds = 0.0;     // of the film, whatever was left out
-    double viewHeight = 1.0;  // m, that the camera sees where it looks
-    double thinnest = 0.0;    // m: half of the thinnest body that moves
+    double seconds = 0.0;     // of the film, even if frames are left out
+    double viewHeight = 1.0;  // m, of the view where the camera looks
+    double thinnest = 0.0;    // m: half the thickness of the thinnest dynamic body
     std::vector<RecordedBody> bodies;
     std::vector<render::Ground> grounds;
     render::Look look;           // of the scene's theme
-    std::vector<JointBar> bars;  // of all joints, a slider's rail as long as it needs to be
+    std::vector<JointBar> bars;  // of all joints; a slider's rail is as long as its way
     std::vector<RecordedJoint> joints;
-    std::vector<int> trails;  // places of bodies
+    std::vector<int> trails;  // indices of bodies
     std::vector<Section> sections;
     Overlays overlays;
     std::vector<RecordedFrame> frames;
     StageEvents events;  // of all steps
 };
 
-/// Has to see a player before its first step and after every one.
+/// Must see a player before its first step and after every step.
 class RunRecorder {
 public:
-    /// `plan`: its first panel is what the player plays.
+    /// `plan`: the player simulates its first panel.
     explicit RunRecorder(const FilmPlan& plan);
     void look(const Player& player, long step);
-    /// What it has seen; contacts begin and end in it where the stage's world watches touches.
+    /// The recording; it has events of contacts if the stage's world watches touches.
     const Recording& finished(const Stage& stage);
 
 private:

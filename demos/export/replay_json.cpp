@@ -1,4 +1,4 @@
-// What the page's script reads (page/decode.js). Lengths in m, rotations x y z w.
+// The data that the page's script reads (page/decode.js). Lengths in m, rotations x y z w.
 #include "demos/export/replay_json.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::uint16_t>;
 
-/// Six digits are finer than a screen, and shorter than all seventeen.
+/// Six digits are finer than a screen and shorter than all seventeen.
 Json shortOf(double value) {
     return std::isfinite(value) ? Json(rounded(value, 6)) : Json();
 }
@@ -42,7 +42,7 @@ Json jsonOf(const render::Look& look) {
     return json;
 }
 
-/// For readers whose machine is dark.
+/// For readers who prefer a dark colour scheme.
 render::Look darkLook() {
     render::Frame frame;
     applyTheme("dark", frame);
@@ -54,7 +54,7 @@ const char* nameOf(render::SolidShape shape) {
     return kNames[static_cast<int>(shape)];
 }
 
-/// Contacts that did something in the step that ends here.
+/// The contacts with an impulse in the step that ends here.
 std::vector<engine::ContactState> pushing(const RecordedFrame& frame) {
     std::vector<engine::ContactState> contacts;
     std::copy_if(frame.contacts.begin(), frame.contacts.end(), std::back_inserter(contacts),
@@ -62,7 +62,7 @@ std::vector<engine::ContactState> pushing(const RecordedFrame& frame) {
     return contacts;
 }
 
-/// Meshes once each, whoever shares them.
+/// Each mesh once, however many bodies share it.
 class Meshes {
 public:
     int numberOf(const std::shared_ptr<const render::SolidMesh>& mesh) {
@@ -73,7 +73,7 @@ public:
     const Json& list() const { return list_; }
 
 private:
-    /// Corners' numbers in two words, the low one first.
+    /// Vertex numbers of corners take two words, the low one first.
     static Json meshJson(const render::SolidMesh& mesh) {
         Words points, corners;
         for (int axis = 0; axis < 3; ++axis)
@@ -95,7 +95,7 @@ private:
         return {-half, 2.0 * half};
     }
 
-    std::map<std::shared_ptr<const render::SolidMesh>, int> numbers_;  // never in their order
+    std::map<std::shared_ptr<const render::SolidMesh>, int> numbers_;  // never iterated
     Json list_ = Json::array();
 };
 
@@ -111,7 +111,7 @@ Json partJson(const DrawnPart& part, Meshes& meshes) {
     return json;
 }
 
-/// The frames that a page shows, and what is said of them.
+/// The frames that a page shows, and their JSON.
 class RunJson {
 public:
     RunJson(const Recording& recording, const ReplayShare& share)
@@ -209,7 +209,7 @@ private:
                 tracks_.push_back(wordsOf(frame->bodies[body].pose.rotation)[word]);
     }
 
-    /// A range's ends with all their digits: they decide where a body is.
+    /// A range's ends keep all their digits: every position depends on them.
     Json addTrack(const auto& valueIn) {
         std::vector<double> values;
         for (const RecordedFrame* frame : frames_) values.push_back(valueIn(*frame));
@@ -218,7 +218,7 @@ private:
         return {range.low, range.size};
     }
 
-    /// The strongest, in their own order; of equals at the end of the list the first.
+    /// The strongest contacts, in their own order; of the weakest equals the first ones.
     std::vector<engine::ContactState> contactsOf(const RecordedFrame& frame) const {
         const std::vector<engine::ContactState> all = pushing(frame);
         if (all.size() <= share_.contacts) return all;
@@ -235,7 +235,7 @@ private:
         return kept;
     }
 
-    /// Columns: x, y, z, normal, impulse, and the direction and size of friction.
+    /// Columns: x, y, z, impulse, friction, direction of the normal, direction of friction.
     Json contacts() const {
         std::vector<engine::ContactState> all;
         Json counts = Json::array();
@@ -294,7 +294,7 @@ private:
         return list;
     }
 
-    /// One where it never moves.
+    /// A single camera if it never moves.
     Json cameras() const {
         Json list = Json::array();
         for (const RecordedFrame* frame : frames_) {

@@ -1,4 +1,4 @@
-/// What replay.html knows of a run.
+/// The data of a run in replay.html.
 #pragma once
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
@@ -9,11 +9,11 @@ namespace demos {
 
 /// How much of a recording a page holds.
 struct ReplayShare {
-    std::size_t every = 1;     // of the frames
-    std::size_t contacts = 0;  // a frame, the strongest
+    std::size_t every = 1;     // every n-th frame
+    std::size_t contacts = 0;  // the strongest per frame
 };
 
-/// Of one frame; those that push.
+/// The most contacts with an impulse in one frame.
 std::size_t mostContacts(const Recording& recording);
 
 nlohmann::ordered_json replayJson(const Recording& recording, const ReplayShare& share);

@@ -1,4 +1,4 @@
-/// replay.html: one file with a run to orbit, scrub and step, for any browser, without a network.
+/// replay.html: a run to orbit, scrub and step in any browser, as one file without a network.
 #pragma once
 #include <string>
 
@@ -6,15 +6,15 @@
 
 namespace demos {
 
-/// Rather fewer contacts a frame, and then fewer frames, than more bytes than this.
+/// A larger page gets fewer contacts per frame, then fewer frames.
 constexpr std::size_t kReplayBytes = 10'000'000;
 
 struct ReplayPage {
     std::string html;
-    std::string left;  // what had to be left out, for a line on the screen; empty: nothing
+    std::string left;  // what had to be left out, to be reported; empty: nothing
 };
 
-/// `recording`: of one frame at least.
+/// `recording`: has at least one frame.
 ReplayPage replayPage(const Recording& recording, std::size_t bytes = kReplayBytes);
 
 }  // namespace demos

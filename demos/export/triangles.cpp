@@ -12,9 +12,9 @@ namespace {
 
 using render::SolidShape;
 
-constexpr int kCornersAround = 32;  // of what is round: 0.5 % of its radius off
+constexpr int kCornersAround = 32;  // of round shapes: off by 0.5 % of the radius
 
-/// Gives equal vertices one number, and leaves out triangles that have become a line.
+/// Gives equal vertices the same number and leaves out triangles that became a line.
 class Welding {
 public:
     void add(const std::array<render::Vec3, 3>& positions,
@@ -48,13 +48,13 @@ private:
     Triangles welded_;
 };
 
-/// What rounding has left of 0, at a pole or across an axis, becomes 0.
+/// Rounding errors of 0, at a pole or across an axis, become 0.
 render::Vec3 cleaned(const render::Vec3& v) {
     constexpr float kRounding = 1e-6f;  // of a unit shape
     return v.unaryExpr([](float x) { return std::abs(x) < kRounding ? 0.0f : x; });
 }
 
-/// A triangle whose own normal stands in where a vertex has none.
+/// Adds a triangle; its own normal replaces missing normals of vertices.
 void addTriangle(const std::array<render::Vec3, 3>& positions, std::array<render::Vec3, 3> normals,
                  Welding& welding) {
     const render::Vec3 own =

@@ -1,6 +1,6 @@
 // APPNOTE.TXT of PKWARE, 4.3: every entry is a header and its deflated bytes; a directory repeats
-// the headers with their offsets, and a record at the end says where it is. libdeflate, which packs
-// the pictures, has what is hard about that; libzip would be one more dependency and as many lines.
+// the headers with their offsets, and a record at the end says where it is. libdeflate, which also
+// packs the pictures, does the hard part; libzip would be one more dependency and as many lines.
 #include "demos/export/zip.h"
 
 #include <libdeflate.h>
@@ -20,7 +20,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 std::uint32_t sizeInZip(std::size_t value) {
     if (value > std::numeric_limits<std::uint32_t>::max())
-        throw render::Error("an archive of more than 4 GiB; fewer frames (--fps, --seconds) fit");
+        throw render::Error("an archive cannot exceed 4 GiB; use fewer frames (--fps, --seconds)");
     return static_cast<std::uint32_t>(value);
 }
 
@@ -35,7 +35,7 @@ Bytes deflated(const Bytes& bytes) {
     return out;
 }
 
-/// What an entry's header and its line in the directory have in common.
+/// The common part of an entry's header and its directory record.
 Bytes describe(const ZipEntry& entry, std::size_t packedSize) {
     constexpr std::uint32_t kVersion20 = 20, kUtf8 = 0x800, kDeflate = 8, kFirstOf1980 = 0x21;
     Bytes out;

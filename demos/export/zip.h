@@ -1,4 +1,4 @@
-/// A ZIP archive in memory: what a .npz is.
+/// A ZIP archive in memory, such as a .npz.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,7 +12,7 @@ struct ZipEntry {
     std::vector<std::uint8_t> bytes;
 };
 
-/// The same bytes for the same entries: they carry no times. Throws render::Error where an archive
+/// The same entries give the same bytes: they have no times. Throws render::Error if an archive
 /// without the 64-bit extensions cannot hold them.
 std::vector<std::uint8_t> zipOf(std::span<const ZipEntry> entries);
 

@@ -25,7 +25,7 @@ bool isNowhere(const std::string& name, const std::vector<PictureFacts>& facts) 
     });
 }
 
-/// Those that decide about what is seen, and have room somewhere.
+/// The overlays that are on and have room in at least one picture.
 std::string shownText(const Overlays& shown, const std::vector<PictureFacts>& facts) {
     std::string text;
     for (const std::string& name : overlayNames())

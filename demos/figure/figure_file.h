@@ -1,4 +1,4 @@
-/// The files of a figure: pictures, and beside them a caption. All are written, or none.
+/// The files of a figure: pictures, and a caption next to each. All are written or none.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace demos {
 
-/// Where the captions of these pictures go: --caption, else beside each picture that has a width
+/// Where the captions of these pictures go: --caption, else next to each picture that has a width
 /// (fig.png: fig.caption.txt); none for standard output.
 std::vector<std::string> captionFiles(const std::vector<std::string>& pictures,
                                       const Options& options);
 
-/// Throws Stop (usage) where a caption would go to a picture's file or to standard output, Stop
-/// (wouldOverwrite) where one of the files is there.
+/// Throws Stop (usage) if a caption would go to a picture's file or to standard output, Stop
+/// (wouldOverwrite) if one of the files exists.
 void checkFigure(const std::vector<std::string>& pictures, const Options& options);
 
 struct FigurePicture {
@@ -24,14 +24,14 @@ struct FigurePicture {
     std::vector<std::uint8_t> bytes;
 };
 
-/// What becomes of plots that are there: those without a caption are always replaced.
+/// What to do with existing plots: those without a caption are always replaced.
 render::Existing existingPlots(const std::vector<std::string>& plots, const Options& options);
 
-/// Folders are made. Throws render::Error.
+/// Makes the folders. Throws render::Error.
 void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& caption,
                  const Options& options, render::Existing existing);
 
-/// A line for every caption that was written.
+/// Prints a line for every caption that was written.
 void tellCaptions(const std::vector<std::string>& pictures, const Options& options,
                   const Talk& talk);
 

@@ -13,9 +13,9 @@
 namespace demos {
 namespace {
 
-constexpr double kLeastWidth = 20.0;  // mm of a picture: "t = 10.00 s" in its type
+constexpr double kLeastWidth = 20.0;  // mm of a picture: room for "t = 10.00 s"
 constexpr int kMostColumns = 6;
-constexpr double kMostPixels = 134'217'728.0;  // 512 MB of RGBA, as of a strip
+constexpr double kMostPixels = 134'217'728.0;  // 512 MB of RGBA, as for a strip
 
 int gapOf(const Paper& paper) {
     return std::max(static_cast<int>(std::lround(kGapPoints * paper.pixelsPerPoint())), 2);

@@ -8,18 +8,18 @@
 
 namespace demos {
 
-/// In a row, so that every picture is wide enough for its label; all rows alike.
+/// Pictures in a row: each is wide enough for its label, and rows are even.
 int figureColumns(int pictures, const Paper& paper);
 
 /// `ratio`: of one picture; `lines`: of a label, 0 = none. The outer pictures touch the figure's
-/// edges. Throws Stop (usage) where the whole would be larger than a PNG may be.
+/// edges. Throws Stop (usage) if the whole would be too large for a PNG.
 StripLayout figureLayout(int pictures, int columns, PictureSize ratio, const Paper& paper,
                          int lines);
 
-/// Throws Stop (usage) where it is larger than a PNG may be, or has pictures too small to see.
+/// Throws Stop (usage) if it is too large for a PNG or its pictures are too small to see.
 void checkLayout(const StripLayout& layout, const Paper& paper);
 
-/// The text in lines as wide as a picture.
+/// The text broken into lines no wider than a picture.
 std::vector<std::string> labelLines(const std::string& text, const StripLayout& layout);
 
 /// "(a)", "(b)", ...

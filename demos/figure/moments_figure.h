@@ -9,7 +9,7 @@
 
 namespace demos {
 
-/// Pixels of a figure of --width, by the ratio of --size or of the quality.
+/// Pixels of a figure: --width, and the ratio of --size or of the quality.
 PictureSize figureSize(const Options& options);
 
 struct MomentsFigure {
@@ -19,11 +19,11 @@ struct MomentsFigure {
     std::vector<PictureFacts> facts;
 };
 
-/// The PNG and its caption. Throws render::Error.
+/// Writes the PNG and its caption. Throws render::Error.
 void writeMoments(const MomentsFigure& figure, const render::Image& picture,
                   const Options& options);
 
-/// Says on standard error what has no room in a figure, whose letters do not shrink.
+/// Reports on standard error what has no room in a figure, where letters do not shrink.
 void tellLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
                  const Talk& talk);
 

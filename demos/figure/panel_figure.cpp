@@ -20,7 +20,7 @@
 namespace demos {
 namespace {
 
-/// The scene's own text would stand in every picture, the same.
+/// Without the scene's own text, which would be the same in every picture.
 FilmPlan planOf(const Variant& run, Options options) {
     options.anyStep = true;
     Panel panel;
@@ -40,7 +40,7 @@ std::string unspaced(std::string text) {
     return text;
 }
 
-/// "(a) the total is clamped", and below it what was set, where the label is not that.
+/// "(a) the total is clamped", and below it the settings if the label does not show them.
 std::vector<std::string> linesOf(const std::vector<Variant>& runs, std::size_t i,
                                  const StripLayout& layout) {
     const Variant& run = runs[i];
@@ -57,7 +57,7 @@ PictureSize ratioOf(const Options& options) {
     return options.size.value_or(PictureSize{quality.width, quality.height});
 }
 
-/// What was good last, and says so.
+/// The last good state, marked as such.
 std::vector<render::Frame> lastGood(const FilmPlan& plan, const Player& player, double time) {
     render::Frame frame = player.frame(time);
     fitCamera(plan.picture.width, plan.picture.height, frame);
@@ -94,7 +94,7 @@ void placeBelow(const render::Image& part, render::Image& whole) {
         std::copy_n(part.at(0, row), 4 * part.width, whole.at(0, whole.height - part.height + row));
 }
 
-/// The pictures are of a moment that the chart below them shows.
+/// The chart below the pictures must include their moment.
 void checkTime(double time, double seconds) {
     if (time <= seconds + 1e-9) return;
     throw Stop(Exit::usage,
@@ -103,7 +103,7 @@ void checkTime(double time, double seconds) {
                            time, seconds, std::ceil(time)));
 }
 
-/// With the chart.
+/// The layout with the chart.
 StripLayout wholeOf(const PanelFigure& figure) {
     StripLayout whole = figure.layout;
     whole.height = figure.height;

@@ -12,9 +12,9 @@
 
 namespace demos {
 
-/// Settled before anything is played.
+/// Decided before anything is simulated.
 struct PanelFigure {
-    std::vector<FilmPlan> plans;  // one a run
+    std::vector<FilmPlan> plans;  // one per run
     std::vector<std::vector<std::string>> labels;
     StripLayout layout;
     PictureSize chart;  // below; height 0 = none
@@ -23,17 +23,17 @@ struct PanelFigure {
     Paper paper;
 };
 
-/// `columns`: 0 = as many as there is room for. Throws Stop (usage, environment) for what cannot
-/// be.
+/// `columns`: 0 = as many as there is room for. Throws Stop (usage, environment) if the figure is
+/// not possible.
 PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart,
                        const RunsOptions& options);
 
 struct DrawnPanels {
     render::Image image;
-    std::vector<PictureFacts> facts;    // one a run
+    std::vector<PictureFacts> facts;    // one per run
     std::vector<std::string> diverged;  // likewise; empty = it did not
 };
-/// Throws Stop (interrupted), render::Error. A run that diverges is shown as it was last.
+/// Throws Stop (interrupted), render::Error. A run that diverges is shown in its last good state.
 DrawnPanels drawPanels(const PanelFigure& figure, const std::vector<Chart>& charts);
 
 }  // namespace demos

@@ -15,13 +15,13 @@
 namespace demos {
 namespace {
 
-/// Units of 1 cm on paper; 0 where there is nothing to show, or no paper.
+/// Units per cm on paper; 0 if there is nothing to show or no paper.
 double perCentimetre(const ArrowScale& scale, double pixelsPerMeter, const Paper& paper) {
     if (!(scale.metersPerUnit > 0.0) || !paper.given()) return 0.0;
     return paper.dpi / 2.54 / (scale.metersPerUnit * pixelsPerMeter);
 }
 
-/// "50 N s", or of pictures with scales of their own "50, 12 N s", "50 N s, none".
+/// "50 N s", or for pictures with different scales "50, 12 N s" or "50 N s, none".
 template <class Value>
 std::string listOf(const std::vector<PictureFacts>& facts, Value value, const std::string& unit) {
     std::vector<std::string> texts;
@@ -55,7 +55,7 @@ bool hasArrow(const render::Frame& frame, const render::Color& color) {
     });
 }
 
-/// What needs no scale.
+/// The marks that need no scale.
 std::string marksText(const Overlays& overlays) {
     std::string text;
     if (overlays.contacts) text += "; pink dots: contacts";
@@ -101,7 +101,7 @@ PictureFacts factsOf(const Player& player, const FilmPlan& plan, const render::F
     fact.onPaper = paper.given();
     if (fact.onPaper) fact.leftOut = leftOut(frame, plan.picture.width, plan.picture.height);
     if (fact.onPaper && plan.panels.front().overlays.stats && !hasStats(frame))
-        addOnce("stats", fact.leftOut);  // they gave way to the first line
+        addOnce("stats", fact.leftOut);  // the first line took their place
     return fact;
 }
 

@@ -1,4 +1,4 @@
-/// A picture's moment, as a caption tells it.
+/// What a caption says of a picture's moment.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -22,7 +22,7 @@ struct PictureFacts {
     std::vector<std::string> leftOut = {};  // "stats", "legend", "caption": what has no room
 };
 
-/// `frame`: what is seen of the player.
+/// `frame`: the player's frame as drawn.
 PictureFacts factsOf(const Player& player, const FilmPlan& plan, const render::Frame& frame,
                      const Paper& paper);
 
@@ -30,10 +30,10 @@ PictureFacts factsOf(const Player& player, const FilmPlan& plan, const render::F
 std::string timesText(const std::vector<PictureFacts>& facts);
 
 /// "; red arrows: impulses, 1 cm = 50 N s", the other marks that are on, and what bodies are
-/// coloured by; empty where there is nothing to tell. On paper arrows are named where they are.
+/// coloured by; empty if there is nothing to explain. On paper only arrows that are seen are named.
 std::string scalesText(const Overlays& overlays, const std::vector<PictureFacts>& facts);
 
-/// What should stand in the corners but has no room: "stats", "legend", "caption".
+/// What belongs in the corners but has no room: "stats", "legend", "caption".
 std::vector<std::string> leftOut(const render::Frame& frame, int width, int height);
 
 /// What at least one of the pictures has no room for.

@@ -38,7 +38,7 @@ std::string pictureFile(const PanelFigure& figure, const RunsFigureSettings& set
     return name;
 }
 
-/// What is written for the screen is replaced, as ever; a caption's figure is not.
+/// Charts for the screen are always replaced; a figure with a caption is not.
 bool hasCaption(const std::string& file, const Options& options) {
     return !captionFiles({file}, options).empty();
 }
@@ -58,7 +58,7 @@ std::string capital(std::string text) {
     return text;
 }
 
-/// A file that is written, and what it holds.
+/// A file to write, and what it contains.
 struct Written {
     std::string what, file;
 };
@@ -71,7 +71,7 @@ std::vector<Written> filesOf(const std::string& what, const std::string& file,
     return files;
 }
 
-/// "-" is no place: it can be written to once only, which its option sees to.
+/// Throws Stop (usage) if two files have the same place; the options check "-" themselves.
 void checkApart(const std::vector<Written>& all) {
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -126,7 +126,7 @@ void RunsFigure::write(const std::vector<Chart>& below, const std::vector<Chart>
     if (panels_) writePictures(below, talk);
 }
 
-/// ": (a) nudges; (b) Baumgarte, 0.2", a sentence of its own where the title has a colon.
+/// ": (a) nudges; (b) Baumgarte, 0.2", a sentence of its own if the title has a colon.
 std::string RunsFigure::runsText() const {
     const char* first = settings_.title.find(": ") == std::string::npos ? ":" : ".";
     std::string text;
@@ -136,7 +136,7 @@ std::string RunsFigure::runsText() const {
     return text;
 }
 
-/// Of the world what all runs share; what they do not is in their own lines.
+/// What all runs share of the world; the rest is in their own lines.
 void RunsFigure::addShared(Caption& caption) const {
     const SceneDescription& first = settings_.runs.front().scene;
     const bool alike =
@@ -148,7 +148,7 @@ void RunsFigure::addShared(Caption& caption) const {
     caption.add("scene", options_.scene());
 }
 
-/// A line a run: what it was given, its solver, its state.
+/// A line per run: its settings, solver and state.
 void RunsFigure::addRuns(const std::vector<Variant>& runs, const DrawnPanels* drawn,
                          Caption& caption) const {
     for (std::size_t i = 0; i < runs.size(); ++i) {

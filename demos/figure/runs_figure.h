@@ -1,5 +1,5 @@
-/// What compare and sweep make for a paper: pictures of the runs at one moment, a chart of its own,
-/// and the captions.
+/// The figures of compare and sweep: pictures of the runs at one moment, a separate chart, and the
+/// captions.
 #pragma once
 #include <optional>
 #include <string>
@@ -16,12 +16,12 @@ struct RunsFigureSettings {
     std::vector<Variant> pictured;  // empty = no pictures
     int columns = 0;                // of the pictures; 0 = as many as there is room for
     bool chart = false;             // below the pictures
-    std::string title;              // what is to be seen, without a full stop
-    std::string picture;            // the pictures' file where --output names none
+    std::string title;              // without a full stop
+    std::string picture;            // the pictures' file without --output
 };
 
-/// Throws Stop (usage) for options of a figure where there is none. `pictured`: it has pictures
-/// where it has a width; else `remedy` says how to come by them.
+/// Throws Stop (usage) for options of a figure if there is none. `pictured`: there are pictures if
+/// there is a width; otherwise `remedy` says how to get them.
 void checkFigureOptions(const RunsOptions& options, bool pictured, const char* remedy);
 
 class RunsFigure {

@@ -21,7 +21,7 @@ void place(const render::Image& part, int x, int y, render::Image& whole) {
         std::copy_n(part.at(0, row), 4 * part.width, whole.at(x, y + row));
 }
 
-/// White on the right and below, where another panel follows.
+/// A white line on the right and below, where another panel follows.
 void drawBorder(const Area& at, render::Image& whole) {
     const int width = std::max(whole.height / 360, 1);
     const int right = at.x + at.width, bottom = at.y + at.height;
@@ -31,19 +31,19 @@ void drawBorder(const Area& at, render::Image& whole) {
         if (bottom < whole.height) std::fill_n(whole.at(at.x, y), 4 * at.width, kWhite);
 }
 
-/// Half through: what is below it stays to be seen.
+/// Half transparent, so that what is below stays visible.
 void drawCursor(int x, int top, int bottom, render::Image& whole) {
     const int width = std::max(whole.height / 360, 1);
     for (int column = x; column < std::min(x + width, whole.width); ++column)
         for (int y = top; y < bottom; ++y) {
             std::uint8_t* pixel = whole.at(column, y);
             for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>((pixel[c] + 128) / 2);
-            pixel[3] = std::max(pixel[3], kHalf);  // on a strip without a ground
+            pixel[3] = std::max(pixel[3], kHalf);  // on a strip without a background
         }
 }
 
-/// A cut falls between two pictures: a shutter that was open across it looks from behind it all the
-/// while. `seen`: the newest at `time`, the others a step earlier each.
+/// A shutter that is open across a cut uses the camera after the cut for all its moments.
+/// `seen`: the newest is at `time`, each one before it a step earlier.
 void keepShot(const CameraDescription& camera, double time, double step,
               std::vector<render::Frame>& seen) {
     const int newest = static_cast<int>(seen.size()) - 1;
@@ -52,7 +52,7 @@ void keepShot(const CameraDescription& camera, double time, double step,
             seen[i].camera = seen[i + 1].camera;
 }
 
-/// Of the theme's ground, where no panel comes.
+/// In the theme's background colour, which stays where there is no panel.
 render::Image emptyPicture(const FilmPlan& plan) {
     render::Image whole{plan.layout.width, plan.layout.height, {}};
     whole.pixels.resize(4 * static_cast<std::size_t>(whole.width) * whole.height);
@@ -79,7 +79,7 @@ render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) 
     render::Image whole = emptyPicture(plan);
     const Area& at = plan.layout.panels.front();
     place(panel, at.x, at.y, whole);
-    const bool onPaper = plan.panels.front().overlays.pixelsPerPoint > 0.0;  // of one ground
+    const bool onPaper = plan.panels.front().overlays.pixelsPerPoint > 0.0;  // one background
     if (!plan.alpha() && !onPaper) drawBorder(at, whole);
     placeStrip(plan, time, whole);
     return whole;
@@ -147,7 +147,7 @@ render::Frame Composite::plainFrame(int frame) const {
     none.trails = none.text = false;
     const double time = plan_.timeOf(frame);
     render::Frame plain = snapshot(stage(), none, time, shows_.front()->player.history());
-    plain.camera = frameOf(*shows_.front(), time).camera;  // beside what is written on the picture
+    plain.camera = frameOf(*shows_.front(), time).camera;  // fitted to the picture's texts
     return plain;
 }
 

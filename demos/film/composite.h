@@ -1,4 +1,4 @@
-/// All panels of a film, played on one clock and drawn into one picture.
+/// All panels of a film, simulated on one clock and drawn into one picture.
 #pragma once
 #include <functional>
 #include <memory>
@@ -9,37 +9,37 @@
 
 namespace demos {
 
-/// A panel of its own with the plan's plot below it, and the cursor at `time` (s); the panel itself
-/// where the plan has no plot.
+/// A single panel with the plan's plot below it and the plot's cursor at `time` (s). Without a plot
+/// returns `panel` unchanged.
 render::Image withStrip(render::Image panel, const FilmPlan& plan, double time);
 
 class Composite {
 public:
-    /// `plan` has to stay.
+    /// `plan` must outlive this object.
     explicit Composite(const FilmPlan& plan);
 
-    /// One frame further. A single panel that diverges throws Stop; among others it stays as it was
-    /// last, and says so. `drawn`: draw() will follow.
+    /// Advances by one frame. A single panel that diverges throws Stop; one of several shows its
+    /// last good state and says so. `drawn`: draw() will follow.
     void advance(bool drawn);
     render::Image draw(int frame, render::Renderer& renderer);
     /// What the data passes show: the first panel without overlays.
     render::Frame plainFrame(int frame) const;
-    /// The first panel with others than its own.
+    /// The first panel with these overlays instead of its own.
     render::Frame frameWith(const Overlays& overlays, int frame) const;
     const Stage& stage() const { return shows_.front()->player.stage(); }
     /// `watcher` sees the first panel's stage after every step from now on.
     void watchSteps(std::function<void(const Stage&)> watcher) { watcher_ = std::move(watcher); }
-    /// Of the first panel: its world tells who begins to touch from now on.
+    /// The first panel's world reports touch events from now on.
     void watchTouches() { shows_.front()->player.watchTouches(); }
-    /// Of all panels' states.
+    /// A hash of all panels' states.
     std::uint64_t hash() const;
 
 private:
     struct Show {
         Player player;
-        int steps;            // a frame
-        std::string trouble;  // empty: it plays
-        std::vector<render::Frame> seen;  // since the shutter opened, a step each
+        int steps;            // per frame
+        std::string trouble;  // empty: none
+        std::vector<render::Frame> seen;  // since the shutter opened, one per step
     };
     void advance(Show& show, bool drawn, double time);
     render::Frame frameOf(const Show& show, double time) const;

@@ -3,7 +3,7 @@
 namespace demos {
 namespace {
 
-/// Points that the solver has looked after without need are no contacts.
+/// Points that are apart and got no impulse were only watched by the solver; they do not count.
 bool touches(const engine::ContactState& contact) {
     return contact.penetration >= 0.0 || contact.impulse > 0.0;
 }

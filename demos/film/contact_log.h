@@ -1,4 +1,4 @@
-/// Contacts as events: which pairs of bodies began to touch, touch still, or have parted.
+/// Contacts as events: which pairs of bodies began to touch, still touch or have separated.
 #pragma once
 #include <set>
 #include <string>
@@ -16,11 +16,11 @@ struct ContactEvent {
     engine::ContactState contact;  // end: only a and b
 };
 
-/// Has to see every step of a stage; keeps the events of the last frame's.
+/// Must see every step of a stage. Keeps the events of the latest frame's steps.
 class ContactLog {
 public:
     explicit ContactLog(int stepsPerFrame) : stepsPerFrame_(stepsPerFrame) {}
-    /// After a step.
+    /// Call after every step.
     void look(const Stage& stage);
     const std::vector<ContactEvent>& events() const { return events_; }
 

@@ -105,8 +105,8 @@ std::vector<Bytes> DataFiles::make(int frame, render::Renderer& renderer) {
     return files;
 }
 
-/// False where the simulation diverges: then the flow is unknown, and whoever wants the next
-/// frame is told why.
+/// False if the simulation diverges: the flow is then unknown, and drawing the next frame reports
+/// why.
 bool DataFiles::goOn(int frame, render::Frame& next) {
     try {
         composite_.advance(true);  // the next frame may be this worker's too

@@ -1,4 +1,4 @@
-/// The content of the files that --pass asks for, frame by frame.
+/// The contents of the --pass files, frame by frame.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -16,13 +16,13 @@ using Bytes = std::vector<std::uint8_t>;
 
 class DataFiles {
 public:
-    /// Watches the screen's steps from now on; `plan` and `screen` have to stay.
+    /// Watches the composite's steps from now on; `plan` and `composite` must outlive this object.
     DataFiles(const FilmPlan& plan, Composite& composite);
 
-    /// A file's content for each of the plan's passes, of the frame the screen is at. For the flow
-    /// the screen goes on to the next frame.
+    /// One file's content for each of the plan's passes, at the composite's current frame. For the
+    /// flow the composite advances to the next frame.
     std::vector<Bytes> make(int frame, render::Renderer& renderer);
-    /// One frame further, unless the screen is there already. `drawn`: as Composite::advance.
+    /// Advances by one frame, unless make() has done so. `drawn`: as Composite::advance.
     void advance(bool drawn);
 
 private:

@@ -68,7 +68,7 @@ std::string filesOf(const PassText& text, const std::string& pattern) {
     return std::string(text.name) + "/" + name.stem().string() + text.ending;
 }
 
-/// By the numbers of the pass 'id': the bodies as the file has them, then the joints.
+/// The numbers of the pass 'id': the bodies in the scene file's order, then the joints.
 Json idsOf(const SceneDescription& scene) {
     Json ids = Json::array();
     const auto add = [&ids](const std::string& name, const char* kind) {
@@ -79,7 +79,7 @@ Json idsOf(const SceneDescription& scene) {
     return ids;
 }
 
-/// m: to where the camera looks, or to the far side of the farthest body where it begins.
+/// m: to the point the camera looks at, or to the far side of the farthest body at time 0.
 double reachFrom(const Vec3& from, const Vec3& lookAt, const SceneDescription& scene) {
     double reach = (lookAt - from).norm();
     for (const BodyDescription& body : scene.bodies) {

@@ -1,4 +1,4 @@
-/// The data passes that are text, and the description of them all.
+/// The text data passes, and passes.json, which describes all passes.
 #pragma once
 #include <string>
 #include <vector>
@@ -16,12 +16,12 @@ std::string contactsJson(const FilmPlan& plan, int frame, const Stage& stage,
 std::string eventsJson(const FilmPlan& plan, int frame, const Stage& stage,
                        const StageEvents& events);
 
-/// passes.json: files, units and meanings of every pass, and the bodies by their numbers.
-/// `pattern`: of the pictures' names.
+/// passes.json: files, units and meanings of every pass, and the numbers of bodies and joints.
+/// `pattern`: the pictures' name pattern.
 std::string passesJson(const FilmPlan& plan, const std::string& pattern);
 
-/// m: the smallest of 0.1, 0.2, 0.5, 1 mm ... of which 65534 reach twice as far as all that the
-/// scene begins with, from wherever the camera's keys put it.
+/// m: the smallest of 0.1, 0.2, 0.5, 1 mm ... such that 65534 units are at least twice the distance
+/// from any camera key to the farthest body at time 0.
 double depthUnitOf(const SceneDescription& scene);
 
 }  // namespace demos

@@ -58,7 +58,7 @@ void EventLog::look(const Stage& stage) {
         events_.breaks.push_back(breakOf(id, stage));
 }
 
-/// A line each, so that a text tool finds them.
+/// One event per line, for text tools.
 std::string eventsJson(const StageEvents& events, const Stage& stage) {
     std::string text = "[";
     const auto add = [&](const Json& json) {

@@ -1,4 +1,4 @@
-/// What happens in a step besides moving: contacts begin and end, joints break.
+/// The events of steps: contacts that begin and end, joints that break.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace demos {
 
-/// A joint carried more than it can bear, and was removed at the end of the step.
+/// A joint exceeded its limits and was removed at the end of the step.
 struct JointBreak {
     long long step = 0;
     double time = 0.0;             // s, at the end of that step
-    int joint = 0;                 // by place in scene.joints
-    Vec3 position = Vec3::Zero();  // m, where it held b
+    int joint = 0;                 // index in scene.joints
+    Vec3 position = Vec3::Zero();  // m, its anchor on b
     Vec3 force = Vec3::Zero();     // N, on b, mean over the step
-    Vec3 torque = Vec3::Zero();    // N m, likewise, about that place
+    Vec3 torque = Vec3::Zero();    // N m, likewise, about that anchor
 };
 
 /// Each in the order of steps.
@@ -25,12 +25,12 @@ struct StageEvents {
     std::size_t size() const { return touches.size() + breaks.size(); }
 };
 
-/// Has to see every step of a stage whose world watches touches.
+/// Must see every step of a stage whose world watches touches.
 class EventLog {
 public:
-    /// Keeps the events of this many steps; 0: of all.
+    /// Forgets the events after every `steps` steps; 0: never.
     explicit EventLog(int steps) : steps_(steps) {}
-    /// After a step.
+    /// Call after every step.
     void look(const Stage& stage);
     const StageEvents& events() const { return events_; }
 
@@ -40,7 +40,7 @@ private:
     StageEvents events_;
 };
 
-/// A JSON list, one object an event, in the order of steps; in one step contacts come first.
+/// A JSON list, one object per event, in the order of steps; within a step contacts come first.
 std::string eventsJson(const StageEvents& events, const Stage& stage);
 
 }  // namespace demos

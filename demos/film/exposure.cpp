@@ -10,7 +10,7 @@ namespace {
 
 bool isStats(const render::Plate& plate) { return plate.corner == render::Corner::topRight; }
 
-/// Statistics without room give way to the first line.
+/// Statistics replace the first line if they fit; otherwise they are left out.
 void chooseStats(const FilmPlan& plan, render::Frame& frame) {
     const Overlays& shown = plan.panels.front().overlays;
     if (!shown.stats) return;
@@ -27,8 +27,8 @@ void chooseStats(const FilmPlan& plan, render::Frame& frame) {
         frame.texts.erase(frame.texts.begin());
 }
 
-/// In a small picture a legend would cover what it explains; the caption has its words. Colours of
-/// a list have their names in it alone.
+/// In a small picture a legend would cover what it explains; the caption says the same. Legends of
+/// colours by group or material stay, since only they have the names.
 void chooseLegend(const FilmPlan& plan, render::Frame& frame) {
     constexpr double kLeastWidth = 120.0;  // mm
     const Overlays& shown = plan.panels.front().overlays;

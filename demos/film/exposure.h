@@ -1,4 +1,4 @@
-/// One picture of a player that goes on by itself, not frame by frame: stills and strips.
+/// Single pictures of a player that advances by any number of steps: stills and strips.
 #pragma once
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace demos {
 
-/// Plays `steps` further, to `time` (s); what the shutter saw on the way, a frame a step.
+/// Advances by `steps`, to `time` (s). Returns what the open shutter saw, one frame per step.
 std::vector<render::Frame> playTo(double time, int steps, const FilmPlan& plan, Player& player);
 
-/// The picture of that.
+/// The picture of these frames.
 render::Image exposed(const std::vector<render::Frame>& seen, const FilmPlan& plan,
                       render::Renderer& renderer);
 

@@ -45,7 +45,7 @@ void writeRaw(const render::Image& image) {
 struct Film {
     std::filesystem::path path;
     std::unique_ptr<render::VideoWriter> writer;
-    std::optional<RunRecord> part;  // of a --shard
+    std::optional<RunRecord> part;  // for a --shard
 };
 
 render::VideoSource sourceOf(const FilmPlan& plan) {
@@ -82,7 +82,7 @@ public:
         }
     }
 
-    /// A film or a stream needs every frame; a folder those that it has not.
+    /// A film or a stream needs every frame; a folder those that it lacks.
     bool wants(int frame) const {
         bool wanted = raw_ || !films_.empty() || poster_.wants(frame);
         for (const auto& files : files_) wanted = wanted || !files->has(frame);
@@ -109,7 +109,7 @@ public:
         if (finished) poster_.write();
     }
 
-    /// The folders' records. A film that is not closed leaves nothing.
+    /// Writes the folders' records. A film that is not closed leaves no file.
     void keepFrames(bool finished) {
         for (const auto& files : files_) files->close(finished);
     }
@@ -118,7 +118,7 @@ public:
     void saveRecords() noexcept {
         for (const auto& files : files_) try {
                 files->close(false);
-            } catch (const std::exception&) {  // the first error is the one to tell
+            } catch (const std::exception&) {  // the first error is reported
             }
     }
 
@@ -189,9 +189,9 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
 
 [[noreturn]] void stopInterrupted(const Writers& writers, const FilmOptions& options,
                                   const std::string& what) {
-    const char* next = writers.hasFolders() ? "to go on" : "to run it again";
+    const char* next = writers.hasFolders() ? "to resume" : "to run it again";
     throw Stop(Exit::interrupted, fmt::format("{}{}; {}: {}", what,
-                                              writers.hasFilms() ? ", no film is written" : "",
+                                              writers.hasFilms() ? ", no film was written" : "",
                                               next, options.commandLine));
 }
 
@@ -211,7 +211,7 @@ void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, 
     }
 }
 
-/// Of those that were chosen.
+/// The chosen frames that an output still needs.
 std::vector<bool> wantedFrames(const Writers& writers, const std::vector<bool>& chosen) {
     std::vector<bool> wanted = chosen;
     for (std::size_t frame = 0; frame < wanted.size(); ++frame)
@@ -223,7 +223,7 @@ int countOf(const std::vector<bool>& frames) {
     return static_cast<int>(std::count(frames.begin(), frames.end(), true));
 }
 
-/// Whether the part of a film is there; another run's is not replaced unasked.
+/// Whether the part of a film is complete. Another run's part is replaced with --overwrite only.
 bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const FilmOptions& options,
             const Talk& talk) {
     const Output& output = outputs.front();
@@ -234,7 +234,7 @@ bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const F
                         "is a part of another run (other settings, scene or program); --overwrite "
                         "replaces it");
     if (state != PartState::done) return false;
-    talk.say(fmt::format("{} is there already, and whole", printable(output.path.string())));
+    talk.say(fmt::format("{} is complete already", printable(output.path.string())));
     talk.json(R"({"event":"done","frames":0})");
     return true;
 }

@@ -1,15 +1,15 @@
-/// Plays a scene, draws it and writes it.
+/// Simulates a scene, draws it and writes the film.
 #pragma once
 #include "demos/film/film_options.h"
 #include "demos/film/film_plan.h"
 
 namespace demos {
 
-/// Refuses, with Stop, outputs that cannot be written and pictures that need more memory than there
-/// is: before anything is played for them.
+/// Checks a plan before anything is simulated: throws Stop and render::Error for outputs that it
+/// cannot write and for pictures that need more memory than there is.
 void checkFilmPlan(const FilmPlan& plan, const FilmOptions& options);
 
-/// Throws Stop and render::Error; what has been written until then stays, whole.
+/// Throws Stop and render::Error; files written until then stay and are complete.
 void makeFilm(const FilmPlan& plan, const FilmOptions& options);
 
 }  // namespace demos

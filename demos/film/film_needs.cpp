@@ -16,24 +16,24 @@ namespace demos {
 namespace {
 
 constexpr double kMiB = 1024.0 * 1024.0;
-constexpr double kShare = 0.8;  // of the machine's memory; the rest is for others and for caches
+constexpr double kShare = 0.8;  // of the machine's memory; the rest is for others and caches
 
 // Peak sizes (VmHWM in /proc) of the processes of `impulse render stack --jobs 2`, at 320x180,
 // 1280x720, 1920x1080 and 3840x2160, as PNG files and as .mp4, with --blur 4 and with every --pass.
 // bytes = fixed + pixels * each; the fixed parts are mostly libraries, which the processes share.
-// How many samples an edge has makes no difference.
-constexpr double kWorker = 66.0 * kMiB;  // and the shadow map
+// The number of samples makes no difference.
+constexpr double kWorker = 66.0 * kMiB;  // plus the shadow map
 constexpr double kProgram = 57.0 * kMiB;
 constexpr double kEncoder = 58.0 * kMiB;
-constexpr double kPixel = 19.5;        // buffers, the picture, a message on its way
-constexpr double kSum = 18.0;          // of several moments: four sums and one more picture
-constexpr double kPngPixel = 6.5;      // RGB and what is compressed
-constexpr double kMessagePixel = 8.0;  // raw frames in the program: one taken, one coming
-constexpr double kPassKept = 5.0;      // of every data pass but the largest
+constexpr double kPixel = 19.5;        // buffers, the picture, a message being sent
+constexpr double kSum = 18.0;          // with several moments: four sums and one more picture
+constexpr double kPngPixel = 6.5;      // RGB and the compressed data
+constexpr double kMessagePixel = 8.0;  // raw frames in the program: one in use, one arriving
+constexpr double kPassKept = 5.0;      // for every data pass but the largest
 
 double pixelsOf(int width, int height) { return static_cast<double>(width) * height; }
 
-/// Bytes a pixel.
+/// Bytes per pixel.
 struct PassBytes {
     double worker = 0.0, program = 0.0;
 };
@@ -53,7 +53,7 @@ PassBytes bytesOf(Pass pass) {
     return {};
 }
 
-/// They are made one after the other; what is ready waits until the frame is.
+/// Passes are made one after the other; each is kept until the frame is complete.
 PassBytes passBytes(const std::vector<Pass>& passes) {
     PassBytes all;
     for (const Pass pass : passes) {
@@ -66,7 +66,7 @@ PassBytes passBytes(const std::vector<Pass>& passes) {
     return all;
 }
 
-/// Drawn with `panels` pictures of which one is drawn at a time and all are put into the whole.
+/// Panels are drawn one at a time and copied into the whole picture.
 double workerBytes(const FilmPlan& plan, bool png) {
     const render::RendererSettings& picture = plan.picture;
     const double drawn = pixelsOf(picture.width, picture.height);
@@ -78,13 +78,13 @@ double workerBytes(const FilmPlan& plan, bool png) {
            (png ? kPngPixel * whole : 0.0);
 }
 
-/// Encoders hold frames to look ahead, x264 the most: about 45.
+/// Encoders buffer frames to look ahead; x264 buffers the most, about 45.
 double encoderBytes(const FilmPlan& plan) {
     const double pixels = pixelsOf(plan.layout.width, plan.layout.height);
     return kEncoder + pixels * (25.0 + 4.5 * std::min(plan.frames, 45));
 }
 
-/// Bytes a pixel and frame of the built-in scenes, rounded up.
+/// From the bytes per pixel and frame of the built-in scenes, rounded up.
 double diskBytes(const FilmPlan& plan, const Output& output) {
     const double pixels = pixelsOf(plan.layout.width, plan.layout.height) * plan.frames;
     if (output.kind == OutputKind::raw) return 0.0;
@@ -156,7 +156,7 @@ void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan) {
         Exit::environment,
         fmt::format(
             "{} drawing process{} at {} need{} {} of memory; this machine has {}, of "
-            "which {:.0f} % may be taken; {}",
+            "which {:.0f} % may be used; {}",
             needs.workers, needs.workers == 1 ? "" : "es", pictureText(plan),
             needs.workers == 1 ? "s" : "", bytesText(needs.memory()), bytesText(have), 100 * kShare,
             fitting > 0 ? fmt::format("--jobs {} fits", fitting) : "a smaller --size fits"));

@@ -1,4 +1,4 @@
-/// What a film takes of this machine, known before anything is drawn.
+/// The memory and disk space that a film needs, estimated before anything is drawn.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace demos {
 
-/// Bytes, where nothing else is said.
+/// In bytes unless stated otherwise.
 struct FilmNeeds {
     int workers = 1;      // drawing processes
-    double worker = 0;    // of memory, each of them
+    double worker = 0;    // memory of each
     double program = 0;   // the process that puts the frames in order and writes them
     double encoders = 0;  // ffmpeg, one for every video
-    double disk = 0;      // a guess: it depends on what is seen
+    double disk = 0;      // an estimate: it depends on the pictures
     double memory() const { return workers * worker + program + encoders; }
 };
 
 FilmNeeds needsOf(const FilmPlan& plan, int workers, const std::vector<Output>& outputs);
 
-/// Of this machine, or of the container that the program runs in; 0 = not known.
+/// Memory of this machine, or of the container that the program runs in; 0 = unknown.
 double machineMemory();
 
-/// Throws Stop (environment) over 80 % of the machine's memory, and says what would fit.
+/// Throws Stop (environment) if the film needs over 80 % of the memory; says what would fit.
 void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan);
 
 /// What --dry-run prints: several lines, or one JSON object.

@@ -1,4 +1,4 @@
-/// What commands that write films are asked for besides a picture.
+/// The options of commands that write films, besides those of a picture.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,12 +11,12 @@
 namespace demos {
 
 struct FilmOptions : Options {
-    std::vector<std::string> passes;       // data beside the frames
+    std::vector<std::string> passes;       // data next to the frames
     std::string frames;                    // which, as in 120..179; empty: all
     std::optional<Shard> shard;            // a part of the film
-    bool dryRun = false;                   // say what it would be, draw nothing
-    std::optional<std::uint64_t> maxSize;  // bytes a film may have
-    std::string poster;                    // a .png; empty = not asked for
+    bool dryRun = false;                   // report what would be made, draw nothing
+    std::optional<std::uint64_t> maxSize;  // largest size of a film in bytes
+    std::string poster;                    // a .png; empty = none
     std::optional<double> posterTime;      // s
 };
 

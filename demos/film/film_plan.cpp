@@ -49,7 +49,7 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     return overlays;
 }
 
-/// The program's own bytes: another build may draw or move things otherwise.
+/// The program's own bytes: another build may draw or simulate differently.
 void addProgram(TextHash& hash) {
     if (std::FILE* file = std::fopen("/proc/self/exe", "rb")) {
         char block[65536];

@@ -1,4 +1,4 @@
-/// What a film will be, settled before anything is drawn.
+/// What a film will be, decided before anything is drawn.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -13,11 +13,11 @@
 
 namespace demos {
 
-/// One of a film's pictures: the scene, or one of its variants.
+/// One picture of a film: the scene, or one of its variants.
 struct Panel {
     SceneDescription scene;
     Overlays overlays;
-    std::string settings;  // what makes it differ from the others, as --set would take it
+    std::string settings;  // its difference from the other panels, as for --set
 };
 
 inline constexpr int kMostFrames = 1'000'000;
@@ -29,7 +29,7 @@ struct FilmPlan {
     struct {
         float start = 0, end = 0;  // pixels across, at time 0 and at the end
         float top = 0, bottom = 0;
-    } cursor;                          // a line in the strip that goes with the time
+    } cursor;                          // a line in the strip that marks the time
     render::RendererSettings picture;  // of one panel
     ShutterSettings shutter;
     std::string name;  // {scene} in output patterns
@@ -40,7 +40,7 @@ struct FilmPlan {
     int stepsPerFrame = 2;
 
     const SceneDescription& scene() const { return panels.front().scene; }
-    /// Whether the pictures show what is behind them.
+    /// Whether the pictures have a transparent background.
     bool alpha() const;
     double timeOf(int frame) const { return static_cast<double>(frame) / fps; }  // s
 };
@@ -48,23 +48,23 @@ struct FilmPlan {
 /// The frame rates that divide a scene's steps a second, the six nearest to `wanted`: "20 30 60".
 std::string goodRates(int hz, int wanted);
 
-/// The step nearest to `time` (s). Throws Stop (usage), in the name of `option`, where it is too
-/// far to be played to.
+/// The step nearest to `time` (s). Throws Stop (usage), which names `option`, if it is too far away
+/// to simulate.
 int stepAt(double time, const FilmPlan& plan, const char* option);
 
 /// The scene with --set and --seconds applied; its notes are reported, unless quiet. Throws
 /// SceneError.
 SceneDescription sceneOf(const Options& options);
 
-/// Throws Stop (usage) where the frame rate does not divide the scene's steps a second, or the film
-/// would be too long or the picture too large for this machine.
+/// Throws Stop (usage) if the frame rate does not divide the scene's steps a second, the film would
+/// be too long, or the picture too small for its parts.
 FilmPlan planFilm(const Options& options);
 
-/// The same of several panels, which have one clock: their scenes have the same length and step.
-/// `strip`: leaves room for a plot. Their overlays are filled in.
+/// The same for several panels on one clock: their scenes have the same length and step. Fills in
+/// their overlays. `strip`: leaves room for a plot.
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
 
-/// Everything that decides about a picture's bits, but the renderer: scene, program, settings.
+/// A hash of all that determines a picture's bits except the renderer: scene, program, settings.
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options);
 
 }  // namespace demos

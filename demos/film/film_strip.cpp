@@ -15,11 +15,11 @@ namespace {
 constexpr int kMostColumns = 6;
 constexpr double kMostPixels = 134'217'728.0;  // 512 MB of RGBA
 
-/// Of the strip's width, and at least of a picture's: 2 mm high on a page 17 cm wide.
+/// Label height as a share of the strip's width (2 mm on 17 cm), and at least of a picture's.
 constexpr double kLabelShare = 0.0115, kLeastLabelShare = 0.03;
 constexpr int kSmallestLabel = 10;  // pixels
 
-/// Rows that differ by one picture at the most.
+/// The fewest columns that need no more rows.
 int evenColumns(int moments) {
     const int rows = (moments + kMostColumns - 1) / kMostColumns;
     return (moments + rows - 1) / rows;
@@ -32,7 +32,7 @@ int labelHeight(int stripWidth, int pictureWidth) {
 
 std::uint8_t level(float channel) { return static_cast<std::uint8_t>(channel * 255.0f + 0.5f); }
 
-/// What makes it smaller.
+/// How to make the strip smaller.
 const char* adviceFor(const StripLayout& layout) {
     if (layout.moments == 1) return "";
     return layout.width > render::kLargestSide ? " or fewer --columns" : " or fewer pictures";

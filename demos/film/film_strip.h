@@ -20,7 +20,7 @@ struct StripLayout {
     int lines = 1;   // of text below each
     int width = 0, height = 0;
 
-    /// The outer ones touch the margins, whatever the division leaves over.
+    /// The outer pictures touch the margins; the gaps take the remainder of the division.
     int left(int moment) const {
         const int last = columns > 1 ? columns - 1 : 1;
         return margin + moment % columns * (width - 2 * margin - picture.width) / last;
@@ -32,22 +32,22 @@ struct StripLayout {
     int labelRoom() const { return label > 0 ? label + label / 2 + (lines - 1) * lineHeight() : 0; }
 };
 
-/// `columns` 0: up to six, as even as can be. Throws Stop (usage) where the whole would be larger
-/// than a PNG may be.
+/// `columns` 0: up to six, in rows as even as possible. Throws Stop (usage) if the strip would be
+/// too large for a PNG.
 StripLayout stripLayout(int moments, int columns, PictureSize picture, bool labels);
 
-/// The empty paper.
+/// Empty paper.
 render::Image stripPaper(const StripLayout& layout, const render::Color& ground);
 
 /// Puts a picture in its place.
 void placePicture(const StripLayout& layout, int moment, const render::Image& picture,
                   render::Image& paper);
 
-/// Lines of text below it, in the middle or from its left edge.
+/// Lines of text below a picture, centred or from its left edge.
 void placeLines(const StripLayout& layout, int moment, const std::vector<std::string>& lines,
                 render::Anchor anchor, const render::Color& ink, render::Image& paper);
 
-/// Puts a picture in its place, its label in the middle below it, smaller where it is too wide.
+/// Puts a picture in its place, with its label centred below it, shrunk if it is too wide.
 void placeMoment(const StripLayout& layout, int moment, const render::Image& picture,
                  const std::string& label, const render::Color& ink, render::Image& paper);
 

@@ -1,4 +1,4 @@
-/// What a film costs: processor time of each stage of a frame, and frames a second by all workers.
+/// The cost of a film: processor time of each stage of a frame, frames a second of all workers.
 #pragma once
 #include <array>
 #include <string>
@@ -12,20 +12,20 @@ constexpr std::array<const char*, 10> kFilmStages = {
     "read",     "resolve",  "overlay",   "encode", "write"};
 
 struct FilmTiming {
-    std::array<double, kFilmStages.size()> ms{};  // processor time a frame, median; PNG files
-    double pngBytes = 0.0;                        // a frame, median
+    std::array<double, kFilmStages.size()> ms{};  // processor time per frame, median; for PNG files
+    double pngBytes = 0.0;                        // per frame, median
     int frames = 0;
     int workers = 0;
-    double framesASecond = 0.0;  // of the whole film to PNG files, by the clock on the wall
+    double framesASecond = 0.0;  // of the whole film as PNG files, wall-clock time
 
-    /// What is drawn: from the depths to the picture in memory.
+    /// ms of drawing a frame: from the depths to the picture in memory.
     double drawing() const;
-    /// 0.88 workers / (seconds of drawing a frame): what the workers should at least reach.
+    /// 0.88 workers / (seconds of drawing a frame): the rate that the workers should reach.
     double goal() const;
 };
 
-/// Makes the film twice, in a temporary folder that is removed: by `jobs` workers (0: one a core),
-/// then in this process with a clock. Throws Stop (diverged, interrupted) and render::Error.
+/// Makes the film twice, in a temporary folder that is removed: by `jobs` workers (0: one per
+/// core), then in this process with a clock. Throws Stop (diverged, interrupted) and render::Error.
 FilmTiming timeFilm(const FilmPlan& plan, int jobs);
 
 }  // namespace demos

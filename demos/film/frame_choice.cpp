@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// A number at the front of `text`, which it is taken from.
+/// Reads a number at the front of `text` and removes it.
 std::optional<int> numberAt(std::string_view& text) {
     int number = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -52,12 +52,12 @@ FrameRange rangeIn(std::string_view text, const std::string& list, int frames) {
     const bool stepped = wide && last && takes(text, ":");
     const std::optional<int> step = stepped ? numberAt(text) : std::optional(1);
     if (!last || !step || *step < 1 || !text.empty())
-        refuseList(list, "is a list of frames and ranges, as in 1..10,20 or 0..-1:2");
+        refuseList(list, "must be a list of frames and ranges, as in 1..10,20 or 0..-1:2");
     range = {*first < 0 ? frames + *first : *first, *last < 0 ? frames + *last : *last, *step};
     if (range.first < 0 || range.last >= frames)
-        refuseList(
-            list, fmt::format("the film has the frames 0 to {}, or -1 to -{}", frames - 1, frames));
-    if (range.first > range.last) refuseList(list, "a range goes from a frame to a later one");
+        refuseList(list,
+                   fmt::format("the film has frames 0 to {}, or -1 to -{}", frames - 1, frames));
+    if (range.first > range.last) refuseList(list, "a range must go from a frame to a later one");
     return range;
 }
 
@@ -76,7 +76,7 @@ std::string Shard::name() const { return fmt::format("{:03}-of-{:03}", number, c
 Shard shardCalled(const std::string& text) {
     const std::optional<Shard> shard = shardIn(text, "/");
     if (!shard)
-        refuse(fmt::format("--shard '{}': is a part and their number, as in 3/16; at most {} parts",
+        refuse(fmt::format("--shard '{}': must be PART/PARTS, as in 3/16; at most {} parts",
                            printable(shown(text)), kMostShards));
     return *shard;
 }

@@ -25,7 +25,7 @@ bool isSymlink(const fs::path& path) {
     return fs::is_symlink(fs::symlink_status(path, ignored));
 }
 
-/// Files named `ENDING.tmp` and a number.
+/// Removes files named `ENDING.tmp` and a number.
 void sweep(const fs::path& folder, const std::vector<std::string>& endings) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
@@ -88,7 +88,7 @@ bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
            hashOf(bytes) == entry.png && dataHash(frame) == entry.data;
 }
 
-/// Of the frame's files of all passes; 0 where there are no passes.
+/// Hash of the frame's files of all passes; 0 if there are no passes.
 std::uint64_t FrameFiles::dataHash(int frame) const {
     TextHash hash;
     for (const Pass pass : plan_.passes) hash.add(contentOf(nameOf(frame, pass)));
@@ -104,13 +104,13 @@ void FrameFiles::takeUp(const RunRecord& old) {
     }
 }
 
-/// Frames without a record are not ours to replace.
+/// Frames without a record may be someone else's.
 void FrameFiles::refuseStrangers() const {
     const auto check = [](const fs::path& name) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(name, ignored)))
             refuseToReplace(name,
-                            "is there already, and no run.json tells whose it is; "
+                            "already exists, and no run.json says who wrote it; "
                             "--overwrite replaces it");
     };
     const std::optional<Shard> shard = shardNamed(record_.shard);
@@ -123,7 +123,7 @@ void FrameFiles::refuseStrangers() const {
     if (!plan_.passes.empty() && !shard) check(dataName());
 }
 
-/// A folder for each pass, and their description.
+/// Makes a folder for each pass and writes their description.
 void FrameFiles::prepareData() const {
     for (const Pass pass : plan_.passes) {
         const fs::path folder = nameOf(0, pass).parent_path();
@@ -137,7 +137,7 @@ void FrameFiles::prepareData() const {
         render::writeFileAtomically(dataName(), passesJson(plan_, record_.pattern));
 }
 
-/// What a killed run was writing. The lock says that nobody is writing it now.
+/// Removes what a killed run was writing. The lock ensures that nobody is writing it now.
 void FrameFiles::sweepTemporaries() const {
     sweep(folder_, {".png", "run.json", "passes.json"});
     for (const PassText& text : passTexts())
@@ -145,7 +145,7 @@ void FrameFiles::sweepTemporaries() const {
             sweep(folder, {text.ending});
 }
 
-/// A shorter film must not end in the old one's frames, nor have the old one's data beside it.
+/// A shorter film must not end with frames of the old one, nor keep its data.
 void FrameFiles::removeOutdated(const RunRecord& old) const {
     const int oldFrames = static_cast<int>(old.frames.size());
     for (int frame = plan_.frames; frame < oldFrames; ++frame) removeOwn(nameOf(frame));
@@ -153,7 +153,7 @@ void FrameFiles::removeOutdated(const RunRecord& old) const {
         if (isSymlink(folder_ / textOf(pass).name)) continue;
         for (int frame = 0; frame < oldFrames; ++frame) removeOwn(nameOf(frame, pass));
         std::error_code ignored;
-        fs::remove(folder_ / textOf(pass).name, ignored);  // where nothing else is in it
+        fs::remove(folder_ / textOf(pass).name, ignored);  // if nothing else is in it
     }
     if (!old.passes.empty()) removeOwn(dataName());
 }
@@ -168,7 +168,7 @@ fs::path FrameFiles::nameOf(int frame, Pass pass) const {
     return folder_ / text.name / (nameOf(frame).stem().string() + text.ending);
 }
 
-/// The hash of what it writes.
+/// Returns the hash of what it writes.
 std::uint64_t FrameFiles::addData(const DrawnFrame& frame) {
     TextHash hash;
     for (std::size_t i = 0; i < plan_.passes.size(); ++i) {

@@ -12,12 +12,12 @@
 
 namespace demos {
 
-/// Holds the folder's lock from the constructor to the end, unless it is a part's: other parts are
-/// written there at the same time, perhaps by other machines.
+/// Holds the folder's lock for its lifetime, except for a part: other parts are written to the same
+/// folder at the same time, perhaps by other machines.
 class FrameFiles {
 public:
-    /// `record`: what this run is. Takes up a run with the same fingerprint: frames that are whole
-    /// and have the recorded content are kept. Throws Stop (wouldOverwrite) when the folder holds
+    /// `record`: describes this run. Resumes a run with the same fingerprint: complete frames with
+    /// the recorded content are kept. Throws Stop (wouldOverwrite) when the folder holds
     /// another run's frames and `overwrite` is not set, or is being written by another process.
     FrameFiles(const FilmPlan& plan, const std::filesystem::path& folder, RunRecord record,
                bool overwrite);
@@ -32,7 +32,7 @@ public:
     /// Writes the record.
     void close(bool finished);
     std::filesystem::path nameOf(int frame) const;
-    /// Where the data passes are described.
+    /// The file that describes the data passes.
     std::filesystem::path dataName() const { return folder_ / "passes.json"; }
     const std::filesystem::path& folder() const { return folder_; }
 

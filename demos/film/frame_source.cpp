@@ -18,17 +18,17 @@
 namespace demos {
 namespace {
 
-/// Nothing of the parent's may be run down at the end of a worker, hence _exit.
+/// Ends with _exit, so that a worker runs none of the parent's exit handlers.
 [[noreturn]] void beWorker(const FilmPlan& plan, const WorkerTask& task, Channel channel,
                            pid_t parent) {
-    becomeChildOf(parent);  // which finishes the frame when it is interrupted
+    becomeChildOf(parent);  // the parent handles SIGINT: it finishes the frame
     runWorker(plan, task, channel);
     _exit(0);
 }
 
-/// Of a process whose socket is closed: it is ending, if it has not ended.
+/// How a process ended whose socket is closed; it may be ending still.
 std::string deathOf(pid_t process) {
-    kill(process, SIGKILL);  // a process that ends already is not touched by it
+    kill(process, SIGKILL);  // no effect on a process that has ended
     return deathText(waitFor(process));
 }
 
@@ -95,7 +95,7 @@ void FrameSource::order(const std::vector<bool>& wanted) {
         orders.first.push_back(wanted[frame] ? 1 : 0);
         if (wanted[frame]) wanted_.push_back(static_cast<int>(frame));
     }
-    // A worker that is gone already is noticed, with its reason, where its frame is due.
+    // A worker that has ended already is reported, with the reason, when its frame is due.
     for (Worker& worker : workers_) worker.channel.send(orders);
 }
 
@@ -104,8 +104,8 @@ bool FrameSource::next(DrawnFrame& frame) {
     Message message;
     receive(workers_[taken_ % workers_.size()], message);
     if (message.kind != MessageKind::frame || message.frame != wanted_[taken_])
-        throw render::Error(fmt::format("frame {} did not come; the drawing process sent another",
-                                        wanted_[taken_]));
+        throw render::Error(
+            fmt::format("frame {} is missing; the drawing process sent another", wanted_[taken_]));
     ++taken_;
     frame.frame = message.frame;
     frame.stateHash = message.stateHash;

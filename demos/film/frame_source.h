@@ -1,7 +1,7 @@
-/// Draws a film in several processes, a context each (two contexts in one process would wait for
-/// each other). Every worker plays the whole simulation, which is the same to the bit in all of
-/// them, and draws every n-th of the wanted frames; the parent takes them in turn, so their order
-/// is given.
+/// Draws a film in several processes with one context each (two contexts in one process would wait
+/// for each other). Every worker runs the whole simulation, which is bit-identical in all of them,
+/// and draws every n-th of the wanted frames. The parent reads from the workers in turn, so that
+/// the frames arrive in order.
 #pragma once
 #include <sys/types.h>
 
@@ -17,28 +17,28 @@ namespace demos {
 struct DrawnFrame {
     int frame = 0;
     std::uint64_t stateHash = 0;
-    std::vector<std::uint8_t> png;  // empty where not asked for
-    render::Image image;            // empty where not asked for
+    std::vector<std::uint8_t> png;  // empty if not requested
+    render::Image image;            // empty if not requested
     std::vector<std::vector<std::uint8_t>> data;  // a file for each of the plan's passes
 };
 
 class FrameSource {
 public:
-    /// Forks the workers: call before any OpenGL, and before files are opened that a child should
-    /// not hold. `png`, `raw`: what is wanted of each frame.
+    /// Forks the workers: call before any OpenGL, and before opening files that a child should not
+    /// inherit. `png`, `raw`: what to make of each frame. Throws render::Error when a worker fails.
     FrameSource(const FilmPlan& plan, int jobs, bool png, bool raw);
     ~FrameSource();
     FrameSource(const FrameSource&) = delete;
     FrameSource& operator=(const FrameSource&) = delete;
 
-    /// The renderer's name. Throws render::Error when a worker has none.
+    /// The renderer's name.
     const std::string& renderer() const { return renderer_; }
 
-    /// Which frames are to be drawn; once, before next().
+    /// Sets the frames to draw; call once, before next().
     void order(const std::vector<bool>& wanted);
 
     /// The next wanted frame; false: there are no more. Throws render::Error when a worker failed
-    /// or died, Stop (diverged) when the simulation did.
+    /// or died, Stop (diverged) when the simulation diverged.
     bool next(DrawnFrame& frame);
 
 private:
@@ -56,7 +56,7 @@ private:
     int width_, height_;
 };
 
-/// One per core, at least 1; never more than there are frames.
+/// `jobs`, or one per core if that is 0; at least 1, at most `frames`.
 int workerCount(int jobs, int frames);
 
 }  // namespace demos

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kNarrow = 4.0f / 3.0f;       // width / height
 constexpr std::size_t kTallPlate = 6;        // rows
-constexpr float kPlateWidth = 15.0f;         // in heights of its letters
+constexpr float kPlateWidth = 15.0f;         // in letter heights
 constexpr float kHalfSubject = 0.30f;        // of the width, on either side of the middle
 constexpr float kWidestPlate = 0.5f;         // of the width: no room is left beside a wider one
 
@@ -26,7 +26,7 @@ void keepWidth(float aspect, render::Camera& camera) {
     camera.fovDegrees = std::min(std::atan(half) * 360.0f / std::numbers::pi_v<float>, 170.0f);
 }
 
-/// Of the width, with its margin; 0 without one.
+/// The width of a tall plate with its margin, as a share of the picture's; 0 without one.
 float tallPlate(int width, int height, const render::Frame& frame) {
     for (const render::Plate& plate : frame.plates) {
         const bool right = plate.corner == render::Corner::topRight ||

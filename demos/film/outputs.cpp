@@ -29,12 +29,12 @@ Output framesOutput(const FilmPlan& plan, const std::string& pattern) {
     if (plan.frames > 1 && !namesEveryFrame(pattern))
         refuseOutput(pattern,
                      "every frame needs a name of its own, as in frame_####.png; for one "
-                     "picture there is 'impulse still'");
+                     "picture use 'impulse still'");
     output.path = fs::path(expandPattern(pattern, valuesOf(plan, 0))).parent_path();
     if (plan.frames > 1 &&
         fs::path(expandPattern(pattern, valuesOf(plan, 1))).parent_path() != output.path)
         refuseOutput(pattern,
-                     "all frames go to one folder; the frame may only be part of the name");
+                     "all frames go to one folder; only the name may have the frame's number");
     if (output.path.empty()) output.path = ".";
     return output;
 }
@@ -42,7 +42,7 @@ Output framesOutput(const FilmPlan& plan, const std::string& pattern) {
 Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     if (pattern.empty())
         refuseOutput(pattern, "a file or folder is needed; '-' is standard output");
-    if (pattern.find('\0') != std::string::npos) refuseOutput(pattern, "a name holds no NUL");
+    if (pattern.find('\0') != std::string::npos) refuseOutput(pattern, "a name cannot contain NUL");
     Output output;
     if (pattern == "-") {
         output.kind = OutputKind::raw;
@@ -52,7 +52,7 @@ Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     if (ending == ".png") return framesOutput(plan, pattern);
     if (render::isVideoName(pattern)) {
         if (namesEveryFrame(pattern))
-            refuseOutput(pattern, "a film is one file; leave the frame out");
+            refuseOutput(pattern, "a film is one file; leave the frame's number out");
         output.kind = OutputKind::film;
         output.path = expandPattern(pattern, valuesOf(plan, 0));
         return output;
@@ -66,24 +66,24 @@ Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     return framesOutput(plan, (fs::path(pattern) / "frame_{frame:6}.png").string());
 }
 
-/// Of a film a part is a file in a folder of its own.
+/// A part of a film is a file in a folder of its own.
 void takePart(const Shard& shard, const std::string& pattern, Output& output) {
     const std::string ending = endingOf(pattern);
     const bool joins = ending == ".mp4" || ending == ".webm";
     if (output.kind == OutputKind::raw || (output.kind == OutputKind::film && !joins))
-        refuseOutput(pattern, "with --shard a film is .mp4 or .webm, or PNG frames");
+        refuseOutput(pattern, "with --shard a film must be .mp4, .webm or PNG frames");
     if (output.kind != OutputKind::film) return;
     output.path = partsFolderOf(output.path) / (shard.name() + ending);
     output.part = true;
 }
 
-/// Data has its place beside PNG frames.
+/// Data is written only next to PNG frames.
 void checkPasses(const std::vector<Output>& outputs, const FilmPlan& plan) {
     if (plan.passes.empty()) return;
     for (const Output& output : outputs)
         if (output.kind == OutputKind::frames) return;
     throw Stop(Exit::usage,
-               fmt::format("--pass {}: data is written beside PNG frames; add a folder for both, "
+               fmt::format("--pass {}: data is written next to PNG frames; add a folder for both, "
                            "for example -o output/{}",
                            fmt::join(passNamesOf(plan.passes), ","), printable(plan.name)));
 }
@@ -106,7 +106,7 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
                                             plan.layout.width, plan.layout.height, ending));
     if (plan.alpha() && !render::videoFormatOf(output.path)->holdsAlpha)
         throw Stop(Exit::usage, fmt::format("--output '{}': a {} holds no alpha, which the theme "
-                                            "'transparent' is for; use .webm, .webp, .apng or .gif",
+                                            "'transparent' needs; use .webm, .webp, .apng or .gif",
                                             printable(output.path.string()), ending));
     if (plan.fps > render::videoFormatOf(output.path)->largestFps)
         throw Stop(Exit::usage, fmt::format("--fps {}: a {} film takes at most {} frames a second",
@@ -120,9 +120,8 @@ void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
                                printable(output.path.string())));
     render::checkReplaceable(output.path);
     if (isThere(output.path) && !overwrite)
-        throw Stop(Exit::wouldOverwrite,
-                   fmt::format("'{}' is there already; --overwrite replaces it",
-                               printable(output.path.string())));
+        throw Stop(Exit::wouldOverwrite, fmt::format("'{}' already exists; --overwrite replaces it",
+                                                     printable(output.path.string())));
 }
 
 }  // namespace
@@ -149,15 +148,15 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options) 
             if (other.kind == output.kind && other.path == output.path)
                 refuseOutput(pattern, "another --output goes there already");
         if (output.kind == OutputKind::raw && options.json)
-            refuseOutput(pattern, "--json has standard output already");
+            refuseOutput(pattern, "--json writes to standard output already");
         outputs.push_back(output);
     }
     const auto isFilm = [](const Output& output) { return output.kind == OutputKind::film; };
     if (options.maxSize && std::none_of(outputs.begin(), outputs.end(), isFilm))
-        throw Stop(Exit::usage, "--max-size belongs to a film; name one, as in -o film.gif");
+        throw Stop(Exit::usage, "--max-size needs a film; name one, as in -o film.gif");
     if (options.shard && (outputs.size() > 1 || options.maxSize || !options.poster.empty()))
-        throw Stop(Exit::usage, "--shard: a part has one --output, and neither --max-size nor "
-                                "--poster, which the whole film decides about");
+        throw Stop(Exit::usage, "--shard: a part has one --output and neither --max-size nor "
+                                "--poster, which are for the whole film");
     checkPasses(outputs, plan);
     return outputs;
 }

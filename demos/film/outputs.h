@@ -1,4 +1,4 @@
-/// Where a film goes: -o, understood.
+/// Where a film is written: -o, parsed.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -13,28 +13,28 @@ namespace demos {
 enum class OutputKind {
     frames,  // PNG files and their run.json
     film,    // a video
-    raw      // RGBA, a frame after the other, on standard output
+    raw      // RGBA, one frame after the other, on standard output
 };
 
 struct Output {
     OutputKind kind = OutputKind::frames;
-    std::string pattern;         // frames: of the files' names
+    std::string pattern;         // frames: for the files' names
     std::filesystem::path path;  // film: the file; frames: their folder
-    bool part = false;           // of a film: made anew unless it is there
+    bool part = false;           // of a film: drawn again unless it is complete
 };
 
-/// film.mp4: film.parts, where a --shard goes.
+/// film.mp4 -> film.parts: the folder of the parts that --shard makes.
 std::filesystem::path partsFolderOf(std::filesystem::path film);
 
 bool has(const std::vector<Output>& outputs, OutputKind kind);
 
-/// Throws Stop (usage) for what cannot be written, or twice to one place.
+/// Throws Stop (usage) for an output that cannot be written or is given twice.
 std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options);
 
-/// Throws Stop (wouldOverwrite) or render::Error where that can be known before drawing.
+/// Throws Stop or render::Error for problems that can be known before drawing.
 void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite);
 
-/// Throws Stop (wouldOverwrite); `what`: the path is.
+/// Throws Stop (wouldOverwrite): "'PATH' WHAT".
 [[noreturn]] void refuseToReplace(const std::filesystem::path& path, const std::string& what);
 
 PatternValues valuesOf(const FilmPlan& plan, int frame);

@@ -1,4 +1,4 @@
-/// Where the panels of a film lie.
+/// The places of a film's panels.
 #pragma once
 #include <vector>
 
@@ -15,12 +15,12 @@ struct PanelLayout {
     Area strip;                // of a plot; width 0 = none
 };
 
-/// One panel fills the film. Two stand side by side, with the plot below; three leave the fourth
-/// corner to it; more make a grid as square as can be, with the plot below. Sizes are even, so
-/// that every codec takes them.
+/// One panel fills the film. Two are side by side, with the plot below; three leave the fourth
+/// corner to the plot; more make a grid as square as possible, with the plot below. Sizes are even,
+/// as some codecs require.
 PanelLayout panelLayout(int panels, bool strip, int width, int height);
 
-/// A picture that keeps its size, with a plot of so many pixels below it: for paper, where a plot's
+/// A picture that keeps its size, with a plot of `strip` pixels below it: for paper, where a plot's
 /// letters need the room.
 PanelLayout layoutWithStrip(int width, int height, int strip);
 

@@ -34,14 +34,14 @@ std::optional<RunRecord> recordAt(const fs::path& file) {
     return bytes.empty() ? std::nullopt : recordFromJson({bytes.begin(), bytes.end()});
 }
 
-/// A part as it lies in the folder.
+/// A part found in the folder.
 struct Found {
     Shard shard;
     fs::path film;  // empty: of PNG frames
     std::optional<RunRecord> record;
 };
 
-constexpr std::string_view kFrames = "run.";  // of the records beside PNG frames
+constexpr std::string_view kFrames = "run.";  // of the records of PNG frames
 
 std::vector<Found> foundIn(const fs::path& folder) {
     std::vector<Found> all;
@@ -64,7 +64,7 @@ std::vector<Found> foundIn(const fs::path& folder) {
     return all;
 }
 
-/// Its own frames are recorded, and what is recorded is there.
+/// All its frames are recorded, and its files match the record.
 bool isWhole(const Found& found, const fs::path& folder) {
     if (!found.record || !found.record->finished) return false;
     const RunRecord& record = *found.record;
@@ -87,7 +87,7 @@ Kind kindOf(const RunRecord& record) {
     return {record.fingerprint, record.version + " " + record.renderer, record.pixels};
 }
 
-/// The kind that most parts are of.
+/// The kind of most parts.
 Kind usualKind(const std::vector<Found>& all) {
     std::map<Kind, int> counts;
     for (const Found& found : all)
@@ -100,12 +100,12 @@ Kind usualKind(const std::vector<Found>& all) {
 
 std::string oddness(const Kind& kind, const Kind& usual) {
     if (std::get<2>(kind) != std::get<2>(usual))
-        return "of another class of processors (--reproducible draws alike on all)";
+        return "of another class of processors (--reproducible draws the same on all)";
     if (std::get<1>(kind) != std::get<1>(usual)) return "of another program or renderer";
     return "of another run";
 }
 
-/// Takes over what a part has drawn.
+/// Adds a part's frames to the whole.
 void addPart(const Found& found, Parts& parts) {
     const int frames = static_cast<int>(found.record->frames.size());
     if (parts.whole.frames.empty()) {
@@ -140,7 +140,7 @@ Parts partsIn(const fs::path& folder) {
     const std::vector<Found> all = foundIn(folder);
     const std::string name = printable(folder.string());
     if (all.empty())
-        refuse(fmt::format("'{}' has no parts; they are made by impulse render --shard 1/N", name));
+        refuse(fmt::format("'{}' has no parts; make them with impulse render --shard 1/N", name));
     Parts parts;
     parts.count = all.front().shard.count;
     parts.films =
@@ -177,7 +177,7 @@ std::string commandOf(const Parts& parts, int number) {
     const std::string option = "--shard";
     const std::size_t at = command.find(option);
     if (at == std::string::npos) return {};
-    const std::size_t value = at + option.size() + 1;  // behind a blank or '='
+    const std::size_t value = at + option.size() + 1;  // after a space or '='
     const std::size_t end = std::min(command.find(' ', value), command.size());
     return command.replace(value, end - value, fmt::format("{}/{}", number, parts.count));
 }

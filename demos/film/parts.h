@@ -13,26 +13,26 @@ namespace demos {
 
 enum class PartState { missing, another, torn, done };
 
-/// Of a film's part, for a run that would make `record`.
+/// The state of a film's part, for a run that would write `record`.
 PartState stateOfPart(const std::filesystem::path& film, const RunRecord& record);
 
-/// Beside the film, when that is whole. Throws render::Error.
+/// Written next to the part's film when that is complete. Throws render::Error.
 void writePartRecord(const std::filesystem::path& film, RunRecord record);
 
-/// A folder of parts, looked through.
+/// What partsIn() finds in a folder.
 struct Parts {
-    int count = 0;                             // that there should be
-    bool films = false;                        // or PNG frames
-    std::vector<std::filesystem::path> files;  // of films, in order, where all are whole
-    RunRecord whole;                           // what the run would have that draws all at once
-    std::vector<int> wanted;                   // numbers of those to be made, or made again
+    int count = 0;                             // of the whole film
+    bool films = false;                        // false: PNG frames
+    std::vector<std::filesystem::path> files;  // films of the good parts, in order
+    RunRecord whole;                           // the record of a run that draws all at once
+    std::vector<int> wanted;                   // numbers of the parts to draw, or draw again
     std::vector<std::string> troubles;         // "missing: 3 7", "of another program: 5"
 };
 
-/// Every part is read and compared with its hash. Throws Stop (usage) where there are none.
+/// Reads every part and compares it with its hash. Throws Stop (usage) if there are none.
 Parts partsIn(const std::filesystem::path& folder);
 
-/// The command that makes the part `number`.
+/// The command that draws part `number`.
 std::string commandOf(const Parts& parts, int number);
 
 }  // namespace demos

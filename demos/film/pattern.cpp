@@ -19,7 +19,7 @@ std::string padded(const std::string& pattern, int frame, std::size_t width) {
     return fmt::format("{:0{}}", frame, width);
 }
 
-/// `{frame:6}` and its kin, without the brackets.
+/// The text for `{frame:6}` and the like; `word`: without the braces.
 std::string hole(const std::string& pattern, const std::string& word, const PatternValues& values) {
     const std::size_t colon = word.find(':');
     const std::string name = word.substr(0, colon);
@@ -42,7 +42,7 @@ std::string hole(const std::string& pattern, const std::string& word, const Patt
                                       suggestion(name, {"frame", "time", "scene", "quality"})));
 }
 
-/// Where `%06d`, `%d` or `%%` at `at` ends; npos: it is none, and a per cent sign is one.
+/// Where `%06d`, `%d` or `%%` at `at` ends; npos: none of these, a plain per cent sign.
 std::size_t printfEnd(const std::string& pattern, std::size_t at) {
     const std::size_t end = pattern.find_first_not_of("0123456789", at + 1);
     if (end == std::string::npos) return end;
@@ -84,11 +84,11 @@ std::string expandPattern(const std::string& pattern, const PatternValues& value
         } else if (c == '{') {
             const std::size_t end = pattern.find('}', i);
             if (end == std::string::npos)
-                refuseOutput(pattern, "'{' is not closed; '{{' is a bracket");
+                refuseOutput(pattern, "'{' is not closed; write '{{' for a brace");
             name += hole(pattern, pattern.substr(i + 1, end - i - 1), values);
             i = end + 1;
         } else if (c == '}') {
-            refuseOutput(pattern, "'}' was not opened; '}}' is a bracket");
+            refuseOutput(pattern, "'}' was not opened; write '}}' for a brace");
         } else {
             name += c;
             ++i;

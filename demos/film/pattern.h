@@ -1,4 +1,4 @@
-/// Names of output files with holes: `out/{scene}_####.png`.
+/// Names of output files with placeholders: `out/{scene}_####.png`.
 #pragma once
 #include <string>
 
@@ -13,13 +13,13 @@ struct PatternValues {
 /// Throws Stop (usage): `what` is wrong with this --output.
 [[noreturn]] void refuseOutput(const std::string& output, const std::string& what);
 
-/// `####`, `{frame:6}` and printf's `%06d`: the frame, filled up with zeros; `{frame}` and `%d`: as
-/// it is; `{time}`: seconds with three decimals; `{scene}`, `{quality}`; `{{`, `}}` and `%%`: the
-/// characters themselves. Any other `%` stands for itself.
-/// Throws Stop (usage) for what is none of these.
+/// `####`, `{frame:6}` and printf's `%06d`: the frame, padded with zeros; `{frame}` and `%d`: not
+/// padded; `{time}`: seconds with three decimals; `{scene}`, `{quality}`; `{{`, `}}` and `%%`: the
+/// characters themselves. Any other `%` is literal.
+/// Throws Stop (usage) for other braces.
 std::string expandPattern(const std::string& pattern, const PatternValues& values);
 
-/// Whether two frames get two names.
+/// Whether every frame gets a name of its own.
 bool namesEveryFrame(const std::string& pattern);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// The plot below the pictures of a film, with a cursor that goes with the time.
+/// The plot below the pictures of a film, with a cursor that follows the time.
 #pragma once
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace demos {
 
-/// Plays the scene once, physics only, for the chart that its look.plot names. Ends early where the
-/// scene diverges. Throws Stop (interrupted) on a signal.
+/// Simulates the scene once, without drawing, for the chart that its look.plot names. Ends early if
+/// the scene diverges. Throws Stop (interrupted) on a signal.
 Chart playedChart(const SceneDescription& scene);
 
-/// The plan has room for it. The charts' x axis is the time.
+/// The plan must have room for the strip, and the charts' x axis must be time.
 void addStrip(const std::vector<Chart>& charts, FilmPlan& plan, const Paper& paper = {});
 
 }  // namespace demos

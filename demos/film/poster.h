@@ -1,4 +1,4 @@
-/// One frame of a film as a picture of its own, for pages that show it before it plays.
+/// One frame of a film as a picture of its own, for pages that show it before the film plays.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace demos {
 
-/// Written when the film is whole; nothing is left of an interrupted run's.
+/// Written when the film is complete; an interrupted run leaves no poster.
 class Poster {
 public:
-    /// Throws Stop (usage, wouldOverwrite). Without --poster nothing is wanted.
+    /// Throws Stop (usage, wouldOverwrite). Without --poster it wants no frame.
     Poster(const FilmPlan& plan, const FilmOptions& options);
     bool wants(int frame) const { return frame == frame_; }
     void add(const DrawnFrame& frame);

@@ -1,4 +1,4 @@
-/// What a run says while it works: a bar on a terminal, a line per 10 % elsewhere, JSON lines for
+/// A run's output while it works: a bar on a terminal, a line per 10 % elsewhere, JSON lines for
 /// programs. Progress goes to standard error, results and JSON to standard output.
 #pragma once
 #include <chrono>
@@ -12,8 +12,8 @@ namespace demos {
 /// `text` as a JSON string, with its quotes.
 std::string jsonString(const std::string& text);
 
-/// A line of results on standard output, or on standard error where that carries data; nothing
-/// with --quiet or --json.
+/// Prints results on standard output, or on standard error if standard output carries data;
+/// nothing with --quiet or --json.
 class Talk {
 public:
     Talk(const Options& options, bool dataOnStdout);
@@ -31,7 +31,7 @@ private:
 
 class Progress {
 public:
-    /// `kept` of the `total` frames are there already.
+    /// `kept` of the `total` frames exist already.
     Progress(const Options& options, int total, int kept);
     void advance();
     /// Ends the bar's line.

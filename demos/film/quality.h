@@ -11,13 +11,13 @@ struct Quality {
     const char* name;
     int width, height;  // pixels
     int fps;
-    int samples;  // of a pixel with an edge
-    int moments;  // pictures that a frame is the mean of
+    int samples;  // per pixel with an edge
+    int moments;  // pictures averaged into one frame
     render::Finish finish;
 };
 
 const std::vector<std::string>& qualityNames();
-/// One of qualityNames().
+/// `name`: one of qualityNames().
 const Quality& qualityOf(const std::string& name);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// Which OpenGL draws here.
+/// The name of the OpenGL renderer.
 #pragma once
 #include <string>
 
@@ -6,8 +6,8 @@
 
 namespace demos {
 
-/// The renderer's name, asked for in a process of its own: this one may not have a context. Throws
-/// render::Error where there is no OpenGL.
+/// Gets the renderer's name in a process of its own, since this one may not have a context. Throws
+/// render::Error if there is no OpenGL.
 std::string rendererName(const Options& options);
 
 }  // namespace demos

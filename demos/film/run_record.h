@@ -1,4 +1,4 @@
-/// run.json: what a run was made of and what it has written, so that it can be resumed.
+/// run.json: a run's inputs and what it has written, so that it can be resumed.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -16,16 +16,16 @@ struct FrameRecord {
 };
 
 struct RunRecord {
-    std::uint64_t fingerprint = 0;  // of all that decides about the pictures
+    std::uint64_t fingerprint = 0;  // of all that determines the pictures
     std::string version, renderer, scene, pattern, quality, command;
-    std::string pixels;  // the class of processors that give these bits
-    std::string ffmpeg;  // its version; empty where no video was written beside
+    std::string pixels;  // the class of processors that draws these bits
+    std::string ffmpeg;  // its version; empty if no video was written
     std::string theme;
     std::vector<std::string> show, settings;  // overlays; KEY=VALUE of the command line
     int width = 0, height = 0, samples = 0, fps = 0, hz = 0;
     std::vector<std::string> passes;  // data passes, by name
     std::string shard;       // "003-of-016": the record of a part; empty: of a whole run
-    std::uint64_t film = 0;  // TextHash of a part's film; 0: it is of PNG frames
+    std::uint64_t film = 0;  // TextHash of a part's film; 0: PNG frames
     bool finished = false;
     std::vector<FrameRecord> frames;
 };

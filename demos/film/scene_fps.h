@@ -1,4 +1,4 @@
-/// A frame rate that a scene's steps allow, and what else suits its film.
+/// Defaults for a scene's film: a frame rate that its steps allow, an opaque theme.
 #pragma once
 #include "demos/film/quality.h"
 #include "demos/options/options.h"
@@ -14,8 +14,8 @@ constexpr int fpsUpTo(int wanted, int hz) {
     return fps;
 }
 
-/// What was not asked for, for an opaque film of the scene: a rate that its steps allow, and a
-/// ground to stand on where the scene's theme has none.
+/// Sets options that were not given, for an opaque film of the scene: a rate that its steps allow,
+/// and a theme with a ground if the scene's theme has none.
 inline void suitFilm(const SceneDescription& scene, Options& options) {
     if (!options.fps) options.fps = fpsUpTo(qualityOf(options.quality).fps, scene.hz);
     if (options.theme.empty() && scene.look.theme == "transparent") options.theme = "studio";

@@ -13,7 +13,7 @@ namespace demos {
 
 FilmPlan planStrip(StripOptions options) {
     options.anyStep = !options.times.empty();
-    options.plotBelow = false;  // a row of moments has no time for a cursor
+    options.plotBelow = false;  // a row of moments has no single time for a cursor
     const Quality& quality = qualityOf(options.quality);
     if (!options.size) options.size = PictureSize{quality.width / 2, quality.height / 2};
     FilmPlan plan = planFilm(options);

@@ -7,7 +7,7 @@
 
 namespace demos {
 
-/// A panel each, its label in place of the scene's title and captions.
+/// One panel per variant, with its label instead of the scene's title and captions.
 std::vector<Panel> panelsOf(const std::vector<Variant>& variants);
 
 }  // namespace demos

@@ -22,7 +22,7 @@ constexpr int kMostValues = 1000;
     throw Stop(Exit::usage, fmt::format("{} '{}': {}", option, printable(text), what));
 }
 
-/// Parts at commas that are not within brackets or quotes.
+/// Splits at commas that are not within brackets or quotes.
 std::vector<std::string> listOf(const std::string& text) {
     std::vector<std::string> parts(1);
     int depth = 0;
@@ -82,7 +82,7 @@ bool isWhole(double x) { return x == std::floor(x); }
 
 std::vector<std::string> valuesIn(const ValueRange& range) {
     std::vector<std::string> values;
-    for (int i = 0; i <= kMostValues; ++i) {  // counted, so that steps of 0.1 do not add up errors
+    for (int i = 0; i <= kMostValues; ++i) {  // by index: sums of 0.1 would add up errors
         const double value =
             range.doubling ? range.low * std::pow(range.step, i) : range.low + i * range.step;
         if (value > range.high * (1.0 + 1e-12) + 1e-12) break;
@@ -91,7 +91,7 @@ std::vector<std::string> valuesIn(const ValueRange& range) {
     return values;
 }
 
-/// The settings that are not in all of them.
+/// The settings that not all variants share.
 std::string unshared(const std::vector<std::string>& settings,
                      const std::vector<std::vector<std::string>>& all) {
     std::string label;
@@ -113,7 +113,7 @@ std::string labelOf(const std::vector<std::string>& settings,
     return label.empty() ? "as it is" : label;
 }
 
-/// A setting that is wrong was not given to --set.
+/// Errors name the option that was given, not --set.
 SceneError asOption(const SceneError& error, const std::string& option) {
     std::vector<std::string> lines = error.lines();
     for (std::string& line : lines)
@@ -137,12 +137,12 @@ Variation rangeFrom(const std::string& text, const std::string& option) {
     const std::optional<ValueRange> range = rangeOf(value);
     if (!range)
         refuse(option, text, "must be a list (1,4,16) or a range (1..64, 1..64:x2, 0..1:0.25)");
-    if (range->high < range->low) refuse(option, text, "the range runs upwards; swap its ends");
+    if (range->high < range->low) refuse(option, text, "a range must run upwards; swap its ends");
     const bool whole = isWhole(range->low) && isWhole(range->high);
     if (value.find(':') == std::string::npos && !whole)
-        refuse(option, text, "a range of numbers that are not whole needs a step, as in 0..1:0.25");
+        refuse(option, text, "a range of fractions needs a step, as in 0..1:0.25");
     if (range->doubling ? !(range->step > 1.0 && range->low > 0.0) : !(range->step > 0.0))
-        refuse(option, text, "the step must be above 0, a factor above 1 and from above 0");
+        refuse(option, text, "a step must be above 0; a factor above 1, with the range above 0");
     variation.values = valuesIn(*range);
     if (static_cast<int>(variation.values.size()) > kMostValues)
         refuse(option, text, fmt::format("more than {} values; take larger steps", kMostValues));
@@ -172,11 +172,11 @@ std::string differencesOf(const std::vector<Variant>& variants, std::size_t numb
 std::vector<Variant> variantsOf(const Options& options,
                                 const std::vector<std::vector<std::string>>& settings,
                                 const std::vector<std::string>& labels, const std::string& option) {
-    sceneOf(options);  // what is wrong with the scene itself is reported once, as its own
+    sceneOf(options);  // errors of the scene itself are reported once, without a variant
     std::vector<Variant> variants;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         Options own = options;
-        own.quiet = true;  // notes are told by now
+        own.quiet = true;  // notes have been reported
         own.overrides.insert(own.overrides.end(), settings[i].begin(), settings[i].end());
         Variant variant;
         variant.settings = settings[i];

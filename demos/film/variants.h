@@ -1,4 +1,4 @@
-/// One scene under several settings: what compare puts side by side and sweep goes through.
+/// One scene under several settings, for compare and sweep.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Variant {
     SceneDescription scene;
 };
 
-/// "solver.nudges=0,4" -> key and values; commas within brackets or quotes do not part them.
+/// "solver.nudges=0,4" -> key and values; commas within brackets or quotes do not separate.
 struct Variation {
     std::string key;
     std::vector<std::string> values;
@@ -22,20 +22,20 @@ struct Variation {
 /// Throws Stop (usage); `option` is named in the message.
 Variation variationFrom(const std::string& text, const std::string& option);
 
-/// What --over takes besides a list: "1..64" every whole number, "1..64:x2" doubling, "0..1:0.25"
-/// in steps. Throws Stop (usage).
+/// --over takes lists, and ranges: "1..64" every whole number, "1..64:x2" doubling, "0..1:0.25" in
+/// steps. Throws Stop (usage).
 Variation rangeFrom(const std::string& text, const std::string& option);
 
 /// All combinations, the last variation changing fastest.
 std::vector<std::vector<std::string>> combinations(const std::vector<Variation>& variations);
 
-/// Reads the scene once for each; throws SceneError, with `option` where a setting is wrong.
-/// Labels that are empty become the settings without what they share.
+/// Reads the scene once for each variant. Throws SceneError, which names `option` if a setting is
+/// wrong. An empty label becomes the settings that not all variants share.
 std::vector<Variant> variantsOf(const Options& options,
                                 const std::vector<std::vector<std::string>>& settings,
                                 const std::vector<std::string>& labels, const std::string& option);
 
-/// "nudges=0, slop=0.01": what this one does not share with all of them; may be empty.
+/// "nudges=0, slop=0.01": the settings that not all variants share; may be empty.
 std::string differencesOf(const std::vector<Variant>& variants, std::size_t number);
 
 }  // namespace demos

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-/// What a worker plays and draws with.
+/// What a worker simulates and draws with.
 struct Desk {
     render::Renderer renderer;
     Composite composite;

@@ -1,4 +1,4 @@
-/// The life of a drawing process.
+/// The main function of a drawing process.
 #pragma once
 #include "demos/film/film_plan.h"
 #include "demos/processes/channel.h"
@@ -10,7 +10,7 @@ struct WorkerTask {
     bool png = true, raw = false;
 };
 
-/// Tells everything through the channel; throws nothing.
+/// Reports frames and errors through the channel; throws nothing.
 void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel) noexcept;
 
 }  // namespace demos

@@ -38,7 +38,7 @@ std::string jsonText(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// As `impulse list`: by group, then as they were named; scenes without a group come first.
+/// As in `impulse list`: by group, then in the given order; scenes without a group come first.
 void sortByGroup(std::vector<GalleryCard>& cards) {
     std::stable_sort(cards.begin(), cards.end(),
                      [](const auto& a, const auto& b) { return a.group < b.group; });
@@ -49,7 +49,7 @@ void refuseStranger(const fs::path& file, bool own) {
     if (!own && fs::exists(fs::symlink_status(file, ignored)))
         refuseToReplace(
             file,
-            "is there already, and no gallery.json tells that it is a gallery's; --overwrite "
+            "already exists, and no gallery.json says that it is a gallery's; --overwrite "
             "replaces it");
 }
 
@@ -67,7 +67,7 @@ public:
     Exit play() {
         if (films_ && !render::haveFfmpeg()) {
             films_ = false;
-            talk_.mention("ffmpeg is not installed: posters only; with it there are films");
+            talk_.mention("ffmpeg is not installed: posters are made, films are not");
         }
         render::makeFolder(folder_);
         const FolderLock lock(folder_);
@@ -82,7 +82,7 @@ public:
     }
 
 private:
-    /// What the scenes are, and whether their files are there.
+    /// Reads the scenes, and finds out which of their files are missing.
     void readAll() {
         const auto read = [this](int i) {
             return attempted([&] {
@@ -103,12 +103,12 @@ private:
         sortByGroup(cards_);
     }
 
-    /// Before anything is drawn: of all scenes, it may be larger than a PNG may be.
+    /// Before anything is drawn: the sheet of all scenes may be too large for a PNG.
     void checkSheet() const {
         stripLayout(static_cast<int>(cards_.size()), options_.columns, tileSize(), true);
     }
 
-    /// Before anything is drawn.
+    /// Before anything is drawn: refuses to replace files that are not the gallery's.
     void checkOwn() const {
         if (options_.overwrite) return;
         refuseStranger(record_.pageFile(), record_.found());
@@ -153,11 +153,11 @@ private:
                 render::sweepTemporaries(record_.posterFile(choice.name));
             }
             throw Stop(stop.code(),
-                       fmt::format("{} scenes; to go on: {}", stop.what(), options_.commandLine));
+                       fmt::format("{} scenes; to resume: {}", stop.what(), options_.commandLine));
         }
     }
 
-    /// In the scene's own process.
+    /// Runs in the scene's own process.
     std::string drawn(const GalleryChoice& choice) const {
         GalleryOptions own = optionsOfFilm(choice, options_);
         own.quiet = true;  // its notes have been reported
@@ -166,7 +166,7 @@ private:
         return jsonText({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
     }
 
-    /// As soon as it is there: a run that is interrupted later does not draw it again.
+    /// Recorded as soon as it is drawn, so that an interrupted run does not draw it again.
     void keep(const std::string& name, const Json& made) {
         const auto number = [&made](const char* key) {
             return std::stoull(made.at(key).get<std::string>(), nullptr, 16);
@@ -188,7 +188,7 @@ private:
                              [&name](const GalleryCard& card) { return card.name == name; });
     }
 
-    /// Of the scenes whose files are there now.
+    /// Writes the page and the sheet of the scenes whose files exist now.
     Exit writePages() {
         const std::size_t read = cards_.size();
         std::erase_if(cards_, [this](const auto& card) { return !record_.has(card, films_); });
@@ -215,7 +215,7 @@ private:
 
     Exit tellNothing() const {
         talk_.json(jsonText({{"event", "done"}, {"scenes", 0}, {"failed", troubles_.count()}}));
-        talk_.say("no page: there is no scene to show");
+        talk_.say("no page was written: there is no scene to show");
         return troubles_.code();
     }
 
@@ -225,7 +225,7 @@ private:
         return {width, std::max(1, first.height * width / first.width)};
     }
 
-    /// False: it is there as it would be.
+    /// False: it is up to date.
     bool writeSheet() {
         TextHash inputs;
         inputs.add(std::to_string(options_.columns));
@@ -248,7 +248,7 @@ private:
 
     using Taken = std::function<void(const GalleryChoice&, const std::string&)>;
 
-    /// `take` in the order of the choices, `finished` in that of their ends.
+    /// Calls `take` in the order of the choices, `finished` in the order in which they end.
     void inProcesses(const std::vector<GalleryChoice>& choices,
                      const std::function<std::string(int)>& work, const Taken& take,
                      const Taken& finished = {}) {

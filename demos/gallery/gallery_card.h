@@ -1,4 +1,4 @@
-/// What a gallery says of one scene, and how it is sent between processes.
+/// What a gallery says of one scene, and its JSON between processes.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -12,13 +12,13 @@ namespace demos {
 
 struct GalleryCard {
     std::string name, group, title, purpose;
-    std::string file;  // of a scene that is not built in, without its folder; else empty
+    std::string file;  // name of the scene file without its folder; empty: built in
     double seconds = 0.0;
     double posterTime = 0.0;  // s
     int bodies = 0, joints = 0, hz = 0;
     int frames = 0, fps = 0, width = 0, height = 0;
-    std::uint64_t fingerprint = 0;  // of all that decides about the pictures
-    bool film = false;              // there is one, besides the poster
+    std::uint64_t fingerprint = 0;  // of all that determines the pictures
+    bool film = false;              // there is a film besides the poster
 };
 
 /// `plan`: of the scene's film; `renderer`: as OpenGL names it.
@@ -26,11 +26,11 @@ GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const Gall
                    const std::string& renderer);
 
 nlohmann::ordered_json jsonOf(const GalleryCard& card);
-/// Throws nlohmann's exceptions for what jsonOf did not make.
+/// Throws nlohmann's exceptions for JSON that jsonOf did not make.
 GalleryCard cardFrom(const nlohmann::ordered_json& json);
 
-/// The options of one scene's film: 640x360 at 30 frames a second where nothing else was asked for,
-/// or the next lower rate that the scene's steps allow.
+/// The options of one scene's film: 640x360 at 30 frames a second unless others were given, or the
+/// next lower rate that the scene's steps allow.
 GalleryOptions optionsOfFilm(const GalleryChoice& choice, const GalleryOptions& options);
 
 }  // namespace demos

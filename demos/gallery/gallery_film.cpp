@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// A frame without motion blur: where the film's are means of moments, all of these are the same.
+/// A frame without motion blur: where the film averages moments, all of its moments are the same.
 render::Image posterOf(const Composite& composite, const FilmPlan& plan, int frame,
                        render::Renderer& renderer) {
     Overlays overlays = plan.panels.front().overlays;

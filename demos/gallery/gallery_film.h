@@ -1,4 +1,4 @@
-/// The two files of a gallery's scene.
+/// Draws the two files of a scene in a gallery.
 #pragma once
 #include <filesystem>
 
@@ -7,11 +7,11 @@
 
 namespace demos {
 
-/// The frame that stands for the scene, without its text. Throws Stop (diverged), render::Error.
+/// The frame that represents the scene, without its text. Throws Stop (diverged), render::Error.
 render::Image drawPoster(const FilmPlan& plan);
 
-/// Draws a scene's poster and, where `film` is a name, its film, in this process. What is not whole
-/// is not there. Throws likewise.
+/// Draws a scene's poster and, if `film` is a name, its film, in this process. Leaves no incomplete
+/// files. Throws likewise.
 GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster,
                        const std::filesystem::path& film);
 

@@ -1,13 +1,13 @@
-/// What `impulse gallery` is asked for.
+/// The options of `impulse gallery`.
 #pragma once
 #include "demos/options/options.h"
 
 namespace demos {
 
 struct GalleryOptions : Options {
-    bool qualityAsked = false;  // it was given
+    bool qualityAsked = false;  // --quality was given
     bool films = true;
-    int columns = 0;  // of the sheet; 0 = up to six, all rows alike
+    int columns = 0;  // of the sheet; 0 = up to six, in even rows
 };
 
 }  // namespace demos

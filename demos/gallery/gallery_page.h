@@ -8,15 +8,15 @@
 
 namespace demos {
 
-/// Options that the commands of a card repeat, word by word.
+/// Options that the commands of a card repeat, one word each.
 struct GalleryWords {
-    std::vector<std::string> run;      // of what is played
-    std::vector<std::string> picture;  // of how it is drawn
+    std::vector<std::string> run;      // what is simulated
+    std::vector<std::string> picture;  // how it is drawn
 };
 GalleryWords wordsOf(const GalleryOptions& options);
 
-/// Links go to NAME.png and NAME.mp4 beside it; nothing else is asked for. `renderer`: as OpenGL
-/// names it. The command that made it is not told: a page is public, its folders are not.
+/// Links go to NAME.png and NAME.mp4 next to it; it loads nothing else. `renderer`: as OpenGL names
+/// it. Leaves out the command that made it: a page may be public, its folders are not.
 std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer,
                         const GalleryWords& words);
 

@@ -40,7 +40,7 @@ GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(f
         sheet = numberOf(json, "sheet");
         entries_ = std::move(entries);
         found_ = true;
-    } catch (const std::exception&) {  // nobody's files are ours then
+    } catch (const std::exception&) {  // then no file is ours
     }
 }
 

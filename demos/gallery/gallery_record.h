@@ -1,4 +1,4 @@
-/// gallery.json: whose the files of a gallery's folder are, and what they were made of.
+/// gallery.json: which files of a folder are the gallery's, and their inputs.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -9,32 +9,32 @@
 
 namespace demos {
 
-/// Of one scene. Before its first picture is written it is here without hashes: its files are ours.
+/// One scene. Added without hashes before its first picture is written: its files are then ours.
 struct GalleryEntry {
     std::uint64_t fingerprint = 0;       // GalleryCard's
     std::uint64_t poster = 0, film = 0;  // TextHash of the files; 0: not made
 };
 
-/// Scenes that a later command leaves out stay here, and their files where they are.
+/// Keeps scenes that a later command leaves out, and their files.
 class GalleryRecord {
 public:
-    /// Of what is in the folder; a file that is not there, or not ours, is an empty record.
+    /// Reads the folder's record; empty if there is none or it cannot be read.
     explicit GalleryRecord(std::filesystem::path folder);
 
     /// Whether `NAME.png` and `NAME.mp4` are ours to replace.
     bool owns(const std::string& name) const { return entries_.count(name) > 0; }
     /// Whether there was a record: index.html and sheet.png are ours then.
     bool found() const { return found_; }
-    /// Whole, of other settings, scene or program.
+    /// Whether it was drawn with other settings, scene or program.
     bool isOutdated(const GalleryCard& card) const;
-    /// Poster, and film where `film`, are there as they were written, of this fingerprint.
+    /// Whether the poster, and with `film` the film, exist unchanged with this fingerprint.
     bool has(const GalleryCard& card, bool film) const;
 
     void add(const std::string& name, const GalleryEntry& entry) { entries_[name] = entry; }
     std::uint64_t posterOf(const std::string& name) const;
-    /// What the sheet was made of; 0: there is none.
+    /// Hash of the sheet's inputs; 0: there is no sheet.
     std::uint64_t sheet = 0;
-    std::string command;  // that has written it last
+    std::string command;  // the last that wrote it
     /// Throws render::Error.
     void write() const;
 
@@ -49,7 +49,7 @@ private:
     bool found_ = false;
 };
 
-/// TextHash of a file's bytes; 0 where there is none.
+/// TextHash of a file's bytes; 0 if there are none.
 std::uint64_t hashOfFile(const std::filesystem::path& file);
 
 }  // namespace demos

@@ -31,12 +31,12 @@ public:
                                    printable(known->scene), printable(word), printable(name)));
         if (name == "sheet")
             throw Stop(Exit::usage,
-                       fmt::format("'{}': sheet.png is the picture of all; rename the file",
+                       fmt::format("'{}': sheet.png is the picture of all scenes; rename the file",
                                    printable(word)));
         choices_.push_back({word, name, builtin});
     }
 
-    /// By group, as `impulse list` names them.
+    /// All built-in scenes by group, as `impulse list` orders them.
     void addAll() {
         std::multimap<std::string, std::string> byGroup;
         for (const BuiltinScene& scene : builtinScenes()) {

@@ -1,4 +1,4 @@
-/// Which scenes a gallery shows, and what its files are called.
+/// The scenes of a gallery and the names of its files.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,8 +13,8 @@ struct GalleryChoice {
     bool builtin = false;
 };
 
-/// `all` is every built-in scene, by group; so is an empty list. Files are not read yet. Throws Stop
-/// (usage) where two have one name.
+/// `all`, or an empty list, is every built-in scene by group. Does not read files yet. Throws Stop
+/// (usage) if two scenes have the same name.
 std::vector<GalleryChoice> chooseGallery(const std::vector<std::string>& words);
 
 }  // namespace demos

@@ -20,10 +20,10 @@ namespace {
 
 constexpr PictureSize kTile{480, 270};
 
-/// How much of a large picture's pixels one small pixel covers, along one side.
+/// The shares of a large picture's pixels that one small pixel covers, along one side.
 struct Cover {
     int first = 0;
-    std::vector<float> shares;  // of the pixels from the first on
+    std::vector<float> shares;  // of the pixels from `first` on
 };
 
 std::vector<Cover> coversOf(int large, int small) {
@@ -62,7 +62,7 @@ struct NamedPoster {
     render::Image picture;
 };
 
-/// Of those scenes that can be drawn.
+/// The posters of the scenes that can be drawn.
 std::vector<NamedPoster> postersOf(GalleryOptions options, GalleryTroubles& troubles) {
     if (!options.size && !options.qualityAsked) options.size = kTile;
     const std::vector<GalleryChoice> choices = chooseGallery(options.scenes);

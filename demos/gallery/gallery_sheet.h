@@ -8,14 +8,14 @@
 
 namespace demos {
 
-/// Every pixel the mean of those that it covers. `size`: not larger than the picture.
+/// Each pixel is the mean of those that it covers. `size`: not larger than the picture.
 render::Image shrunk(const render::Image& picture, PictureSize size);
 
 class GallerySheet {
 public:
-    /// `columns` 0: up to six. Throws Stop (usage) where it would be larger than a PNG may be.
+    /// `columns` 0: up to six. Throws Stop (usage) if it would be too large for a PNG.
     GallerySheet(int count, int columns, PictureSize tile);
-    /// In the order of their coming. A picture that is larger than a tile is made smaller.
+    /// Puts a picture into the next place. One that is larger than a tile is made smaller.
     void add(const render::Image& picture, const std::string& name);
     const render::Image& paper() const { return paper_; }
 

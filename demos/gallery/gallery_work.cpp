@@ -53,7 +53,7 @@ bool GalleryTroubles::take(const GalleryChoice& choice, const PoolResult& result
     return false;
 }
 
-/// Told with --quiet too. A line about a file begins with the file, all others with the scene.
+/// Reports with --quiet too. A line about a file begins with the file, all others with the scene.
 void GalleryTroubles::tell(const std::string& name, const std::vector<std::string>& lines,
                            Exit code) {
     if (++count_ == 1) code_ = code;

@@ -1,4 +1,4 @@
-/// Scenes of a gallery are read and drawn in processes of their own: what becomes of each.
+/// A gallery's scenes are read and drawn in processes of their own: the result of each.
 #pragma once
 #include <functional>
 #include <optional>
@@ -12,21 +12,21 @@
 
 namespace demos {
 
-/// In the scene's process: what `work` returns, or why it did not, as a text for the parent.
+/// In the scene's process: what `work` returns, or why it failed, as text for the parent.
 std::string attempted(const std::function<std::string()>& work) noexcept;
 
-/// What `attempted` was given, without its mark; nothing where that has failed.
+/// What `work` returned to `attempted`; nothing if it failed.
 std::optional<std::string> textOf(const PoolResult& result);
 
-/// In the parent: tells what went wrong with scenes, and remembers how the first one failed.
+/// In the parent: reports failures of scenes and keeps the code of the first one.
 class GalleryTroubles {
 public:
     explicit GalleryTroubles(const Talk& talk) : talk_(talk) {}
-    /// What `attempted` was given, without its mark; false: it has failed, and that is reported.
-    /// Throws Stop (usage) where the command line is what is wrong.
+    /// Sets `text` to what `work` returned; false: it failed, which take() reports. Throws Stop
+    /// (usage) if the command line is wrong.
     bool take(const GalleryChoice& choice, const PoolResult& result, std::string& text);
     int count() const { return count_; }
-    /// Of the first that failed; ok where none has.
+    /// Of the first failure; ok if there is none.
     Exit code() const { return code_; }
 
 private:

@@ -1,10 +1,11 @@
 # cmake -DOUT=report_page_text.cpp -DDIR=demos/regression/page -DPAGE=report -DTITLE="impulse test"
 #       -DSCRIPTS=a,b,c [-DIMAGES="data: file:"] -P embed_page.cmake
-# page.html with report.html in its body, page.css and report.css as its style, make.js and then the
-# scripts in the order in which they build on each other, as text before and after @data@: reportPageText().
-# IMAGES: where pictures may come from (Content-Security-Policy: img-src); nowhere unless given.
-# A page's html that begins with <!doctype is the whole page, with a style of its own alone.
-cmake_policy(VERSION 3.25)  # "@style@" is text, no variable
+# Writes a source file with reportPageText(): the page's text before and after @data@. The page is page.html
+# with report.html as its body, page.css and report.css as its style, and make.js and then the scripts in the
+# given order, which is that of their dependencies.
+# IMAGES: allowed sources of pictures (Content-Security-Policy: img-src); default: none.
+# If the page's html begins with <!doctype, it is the whole page, and its own style the only one.
+cmake_policy(VERSION 3.25)  # "@style@" is text, not a variable
 include(${CMAKE_CURRENT_LIST_DIR}/text_pieces.cmake)
 if(NOT IMAGES)
   set(IMAGES "'none'")

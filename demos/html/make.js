@@ -1,4 +1,4 @@
-// What every page's script begins with.
+// The beginning of every page's script.
 
 const byId = (id) => document.getElementById(id);
 

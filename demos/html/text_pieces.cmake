@@ -1,5 +1,5 @@
-# A compiler takes a literal of 64 KiB at most (C++ [implimits]): a text is cut in raw literals, each
-# between `before` and `after`.
+# Splits a text into raw string literals, each between `before` and `after`: a compiler need not accept
+# literals above 64 KiB (C++ [implimits]).
 function(pieces_of text before after out)
   set(pieces "")
   string(LENGTH "${text}" length)

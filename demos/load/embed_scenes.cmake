@@ -1,5 +1,5 @@
 # cmake -DOUT=builtin.cpp -DDIR=demos/scenes -P embed_scenes.cmake
-# Every *.toml of DIR as text in one source file, sorted by name.
+# Writes every *.toml of DIR as text into one source file, sorted by name.
 include(${CMAKE_CURRENT_LIST_DIR}/../html/text_pieces.cmake)
 file(GLOB names RELATIVE ${DIR} ${DIR}/*.toml)
 list(TRANSFORM names REPLACE "\\.toml$" "")  # before sorting: "-" comes before "."
@@ -10,7 +10,7 @@ foreach(name ${names})
   pieces_of("${text}" "     " "" pieces)
   string(APPEND rows "    {\"${name}\",${pieces}},\n")
 endforeach()
-file(WRITE ${OUT} "// Made by embed_scenes.cmake of demos/scenes; change those.
+file(WRITE ${OUT} "// Made by embed_scenes.cmake from demos/scenes; change those files.
 #include \"demos/load/builtin.h\"
 
 namespace demos {

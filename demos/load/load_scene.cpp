@@ -19,7 +19,7 @@ const BuiltinScene* findBuiltin(const std::string& name) {
     return nullptr;
 }
 
-/// With "there is no such scene" and the nearest name, when it cannot be a path.
+/// For a name that cannot be a path: reports the nearest name.
 [[noreturn]] void failUnknown(const std::string& name) {
     std::vector<std::string> names;
     for (const BuiltinScene& scene : builtinScenes()) names.emplace_back(scene.name);
@@ -30,7 +30,7 @@ const BuiltinScene* findBuiltin(const std::string& name) {
 [[noreturn]] void failUrdf(const fs::path& path) {
     throw SceneError({printable(path.string() +
                                 ": URDF is not supported; MuJoCo's models (MJCF, .xml) are, and "
-                                "MuJoCo's own 'compile' program turns one into the other")});
+                                "MuJoCo's 'compile' program converts URDF to MJCF")});
 }
 
 SceneDescription loadModel(const fs::path& path, const std::vector<std::string>& overrides) {

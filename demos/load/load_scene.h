@@ -1,4 +1,4 @@
-/// A scene by its name: built in, a scene file, or a MuJoCo model.
+/// Loads a scene by its name: built in, a scene file, or a MuJoCo model.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace demos {
 
-/// A built-in name or a path. Throws SceneError; an unknown name lists the nearest.
+/// `nameOrPath`: a built-in name or a path. Throws SceneError; for an unknown name it suggests the
+/// nearest.
 SceneDescription loadScene(const std::string& nameOrPath,
                            const std::vector<std::string>& overrides = {});
 
-/// The text of a scene that loads, with that of all files it includes.
+/// The text of a valid scene, with that of all files it includes.
 std::string sceneText(const std::string& nameOrPath);
 
 }  // namespace demos

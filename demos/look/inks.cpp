@@ -15,14 +15,14 @@ using render::Color;
 constexpr double kLineContrast = 3.0;  // WCAG 2.1, 1.4.11: graphics
 constexpr double kTextContrast = 4.5;  // and 1.4.3: text
 
-/// A colour of the palette (-1: the ground's), and how far it goes towards the ink.
+/// A colour of the palette (-1: the background), and the share of ink mixed in.
 struct LineInk {
     int palette;
     float share;
 };
-/// Blue, vermilion, green, pink, ink, brown: 12 apart in CIE L*a*b* at least, for red-blind and
-/// green-blind eyes too. Sky and orange are not among them: dark enough for white paper they look
-/// like blue and vermilion. Then the same, deeper, for lines that their labels must tell apart.
+/// Blue, vermilion, green, pink, ink, brown: at least 12 apart in CIE L*a*b*, also for red-blind
+/// and green-blind viewers. Sky blue and orange are missing: dark enough for white paper, they look
+/// like blue and vermilion. Then darker ones of the same, for lines distinguished by their labels.
 constexpr LineInk kLines[] = {{0, 0.0f},   {5, 0.0f},  {2, 0.0f},  {3, 0.0f},
                               {-1, 0.85f}, {1, 0.5f},  {0, 0.45f}, {5, 0.45f},
                               {2, 0.45f},  {3, 0.45f}, {4, 0.0f},  {1, 0.0f}};
@@ -40,7 +40,7 @@ double luminance(const Color& c) {
     return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
 }
 
-/// The colour, as far towards the ink as it takes to be seen.
+/// The colour, mixed with ink until it has enough contrast.
 Color visible(const Color& color, const Inks& inks, double least) {
     Color seen = color;
     for (int i = 1; i <= 20 && contrast(seen, inks.ground) < least; ++i)

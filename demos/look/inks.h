@@ -1,4 +1,4 @@
-/// The films' colours, made fit for thin lines and small text.
+/// The colours of films, adapted for thin lines and small text.
 #pragma once
 #include <string>
 
@@ -17,9 +17,10 @@ struct Inks {
 /// `theme`: one of themeNames().
 Inks inksOf(const std::string& theme);
 
-/// Of the i-th line. The first six stay apart for colour-blind eyes; after twelve they come again.
+/// The colour of the i-th line. Colour-blind viewers can distinguish the first six; after twelve
+/// they repeat.
 render::Color lineColor(int i, const Inks& inks);
-/// The same, for letters.
+/// The same for text.
 render::Color labelColor(int i, const Inks& inks);
 
 /// 1 (the same) to 21 (black on white), as WCAG 2.1 defines it.

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-constexpr double kLeastHeight = 5.0;  // mm: less shows nothing
+constexpr double kLeastHeight = 5.0;  // mm: a lower figure shows nothing
 
 }  // namespace
 
@@ -25,13 +25,13 @@ PictureSize figureSize(const Paper& paper, PictureSize ratio) {
         throw Stop(
             Exit::usage,
             fmt::format("--width {:g}mm at {} dpi and --size {}x{} make a figure of {}x{:.0f} "
-                        "pixels; at most {} a side; use a smaller --dpi",
+                        "pixels; at most {} per side; use a smaller --dpi",
                         paper.width, paper.dpi, ratio.width, ratio.height, width, height,
                         render::kLargestSide));
     if (height < paper.pixelsOf(kLeastHeight))
         throw Stop(Exit::usage,
                    fmt::format("--width {:g}mm and --size {}x{} make a figure {:.1f} mm high; it "
-                               "must be {:g} mm at least, --size {}x{:.0f}",
+                               "must be at least {:g} mm high: use --size {}x{:.0f}",
                                paper.width, ratio.width, ratio.height, height * 25.4 / paper.dpi,
                                kLeastHeight, ratio.width,
                                std::ceil(kLeastHeight / paper.width * ratio.width)));

@@ -1,4 +1,4 @@
-/// Where a figure goes: a width on paper, the pixels that it is, and the sizes of type and lines.
+/// The paper of a figure: its width in mm and pixels, and the sizes of type and lines.
 #pragma once
 
 namespace demos {
@@ -9,8 +9,8 @@ struct PictureSize {
 
 struct Paper {
     double width = 0.0;  // mm; 0: the picture is for a screen
-    int dpi = 300;       // pixels an inch
-    double type = 1.0;   // on a screen: letters and lines of charts so many times as large
+    int dpi = 300;       // pixels per inch
+    double type = 1.0;   // on a screen: scale of letters and lines of charts
 
     bool given() const { return width > 0.0; }
     /// 0 for a screen.
@@ -20,8 +20,8 @@ struct Paper {
     double millimetresOf(int pixels) const { return 25.4 * pixels / dpi; }
 };
 
-/// As wide as the paper says, of the ratio given. Throws Stop (usage) where it is higher than a
-/// picture can be.
+/// The size of a figure with the paper's width and this ratio. Throws Stop (usage) if it is higher
+/// than a picture can be, or too low.
 PictureSize figureSize(const Paper& paper, PictureSize ratio);
 
 }  // namespace demos

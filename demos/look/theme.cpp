@@ -15,7 +15,7 @@ void dark(render::Look& look) {
     look.ground = render::fromHex(0x30343b);
 }
 
-/// White paper: what is not a body should cost no ink, and edges should survive a copier.
+/// White paper: only bodies should use ink, and edges should survive a copier.
 void print(render::Look& look) {
     look.skyTop = look.skyHorizon = look.fog = render::fromHex(0xffffff);
     look.ground = render::fromHex(0xffffff);

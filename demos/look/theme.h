@@ -1,4 +1,4 @@
-/// Light, ground and ink of a picture, by name.
+/// Light, background and ink of a picture, by the theme's name.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace demos {
 /// studio, dark, print, transparent
 const std::vector<std::string>& themeNames();
 
-/// Sets the frame's look, and the ink of texts that have no colour of their own.
+/// Sets the frame's look, and the ink of texts that do not define a colour.
 void applyTheme(const std::string& theme, render::Frame& frame);
 
 inline render::Color nudgeColor() { return render::fromHex(0x7b3fb5); }

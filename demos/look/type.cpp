@@ -6,7 +6,7 @@
 namespace demos {
 namespace {
 
-constexpr float kTitle = 24.0f;  // what is larger on a screen is a title
+constexpr float kTitle = 24.0f;  // on a screen, larger texts are titles
 constexpr float kLabel = 15.0f;  // of names and plates on a screen
 
 }  // namespace

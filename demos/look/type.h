@@ -1,23 +1,23 @@
-/// Letters and lines of figures, in points: the same on paper in every figure, whatever it shows.
+/// Letters and lines of figures in points: they have the same size on paper in every figure.
 #pragma once
 #include "render/frame.h"
 
 namespace demos {
 
-inline constexpr double kLabelPoints = 8.0;  // of the font's em, as typesetting counts
+inline constexpr double kLabelPoints = 8.0;  // of the font's em, as in typesetting
 inline constexpr double kTitlePoints = 9.0;
 inline constexpr double kCurvePoints = 0.8;  // width of a chart's lines
 inline constexpr double kEdgePoints = 0.45;  // of lines along bodies' edges
-inline constexpr double kTrailPoints = 1.4;  // of a trail where it is new
+inline constexpr double kTrailPoints = 1.4;  // of a trail at its newest point
 inline constexpr double kGapPoints = 6.0;    // between the pictures of a figure
 
-/// A font's em, of its height from cap to descender: DejaVu Sans is 1901 + 483 units, its em 2048.
+/// The font's em per height from cap to descender: DejaVu Sans has 1901 + 483 units, its em 2048.
 inline constexpr double kEmShare = 2048.0 / 2384.0;
 
-/// Whole pixels from cap to descender of letters of so many points.
+/// Whole pixels from cap to descender of letters of this many points.
 int letterPixels(double points, double pixelsPerPoint);
 
-/// Sets the sizes of everything that is written and drawn over a frame's picture.
+/// Sets the sizes of all overlays of a frame.
 void setType(double pixelsPerPoint, render::Frame& frame);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// What every timing needs: a clock, and a value that one slow round does not move.
+/// A clock for timings, and a median that one slow round does not affect.
 #pragma once
 #include <time.h>
 
@@ -7,7 +7,7 @@
 
 namespace demos {
 
-/// s; CLOCK_MONOTONIC: on the wall, CLOCK_PROCESS_CPUTIME_ID: of this process's work.
+/// s; CLOCK_MONOTONIC: wall time, CLOCK_PROCESS_CPUTIME_ID: processor time of this process.
 inline double seconds(clockid_t clock) {
     timespec now{};
     clock_gettime(clock, &now);
@@ -17,7 +17,7 @@ inline double seconds(clockid_t clock) {
 /// s, of this process.
 inline double processorTime() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }
 
-/// 0 of nothing.
+/// 0 for no values.
 inline double medianOf(std::vector<double> values) {
     if (values.empty()) return 0.0;
     std::sort(values.begin(), values.end());

@@ -17,17 +17,17 @@ std::vector<std::string> DirectNote::lines() const {
     std::vector<std::string> lines;
     if (!redundant_.empty())
         lines.push_back(fmt::format(
-            "direct: joint{} '{}' held what others hold already; solved with the least impulses",
+            "direct: redundant joint{} '{}': others hold the same; solved with the least impulses",
             redundant_.size() == 1 ? "" : "s", fmt::join(redundant_, "', '")));
     if (contradictions_ > 0)
         lines.push_back(
-            fmt::format("direct: constraints contradicted each other in {} steps; met "
-                        "as nearly as possible (least squares)",
+            fmt::format("direct: constraints contradicted each other in {} steps; satisfied "
+                        "as closely as possible (least squares)",
                         contradictions_));
     if (notFound_ > 0)
         lines.push_back(
-            fmt::format("direct: no consistent set of contacts in {} steps; sweeps took "
-                        "over",
+            fmt::format("direct: no consistent set of contacts in {} steps; sweeps were used "
+                        "instead",
                         notFound_));
     return lines;
 }

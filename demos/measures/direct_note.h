@@ -1,4 +1,4 @@
-/// What the direct solver had to say of a run: rows that follow from others, rows that contradict.
+/// Notes of the direct solver on a run: redundant rows, contradicting rows.
 #pragma once
 #include <set>
 #include <string>
@@ -10,9 +10,9 @@ namespace demos {
 
 class DirectNote {
 public:
-    /// After every step.
+    /// To be called after every step.
     void look(const Stage& stage);
-    /// A line each; none when nothing is to be said.
+    /// One line per note.
     std::vector<std::string> lines() const;
 
 private:

@@ -10,14 +10,14 @@ namespace demos {
 namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostCourses = 12;  // more lines cannot be told apart
+constexpr std::size_t kMostCourses = 12;  // more lines cannot be distinguished
 constexpr double kMillimetres = 1e3;
-constexpr int kEnergyInks[] = {1, 0, 4};  // warm, cool, the ink: as in statistics and replays
+constexpr int kEnergyInks[] = {1, 0, 4};  // warm, cool, ink: as in statistics and replays
 
 using Sweeps = std::span<const engine::SweepReport>;
 
-/// The sweeps of the first sub-step in `all`: it ended by its count or by being good enough, as
-/// sweepUntilSatisfied (engine/solver/impulses.h) says.
+/// The sweeps of the first sub-step in `all`. They ended by their number or by the tolerance, as in
+/// sweepUntilSatisfied (engine/solver/impulses.h).
 Sweeps firstSubstep(Sweeps all, const engine::Settings& settings) {
     const auto most = static_cast<std::size_t>(std::max(settings.sweeps, 1));
     const auto least = static_cast<std::size_t>(std::max(settings.minSweeps, 1));
@@ -28,8 +28,8 @@ Sweeps firstSubstep(Sweeps all, const engine::Settings& settings) {
     return all;
 }
 
-/// One step in fifty or less that leaves nearly nothing would stretch an axis over its rounding:
-/// the least value of the others' axis; 0 where there are more of them, or none.
+/// The least value of the axis: rare steps (at most one in fifty) that leave nearly nothing would
+/// stretch the axis over rounding errors. 0 if there are more of them, or none.
 double leastShown(const std::vector<double>& values) {
     constexpr double kNearly = 1e-9;  // of the largest
     double largest = 0.0;
@@ -72,7 +72,7 @@ void Recorder::look(const Stage& stage) {
     scene_ = stage.scene.name;
     hasJoints_ = !stage.joints.empty();
     looks_.push_back(measuresOf(stage));
-    if (stage.world.report().step == 0) {  // nothing was solved yet
+    if (stage.world.report().step == 0) {  // nothing is solved yet
         looks_.back().residual = kGap;
         return;
     }
@@ -181,7 +181,7 @@ std::vector<const Recorder::PointHistory*> Recorder::largestHistories() const {
     return all;
 }
 
-/// A contact that was not there leaves a gap. Points of one pair are numbered.
+/// A missing contact leaves a gap. The points of one pair are numbered.
 Chart Recorder::impulses() const {
     Chart chart = overTime("impulse of each contact point", "impulse per step", "N s");
     const std::vector<const PointHistory*> histories = largestHistories();
@@ -210,7 +210,7 @@ Chart Recorder::sweeps() const {
     Series residual, distance;
     for (const engine::SweepReport& sweep : hardest_.sweeps) {
         if (sweep.residual == 0.0 && !residual.y.empty() && residual.y.back() == 0.0)
-            break;  // nothing is left to correct, and so it stays
+            break;  // nothing is left to correct in further sweeps
         residual.x.push_back(static_cast<double>(residual.x.size() + 1));
         residual.y.push_back(sweep.residual);
         distance.y.push_back(sweep.distance >= 0.0 ? sweep.distance : kGap);

@@ -1,5 +1,4 @@
-/// What a run shows in numbers, recorded while it plays, as charts.
-/// See look/measure_names.h.
+/// Records the measures of a run (look/measure_names.h) and makes charts of them.
 #pragma once
 #include <map>
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace demos {
 
-/// What is recorded of a step; of time 0, what the first step will find.
+/// The values of one step; at time 0, what the first step will find.
 struct Measures {
     double time = 0.0;      // s
     engine::Energy energy;  // J
@@ -25,22 +24,23 @@ Measures measuresOf(const Stage& stage);
 
 class Recorder {
 public:
-    /// At time 0, and after every step.
+    /// To be called at time 0 and after every step.
     void look(const Stage& stage);
-    /// In the order of `what`, names of measureNames(); residual gives two. Those without data too.
+    /// The charts in the order of `what`, names of measureNames(), also those without data;
+    /// residual gives two.
     std::vector<Chart> charts(const std::vector<std::string>& what) const;
 
 private:
-    /// The sub-step with the most sweeps, of these the one with the largest first residual.
+    /// The sub-step with the most sweeps; of several, the one with the largest first residual.
     struct Hardest {
         double time = 0.0;  // s
         std::vector<engine::SweepReport> sweeps;
     };
-    /// A contact point while it lasts: lower body, higher body, feature.
+    /// Identifies a contact point: lower body, higher body, feature.
     using ContactKey = std::tuple<int, int, int>;
     struct PointHistory {
         std::string bodies;
-        std::vector<std::size_t> looks;  // numbers of the looks at which it was there
+        std::vector<std::size_t> looks;  // indices of the looks at which it existed
         std::vector<double> impulses;    // N s
         double largest = 0.0;
     };

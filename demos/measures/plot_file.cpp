@@ -14,9 +14,9 @@
 namespace demos {
 namespace {
 
-constexpr double kMostPixels = 64e6;  // of a PNG: 256 MB, and as much again while it is packed
+constexpr double kMostPixels = 64e6;  // of a PNG: 256 MB, and twice that while it is compressed
 
-/// A .png keeps all its pixels in memory.
+/// All pixels of a .png are kept in memory.
 void checkPixels(const std::string& file, PictureSize size, const Paper& paper) {
     if (!file.ends_with(".png") || static_cast<double>(size.width) * size.height <= kMostPixels)
         return;

@@ -13,8 +13,8 @@ namespace demos {
 /// Which charts, and how they look.
 struct PlotChoice {
     std::vector<std::string>
-        what;  // of measureNames(); empty: the most telling ones that have data
-    std::optional<PictureSize> size;  // empty: 1280 pixels wide, as high as the charts ask for
+        what;  // of measureNames(); empty: the most informative ones with data
+    std::optional<PictureSize> size;  // empty: 1280 pixels wide, as high as the charts need
     std::string theme;                // of themeNames()
     Paper paper;
 };
@@ -22,28 +22,29 @@ struct PlotChoice {
 PlotChoice plotChoiceOf(const Options& options, const std::vector<std::string>& what,
                         const SceneDescription& scene);
 
-/// Throws Stop (usage) unless the name ends in .svg or .png, and render::Error where something
-/// that is no ordinary file has it.
+/// Throws Stop (usage) unless the name ends in .svg or .png, and render::Error if it exists but is
+/// not an ordinary file.
 void checkChartFile(const std::string& file);
 
-/// What the file is to hold, by its ending. Throws Stop (usage) where a .png would be too large.
+/// The content of the file, by its ending. Throws Stop (usage) if a .png would be too large.
 std::vector<std::uint8_t> chartBytes(const std::string& file, const std::vector<Chart>& charts,
                                      PictureSize size, const std::string& theme,
                                      const Paper& paper = {});
 
-/// Whole or not at all; its folder is made. Throws render::Error.
+/// Writes the file completely or not at all; its folder is created. Throws render::Error.
 void writeCharts(const std::string& file, const std::vector<Chart>& charts, PictureSize size,
                  const std::string& theme);
 
-/// Before anything is played. Throws Stop (usage) unless the name ends in .svg or .png, and
-/// render::Error where something that is no ordinary file has it.
+/// To be called before the simulation. Throws Stop (usage) unless the name ends in .svg or .png,
+/// and render::Error if it exists but is not an ordinary file.
 void checkPlotFile(const std::string& file, const PlotChoice& choice);
 
-/// Those that were chosen, and the size of their page.
+/// The chosen charts, and the size of their page.
 std::vector<Chart> chartsOf(const Recorder& recorder, const PlotChoice& choice);
 PictureSize sizeOf(const std::vector<Chart>& charts, const PlotChoice& choice);
 
-/// Whole or not at all; its folder is made. The number of charts. Throws render::Error.
+/// Writes the file completely or not at all; its folder is created. Returns the number of charts.
+/// Throws render::Error.
 std::size_t writePlot(const std::string& file, const Recorder& recorder, const PlotChoice& choice);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// A run in a few numbers, and how they went: what comparisons are made of.
+/// A run in a few numbers with their history, for comparisons.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,34 +7,34 @@
 
 namespace demos {
 
-/// What is measured of a run; every one is better when smaller.
+/// A measure of a run; smaller is better for all of them.
 struct Measure {
-    const char* name;  // column, and word of --plot
+    const char* name;  // column, and name for --plot
     const char* unit;
     const char* meaning;
 };
 /// drift, speed, penetration, separation, energy, residual, sweeps, ms
 const std::vector<Measure>& measures();
-/// Its place in measures(), or -1.
+/// Its index in measures(), or -1.
 int measureCalled(const std::string& name);
 /// The names of all.
 std::vector<std::string> measureWords();
 
 struct Summary {
-    std::vector<double> values;                // one per measure; of the whole run
-    std::string diverged;                      // empty, or the line that says how
+    std::vector<double> values;                // one per measure, for the whole run
+    std::string diverged;                      // empty, or the line with the reason
     std::vector<double> time;                  // s, of every step
-    std::vector<std::vector<double>> history;  // per measure: a value a step
+    std::vector<std::vector<double>> history;  // per measure: one value per step
 };
 
-/// Measures a run while it plays.
+/// Measures a run during the simulation.
 class SummaryRecorder {
 public:
     /// `stage`: at time 0.
     explicit SummaryRecorder(const Stage& stage);
-    /// Plays one and looks at it. Throws Stop (diverged) as the player does.
+    /// Simulates one step and records it. Throws Stop (diverged) like the player.
     void step(Player& player);
-    /// Of the run so far.
+    /// The summary of the run so far.
     Summary summary(const std::string& diverged = {}) const;
 
 private:
@@ -46,7 +46,7 @@ private:
     Summary summary_;           // without its values
 };
 
-/// Plays the scene once, physics only. Throws Stop (interrupted) on a signal.
+/// Simulates the scene once, without pictures. Throws Stop (interrupted) on a signal.
 Summary summarize(const SceneDescription& scene);
 
 }  // namespace demos

@@ -14,7 +14,7 @@ namespace {
 constexpr int kStepsASecond = 60;
 constexpr int kWindow = 2 * kStepsASecond;
 
-/// Plays the scene in pieces of 1/60 s: play(piece's number of steps, whether it counts).
+/// Simulates the scene in pieces of 1/60 s: play(number of steps of the piece, whether it counts).
 template <class Play>
 void playPieces(const SceneDescription& scene, Play play) {
     const int pieces = std::max(static_cast<int>(std::lround(scene.seconds * kStepsASecond)), 1);
@@ -27,7 +27,7 @@ void playPieces(const SceneDescription& scene, Play play) {
     }
 }
 
-/// Adds up what lies between one phase's beginning and the next's.
+/// Adds up the time from the beginning of each phase to that of the next.
 struct PhaseClock {
     PhaseTimes sum{};  // s
     std::size_t phase = 0;

@@ -1,4 +1,4 @@
-/// What a scene costs: processor time per step, and how it parts into the phases of the loop.
+/// The cost of a scene: processor time per step, and how it is divided among the loop's phases.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace demos {
 
-/// Of a step that is timed: 1/60 s of simulated time, whatever the scene's own. The last 2 s count.
+/// A timed step is 1/60 s of simulated time, whatever the scene's rate. The last 2 s are timed.
 struct Timing {
     std::string scene;
     std::size_t bodies = 0, joints = 0;
     int contacts = 0;        // at the end
-    int steps = 0;           // that were timed
-    std::vector<double> ms;  // a step
+    int steps = 0;           // timed ones
+    std::vector<double> ms;  // per step
     double points = 0.0;     // contact points, added up over the timed steps
     std::uint64_t hash = 0;
 
@@ -26,12 +26,12 @@ struct Timing {
 /// Throws Stop (diverged, interrupted).
 Timing timeScene(const SceneDescription& scene);
 
-/// The loop's phases, and what comes before the first.
+/// The phases of the loop; "prepare" is the time before the first.
 constexpr std::array<const char*, 7> kPhaseNames = {"prepare",   "forces", "velocities", "impulses",
                                                     "positions", "nudges", "collisions"};
-using PhaseTimes = std::array<double, kPhaseNames.size()>;  // ms a step, mean
+using PhaseTimes = std::array<double, kPhaseNames.size()>;  // ms per step, mean
 
-/// In a run of its own: looking at the clock in every phase costs time itself.
+/// In a separate run: reading the clock in every phase takes time itself.
 PhaseTimes timePhases(const SceneDescription& scene);
 
 }  // namespace demos

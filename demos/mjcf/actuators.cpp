@@ -12,12 +12,12 @@ namespace {
 
 constexpr Range kAny{-1e9, 1e9};
 
-/// Of joints or tendons.
+/// Names of joints or tendons.
 using Known = std::set<std::string>;
 
-using Polynomial = std::array<double, 3>;  // of 1, length, speed
+using Polynomial = std::array<double, 3>;  // coefficients of 1, length, speed
 
-/// `free`: those of them that leave a body free.
+/// `free`: the joints among them that leave a body free.
 void addNames(const Element& element, Known& joints, Known& free) {
     for (const Element& child : element.children) {
         const Attribute *name = child.find("name"), *type = child.find("type");
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    /// The kinds are shortcuts: what their own defaults do not say is taken from those of <general>.
+    /// The kinds are shortcuts: what their own defaults do not set comes from those of <general>.
     Attributes& saying(const char* name) { return own_.has(name) ? own_ : general_; }
 
     double number(const char* name, double otherwise) {
@@ -73,7 +73,7 @@ private:
         const std::string type = saying("dyntype").text("dyntype");
         const bool dynamic = kind_ == "general" && !type.empty() && type != "none";
         if (dynamic)
-            own_.note("", "an actuator with an activation of its own (dyntype " +
+            own_.note("", "an actuator with activation dynamics (dyntype " +
                               type.substr(0, 40) + ") is not available; left out");
         return dynamic;
     }
@@ -114,14 +114,14 @@ private:
         }
     }
 
-    /// The first of the words leaves no more than the constant of `terms`.
+    /// With the first of the words, only the constant of `terms` counts.
     void readTerms(const char* type, const std::vector<std::string>& words, const char* name,
                    Polynomial& terms) {
         Attributes& says = saying(type);
         const std::string word = says.has(type) ? says.text(type) : words.front();
         if (word != words[0] && word != words[1])
             return own_.note("", std::string(type) + " " + word.substr(0, 40) +
-                                     " of an actuator is not available; taken as " + words[0]);
+                                     " of an actuator is not available; replaced by " + words[0]);
         const auto given = saying(name).numbers(name, 1, 10, kAny);
         const bool counts = word != "none";
         const std::size_t most = word == "affine" ? 3 : 1;
@@ -135,7 +135,7 @@ private:
         if (force.isConstant())
             force.constant = engine::clamped(force.constant, (*limits)[0], (*limits)[1]);
         else
-            own_.note("forcerange", "forcerange of an actuator whose force follows its joint is "
+            own_.note("forcerange", "forcerange of an actuator whose force is not constant is "
                                     "not available; left out");
         return force;
     }
@@ -146,7 +146,7 @@ private:
     double control_;
 };
 
-/// Of the first <key> that has some.
+/// The controls of the first <key> that has some.
 std::vector<double> controls(const Element& root, const Context& context) {
     constexpr std::size_t kMost = 10'000;
     for (const Element& section : root.children) {

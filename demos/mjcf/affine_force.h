@@ -1,19 +1,19 @@
-/// A force that is affine in where and how fast something goes, as springs, dampers and MuJoCo's
-/// actuators at a constant control are.
+/// A force that is affine in position and velocity, like springs, dampers and MuJoCo's actuators at
+/// a constant control.
 #pragma once
 #include <map>
 #include <string>
 
 namespace demos::mjcf {
 
-/// F = constant - stiffness q - resistance dq/dt, of a coordinate as MuJoCo counts it.
+/// F = constant - stiffness q - resistance dq/dt, with q as MuJoCo counts it.
 struct AffineForce {
     double constant = 0.0;    // N or N m
     double stiffness = 0.0;   // N/m or N m/rad
     double resistance = 0.0;  // N s/m or N m s/rad
 
     bool isConstant() const { return stiffness == 0.0 && resistance == 0.0; }
-    /// Along p, where this one is along q = gear p:  gear F(gear p, gear dp/dt)
+    /// The force along p if this one acts along q = gear p:  gear F(gear p, gear dp/dt)
     AffineForce geared(double gear) const {
         return {gear * constant, gear * gear * stiffness, gear * gear * resistance};
     }
@@ -25,7 +25,7 @@ struct AffineForce {
     }
 };
 
-/// What acts along joints, or along tendons, by name.
+/// The forces along joints, or along tendons, by name.
 using ForcesByName = std::map<std::string, AffineForce>;
 
 }  // namespace demos::mjcf

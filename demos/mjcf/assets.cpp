@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 constexpr Range kCoordinates{-1e6, 1e6};
 constexpr std::size_t kMostNumbers = 3'000'000;
-constexpr double kFlat = 1e-6;         // of a triangle: the sine of its corner
-constexpr double kLeastCross = 1e-11;  // m^2, twice an area: less is left out of meshes
+constexpr double kFlat = 1e-6;         // sine of a triangle's angle: flatter ones are left out
+constexpr double kLeastCross = 1e-11;  // m^2, twice an area: smaller is left out
 constexpr double kLargest = 1e4, kLeast = 1e-5;  // m
 
 class MeshReader {
@@ -42,8 +42,8 @@ public:
         if (size > kLeast && near) hull = hullOfAny(corners);
         if (!hull)
             attributes_.wrong("", "mesh '" + name() +
-                                      "' has no convex hull; its corners should "
-                                      "not lie in one plane, and within 10000 m of its origin");
+                                      "' has no convex hull; its corners should not lie in one "
+                                      "plane and should be within 10000 m of its origin");
         if (!hull) return std::nullopt;
         return MeshShapes{*hull, pictureOf(mesh, hull->origin)};
     }
@@ -92,7 +92,7 @@ private:
         return {};
     }
 
-    /// Scaled, then seen from refpos and refquat, then with y up.
+    /// Scales, transforms to the frame of refpos and refquat, then to y up.
     void place(std::vector<Vec3>& corners) {
         const Vec3 scale = attributes_.vector("scale", kCoordinates).value_or(Vec3(1, 1, 1));
         const Vec3 from = attributes_.vector("refpos", kCoordinates).value_or(Vec3(0, 0, 0));
@@ -107,7 +107,7 @@ private:
             corner = yUp(Vec3(turn.conjugate() * (corner.cwiseProduct(scale) - from)));
     }
 
-    /// Nothing where no triangle has an area. What is mirrored keeps its outside.
+    /// Nothing if no triangle has an area. A mirrored mesh keeps its outside.
     std::optional<engine::Shape> pictureOf(MeshCorners& mesh, const Vec3& origin) {
         const Vec3 scale = attributes_.vector("scale", kCoordinates).value_or(Vec3(1, 1, 1));
         if (scale.prod() < 0.0)

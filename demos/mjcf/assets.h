@@ -15,11 +15,11 @@ struct MeshShapes {
 };
 
 struct Assets {
-    std::map<std::string, std::optional<MeshShapes>> meshes;  // none: told already
+    std::map<std::string, std::optional<MeshShapes>> meshes;  // nothing: an error, reported already
     std::map<std::string, std::optional<unsigned>> colors;       // 0xRRGGBB of materials
 };
 
-/// The colour of rgba, or nothing; how transparent it is, is not supported.
+/// The colour of rgba, or nothing. Transparency is not supported.
 std::optional<unsigned> readColor(Attributes& attributes);
 
 /// `folder`: the model's.

@@ -1,5 +1,5 @@
-/// Checked access to an element's attributes, its own and those of its default class. Values that
-/// are wrong are reported, and are then as if not given.
+/// Checked access to an element's attributes, its own and those of its default class. A wrong value
+/// is reported and then treated as missing.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,20 +13,20 @@ namespace demos::mjcf {
 
 class Attributes {
 public:
-    /// Own values win; of the ways to say an orientation, or a place, those of the class count only
-    /// where the element says none itself.
+    /// Own values win. An orientation or a position of the class counts only if the element itself
+    /// has none in any form.
     Attributes(const Element& element, const std::vector<Attribute>& ofClass,
                Diagnostics& diagnostics);
 
     const std::string& element() const { return element_; }
     const Spot& spot() const { return spot_; }
     bool has(std::string_view name) const { return find(name) != nullptr; }
-    Spot spotOf(std::string_view name) const;  // the element's where it is not given
+    Spot spotOf(std::string_view name) const;  // the element's if it is missing
 
-    std::string text(std::string_view name) const;  // empty where it is not given
+    std::string text(std::string_view name) const;  // empty if it is missing
     std::optional<double> number(std::string_view name, Range range);
     std::optional<int> whole(std::string_view name, Range range);
-    /// From `least` to `most` of them.
+    /// `least` to `most` numbers.
     std::optional<std::vector<double>> numbers(std::string_view name, std::size_t least,
                                                std::size_t most, Range range);
     std::optional<Vec3> vector(std::string_view name, Range range);

@@ -30,7 +30,7 @@ Quat fromAxisAngle(Attributes& attributes, const AngleRules& rules) {
     return Quat::Identity();
 }
 
-/// x as it is, y across it in their plane.
+/// x as given, y made orthogonal to it in their plane.
 Quat fromAxes(Attributes& attributes) {
     const auto a = attributes.numbers("xyaxes", 6, 6, kComponents);
     if (!a) return Quat::Identity();
@@ -80,7 +80,7 @@ double AngleRules::radians(double angle) const { return degrees ? engine::radian
 Quat shortestTurn(const Vec3& from, const Vec3& to) {
     const Vec3 a = from.normalized(), b = to.normalized();
     const double c = a.dot(b);
-    if (c < -1.0 + 1e-12) {  // half a turn, about anything across
+    if (c < -1.0 + 1e-12) {  // half a turn, about any orthogonal axis
         Vec3 across, other;
         engine::tangents(a, across, other);
         return {0.0, across.x(), across.y(), across.z()};

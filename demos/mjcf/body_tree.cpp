@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMostBodies = 10'000;
 constexpr Range kMass{0.0, 1e9, "kg"};
 constexpr Range kInertia{-1e12, 1e12, "kg m^2"};
-constexpr double kRounded = 1e-6;  // of all, that principal moments may miss A + B >= C
+constexpr double kRounded = 1e-6;  // share of their sum by which moments may miss A + B >= C
 
 bool makesBodies(const std::string& element) {
     constexpr std::string_view kMakers[] = {"composite", "flexcomp", "replicate", "attach"};
@@ -23,8 +23,8 @@ bool isPositiveDefinite(const Mat3& m) {
     return m(0, 0) > 0.0 && second > 0.0 && m.determinant() > 0.0;
 }
 
-/// A + B >= C of the principal moments. With tr I / 2 - A = (B + C - A) / 2 and so on it says that
-/// tr I / 2 - I, the second moments of the mass, is nowhere negative.
+/// A + B >= C for the principal moments. As tr I / 2 - A = (B + C - A) / 2 and so on, it means that
+/// tr I / 2 - I, the second moments of the mass, is positive semidefinite.
 bool keepsTriangle(const Mat3& inertia) {
     const double trace = inertia.trace();
     if (trace <= 0.0) return true;
@@ -32,7 +32,7 @@ bool keepsTriangle(const Mat3& inertia) {
     return isPositiveDefinite(moments);
 }
 
-/// Complains of what no mass has; `name`: the attribute that says it.
+/// Reports an inertia that no rigid body can have; `name`: its attribute.
 void checkInertia(Attributes& attributes, const char* name, const Mat3& inertia) {
     const bool full = name == std::string_view("fullinertia");
     const std::string is = std::string(name) + " is '" + attributes.text(name).substr(0, 64);
@@ -41,7 +41,7 @@ void checkInertia(Attributes& attributes, const char* name, const Mat3& inertia)
     else if (!full && inertia.diagonal().minCoeff() < 0.0)
         attributes.wrong(name, is + "'; it should not be negative");
     else if (!keepsTriangle(inertia))
-        attributes.wrong(name, is + "'; no two of the moments should be less than the third");
+        attributes.wrong(name, is + "'; no moment should be larger than the sum of the others");
 }
 
 class TreeBuilder {
@@ -54,12 +54,12 @@ public:
             if (element.name == "worldbody") readChildren(element, {kWorld, {}}, "");
         if (tree_.links.size() + tree_.fixed.size() > kMostBodies)
             context_.diagnostics.wrong(root.spot,
-                                       "more than 10000 bodies; a model should have less");
+                                       "more than 10000 bodies; a model should have fewer");
         return std::move(tree_);
     }
 
 private:
-    /// Of one <body>: what its <geom>s and its <inertial> weigh, in the axes of its link.
+    /// The masses of the <geom>s and the <inertial> of one <body>, in the axes of its link.
     struct Weights {
         int body = 0;  // its number
         std::vector<MassProperties> geoms;
@@ -76,7 +76,7 @@ private:
 
     Link& link(int number) { return tree_.links[static_cast<std::size_t>(number)]; }
 
-    /// The <geom>s and the <inertial> of a <body>, those in its <frame>s too.
+    /// Reads the <geom>s and the <inertial> of a <body>, including those in its <frame>s.
     void readInside(const Element& around, const Whereabouts& at, const Pose& pose,
                     const std::string& childclass, Weights& weights) {
         for (const Element& child : around.children) {
@@ -99,7 +99,7 @@ private:
         if (number != kWorld) link(number).refused = true;
     }
 
-    /// The <body>s in a <body> or in its <frame>s.
+    /// Reads the <body>s in a <body> or in its <frame>s.
     void readInner(const Element& child, int around, const Pose& pose,
                    const std::string& childclass) {
         const std::string inside = context_.defaults.childclass(child, childclass);
@@ -123,8 +123,8 @@ private:
         const bool isFree = free > 0;
         if (free > 1 || (isFree && (around != kWorld || !joints.empty())))
             context_.diagnostics.wrong(body.spot,
-                                       "a free joint beside others, or inside a moving <body>; "
-                                       "it should be alone, in a <body> of <worldbody>");
+                                       "a free joint with other joints, or in a moving <body>; "
+                                       "it should be the only joint of a <body> in <worldbody>");
         if (isMocap(body))
             joints.clear();
         else if (isFree || !joints.empty())
@@ -141,7 +141,7 @@ private:
         return mocap;
     }
 
-    /// How many of them are free; those are not in `joints`.
+    /// Gives the number of free joints, which are not added to `joints`.
     int readJoints(const Element& body, const std::string& childclass,
                    std::vector<JointElement>& joints) const {
         int free = 0;
@@ -177,7 +177,7 @@ private:
                                        "two bodies are called '" + name->value + "'; rename one");
     }
 
-    /// From the axes of `pose` to those of the link.
+    /// `inner`, given in the axes of `pose`, in those of the link.
     Pose inLink(const Whereabouts& at, const Pose& pose, const Pose& inner) {
         const Pose world = pose * inner;
         if (at.link == kWorld) return world;
@@ -191,7 +191,7 @@ private:
         const int before = context_.diagnostics.errors();
         std::optional<Geom> geom = readGeom(element, childclass, context_);
         if (!geom) {
-            // Of a mesh that is wrong its <asset> tells; other types are left out with a note.
+            // An invalid mesh is reported with its <asset>; other types are left out with a note.
             const bool isMesh = context_.defaults.of(element, childclass).text("type") == "mesh";
             if (isMesh || context_.diagnostics.errors() > before) refuse(at.link);
             return;
@@ -214,7 +214,7 @@ private:
         link(at.link).geoms.push_back(std::move(*geom));
     }
 
-    /// The point of a <site>; in the middle of its fromto.
+    /// The point of a <site>, or the middle of its fromto.
     void addSite(const Element& element, const Whereabouts& at, const Pose& pose,
                  const std::string& childclass) {
         Attributes attributes = context_.defaults.of(element, childclass);
@@ -244,7 +244,7 @@ private:
         return placed(given, inLink(at, pose, own));
     }
 
-    /// kg m^2, in the axes of the file. `counts`: it is not replaced by that of the <geom>s.
+    /// kg m^2, in the axes of the file. `counts`: the inertia of the <geom>s does not replace it.
     static Mat3 readInertia(Attributes& attributes, bool counts) {
         Mat3 inertia = Mat3::Zero();
         const auto full = attributes.numbers("fullinertia", 6, 6, kInertia);
@@ -261,7 +261,7 @@ private:
         return inertia;
     }
 
-    /// <inertial> counts unless <compiler> says otherwise.
+    /// <inertial> takes precedence unless <compiler> sets inertiafromgeom.
     void weigh(const Element& body, const Weights& weights, Link& link) {
         const std::string& rule = context_.rules.inertiaFromGeom;
         if (weights.given && rule != "true") {

@@ -1,5 +1,5 @@
-/// <worldbody>: the tree of <body>s as rigid links, all at their places in the world. A <body>
-/// without a joint is welded to the one around it and is a part of its link.
+/// <worldbody>: the tree of <body>s as rigid links, with poses in the world. A <body> without a
+/// joint is welded to its parent and is a part of the parent's link.
 #pragma once
 #include <map>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace demos::mjcf {
 
-/// A <joint> in its place; where it holds and what acts on it is read by joints.h.
+/// A <joint> of a link; joints.h reads its anchor, axis and forces.
 struct JointElement {
     const Element* element = nullptr;
     std::string childclass;
@@ -19,18 +19,18 @@ constexpr int kWorld = -1;
 
 struct Link {
     std::string name;                    // of its <body>; may be empty
-    int parent = kWorld;                 // its number
+    int parent = kWorld;                 // the parent's number
     Pose pose;                           // of its <body>, world axes, y up
     std::vector<Geom> geoms;             // in the axes of `pose`
-    std::vector<MassProperties> masses;  // likewise: one of each <body>
+    std::vector<MassProperties> masses;  // in the same axes: one per <body>
     std::vector<JointElement> joints;    // none: it is free
-    bool ownInertia = false;             // by an <inertial>
-    std::string lacking;                 // an element that would give it mass and is not supported
-    bool refused = false;                // what of it is wrong is reported: its mass is not known
+    bool ownInertia = false;             // from an <inertial>
+    std::string lacking;                 // an unsupported element that would give it mass
+    bool refused = false;                // part of it is an error, reported: its mass is unknown
     Spot spot;
 };
 
-/// Where a <body> of the file is.
+/// The link and the pose of a <body> of the file.
 struct Whereabouts {
     int link = kWorld;
     Pose pose;  // world axes, y up
@@ -38,10 +38,10 @@ struct Whereabouts {
 
 struct BodyTree {
     std::vector<Link> links;
-    std::vector<Geom> fixed;                    // in world axes: what no joint lets move
-    std::map<std::string, Whereabouts> bodies;  // by name; "world" too
+    std::vector<Geom> fixed;                    // in world axes: the geoms that cannot move
+    std::map<std::string, Whereabouts> bodies;  // by name; also "world"
     std::map<std::string, Whereabouts> sites;   // by name
-    std::string lacking;  // an element that would make bodies and is not supported
+    std::string lacking;  // an unsupported element that would make bodies
 };
 
 /// `root`, which has to outlive the tree: <mujoco>.

@@ -5,7 +5,7 @@
 namespace demos::mjcf {
 namespace {
 
-constexpr int kFramesASecond = 60;  // hz should be a multiple, so that films of 60 and 30 fit
+constexpr int kFramesASecond = 60;  // hz should be a multiple of it, for films of 60 and 30 fps
 constexpr int kLeastHz = 60, kMostHz = 99'960;
 
 /// A step at most as long as MuJoCo's.
@@ -36,7 +36,7 @@ void readCompiler(Attributes attributes, Rules& rules) {
     }
     if (attributes.text("coordinate") == "global")
         attributes.wrong("coordinate",
-                         "coordinate is 'global', which MuJoCo itself no longer reads; "
+                         "coordinate is 'global', which MuJoCo no longer supports; "
                          "it should be 'local': MuJoCo 2.3.3 converts such models");
     else
         attributes.word("coordinate", {"local"});
@@ -63,7 +63,7 @@ void readOption(Attributes attributes, SceneDescription& scene) {
     if (!timestep) return;
     scene.hz = hzFor(*timestep);
     if (std::abs(scene.hz * *timestep - 1.0) > 1e-9)
-        attributes.note("timestep", "timestep is " + numberText(*timestep) + " s; taken are " +
+        attributes.note("timestep", "timestep is " + numberText(*timestep) + " s; replaced by " +
                                         std::to_string(scene.hz) +
                                         " steps a second, a multiple of 60");
 }

@@ -1,4 +1,4 @@
-/// <compiler> and <option>: how the rest of a model is to be read, and in what world it moves.
+/// <compiler> and <option>: how the rest of a model is read, and the settings of its world.
 #pragma once
 #include "demos/mjcf/axes.h"
 #include "demos/mjcf/defaults.h"
@@ -8,14 +8,14 @@ namespace demos::mjcf {
 struct Rules {
     AngleRules angles;
     bool autoLimits = true;                // a range is a limit, unless limited="false"
-    std::string inertiaFromGeom = "auto";  // auto: where a body has no <inertial>
-    std::string meshFolder;                // beside the model
+    std::string inertiaFromGeom = "auto";  // auto: if a body has no <inertial>
+    std::string meshFolder;                // relative to the model's folder
     bool contacts = true;                  // <flag contact>
     bool weight = true;                    // <flag gravity>
     bool actuation = true;                 // <flag actuation>
 };
 
-/// Later <compiler>s and <option>s add to the earlier. Gravity and hz go to the scene.
+/// Later <compiler>s and <option>s add to earlier ones. Gravity and hz are set in the scene.
 Rules readRules(const Element& root, const Defaults& defaults, SceneDescription& scene,
                 Diagnostics& diagnostics);
 

@@ -23,14 +23,14 @@ std::string groupOf(const MeetingBits& bits) {
     return "type" + std::to_string(bits.contype) + "-affinity" + std::to_string(bits.conaffinity);
 }
 
-/// Those of the first geom that is met, as in rigid_bodies.cpp.
+/// Those of the first geom that collides, as in rigid_bodies.cpp.
 MeetingBits bitsOf(const Link& link) {
     for (const Geom& geom : link.geoms)
         if (geom.collides()) return {geom.contype, geom.conaffinity};
     return {0, 0};
 }
 
-/// In the order of scene.bodies: fixed ones, then links.
+/// In the order of scene.bodies: fixed bodies, then links.
 std::vector<MeetingBits> bitsOf(const BodyTree& tree) {
     std::vector<MeetingBits> bits;
     for (const Geom& geom : tree.fixed) bits.push_back({geom.contype, geom.conaffinity});
@@ -43,11 +43,11 @@ void ignoreByBits(const BodyTree& tree, SceneDescription& scene, const Context& 
     std::vector<MeetingBits> kinds = bits;
     std::sort(kinds.begin(), kinds.end());
     kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
-    std::erase(kinds, MeetingBits{0, 0});  // meet nobody, which BodyDef::collide says
+    std::erase(kinds, MeetingBits{0, 0});  // never collide: BodyDef::collide is false
     if (kinds.size() > kMostKinds)
         return context.diagnostics.wrong({},
                                          "more than 1000 pairs of contype and conaffinity; there "
-                                         "should be less");
+                                         "should be fewer");
     for (std::size_t i = 0; i < bits.size(); ++i) {
         BodyDescription& body = scene.bodies[i];
         for (const MeetingBits& kind : kinds) {
@@ -125,7 +125,7 @@ void separate(const Element& root, const BodyTree& tree, const std::vector<int>&
     if (tooMany.count() > 0)
         context.diagnostics.wrong(root.spot,
                                   "more than 32 groups of bodies that pass through others, by "
-                                  "contype, conaffinity and <exclude>; there should be less");
+                                  "contype, conaffinity and <exclude>; there should be fewer");
 }
 
 }  // namespace demos::mjcf

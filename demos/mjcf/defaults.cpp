@@ -5,7 +5,7 @@
 namespace demos::mjcf {
 namespace {
 
-/// What is said again replaces what was said.
+/// Later values replace earlier ones.
 void overlay(const Element& element, std::vector<Attribute>& attributes) {
     for (const Attribute& own : element.attributes) {
         Attribute* before = nullptr;

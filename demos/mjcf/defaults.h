@@ -1,4 +1,4 @@
-/// <default>: what elements say that do not say it themselves.
+/// <default>: values of attributes that elements do not set themselves.
 #pragma once
 #include <map>
 #include <string>
@@ -10,16 +10,16 @@ namespace demos::mjcf {
 
 class Defaults {
 public:
-    /// Of the <default>s in `root`, which may lie in each other: an inner one begins as the outer.
+    /// Reads the <default>s in `root`, which may be nested: an inner one inherits from the outer.
     Defaults(const Element& root, Diagnostics& diagnostics);
 
-    /// The element with what its class says, or else `childclass` (of the <body>s around it), or
-    /// else the outermost class.
+    /// The element with the defaults of its class, else of `childclass` (from the <body>s around
+    /// it), else of the outermost class.
     Attributes of(const Element& element, const std::string& childclass) const;
-    /// As if it were called otherwise: <connect> and <weld> have the defaults of <equality>.
+    /// With the defaults of another element name: <connect> and <weld> use those of <equality>.
     Attributes of(const Element& element, const std::string& childclass,
                   const std::string& called) const;
-    /// The childclass for what is in `body`: its own, or that from around it.
+    /// The childclass for the contents of `body`: its own, or else `around`.
     std::string childclass(const Element& body, const std::string& around) const;
 
 private:

@@ -49,7 +49,7 @@ std::vector<std::string> Diagnostics::noteLines() const {
     if (!unseen_.empty()) {
         std::string list;
         for (const std::string& name : unseen_) list += (list.empty() ? "" : ", ") + name;
-        sorted.push_back({firstUnseen_, list + ": for MuJoCo's own window and readings; left out"});
+        sorted.push_back({firstUnseen_, list + ": for MuJoCo's viewer and sensors; left out"});
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Note& a, const Note& b) {
         return orderOf(a.spot) < orderOf(b.spot);

@@ -1,4 +1,4 @@
-/// What is told of a model: what is wrong with it, and what of it is left out.
+/// The messages about a model: its errors, and notes on what is left out.
 #pragma once
 #include <map>
 #include <string>
@@ -16,15 +16,15 @@ struct Spot {
 
 class Diagnostics {
 public:
-    /// Its number. The first file is the model's own.
+    /// Gives the file's number. The first file is the model's own.
     int addFile(const std::string& name);
 
-    /// Makes the model an error: what is wrong, its value, what would be right.
+    /// An error; `what`: what is wrong, its value, what would be right.
     void wrong(const Spot& spot, const std::string& what);
-    /// The model plays all the same. The same text of several places is reported once, with the
-    /// first.
+    /// The model can still be used. The same text for several places is reported once, with the
+    /// first place.
     void note(const Spot& spot, const std::string& what);
-    /// An element that is for MuJoCo's own window: all of them are one note.
+    /// An element for MuJoCo's viewer or sensors: one note lists all of them.
     void unseen(const Spot& spot, const std::string& element);
 
     int errors() const { return complaints_.count(); }
@@ -43,7 +43,7 @@ private:
     std::vector<std::string> names_;
     Complaints complaints_;
     std::vector<Note> notes_;
-    std::map<std::string, std::size_t> noted_;  // places in notes_ by text
+    std::map<std::string, std::size_t> noted_;  // indices in notes_ by text
     std::vector<std::string> unseen_;
     Spot firstUnseen_;
 };

@@ -26,7 +26,7 @@ public:
         if (diagnostics_.errors() > before || !active) return;
         if (one.link == other.link)
             return attributes_.note("", "<" + attributes_.element() +
-                                            "> within one rigid body holds already; left out");
+                                            "> within one rigid body has no effect; left out");
         attributes_.note("", "bodies held by a <" + attributes_.element() +
                                  "> are held rigidly and do not collide with each other");
         JointDescription joint;
@@ -54,7 +54,7 @@ private:
         return {};
     }
 
-    /// World axes; of <connect> given in those of body1.
+    /// In world axes; a <connect> gives it in those of body1.
     Vec3 readAnchor(const Whereabouts& one) {
         if (isWeld()) return one.pose.position;
         if (!attributes_.has("anchor"))

@@ -4,7 +4,7 @@
 
 namespace demos::mjcf {
 
-/// `places`: of the links in scene.bodies.
+/// `places`: indices of the links in scene.bodies.
 void addEqualities(const Element& root, const BodyTree& tree, const std::vector<int>& places,
                    const Context& context, SceneDescription& scene, Names& names);
 

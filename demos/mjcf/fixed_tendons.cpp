@@ -10,7 +10,7 @@ constexpr Range kCoefficient{-1e6, 1e6};
 struct Pulled {
     std::string joint;
     double coefficient = 0.0;
-    double rest = 0.0;  // m or rad, of the joint's own spring
+    double rest = 0.0;  // m or rad, where the joint's own spring is at rest
 };
 
 class FixedTendon {
@@ -21,7 +21,7 @@ public:
             if (child.name == "joint") addJoint(child, tree);
     }
 
-    /// Length L = sum c_i q_i; a force F along L is c_i F along q_i.
+    /// Length L = sum c_i q_i; a force F along L acts as c_i F along q_i.
     void add(Actuation& actuation) {
         AffineForce force;
         const auto driven = actuation.tendons.find(attributes_.text("name"));
@@ -29,9 +29,9 @@ public:
         force += ownForce();
         tellOfRest();
         if (!force.isConstant() && joints_.size() > 1)
-            return attributes_.note("", "a <fixed> tendon of several joints that has a spring, a "
-                                        "damper or an actuator that follows it is not available; "
-                                        "left out");
+            return attributes_.note("", "a <fixed> tendon of several joints with a spring, a "
+                                        "damper or an actuator whose force depends on it is not "
+                                        "available; left out");
         for (const Pulled& pulled : joints_)
             if (force.constant != 0.0 || !force.isConstant())
                 actuation.joints[pulled.joint] += force.geared(pulled.coefficient);
@@ -60,7 +60,7 @@ private:
         return joint.text("type") == "slide" ? rest : context_.rules.angles.radians(rest);
     }
 
-    /// At rest at `springlength`, or where its joints' springs are.
+    /// At rest at `springlength`, or where the springs of its joints are.
     AffineForce ownForce() {
         const double stiffness = attributes_.number("stiffness", kStrength).value_or(0.0);
         const double damping = attributes_.number("damping", kStrength).value_or(0.0);
@@ -70,7 +70,7 @@ private:
         if (given && given->front() >= 0.0) rest = given->front();
         if (stiffness > 0.0 && given && given->size() > 1 && (*given)[1] != given->front())
             attributes_.note("springlength", "a springlength of two different numbers is not "
-                                             "available; the first is taken");
+                                             "available; the first is used");
         return {stiffness * rest, stiffness, damping};
     }
 

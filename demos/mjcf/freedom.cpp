@@ -5,7 +5,7 @@
 namespace demos::mjcf {
 namespace {
 
-constexpr double kOutOfReach = 1e6;  // rad/s or m/s: a motor that wants it gives all it has
+constexpr double kOutOfReach = 1e6;  // rad/s or m/s: at this target speed a motor gives its maximum
 
 double strength(Attributes& attributes, const char* name) {
     return attributes.number(name, kStrength).value_or(0.0);
@@ -25,7 +25,7 @@ void actAlong(Attributes& attributes, AffineForce force, double rest, double ref
     if (force.constant == 0.0 && force.isConstant()) return;
     force += own;
     if (force.stiffness < 0.0 || force.resistance < 0.0)
-        return attributes.note("", "an actuator that pushes on what is already moving that way is "
+        return attributes.note("", "an actuator that makes stiffness or damping negative is "
                                    "not available; left out");
     freedom.spring.stiffness = force.stiffness;
     freedom.spring.resistance = force.resistance;
@@ -33,7 +33,7 @@ void actAlong(Attributes& attributes, AffineForce force, double rest, double ref
         freedom.rest = force.constant / force.stiffness - ref;
     } else if (force.constant != 0.0) {
         if (freedom.motor.isOn())
-            attributes.note("frictionloss", "frictionloss beside the constant force of an actuator "
+            attributes.note("frictionloss", "frictionloss with the constant force of an actuator "
                                             "is not available; left out");
         freedom.motor = {std::copysign(kOutOfReach, force.constant), std::abs(force.constant)};
     }

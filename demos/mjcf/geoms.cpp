@@ -13,7 +13,7 @@ using engine::Shape;
 
 constexpr Range kSizes{0.0, 1e4, "m"};
 constexpr double kLeastSize = 1e-5;  // m
-constexpr double kRolling = 1e-4;     // m, MuJoCo's own where condim is 6 and none is given
+constexpr double kRolling = 1e-4;     // m, MuJoCo's default if condim is 6
 constexpr int kFirstHiddenGroup = 3;
 constexpr double kLargestBits = 2147483647.0;
 
@@ -41,7 +41,7 @@ private:
         return attributes_.word("type", kTypes).value_or("sphere");
     }
 
-    /// False where there is none.
+    /// False if there is none.
     bool readShape() {
         if (geom_.type == "hfield" || geom_.type == "sdf") {
             attributes_.note("type",
@@ -52,7 +52,7 @@ private:
         if (geom_.type == "mesh") return readMesh();
         if (attributes_.has("mesh")) {
             attributes_.wrong("mesh", "mesh in a <geom> of type " + geom_.type +
-                                          ", which would be fitted to it; write type=\"mesh\"");
+                                          ", which MuJoCo would fit to it; write type=\"mesh\"");
             return false;
         }
         if (geom_.type == "plane") {
@@ -74,7 +74,7 @@ private:
             return false;
         }
         if (!found->second) return false;
-        attributes_.note("mesh", "a mesh is taken as its convex hull");
+        attributes_.note("mesh", "a mesh collides and weighs as its convex hull");
         takeHull(found->second->hull);
         geom_.picture = found->second->picture;
         return true;
@@ -85,7 +85,7 @@ private:
         geom_.pose.position = geom_.pose.toWorld(-hull.origin);
     }
 
-    /// How many of the three sizes a type has of its own, and with fromto.
+    /// How many of the three sizes a type needs, without or with fromto.
     std::size_t sizesOf(bool between) const {
         const std::size_t own = geom_.type == "sphere"                                ? 1
                                 : geom_.type == "capsule" || geom_.type == "cylinder" ? 2
@@ -97,7 +97,7 @@ private:
     std::optional<Vec3> readSize() {
         const bool between = attributes_.has("fromto") && geom_.type != "sphere";
         if (attributes_.has("fromto") && !between)
-            attributes_.wrong("fromto", "fromto of a sphere; give pos");
+            attributes_.wrong("fromto", "fromto is given for a sphere; give pos instead");
         const std::size_t count = sizesOf(between);
         if (!attributes_.has("size")) {
             attributes_.wrong("", "a <geom> of type " + geom_.type + " has no size; write size=\"" +
@@ -115,7 +115,7 @@ private:
         if (between && !readEnds(size)) return std::nullopt;
         if (size.minCoeff() >= kLeastSize) return size;
         attributes_.wrong("size", "size is '" + attributes_.text("size").substr(0, 40) +
-                                      "'; it should be 0.00001 m at least, each");
+                                      "'; each should be at least 0.00001 m");
         return std::nullopt;
     }
 
@@ -126,7 +126,7 @@ private:
         const Vec3 from(e[0], e[1], e[2]), to(e[3], e[4], e[5]), way = to - from;
         size.z() = 0.5 * way.norm();
         if (size.z() < kLeastSize) {
-            attributes_.wrong("fromto", "the two ends are one point; move one of them");
+            attributes_.wrong("fromto", "the two ends are the same point; move one of them");
             return false;
         }
         geom_.pose.position = yUp(Vec3(0.5 * (from + to)));
@@ -144,12 +144,12 @@ private:
     }
 
     void shapeFromAxes(const Vec3& halfAxes) {
-        attributes_.note("type", "an ellipsoid is taken as a convex hull of 120 corners");
+        attributes_.note("type", "an ellipsoid is replaced by a convex hull of 120 corners");
         if (const auto hull = hullOfAny(ellipsoidCorners(halfAxes)))
             takeHull(*hull);
         else
             attributes_.wrong("size",
-                              "an ellipsoid should not be 10000 times as long as it is flat");
+                              "an ellipsoid should not be 10000 times as long as it is thick");
     }
 
     void readMass() {
@@ -165,7 +165,8 @@ private:
 
     int bits(const char* name) { return attributes_.whole(name, {0.0, kLargestBits}).value_or(1); }
 
-    /// condim 1: none, unless the other geom's is larger; 3: sliding; 4: and torsion; 6: and rolling.
+    /// condim 1: none, unless the other geom's is larger; 3: sliding; 4: also torsion; 6: also
+    /// rolling.
     void readFriction() {
         const int condim = attributes_.whole("condim", {1.0, 6.0}).value_or(3);
         const std::vector<double> given =
@@ -174,7 +175,7 @@ private:
             attributes_.wrong("condim", "condim is " + std::to_string(condim) +
                                             "; it should be 1, 3, 4 or 6");
         if (condim > 3)
-            attributes_.note("condim", "friction against torsion is not supported; left out");
+            attributes_.note("condim", "torsional friction is not supported; left out");
         if (!given.empty()) geom_.friction = given.front();
         geom_.condim = condim;
         geom_.priority = attributes_.whole("priority", {-1e6, 1e6}).value_or(0);

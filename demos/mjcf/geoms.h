@@ -8,7 +8,7 @@
 
 namespace demos::mjcf {
 
-/// What a model's parts are read with.
+/// What the readers of a model's parts need.
 struct Context {
     const Rules& rules;
     const Defaults& defaults;
@@ -17,27 +17,27 @@ struct Context {
 };
 
 struct Geom {
-    std::string name;  // empty where it has none
-    std::string type;  // its shape's word
+    std::string name;  // empty if it has none
+    std::string type;  // the word of its shape
     engine::Shape shape;
     Pose pose;                  // of the shape's centre, in the body's axes
-    MassProperties properties;  // likewise; of a plane none
-    bool ownMass = false;       // the mass is given, not by density
+    MassProperties properties;  // in the same axes; zero for a plane
+    bool ownMass = false;       // the mass is given, not computed from density
     double friction = 1.0;
-    double rolling = 0.0;       // m, where condim is 6
-    std::optional<engine::Shape> picture;  // a mesh's triangles, at the same place
-    bool isShown = true;        // in MuJoCo's window: of group 0, 1 or 2, and not clear
-    int body = 0;               // a number for each <body>
+    double rolling = 0.0;       // m, if condim is 6
+    std::optional<engine::Shape> picture;  // a mesh's triangles, at the same pose
+    bool isShown = true;        // in MuJoCo's viewer: group 0, 1 or 2, and not transparent
+    int body = 0;               // number of its <body>
     int condim = 3;
     int priority = 0;
-    int contype = 1, conaffinity = 1;  // bits: who meets whom
+    int contype = 1, conaffinity = 1;  // bits: contact_filter.h
     std::optional<unsigned> color;     // 0xRRGGBB
     Spot spot;
 
     bool collides() const { return contype != 0 || conaffinity != 0; }
 };
 
-/// Nothing where it is left out, or wrong; that is reported then.
+/// Nothing if it is left out or wrong, which is reported.
 std::optional<Geom> readGeom(const Element& element, const std::string& childclass,
                              const Context& context);
 

@@ -12,7 +12,7 @@ using engine::Vec3;
 constexpr int kDirections = 200;
 constexpr int kEllipsoidCorners = 120;
 
-/// Evenly over the sphere: a golden-angle spiral.
+/// Evenly distributed over the sphere: a golden-angle spiral.
 std::vector<Vec3> directions(int count) {
     constexpr double kGoldenAngle = 2.39996322972865332;  // rad, pi (3 - sqrt 5)
     std::vector<Vec3> all;

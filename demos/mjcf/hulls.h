@@ -1,4 +1,4 @@
-/// Convex hulls of what this engine has no shape for.
+/// Convex hulls in place of shapes that this engine does not have.
 #pragma once
 #include <span>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace demos::mjcf {
 
-/// The hull of any number of points (m), centred on itself. With more corners than a shape may have
-/// it is that of the points farthest out in 200 directions. Nothing where they are flat.
+/// The hull of any number of points (m), about its own centre. If it has more corners than a shape
+/// may have, only the points farthest out in 200 directions are used. Nothing for flat points.
 std::optional<engine::Shape> hullOfAny(std::span<const engine::Vec3> points);
 
 /// Corners of an ellipsoid with these half axes (m), whose hull has its volume.

@@ -43,7 +43,7 @@ private:
                                        : JointWord::hinge;
     }
 
-    /// Of angles as <compiler> has them; of ways in m.
+    /// rad of angles, which <compiler> may have in degrees; m of translations.
     double inUnits(double value) const {
         return joint_.word == JointWord::slide ? value : context_.rules.angles.radians(value);
     }
@@ -61,7 +61,7 @@ private:
         return found == forces_.end() ? AffineForce{} : found->second;
     }
 
-    /// MuJoCo's coordinate is `ref` where the file puts the bodies; ours is 0 there.
+    /// At the poses of the file, MuJoCo's coordinate is `ref`; ours is 0.
     void readFreedom() {
         engine::Freedom& freedom = joint_.freedom;
         const double ref = coordinate("ref");
@@ -71,7 +71,7 @@ private:
             freedom.limits.high = inUnits(range ? (*range)[1] : 0.0) - ref;
             if (!(freedom.limits.low < freedom.limits.high)) {
                 attributes_.wrong("range",
-                                  "a limited joint has no range; it should be two numbers, "
+                                  "a limited joint has no valid range; it should be two numbers, "
                                   "the lower one first");
                 freedom.limits = {};
             }

@@ -12,12 +12,12 @@ using engine::Freedom;
 using engine::JointDef;
 using engine::JointType;
 
-constexpr double kAcross = 1e-3;     // sine of how far from a right angle axes may be
+constexpr double kAcross = 1e-3;     // sine of the allowed deviation from a right angle
 constexpr double kSamePoint = 1e-6;  // m
 
 bool areAcross(const Vec3& a, const Vec3& b) { return std::abs(a.dot(b)) < kAcross; }
 
-/// The same along the opposite axis.
+/// The same freedom along the opposite axis.
 Freedom reversed(Freedom freedom) {
     std::swap(freedom.limits.low, freedom.limits.high);
     freedom.limits.low *= -1.0, freedom.limits.high *= -1.0;
@@ -26,16 +26,17 @@ Freedom reversed(Freedom freedom) {
     return freedom;
 }
 
-/// Three axes at right angles, which joints add one after the other.
+/// Three axes at right angles, added by one joint after the other.
 class Frame {
 public:
-    /// The number of the axis that `axis` lies along, added if it is across all others; else -1.
+    /// The number of the axis parallel to `axis`, which is added if it is at right angles to all
+    /// others; else -1.
     int place(const Vec3& axis) {
         for (int i = 0; i < count_; ++i)
             if (std::abs(axes_[i].dot(axis)) > 1.0 - 0.5 * kAcross * kAcross) return i;
         for (int i = 0; i < count_; ++i)
             if (!areAcross(axes_[i], axis)) return -1;
-        if (count_ == 2) {  // the third is given by the two
+        if (count_ == 2) {  // the two determine the third
             axes_[2] = axes_[0].cross(axes_[1]).normalized();
         } else {
             Vec3 straight = axis;
@@ -45,7 +46,7 @@ public:
         return count_++;
     }
 
-    /// Freedom along `axis` as it is along the frame's own.
+    /// `freedom` along `axis`, converted to the frame's parallel axis.
     Freedom along(int i, const Vec3& axis, const Freedom& freedom) const {
         return axes_[i].dot(axis) < 0.0 ? reversed(freedom) : freedom;
     }
@@ -74,7 +75,8 @@ public:
             joints_.push_back(readJoint(joint, link.pose, context, forces));
     }
 
-    /// Anchors are left to the caller: `anchor`, world axes. False: it cannot be one joint.
+    /// Sets all but the anchors, for which it gives `anchor` in world axes. False: it cannot be one
+    /// joint.
     bool make(JointDef& def, Vec3& anchor) {
         anchor = joints_.back().anchor;
         if (joints_.size() == 1) return makeSingle(def);
@@ -107,7 +109,7 @@ private:
                areAcross(joints_[0].axis, joints_[1].axis);
     }
 
-    /// The first hinge is fixed in the link around, the second in its own.
+    /// The axis of the first hinge is fixed in the parent, that of the second in the link.
     bool makeUniversal(JointDef& def, Vec3& anchor) {
         def.type = JointType::universal;
         def.axis = joints_[0].axis;
@@ -118,7 +120,7 @@ private:
         return true;
     }
 
-    /// Of the hinges; the middle of them, and a note, where they have none.
+    /// The common point of the hinges; if they have none, the middle, with a note.
     Vec3 commonPoint() {
         Vec3 low = Vec3::Zero(), high = low;
         bool first = true;
@@ -132,7 +134,7 @@ private:
         if (apart > kSamePoint)
             context_.diagnostics.note(spot(), "the hinges of a <body> are at different points, " +
                                                   numberText(std::round(1e6 * apart) / 1e6) +
-                                                  " m apart; here they are in the middle");
+                                                  " m apart; they are put in the middle");
         return 0.5 * (low + high);
     }
 
@@ -157,7 +159,7 @@ private:
     bool addTo(const JointAxis& joint, Frame& frame, JointDef& def) {
         if (joint.word == JointWord::ball) {
             for (int i = 3; i < 6; ++i) {
-                if (!def.free[i].locked) return refuse("a ball beside a hinge");
+                if (!def.free[i].locked) return refuse("a ball with another ball or a hinge");
                 def.free[i] = {};
             }
             return true;
@@ -174,7 +176,7 @@ private:
         context_.diagnostics.wrong(spot(),
                                    "the " + std::to_string(joints_.size()) +
                                        " joints of this <body> cannot be one joint here (" + why +
-                                       "); put them in <body>s of their own, with some mass each");
+                                       "); put them in separate <body>s, each with some mass");
         return false;
     }
 
@@ -188,9 +190,9 @@ private:
         if (acts || free == 2)
             context_.diagnostics.note(
                 spot(),
-                "several hinges of a <body> are the turns about three axes of "
-                "one joint; ranges, springs and what is held are exact while "
-                "one of them is large");
+                "several hinges of a <body> become rotations about three axes of "
+                "one joint; ranges, springs and locked axes are exact only while "
+                "just one of them is large");
     }
 
     const Context& context_;

@@ -1,4 +1,4 @@
-/// Mass, centre of mass and inertia of what is put together.
+/// Mass, centre of mass and inertia of composed bodies.
 #pragma once
 #include <span>
 
@@ -12,14 +12,14 @@ struct MassProperties {
     Mat3 inertia = Mat3::Zero();  // kg m^2, about the centre
 };
 
-/// The same seen from outside: of a piece at `pose`.
+/// The properties of a piece at `pose`, in outer axes.
 MassProperties placed(const MassProperties& piece, const Pose& pose);
 
-/// Of all pieces, which are in the same axes:
+/// The properties of all pieces together, given in the same axes:
 ///   m = sum m_i,   c = sum m_i c_i / m,   I = sum I_i + m_i (d.d 1 - d d^T),   d = c_i - c
 MassProperties together(std::span<const MassProperties> pieces);
 
-/// Whether something with it can be moved: mass and inertia well above nothing.
+/// Whether a dynamic body can have them: mass and inertia are large enough.
 bool isMovable(const MassProperties& whole);
 
 }  // namespace demos::mjcf

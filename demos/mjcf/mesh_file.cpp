@@ -25,7 +25,7 @@ std::string_view lineOff(std::string_view& text) {
     return line;
 }
 
-/// With those that a backslash at its end joins to it; `number` counts them.
+/// Takes a line and those that a backslash at its end joins to it; `number` counts them.
 std::string wholeLineOff(std::string_view& text, int& number) {
     std::string line(lineOff(text));
     for (++number; line.ends_with('\\') && !line.starts_with('#') && !text.empty(); ++number) {
@@ -35,7 +35,7 @@ std::string wholeLineOff(std::string_view& text, int& number) {
     return line;
 }
 
-/// Three numbers, or something that is not usable.
+/// Three numbers, or an unusable corner.
 Vec3 cornerIn(std::string_view text) {
     Vec3 corner(0, 0, 0);
     for (double& x : corner) {
@@ -48,7 +48,7 @@ Vec3 cornerIn(std::string_view text) {
     return corner;
 }
 
-/// A file of corners alone has a hull, and nothing else to draw.
+/// The triangles; none if the faces are invalid or missing, in which case only the hull is drawn.
 std::vector<std::array<int, 3>> facesOf(const std::string& text, std::size_t corners) {
     try {
         TriangleMesh mesh = objMesh(text);
@@ -76,21 +76,21 @@ MeshCorners readObj(std::string_view text) {
 }
 
 std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
-    std::uint32_t word = 0;  // little-endian, as the format has it
+    std::uint32_t word = 0;  // little-endian, by the format
     for (std::size_t i = 0; i < 4; ++i)
         word |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
     return word;
 }
 
-/// 80 bytes of anything, the number of triangles, then 50 bytes each: normal, three corners, two
-/// more.
+/// 80 arbitrary bytes, the number of triangles, then 50 bytes for each: normal, three corners, two
+/// more bytes.
 MeshCorners readStl(std::string_view bytes) {
     constexpr std::size_t kHead = 84, kTriangle = 50;
     MeshCorners mesh;
     const std::size_t count = bytes.size() >= kHead ? wordAt(bytes, 80) : 0;
     if (count == 0 || bytes.size() != kHead + kTriangle * count) {
         mesh.wrong = "its size is not that of a binary STL file of " + std::to_string(count) +
-                     " triangles; STL in text is not read";
+                     " triangles; ASCII STL is not supported";
         return mesh;
     }
     for (int i = 0; i < static_cast<int>(count); ++i)
@@ -102,7 +102,8 @@ MeshCorners readStl(std::string_view bytes) {
                 wordAt(bytes, kHead + kTriangle * (i / 3) + 12 + 12 * (i % 3) + 4 * k)));
         mesh.corners.push_back(corner);
         if (isUsable(corner)) continue;
-        mesh.wrong = "triangle " + std::to_string(i / 3 + 1) + " has a corner that is not finite";
+        mesh.wrong = "triangle " + std::to_string(i / 3 + 1) +
+                     " has a corner that is beyond 1000000 or not finite";
         return mesh;
     }
     return mesh;
@@ -116,7 +117,7 @@ MeshCorners readMeshFile(const std::string& name, std::string_view bytes) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     if (ending == ".obj") return readObj(bytes);
     if (ending == ".stl") return readStl(bytes);
-    return {{}, {}, "its format is not read; OBJ and binary STL are"};
+    return {{}, {}, "its format is not supported; it should be OBJ or binary STL"};
 }
 
 }  // namespace demos::mjcf

@@ -28,7 +28,7 @@ void build(const Element& root, const fs::path& folder, const FileReader& read,
     const Context context{rules, defaults, assets, diagnostics};
     const BodyTree tree = readBodies(root, context);
     const std::vector<int> places = addBodies(tree, context, scene);
-    stopIfWrong(diagnostics);  // joints ask for good bodies
+    stopIfWrong(diagnostics);  // joints need valid bodies
     Names jointNames;
     Actuation actuation = readActuators(root, context);
     addFixedTendons(root, tree, context, actuation);
@@ -45,7 +45,7 @@ void build(const Element& root, const fs::path& folder, const FileReader& read,
     stopIfWrong(diagnostics);
 }
 
-/// --set, as if a scene file said so after the model.
+/// --set, as if a scene file with these settings followed the model.
 void applyOptions(const std::vector<std::string>& overrides, const std::string& fileName,
                   SceneDescription& scene) {
     Complaints complaints(overrides);

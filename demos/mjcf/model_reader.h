@@ -1,4 +1,4 @@
-/// MuJoCo's models (MJCF) as scenes; demos/mjcf/README.md says what becomes of each of their words.
+/// MuJoCo's models (MJCF) as scenes; demos/mjcf/README.md lists how each word is translated.
 #pragma once
 #include <filesystem>
 
@@ -7,9 +7,9 @@
 
 namespace demos::mjcf {
 
-/// Throws SceneError of all that is wrong. What is not supported and changes the motion is in the
-/// scene's notes. `read` gives the files that a model names. `overrides` as of a scene file, but
-/// for bodies, joints and forces.
+/// Throws a SceneError with all errors. Unsupported features that change the motion are in the
+/// scene's notes. `read` gives the files that a model names. `overrides`: as for a scene file,
+/// except for bodies, joints and forces.
 SceneDescription readModel(const std::string& text, const std::string& fileName,
                            const std::string& sceneName, const std::vector<std::string>& overrides,
                            const FileReader& read);

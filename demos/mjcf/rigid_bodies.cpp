@@ -10,10 +10,10 @@ using engine::BodyKind;
 using engine::Shape;
 using engine::ShapePart;
 
-constexpr double kAsideShare = 1e-9;  // of its reach, that a centre of mass may lie off a shape's
-constexpr double kBallRadius = 0.02;  // m, what stands for a body without a geom
+constexpr double kAsideShare = 1e-9;  // of a shape's reach: tolerance of its centre of mass
+constexpr double kBallRadius = 0.02;  // m, of the sphere that represents a body without a geom
 
-/// The geoms that others meet; all, drawn only, where there are none.
+/// The geoms that collide; if there are none, all, which are only drawn.
 std::vector<const Geom*> solidOf(const Link& link) {
     std::vector<const Geom*> solid;
     for (const Geom& geom : link.geoms)
@@ -28,7 +28,7 @@ bool sameSurface(const Geom& a, const Geom& b) {
            (a.condim == 1) == (b.condim == 1);
 }
 
-/// Of two geoms the larger condim counts and the larger friction; the first says whether there is any.
+/// Of two geoms the larger condim and the larger friction count; condim says if there is friction.
 engine::Material surfaceOf(const Geom& geom) {
     engine::Material surface;
     surface.friction = geom.friction;
@@ -108,7 +108,7 @@ private:
         def.inertia = whole.inertia;
     }
 
-    /// Drawn are the geoms that MuJoCo's window shows, or else those that are met.
+    /// Draws the geoms that MuJoCo's viewer shows, or else those that collide.
     static void dress(const Link& link, const std::vector<const Geom*>& solid,
                       BodyDescription& body) {
         std::vector<const Geom*> shown;
@@ -133,13 +133,13 @@ private:
             if (!geom.collides()) continue;
             if (!sameSurface(geom, *solid.front()))
                 context_.diagnostics.note(geom.spot,
-                                          "friction, condim or priority differ between the <geom>s of a body; those "
-                                          "of its first hold for all");
+                                          "friction, condim or priority differ between the <geom>s "
+                                          "of a body; the first <geom>'s apply to all");
             if (geom.contype != solid.front()->contype ||
                 geom.conaffinity != solid.front()->conaffinity)
                 context_.diagnostics.note(geom.spot,
                                           "contype or conaffinity differ between the <geom>s of "
-                                          "a body; those of its first hold for all");
+                                          "a body; the first <geom>'s apply to all");
         }
     }
 
@@ -158,7 +158,7 @@ private:
     const Context& context_;
     SceneDescription& scene_;
     Names names_;
-    std::set<int> shownBodies_;  // that stand still and of which something is shown
+    std::set<int> shownBodies_;  // fixed <body>s with at least one shown geom
 };
 
 }  // namespace
@@ -175,7 +175,7 @@ std::vector<int> addBodies(const BodyTree& tree, const Context& context, SceneDe
 }
 
 std::string Names::next(const std::string& wanted) {
-    constexpr std::size_t kLongest = 56;  // of 64, so that a number fits
+    constexpr std::size_t kLongest = 56;  // of 64: leaves room for a number
     std::string name = wanted.empty() ? "body" : wanted.substr(0, kLongest);
     for (char& c : name) {
         const bool usual =

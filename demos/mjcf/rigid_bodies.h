@@ -8,14 +8,14 @@
 
 namespace demos::mjcf {
 
-/// What no joint lets move is a fixed body for each <geom>; a link is one body, its <geom>s a
-/// compound. Gives the links' places in scene.bodies.
+/// Each <geom> that cannot move becomes a fixed body; a link becomes one body, its <geom>s a
+/// compound. Gives the indices of the links in scene.bodies.
 std::vector<int> addBodies(const BodyTree& tree, const Context& context, SceneDescription& scene);
 
-/// Names for a scene's bodies or joints, each one once.
+/// Unique names for a scene's bodies or joints.
 class Names {
 public:
-    /// Letters that a name may not have become '_', and a number is added where it is taken.
+    /// Replaces characters that a name may not have by '_', and adds a number to a name in use.
     std::string next(const std::string& wanted);
 
 private:

@@ -63,15 +63,15 @@ private:
         const bool atStart = !given || given->front() < 0.0;
         if (given && given->size() > 1 && (*given)[1] != given->front())
             attributes_.note("springlength", "a springlength of two different numbers is not "
-                                             "available; the first is taken");
+                                             "available; the first is used");
         actAlong(attributes_, force, atStart ? now : given->front(), 0.0, freedom);
         const auto range = attributes_.numbers("range", 2, 2, kLength);
         if (!isLimited(attributes_, "limited", "range", context_.rules.autoLimits)) return freedom;
         if (range && (*range)[0] < (*range)[1])
             freedom.limits = {(*range)[0], (*range)[1]};
         else
-            attributes_.wrong("range", "a limited tendon has no range; it should be two numbers, "
-                                       "the lower one first");
+            attributes_.wrong("range", "a limited tendon has no valid range; it should be two "
+                                       "numbers, the lower one first");
         return freedom;
     }
 

@@ -8,8 +8,8 @@ namespace demos::mjcf {
 namespace {
 
 constexpr Range kExtent{1e-3, 1e5, "m"};
-constexpr double kLeastRadius = 0.02;  // m, of what is looked at
-constexpr double kRoom = 0.85;         // of its radius, which is generous, that has to be seen
+constexpr double kLeastRadius = 0.02;  // m, of what the camera looks at
+constexpr double kRoom = 0.85;         // share of that radius, which is generous, to be seen
 
 struct Bounds {
     Vec3 low = Vec3::Constant(1e9), high = Vec3::Constant(-1e9);
@@ -31,7 +31,7 @@ Bounds boundsOf(const SceneDescription& scene, engine::BodyKind kind) {
     return bounds;
 }
 
-/// Down to a level floor that is not far below: where things fall to is seen.
+/// Extends the bounds to a level floor that is not far below, so that falls end in the picture.
 void addFloor(const SceneDescription& scene, Bounds& bounds) {
     const Vec3 centre = bounds.centre();
     const double far = 4.0 * bounds.radius();

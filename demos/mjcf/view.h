@@ -1,10 +1,10 @@
-/// Where the camera stands: a model says of its pictures at most how large it is.
+/// The camera: a model at most states its centre and extent.
 #pragma once
 #include "demos/mjcf/compiler.h"
 
 namespace demos::mjcf {
 
-/// From <statistic>, or from the bounds of what moves: three quarters from the front, a little
+/// From <statistic>, or from the bounds of the moving bodies: a three-quarter view from a little
 /// above.
 CameraDescription readView(const Element& root, const Defaults& defaults,
                            const SceneDescription& scene);

@@ -1,4 +1,4 @@
-// Words as of MuJoCo 3.3 (its documentation, 'XML reference'), and those of 2.x that went since.
+// Words as of MuJoCo 3.3 (its documentation, 'XML reference'), and those of 2.x removed since.
 #include "demos/mjcf/vocabulary.h"
 
 #include <array>
@@ -10,18 +10,18 @@
 namespace demos::mjcf {
 namespace {
 
-/// What becomes of an element that stands where it may.
+/// How an element in a valid position is treated.
 enum class Fate {
-    read,    // and looked into
-    unseen,  // picture, readings or bookkeeping: left out in one note for all
-    silent,  // left out without a note: says nothing of the model by itself
-    lacking  // changes the motion: a note
+    read,    // with its attributes and children
+    unseen,  // viewer, sensors or bookkeeping: left out, one note for all
+    silent,  // left out without a note: has no effect by itself
+    lacking  // changes the motion, but is not supported: a note
 };
 
-/// Lists of words are parted by spaces. `lacking`: with the value that changes nothing after '=',
-/// its numbers parted by commas.
+/// Lists of words, separated by spaces. `lacking`: attributes that need a note, unless they have
+/// the value after '=', whose numbers are separated by commas.
 struct Kind {
-    std::string_view in;  // the element around it; "*": of every kind of body
+    std::string_view in;  // the parent element; "*": worldbody, body or frame
     std::string_view name;
     Fate fate = Fate::read;
     std::string_view read, silent, lacking;
@@ -231,7 +231,7 @@ const Kind* kindOf(std::string_view around, std::string_view name) {
     return nullptr;
 }
 
-/// "0,0" as written "0 0.0": the same numbers, or the same word.
+/// Whether "0 0.0", as written, and "0,0" are the same numbers, or both the same word.
 bool saysTheSame(std::string_view written, std::string_view neutral) {
     const auto next = [](std::string_view& text, std::string_view gaps) {
         text.remove_prefix(std::min(text.find_first_not_of(gaps), text.size()));
@@ -323,7 +323,7 @@ private:
 
 void checkWords(const Element& root, Diagnostics& diagnostics) {
     if (root.name != "mujoco")
-        return diagnostics.wrong(root.spot, "the outermost element is <" + root.name.substr(0, 64) +
+        return diagnostics.wrong(root.spot, "the root element is <" + root.name.substr(0, 64) +
                                                 ">; it should be <mujoco>");
     WordCheck(diagnostics).element(root, kKinds[0]);
 }

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kDeepest = 64;
 constexpr int kMostElements = 200'000;
-constexpr std::size_t kMostAttributes = 256;  // of an element; MuJoCo knows fewer of all
+constexpr std::size_t kMostAttributes = 256;  // of an element; MuJoCo has fewer in all
 constexpr std::size_t kMostFiles = 64;
 
-/// The places of a text's bytes.
+/// Line and column of a text's bytes.
 class Lines {
 public:
     explicit Lines(std::string_view text) {
@@ -43,7 +43,7 @@ public:
     Element readFile(std::string text, const std::string& name, int depth);
 
 private:
-    /// A parsed file. Names and values stay where they were in `text`, which tells their places.
+    /// A parsed file. Names and values point into `text`, which gives their places.
     struct File {
         std::string text;
         Lines lines;
@@ -81,7 +81,7 @@ Element TreeReader::readFile(std::string text, const std::string& name, int dept
     }
     if (root.next_sibling())
         diagnostics_.wrong(file.spotOf(root.next_sibling().offset_debug()),
-                           "a second outermost element; a document has one");
+                           "a second root element; a document has only one");
     return convert(root, file, depth);
 }
 
@@ -90,10 +90,10 @@ Element TreeReader::convert(const pugi::xml_node& node, const File& file, int de
     element.name = node.name();
     element.spot = file.spotOf(node.offset_debug() - 1);  // at its bracket
     if (++elements_ == kMostElements + 1)
-        diagnostics_.wrong(element.spot, "more than 200000 elements; a model should have less");
+        diagnostics_.wrong(element.spot, "more than 200000 elements; a model should have fewer");
     if (depth == kDeepest + 1)
         diagnostics_.wrong(element.spot,
-                           "elements more than 64 deep in each other; they should be less");
+                           "elements nested more than 64 deep; nest them less deeply");
     if (elements_ > kMostElements || depth > kDeepest) return element;
     addAttributes(node, file, element);
     addChildren(node, file, depth, element);
@@ -105,7 +105,7 @@ void TreeReader::addAttributes(const pugi::xml_node& node, const File& file, Ele
         const Spot spot = file.spotOf(file.offsetOf(attribute.name()));
         if (element.attributes.size() == kMostAttributes)
             return diagnostics_.wrong(spot, "more than 256 attributes in one <" + element.name +
-                                                ">; it should have less");
+                                                ">; it should have fewer");
         if (element.find(attribute.name()))
             diagnostics_.wrong(spot, std::string("two attributes '") + attribute.name() +
                                          "' in one <" + element.name + ">; leave one out");
@@ -116,7 +116,7 @@ void TreeReader::addAttributes(const pugi::xml_node& node, const File& file, Ele
 void TreeReader::addChildren(const pugi::xml_node& node, const File& file, int depth,
                              Element& element) {
     for (const pugi::xml_node& inner : node.children()) {
-        if (inner.type() != pugi::node_element) continue;  // text says nothing in MJCF
+        if (inner.type() != pugi::node_element) continue;  // text has no meaning in MJCF
         Element child = convert(inner, file, depth + 1);
         if (child.name == "include")
             include(child, depth, element.children);
@@ -135,10 +135,10 @@ void TreeReader::include(const Element& element, int depth, std::vector<Element>
                                                   "'; it should be relative to the model's folder");
     if (std::find(included_.begin(), included_.end(), name->value) != included_.end())
         return diagnostics_.wrong(
-            name->spot, "'" + name->value + "' is included twice; a model includes a file once");
+            name->spot, "'" + name->value + "' is included twice; include it only once");
     if (included_.size() == kMostFiles)
         return diagnostics_.wrong(
-            name->spot, "'" + name->value + "' is the 65th file; a model should be of 64 at most");
+            name->spot, "'" + name->value + "' is the 65th file; a model should have at most 64");
     included_.push_back(name->value);
     const std::string path = (folder_ / name->value).lexically_normal().string();
     try {

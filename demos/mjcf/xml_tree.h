@@ -1,5 +1,5 @@
-/// A model's XML as plain data, each piece with its place, <include> carried out. (The only text
-/// that knows pugixml is xml_tree.cpp.)
+/// A model's XML as plain data, each element and attribute with its place, <include> expanded.
+/// (Only xml_tree.cpp uses pugixml.)
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -22,16 +22,16 @@ struct Element {
     std::vector<Element> children;
     Spot spot;
 
-    /// Null where it is not given.
+    /// Null if it is missing.
     const Attribute* find(std::string_view attribute) const;
 };
 
 /// The bytes of a file; throws SceneError.
 using FileReader = std::function<std::string(const std::filesystem::path&)>;
 
-/// The document's outermost element; what is no XML, or beyond the limits (depth 64, 200 000
-/// elements, 256 attributes each, 64 files), is reported. `include` names files beside the model's own. XML's entities
-/// of its own making are not known, so that none can grow.
+/// The document's root element. Text that is not XML or exceeds the limits (depth 64, 200 000
+/// elements, 256 attributes each, 64 files) is reported. `include` is relative to the model's
+/// folder. Entities that a document defines are not expanded, so that they cannot blow up.
 Element readTree(const std::string& text, const std::string& fileName, const FileReader& read,
                  Diagnostics& diagnostics);
 

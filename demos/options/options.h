@@ -1,5 +1,5 @@
-/// What commands share of the command line, as plain values: the scene, its picture, where that
-/// goes. What one command alone takes stands beside it, in a struct made from this one.
+/// The options that commands share, as plain values: the scene, its picture, the output. Options of
+/// a single command are in a struct derived from this one, next to the command.
 #pragma once
 #include <optional>
 #include <string>
@@ -18,27 +18,27 @@ struct Options {
     std::optional<PictureSize> size;
     std::optional<int> fps;
     std::optional<int> samples;
-    std::optional<int> blur;        // moments a frame is the mean of
-    std::optional<double> shutter;  // open for so much of a frame, 0..1
+    std::optional<int> blur;        // number of moments averaged for a frame
+    std::optional<double> shutter;  // open for this share of a frame, 0..1
     std::vector<std::string> show;  // overlays, added to the scene's
     std::string theme;              // empty = the scene's
     std::string colorBy;            // empty = the scene's
     bool clean = false;             // no text
     bool reproducible = false;
     std::string context = "auto";  // of OpenGL: auto, osmesa, egl
-    bool anyStep = false;          // pictures of steps, whether or not a film has frames there
-    bool plotBelow = true;         // where the scene asks for a plot with a cursor
+    bool anyStep = false;          // pictures of any step, also where a film has no frame
+    bool plotBelow = true;         // if the scene requests a plot with a cursor
 
     std::vector<std::string> outputs;  // patterns; empty = the default
     bool overwrite = false;
     int jobs = 0;  // 0 = a worker per core
 
     std::optional<double> width;  // mm on paper: a figure
-    int dpi = 300;                // pixels an inch, with a width
-    std::string caption;          // a file; empty = beside the figure where that has a width
+    int dpi = 300;                // pixels per inch, with a width
+    std::string caption;          // a file; empty = next to the figure if it has a width
 
     bool quiet = false, json = false;
-    std::string commandLine;  // as a shell takes it, to resume after an interruption
+    std::string commandLine;  // quoted for a shell, to resume after an interruption
 
     const std::string& scene() const { return scenes.front(); }
 };

@@ -1,4 +1,4 @@
-/// How a picture looks: what was asked for on the command line, else what its scene says.
+/// The look of a picture: set on the command line, else by its scene.
 #pragma once
 #include <string>
 
@@ -9,7 +9,7 @@ namespace demos {
 
 Paper paperOf(const Options& options);
 
-/// --theme, else the scene's; a figure for paper is for print unless the scene says otherwise.
+/// --theme, else the scene's; "print" for a figure on paper unless the scene sets a theme.
 std::string themeOf(const SceneDescription& scene, const Options& options);
 
 }  // namespace demos

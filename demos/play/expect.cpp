@@ -47,7 +47,7 @@ KindText textOf(What what) {
     return {"", ""};
 }
 
-/// What is measured when the window closes, and only then.
+/// Whether it is measured only when the window closes.
 bool atClosing(What what) { return what == What::position || what == What::spread; }
 
 bool ofWorld(What what) { return what == What::penetration || what == What::energy; }
@@ -75,7 +75,7 @@ std::string withUnit(const std::string& number, const std::string& unit) {
     return number + (unit.empty() ? "" : " " + unit);
 }
 
-/// Numbers as a file has them, to the last digit.
+/// Writes numbers exactly, to the last digit.
 QuantityWriter exactWriter() {
     return {[](double x, const std::string& unit) { return withUnit(numberText(x), unit); },
             [](const Vec3& p, const std::string& unit) {
@@ -100,7 +100,7 @@ std::string windowText(const Expectation& e, double until, const QuantityWriter&
     return ", " + write.number(e.after, "s") + " to " + write.number(until, "s");
 }
 
-/// The words of a result, without what came out.
+/// The texts of a result, without its value.
 ExpectationResult describe(const Expectation& e, double seconds) {
     const KindText kind = textOf(e.what);
     ExpectationResult result;
@@ -114,7 +114,7 @@ ExpectationResult describe(const Expectation& e, double seconds) {
     return result;
 }
 
-/// How far the value is beyond what is allowed; at most 0 when it is within.
+/// By how much the value exceeds the bound; at most 0 if it is within.
 double excess(const Expectation& e, double value) {
     if (e.nearPoint) return value - e.within;
     if (e.near) return std::abs(value - *e.near) - e.within;
@@ -167,12 +167,12 @@ void ExpectationChecker::look(const Stage& stage) {
 }
 
 bool ExpectationChecker::isOpen(const Watch& watch, double time) const {
-    // A position wants the step after the closing as well: what it is in between.
+    // A position also needs the step after the closing, to interpolate.
     const double late = watch.expectation.what == What::position ? 2.0 * halfStep_ : halfStep_;
     return time >= watch.expectation.after - halfStep_ && time <= watch.until + late;
 }
 
-/// Where a body is at `until`, told at the step before it and at the one after it.
+/// The place of a body at `until`, interpolated between the steps before and after it.
 Vec3 ExpectationChecker::placeAtClosing(const Watch& watch, Watched& w, double time,
                                         const Vec3& place) {
     Vec3 closing = place;
@@ -238,7 +238,7 @@ double ExpectationChecker::period(const std::vector<Swing>& swings) {
     const bool alongX = highX - lowX >= highZ - lowZ;
     const double middle = alongX ? 0.5 * (lowX + highX) : 0.5 * (lowZ + highZ);
     double first = 0.0, last = 0.0;
-    int passages = 0;  // upwards only: twice a swing would need the middle to be exact
+    int passages = 0;  // upwards only: counting both directions would need the exact middle
     for (std::size_t i = 1; i < swings.size(); ++i) {
         const double before = (alongX ? swings[i - 1].x : swings[i - 1].z) - middle;
         const double now = (alongX ? swings[i].x : swings[i].z) - middle;
@@ -252,7 +252,7 @@ double ExpectationChecker::period(const std::vector<Swing>& swings) {
 
 double ExpectationChecker::valueOf(const Expectation& e, const Watched& w) const {
     if (e.what == What::period) return period(w.swings);
-    // A share of the energy itself would depend on where y is 0; kinetic energy does not.
+    // A share of the total energy would depend on where y is 0; kinetic energy does not.
     if (e.what == What::energy)
         return w.value == 0.0 ? 0.0 : w.value / std::max(largestKinetic_, 1e-12);
     return w.value;

@@ -37,7 +37,7 @@ std::vector<std::string> overlapsAtStart(const Stage& stage) {
     for (const Overlap& o : overlaps) {
         if (lines.size() == kMostLines) break;
         lines.push_back(fmt::format("{}: '{}' and '{}' overlap by {:.3g} m at the start; they are "
-                                    "pressed apart",
+                                    "pushed apart",
                                     stage.scene.name, o.a, o.b, o.depth));
     }
     if (overlaps.size() > kMostLines)

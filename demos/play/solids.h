@@ -1,4 +1,4 @@
-/// How a body's shape is drawn: as one solid, or for a compound one of every part.
+/// The solids that a body's shape is drawn as: one, or one for every part of a compound.
 #pragma once
 #include <vector>
 
@@ -8,11 +8,11 @@
 namespace demos {
 
 struct DrawnPart {
-    render::Solid solid;  // at no place yet
+    render::Solid solid;  // not placed yet
     engine::Pose place;   // in the body's axes
 };
 
-/// Nothing for a plane, which is a ground. Meshes are made here, once for a body's life.
+/// Empty for a plane, which is drawn as a ground. Meshes are made here, once per body.
 std::vector<DrawnPart> drawnParts(const engine::Shape& shape);
 
 }  // namespace demos

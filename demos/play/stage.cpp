@@ -5,8 +5,8 @@
 namespace demos {
 namespace {
 
-/// Joints to 'world' need a body; this one is nowhere to be seen or hit. It comes after the
-/// scene's own, so that these keep the numbers of the file.
+/// Joints to 'world' need a body; this one is invisible and does not collide. It comes after the
+/// scene's bodies, so that these keep the numbers of the file.
 engine::BodyId addGround(engine::World& world) {
     engine::BodyDef def;
     def.kind = engine::BodyKind::fixed;
@@ -14,7 +14,7 @@ engine::BodyId addGround(engine::World& world) {
     return world.add(def);
 }
 
-/// What the description numbers by its own bodies.
+/// The body in the world for one numbered by the description.
 engine::BodyId bodyOf(engine::BodyId id, const Stage& stage) {
     return id.index < 0 ? stage.ground : stage.bodies[static_cast<std::size_t>(id.index)];
 }
@@ -26,7 +26,7 @@ engine::JointDef jointDef(const JointDescription& joint, const Stage& stage) {
     return def;
 }
 
-/// Bodies that share a mesh or a hull share its picture, which is as large.
+/// Bodies that share a mesh or a hull also share its drawn mesh, which is as large.
 class Drawings {
 public:
     std::vector<DrawnPart> of(const BodyDescription& body) {
@@ -53,7 +53,7 @@ private:
     }
 
     std::vector<DrawnPart> own_;
-    std::map<const void*, std::vector<DrawnPart>> known_;  // never in the order of its keys
+    std::map<const void*, std::vector<DrawnPart>> known_;  // never iterated: keys have no order
 };
 
 engine::ForceDef forceDef(const ForceDescription& force, const Stage& stage) {
@@ -93,7 +93,7 @@ void Stage::followPaths() {
     const double next = static_cast<double>(steps_ + 1) / scene.hz;
     for (const int i : onPaths_) {
         const BodyDescription& body = scene.bodies[i];
-        const Vec3& origin = body.def.shape.origin;  // which the path leads
+        const Vec3& origin = body.def.shape.origin;  // the point that the path moves
         const engine::Pose &centre = body.def.pose, start{centre.toWorld(origin), centre.rotation};
         engine::Pose target = poseAt(*body.path, start, next);
         target.position -= target.rotation * origin;

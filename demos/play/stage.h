@@ -1,4 +1,4 @@
-/// A scene that plays: the world, and what the picture needs besides.
+/// A scene in simulation: the world, and what pictures need in addition.
 #pragma once
 #include <vector>
 
@@ -11,24 +11,24 @@ namespace demos {
 struct Stage {
     SceneDescription scene;
     engine::World world;
-    engine::BodyId ground;                  // the body that stands for 'world' in joints
-    std::vector<engine::BodyId> bodies;     // by place in scene.bodies
-    std::vector<engine::JointId> joints;    // by place in scene.joints
-    std::vector<std::vector<DrawnPart>> drawn;  // by place in scene.bodies
-    std::vector<std::vector<Vec3>> trails;  // by place in scene.look.trails; one point per frame
+    engine::BodyId ground;                  // the body that represents 'world' in joints
+    std::vector<engine::BodyId> bodies;     // by index in scene.bodies
+    std::vector<engine::JointId> joints;    // by index in scene.joints
+    std::vector<std::vector<DrawnPart>> drawn;  // by index in scene.bodies
+    std::vector<std::vector<Vec3>> trails;  // by index in scene.look.trails; one point per step
 
     explicit Stage(const SceneDescription& description);
 
     double dt() const { return 1.0 / scene.hz; }
-    /// One step of the world, kinematic bodies on their paths. False: it diverged; world.report()
-    /// says how.
+    /// One step of the world, with kinematic bodies on their paths. False: it diverged;
+    /// world.report() has the reason.
     bool step();
     const std::string& nameOf(engine::BodyId id) const;
 
 private:
     void followPaths();
 
-    std::vector<int> onPaths_;  // places in scene.bodies
+    std::vector<int> onPaths_;  // indices in scene.bodies
     long long steps_ = 0;
 };
 

@@ -16,7 +16,7 @@ struct Header {
     std::uint64_t stateHash, firstSize, secondSize, dataCount;
 };
 constexpr std::uint64_t kMostData = 64;  // files
-constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;  // bytes; more is a torn header
+constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;  // bytes; more means a damaged header
 
 }  // namespace
 

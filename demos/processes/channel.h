@@ -1,4 +1,4 @@
-/// Whole messages between a worker and its parent, through a socket.
+/// Complete messages between a worker and its parent through a socket.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@ namespace demos {
 
 enum class MessageKind : std::uint32_t {
     ready,     // worker: the renderer's name
-    orders,    // parent: which frames are wanted, a byte each
+    orders,    // parent: the wanted frames, one byte each
     frame,     // worker: a picture
     diverged,  // worker: the line for the user
     failed     // worker: the line for the user
@@ -19,14 +19,14 @@ struct Message {
     MessageKind kind = MessageKind::failed;
     std::int32_t frame = 0;
     std::uint64_t stateHash = 0;
-    std::vector<std::uint8_t> first, second;  // picture: PNG and raw RGBA; else text and nothing
-    std::vector<std::vector<std::uint8_t>> data;  // picture: files of the data passes
+    std::vector<std::uint8_t> first, second;  // of a picture: PNG and raw RGBA; else a text, empty
+    std::vector<std::vector<std::uint8_t>> data;  // of a picture: files of the data passes
 
     std::string text() const { return {first.begin(), first.end()}; }
     static Message ofText(MessageKind kind, const std::string& text);
 };
 
-/// One end of a socket; closed with its owner.
+/// One end of a socket; its destructor closes it.
 class Channel {
 public:
     explicit Channel(int socket) : socket_(socket) {}

@@ -13,7 +13,7 @@ namespace demos {
 
 void becomeChildOf(pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);  // it ended before that was set
+    if (getppid() != parent) _exit(1);  // the parent ended before this was set
     signal(SIGINT, SIG_IGN);
     signal(SIGTERM, SIG_IGN);
     signal(SIGHUP, SIG_IGN);
@@ -28,7 +28,7 @@ int waitFor(pid_t process) {
 
 std::string deathText(int status) {
     if (!WIFSIGNALED(status)) return "ended early";
-    return fmt::format("was ended by signal {} ({})", WTERMSIG(status),
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
                        strsignal(WTERMSIG(status)));
 }
 

@@ -1,4 +1,4 @@
-/// Processes of our own that work for this one.
+/// Child processes of this program.
 #pragma once
 #include <sys/types.h>
 
@@ -6,13 +6,14 @@
 
 namespace demos {
 
-/// In a child, first of all: it ends with its parent, to which it leaves SIGINT and SIGTERM.
+/// To be called first in a child: it is killed when its parent ends, and ignores SIGINT, SIGTERM
+/// and SIGHUP, which the parent handles.
 void becomeChildOf(pid_t parent);
 
-/// Its status, when it has ended.
+/// Waits until the process has ended, and returns its status.
 int waitFor(pid_t process);
 
-/// Why a process gave no answer: "was ended by signal 11 (Segmentation fault)", "ended early".
+/// Why a process gave no answer: "was killed by signal 11 (Segmentation fault)", "ended early".
 std::string deathText(int status);
 
 }  // namespace demos

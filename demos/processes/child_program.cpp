@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Reads nothing, and says what it says into the file `words`.
+/// The child reads nothing and writes its output into the file `words`.
 struct ChildPlan : render::SpawnPlan {
     explicit ChildPlan(const std::string& words) {
         posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -34,20 +34,20 @@ struct ChildPlan : render::SpawnPlan {
     }
 };
 
-/// Ended, and everything of its group, when this goes.
+/// A child that is killed with its process group by the destructor.
 class Child {
 public:
     Child(const std::vector<std::string>& arguments, const std::string& words) {
         std::vector<char*> argv;
         for (const std::string& argument : arguments)
-            argv.push_back(const_cast<char*>(argument.c_str()));  // the C interface; not written to
+            argv.push_back(const_cast<char*>(argument.c_str()));  // the C interface; not modified
         argv.push_back(nullptr);
         const ChildPlan plan(words);
         const int error =
             posix_spawnp(&number_, argv[0], &plan.files, &plan.attributes, argv.data(), environ);
         if (error != 0)
             throw render::Error(arguments.front() +
-                                " does not start: " + render::describeError(error));
+                                " cannot be started: " + render::describeError(error));
     }
     ~Child() {
         kill(-number_, SIGKILL);
@@ -88,10 +88,10 @@ std::string runChild(const std::vector<std::string>& arguments, const std::files
                      std::chrono::milliseconds patience) {
     Child child(arguments, words.string());
     if (!child.endsWithin(patience))
-        return fmt::format("took more than {} s and was ended",
+        return fmt::format("took more than {} s and was killed",
                            static_cast<double>(patience.count()) / 1000.0);
     if (WIFSIGNALED(child.status()))
-        return fmt::format("was ended by signal {}", WTERMSIG(child.status()));
+        return fmt::format("was killed by signal {}", WTERMSIG(child.status()));
     if (WEXITSTATUS(child.status()) == 0) return {};
     return fmt::format("stopped with status {}", WEXITSTATUS(child.status()));
 }

@@ -20,7 +20,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
     if (file_ < 0)
         throw render::Error(fmt::format("cannot open the folder '{}': {}", name,
                                         render::describeError(errno)));
-    // Where the file system has no locks, there is none.
+    // A file system without locks gives another error: then nothing is locked.
     if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     close(file_);
     throw Stop(Exit::wouldOverwrite,

@@ -1,15 +1,15 @@
-/// One run a folder.
+/// A lock that allows one run per folder.
 #pragma once
 #include <filesystem>
 
 namespace demos {
 
-/// On the folder itself, so that no file is left over; ends with its owner. On a file system
-/// without locks nothing is locked.
+/// The lock is on the folder itself, so that no file is left; the destructor releases it. On a file
+/// system without locks nothing is locked.
 class FolderLock {
 public:
-    /// The folder has to be there. Throws Stop (wouldOverwrite) when another run holds it,
-    /// render::Error when it cannot be opened.
+    /// The folder must exist. Throws Stop (wouldOverwrite) if another run holds the lock,
+    /// render::Error if the folder cannot be opened.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

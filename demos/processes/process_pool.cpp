@@ -19,7 +19,7 @@
 namespace demos {
 namespace {
 
-/// Its end is told by its pipe's.
+/// A running process. It has ended when its pipe ends.
 struct Piece {
     int number = 0;
     pid_t process = 0;
@@ -37,7 +37,7 @@ bool writeAll(int file, const std::string& text) {
     return true;
 }
 
-/// Nothing of the parent's is run down at the end, hence _exit.
+/// Ends with _exit, so that nothing of the parent is flushed or destroyed.
 [[noreturn]] void bePiece(int number, int pipe, pid_t parent,
                           const std::function<std::string(int)>& work) {
     becomeChildOf(parent);
@@ -79,7 +79,7 @@ private:
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0)
             throw render::Error("cannot start a process: " + render::describeError(errno));
-        std::fflush(nullptr);  // what is buffered would be written by both
+        std::fflush(nullptr);  // buffered output would be written by both
         const pid_t parent = getpid();
         const pid_t process = fork();
         if (process == 0) {

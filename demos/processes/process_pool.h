@@ -1,5 +1,5 @@
-/// Independent pieces of work, each in a process of its own: one that crashes takes nothing with
-/// it, and each may have an OpenGL context (two in one process would wait for each other).
+/// Independent pieces of work, each in its own process: a crash does not affect the others, and
+/// each may have an OpenGL context (two in one process would wait for each other).
 #pragma once
 #include <functional>
 #include <string>
@@ -8,14 +8,14 @@ namespace demos {
 
 /// How a piece ended.
 struct PoolResult {
-    bool ended = false;  // it came to its end, and `text` is what it returned
-    std::string text;    // else how it did not: "was ended by signal 11 (Segmentation fault)"
+    bool ended = false;  // it finished, and `text` is what it returned
+    std::string text;    // else why not: "was killed by signal 11 (Segmentation fault)"
 };
 
-/// Runs `work(i)` for i of 0 to count - 1 in forked processes, at most `jobs` at a time, and gives
-/// what each returns to `take(i, result)` in this order, and to `finished(i, result)` as soon as it
-/// is there. Call before any OpenGL. `work` must not throw. Throws Stop (interrupted) after SIGINT
-/// or SIGTERM, with the processes ended.
+/// Runs `work(i)` for i from 0 to count - 1 in forked processes, at most `jobs` at a time. The
+/// results go to `take(i, result)` in this order, and to `finished(i, result)` as soon as they are
+/// available. Call it before any OpenGL. `work` must not throw. After SIGINT or SIGTERM the
+/// processes are killed and Stop (interrupted) is thrown.
 void runInProcesses(int count, int jobs, const std::function<std::string(int)>& work,
                     const std::function<void(int, const PoolResult&)>& take,
                     const std::function<void(int, const PoolResult&)>& finished = {});

@@ -1,4 +1,4 @@
-/// SIGINT, SIGTERM and SIGHUP as a question that a loop asks between two frames.
+/// SIGINT, SIGTERM and SIGHUP as a flag that a loop checks between two frames.
 #pragma once
 #include <poll.h>
 #include <signal.h>
@@ -9,13 +9,13 @@
 
 namespace demos {
 
-/// From now on the first of them sets a flag; a second one ends the program at once.
-/// Called again, the count begins again.
+/// From now on the first of these signals sets a flag; a second one ends the program at once.
+/// Another call clears the flag.
 void watchSignals();
 bool interrupted();
 
-/// While it lives they come while wait() does and at no other time: none is missed between the
-/// question and the wait.
+/// While it exists, these signals are delivered during wait() only: none is missed between the
+/// check and the wait.
 class SignalsHeld {
 public:
     SignalsHeld();
@@ -23,8 +23,8 @@ public:
     SignalsHeld(const SignalsHeld&) = delete;
     SignalsHeld& operator=(const SignalsHeld&) = delete;
 
-    /// Whether one of the files is ready, as poll() fills in; false after a signal, and after
-    /// `longest`: none is until something comes.
+    /// Whether one of the files is ready, as poll() fills in; false after a signal or after
+    /// `longest`. Without `longest` it waits until one of these happens.
     bool wait(std::span<pollfd> files, std::optional<std::chrono::nanoseconds> longest = {}) const;
     bool isReadable(int file, std::optional<std::chrono::nanoseconds> longest = {}) const;
 

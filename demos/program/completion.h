@@ -1,4 +1,4 @@
-/// `impulse completion`: the words of all commands, for a shell.
+/// `impulse completion`: the commands and their options, for a shell.
 #pragma once
 #include "demos/commands/command.h"
 

@@ -23,7 +23,7 @@ std::string examplesOf(const char* const (&examples)[3], const char* purpose) {
                        purpose);
 }
 
-/// The whole command line. What was asked for is run after parsing.
+/// The whole command line. `run` is the chosen command, called after parsing.
 struct Parser {
     CLI::App app{examplesOf({"impulse render stack -o stack.mp4", "impulse sim chain --csv -",
                              "impulse list"},
@@ -77,7 +77,7 @@ std::string optionOf(const std::string& word) {
     return letter ? word.substr(0, 2) : "";
 }
 
-/// The first argument that looks like an option and is none.
+/// Reports the first argument that looks like an option but is none.
 std::string unknownOption(const CLI::App& app, int argc, const char* const* argv) {
     const std::vector<std::string> names = namesOf(app);
     for (int i = 2; i < argc; ++i) {
@@ -85,13 +85,13 @@ std::string unknownOption(const CLI::App& app, int argc, const char* const* argv
         if (word.empty() || std::find(names.begin(), names.end(), word) != names.end()) continue;
         if (word.starts_with("--"))
             return fmt::format("unknown option '{}'{}", printable(word), suggestion(word, names));
-        return fmt::format("{0}: {1} has no such option; 'impulse {1} --help' names those it has",
+        return fmt::format("{0}: {1} has no such option; 'impulse {1} --help' lists its options",
                            printable(word), app.get_name());
     }
     return {};
 }
 
-/// An option without a value would be the same as none at all, which nobody can mean.
+/// Refuses empty values: they would count as an option that was not given, which nobody intends.
 void checkValues(int argc, const char* const* argv) {
     for (int i = 2; i < argc; ++i) {
         const std::string word = argv[i], before = argv[i - 1];
@@ -103,7 +103,7 @@ void checkValues(int argc, const char* const* argv) {
     }
 }
 
-/// "Could not convert: --fps = 29.97", as CLI11 says it.
+/// Rewords CLI11's "Could not convert: --fps = 29.97".
 std::string conversionLine(const CLI::App& app, const std::string& text) {
     const std::size_t name = text.find("--"), equals = text.find(" = ");
     if (name == std::string::npos || equals == std::string::npos || equals < name) return text;
@@ -114,18 +114,18 @@ std::string conversionLine(const CLI::App& app, const std::string& text) {
                        seconds ? "number of seconds" : "whole number of at most nine digits");
 }
 
-/// What CLI11 says in passing, with what would be right.
+/// Rewords CLI11's messages and adds what would be valid.
 std::string lineOf(const CLI::ParseError& error, const CLI::App& app) {
     const std::string command = app.get_name();
     std::string text = error.what();
     if (text == "scene is required")
         return fmt::format(
-            "{0} needs a scene, as in 'impulse {0} stack'; 'impulse list' names "
+            "{0} needs a scene, as in 'impulse {0} stack'; 'impulse list' lists "
             "them",
             command);
     if (text.starts_with("scene: At Most 1")) return command + " takes one scene";
     if (const std::size_t twice = text.find(": At Most 1"); twice != std::string::npos)
-        return text.substr(0, twice) + " was given more than once; which is meant?";
+        return text.substr(0, twice) + " was given more than once; give it once";
     if (const std::size_t none = text.find(": 1 required "); none != std::string::npos)
         return fmt::format("{} needs a value; see impulse {} --help", text.substr(0, none),
                            command);

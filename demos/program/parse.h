@@ -1,4 +1,4 @@
-/// The command line, parsed.
+/// Parses the command line.
 #pragma once
 #include <functional>
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace demos {
 
-/// What is to be done; nothing when help or the version was asked for and has been printed.
+/// Returns what to run; nothing if help or the version was requested and has been printed.
 /// Throws Stop (usage).
 std::optional<std::function<Exit()>> parse(int argc, const char* const* argv);
 
-/// A command's name and what may follow it, for shells to complete.
+/// A command's name and its options, for completion in a shell.
 struct CommandWords {
     std::string name;
     std::vector<std::string> options;

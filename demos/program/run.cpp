@@ -14,7 +14,7 @@
 namespace demos {
 namespace {
 
-/// What is buffered may only fail to go out at the very end, as on a full disk.
+/// Writing buffered output can fail as late as here, for example on a full disk.
 Exit flushed(Exit code) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     throw render::Error("cannot write to standard output");

@@ -1,9 +1,9 @@
-/// The program but for its start-up, so that main() stays tiny.
+/// The program without its start-up code in main().
 #pragma once
 
 namespace demos {
 
-/// Does what the command line says; every exception becomes a line on standard error and a code.
+/// Runs the command line; every exception becomes a line on standard error and an exit code.
 int run(int argc, const char* const* argv) noexcept;
 
 }  // namespace demos

@@ -26,11 +26,11 @@ Baseline shownIn(const fs::path& folder) {
 }
 
 void writeBaselineFile(const Baseline& baseline, const fs::path& folder) {
-    // Its trajectory is a text already, so that no tolerance is asked for.
+    // The trajectory is already encoded, so no tolerance is needed.
     render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
 }
 
-/// What a checkout brings along may point anywhere.
+/// A symbolic link in a checkout may point anywhere.
 void checkFolder(const fs::path& folder) {
     std::error_code ignored;
     if (fs::is_symlink(folder, ignored))
@@ -43,7 +43,7 @@ void checkLike(const Baseline& shown, const Baseline& kept) {
     if (shown.width != kept.width || shown.height != kept.height ||
         shown.trajectory.hz != kept.trajectory.hz)
         throw BaselineError(fmt::format("{}: the size of the pictures or the steps a second have "
-                                        "changed; accept all of it: impulse approve {}",
+                                        "changed; accept the whole scene: impulse approve {}",
                                         printable(shown.scene), printable(shown.scene)));
 }
 
@@ -64,11 +64,11 @@ void acceptAll(const fs::path& shown, const fs::path& baseline) {
 void acceptPicture(const fs::path& shown, const fs::path& baseline, double time) {
     checkFolder(baseline);
     Baseline now = shownIn(shown);
-    Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
+    Baseline kept = baselineIn(baseline, " holds no baseline yet; accept the whole scene");
     checkLike(now, kept);
     const BaselinePicture* picture = pictureAt(now, time);
     if (!picture)
-        throw BaselineError(fmt::format("{} has no picture of {} s", printable(now.scene),
+        throw BaselineError(fmt::format("{} has no picture at {} s", printable(now.scene),
                                         numberText(time)));
     const std::vector<std::uint8_t> file = readPicture(shown, *picture);
     if (BaselinePicture* old = pictureAt(kept, time))
@@ -84,7 +84,7 @@ void acceptPicture(const fs::path& shown, const fs::path& baseline, double time)
 void acceptPhysics(const fs::path& shown, const fs::path& baseline) {
     checkFolder(baseline);
     Baseline now = shownIn(shown);
-    Baseline kept = baselineIn(baseline, " holds no baseline yet; accept all of the scene");
+    Baseline kept = baselineIn(baseline, " holds no baseline yet; accept the whole scene");
     checkLike(now, kept);
     for (BaselinePicture& picture : kept.pictures)
         if (const BaselinePicture* own = pictureAt(now, picture.time)) picture.state = own->state;

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kBaselineFormat = 1;
 constexpr std::size_t kMostTrajectory = 32 * 1024,
-                      kMostBody = 200;  // bytes of a trajectory, and a body
+                      kMostBody = 200;  // bytes per trajectory, and more per body
 constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
 
 std::string jsonText(const Json& json) {
@@ -93,17 +93,17 @@ Baseline baselineFrom(const std::string& text, const std::string& name) try {
     Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kBaselineFormat)
         throw BaselineError(fmt::format(
-            "{} is of format {}, and this impulse reads {}; {}", name, format, kBaselineFormat,
-            format > kBaselineFormat ? "take a newer impulse" : "accept the scene again"));
+            "{} has format {}, but this impulse reads {}; {}", name, format, kBaselineFormat,
+            format > kBaselineFormat ? "use a newer impulse" : "accept the scene again"));
     const std::uint64_t seal = fromHex(json.at("seal").get<std::string>()).value();
     json.erase("seal");
     if (seal != hashOf(jsonText(json)))
-        throw BaselineError(name + " was edited: its seal does not fit what it says" + kAgain);
+        throw BaselineError(name + " was edited: its seal does not match its content" + kAgain);
     return baselineOf(json);
 } catch (const BaselineError&) {
     throw;
 } catch (const std::exception&) {
-    throw BaselineError(name + " is damaged, or no baseline of impulse test" + kAgain);
+    throw BaselineError(name + " is damaged, or not a baseline of impulse test" + kAgain);
 }
 
 std::optional<Baseline> readBaseline(const fs::path& folder) {
@@ -119,15 +119,15 @@ std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePict
     constexpr std::uintmax_t kMostBytes = 256u << 20;
     std::vector<std::uint8_t> bytes = contentOf(file, kMostBytes);
     if (bytes.empty())
-        throw BaselineError(printable(file.string()) + " is not there, empty or beyond 256 MiB" +
+        throw BaselineError(printable(file.string()) + " is missing, empty or above 256 MiB" +
                             kAgain);
     const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     if (text.starts_with("version https://git-lfs"))
         throw BaselineError(printable(file.string()) +
                             " is a pointer of Git LFS; fetch the file with git lfs pull");
     if (hashOf(bytes) != picture.png)
-        throw BaselineError(printable(file.string()) + " is not the picture that " +
-                            kBaselineFile + " beside it is of: torn, or from elsewhere" + kAgain);
+        throw BaselineError(printable(file.string()) + " does not match " + kBaselineFile +
+                            " next to it: it is truncated, or from another baseline" + kAgain);
     return bytes;
 }
 

@@ -27,13 +27,13 @@ struct Baseline {
     std::string version;           // of the program
     std::string renderer, pixels;  // as in run.json
     int width = 0, height = 0;     // pixels
-    Settings settings;             // what may make another run differ
+    Settings settings;             // that may make another run differ
     std::vector<BaselinePicture> pictures;  // by time
     Trajectory trajectory;
-    std::string trajectoryText;  // as it was read: not rounded again when it is written again
+    std::string trajectoryText;  // as it was read, so that writing it does not round it again
 };
 
-/// A baseline that cannot be used; one line.
+/// A baseline cannot be used; the message is one line.
 class BaselineError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -42,7 +42,7 @@ public:
 inline constexpr const char* kBaselineFile = "baseline.json";
 inline constexpr const char* kSnapshotsEnding = ".snapshots";
 
-/// The picture of a time (s) in a baseline, constant or not; null: it has none.
+/// The picture at a time (s) in a const or non-const baseline; null: there is none.
 auto* pictureAt(auto& baseline, double time) {
     for (auto& picture : baseline.pictures)
         if (picture.time == time) return &picture;
@@ -52,20 +52,20 @@ auto* pictureAt(auto& baseline, double time) {
 /// "t2.5.png"
 std::string pictureFile(double time);
 
-/// Sealed: the text holds a hash of itself, so that a change by hand is seen. `tolerance`: decides
-/// how finely the trajectory is kept.
+/// Sealed: the text holds a hash of itself, so that an edit is detected. `tolerance` decides how
+/// finely the trajectory is kept.
 std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance);
-/// Throws BaselineError; `name`: the file's.
+/// Throws BaselineError; `name`: of the file.
 Baseline baselineFrom(const std::string& text, const std::string& name);
 
-/// Nothing where there is no such file. Throws BaselineError.
+/// Nothing if the folder has no baseline.json. Throws BaselineError.
 std::optional<Baseline> readBaseline(const std::filesystem::path& folder);
 
-/// A picture's file, when it is the one that the baseline is of. Throws BaselineError.
+/// The bytes of a picture's file. Throws BaselineError if the file does not match the baseline.
 std::vector<std::uint8_t> readPicture(const std::filesystem::path& folder,
                                       const BaselinePicture& picture);
 
-/// PNG files in it that are of none of these times, sorted.
+/// PNG files in the folder that belong to none of these times, sorted.
 std::vector<std::string> orphansOf(const std::filesystem::path& folder,
                                    const std::vector<double>& times);
 

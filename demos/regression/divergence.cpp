@@ -14,15 +14,15 @@ namespace {
 constexpr double kDegrees = 57.29577951308232;
 constexpr int kNone = -1;
 
-/// One body in one moment.
+/// How far a body is from its baseline at one moment.
 struct Apart {
-    double used = 0.0;  // parts of its tolerance
-    int body = kNone;   // place in the baseline
+    double used = 0.0;  // share of its tolerance; 1: all of it
+    int body = kNone;   // index in the baseline
     const char* field = "";
     double difference = 0.0;  // m or deg
 };
 
-/// 2 |vector part of a^-1 b| is the angle while it is small, without an arccosine's noise.
+/// The angle is 2 |vector part of a^-1 b| while it is small; an arccosine would be noisy there.
 double turnBetween(const Quat& a, const Quat& b) {
     const Quat turn = a.conjugate() * b;
     return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())) * kDegrees;
@@ -42,7 +42,7 @@ Apart apart(const engine::Pose& baseline, const engine::Pose& actual, const Tole
     return worst;
 }
 
-/// The place in `names` of each of `wanted`; -1: it is not there.
+/// The index in `names` of each of `wanted`; -1: missing.
 std::vector<int> placesOf(const std::vector<std::string>& wanted,
                           const std::vector<std::string>& names) {
     std::map<std::string, int> known;
@@ -166,18 +166,18 @@ private:
         tellBegin();
     }
 
-    /// The bits part before the tolerance is reached, and between two recorded steps.
+    /// The difference begins before the tolerance is reached, and between two recorded steps.
     void tellBegin() {
         if (result_.firstBits < result_.step)
             result_.lines.push_back(fmt::format("the bits differ from step {} on ({})",
                                                 result_.firstBits, timeText(result_.firstBits)));
         if (result_.every > 1)
-            result_.lines.push_back(fmt::format("the baseline keeps every {} steps here, so it may "
-                                                "have begun {} earlier",
+            result_.lines.push_back(fmt::format("the baseline keeps one step in {} here, so the "
+                                                "difference may begin up to {} steps earlier",
                                                 result_.every, result_.every - 1));
     }
 
-    /// Whose impulse differs most in this step.
+    /// Finds the constraint whose impulse differs most in this step.
     void findConstraint(const TrajectoryMoment& baseline, const TrajectoryMoment& actual) {
         std::map<std::string, double> before = impulsesOf(baseline_, baseline);
         std::map<std::string, double> after = impulsesOf(actual_, actual);
@@ -210,7 +210,7 @@ private:
     const Trajectory& baseline_;
     const Trajectory& actual_;
     const Tolerance& tolerance_;
-    std::vector<int> places_;  // of the baseline's bodies in the actual run
+    std::vector<int> places_;  // index in the actual run of each of the baseline's bodies
     PhysicsVerdict result_;
 };
 

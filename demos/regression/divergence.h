@@ -1,12 +1,12 @@
-/// Where two runs of one scene part.
+/// Finds where two runs of one scene diverge.
 #pragma once
 #include "demos/regression/trajectory.h"
 #include "demos/regression/verdict.h"
 
 namespace demos {
 
-/// Compares what both have: the bits of every step, and poses in the moments that both recorded. A
-/// body that only one of them has is a change of physics too.
+/// Compares the bits of every step that both have, and the poses in the moments that both recorded.
+/// A body that only one run has is also a change of physics.
 PhysicsVerdict diverge(const Trajectory& baseline, const Trajectory& actual,
                        const Tolerance& tolerance);
 

@@ -2,17 +2,17 @@
 #                           [UPDATE none|missing|changed|all] [REPRODUCIBLE] [SET key=value...]
 #                           [LABELS label...])
 #
-# A test, `name`, that plays the scenes and compares them with their baselines: `impulse test`.
-#   SCENES        scene files, folders of them, names of built-in scenes
-#   BASELINES     where the baselines are; beside each scene unless given
-#   RESULTS       for report.html, report.json, junit.xml and the pictures;
-#                 snapshots/NAME of the binary folder unless given
-#   UPDATE        which baselines it may write; none unless given, as a test leaves sources alone
+# Adds a test, `name`, that runs the scenes and compares them with their baselines (`impulse test`).
+#   SCENES        scene files, folders of scene files, names of built-in scenes
+#   BASELINES     folder of the baselines; default: next to each scene
+#   RESULTS       folder of report.html, report.json, junit.xml and the pictures;
+#                 default: snapshots/NAME in the binary folder
+#   UPDATE        which baselines it may write; default: none, as a test does not write into sources
 #   REPRODUCIBLE  the same pixels on every x86-64 processor
 #   SET           values to set in every scene
-#   LABELS        for ctest -L, besides `snapshot`
+#   LABELS        for ctest -L, in addition to `snapshot`
 # Scenes and baselines are relative to the current source folder, results to the binary folder. The
-# test runs alone, as it takes all processors by itself.
+# test runs alone, as it uses all processors by itself.
 function(impulse_add_snapshot_test)
   cmake_parse_arguments(PARSE_ARGV 0 ARG
     "REPRODUCIBLE" "NAME;BASELINES;RESULTS;UPDATE" "SCENES;SET;LABELS")
@@ -41,15 +41,15 @@ function(impulse_add_snapshot_test)
   set_tests_properties(${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}" RUN_SERIAL TRUE)
 endfunction()
 
-# Of the caller's ARG_...: stops where something is missing, unknown or not there.
+# Checks the caller's ARG_...: fails if one is missing or unknown, or if a scene does not exist.
 function(_impulse_check_snapshot_test)
   if(NOT DEFINED ARG_NAME)
-    _impulse_refuse("NAME is missing; write NAME and what ctest shall call the test")
+    _impulse_refuse("NAME is missing; write NAME and the name of the test")
   endif()
   if(DEFINED ARG_UNPARSED_ARGUMENTS)
     list(GET ARG_UNPARSED_ARGUMENTS 0 word)
-    _impulse_refuse("'${word}' is no keyword here; there are NAME, SCENES, BASELINES, RESULTS, \
-UPDATE, REPRODUCIBLE, SET and LABELS")
+    _impulse_refuse("'${word}' is not a keyword; the keywords are NAME, SCENES, BASELINES, \
+RESULTS, UPDATE, REPRODUCIBLE, SET and LABELS")
   endif()
   if(DEFINED ARG_KEYWORDS_MISSING_VALUES)
     list(GET ARG_KEYWORDS_MISSING_VALUES 0 word)
@@ -69,8 +69,8 @@ UPDATE, REPRODUCIBLE, SET and LABELS")
   endforeach()
   foreach(scene IN LISTS ARG_SCENES)
     cmake_path(ABSOLUTE_PATH scene BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
-    if(NOT EXISTS ${path} AND NOT scene MATCHES "^[a-z0-9-]+$")  # which a built-in scene may be
-      _impulse_refuse("SCENES has '${scene}', and there is no file or folder ${path}")
+    if(NOT EXISTS ${path} AND NOT scene MATCHES "^[a-z0-9-]+$")  # it may be a built-in scene
+      _impulse_refuse("SCENES has '${scene}', but there is no file or folder ${path}")
     endif()
   endforeach()
 endfunction()

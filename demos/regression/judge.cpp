@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why nothing of it can be compared; empty where it can.
+/// Why the run cannot be compared with the baseline; empty if it can.
 std::string obstacle(const Baseline& baseline, const Actual& actual) {
     const Baseline& now = actual.baseline;
     if (baseline.trajectory.hz != now.trajectory.hz)
@@ -99,7 +99,7 @@ void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& 
     if (png == baseline) return;
     verdict.difference = render::compare(render::decodePng(baseline), actual, gate.levels);
     if (!verdict.difference.sameSize)
-        throw BaselineError("the picture has another size than its baseline.json says");
+        throw BaselineError("the size of the picture differs from that in its baseline.json");
     if (verdict.difference.differing == 0) return;
     verdict.kind = letsPass(gate, verdict.difference) ? PictureVerdict::Kind::within
                                                       : PictureVerdict::Kind::changed;

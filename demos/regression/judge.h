@@ -1,4 +1,4 @@
-/// A run against its baseline.
+/// Compares a run with its baseline.
 #pragma once
 #include <filesystem>
 
@@ -8,29 +8,29 @@
 
 namespace demos {
 
-/// What a run has shown, with its pictures as files are: what is compared, kept and approved.
+/// The results of a run, with pictures as bytes of PNG files: what is compared, kept and approved.
 struct Actual {
     Baseline baseline;  // as it would be kept
-    std::vector<std::vector<std::uint8_t>> png;  // by place in baseline.pictures
+    std::vector<std::vector<std::uint8_t>> png;  // by index in baseline.pictures
 };
 
 Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene);
 
-/// Fills in physics, pictures, settings, expectations and the state they lead to. `folder`: of the
-/// baseline. What is wrong with it is told in the verdict, not thrown.
+/// Fills in physics, pictures, settings, expectations and the resulting state. `folder`: of the
+/// baseline. Problems with the baseline are reported in the verdict, not thrown.
 void judge(const TestRun& played, const Actual& actual, const std::filesystem::path& folder,
            SceneVerdict& verdict);
 
-/// Whether a difference, measured with the gate's levels, is let through.
+/// Whether the gate passes a difference that was measured with its levels.
 bool letsPass(const PictureGate& gate, const render::Difference& difference);
 
-/// A picture against the file of its baseline, by the scene's gate.
+/// Compares a picture with the file of its baseline, by the scene's gate.
 void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& png,
                   const std::vector<std::uint8_t>& baseline, const PictureGate& gate,
                   PictureVerdict& verdict);
 
-/// Both files, pictures first: until baseline.json is there, a reader sees that it does not fit.
-/// Throws render::Error.
+/// Writes pictures first, then baseline.json: until that is written, a reader detects that they do
+/// not match. Throws render::Error.
 void writeBaseline(const Actual& actual, const Tolerance& tolerance,
                    const std::filesystem::path& folder);
 

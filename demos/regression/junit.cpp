@@ -9,14 +9,14 @@
 namespace demos {
 namespace {
 
-/// What is wrong with a case: one line, then more for those who look closer.
+/// Why a case failed: one line, then details.
 struct Fault {
     const char* type;
     std::string message;
     std::vector<std::string> details;
 };
 
-/// An element's attributes as they are counted while its cases are added.
+/// Counts of an element's cases, which become its attributes.
 struct Counts {
     int tests = 0, failures = 0, errors = 0, skipped = 0;
 
@@ -47,7 +47,7 @@ void writeLines(const std::vector<std::string>& lines, XmlElement& node) {
     node.setText(std::move(text));
 }
 
-/// The message is the first line of the text as well: GitLab reads no attribute.
+/// The message is also the first line of the text: GitLab does not read the attribute.
 void writeFault(const Fault& fault, const char* element, XmlElement& testCase) {
     XmlElement& node = testCase.add(element);
     set(node, "message", fault.message);
@@ -73,7 +73,7 @@ Fault faultOf(const ExpectationResult& result) {
     return fault;
 }
 
-/// Of what has nothing to be compared with; `problem`: with the baseline, if there is one.
+/// The message where there is nothing to compare with; `problem`: with the baseline, if any.
 std::string missing(const char* what, const std::string& problem) {
     if (!problem.empty()) return problem;
     return fmt::format("there is no baseline of {}", what);
@@ -81,7 +81,8 @@ std::string missing(const char* what, const std::string& problem) {
 
 Fault physicsFault(const SceneVerdict& scene) {
     const std::vector<std::string>& lines = scene.physics.lines;
-    Fault fault{"physics", "another course than the baseline's", settingLines(scene.settings)};
+    Fault fault{"physics", "the bodies move differently than in the baseline",
+                settingLines(scene.settings)};
     if (scene.physics.kind == PhysicsVerdict::Kind::unknown) {
         fault.message = missing("the physics", scene.problem);
     } else if (!lines.empty()) {
@@ -105,7 +106,7 @@ Fault faultOf(const PictureVerdict& picture, const SceneVerdict& scene) {
     else if (picture.problem.empty())
         fault.message = missing("this picture", scene.problem);
     if (picture.baselineState != 0 && picture.baselineState != picture.state)
-        fault.details.push_back("the world is in another state than in the baseline");
+        fault.details.push_back("the state of the world differs from that in the baseline");
     return fault;
 }
 
@@ -133,7 +134,7 @@ private:
         for (const PictureVerdict& picture : scene_.pictures) add(picture);
     }
 
-    /// A scene without pictures has a contract and no baseline.
+    /// A scene without pictures has expectations but no baseline.
     bool comparesPhysics() const {
         return scene_.physics.kind != PhysicsVerdict::Kind::unknown || !scene_.pictures.empty();
     }
@@ -184,7 +185,7 @@ private:
     void writeOrphans() {
         std::vector<std::string> lines;
         for (const std::string& orphan : scene_.orphans)
-            lines.push_back("no listed time asks for " + orphan);
+            lines.push_back("no listed time uses " + orphan);
         writeLines(lines, node_.add("system-out"));
     }
 
@@ -202,7 +203,7 @@ private:
         ++counts_.failures;
     }
 
-    /// Of a scene that was added or updated nothing fails: its new baseline is the actual.
+    /// In a scene that was added or updated nothing fails: the actual is its new baseline.
     bool failed() const { return scene_.state == SceneVerdict::State::failed; }
 
     const SceneVerdict& scene_;

@@ -1,4 +1,4 @@
-/// The verdict as junit.xml, which CI servers show beside a change.
+/// The verdict as junit.xml, which CI servers show next to a change.
 #pragma once
 #include <string>
 
@@ -6,12 +6,13 @@
 
 namespace demos {
 
-/// A suite per scene; in it a case per expectation ("expect: drift of ..."), one of the physics and
-/// one per picture, under the names that `impulse approve` takes ("stack@physics", "stack@2.5").
+/// A suite per scene; in it a case per expectation ("expect: drift of ..."), one for the physics
+/// and one per picture, under the names that `impulse approve` takes ("stack@physics",
+/// "stack@2.5").
 ///
-/// A scene that was not played, since nothing has changed, has one case, skipped; one that could
-/// not be tested has one case, an error. Well-formed XML 1.0 whatever the texts hold, and the same
-/// bytes for the same verdict: no times, no hosts.
+/// A scene that was not run because nothing has changed has one skipped case; one that could not be
+/// tested has one case with an error. The result is well-formed XML 1.0 whatever the texts contain,
+/// and the same bytes for the same verdict: no times, no host names.
 std::string junitXml(const TestVerdict& verdict);
 
 }  // namespace demos

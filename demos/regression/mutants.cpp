@@ -16,8 +16,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr float kSunTurn = static_cast<float>(5.0 * kDegree);
 constexpr float kColorShift = 0.05f;  // of 1: 13 levels of a body's own colour
-// 5 levels where it changes most: nobody sees it on one picture, and a true mistake, such as a
-// second sRGB curve, is ten times as large.
+// Changes a value by at most 5 levels: not visible in a single picture. A real mistake, such as a
+// second sRGB curve, changes ten times as much.
 constexpr double kGamma = 1.05;
 
 template <class Change>
@@ -26,7 +26,7 @@ void changeBody(const Specimen& specimen, render::Frame& frame, Change change) {
         if (solid.id == specimen.body) change(solid);
 }
 
-/// What joins it to others stays: only this body is at the wrong place.
+/// Moves only the body: its joints and contacts stay where they are.
 Sight moved(const Specimen& specimen, double distance) {
     Sight sight = specimen.now;
     if (specimen.body < 0) return sight;
@@ -47,7 +47,7 @@ Sight hidden(const Specimen& specimen) {
     return sight;
 }
 
-/// As if another's: red gains what blue loses, which SSIM of luma hardly sees.
+/// A wrong colour: red gains what blue loses, which an SSIM of luma hardly notices.
 Sight recolored(const Specimen& specimen) {
     Sight sight = specimen.now;
     changeBody(specimen, sight.frame, [](render::Solid& solid) {
@@ -57,7 +57,7 @@ Sight recolored(const Specimen& specimen) {
     return sight;
 }
 
-/// About an axis square to the rays: all of the angle counts.
+/// Turns the sun about an axis perpendicular to its rays, so that the whole angle counts.
 Sight otherLight(const Specimen& specimen) {
     Sight sight = specimen.now;
     render::Vec3& sun = sight.frame.look.sunDirection;
@@ -86,8 +86,8 @@ constexpr Mutant kMutants[] = {
     {"color", "the same body has 5 % more red and 5 % less blue", recolored},
     {"light", "the sun has moved by 5 degrees", otherLight},
     {"no shadow", "the sun casts no shadows", withoutShadow},
-    {"late", "the world is one step further", late},
-    {"gamma", "the whole picture is brighter, by a gamma of 1.05", brighter},
+    {"late", "the world is one step ahead", late},
+    {"gamma", "the whole picture is brighter by a gamma of 1.05", brighter},
 };
 
 Sight sightOf(const Player& player, const FilmPlan& plan, double time) {
@@ -98,8 +98,8 @@ Sight sightOf(const Player& player, const FilmPlan& plan, double time) {
     return sight;
 }
 
-/// Leaves the player one step further. The late sight keeps the camera and the texts: only the
-/// world has gone on.
+/// Advances the player by one step. The late sight keeps the camera and the texts: only the world
+/// has advanced.
 Specimen specimenAt(double time, const FilmPlan& plan, Player& player, render::Renderer& renderer) {
     Specimen specimen;
     specimen.now = sightOf(player, plan, time);
@@ -116,7 +116,7 @@ render::Image drawn(const Sight& sight, render::Renderer& renderer) {
     render::Image image = renderer.draw(sight.frame);
     if (sight.gamma == 1.0) return image;
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        if (i % 4 != 3)  // alpha stays
+        if (i % 4 != 3)  // not alpha
             image.pixels[i] = static_cast<std::uint8_t>(
                 std::lround(255.0 * std::pow(image.pixels[i] / 255.0, 1.0 / sight.gamma)));
     return image;
@@ -130,7 +130,7 @@ bool samePoses(const Sight& a, const Sight& b) {
                       });
 }
 
-/// As a run of one moment, for the comparison that tests use.
+/// A run of a single moment, so that a mutant is compared as tests compare runs.
 Trajectory trajectoryOf(const Sight& sight, const SceneDescription& scene, std::uint32_t hash) {
     Trajectory trajectory;
     trajectory.hz = scene.hz;
@@ -185,7 +185,7 @@ std::vector<MutantVerdict> selfTest(const FilmPlan& plan, render::Renderer& rend
     int played = 0;
     for (const double time : plan.scene().snapshot.times) {
         const int steps = static_cast<int>(std::lround(time * plan.scene().hz));
-        if (steps < played) continue;  // two times of one step
+        if (steps < played) continue;  // two times round to the same step
         player.step(steps - played);
         played = steps + 1;
         const Specimen specimen = specimenAt(time, plan, player, renderer);

@@ -1,5 +1,5 @@
-/// Damage done on purpose, to see whether a scene's tolerances and gate would notice it: what a
-/// gate lets pass is known before something is broken, not after.
+/// Deliberate damage, which shows whether a scene's tolerances and gate would notice it before a
+/// real defect does.
 #pragma once
 #include <span>
 #include <string>
@@ -15,20 +15,20 @@ namespace demos {
 /// A scene at one time: what is drawn, and where its bodies are.
 struct Sight {
     render::Frame frame;
-    std::vector<engine::Pose> poses;  // by place in the scene
+    std::vector<engine::Pose> poses;  // by index in the scene
     double gamma = 1.0;               // every value v of the picture, 0..1, becomes v^(1 / gamma)
 };
 
 /// What mutants are made from.
 struct Specimen {
-    Sight now, late;  // late: one step more, shown at the same time
-    int body = -1;    // place of the moving body that covers most of the picture; -1: none moves
-    Vec3 across{0, 0, 0};  // unit: to the right of the picture
+    Sight now, late;  // late: one step ahead, shown as if at the same time
+    int body = -1;    // index of the moving body that covers most of the picture; -1: none moves
+    Vec3 across{0, 0, 0};  // unit vector to the right of the picture
 };
 
 struct Mutant {
     const char* name;
-    const char* what;  // is done
+    const char* what;  // what it changes
     Sight (*damaged)(const Specimen& specimen);
 };
 
@@ -39,33 +39,33 @@ std::span<const Mutant> mutants();
 struct MutantVerdict {
     const Mutant* mutant = nullptr;
     double time = 0.0;              // s, as [snapshot] lists it
-    bool unchanged = false;         // the same poses, the same pixels: there is nothing to notice
+    bool unchanged = false;         // the same poses and pixels: there is nothing to notice
     bool state = false;             // a body is beyond the scene's tolerance
-    bool picture = false;           // the scene's gate refuses the picture
-    render::Difference difference;  // from the true picture
+    bool picture = false;           // the scene's gate rejects the picture
+    render::Difference difference;  // from the undamaged picture
 
     bool caught() const { return state || picture; }
 };
 
-/// How one mutant of a scene fared at all times.
+/// The results of one mutant of a scene at all times.
 struct MutantSummary {
     const Mutant* mutant = nullptr;
     int times = 0, state = 0,
-        picture = 0;        // times in all, and those at which each level noticed it
+        picture = 0;        // number of times, and at how many of them each level noticed it
     bool unchanged = true;  // at all of them
     int window = 0;         // pixels, the largest
-    double ssim = 1.0;      // the least
+    double ssim = 1.0;      // the lowest
 
     bool caught() const { return state + picture > 0; }
     bool missed() const { return !caught() && !unchanged; }
 };
 
-/// The moving body with the most pixels, by place in the scene; where none is seen the first that
-/// moves, and -1 where none does. `map`: of `frame`.
+/// Index in the scene of the moving body with the most pixels; if none is visible, of the first
+/// that moves; -1 if none moves. `map`: of `frame`.
 int mostSeenBody(const Stage& stage, const render::Frame& frame, const render::SurfaceMap& map);
 
-/// Every mutant at every time that the plan's scene lists, by time. Throws as Player and Renderer
-/// do.
+/// Tries every mutant at every time that the plan's scene lists, by time. Throws what Player and
+/// Renderer throw.
 std::vector<MutantVerdict> selfTest(const FilmPlan& plan, render::Renderer& renderer);
 
 /// In the order of mutants().

@@ -1,4 +1,4 @@
-/// What has passed and not changed since: passed.json in the folder of the results.
+/// The scenes that have passed and not changed since: passed.json in the folder of the results.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace demos {
 
 class PassCache {
 public:
-    /// A file that is not there, or not ours, is an empty cache.
+    /// A file that is missing or invalid gives an empty cache.
     explicit PassCache(std::filesystem::path file);
 
     bool has(const std::string& scene, std::uint64_t fingerprint) const;

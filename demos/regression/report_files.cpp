@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A baseline that cannot be read was reported already; the page does without its trajectory.
+/// An unreadable baseline has already been reported; the page then has no trajectory of it.
 Trajectory trajectoryIn(const fs::path& folder) try {
     std::optional<Baseline> baseline = readBaseline(folder);
     return baseline ? std::move(baseline->trajectory) : Trajectory{};
@@ -24,7 +24,7 @@ ReportTrajectories coursesOf(const SceneVerdict& verdict, const TestOptions& opt
                              const fs::path& results) {
     ReportTrajectories trajectories;
     trajectories.actual = trajectoryIn(results / (verdict.name + kSnapshotsEnding));
-    if (trajectories.actual.moments.empty()) return trajectories;  // as it was: nothing was left
+    if (trajectories.actual.moments.empty()) return trajectories;  // nothing differed
     trajectories.baseline = trajectoryIn(verdict.folder);
     trajectories.camera = loadScene(verdict.scene, options.overrides).camera;
     return trajectories;

@@ -1,4 +1,4 @@
-/// What a test leaves beside the pictures: report.html, report.json, junit.xml.
+/// The files that a test writes in addition to the pictures: report.html, report.json, junit.xml.
 #pragma once
 #include <filesystem>
 
@@ -7,8 +7,8 @@
 
 namespace demos {
 
-/// Reads the trajectories of the scenes that differ from their baselines and from what was shown.
-/// `options`: what the scenes were read with. Throws render::Error.
+/// Reads the trajectories of scenes that differ, from their baselines and from the test's results.
+/// `options`: the scenes were read with these. Throws render::Error.
 void writeReport(const TestVerdict& verdict, const TestOptions& options,
                  const std::filesystem::path& results);
 

@@ -14,14 +14,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int kMostMoments = 120, kFewestMoments = 24;
-constexpr long kPose = 6;                   // numbers: x, y, z and the rotation's
+constexpr long kPose = 6;                   // numbers: x, y, z and three of the rotation
 constexpr long kExtent = 3;                 // numbers
 constexpr long kCurves = 4 * kMostMoments;  // numbers: step, energy, penetration, separation
 
 /// A body as the film shows it.
 struct FilmBody {
     std::string name;
-    double way = 0.0;  // m, the farthest from its first place
+    double way = 0.0;  // m, the largest distance from its first position
 };
 
 bool hasBox(const Trajectory& trajectory, std::size_t body) {
@@ -41,7 +41,7 @@ double farthest(const Trajectory& trajectory, std::size_t body) {
     return way;
 }
 
-/// Of both runs, by name: the bodies that matter, then those that move farthest.
+/// Bodies of both runs: those in `matter` first, then those that move farthest.
 std::vector<FilmBody> rankedBodies(const ReportTrajectories& trajectories,
                                    const std::set<std::string>& matter) {
     std::map<std::string, double> ways;
@@ -61,7 +61,7 @@ std::vector<FilmBody> rankedBodies(const ReportTrajectories& trajectories,
 
 bool moves(const FilmBody& body) { return body.way > 1e-6; }
 
-/// For each of the runs, out of `numbers` for it.
+/// How many moments each run gets if it may have `numbers` numbers.
 int momentsFor(const std::vector<FilmBody>& bodies, long numbers) {
     const auto moving = std::count_if(bodies.begin(), bodies.end(), moves);
     const long still = (static_cast<long>(bodies.size()) - moving) * (kPose + kExtent);
@@ -81,7 +81,7 @@ std::set<std::string> shownBodies(const std::vector<FilmBody>& bodies, int momen
     return shown;
 }
 
-/// Evenly over the run, its ends among them, and the moment of `step`.
+/// Indices of moments spaced evenly over the run, with its ends and the moment of `step`.
 std::vector<std::size_t> thinned(const Trajectory& trajectory, int count, int step) {
     std::set<std::size_t> kept;
     const std::size_t last = trajectory.moments.size() - 1;
@@ -102,7 +102,7 @@ double reach(const Trajectory& trajectory) {
     return largest;
 }
 
-/// Three digits are what a curve shows.
+/// Four digits: a curve shows no more than three.
 Json shortOf(double value) {
     return std::isfinite(value) ? Json(rounded(value, 4)) : Json(nullptr);
 }
@@ -119,7 +119,7 @@ void addPose(Json& numbers, const engine::Pose& pose, double unit) {
         numbers.push_back(inUnits(sign * static_cast<double>(pose.rotation.coeffs()[i]), 1e-3));
 }
 
-/// One pose of a body that stays where it is.
+/// A body that does not move gets a single pose.
 Json posesOf(const Trajectory& trajectory, std::size_t body, const std::vector<std::size_t>& kept,
              double unit) {
     Json numbers = Json::array(), first = Json::array();
@@ -147,7 +147,7 @@ void addBodies(Json& json, const Trajectory& trajectory, const std::set<std::str
     }
 }
 
-/// The deepest and the farthest since the moment before: a peak between two is not lost.
+/// Penetration and separation are the largest since the moment before, so that no peak is lost.
 void addCurves(Json& json, const Trajectory& trajectory, int step) {
     for (const char* key : {"steps", "energy", "penetration", "separation"})
         json[key] = Json::array();
@@ -168,7 +168,7 @@ void addCurves(Json& json, const Trajectory& trajectory, int step) {
 struct Thinning {
     std::set<std::string> bodies;
     int moments = kMostMoments;
-    int step = -1;      // a moment that is kept
+    int step = -1;      // its moment is kept
     double unit = 1.0;  // m
 };
 

@@ -1,4 +1,4 @@
-/// Two runs of a scene, thinned and rounded, as what the report's scrubber draws.
+/// Two runs of a scene, thinned and rounded, as the report's scrubber draws them.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
@@ -6,10 +6,10 @@
 
 namespace demos {
 
-/// null where there is no run. At most `numbers` numbers, about: at most 120 moments of each run,
-/// the first that differs among them, and of the bodies those that move farthest. Lengths of poses
-/// are counts of "unit" metres, and rotations counts of 1/1000 of (x, y, z), w >= 0. Curves have up
-/// to 120 moments of their own, penetration and separation the largest since the one before.
+/// null if there is no run. About `numbers` numbers at most: up to 120 moments of each run,
+/// including the first that differs, and the bodies that move farthest. Positions are in multiples
+/// of "unit" metres, rotations are (x, y, z) in multiples of 1/1000, w >= 0. Curves have up to 120
+/// moments of their own; their penetration and separation are the largest since the previous one.
 nlohmann::ordered_json filmOf(const ReportTrajectories& trajectories, const PhysicsVerdict& physics,
                               long numbers);
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kPrefix = "data:image/png;base64,";
-constexpr long kEntry = 64;  // bytes around a picture's address, and its two places in the JSON
+constexpr long kEntry = 64;  // bytes around a picture's address, and of its two indices in the JSON
 
 std::string linkTo(const fs::path& file, const fs::path& folder) {
     std::error_code error;
@@ -30,7 +30,7 @@ class Images {
 public:
     Images(fs::path folder, long bytes) : folder_(std::move(folder)), left_(bytes) {}
 
-    /// The place of a file's picture in all(), put there when it is asked for first.
+    /// The index of a file's picture in all(); adds it on the first call.
     int placeOf(const std::string& file) {
         if (file.empty()) return -1;
         const auto [found, isNew] = places_.emplace(file, -1);
@@ -63,7 +63,7 @@ private:
     Json all_ = Json::array();
 };
 
-/// Two pictures of one content are put in once.
+/// Two identical pictures are stored once.
 void addPicture(Json& json, const PictureVerdict& picture, Images& images) {
     const int baseline = images.placeOf(picture.baseline);
     const bool once = picture.kind == PictureVerdict::Kind::same && baseline >= 0;
@@ -71,7 +71,7 @@ void addPicture(Json& json, const PictureVerdict& picture, Images& images) {
     json["actual_image"] = once ? baseline : images.placeOf(picture.actual);
 }
 
-/// Without these there is nothing to review; the others tell what it should look like.
+/// A review needs these pictures; the others only show what a scene should look like.
 bool isFirst(const SceneVerdict& scene, const PictureVerdict& picture) {
     return scene.state != SceneVerdict::State::passed || picture.kind != PictureVerdict::Kind::same;
 }

@@ -21,13 +21,13 @@ void addFilms(Json& page, const TestVerdict& verdict,
         std::count_if(trajectories.begin(), trajectories.end(), [](const ReportTrajectories& c) {
             return !c.baseline.moments.empty() || !c.actual.moments.empty();
         });
-    // 30 scenes of 15,000 numbers are about 2.5 MB; more scenes share them.
+    // 30 scenes of 15,000 numbers are about 2.5 MB; more scenes share the same total.
     const long numbers = std::min(15'000L, 450'000L / std::max(1L, static_cast<long>(films)));
     for (std::size_t i = 0; i < count; ++i)
         page["scenes"][i]["film"] = filmOf(trajectories[i], verdict.scenes[i].physics, numbers);
 }
 
-/// What `impulse approve` has to be told besides the names; empty: it looks there anyway.
+/// The folder for --results of `impulse approve`; empty: its default.
 std::string resultsOption(const std::filesystem::path& folder) {
     std::string name = folder.lexically_normal().generic_string();
     while (name.size() > 1 && name.ends_with('/')) name.pop_back();

@@ -11,9 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kViews = 60;  // straight ways that nobody tells from an arc
+constexpr int kViews = 60;  // straight segments: they look like an arc
 
-/// s: evenly, and the keys', where it turns or cuts.
+/// Times in s: evenly spaced, and those of the keys, where the camera turns or cuts.
 std::set<double> timesOf(const CameraDescription& camera, double end) {
     if (camera.keys.empty() && camera.orbitDegreesPerSecond == 0.0) return {0.0};
     std::set<double> times;

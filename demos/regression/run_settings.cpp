@@ -16,7 +16,7 @@
 namespace demos {
 namespace {
 
-/// What the file and all it reads say; not how.
+/// A hash of the contents of the scene file and of all files it reads.
 std::string fileHash(const SceneDescription& scene, const std::string& name) {
     TextHash hash;
     hash.add(sceneText(name));

@@ -1,5 +1,5 @@
-/// What a scene was played and drawn with, as keys and values: where two runs differ, the first
-/// thing to look at.
+/// The settings a scene was run and drawn with, as keys and values: the first thing to look at when
+/// two runs differ.
 #pragma once
 #include "demos/film/film_plan.h"
 #include "demos/regression/baseline.h"
@@ -7,10 +7,10 @@
 
 namespace demos {
 
-/// `scene`: as it was asked for; `renderer`: its name.
+/// `scene`: as given on the command line; `renderer`: its name.
 Settings settingsOf(const FilmPlan& plan, const std::string& scene, const std::string& renderer);
 
-/// Those that differ, in the order of `actual`, then those that are gone.
+/// The settings that differ, in the order of `actual`, then those that only `baseline` has.
 std::vector<SettingChange> changesOf(const Settings& baseline, const Settings& actual);
 
 }  // namespace demos

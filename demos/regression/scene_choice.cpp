@@ -33,7 +33,7 @@ std::vector<fs::path> sorted(const fs::path& folder, const char* ending) {
     return paths;
 }
 
-/// A file without a format is a part that scenes include.
+/// A file without `format` is a part that scenes include.
 bool hasFormat(const fs::path& file) {
     const std::string text = "\n" + readSceneFile(file);
     for (std::size_t at = 0; (at = text.find("\nformat", at)) != text.npos; ++at)
@@ -60,7 +60,7 @@ private:
         std::error_code ignored;
         if (!isBuiltin(word) && fs::is_directory(word, ignored)) return addFolder(word);
         whole_ = false;
-        loadScene(word, options_.overrides);  // what was named has to be one
+        loadScene(word, options_.overrides);  // throws if it is not a scene
         addScene(word);
     }
 
@@ -85,15 +85,15 @@ private:
         if (!added && known->second == scene) return;
         if (!added)
             throw Stop(Exit::usage,
-                       fmt::format("'{}' and '{}' are both called '{}'; test them one by one, with "
-                                   "a folder of results (-o) and of baselines each",
+                       fmt::format("'{}' and '{}' are both called '{}'; test them separately, each "
+                                   "with its own folders of results (-o) and baselines",
                                    printable(known->second), printable(scene), printable(name)));
         const fs::path home = homeOf(scene, options_);
         homes_.insert(home);
         choice_.scenes.push_back({scene, name, home / (name + kSnapshotsEnding)});
     }
 
-    /// Only when whole folders were asked for: what else is there belongs to other scenes.
+    /// Only if no scene was named: otherwise the other baselines there belong to other scenes.
     void findOrphans() {
         if (!whole_) return;
         for (const fs::path& home : homes_)

@@ -1,4 +1,4 @@
-/// Which scenes `impulse test` is about, and where their baselines are.
+/// The scenes that `impulse test` tests, and where their baselines are.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -10,18 +10,18 @@ namespace demos {
 
 struct ChosenScene {
     std::string scene;             // as loadScene takes it
-    std::string name;              // its baseline's: unique
+    std::string name;              // of its baseline: unique
     std::filesystem::path folder;  // of its baseline
 };
 
 struct SceneChoice {
     std::vector<ChosenScene> scenes;
     std::vector<std::string> orphans;  // folders NAME.snapshots without a scene NAME, sorted
-    std::vector<std::string> notes;    // files that were left out, a line each
+    std::vector<std::string> notes;    // files that were skipped, a line each
 };
 
-/// Throws SceneError for what is no scene, Stop (usage) where two have one name, or a folder has
-/// none.
+/// Throws SceneError for a word that is not a scene, Stop (usage) if two scenes have the same name
+/// or a folder has no scene.
 SceneChoice chooseScenes(const TestOptions& options);
 
 }  // namespace demos

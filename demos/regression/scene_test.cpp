@@ -38,7 +38,7 @@ void fail(SceneVerdict& verdict, const std::string& problem) {
     verdict.problem = problem;
 }
 
-/// A scene that breaks its contract makes no baseline.
+/// A scene with a failed expectation writes no baseline.
 void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
     const bool missing = verdict.state == State::added;
     if (!verdict.keepsContract()) {
@@ -66,7 +66,7 @@ void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
 void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
           SceneVerdict& verdict) {
     const TestRun played = runForTest(plan);
-    if (played.pictures.empty()) {  // a contract only
+    if (played.pictures.empty()) {  // only expectations
         verdict.expectations = played.expectations;
         verdict.state = verdict.keepsContract() ? State::passed : State::failed;
         return;
@@ -81,7 +81,7 @@ void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
     update(shown, run.update, verdict);
 }
 
-/// What an earlier test left; what is not ours stays.
+/// Removes the files that an earlier test left, and no others.
 void removeShown(const fs::path& folder) {
     std::error_code ignored;
     std::vector<fs::path> own;
@@ -101,7 +101,7 @@ FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options) {
     own.scenes = {chosen.scene};
     own.quiet = true;
     own.anyStep = true;
-    own.plotBelow = false;  // a snapshot is of one moment
+    own.plotBelow = false;  // a snapshot shows a single moment
     if (!own.size) {
         const Snapshot& snapshot = sceneOf(own).snapshot;
         own.size = PictureSize{snapshot.width, snapshot.height};

@@ -11,33 +11,33 @@
 
 namespace demos {
 
-/// The pictures of a test: of the scene's own size, drawn by one thread, since scenes share the
-/// processor.
+/// The plan of a test's pictures: of the scene's snapshot size, drawn by one thread, since scenes
+/// share the processor.
 FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options);
 
 /// Which baselines a test writes.
 enum class Update { none, missing, changed, all };
 
-/// --update; unless given: missing, and none where the environment has CI=true.
+/// The value of --update; default: missing, or none if the environment has CI=true.
 Update updateOf(const TestOptions& options);
 
-/// What holds for all scenes of one test.
+/// The settings of all scenes of one test.
 struct TestSetup {
     const TestOptions& options;
     std::filesystem::path results;  // the folder of the report
     Update update = Update::missing;
     std::string renderer;           // its name
-    const PassCache* cache = nullptr;  // null: nothing is left out
+    const PassCache* cache = nullptr;  // null: nothing is skipped
 };
 
 struct SceneTested {
     SceneVerdict verdict;
-    std::uint64_t fingerprint = 0;  // of all that decides about the verdict; 0: it has none
+    std::uint64_t fingerprint = 0;  // of all that affects the verdict; 0: none
 };
 
-/// Plays, draws, compares; leaves what was shown in results/NAME.snapshots unless all is as it was,
-/// and writes the baseline where `update` says so. Nothing is thrown: what goes wrong is the
-/// verdict's problem.
+/// Simulates, draws and compares; writes the results to results/NAME.snapshots unless nothing
+/// differs, and the baseline if `update` says so. Throws nothing: an error becomes the verdict's
+/// `problem`.
 SceneTested testScene(const ChosenScene& chosen, const TestSetup& run) noexcept;
 
 }  // namespace demos

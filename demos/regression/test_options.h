@@ -1,4 +1,4 @@
-/// What `impulse test` is asked for.
+/// The options of `impulse test`.
 #pragma once
 #include <string>
 
@@ -7,9 +7,9 @@
 namespace demos {
 
 struct TestOptions : Options {
-    std::string baselines;  // a folder; empty = beside the scenes
+    std::string baselines;  // a folder; empty = next to the scenes
     std::string update;     // missing, changed, all, none; empty = missing, or none where CI=true
-    bool cache = true;      // leave out what has passed
+    bool cache = true;      // skip scenes that have passed
     bool selfTest = false;
 };
 

@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-/// Made when the first picture is due: many scenes of a user have none.
+/// The renderer is created for the first picture: many scenes of users have none.
 class Camera {
 public:
     explicit Camera(const FilmPlan& plan) : plan_(plan) {}

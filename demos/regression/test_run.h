@@ -1,4 +1,4 @@
-/// One run of a scene for a test: what was seen, and what was written down meanwhile.
+/// One run of a scene for a test: its pictures, trajectory and expectations.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,7 @@ namespace demos {
 
 struct TestPicture {
     double time = 0.0;        // s, as [snapshot] lists it
-    std::uint64_t state = 0;  // hash of the world, of the step nearest to it
+    std::uint64_t state = 0;  // hash of the world at the step nearest to `time`
     render::Image image;
 };
 
@@ -23,7 +23,8 @@ struct TestRun {
     std::string renderer;  // its name; empty where nothing was drawn
 };
 
-/// Plays the whole scene and draws its [snapshot] times. Throws Stop (diverged), render::Error.
+/// Simulates the whole scene and draws it at its [snapshot] times. Throws Stop (diverged),
+/// render::Error.
 TestRun runForTest(const FilmPlan& plan);
 
 }  // namespace demos

@@ -17,16 +17,16 @@ constexpr double kFarthest = 4e15;              // resolutions: an exact double
 constexpr double kExtentStep = 1e-4;            // m
 constexpr double kDepthStep = 1e-7;             // m, of penetration and separation
 
-/// One number over all moments, as a value of the trajectory or into it.
+/// Access to one number of every moment, for reading and writing.
 using Column = std::function<double&(TrajectoryMoment&)>;
 
-/// Where what was encoded so far leads: to the last number, or along the last two.
+/// Predicts the next number: equal to the last one, or on the line through the last two.
 class Guess {
 public:
     explicit Guess(bool straight) : straight_(straight) {}
     std::int64_t next() const { return straight_ ? 2 * last_ - before_ : last_; }
     void see(std::int64_t value) {
-        before_ = seen_ ? last_ : value;  // nothing is known of the speed at first
+        before_ = seen_ ? last_ : value;  // the speed is not known at first
         last_ = value;
         seen_ = true;
     }
@@ -37,8 +37,8 @@ private:
     bool seen_ = false;
 };
 
-/// How far each number is from the guess; one that is within a step of it is told as 0, and then
-/// taken to be it, so that what trembles about a boundary costs nothing.
+/// The difference of each number from its guess. One within a step of the guess becomes 0, and the
+/// guess is then used as its value, so that a number that jitters about a boundary costs nothing.
 std::vector<std::int64_t> restsOf(Trajectory& trajectory, double step, const Column& column,
                                   bool straight) {
     Guess guess(straight);
@@ -95,7 +95,7 @@ void visitColumns(std::size_t bodies, const TrajectoryResolution& resolution, co
     }
 }
 
-/// A constraint that acts does so for a while: where it begins, how long, and by how much.
+/// A constraint usually acts over several moments in sequence: the first one, and its values.
 struct Run {
     std::size_t first = 0;
     std::vector<double> values;
@@ -154,7 +154,7 @@ std::vector<std::string> readNames(ByteReader& in) {
     return names;
 }
 
-/// A rotation goes on with the sign it had, so that its numbers do not jump.
+/// Each rotation keeps the sign of the one before, so that its numbers do not jump.
 void keepSigns(Trajectory& trajectory) {
     for (std::size_t k = 1; k < trajectory.moments.size(); ++k)
         for (std::size_t body = 0; body < trajectory.bodies.size(); ++body) {
@@ -201,7 +201,7 @@ void makeMoments(Trajectory& trajectory) {
             trajectory.moments.push_back({step, poses, 0, 0, 0, {}});
 }
 
-/// Each of their numbers takes a byte at least: what is asked for is in proportion to what came.
+/// Each number takes a byte at least, so memory is allocated only in proportion to the input.
 bool momentsFit(const Trajectory& trajectory, std::size_t bytes) {
     return momentCount(trajectory) * (3 + 7 * trajectory.bodies.size()) <= bytes;
 }
@@ -232,7 +232,7 @@ TrajectoryResolution resolutionOf(const Trajectory& trajectory, const Tolerance&
         energy = std::max(energy, std::abs(moment.energy));
         for (const TrajectoryImpulse& one : moment.impulses) impulse = std::max(impulse, one.value);
     }
-    // A turn by an angle changes the four numbers by half of it.
+    // A turn by an angle changes the quaternion's numbers by up to half of it.
     return {kFiner * tolerance.position, kFiner * tolerance.angleDegrees * kRadians / 2,
             impulse > 0.0 ? kShare * impulse : kShare, energy > 0.0 ? kShare * energy : kShare};
 }

@@ -1,7 +1,8 @@
-/// A trajectory in few bytes. Every number is told in steps of its resolution, by how far it is
-/// from where those before it lead,
+/// Encodes a trajectory in few bytes. Every number is stored in steps of its resolution, as its
+/// difference from a prediction by the numbers before it,
 ///   r_k = round(x_k / resolution - g_k),  g_k = n_(k-1)  or  2 n_(k-1) - n_(k-2),  n_k = g_k + r_k
-/// which is 0 for what rests or glides, and small for what falls; zlib does the rest.
+/// which is 0 for a body at rest or in uniform motion and small for a falling one; zlib compresses
+/// the result.
 #pragma once
 #include <optional>
 #include <span>
@@ -12,19 +13,20 @@
 
 namespace demos {
 
-/// Ten times finer than the scene's tolerances; of impulses and energy a ten-thousandth of the
-/// largest.
+/// Ten times finer than the scene's tolerances; for impulses and energy a ten-thousandth of the
+/// largest value.
 TrajectoryResolution resolutionOf(const Trajectory& trajectory, const Tolerance& tolerance);
 
-/// The same with fewer moments; the hashes of all steps stay. `dense`: no more than it has.
+/// The same trajectory with fewer moments; it keeps the hashes of all steps. `dense`: at most that
+/// of `trajectory`.
 Trajectory thinned(const Trajectory& trajectory, int dense);
 
-/// At most `most` bytes where leaving out moments can help.
+/// Leaves out moments to reach at most `most` bytes, if that is possible.
 std::vector<std::uint8_t> encodeTrajectory(const Trajectory& trajectory,
                                            const TrajectoryResolution& resolution,
                                            std::size_t most);
 
-/// Nothing where the bytes are no trajectory: every length is checked before it is used.
+/// Nothing if the bytes are not a trajectory: every length is checked before it is used.
 std::optional<Trajectory> decodeTrajectory(std::span<const std::uint8_t> bytes);
 
 }  // namespace demos

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostPoses = 200'000;  // of all bodies while the trajectory is dense: 11 MB
 
-/// Half the sides of a box about the body, in its own axes; nothing for what has no end.
+/// Half the sides of the body's bounding box, in its own axes; 0 for an infinite shape.
 Vec3 extentOf(const engine::Shape& shape) {
     if (shape.type == engine::ShapeType::plane) return Vec3::Zero();
     const engine::Bounds bounds = engine::boundsOf(shape, {});
@@ -45,7 +45,7 @@ TrajectoryMoment TrajectoryRecorder::momentOf(const Stage& stage) {
     moment.energy = measures.energy.total();
     moment.penetration = measures.penetration;
     moment.separation = measures.separation;
-    if (step_ == 0) return moment;  // nothing was solved yet
+    if (step_ == 0) return moment;  // nothing has been solved yet
     addContacts(stage, moment.impulses);
     addJoints(stage, moment.impulses);
     std::sort(moment.impulses.begin(), moment.impulses.end(),
@@ -55,7 +55,7 @@ TrajectoryMoment TrajectoryRecorder::momentOf(const Stage& stage) {
     return moment;
 }
 
-/// The points of a pair together: which of its corners carries is not the pair's affair.
+/// Adds up the points of a pair: which of its corners carries the load does not matter here.
 void TrajectoryRecorder::addContacts(const Stage& stage, std::vector<TrajectoryImpulse>& impulses) {
     std::map<int, double> sums;
     for (const engine::ContactState& contact : stage.world.contacts())

@@ -1,4 +1,4 @@
-/// Writes a trajectory down while a scene plays.
+/// Records a trajectory while a scene is simulated.
 #pragma once
 #include <map>
 
@@ -9,10 +9,10 @@ namespace demos {
 
 class TrajectoryRecorder {
 public:
-    /// `steps`: that will be played. With very many bodies the trajectory is less dense.
+    /// `steps`: of the whole run. With very many bodies the trajectory is less dense.
     TrajectoryRecorder(const Stage& stage, int steps);
 
-    /// At time 0, and after every step.
+    /// Call it at time 0 and after every step.
     void look(const Stage& stage);
     const Trajectory& trajectory() const { return trajectory_; }
 

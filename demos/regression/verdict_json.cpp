@@ -104,7 +104,7 @@ PictureVerdict pictureFrom(const Json& json) {
     return picture;
 }
 
-/// A value that was never measured has no number in JSON.
+/// A value that was never measured is null in JSON.
 Json jsonOf(const ExpectationResult& result) {
     return {{"text", result.text},
             {"value", std::isfinite(result.value) ? Json(result.value) : Json(nullptr)},
@@ -213,7 +213,7 @@ TestVerdict testVerdictFrom(const std::string& text, const std::string& name) tr
     const Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kVerdictFormat)
         throw Stop(Exit::environment,
-                   fmt::format("'{}' is of format {}, and this program reads {}; run impulse test "
+                   fmt::format("'{}' has format {}, but this program reads {}; run impulse test "
                                "again",
                                printable(name), format, kVerdictFormat));
     TestVerdict verdict;

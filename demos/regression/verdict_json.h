@@ -7,13 +7,13 @@
 
 namespace demos {
 
-/// Of one scene: the object in report.json's "scenes".
+/// One scene as an object of report.json's "scenes".
 nlohmann::ordered_json jsonOf(const SceneVerdict& scene);
-/// Throws what nlohmann::json throws where something is missing or of another type.
+/// Throws what nlohmann::json throws if something is missing or has the wrong type.
 SceneVerdict sceneVerdictFrom(const nlohmann::ordered_json& json);
 
 std::string jsonOf(const TestVerdict& verdict);
-/// Throws Stop (environment) where the text is no report.json of this version; `name`: of the file.
+/// Throws Stop (environment) if the text is not a report.json of this version; `name`: of the file.
 TestVerdict testVerdictFrom(const std::string& text, const std::string& name);
 
 }  // namespace demos

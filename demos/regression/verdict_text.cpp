@@ -36,7 +36,7 @@ void addPicture(const SceneVerdict& scene, const PictureVerdict& picture,
     if (picture.kind == PictureVerdict::Kind::broken && !picture.problem.empty())
         lines.push_back(name + ": " + picture.problem);
     if (picture.kind == PictureVerdict::Kind::added && scene.state == State::failed)
-        lines.push_back(name + ": there is no baseline of this time");
+        lines.push_back(name + ": there is no baseline of this picture");
 }
 
 void addExpectations(const SceneVerdict& scene, std::vector<std::string>& lines) {
@@ -54,7 +54,7 @@ void addSettings(const SceneVerdict& scene, std::vector<std::string>& lines) {
     lines.push_back(fmt::format("made with other settings: {}", fmt::join(texts, ", ")));
 }
 
-/// There is something that can be accepted, and it would help.
+/// Whether accepting something would make the scene pass.
 bool canApprove(const SceneVerdict& scene) {
     return scene.state == State::failed && scene.keepsContract();
 }
@@ -64,13 +64,13 @@ bool canApprove(const SceneVerdict& scene) {
 std::string differenceText(const render::Difference& d, const PictureGate& gate) {
     return fmt::format(
         "{} pixels differ, by {} of 255 at most; the worst 16x16 window, at {},{}, has "
-        "{} that differ by more than {} ({} may); least SSIM {:.3f} ({:.2f} needed)",
+        "{} that differ by more than {} ({} allowed); lowest SSIM {:.3f} ({:.2f} needed)",
         d.differing, d.largest, d.windowX, d.windowY, d.worstWindow, gate.levels, gate.windowPixels,
         d.worstSsim, gate.ssim);
 }
 
 std::string settingText(const SettingChange& change) {
-    // The file itself says more than its hash.
+    // The hash means nothing to people.
     if (change.key == "scene file") return "the scene file";
     const auto shownValue = [](const std::string& value) { return value.empty() ? "-" : value; };
     return fmt::format("{} {} -> {}", change.key, shownValue(change.baseline),
@@ -97,7 +97,7 @@ std::vector<std::string> detailsOf(const SceneVerdict& scene) {
     if (wrong) addSettings(scene, lines);
     for (const std::string& orphan : scene.orphans)
         lines.push_back(orphan +
-                        " is of a time that the scene does not list; impulse approve "
+                        " belongs to a time that the scene does not list; impulse approve "
                         "--prune removes it");
     if (canApprove(scene)) lines.push_back("to accept it: impulse approve " + scene.name);
     for (std::string& line : lines) line = printable(line);

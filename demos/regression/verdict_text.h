@@ -1,4 +1,4 @@
-/// A test's verdict in lines for people.
+/// A test's verdict as lines of text for people.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,8 +15,8 @@ std::string settingText(const SettingChange& change);
 /// "ok       stack  3 pictures, 2 expectations"
 std::string headline(const SceneVerdict& scene);
 
-/// What is wrong or worth knowing, physics first; nothing where all is as it was. Ends with what to
-/// do, for a scene that `approve` can help.
+/// Failures and remarks, physics first; empty if nothing differs. The last line is the command to
+/// accept it, if `approve` can make the scene pass.
 std::vector<std::string> detailsOf(const SceneVerdict& scene);
 
 /// "47 scenes: 45 passed, 2 failed"

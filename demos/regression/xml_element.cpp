@@ -3,7 +3,7 @@
 namespace demos {
 namespace {
 
-/// XML 1.0, 2.4: what markup is made of stands as an entity.
+/// Replaces markup characters by entities (XML 1.0, 2.4).
 std::string escapedXml(std::string_view text) {
     std::string out;
     for (const char c : text) switch (c) {

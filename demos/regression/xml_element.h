@@ -1,4 +1,4 @@
-/// XML to be written: elements of attributes and either a text or further elements.
+/// Writes XML: elements with attributes and either text or child elements.
 #pragma once
 #include <deque>
 #include <string>
@@ -12,13 +12,13 @@ class XmlElement {
 public:
     explicit XmlElement(std::string name) : name_(std::move(name)) {}
 
-    /// Stays where it is, as long as this element does.
+    /// The reference stays valid as long as this element does.
     XmlElement& add(std::string name) { return children_.emplace_back(std::move(name)); }
     void set(std::string name, std::string value) {
         attributes_.emplace_back(std::move(name), std::move(value));
     }
     void setText(std::string text) { text_ = std::move(text); }
-    /// The element as a document, an element a line.
+    /// The element as a document, one element per line.
     std::string document() const;
 
 private:

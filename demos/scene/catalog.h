@@ -1,4 +1,4 @@
-/// What the reader asks of which table, written down while it reads: the source of the JSON Schema.
+/// Records which keys the reader asks for in which table: the source of the JSON Schema.
 #pragma once
 #include <string>
 #include <string_view>
@@ -30,25 +30,25 @@ struct Form {
     Kind kind = Kind::text;
     Range range{0.0, 0.0};                // of numbers
     std::vector<std::string> words = {};  // of a word
-    std::string table = {};  // what the table or tables are called; empty: as the key is
+    std::string table = {};  // name of the table or tables; empty: that of the key
 };
 
 struct AskedKey {
     std::string name;
     std::vector<Form> forms;  // each kind once
-    bool given = false;       // some scene that was read had it
+    bool given = false;       // at least one scene that was read has it
 };
 
 struct AskedTable {
-    std::string name;  // as in complaints: "[world]", "a [[body]]"
+    std::string name;  // as in messages: "[world]", "a [[body]]"
     std::vector<AskedKey> keys;
-    std::vector<Form> others;  // what any other key may be: [values]
+    std::vector<Form> others;  // forms of any other key: [values]
 };
 
 class Catalog {
 public:
     AskedKey& ask(const std::string& table, std::string_view key, bool given);
-    /// Of the same kind as before: the wider of both ranges, the words of both.
+    /// A form of a known kind is merged: the union of both ranges and of both word lists.
     void ask(const std::string& table, std::string_view key, const Form& form, bool given);
     void askOthers(const std::string& table, const Form& form);
 

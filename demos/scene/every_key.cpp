@@ -18,7 +18,7 @@ shape = { box = [1, 1, 1] }
 at = [3, 2, 0]
 )";
 
-// A row a variant: what one type of a table takes and another does not.
+// One row per variant: the keys that one type of a table takes and another does not.
 constexpr KeyExample kExamples[] = {
     {"top", R"(
 include = []
@@ -396,7 +396,7 @@ within = 100
 std::span<const KeyExample> everyKey() { return kExamples; }
 
 std::string sceneOf(const KeyExample& example) {
-    // As long as a film may be: times go up to its end.
+    // The longest film allowed: it bounds the times in the schema.
     return std::string("format = 1\nseconds = 100000") + example.text + kBodies;
 }
 

@@ -1,6 +1,6 @@
-/// Small scenes that use every key of the format at least once: what the schema is made of. A key
-/// of the reader that none of them uses is found by tests/demos/scene/schema_test.cpp and
-/// tests/docs/schema_test.cpp.
+/// Small scenes that together use every key of the format: the source of the schema. A key of the
+/// reader that none of them uses is found by tests/demos/scene/schema_test.cpp and
+/// tests/docs/scene_format_test.cpp.
 #pragma once
 #include <span>
 #include <string>
@@ -11,7 +11,7 @@ struct KeyExample {
     const char* what;
     const char*
         text;  // without `format` and `seconds`; it may use the bodies 'floor', 'ball' and 'crate'
-    bool namesFiles = false;  // that are not there: the reader complains of them, and of them alone
+    bool namesFiles = false;  // of missing files: the reader reports them and nothing else
 };
 
 std::span<const KeyExample> everyKey();

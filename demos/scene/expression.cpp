@@ -32,13 +32,13 @@ bool isFunction(std::string_view name) {
     return std::find(std::begin(kFunctions), std::end(kFunctions), name) != std::end(kFunctions);
 }
 
-/// Its place among i j k ni nj nk n; -1: none of them.
+/// The index in i j k ni nj nk n; -1: none of them.
 int turnNumber(std::string_view name) {
     const auto found = std::find(std::begin(kTurnNames), std::end(kTurnNames), name);
     return found == std::end(kTurnNames) ? -1 : static_cast<int>(found - std::begin(kTurnNames));
 }
 
-/// How many [[repeat]]s there have to be around it.
+/// How many [[repeat]]s have to be around the name.
 int depthOf(int turn) { return turn == 2 * kDeepestRepeat ? 1 : turn % kDeepestRepeat + 1; }
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -50,7 +50,7 @@ std::size_t wordLength(std::string_view text) {
     return length;
 }
 
-/// A number at the front of the text; 0: none.
+/// The length of the number at the front of the text; 0: none.
 std::size_t numberLength(const char* begin, const char* end, double& value) {
     if (begin == end || !(isDigit(*begin) || *begin == '.')) return 0;
     const std::from_chars_result read = std::from_chars(begin, end, value);
@@ -87,7 +87,7 @@ std::string sentenceOf(const mu::ParserError& error) {
 
 }  // namespace
 
-/// muparser without anything of its own: no assignment, no texts, no pow.
+/// muparser without its built-in functions: no assignment, no strings, no pow.
 class Expressions::Parser : public mu::ParserBase {
 public:
     Parser() {
@@ -157,9 +157,9 @@ std::string Expressions::whyNoName(std::string_view name) const {
                       });
     if (!good) return "it should be 1 to 32 of a-z 0-9 _, a letter first";
     for (const Constant& constant : kConstants)
-        if (name == constant.name) return "so expressions call a constant";
-    if (isFunction(name)) return "so expressions call a function";
-    if (turnNumber(name) >= 0) return "so expressions call the turns of a [[repeat]]";
+        if (name == constant.name) return "this is a constant of expressions; choose another name";
+    if (isFunction(name)) return "this is a function of expressions; choose another name";
+    if (turnNumber(name) >= 0) return "this is a variable of [[repeat]]; choose another name";
     return "";
 }
 
@@ -189,14 +189,14 @@ std::string Expressions::checkName(std::string_view name, bool called, const Tur
     const int turn = turnNumber(name);
     if (turn >= 0 && depthOf(turn) <= turns.depth) return "";
     if (turn >= 0)
-        return std::string(name) + " is of a [[repeat]]; there are " + std::to_string(turns.depth) +
-               " around it, and it takes " + std::to_string(depthOf(turn));
+        return std::string(name) + " is not defined at [[repeat]] depth " +
+               std::to_string(turns.depth) + "; it needs depth " + std::to_string(depthOf(turn));
     for (const Constant& constant : kConstants)
         if (name == constant.name) return "";
     if (values_.find(name) != values_.end()) return "";
     if (later_.contains(name))
         return "there is no value '" + std::string(name) +
-               "' yet; it comes later in [values] and should come first";
+               "' yet; define it earlier in [values]";
     return "there is no value '" + std::string(name) + "'" + suggestion(name, names(turns));
 }
 

@@ -1,6 +1,6 @@
-/// Expressions in a scene: "3 * cos(i * tau / n)" in place of a number. muparser reads them; what
-/// they may call is here, and gives the same bits on every machine: the library's own functions and
-/// operators, which are the C library's, are not there.
+/// Expressions in a scene: "3 * cos(i * tau / n)" instead of a number. muparser parses them with
+/// the functions and operators of this project only, which give the same bits on every machine;
+/// those of the library would depend on the C library.
 #pragma once
 #include <map>
 #include <memory>
@@ -14,14 +14,14 @@ namespace demos {
 
 constexpr int kDeepestRepeat = 3;
 
-/// Which turn of which [[repeat]] a table is read for: i, j, k and how many turns each has.
+/// The turn of each [[repeat]] around a table: the indices i, j, k and the numbers of turns.
 struct Turns {
-    int depth = 0;  // 0: not in a [[repeat]]; 1: i counts; 2: i and j; 3: and k
+    int depth = 0;  // 0: not in a [[repeat]]; 1: i is defined; 2: i and j; 3: i, j and k
     int index[kDeepestRepeat] = {};
     int count[kDeepestRepeat] = {};
 };
 
-/// A number, or what is wrong with the text: the end of a sentence.
+/// A number, or what is wrong with the text, as the end of a sentence.
 struct Evaluated {
     std::optional<double> value;  // finite
     std::string wrong;
@@ -32,10 +32,10 @@ public:
     Expressions();
     ~Expressions();
 
-    /// A name that later expressions know. Empty, or why it cannot be one.
+    /// Empty if `name` can be defined for later expressions, else why not.
     std::string whyNoName(std::string_view name) const;
     void define(const std::string& name, double value);
-    /// Names that will be defined, for messages; each until it is withdrawn.
+    /// A name that will be defined later, for messages, until it is withdrawn.
     void announce(const std::string& name) { later_.insert(name); }
     void withdraw(const std::string& name) { later_.erase(name); }
 
@@ -56,7 +56,7 @@ private:
     int evaluated_ = 0;
 };
 
-/// In [0, 1), 53 bits: as good as chance, and the same everywhere for the same numbers.
+/// A pseudo-random number in [0, 1) of 53 bits, the same on every machine for the same numbers.
 double hashed(const double* numbers, int count);
 
 }  // namespace demos

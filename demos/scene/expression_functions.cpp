@@ -20,7 +20,7 @@ constexpr double kLargestExponent = 1000.0;
 double angle(double radians) {
     if (std::fabs(radians) <= kLargestAngle) return radians;
     throw Undefined("an angle of " + numberText(radians) +
-                    " rad; it should be at most 100000 rad either way");
+                    " rad; it should be from -100000 to 100000 rad");
 }
 
 double unit(double x, const char* name) {

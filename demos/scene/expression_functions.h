@@ -1,10 +1,11 @@
-/// What an expression may call. Each gives the same bits on every machine, or throws Undefined.
+/// The functions and operators of expressions. Each gives the same bits on every machine, or
+/// throws Undefined.
 #pragma once
 #include <stdexcept>
 
 namespace demos {
 
-/// There is no such number: the end of a sentence.
+/// The result is undefined. The message is the end of a sentence.
 struct Undefined : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -15,7 +16,7 @@ double add(double a, double b);
 double subtract(double a, double b);
 double multiply(double a, double b);
 double divide(double a, double b);
-/// Whole exponents by multiplication; no other.
+/// Whole exponents only, by multiplication.
 double power(double base, double exponent);
 double minus(double x);
 double plus(double x);
@@ -31,9 +32,9 @@ double squareRoot(double x);
 double magnitude(double x);
 double below(double x);
 double above(double x);
-/// Halves away from zero.
+/// Rounds halves away from zero.
 double nearestWhole(double x);
-/// a - b floor(a / b), exactly: of the sign of b.
+/// a - b floor(a / b), exactly; it has the sign of b.
 double modulo(double a, double b);
 double smallest(const double* numbers, int count);
 double largest(const double* numbers, int count);

@@ -1,4 +1,4 @@
-// Every offset, length and count is checked against what is there before it is used.
+// Every offset, length and count is checked against the actual data before it is used.
 #include "demos/scene/gltf_buffers.h"
 
 #include <bit>
@@ -18,7 +18,7 @@ std::size_t sizeOf(std::size_t componentType) {
     return componentType == kUnsigned8 ? 1 : componentType == kUnsigned16 ? 2 : 4;
 }
 
-/// "my%20mesh.bin": as a file is called.
+/// The file name of a URI such as "my%20mesh.bin".
 std::string unescaped(const std::string& uri) {
     std::string name;
     for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -99,12 +99,12 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) {
     return *bytes;
 }
 
-/// A small file may name a large one a thousand times.
+/// Limits the sum: a small file may name a large one a thousand times.
 void GltfBuffers::keep(std::size_t number, std::string bytes) {
     constexpr std::size_t kMostBytes = 64u << 20;
     bytes_ += bytes.size();
     if (bytes_ > kMostBytes)
-        throw MeshFileError("its buffers have more than 64 MiB together; it should be simpler");
+        throw MeshFileError("its buffers have more than 64 MiB together; simplify the mesh");
     loaded_[number] = std::move(bytes);
 }
 

@@ -1,4 +1,4 @@
-/// The bytes behind a glTF file: its buffers, and positions and corner numbers in them.
+/// The binary data of a glTF file: its buffers, with the positions and vertex indices in them.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace demos {
 
 using GltfJson = nlohmann::json;
 
-/// A whole number of at most 2^31 - 1; `otherwise` where it is not given. Throws MeshFileError, as
-/// all of these.
+/// A whole number of at most 2^31 - 1; `otherwise` if it is missing. Throws MeshFileError, like
+/// all functions here.
 std::size_t wholeOf(const GltfJson& object, const char* key, std::optional<std::size_t> otherwise);
 
 /// The number-th object of the file's list `key`.
@@ -23,7 +23,7 @@ const GltfJson& itemOf(const GltfJson& file, const char* key, std::size_t number
 
 class GltfBuffers {
 public:
-    /// `chunk`: the binary one of a .glb, which is its first buffer.
+    /// `chunk`: the binary chunk of a .glb, which is its first buffer.
     GltfBuffers(const GltfJson& file, std::filesystem::path folder,
                 std::optional<std::string> chunk);
 
@@ -31,7 +31,7 @@ public:
     std::vector<engine::Vec3> positions(std::size_t accessor);
     /// The numbers of an accessor: unsigned, of 8, 16 or 32 bits.
     std::vector<std::uint32_t> numbers(std::size_t accessor);
-    /// Files that were read so far.
+    /// The files read so far.
     const std::vector<std::string>& paths() const { return paths_; }
 
 private:
@@ -49,7 +49,7 @@ private:
     std::filesystem::path folder_;
     std::optional<std::string> chunk_;
     std::vector<std::optional<std::string>> loaded_;
-    std::size_t bytes_ = 0;  // of them all
+    std::size_t bytes_ = 0;  // of all loaded buffers
     std::vector<std::string> paths_;
 };
 

@@ -1,5 +1,5 @@
-// glTF 2.0: the triangles of the scene it shows. Materials, normals and the like are left out; what
-// would change the triangles and is not understood is an error.
+// glTF 2.0: the triangles of the file's default scene. Materials, normals and the like are ignored;
+// an unsupported feature that would change the triangles is an error.
 #include <utility>
 
 #include "demos/scene/gltf_buffers.h"
@@ -22,7 +22,7 @@ struct Affine {
     }
 };
 
-/// The numbers of node[key]; nothing where it is not given.
+/// The numbers of node[key]; nothing if it is missing.
 std::optional<std::vector<double>> numbersOf(const GltfJson& node, const char* key,
                                              std::size_t count) {
     const auto found = node.find(key);
@@ -131,21 +131,21 @@ private:
                       const Affine& place) {
         if (numbers.size() % 3 != 0)
             throw MeshFileError(std::to_string(numbers.size()) +
-                                " corner numbers make no triangles; they should be three each");
+                                " indices do not make triangles; a triangle should have three");
         if (mesh_.triangles.size() + numbers.size() / 3 > kMostTriangles ||
             mesh_.corners.size() + points.size() > 3 * kMostTriangles)
             throw MeshFileError("more than a million triangles");
         const int first = static_cast<int>(mesh_.corners.size());
         for (const Vec3& point : points)
             mesh_.corners.push_back(place.linear * point + place.shift);
-        const bool mirrored = place.linear.determinant() < 0.0;  // seen from behind then
+        const bool mirrored = place.linear.determinant() < 0.0;  // reverses the orientation
         for (std::size_t i = 0; i < numbers.size(); i += 3) {
             std::array<int, 3> triangle{};
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t number = numbers[i + k];
                 if (number >= points.size())
-                    throw MeshFileError("corner " + std::to_string(number) +
-                                        " of a primitive that has " +
+                    throw MeshFileError("index " + std::to_string(number) +
+                                        " is not a corner of its primitive; it should be below " +
                                         std::to_string(points.size()));
                 triangle[k] = first + static_cast<int>(number);
             }
@@ -160,7 +160,7 @@ private:
     TriangleMesh mesh_;
 };
 
-/// Of the four bytes at `at`, which have to be there.
+/// The little-endian word in the four bytes at `at`, which have to exist.
 std::uint32_t wordAt(const std::string& bytes, std::size_t at) {
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -174,8 +174,8 @@ std::optional<std::string> chunkAt(const std::string& bytes, std::size_t at, std
     const std::size_t length = wordAt(bytes, at);
     if (length > bytes.size() - at - 8)
         throw MeshFileError("is cut off: a chunk of " + std::to_string(length) +
-                            " bytes, of which " + std::to_string(bytes.size() - at - 8) +
-                            " are there");
+                            " bytes has only " + std::to_string(bytes.size() - at - 8) +
+                            " left");
     return bytes.substr(at + 8, length);
 }
 
@@ -207,7 +207,7 @@ TriangleMesh glbMesh(const std::string& bytes, const std::filesystem::path& fold
     if (bytes.size() < 12 || wordAt(bytes, 0) != kMagic || wordAt(bytes, 4) != 2)
         throw MeshFileError("is not a binary glTF of version 2");
     const std::optional<std::string> text = chunkAt(bytes, 12, kText);
-    if (!text) throw MeshFileError("has no JSON chunk, with which it should begin");
+    if (!text) throw MeshFileError("has no JSON chunk; it should begin with one");
     return meshOf(*text, folder, chunkAt(bytes, 20 + text->size(), kBinary));
 }
 

@@ -29,7 +29,7 @@ void setFile(Value& value, int file) {
     for (Value& item : value.items) setFile(item, file);
 }
 
-/// [body] is a list of one.
+/// A single table [body] counts as a list of one.
 void append(Value& list, Value more) {
     if (list.kind != Value::Kind::array) {
         Value alone = std::move(list);
@@ -42,7 +42,7 @@ void append(Value& list, Value more) {
     for (Value& item : more.items) list.items.push_back(std::move(item));
 }
 
-/// The keys of a table by name: it may have as many as a file of 8 MiB.
+/// The keys of a table by name: a file of 8 MiB may hold very many.
 class Index {
 public:
     explicit Index(Value& table) : table_(table) {
@@ -54,7 +54,7 @@ public:
         return found == places_.end() ? nullptr : &table_.items[found->second];
     }
 
-    /// In the place of the key of this name, or at the end.
+    /// Replaces the key of this name, or appends it.
     void set(Key key, Value value) {
         const auto [found, isNew] = places_.insert({key.name, table_.keys.size()});
         if (isNew) {
@@ -77,7 +77,7 @@ void setKeys(Value& base, Value own) {
         index.set(std::move(own.keys[i]), std::move(own.items[i]));
 }
 
-/// `own` over `base`.
+/// Merges `own` into `base`; `own` wins.
 void merge(Value& base, Value own) {
     base.place = own.place;
     Index index(base);
@@ -94,7 +94,7 @@ void merge(Value& base, Value own) {
     }
 }
 
-/// What every file has for itself.
+/// Removes the keys that each file has for itself.
 void dropOwn(Value& table) {
     for (const char* key : {"format", "include"})
         for (std::size_t i = 0; i < table.keys.size(); ++i)
@@ -116,7 +116,7 @@ public:
     Reading(Document& document, Complaints& complaints)
         : document_(document), complaints_(complaints) {}
 
-    /// The file with all that it includes; its number is the last.
+    /// The file merged with all that it includes. It is numbered after the included files.
     Value file(std::string_view text, const std::string& name,
                const std::optional<fs::path>& path) {
         document_.text += text;
@@ -124,7 +124,7 @@ public:
             inside_.push_back(fullPath(*path));
             known_.insert(inside_.back());
         }
-        Complaints own;  // numbered when all that comes before is
+        Complaints own;  // gets the file's number once the included files have theirs
         Value table = parseToml(text, own);
         if (table.place.line < 1) table.place = {1, 1};
         if (inside_.size() > 1 && own.count() == 0) checkFormat(table, own);
@@ -167,7 +167,7 @@ private:
         return {};
     }
 
-    /// Nothing after a complaint, and where the file is there already.
+    /// Nothing after an error, or if the file was included already.
     std::optional<Value> included(const Value& item, const std::optional<fs::path>& from,
                                   Complaints& own) {
         const std::string wrong = whyNot(item.text, from);
@@ -201,7 +201,7 @@ private:
 
     std::string whyNot(const std::string& text, const std::optional<fs::path>& from) const {
         if (!from)
-            return "a scene that is no file of its own includes nothing; save it with 'impulse "
+            return "a scene that is not in a file cannot include others; save it with 'impulse "
                    "list NAME --print'";
         if (text.empty() || text.find('\0') != std::string::npos)
             return "include is '" + text + "'; it should be a file, like \"parts/floor.toml\"";
@@ -209,7 +209,7 @@ private:
             return "include is '" + shown(text) + "' of " + std::to_string(text.size()) +
                    " characters; it should be at most " + std::to_string(kLongestPath);
         if (inside_.size() > kDeepestInclude)
-            return "files that include each other more than 8 deep";
+            return "files include each other more than 8 deep";
         if (known_.size() >= kMostFiles) return "more than 64 files in a scene";
         return "";
     }

@@ -1,8 +1,8 @@
-/// include = ["parts/floor.toml"]: a scene file and those it names as one document. What is
-/// included is read before what includes it, each file once.
+/// include = ["parts/floor.toml"]: merges a scene file and the files it names into one document.
+/// An included file is read before the including one, each file once.
 ///   lists of tables ([[body]], [[repeat]], ...)   one after the other
-///   single tables ([world], [values], ...)        key by key, the includer's own keys win
-///   everything else (title, seconds, ...)         the includer's own wins
+///   single tables ([world], [values], ...)        key by key, the including file's keys win
+///   everything else (title, seconds, ...)         the including file wins
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -22,8 +22,8 @@ struct Document {
     std::vector<std::string> files;  // that were included
 };
 
-/// `path`: where the text is from, and what `include` is relative to; nothing where it is from no
-/// file. Complains with the name of the file in which it is wrong; throws nothing.
+/// `path`: the text's file, to which `include` is relative; nothing if the text is not from a file.
+/// Errors name the file that they are in. Throws nothing.
 Document readDocument(std::string_view text, const std::string& name,
                       const std::optional<std::filesystem::path>& path, Complaints& complaints);
 

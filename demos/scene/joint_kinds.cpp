@@ -53,7 +53,7 @@ const JointKind kJointKinds[] = {
      {"anchor_b", "closed", "limits", "motor", "spring", "soft"}},
 };
 
-/// What a key that is missing might say.
+/// An example of each required key, for the message that it is missing.
 constexpr std::pair<const char*, const char*> kNeededKeyExamples[] = {
     {"axis", "[0, 0, 1]"},
     {"axis2", "[1, 0, 0]"},

@@ -1,4 +1,4 @@
-/// The types of joints as a scene file calls them, and which keys each of them takes.
+/// The types of joints by their names in scene files, and the keys that each of them takes.
 #pragma once
 #include <span>
 #include <string>
@@ -12,7 +12,7 @@ namespace demos {
 struct JointKind {
     std::string name;
     engine::JointType type;
-    std::vector<std::string> needs, takes;  // keys; name, a, b, break_at, break_torque: all of them
+    std::vector<std::string> needs, takes;  // besides name, a, b, break_at, break_torque
 
     bool has(const std::string& key) const;
     /// "a hinge joint"
@@ -23,8 +23,8 @@ struct JointKind {
 std::span<const JointKind> jointKinds();
 std::vector<std::string> jointKindNames();
 
-/// Complains of keys that this kind lacks, with the kinds that have them, and of those that are
-/// not given and should be.
+/// Reports keys that this kind does not take, with the kinds that take them, and required keys that
+/// are missing.
 void checkJointKeys(Keys& keys, const JointKind& kind);
 
 }  // namespace demos

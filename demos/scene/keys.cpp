@@ -77,7 +77,7 @@ Place Keys::placeOf(std::string_view key) const {
 }
 
 void Keys::complain(std::string_view key, const std::string& what) {
-    const bool told = table_.kind != Value::Kind::table;  // that it is no table at all
+    const bool told = table_.kind != Value::Kind::table;  // reported already: it is not a table
     if (!told) complaints_.add(placeOf(key), what);
 }
 
@@ -125,7 +125,7 @@ std::optional<std::int64_t> Keys::large(std::string_view key, Range range) {
     if (!value) return std::nullopt;
     bool told = false;
     const std::optional<double> x = numberIn(*value, key, told);
-    // 60.0 is no whole number of the file, but what is computed has no other kind.
+    // 60.0 in the file does not count as whole, but the result of an expression is always a double.
     const bool whole = value->kind != Value::Kind::real && x && *x == std::floor(*x);
     if (whole && *x >= range.low && *x <= range.high) return static_cast<std::int64_t>(*x);
     if (!told) wrong(*value, key, wholeText(range), x);
@@ -271,7 +271,7 @@ void Keys::later(std::initializer_list<std::string_view> keys) {
 }
 
 void Keys::done() {
-    constexpr int kMostSuggestions = 100;  // of a file of nothing but unknown keys
+    constexpr int kMostSuggestions = 100;  // a file may consist of unknown keys only
     int unknown = 0;
     for (const Key& key : table_.keys) {
         if (holds(known_, key.name)) continue;

@@ -15,7 +15,7 @@ std::string readWholeFile(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) throw MeshFileError("there is no such file");
-    // Opening a FIFO waits, and /dev/zero never ends: neither is tried.
+    // Opening a FIFO blocks and /dev/zero never ends, so only regular files are opened.
     if (status.type() != fs::file_type::regular)
         throw MeshFileError("is not a regular file; it should be one");
     const std::uintmax_t size = fs::file_size(path, error);
@@ -40,7 +40,7 @@ TriangleMesh readMeshFile(const fs::path& path) {
 
 namespace {
 
-/// What makes two shapes from files the same one.
+/// The key of a shape from a file: equal for equal shapes.
 std::string nameOf(const char* key, const fs::path& path, const Placing& placing) {
     std::string name = key + ("\n" + path.string());
     for (int k = 0; k < 3; ++k) name += "\n" + numberText(placing.scale[k]);
@@ -53,7 +53,7 @@ std::span<const std::uint8_t> bytesOf(const std::vector<Item>& items) {
     return {reinterpret_cast<const std::uint8_t*>(items.data()), items.size() * sizeof(Item)};
 }
 
-/// Each once: a file may be read for several shapes.
+/// Adds each path once: a file may be read for several shapes.
 void notePaths(const fs::path& path, const TriangleMesh& mesh, std::vector<std::string>& paths) {
     std::vector<std::string> read = mesh.buffers;
     read.insert(read.begin(), path.string());
@@ -72,13 +72,13 @@ std::optional<engine::Shape> readShapeFile(
     if (!file) return std::nullopt;
     if (!files.folder) {
         keys.complain(key, "'" + *file +
-                               "' cannot be looked for, because the scene is no file "
-                               "itself; write the points instead");
+                               "' cannot be read, because the scene itself is not in a "
+                               "file; write the points instead");
         return std::nullopt;
     }
     if (file->empty()) {
         keys.complain(key, std::string(key) +
-                               " is an empty name; it should be that of a file, like \"rock.obj\"");
+                               " is an empty text; it should be a file name, like \"rock.obj\"");
         return std::nullopt;
     }
     const fs::path path = *files.folder / *file;

@@ -1,6 +1,6 @@
-// Wavefront OBJ. tinyobjloader knows how faces are cut into triangles; it takes a word for 0 and
-// any number for a corner's, so it is given lines that were checked, and the coordinates are ours:
-// no bit depends on its arithmetic.
+// Wavefront OBJ. tinyobjloader cuts faces into triangles. It reads a word as 0 and accepts any
+// number as an index, so it gets checked lines only. Coordinates are parsed here: no bit depends on
+// its arithmetic.
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -38,7 +38,7 @@ public:
     }
 
     const std::vector<engine::Vec3>& corners() const { return corners_; }
-    /// The lines "v x y z" and "f 1 2 3" alone.
+    /// Only the lines "v x y z" and "f 1 2 3".
     const std::string& text() const { return text_; }
     std::size_t triangles() const { return triangles_; }
 
@@ -89,14 +89,14 @@ private:
         corners_.push_back(corner);
     }
 
-    /// "7", "7/1", "7//3", "-1": the corner's number from 1, or back from the last one so far.
+    /// "7", "7/1", "7//3", "-1": a corner's number from 1, or back from the last one so far.
     int reference(std::string_view word) const {
         int number = 0;
         const char* end = word.data() + word.size();
         const auto read = std::from_chars(word.data(), end, number);
         if (read.ec != std::errc() || (read.ptr != end && *read.ptr != '/') || number == 0)
             fail(number_, "'" + std::string(word) +
-                              "' should be a corner's number, from 1, or from -1 backwards");
+                              "' should be a corner's number: from 1, or backwards from -1");
         const int known = static_cast<int>(corners_.size());
         if (number < -known)
             fail(number_, "corner " + std::to_string(number) + "; there are " +
@@ -143,7 +143,7 @@ TriangleMesh objMesh(const std::string& text) {
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
-    // Without a reader of materials it opens no other file.
+    // Without a material reader it does not open other files.
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr,
                           true))
         throw MeshFileError("is not an OBJ file: " + error);

@@ -31,7 +31,7 @@ bool isCalled(const Value& table, const std::string& name) {
     return own && own->text == name;
 }
 
-/// Itself, or what a [[repeat]] holds.
+/// Whether the item, or what it repeats, has this name.
 bool holdsCalled(const Value& item, const std::string& name) {
     if (isCalled(item, name)) return true;
     for (const char* key : {"body", "joint", "force"})
@@ -51,7 +51,7 @@ std::optional<std::size_t> numberOf(const std::string& part) {
     return std::nullopt;
 }
 
-/// Of a list: the item with this number, or this name; null when there is none.
+/// The item of a list with this number or name; null if there is none.
 Value* listItem(Value& list, const std::string& part) {
     if (const std::optional<std::size_t> number = numberOf(part))
         return *number < list.items.size() ? &list.items[*number] : nullptr;
@@ -60,7 +60,7 @@ Value* listItem(Value& list, const std::string& part) {
     return nullptr;
 }
 
-/// What --set cannot do, and why; empty where it can.
+/// Why --set cannot change this; empty if it can.
 std::string whyNot(const std::vector<std::string>& path, const Value& document) {
     if (path[0] == "include") return "files are included before --set; name them in the scene";
     if (path[0] != "values" || path.size() < 2) return "";
@@ -81,14 +81,14 @@ Value* memberOf(Value& table, const std::string& part, Place place) {
     return &table.items.back();
 }
 
-/// What a path leads to, in a table with its key.
+/// The value at a path and, in a table, its key.
 struct Setting {
     Value* value = nullptr;
     Key* key = nullptr;
 };
 
-/// Tables are made where there are none; lists, whose items have numbers, are not. Complains, and
-/// gives no value, where the path leads nowhere.
+/// Missing tables are created, missing lists and items are not. If the path leads nowhere, reports
+/// an error and gives no value.
 Setting settingAt(const std::vector<std::string>& path, Place place, Value& document,
                   Complaints& complaints) {
     Setting at{&document, nullptr};

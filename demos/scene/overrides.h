@@ -7,9 +7,9 @@
 
 namespace demos {
 
-/// `dotted.key=value`, put into the document as if the file had said so. A member of a list of
-/// tables is called by its number or its name: `body.3.mass=5`, `body.ball.mass=5`; a [[repeat]] by
-/// that of what it repeats as well: `repeat.box{i}.count=5`. A part in quotes may have dots.
+/// Puts `dotted.key=value` into the document as if it were written in the file. A table in a list
+/// is addressed by its number or its name: `body.3.mass=5`, `body.ball.mass=5`; a [[repeat]] also
+/// by the name of what it repeats: `repeat.box{i}.count=5`. A part in quotes may contain dots.
 void applyOverrides(const std::vector<std::string>& overrides, Value& document,
                     Complaints& complaints);
 

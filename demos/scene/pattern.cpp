@@ -3,7 +3,7 @@
 namespace demos {
 
 bool matches(std::string_view pattern, std::string_view name) {
-    // Greedy with one step back: when a letter fails, the last star takes one letter more.
+    // Greedy with backtracking: on a mismatch the last star takes one more character.
     std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
     while (n < name.size()) {
         if (p < pattern.size() && pattern[p] == '*') {

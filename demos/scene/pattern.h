@@ -4,10 +4,10 @@
 
 namespace demos {
 
-/// `*`: any letters, also none.
+/// `*` matches any characters, also none.
 bool matches(std::string_view pattern, std::string_view name);
 
-/// One of the patterns of a list with commas: "box*,ball".
+/// Whether one pattern of a comma-separated list matches: "box*,ball".
 bool matchesAny(std::string_view patterns, std::string_view name);
 
 }  // namespace demos

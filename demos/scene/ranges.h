@@ -1,10 +1,10 @@
-/// What numbers of scenes may be, where several tables have such a number.
+/// Ranges of numbers that several tables of a scene have.
 #pragma once
 #include "demos/scene/catalog.h"
 
 namespace demos {
 
-inline constexpr Range kMeters{-1e5, 1e5, "m"};  // places and ways
+inline constexpr Range kMeters{-1e5, 1e5, "m"};  // positions and translations
 inline constexpr Range kSize{1e-3, 1e3, "m"};
 inline constexpr Range kDegrees{-1e6, 1e6, "deg"};
 inline constexpr Range kSpeed{-1e4, 1e4, "m/s"};

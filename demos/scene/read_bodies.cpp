@@ -49,7 +49,7 @@ Quat readRotation(Keys& keys) {
     return turned;
 }
 
-/// One body of the file, or of one turn of a [[repeat]].
+/// Reads one body of the file, or of one turn of a [[repeat]].
 class BodyReader {
 public:
     BodyReader(const Instance& instance, const Materials& materials, ShapeFiles& files,
@@ -62,7 +62,7 @@ public:
         body_.place = instance.table->place;
     }
 
-    /// Without a name when it has none that can be used.
+    /// The name is empty if the file has no valid one.
     BodyDescription read() {
         readName();
         readMaterial();
@@ -91,7 +91,8 @@ private:
         const std::string name = instance_.named(*text, keys_, "name");
         if (complaints_.count() > before) return;
         if (name == "world")
-            keys_.complain("name", "a body cannot be called 'world': so joints call what is fixed");
+            keys_.complain("name", "a body cannot be called 'world': joints use this name for the "
+                                   "fixed world");
         else if (checkName(name, keys_.placeOf("name"), "name", complaints_))
             body_.name = name;
     }
@@ -151,7 +152,7 @@ private:
         massless_ = type == engine::ShapeType::plane || type == engine::ShapeType::mesh;
         if (shapeKnown_ && type == engine::ShapeType::mesh)
             keys_.complain("shape",
-                           "a mesh or height_field that can be moved; write fixed = true "
+                           "a mesh or height_field cannot be dynamic; write fixed = true "
                            "or kinematic, or make it a hull");
     }
 
@@ -171,8 +172,8 @@ private:
         putCentreOfMass();
     }
 
-    /// `at` and paths tell where the origin of a hull's points or a compound's parts is; the
-    /// engine's poses are of the centre of mass.
+    /// `at` and paths give the position of the origin of a hull's points or a compound's parts; the
+    /// engine's poses are those of the centre of mass.
     void putCentreOfMass() {
         engine::Pose& pose = body_.def.pose;
         pose.position -= pose.rotation * body_.def.shape.origin;
@@ -189,10 +190,10 @@ private:
         if (velocity) body_.def.velocity = *velocity;
         if (spin) body_.def.spin = *spin;
         if (body_.def.velocity.norm() >= kSpeed.high)
-            keys_.complain("velocity", "velocity should be slower than 10000 m/s in all");
+            keys_.complain("velocity", "the magnitude of velocity should be below 10000 m/s");
     }
 
-    /// Whom it collides with.
+    /// What the body collides with.
     void readMeetings() {
         body_.def.sensor = keys_.truth("sensor").value_or(false);
         body_.groups = keys_.texts("group").value_or(std::vector<std::string>{});
@@ -221,12 +222,12 @@ private:
                                         " kg; it should be from 1e-06 to 1e+09 kg: give a mass");
     }
 
-    /// Of pebbles a mile apart rounding leaves nothing about the line through them.
+    /// For small parts far apart, rounding leaves no inertia about the line through them.
     void checkInertia(double mass) {
         if (body_.def.inertia) return;
         const Eigen::LLT<engine::Mat3> factor(engine::inertiaOf(body_.def.shape, mass));
         if (factor.info() != Eigen::Success)
-            keys_.complain("shape", "its inertia is not positive definite, because it is so thin "
+            keys_.complain("shape", "its inertia is not positive definite, because it is too thin "
                                     "for its length; give an inertia");
     }
 
@@ -237,7 +238,7 @@ private:
     Keys keys_;
     BodyDescription body_;
     bool shapeKnown_ = false;
-    bool massless_ = false;  // a plane or mesh that could be moved: an error, which is reported
+    bool massless_ = false;  // a dynamic plane or mesh: an error that is reported elsewhere
 };
 
 }  // namespace
@@ -299,7 +300,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
                        SceneDescription& scene, Complaints& complaints) {
     BodyNumbers numbers;
     ShapeFiles files{scene.folder, {}};
-    const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
+    const Value* complainedOf = nullptr;  // one message for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         const int before = complaints.count();
         std::string told;
@@ -307,7 +308,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
         if (instance.table != complainedOf)
             body = BodyReader(instance, materials, files, complaints).read();
         else if (const Value* name = instance.table->find("name"))
-            body.name = instance.named(name->text, told);  // so that joints find it
+            body.name = instance.named(name->text, told);  // for joints that name it
         const int number = static_cast<int>(scene.bodies.size());
         const bool twice = !body.name.empty() && !numbers.insert({body.name, number}).second;
         if (twice && instance.table != complainedOf)

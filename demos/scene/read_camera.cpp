@@ -12,7 +12,7 @@ namespace {
 
 constexpr Range kFieldOfView{1.0, 170.0, "deg"};
 
-/// m: how far the sight is from upright. The picture has no top when the camera looks along y.
+/// m: the horizontal length of the line of sight. A camera that looks along y has no "up".
 double aside(const Vec3& sight) { return std::hypot(sight.x(), sight.z()); }
 
 bool isUpright(const Vec3& sight) { return aside(sight) < 1e-4 * sight.norm(); }
@@ -24,17 +24,17 @@ void checkView(Keys& keys, const Vec3& sight) {
         keys.complain("from", "the camera looks straight up or down; move it a little aside");
 }
 
-/// Between the keys the sight runs along a + s (b - a), 0 <= s <= 1: no nearer to upright than the
-/// ends may be.
+/// Between the keys the line of sight is a + s (b - a), 0 <= s <= 1. The limit of isUpright applies
+/// there too.
 void checkWay(Keys& keys, const Vec3& a, const Vec3& b) {
-    if (isUpright(a) || isUpright(b)) return;  // is reported already
+    if (isUpright(a) || isUpright(b)) return;  // reported already
     const Vec3 way(b.x() - a.x(), 0.0, b.z() - a.z());
     const double length = way.squaredNorm();
     const double s = length > 0.0 ? std::clamp(-way.dot(a) / length, 0.0, 1.0) : 0.0;
     if (isUpright(a + s * (b - a)))
         keys.complain("at",
-                      "on the way to this key the camera is straight above, below or in the "
-                      "point that it looks at; lead it round by a key in between");
+                      "on the way to this key the camera passes straight above, below or through "
+                      "the point that it looks at; lead it around with a key in between");
 }
 
 Ease readEase(Keys& keys) {
@@ -80,7 +80,7 @@ void readKeys(Keys& keys, SceneDescription& scene) {
     }
 }
 
-/// The name of a body, or a complaint.
+/// Reports an error if `name` is not that of a body.
 void checkBody(Keys& keys, const char* key, const std::string& name, const BodyNumbers& numbers,
                const SceneDescription& scene) {
     if (!name.empty() && !numbers.contains(name))
@@ -117,7 +117,7 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene) 
     checkBody(keys, "follow", camera.follow, numbers, scene);
     set(camera.followLag, keys.number("follow_lag", {0.0, 100.0, "s"}));
     if (keys.has("follow_lag") && !keys.has("follow"))
-        keys.complain("follow_lag", "follow_lag is of a camera that follows; write follow = too");
+        keys.complain("follow_lag", "follow_lag needs a body to follow; write follow = \"NAME\"");
     checkView(keys, camera.lookAt - camera.from);
     readLens(keys, numbers, scene);
     readKeys(keys, scene);

@@ -13,7 +13,7 @@ using engine::ShapeType;
 
 constexpr std::size_t kMostParts = 1000;
 
-/// `at` is where the part's own origin lies, from that of the compound.
+/// `at` is the position of the part's own origin, from that of the compound.
 std::optional<ShapePart> readPart(Keys keys, ShapeReading& reading) {
     const Vec3 at = keys.vector("at", kMeters).value_or(Vec3(0, 0, 0));
     const Quat turn = readTurn(keys);
@@ -41,8 +41,8 @@ std::optional<Shape> readCompound(Keys& keys, ShapeReading& reading) {
     const std::vector<const Value*> tables = keys.tables("compound");
     const bool list = keys.any("compound")->kind == Value::Kind::array;
     if (list && (tables.empty() || tables.size() > kMostParts))
-        keys.complain("compound", "compound is " + std::to_string(tables.size()) +
-                                      " parts; it should be 1 to " + std::to_string(kMostParts));
+        keys.complain("compound", "compound has " + std::to_string(tables.size()) +
+                                      " parts; it should have 1 to " + std::to_string(kMostParts));
     if (tables.size() > kMostParts) return std::nullopt;
     std::vector<ShapePart> parts;
     for (const Value* table : tables)

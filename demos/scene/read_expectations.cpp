@@ -57,7 +57,7 @@ private:
         const auto patterns = keys_.texts("of");
         if (!patterns || !known_) return;
         if (e_.what == What::penetration || e_.what == What::energy) {
-            keys_.complain("of", "penetration and energy are of the whole world; leave `of` out");
+            keys_.complain("of", "penetration and energy are for the whole world; leave `of` out");
             return;
         }
         const bool joints = e_.what == What::separation;
@@ -106,7 +106,8 @@ private:
         e_.until = keys_.number("until", film);
         if (e_.until && *e_.until < e_.after)
             keys_.complain("until", "until is " + numberText(*e_.until) +
-                                        "; it should not be before after, " + numberText(e_.after));
+                                        "; it should not be earlier than after, " +
+                                        numberText(e_.after));
     }
 
     const SceneDescription& scene_;

@@ -20,7 +20,7 @@ void checkWord(Keys& keys, std::string_view key, const std::string& what, const 
                                suggestion(name, names));
 }
 
-/// "first", "last", or a time.
+/// "first", "last" or a time.
 std::optional<std::string> readPoster(Keys& keys, double seconds) {
     const Value* value = keys.any("poster");
     if (!value || !value->isNumber()) return keys.word("poster", {"first", "last"});

@@ -83,7 +83,7 @@ private:
         return scene_.bodies[body].def.kind == engine::BodyKind::dynamic;
     }
 
-    /// Without 'on': all that can be moved.
+    /// Without 'on': all dynamic bodies.
     void readOn() {
         std::vector<std::string> patterns{"*"};
         if (const auto given = keys_.texts("on")) patterns = *given;
@@ -109,8 +109,8 @@ private:
             known = true;
         }
         if (known)
-            keys_.complain("on", "nothing that '" + pattern +
-                                     "' names can be moved; a force should act on bodies that are "
+            keys_.complain("on", "no body called '" + pattern +
+                                     "' can be moved; a force should act on bodies that are "
                                      "neither fixed nor kinematic");
         else
             keys_.complain("on", "no body is called '" + pattern + "'" +
@@ -142,7 +142,7 @@ private:
         def().on = {{a}, {b}};
         if (complaints_.count() > before) return;
         if (a == b)
-            keys_.complain("b", "a spring of a body with itself; a and b should be two bodies");
+            keys_.complain("b", "a spring of a body with itself; a and b should differ");
         else if ((a < 0 || !isDynamic(a)) && (b < 0 || !isDynamic(b)))
             keys_.complain("b", "neither end of the spring can be moved; one of them should be a "
                                 "body that is neither fixed nor kinematic");
@@ -189,8 +189,8 @@ private:
 
     engine::Drag readDrag() {
         if (!keys_.has("linear") && !keys_.has("angular"))
-            keys_.complain("type", "a drag of nothing; write linear = 0.5 (N s/m) or "
-                                   "angular = 0.1 (N m s)");
+            keys_.complain("type", "a drag has neither linear nor angular; write "
+                                   "linear = 0.5 (N s/m) or angular = 0.1 (N m s)");
         return {keys_.number("linear", {0.0, 1e9, "N s/m"}).value_or(0.0),
                 keys_.number("angular", {0.0, 1e9, "N m s"}).value_or(0.0)};
     }
@@ -198,7 +198,7 @@ private:
     engine::PointGravity readPointGravity() {
         engine::PointGravity gravity;
         if (!keys_.has("at"))
-            keys_.complain("type", "gravity towards which point? write at = [0, 0, 0]");
+            keys_.complain("type", "a point-gravity has no at; write at = [0, 0, 0]");
         if (const auto at = keys_.vector("at", kMeters)) gravity.centre = instance_.point(*at);
         gravity.strength = required("strength", {-1e20, 1e20, "m^3/s^2"}, "strength = 10");
         gravity.softening = keys_.number("softening", {0.0, 1e5, "m"}).value_or(0.0);
@@ -220,7 +220,7 @@ private:
         return body < 0 ? engine::Pose{} : scene_.bodies[body].def.pose;
     }
 
-    /// From the origin of the body's shape, as written; its centre of mass when not given.
+    /// Written from the origin of the body's shape; the centre of mass if it is missing.
     Vec3 readAnchor(const char* key, int body) {
         const std::optional<Vec3> anchor = keys_.vector(key, kMeters);
         if (body < 0) return instance_.point(anchor.value_or(Vec3(0, 0, 0)));
@@ -241,8 +241,8 @@ private:
 
     engine::ConstantForce readConstant() {
         if (!keys_.has("force") && !keys_.has("torque"))
-            keys_.complain("type", "a constant force of nothing; write force = [10, 0, 0] (N) or "
-                                   "torque = [0, 1, 0] (N m)");
+            keys_.complain("type", "a constant force has neither force nor torque; write "
+                                   "force = [10, 0, 0] (N) or torque = [0, 1, 0] (N m)");
         engine::ConstantForce force;
         force.force = keys_.vector("force", kNewtons).value_or(force.force);
         force.torque = keys_.vector("torque", {-1e12, 1e12, "N m"}).value_or(force.torque);
@@ -254,14 +254,14 @@ private:
         return force;
     }
 
-    /// Chord and normal, made unit and square to each other.
+    /// Chord and normal as unit vectors at right angles.
     void readFrame(engine::Airfoil& airfoil) {
         const Vec3 chord = keys_.vector("chord", {-1e6, 1e6}).value_or(airfoil.chord);
         const Vec3 normal = keys_.vector("normal", {-1e6, 1e6}).value_or(airfoil.normal);
         if (chord.cross(normal).norm() <= 1e-6 * chord.norm() * normal.norm() ||
             chord.cross(normal).norm() == 0.0) {
             keys_.complain(keys_.has("normal") ? "normal" : "chord",
-                           "chord and normal should be two directions, across each other, like "
+                           "chord and normal should be two directions that are not parallel, like "
                            "[1, 0, 0] and [0, 1, 0]");
             return;
         }
@@ -298,7 +298,7 @@ private:
 
 void readForces(const std::vector<Instance>& instances, const BodyNumbers& numbers,
                 SceneDescription& scene, Complaints& complaints) {
-    const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
+    const Value* complainedOf = nullptr;  // one message for all turns of a [[repeat]]
     for (const Instance& instance : instances) {
         if (instance.table == complainedOf) continue;
         const int before = complaints.count();

@@ -36,7 +36,7 @@ unsigned bitsOf(const std::vector<std::string>& names, const std::vector<std::st
 void numberGroups(SceneDescription& scene, Complaints& complaints) {
     std::vector<std::string> known;
     for (const BodyDescription& body : scene.bodies) collect(body, known, complaints);
-    Place complainedOf;  // once is enough for all turns of a [[repeat]]
+    Place complainedOf;  // one message for all turns of a [[repeat]]
     for (BodyDescription& body : scene.bodies) {
         body.def.groups = bitsOf(body.groups, known);
         body.def.ignores = bitsOf(body.ignores, known);
@@ -46,8 +46,8 @@ void numberGroups(SceneDescription& scene, Complaints& complaints) {
             if (isKnown || (place.line == complainedOf.line && place.column == complainedOf.column))
                 continue;
             complainedOf = place;
-            complaints.add(place, "no body is of the group '" + name + "'" +
-                                      (known.empty() ? "; write group = \"" + name + "\" in one"
+            complaints.add(place, "no body is in the group '" + name + "'" +
+                                      (known.empty() ? "; write group = \"" + name + "\" in a body"
                                                      : suggestion(name, known)));
         }
     }

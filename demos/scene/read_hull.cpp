@@ -11,7 +11,7 @@ namespace {
 
 using engine::Shape;
 
-/// Complains of what no hull can be made of.
+/// Reports points that do not make a hull.
 bool checkPoints(Keys& keys, const std::string& of, const std::vector<Vec3>& points) {
     Vec3 low = Vec3::Constant(1e300), high = -low;
     for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);

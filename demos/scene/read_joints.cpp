@@ -61,7 +61,7 @@ private:
         if (kind_) def().type = kind_->type;
     }
 
-    /// The place in scene.bodies; -1 for 'world' and for what is wrong.
+    /// The index in scene.bodies; -1 for 'world' and after an error.
     int readBody(const char* key) {
         if (!keys_.has(key))
             keys_.complain(key, std::string("a [[joint]] has no ") + key + "; write " + key +
@@ -90,7 +90,7 @@ private:
         if (complaints_.count() > before) return;
         if (a() == b())
             keys_.complain(
-                "b", "a joint of '" + nameOf(b()) + "' with itself; a and b should be two bodies");
+                "b", "a joint of '" + nameOf(b()) + "' with itself; a and b should differ");
         else if (!isDynamic(a()) && !isDynamic(b()))
             keys_.complain("b", "neither '" + nameOf(a()) + "' nor '" + nameOf(b()) +
                                     "' can be moved; one of a joint's bodies should be dynamic");
@@ -115,8 +115,8 @@ private:
         return body < 0 ? engine::Pose{} : scene_.bodies[body].def.pose;
     }
 
-    /// From the origin of the body's shape, as written, to its centre of mass; points of the world
-    /// are moved by [[repeat]], like a body would be.
+    /// From the origin of the body's shape, as written, to its centre of mass. Points of the world
+    /// are moved by [[repeat]] like a body.
     Vec3 local(int body, const Vec3& point) const {
         return body < 0 ? instance_.point(point)
                         : Vec3(point + scene_.bodies[body].def.shape.origin);
@@ -146,7 +146,7 @@ private:
         }
     }
 
-    /// Two points of their own; the centres of mass, where they are not given.
+    /// Two separate points; the centres of mass by default.
     void placeEnds(const std::optional<Vec3>& anchorA, const std::optional<Vec3>& anchorB) {
         const char* worldEnd = a() < 0 ? "anchor_a" : b() < 0 ? "anchor_b" : nullptr;
         if (good() && worldEnd && kind_->has(worldEnd) && !keys_.has(worldEnd))
@@ -182,7 +182,7 @@ private:
                            "axis2 of " + kind_->text() + " should be at right angles to axis");
     }
 
-    /// One of the free coordinates of the types that have one or two.
+    /// For the types with one or two free coordinates.
     void readCoordinates() {
         const bool isWay = def().type == JointType::distance || def().type == JointType::slider ||
                            def().type == JointType::wheel || def().type == JointType::path;
@@ -211,18 +211,18 @@ private:
         def().breakTorque = keys_.number("break_torque", newtonMetres).value_or(engine::kUnlimited);
     }
 
-    /// What one type alone has.
+    /// Keys of a single type.
     void readRest() {
         const bool limited = keys_.has("twist_deg") || keys_.has("swing_deg");
         if (def().type == JointType::ball && limited && !keys_.has("axis"))
-            keys_.complain("type", "twist and swing of which axis? write axis = [0, 1, 0]");
+            keys_.complain("type", "twist_deg and swing_deg need an axis; write axis = [0, 1, 0]");
         if (def().type == JointType::distance) readLength();
         if (def().type == JointType::sixDof) readSixDof();
         if (def().type == JointType::gear) readRatio();
         if (def().type == JointType::path) readPath();
         if (def().type == JointType::lookAt && good() && endsApart() < kShortest)
             keys_.complain("type",
-                           "the ends of a look-at joint are in one place; they should be at "
+                           "the ends of a look-at joint are at the same point; they should be at "
                            "least 0.001 m apart: b looks from anchor_b at anchor_a");
     }
 
@@ -230,11 +230,12 @@ private:
         const auto length = keys_.number("length", {kShortest, 1e5, "m"});
         def().length = length.value_or(endsApart());
         if (def().free[0].limits.low < 0.0 && keys_.has("limits"))
-            keys_.complain("limits", "limits of a distance should not be below 0");
+            keys_.complain("limits", "limits of a distance joint should not be below 0");
         const bool held = def().spring.isSoft() || !def().acts();
         if (good() && held && def().length < kShortest)
             keys_.complain("type", "the ends of a distance joint are " + numberText(def().length) +
-                                       " m apart; they should be at least 0.001 m: or use a ball");
+                                       " m apart; they should be at least 0.001 m apart, or use a "
+                                       "ball");
     }
 
     void readSixDof() {
@@ -250,17 +251,17 @@ private:
                            "\"locked\", or y, z, rx, ry, rz");
         if (keys_.has("axis") != keys_.has("axis2"))
             keys_.complain(keys_.has("axis") ? "axis" : "axis2",
-                           "a six-dof joint has axis (its x) and axis2 (its y), or neither: the "
-                           "world's axes");
+                           "a six-dof joint has axis (its x) and axis2 (its y), or neither for "
+                           "the world's axes");
         else if (good() && keys_.has("axis") && def().axis.cross(def().axis2).norm() < 1e-3)
-            keys_.complain("axis2", "axis2 should be across axis");
+            keys_.complain("axis2", "axis2 should not be parallel to axis");
     }
 
     void readRatio() {
         def().ratio = keys_.number("ratio", {-1e4, 1e4}).value_or(1.0);
         if (std::abs(def().ratio) >= 1e-4) return;
         keys_.complain("ratio", "ratio is " + numberText(def().ratio) +
-                                    "; it should be from 0.0001 to 10000, or as much below 0");
+                                    "; it should be from 0.0001 to 10000, or -10000 to -0.0001");
     }
 
     void readPath() {
@@ -270,7 +271,7 @@ private:
         if (!points) return;
         const std::size_t least = def().closed ? 3 : 2;
         if (points->size() < least || points->size() > kMostPoints) {
-            keys_.complain("points", "points are " + std::to_string(points->size()) +
+            keys_.complain("points", "the number of points is " + std::to_string(points->size()) +
                                          "; a path should have " + std::to_string(least) + " to " +
                                          std::to_string(kMostPoints));
             return;
@@ -280,8 +281,8 @@ private:
             const Vec3& before = i == 0 ? points->back() : (*points)[i - 1];
             if (((*points)[i] - before).norm() >= kShortest) continue;
             keys_.complain("points", "point " + std::to_string(i) +
-                                         " of the path is where the one "
-                                         "before it is; they should be at least 0.001 m apart" +
+                                         " of the path is at the same place as the one before; "
+                                         "they should be at least 0.001 m apart" +
                                          (i == 0 ? ": leave the last one out" : ""));
             return;
         }
@@ -301,7 +302,7 @@ private:
 
 void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbers,
                 SceneDescription& scene, Complaints& complaints) {
-    const Value* complainedOf = nullptr;  // once is enough for all turns of a [[repeat]]
+    const Value* complainedOf = nullptr;  // one message for all turns of a [[repeat]]
     std::set<std::string> given;
     for (const Instance& instance : instances) {
         if (instance.table == complainedOf) continue;

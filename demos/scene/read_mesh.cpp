@@ -28,14 +28,14 @@ std::optional<Shape> meshOf(Keys& keys, const std::string& of, const TriangleMes
                                   " triangles; it should have at most a million");
     else if (!hasAnArea(mesh))
         keys.complain("mesh", "no triangle of " + of +
-                                  " has an area; one or more should have "
+                                  " has an area; at least one should have "
                                   "1e-12 m^2");
     else
         return Shape::meshOf(mesh.corners, mesh.triangles);
     return std::nullopt;
 }
 
-/// Three corners by their numbers, from 0.
+/// Three indices of corners, from 0.
 std::optional<std::array<int, 3>> triangleOf(const Vec3& numbers, std::size_t corners) {
     std::array<int, 3> triangle{};
     for (int k = 0; k < 3; ++k) {
@@ -103,9 +103,9 @@ std::optional<Shape> readHeightField(Keys& shape, ShapeReading&) {
     if (!columns || !rows || !spacing || !heights) return std::nullopt;
     const auto needed = static_cast<std::size_t>(*columns) * static_cast<std::size_t>(*rows);
     if (heights->size() == needed) return Shape::heightField(*columns, *rows, *spacing, *heights);
-    keys.complain("heights", "heights are " + std::to_string(heights->size()) +
-                                 "; they should be " + std::to_string(needed) +
-                                 ", columns times rows, row after row, x running fastest");
+    keys.complain("heights", "the number of heights is " + std::to_string(heights->size()) +
+                                 "; it should be " + std::to_string(needed) +
+                                 ", columns times rows: row after row, x running fastest");
     return std::nullopt;
 }
 

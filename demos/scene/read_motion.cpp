@@ -14,18 +14,18 @@ std::optional<std::vector<Vec3>> readPoints(Keys& keys) {
     return std::nullopt;
 }
 
-/// Empty after a complaint.
+/// Empty after an error.
 std::vector<double> readTimes(Keys& keys, std::size_t points) {
     if (!keys.has("times"))
-        keys.complain("path", "a path has no times; write times = [0, 2, ...], one for each of "
-                              "its points, in s");
+        keys.complain("path", "a path has no times; write times = [0, 2, ...], one per point, "
+                              "in s");
     const std::optional<std::vector<double>> times = keys.numbers("times", {0.0, 1e5, "s"});
     if (!times) return {};
     bool rising = !times->empty() && times->front() == 0.0;
     for (std::size_t i = 1; i < times->size(); ++i)
         rising = rising && (*times)[i] > (*times)[i - 1];
     if (times->size() == points && rising) return *times;
-    keys.complain("times", "times are " + std::to_string(times->size()) + " for " +
+    keys.complain("times", "there are " + std::to_string(times->size()) + " times for " +
                                std::to_string(points) +
                                " points; they should be as many, begin with 0 and rise");
     return {};
@@ -45,7 +45,7 @@ std::optional<PointPath> readPointPath(Keys& keys, const Instance& instance) {
     if (path.times.empty()) return std::nullopt;
     if (path.loop && points->front() != points->back()) {
         keys.complain("loop", "a path that loops should end where it began; write its first point "
-                              "once more, with a time of its own");
+                              "again at the end, with a time of its own");
         return std::nullopt;
     }
     for (const Vec3& point : *points) path.points.push_back(instance.point(point));
@@ -54,7 +54,7 @@ std::optional<PointPath> readPointPath(Keys& keys, const Instance& instance) {
 
 std::optional<Orbit> readOrbit(Keys keys, const Instance& instance) {
     if (!keys.has("centre") || !keys.has("deg_per_s"))
-        keys.complain("centre", "an orbit should say about what and how fast; write "
+        keys.complain("centre", "an orbit needs centre and deg_per_s; write "
                                 "orbit = { centre = [0, 1, 0], axis = [0, 1, 0], deg_per_s = 90 }");
     Orbit orbit;
     const std::optional<Vec3> centre = keys.vector("centre", kMeters);

@@ -16,7 +16,7 @@ engine::Settings presetOf(Keys& keys, SceneDescription& scene) {
     return presetCalled(scene.preset);
 }
 
-/// One of the words for these values, if there is any.
+/// Reads one of the words for these values, if the key is given.
 template <class Enum>
 void readWord(Keys& keys, const char* key, std::initializer_list<Enum> all, Enum& to) {
     std::vector<std::string> words;
@@ -77,7 +77,7 @@ void readWorld(Keys& top, SceneDescription& scene) {
     Keys keys = top.inner(*table, "[world]");
     set(scene.gravity, keys.vector("gravity", {-1e4, 1e4, "m/s^2"}));
     set(scene.hz, keys.whole("hz", {10, 100'000, "steps a second"}));
-    constexpr double kLargest = 9007199254740992.0;  // 2^53: exact in every reader of TOML
+    constexpr double kLargest = 9007199254740992.0;  // 2^53: exact in every TOML parser
     if (const auto seed = keys.large("seed", {0, kLargest}))
         scene.seed = static_cast<std::uint64_t>(*seed);
     keys.done();

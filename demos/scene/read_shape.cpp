@@ -1,4 +1,4 @@
-// shape = { sphere = 0.5 } and its kin
+// shape = { sphere = 0.5 } and all other shapes
 
 #include "demos/scene/read_shape.h"
 
@@ -25,7 +25,7 @@ struct Round {
     double radius, height;  // m
 };
 
-/// Of { radius, height }.
+/// Reads { radius, height }.
 std::optional<Round> readRound(Keys& shape, const char* key) {
     const std::string kind = key;
     Keys keys = shape.inner(*shape.any(key), "a " + kind);
@@ -64,7 +64,7 @@ std::optional<Shape> readPlane(Keys& keys, ShapeReading&) {
     if (!normal) return std::nullopt;
     if (normal->norm() >= 1e-6) return Shape::plane(*normal);
     keys.complain("plane",
-                  "plane is [0, 0, 0]; it should be the direction out of the solid, "
+                  "plane is [0, 0, 0]; it should be its normal, the direction out of the solid, "
                   "like [0, 1, 0]");
     return std::nullopt;
 }
@@ -87,12 +87,12 @@ std::string kindNames() {
     return anyOf(names);
 }
 
-/// Points are scaled and turned; what has sizes and an orientation of its own is not.
+/// Only points can be scaled and rotated, not shapes with sizes of their own.
 void refusePlacing(Keys& keys, const std::string& kind) {
     for (const char* key : {"scale", "turn_deg"})
         if (keys.any(key))
-            keys.complain(key, std::string(key) + " of a shape that is a " + kind +
-                                   "; it should be left out: only hull and mesh have it");
+            keys.complain(key, std::string(key) + " is given for a " + kind +
+                                   "; leave it out: only hull and mesh take it");
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ bool placePoints(Keys& keys, const char* key, const std::string& of, const Placi
     constexpr double kFarthest = 1e5;  // m
     for (Vec3& p : points) {
         p = placing.of(p);
-        if ((p.array().abs() <= kFarthest).all()) continue;  // false for what is no number too
+        if ((p.array().abs() <= kFarthest).all()) continue;  // false for NaN too
         keys.complain(key, of + " has a point (" + numberText(p.x()) + ", " + numberText(p.y()) +
                                ", " + numberText(p.z()) +
                                "); all should be within 100000 m: give a scale");
@@ -134,7 +134,7 @@ std::optional<Shape> readShapeTable(const Value& table, Keys keys, ShapeReading&
     std::optional<Shape> shape;
     int given = 0;
     for (const ShapeKind& kind : kShapeKinds) {
-        if (!keys.any(kind.key)) continue;  // so that all of them are known
+        if (!keys.any(kind.key)) continue;  // asks for every kind, so that none is unknown
         ++given;
         shape = kind.read(keys, reading);
         const std::string name = kind.key;

@@ -12,21 +12,21 @@
 
 namespace demos {
 
-/// Shapes from files, each file read once however many bodies have its shape.
+/// Shapes from files. A shape is built once, however many bodies use it.
 struct ShapeFiles {
-    std::optional<std::filesystem::path> folder;  // that they are relative to; none: no files
-    std::map<std::string, engine::Shape> known;   // by file, use, scale and turn
-    TextHash contents = {};                       // of what was read
-    std::vector<std::string> paths = {};          // that were read
+    std::optional<std::filesystem::path> folder;  // they are relative to it; none: no files
+    std::map<std::string, engine::Shape> known;   // by file, use, scale and rotation
+    TextHash contents = {};                       // of the points and triangles read
+    std::vector<std::string> paths = {};          // files that were read
 };
 
-/// What a shape needs to know besides its own keys.
+/// What reading a shape needs besides the shape's own keys.
 struct ShapeReading {
-    double density = 1000.0;  // kg/m^3, of the body: parts that give none have it
+    double density = 1000.0;  // kg/m^3, of the body: the default of its parts
     ShapeFiles& files;
 };
 
-/// The one shape that a table { sphere = 0.5 } tells; `keys`: of that table.
+/// The one shape that a table { sphere = 0.5 } describes; `keys`: of that table.
 std::optional<engine::Shape> readShapeTable(const Value& table, Keys keys, ShapeReading& reading);
 
 // Each reads one key of that table.
@@ -42,10 +42,10 @@ struct Placing {
     engine::Vec3 of(const engine::Vec3& p) const { return turn * scale.cwiseProduct(p); }
 };
 Placing readPlacing(Keys& keys);
-/// False, and a complaint of `key`, where they come to lie too far away.
+/// Places the points. False, with an error at `key`, if one is too far away.
 bool placePoints(Keys& keys, const char* key, const std::string& of, const Placing& placing,
                  std::vector<engine::Vec3>& points);
-/// `turn_deg` alone: about the fixed x, then y, then z.
+/// `turn_deg` alone: rotations about the fixed x, then y, then z axis.
 engine::Quat readTurn(Keys& keys);
 
 }  // namespace demos

@@ -8,7 +8,7 @@
 namespace demos {
 namespace {
 
-/// Other numbers than those that were measured need a reason, which reports repeat.
+/// Numbers other than the defaults need a reason, which reports repeat.
 void readReason(Keys& keys, const char* of, std::string& why) {
     set(why, keys.text("why"));
     if (why.empty())
@@ -41,16 +41,16 @@ void readSize(Keys& keys, Snapshot& snapshot) {
     const auto size = keys.numbers("size", kPixels);
     if (!size) return;
     if (size->size() != 2 || !std::all_of(size->begin(), size->end(), isWhole))
-        return keys.complain("size", "size should be two whole numbers [width, height] of pixels");
+        return keys.complain("size", "size should be two whole numbers [width, height] in pixels");
     snapshot.width = static_cast<int>((*size)[0]);
     snapshot.height = static_cast<int>((*size)[1]);
 }
 
-/// Pictures are kept and approved by their times, so no two may be of one.
+/// Pictures are identified by their times, so no two may have the same.
 void readTimes(Keys& keys, const SceneDescription& scene, std::vector<double>& times) {
     set(times, keys.numbers("times", {0.0, scene.seconds, "s"}));
     if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
-        keys.complain("times", "times should rise");
+        keys.complain("times", "times should be in rising order");
 }
 
 }  // namespace

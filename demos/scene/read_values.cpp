@@ -21,13 +21,13 @@ void readValues(Keys& top, Expressions& expressions, Complaints& complaints) {
     }
     for (const Key& key : list) expressions.announce(key.name);
     for (const Key& key : list) {
-        expressions.withdraw(key.name);  // of itself it is not later
+        expressions.withdraw(key.name);  // in its own expression it does not count as a later one
         const std::string wrong = expressions.whyNoName(key.name);
         if (!wrong.empty()) {
             complaints.add(key.place, "a value is called '" + shown(key.name) + "': " + wrong);
             continue;
         }
-        // Known even if its number is wrong: that is reported once.
+        // Defined even if its number is wrong, so that only this error is reported.
         expressions.define(key.name, keys.number(key.name, kNamedValue).value_or(1.0));
     }
 }

@@ -34,7 +34,7 @@ void readTop(Keys& top, SceneDescription& scene) {
     scene.title = top.text("title").value_or(scene.name);
     scene.purpose = top.text("purpose").value_or("");
     scene.group = top.text("group").value_or("");
-    // Times are not held against a length that is wrong: they would be told of its mistake again.
+    // If the length is wrong, times are not checked against it: that would report the error again.
     const Range lengths{0.01, 1e5, "s"};
     if (top.has("seconds") || top.isMisspelt("seconds")) scene.seconds = lengths.high;
     scene.seconds = top.number("seconds", lengths).value_or(scene.seconds);
@@ -71,7 +71,7 @@ SceneDescription describeScene(const Value& document, const std::string& sceneNa
     return scene;
 }
 
-/// Where a text of this name would be; nothing without a folder.
+/// The path of a text of this name; nothing without a folder.
 std::optional<fs::path> pathOf(const std::string& fileName, const std::optional<fs::path>& folder) {
     return folder ? std::optional(*folder / fs::path(fileName).filename()) : std::nullopt;
 }
@@ -113,7 +113,7 @@ std::string sceneNameOf(const fs::path& file) {
     const std::string name = file.stem().string();
     if (name == "." || name == "..")
         fail(file.string() + ": its name without the ending is '" + name +
-             "', which is a folder's; rename it");
+             "', which is the name of a folder; rename it");
     return name;
 }
 
@@ -124,7 +124,7 @@ std::string readSceneFile(const fs::path& path, const char* what, std::uintmax_t
     if (status.type() == fs::file_type::not_found) fail(name + ": there is no such file");
     if (status.type() == fs::file_type::directory)
         fail(name + ": is a directory; it should be " + what);
-    // Opening a FIFO waits, and /dev/zero never ends: neither is tried.
+    // Opening a FIFO blocks and /dev/zero never ends, so only regular files are opened.
     if (status.type() != fs::file_type::regular)
         fail(name + ": is not a regular file; it should be " + what);
     const std::uintmax_t size = fs::file_size(path, error);

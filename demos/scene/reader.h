@@ -1,4 +1,4 @@
-/// From a scene file's text to its description. Strict: what is not understood is an error.
+/// From a scene file's text to its description. Strict: anything not understood is an error.
 #pragma once
 #include <filesystem>
 #include <stdexcept>
@@ -12,7 +12,7 @@ namespace demos {
 
 class Catalog;
 
-/// All that is wrong with one scene, a line each: `file:line:column: what, value, what would be
+/// All errors of one scene, a line each: `file:line:column: what is wrong, its value, what would be
 /// right`, in the order of the file. Control bytes are escaped.
 class SceneError : public std::runtime_error {
 public:
@@ -23,25 +23,25 @@ private:
     std::vector<std::string> lines_;
 };
 
-/// `overrides`: "world.hz=240", set before anything is read, as if the file had said so. `folder`:
-/// of the files that the scene names; without one it may name none.
+/// `overrides`: "world.hz=240", applied before anything is read, as if written in the file.
+/// `folder`: that of the files which the scene names; without it the scene cannot name any.
 SceneDescription readScene(std::string_view text, const std::string& fileName,
                            const std::string& sceneName,
                            const std::vector<std::string>& overrides = {},
                            const std::optional<std::filesystem::path>& folder = std::nullopt);
 
-/// A file's name without its ending, which names outputs too. Throws SceneError for "..", which
-/// would be a folder.
+/// A file's name without its extension; outputs are named after it. Throws SceneError for "..",
+/// which is a folder.
 std::string sceneNameOf(const std::filesystem::path& file);
 
-constexpr std::uintmax_t kMostPartBytes = 64u << 20;  // of a mesh, say
+constexpr std::uintmax_t kMostPartBytes = 64u << 20;  // of a file that a scene names, like a mesh
 
-/// A regular file of at most so many bytes, 8 MiB unless given, or an error (SceneError) that says
-/// what it is instead.
+/// The text of a regular file of at most `most` bytes. Otherwise throws a SceneError, which states
+/// what the path is; `what`: what it should be.
 std::string readSceneFile(const std::filesystem::path& path, const char* what = "a scene file",
                           std::uintmax_t most = 8u << 20);
 
-/// What the reader asks of which table while it reads such a text, and its complaints.
+/// Reads the text, records every key that the reader asks for, and gives the errors.
 std::vector<std::string> catalogScene(std::string_view text, const std::string& name,
                                       Catalog& catalog);
 

@@ -12,9 +12,9 @@
 namespace demos {
 namespace {
 
-constexpr int kMostTurns = 100'000;  // of all [[repeat]]s: some may hold nothing
+constexpr int kMostTurns = 100'000;  // of all [[repeat]]s together: a turn may add nothing
 
-/// One [[repeat]] as written, for one turn of those around it.
+/// One [[repeat]] as written, for one turn of the [[repeat]]s around it.
 struct Repeat {
     int count = 0, countStep = 0;
     Vec3 step{0, 0, 0};      // m
@@ -40,7 +40,7 @@ Repeat readRepeat(const Value& table, const Scope& scope, Complaints& complaints
     Repeat r;
     const Value* count = table.find("count");
     if (!count) keys.complain("count", "a [[repeat]] has no count; write count = 10");
-    const bool computed = count && !count->isNumber();  // and then may be none in some turns
+    const bool computed = count && !count->isNumber();  // may then be 0 in some turns
     r.count = keys.whole("count", {computed ? 0.0 : 1.0, kMostBodies}).value_or(0);
     // For pyramids: the inner count of the i-th outer turn is count + i count_step.
     if (depth > 0) r.countStep = keys.whole("count_step", {-kMostBodies, kMostBodies}).value_or(0);
@@ -53,17 +53,17 @@ Repeat readRepeat(const Value& table, const Scope& scope, Complaints& complaints
         r.inner = keys.tables("repeat");
     else if (keys.any("repeat"))
         keys.complain("repeat",
-                      "three [[repeat]]s in each other hold no fourth: there are i, j "
+                      "[[repeat]]s can be nested at most three deep: there are only i, j "
                       "and k");
-    const bool told = complaints.count() > before;  // that what it holds is wrong
+    const bool told = complaints.count() > before;  // an error in what it holds
     if (!told && r.bodies.empty() && r.joints.empty() && r.forces.empty() && r.inner.empty())
         complaints.add(table.place,
-                       "a [[repeat]] of nothing; give it a body, a joint, a force or a repeat");
+                       "an empty [[repeat]]; give it a body, a joint, a force or a repeat");
     keys.done();
     return r;
 }
 
-/// Grows the instances, and stops at the limits: a file of two lines can ask for 10^8 bodies.
+/// Collects the instances and stops at the limits: a file of two lines can request 10^8 bodies.
 class Unrolling {
 public:
     Unrolling(Instances& out, std::uint64_t seed, Complaints& complaints)
@@ -77,7 +77,7 @@ public:
         add(out_.forces, instance, kMostForces, "10000 forces");
     }
 
-    /// `instance`: the turn of the [[repeat]]s around it. False after a complaint.
+    /// `instance`: the turn of the [[repeat]]s around it. False after an error.
     bool repeat(const Value& table, Instance instance) {
         const int before = complaints_.count();
         const Repeat r = readRepeat(table, instance.scope, complaints_);
@@ -103,7 +103,7 @@ public:
 private:
     void turn(const Repeat& r, Instance instance) {
         for (const Value* table : r.bodies) {
-            // One after the other: the order of evaluation in one expression is the compiler's.
+            // In separate statements: the order of evaluation in one expression is unspecified.
             for (int k = 0; k < 3; ++k) instance.jitter[k] = r.jitter[k] * random_.signedUnit();
             instance.table = table;
             body(instance);
@@ -139,19 +139,19 @@ private:
     bool full_ = false;
 };
 
-/// Of what is between braces; nothing, and why, where it is no whole number.
+/// The value of the text between braces; nothing, with the reason, if it is not a whole number.
 std::optional<int> wholeIn(std::string_view text, const Scope& scope, std::string& wrong) {
     constexpr double kLargest = 1e9;
-    if (text == "i") return scope.turns.index[0];  // by far the most
+    if (text == "i") return scope.turns.index[0];  // by far the most frequent
     const Evaluated result = scope.expressions->evaluate(text, scope.turns);
     const std::string where = "{" + shown(text) + "} in a name";
     if (!result.value)
         wrong = where + ": " + result.wrong;
     else if (*result.value != std::floor(*result.value))
-        wrong = where + " is " + numberText(*result.value) + "; it should be whole";
+        wrong = where + " is " + numberText(*result.value) + "; it should be a whole number";
     else if (std::fabs(*result.value) > kLargest)
         wrong =
-            where + " is " + numberText(*result.value) + "; it should be at most 1e9 either way";
+            where + " is " + numberText(*result.value) + "; it should be from -1e9 to 1e9";
     else
         return static_cast<int>(*result.value);
     return std::nullopt;

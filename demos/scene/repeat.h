@@ -1,5 +1,5 @@
-/// [[repeat]]: one body, joint or force in the file, many in the scene. Unrolling makes no copy of
-/// the text: an instance is the written table, what i and j are, and how it is moved.
+/// [[repeat]]: one body, joint or force in the file, many in the scene. Unrolling does not copy the
+/// table: an instance refers to it and adds the indices i, j, k and the motion.
 #pragma once
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ constexpr int kMostBodies = 10'000;
 constexpr int kMostJoints = 20'000;
 constexpr int kMostForces = 10'000;
 
-/// One level of repetition: turned about `about` (without: about itself), then moved.
+/// One level of repetition: a rotation about `about` (default: about itself), then a translation.
 struct Motion {
     Quat turn = Quat::Identity();
     std::optional<Vec3> about;
@@ -27,19 +27,19 @@ struct Motion {
 
 struct Instance {
     const Value* table = nullptr;
-    Scope scope;                    // which turn of which [[repeat]]
+    Scope scope;                    // with the indices of the [[repeat]]s around it
     Motion motion[kDeepestRepeat];  // of i, j, k; the innermost first
     Vec3 jitter{0, 0, 0};           // m, for this instance alone
 
-    /// Its table, to be read. The instance has to stay.
+    /// Access to its table. The instance has to outlive the result.
     Keys keys(std::string where, Complaints& complaints) const {
         return {*table, std::move(where), complaints, scope};
     }
     bool isRepeated() const { return scope.turns.depth > 0; }
-    /// In a [[repeat]] what is in braces, an expression, is replaced by its whole number: {i} {i+1}
-    /// {2*i+j}. What has none stays, and `wrong` says why.
+    /// In a [[repeat]], replaces every expression in braces by its whole number: {i} {i+1}
+    /// {2*i+j}. One without a whole result stays, and `wrong` says why.
     std::string named(std::string_view text, std::string& wrong) const;
-    /// The same of what `key` says; complains there.
+    /// The same for the text of `key`; errors are reported there.
     std::string named(std::string_view text, Keys& keys, std::string_view key) const;
     Vec3 point(const Vec3& p) const;
     Quat rotation(const Quat& q) const;
@@ -50,7 +50,7 @@ struct Instances {
     std::vector<Instance> bodies, joints, forces;
 };
 
-/// The tables of a scene that may be in a [[repeat]], and those.
+/// The tables of a scene that may be in a [[repeat]], and the [[repeat]]s.
 struct Repeatable {
     std::vector<const Value*> bodies, joints, forces, repeats;
 };

@@ -37,14 +37,14 @@ Json anyOne(std::vector<Json> forms) {
     return forms.size() == 1 ? forms.front() : Json{{"anyOf", std::move(forms)}};
 }
 
-/// Whole numbers without a point.
+/// Whole numbers without a decimal point.
 Json bound(double value) {
     constexpr double kExact = 1e15;
     const bool whole = value == std::floor(value) && std::fabs(value) < kExact;
     return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
 }
 
-/// A number as written, or an expression; ranges that say nothing are left out.
+/// A number, or an expression; bounds too large to be useful are left out.
 Json numberSchema(const Range& range, const char* type) {
     constexpr double kSaysNothing = 1e15;
     Json number{{"type", type}};
@@ -96,7 +96,7 @@ Json schemaOf(const Form& form, const std::string& name) {
     return true;
 }
 
-/// Of several forms: any of them; of none: anything.
+/// Several forms: any of them; no form: anything.
 Json schemaOf(const std::vector<Form>& forms, const std::string& name) {
     std::vector<Json> list;
     for (const Form& form : forms) list.push_back(schemaOf(form, name));

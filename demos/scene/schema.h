@@ -1,4 +1,4 @@
-/// A JSON Schema (draft 2020-12) of scene files, for editors. It is made of what the reader asks.
+/// A JSON Schema (draft 2020-12) of scene files, for editors, generated from the reader's catalog.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@ namespace demos {
 
 class Catalog;
 
-/// What the reader asks of the scenes of every_key.h.
+/// The keys that the reader asks for in the scenes of every_key.h.
 Catalog formatCatalog();
 
 std::string sceneSchema();

@@ -1,5 +1,5 @@
-/// What a table is read with: the names that its expressions may use, and where the reader's
-/// questions are written down.
+/// The context in which a table is read: the names that its expressions may use, and the catalog
+/// that records the reader's questions.
 #pragma once
 #include "demos/scene/catalog.h"
 #include "demos/scene/expression.h"
@@ -9,7 +9,7 @@ namespace demos {
 struct Scope {
     Expressions* expressions = nullptr;
     Turns turns;
-    Catalog* catalog = nullptr;  // null: nobody wants to know
+    Catalog* catalog = nullptr;  // null: nothing is recorded
 };
 
 }  // namespace demos

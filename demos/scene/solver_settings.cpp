@@ -8,7 +8,7 @@ namespace {
 
 std::string truth(bool value) { return value ? "true" : "false"; }
 
-/// And those that only a figure's reader asks for.
+/// Also those that only a figure lists.
 SettingList allSettings(const engine::Settings& s) {
     SettingList all = solverSettings(s);
     all.emplace_back("solver.max_substeps", std::to_string(s.maxSubsteps));

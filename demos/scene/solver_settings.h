@@ -13,10 +13,10 @@ using SettingList = std::vector<std::pair<std::string, std::string>>;
 /// steady, fast or seed.
 engine::Settings presetCalled(const std::string& name);
 
-/// What decides about a run's numbers: "solver.substeps", "4".
+/// The settings that affect a run's results: "solver.substeps", "4".
 SettingList solverSettings(const engine::Settings& settings);
 
-/// "substeps=8 sweeps=1": those that differ from the preset's; empty = none.
+/// "substeps=8 sweeps=1": the settings that differ from the preset's; empty: none.
 std::string besidePreset(const engine::Settings& settings, const std::string& preset);
 
 }  // namespace demos

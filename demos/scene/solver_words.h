@@ -1,4 +1,4 @@
-/// What [solver] calls the engine's enumerations.
+/// The words of [solver] for the engine's enumerations.
 #pragma once
 #include "engine/settings.h"
 

@@ -1,5 +1,5 @@
-/// Chance that is the same everywhere. (The standard library's distributions differ from one
-/// library to the next.)
+/// Pseudo-random numbers that are the same on every machine. (The distributions of the standard
+/// library differ between implementations.)
 #pragma once
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 /// The reader's parts, one per group of tables. Each fills in its share of the description and
-/// complains of what is wrong.
+/// reports errors.
 #pragma once
 #include <map>
 #include <string>
@@ -16,7 +16,7 @@ struct MaterialDescription {
     std::optional<unsigned> color;
 };
 using Materials = std::map<std::string, MaterialDescription>;
-using BodyNumbers = std::map<std::string, int>;  // place in scene.bodies by name
+using BodyNumbers = std::map<std::string, int>;  // index in scene.bodies by name
 
 // read_values.cpp
 void readValues(Keys& top, Expressions& expressions, Complaints& complaints);
@@ -55,7 +55,7 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene);
 void readLook(Keys& top, SceneDescription& scene);
 void readSections(Keys& top, SceneDescription& scene);
 
-/// Tables of a slide: measures, expectations.
+/// The tables that a slide may show: measures, expectations.
 const std::vector<std::string>& tableNames();
 
 // read_snapshot.cpp
@@ -64,10 +64,10 @@ void readSnapshot(Keys& top, SceneDescription& scene);
 // read_expectations.cpp
 void readExpectations(Keys& top, SceneDescription& scene);
 
-/// `[A-Za-z0-9_.{}+-]{1,64}`, or a complaint.
+/// Whether the name is `[A-Za-z0-9_.{}+-]{1,64}`; reports an error if not.
 bool checkName(const std::string& name, Place place, const char* what, Complaints& complaints);
 
-/// Names of all bodies, of all joints, for suggestions.
+/// The names of all bodies and of all joints, for suggestions.
 std::vector<std::string> bodyNames(const SceneDescription& scene);
 std::vector<std::string> jointNames(const SceneDescription& scene);
 

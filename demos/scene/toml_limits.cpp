@@ -38,7 +38,7 @@ public:
 private:
     static bool isBeyondAscii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
-    /// At the very beginning an editor may have left EF BB BF.
+    /// An editor may have written EF BB BF at the very beginning.
     bool isByteOrderMark() const { return at_ < 3 && text_.starts_with("\xef\xbb\xbf"); }
 
     void count(char c) {
@@ -52,7 +52,7 @@ private:
         if (c == '\n') ++line_, lineStart_ = at_ + 1;
     }
 
-    /// Leaves at_ on the text given, or at the end.
+    /// Moves at_ to the next occurrence of `end`, or to the end of the text.
     void skipTo(std::string_view end) {
         const std::size_t found = text_.find(end, at_);
         at_ = found == std::string_view::npos ? text_.size() : found;
@@ -63,7 +63,7 @@ private:
         at_ += block ? 3 : 1;
         while (at_ < text_.size()) {
             if (text_[at_] == '\n') {
-                if (!block) return;  // not closed: the parser says so
+                if (!block) return;  // not closed: the parser reports it
                 ++line_, lineStart_ = at_ + 1;
             }
             if (quote == '"' && text_[at_] == '\\') {
@@ -72,7 +72,7 @@ private:
             }
             if (block ? text_.substr(at_, 3) == std::string(3, quote) : text_[at_] == quote) {
                 at_ += block ? 3 : 1;
-                // Of five quotes in a row the first two are text.
+                // Up to two more quotes belong to the text: of five in a row, the first two.
                 for (int i = 0; block && i < 2 && at_ < text_.size() && text_[at_] == quote; ++i)
                     ++at_;
                 return;
@@ -82,7 +82,7 @@ private:
     }
 
     BeyondLimit beyond(const char* what) const {
-        // Columns are characters, as toml++ counts them: a byte 10xxxxxx goes on with one.
+        // Columns are characters, as toml++ counts them: a byte 10xxxxxx continues one.
         const std::string_view before = text_.substr(lineStart_, at_ - lineStart_);
         const auto characters = std::count_if(before.begin(), before.end(), [](char c) {
             return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;

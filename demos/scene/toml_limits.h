@@ -1,5 +1,5 @@
-/// What a text may ask of the TOML parser, checked before it is given one: a parser builds a tree
-/// by recursion, and a file of dots and brackets would exhaust the stack or the memory.
+/// Limits of a TOML text, checked before it is parsed: the parser is recursive, and a file of dots
+/// and brackets would exhaust the stack or the memory.
 #pragma once
 #include <optional>
 #include <string>
@@ -16,9 +16,9 @@ struct BeyondLimit {
     std::string what;
 };
 
-/// No UTF-16, brackets 32 deep, keys of 32 parts, a million values; quoted text and comments do not count.
-/// Outside of them TOML is ASCII, and toml++ 3.3 has no defined behaviour where a letter beyond it
-/// follows a value (is_non_ascii_horizontal_whitespace, found by tests/fuzz).
+/// No UTF-16, brackets 32 deep, keys of 32 parts, a million values; quoted text and comments do not
+/// count. Outside of them TOML is ASCII, and toml++ 3.3 has undefined behaviour if a non-ASCII
+/// character follows a value (is_non_ascii_horizontal_whitespace, found by tests/fuzz).
 std::optional<BeyondLimit> beyondLimits(std::string_view text);
 
 }  // namespace demos

@@ -26,7 +26,7 @@ void convertTable(const toml::table& table, Value& value, int depth, Complaints&
     std::vector<Entry> entries;
     for (auto&& [key, node] : table)
         entries.push_back({{std::string(key.str()), placeOf(key.source())}, &node});
-    // toml++ sorts by name
+    // Back to the order of the file: toml++ sorts by name.
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return std::tie(a.key.place.line, a.key.place.column) <
                std::tie(b.key.place.line, b.key.place.column);

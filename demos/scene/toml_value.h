@@ -1,5 +1,4 @@
-/// A TOML document as plain data, each value with its place. (The only text that knows toml++ is
-/// toml_value.cpp.)
+/// A TOML document as plain data, each value with its place. (Only toml_value.cpp uses toml++.)
 #pragma once
 #include <cstdint>
 #include <string>
@@ -21,10 +20,10 @@ struct Value {
     Kind kind = Kind::table;
     Place place;
     std::string text;
-    double real = 0.0;  // of an integer too
+    double real = 0.0;  // also set for an integer
     std::int64_t integer = 0;
     bool boolean = false;
-    std::vector<Value> items;  // of an array; of a table: by place in `keys`
+    std::vector<Value> items;  // of an array; of a table: in the order of `keys`
     std::vector<Key> keys;     // of a table, in the order of the file
 
     /// The member of a table, or null.
@@ -36,10 +35,10 @@ struct Value {
 /// For messages: `text "60"`, `the number 3.5`, `a table` ...
 std::string describe(const Value& value);
 
-/// An empty table, and complaints, when the text is no TOML or beyond the limits of a scene.
+/// An empty table, with an error, if the text is not TOML or exceeds the limits of a scene.
 Value parseToml(std::string_view text, Complaints& complaints);
 
-/// What stands right of the '=' in --set: a TOML value, or else the text itself.
+/// The right side of the '=' in --set: a TOML value, or else the text itself.
 Value parseTomlValue(std::string_view text, Place place);
 
 }  // namespace demos

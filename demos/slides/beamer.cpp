@@ -1,4 +1,4 @@
-// The talk for those who have LaTeX: pictures from media/, films as posters that open them.
+// The talk as LaTeX: pictures from media/, films as posters that open them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,14 +53,14 @@ std::string tableLatex(const MadeTable& table) {
     return latex + "\\bottomrule\n\\end{tabular}}\\par\n";
 }
 
-/// What amsmath takes in a display alone.
+/// Whether amsmath allows the formula only in a display.
 bool needsDisplay(const std::string& latex) {
     for (const char* word : {"\\tag", "\\begin{split}"})
         if (latex.find(word) != std::string::npos) return true;
     return !latex.starts_with("\\[") || !latex.ends_with("\\]");
 }
 
-/// Made narrower where it is too wide, which a display cannot be.
+/// Scales a formula down if it is too wide, which is not possible in a display.
 std::string formulaLatex(const std::string& formula) {
     const std::string latex = latexFormulaOf(formula, true);
     if (needsDisplay(latex)) return latex + "\n";
@@ -68,7 +68,7 @@ std::string formulaLatex(const std::string& formula) {
            "$}\\end{center}\n";
 }
 
-/// A typewriter's letter is 0.525 of its size wide; the frame's text 380 pt.
+/// A typewriter letter is 0.525 of its size wide; the frame's text is 380 pt wide.
 std::string codeLatex(const std::string& code, double width) {
     std::size_t longest = 1, length = 0;
     for (const char c : code) {
@@ -83,7 +83,7 @@ std::string codeLatex(const std::string& code, double width) {
     return fmt::format("{{\\{} {}}}\n", name, latexCodeOf(code));
 }
 
-/// `width`: what they have, of the frame's text.
+/// `width`: their share of the width of the frame's text.
 std::string wordsOf(const MadeSlide& made, double width) {
     const Slide& slide = made.slide;
     std::string latex;
@@ -94,7 +94,7 @@ std::string wordsOf(const MadeSlide& made, double width) {
     return latex;
 }
 
-/// As large as their share of the line's width and of the frame's height.
+/// Pictures as large as their share of the line's width and of the frame's height.
 std::string exhibitsOf(const MadeSlide& made, double height, bool inRow) {
     const auto count = static_cast<double>(picturesOf(made).size());
     const double width = inRow && count > 1.0 ? 0.96 / count : 1.0;
@@ -122,7 +122,7 @@ std::string columnsOf(const MadeSlide& made, double width, double height) {
         width, wordsOf(made, width), 0.97 - width, exhibitsOf(made, height, false));
 }
 
-/// Below the title, which takes half of the frame.
+/// Pictures and words below the title, which takes half of the frame.
 std::string openingOf(const MadeSlide& made) {
     constexpr double kHeight = 0.4;
     if (wordsOf(made, 1.0).empty()) return "\\centering\n" + exhibitsOf(made, kHeight, true);
@@ -149,7 +149,7 @@ std::string layoutText(const MadeSlide& made) {
     return wordsOf(made, 1.0) + exhibitsOf(made, 0.0, true);
 }
 
-/// A frame that shrinks does so badly; only what is too long for sure is made to.
+/// Beamer shrinks frames badly, so only a text that is certainly too long gets `shrink`.
 std::string frameOf(const MadeSlide& made) {
     constexpr std::size_t kLong = 380;  // bytes of text
     std::string latex =

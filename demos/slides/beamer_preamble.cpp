@@ -11,8 +11,8 @@ namespace demos {
 namespace {
 
 constexpr const char* kPackages =
-    R"tex(% Made by impulse slides. To typeset: pdflatex talk.tex, twice. A letter that pdfLaTeX has not
-% is a ? there; lualatex has those of the font that it is given.
+    R"tex(% Made by impulse slides. To typeset it, run pdflatex talk.tex twice. A letter that pdfLaTeX
+% lacks becomes a ?; lualatex has the letters of its font.
 \documentclass[aspectratio=169]{beamer}
 \usepackage{iftex}
 \ifPDFTeX
@@ -30,7 +30,7 @@ constexpr const char* kPackages =
 % For two screens: \setbeameroption{show notes on second screen=right}
 )tex";
 
-/// What KaTeX has besides LaTeX, name and meaning; without arguments.
+/// A command that KaTeX has in addition to LaTeX; without arguments.
 struct Word {
     const char* name;
     const char* meaning;
@@ -144,7 +144,7 @@ constexpr const char* kOthers = R"tex(\providecommand{\argmax}{\operatorname*{ar
 \providecommand{\xleftequilibrium}[2][]{\xleftrightharpoons[#1]{#2}}
 )tex";
 
-/// Letters that pdfLaTeX's own declarations lack, or have for words alone.
+/// Letters that pdfLaTeX does not declare, or declares only for text.
 const std::map<char32_t, const char*> kLetters = {{0xb0, "^\\circ"},
                                                   {0xb1, "\\pm"},
                                                   {0xb2, "^2"},
@@ -229,7 +229,7 @@ const std::map<char32_t, const char*> kLetters = {{0xb0, "^\\circ"},
                                                   {0x27e8, "\\langle"},
                                                   {0x27e9, "\\rangle"}};
 
-/// Without width of its own: joiners, marks above a letter, which of two forms is meant.
+/// Whether a letter has no width of its own: joiners, combining marks, variation selectors.
 bool isUnseen(char32_t letter) {
     return (letter >= 0x300 && letter <= 0x36f) || (letter >= 0x200b && letter <= 0x200f) ||
            (letter >= 0x2060 && letter <= 0x2064) || (letter >= 0xfe00 && letter <= 0xfe0f) ||
@@ -245,7 +245,7 @@ std::string declarationOf(char32_t letter, std::string_view utf8) {
                        isUnseen(letter) ? "" : "?");
 }
 
-/// \otherletter leaves alone what T1's fonts have. Those that `body` holds, each once.
+/// Declarations of the letters in `body`, each once. \otherletter skips letters of T1's fonts.
 std::string declarationsFor(std::string_view body) {
     std::map<char32_t, std::string> declarations;
     while (!body.empty()) {
@@ -267,14 +267,14 @@ std::string declarationsFor(std::string_view body) {
 bool uses(const std::string& latex, const std::string& name) {
     const std::string command = "\\" + name;
     for (std::size_t at = 0; (at = latex.find(command, at)) != std::string::npos; ++at) {
-        const char next = latex[at + command.size()];  // of a string the last is a NUL
+        const char next = latex[at + command.size()];  // at the string's end it is a NUL
         const bool letter = (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z');
         if (!letter) return true;
     }
     return false;
 }
 
-/// Those that `body` uses, so that nobody has to read the others.
+/// Only the commands that `body` uses.
 std::string wordsFor(const std::string& body) {
     std::string latex;
     for (const Word& word : kWords)

@@ -1,11 +1,11 @@
-/// What LaTeX has to know before the frames begin.
+/// The preamble of the Beamer document.
 #pragma once
 #include <string>
 
 namespace demos {
 
-/// Packages, KaTeX's words that LaTeX lacks, and declarations of every letter in `body` that
-/// pdfLaTeX would stop at.
+/// Packages, KaTeX's commands that LaTeX lacks, and declarations of every letter in `body` at which
+/// pdfLaTeX would stop.
 std::string beamerPreamble(const std::string& body);
 
 }  // namespace demos

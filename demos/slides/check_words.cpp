@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// Names of the things of a kind, for "is there one": bodies, joints.
+/// The names of all bodies or joints.
 template <class Thing>
 std::vector<std::string> namesOf(const std::vector<Thing>& things) {
     std::vector<std::string> names;
@@ -20,7 +20,7 @@ std::vector<std::string> namesOf(const std::vector<Thing>& things) {
     return names;
 }
 
-/// Why the run has no body or joint of the name; empty where it has.
+/// A message if the run has no body or joint of the name; empty if it has.
 std::string whyNone(const char* kind, const std::string& name,
                     const std::vector<std::string>& names, const std::string& scene) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return "";
@@ -37,9 +37,9 @@ std::string whyNoExpectation(const NumberName& name, const SceneDescription& sce
            " [[expect]]; there is no expectation " + name.of;
 }
 
-/// Why no run gives this number; empty where one does.
+/// A message if no run gives this number; empty if one does.
 std::string whyNoNumber(const NumberName& name, const std::vector<SceneDescription>& runs) {
-    if (runs.empty()) return "nothing is played here that has numbers; name a scene";
+    if (runs.empty()) return "there is no run here to take numbers from; name a scene";
     if (name.run > static_cast<int>(runs.size()))
         return "there is no run " + std::to_string(name.run) + "; the slide has " +
                std::to_string(runs.size());
@@ -57,7 +57,7 @@ bool isControl(char c) {
     return (byte < 0x20 && c != '\n' && c != '\t' && c != '\r') || byte == 0x7f;
 }
 
-/// Of \beta and \frac.
+/// The escapes in "\beta" and "\frac".
 bool isLatexEscape(char c) { return c == '\b' || c == '\f'; }
 
 class WordsCheck {
@@ -84,7 +84,7 @@ public:
         return false;
     }
 
-    /// Nothing after a complaint of how numbers are written.
+    /// Nothing if a number is malformed, which is reported.
     std::optional<NumberedText> numbersIn(const std::string& text,
                                           const std::vector<SceneDescription>& runs) {
         NumberedText parts;
@@ -113,7 +113,7 @@ public:
         return true;
     }
 
-    /// Of "$\theta$" in double quotes the space behind the dollar is what is left of the backslash.
+    /// In "$\theta$" in double quotes, the space after the dollar is a tab made from the backslash.
     void complainOfDollar(const std::string& text, std::size_t dollar) {
         if (!keepsBackslashes(text, dollar + 1, std::min(dollar + 2, text.size()))) return;
         complain(

@@ -1,5 +1,5 @@
-/// What is wrong with a slide's words, told before anything is played: formulas that KaTeX refuses,
-/// numbers that the slide's runs do not have, bytes that no page takes.
+/// Checks a slide's words before anything is simulated: formulas that KaTeX refuses, numbers that
+/// the slide's runs do not have, bytes that a page cannot contain.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,18 +11,18 @@ namespace demos {
 
 constexpr std::size_t kMostWords = 16u << 10;  // bytes of a text
 
-/// CommonMark. `runs`: whose numbers may be named, in their order.
+/// Checks CommonMark. `runs`: in order, those whose numbers the words may name.
 void checkWords(const std::string& words, const TomlPosition& written,
                 const std::vector<SceneDescription>& runs, Complaints& complaints);
 
-/// LaTeX, which may hold numbers as well.
+/// Checks LaTeX, which may contain numbers.
 void checkFormula(const std::string& tex, const TomlPosition& written,
                   const std::vector<SceneDescription>& runs, Complaints& complaints);
 
-/// That there is no line break in it.
+/// Checks that the text is one line.
 void checkLine(const std::string& text, const TomlPosition& written, Complaints& complaints);
 
-/// As it is, without formulas and numbers.
+/// Checks a text without formulas and numbers.
 void checkPlain(const std::string& text, const TomlPosition& written, Complaints& complaints);
 
 }  // namespace demos

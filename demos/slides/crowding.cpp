@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-/// Letters across and lines down at half the usual size, as page/fit.js sets words at the least.
+/// Letters per line and lines at half the usual size, the smallest that page/fit.js sets.
 struct Capacity {
     double letters = 0.0, lines = 0.0;
 };
@@ -34,15 +34,15 @@ Capacity capacityOf(SlideLayout layout) {
 }
 
 constexpr double kParagraphGap = 0.42;  // lines between two paragraphs
-constexpr double kFormula = 1.8;        // lines of a formula
-constexpr double kCodeLine = 0.8;       // of a line of text
+constexpr double kFormula = 1.8;        // lines per formula
+constexpr double kCodeLine = 0.8;       // lines of text per line of code
 
-/// Lines of HTML that cmark made: what stands between tags, paragraph by paragraph.
+/// Lines of HTML that cmark made: the text between tags, paragraph by paragraph.
 double linesOf(const std::string& html, double across) {
     double lines = 0.0, letters = 0.0;
     for (std::size_t i = 0; i < html.size(); ++i) {
         if (html[i] != '<') {
-            letters += (html[i] & 0xc0) != 0x80 ? 1.0 : 0.0;  // of UTF-8
+            letters += (html[i] & 0xc0) != 0x80 ? 1.0 : 0.0;  // the first byte in UTF-8
             continue;
         }
         const std::size_t end = std::min(html.find('>', i), html.size() - 1);
@@ -75,8 +75,8 @@ std::string crowdingOf(const Deck& deck, const Slide& slide, std::size_t number)
     const std::string where =
         line > 0 && !deck.files.empty() ? fmt::format("{}:{}: ", deck.files[0].string(), line) : "";
     return fmt::format(
-        "{}slide {}, '{}': about {:.0f} lines of its smallest letters where {:.0f} fit; leave some "
-        "out, or make two slides",
+        "{}slide {}, '{}': about {:.0f} lines of the smallest letters, but only {:.0f} fit; leave "
+        "some out, or make two slides",
         where, number, plainOf(slide.title), lines, room.lines);
 }
 

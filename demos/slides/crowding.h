@@ -1,4 +1,4 @@
-/// Slides with more words than fit: told before a deck is played, where no browser measures them.
+/// Finds slides with more words than fit, before a deck is simulated and without a browser.
 #pragma once
 #include <string>
 
@@ -6,9 +6,9 @@
 
 namespace demos {
 
-/// "talk.toml:12: slide 5, 'Stacks': about 40 lines where 30 fit; ...", or empty. An estimate by
-/// letters and lines at their smallest, without tables: the page may still mark a slide that
-/// passes.
+/// "talk.toml:12: slide 5, 'Stacks': about 40 lines ..., but only 30 fit; ...", or empty. An
+/// estimate from the smallest letters and lines, without tables: the page may still mark a slide
+/// that passes.
 std::string crowdingOf(const Deck& deck, const Slide& slide, std::size_t number);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// A made deck as files, each whole or not at all.
+/// Writes a made deck as files, each complete or not at all.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,31 +8,32 @@
 
 namespace demos {
 
-/// One page with everything in it. Throws render::Error where a film cannot be read, FormulaError.
+/// One page with everything embedded. Throws FormulaError; render::Error if a film cannot be read.
 /// (slides_page.cpp)
 std::string slidesPage(const MadeDeck& deck);
 
-/// index.html beside its films and pictures in media/, notes.md, talk.tex (Beamer), talk.md (Marp),
-/// sections.json. Returns their names. Replaces and removes only what a slides run has made, as
-/// sections.json lists it; throws Stop (wouldOverwrite) for others in their place, before anything
-/// is changed; without `overwrite` also for a folder that has files; render::Error.
+/// Writes index.html, its films and pictures in media/, notes.md, talk.tex (Beamer), talk.md (Marp)
+/// and sections.json. Returns their names. Replaces and removes only files that a slides run has
+/// made, which sections.json lists. Throws Stop (wouldOverwrite), before anything is changed, if
+/// another file has one of the names or, without `overwrite`, if the folder has files;
+/// render::Error.
 /// (slides_folder.cpp)
 std::vector<std::filesystem::path> writeSlidesFolder(const MadeDeck& deck,
                                                      const std::filesystem::path& folder,
                                                      bool overwrite = true);
 
-/// What of this can be known before a deck is made: throws Stop (wouldOverwrite) where the folder
-/// has files and may not be written to.  (slides_folder.cpp)
+/// Checks what is possible before a deck is made: throws Stop (wouldOverwrite) if the folder has
+/// files that must not be replaced.  (slides_folder.cpp)
 void checkSlidesFolder(const std::filesystem::path& folder, bool overwrite);
 
-/// A poster a page, by a headless Chromium; whole or not at all. Throws render::Error, also where
-/// there is none: what to install.  (slides_pdf.cpp)
+/// Prints the deck with posters by a headless Chromium; complete or not at all. Throws
+/// render::Error; without Chromium it says what to install.  (slides_pdf.cpp)
 void writeSlidesPdf(const MadeDeck& deck, const std::filesystem::path& file);
 
-/// The program that prints it; empty where PATH has none.
+/// The program that prints the PDF; empty if PATH has none.
 std::string pdfBrowser();
 
-/// With media/ beside them.  (beamer.cpp, marp.cpp, speaker_notes.cpp)
+/// Texts that refer to media/ next to them.  (beamer.cpp, marp.cpp, speaker_notes.cpp)
 std::string beamerOf(const MadeDeck& deck);
 std::string marpOf(const MadeDeck& deck);
 std::string speakerNotesOf(const MadeDeck& deck);

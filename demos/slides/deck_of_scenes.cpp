@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// "Stack" of "stack: ten boxes"; else all of it.
+/// "Stack" for "stack: ten boxes"; without a colon, the whole title.
 std::string shortTitle(const SceneDescription& scene) {
     std::string title = scene.title.substr(0, scene.title.find(": "));
     if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
@@ -28,7 +28,7 @@ std::string listOf(const std::vector<std::string>& names) {
     return list;
 }
 
-/// What is most likely to have something to show.
+/// The charts that are most likely to show something.
 std::vector<std::string> tellingCharts(const SceneDescription& scene) {
     if (scene.joints.empty()) return {"energy", "penetration"};
     return {"energy", "separation"};
@@ -91,7 +91,7 @@ private:
     void addSections(const SceneDescription& scene) {
         bool any = false;
         for (const Section& section : scene.sections) {
-            if (section.at >= scene.seconds) continue;  // --seconds is shorter
+            if (section.at >= scene.seconds) continue;  // --seconds ends the run before it
             Slide slide = film();
             takeSection(scene, section, false, slide);
             checkSection(section, {scene}, section.place, files_, complaints_);
@@ -106,7 +106,7 @@ private:
         deck_.slides.push_back(std::move(slide));
     }
 
-    /// A scene's only section is the scene.
+    /// The only section of a scene has the scene's title.
     static std::string titleOf(const SceneDescription& scene, const Section& section) {
         if (scene.sections.size() == 1 || section.name.empty()) return commonMarkOf(scene.title);
         return commonMarkOf(shortTitle(scene) + ": " + section.name);

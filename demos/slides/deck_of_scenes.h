@@ -1,4 +1,4 @@
-/// A deck of scenes as they are: a slide for every [[section]], one for the numbers.
+/// A deck made from scenes: a slide for every [[section]], one for the numbers.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace demos {
 
-/// Throws SceneError. `options`: its scenes, --set, --seconds.
+/// Throws SceneError. `options`: the scenes, --set, --seconds.
 Deck deckOfScenes(const Options& options);
 
 }  // namespace demos

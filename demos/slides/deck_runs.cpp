@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-/// Everything that looks at a run on its way.
+/// Simulates a run with everything that records it.
 struct Watch {
     Player player;
     SummaryRecorder summary;
@@ -28,7 +28,7 @@ struct Watch {
         recorder.look(player.stage());
         checker.look(player.stage());
     }
-    /// False: it diverged, as `how` says.
+    /// False if it diverged; `how` then says how.
     bool step(std::string& how) try {
         summary.step(player);
         look();

@@ -1,5 +1,5 @@
-/// The runs that a deck's numbers, charts and tables are of: each is played once, physics only,
-/// however many slides ask for it.
+/// The runs behind a deck's numbers, charts and tables. Each is simulated once, physics only,
+/// however many slides need it.
 #pragma once
 #include <map>
 #include <optional>
@@ -13,26 +13,26 @@
 
 namespace demos {
 
-/// A run, up to a moment.
+/// A run up to a moment.
 struct PlayedMoment {
     Summary summary;
     Recorder recorder;
-    RunMoment moment;  // of a run that diverged before: its last good state
+    RunMoment moment;  // if the run diverged before: its last good state
 };
 
 class DeckRuns {
 public:
-    /// All has to be asked for before anything is taken. `key`: the same for the same physics;
-    /// `until`: s.
+    /// Requests a moment. All requests must come before the first result is taken. `key`: the same
+    /// for the same physics; `until`: s.
     void askMoment(const std::string& key, const SceneDescription& scene, double until);
-    /// The run is played to its end then.
+    /// Requests expectations: the run is then simulated to its end.
     void askExpectations(const std::string& key, const SceneDescription& scene);
 
-    /// Of what was asked for; the first who takes anything of a run plays it. Throws Stop
+    /// The results of requests; the first one taken of a run simulates it. Throws Stop
     /// (interrupted).
     const PlayedMoment& moment(const std::string& key, double until);
     const std::vector<ExpectationResult>& expectations(const std::string& key);
-    /// Empty, or the line that says how the run diverged before its last moment that was asked for.
+    /// Empty, or a line that says how the run diverged before its last requested moment.
     const std::string& diverged(const std::string& key);
 
     int played() const { return played_; }  // runs

@@ -1,8 +1,8 @@
-"""embed_math_font.py FONT OUT: what formulas use of an OpenType math font, as C++ text.
+"""embed_math_font.py FONT OUT: the part of an OpenType math font that formulas use, as C++ text.
 
-The whole font is five times as large. Letters in bold, script and double-struck have code points of
-their own; variants by size and pieces of brackets come along with the signs that they belong to.
-A compiler takes a literal of 64 KiB at most (C++ [implimits]), so the text is cut in pieces."""
+The whole font is five times as large. Letters in bold, script and double-struck have their own code
+points; size variants and pieces of brackets are included with the signs that they belong to.
+A compiler need not accept literals above 64 KiB (C++ [implimits]): the text is split in pieces."""
 
 import base64
 import io
@@ -26,7 +26,7 @@ PIECE = 8000  # letters
 def base64_of(path):
     options = subset.Options()
     options.flavor = "woff2"
-    options.layout_features = ["ssty", "dtls"]  # of scripts; dotless letters under accents
+    options.layout_features = ["ssty", "dtls"]  # script variants; dotless letters under accents
     options.hinting = False
     font = subset.load_font(path, options)
     subsetter = subset.Subsetter(options)

@@ -15,11 +15,11 @@
 namespace demos {
 namespace {
 
-// What 2000 bytes need is 6 MB at most; macros that grow without end meet this after a second.
+// 2000 bytes need 6 MB at most; macros that grow without end reach the limit after a second.
 constexpr std::size_t kMostMemory = 16u << 20;
 
-// Gives "<span ..." or, of a formula that is wrong, "POSITION WHAT". Duktape has all of ES5, and
-// of what KaTeX needs besides lacks one function.
+// Returns "<span ..." or, for an invalid formula, "POSITION WHAT". Duktape has all of ES5; KaTeX
+// needs one more function.
 constexpr const char* kCall = R"js(
 if (!Array.prototype.fill)
     Array.prototype.fill = function (value) {
@@ -40,7 +40,7 @@ function mathMl(tex, display) {
 }
 )js";
 
-/// A block's size stands before it.
+/// The header of each memory block: its size.
 struct alignas(std::max_align_t) Block {
     std::size_t bytes;
 };
@@ -75,7 +75,7 @@ void* reallocate(void* used, void* memory, duk_size_t bytes) {
     return block + 1;
 }
 
-/// Errors come here from outside of a protected call only, and there is no such call below.
+/// Duktape calls it only for errors outside of protected calls; all calls below are protected.
 void failed(void*, const char* message) {
     putError(std::string("KaTeX: ") + (message ? message : "failed"));
     std::abort();
@@ -86,8 +86,8 @@ struct Asked {
     bool display;
 };
 
-// The two functions that Duktape protects: it leaves them by longjmp, so nothing in them has a
-// destructor.
+// The two protected functions: Duktape leaves them by longjmp, so they have no objects with
+// destructors.
 
 duk_ret_t load(duk_context* context, void*) {
     const std::string_view katex = katexText();
@@ -107,7 +107,7 @@ duk_ret_t ask(duk_context* context, void* what) {
     return 1;
 }
 
-/// KaTeX, read once, when it is first needed.
+/// KaTeX, loaded once, when it is first needed.
 class Katex {
 public:
     Katex() : context_(duk_create_heap(allocate, reallocate, release, &used_, failed)) {
@@ -119,7 +119,7 @@ public:
     Katex(const Katex&) = delete;
     Katex& operator=(const Katex&) = delete;
 
-    /// What mathMl() gives; empty where it ran out of memory or nested too deep.
+    /// The result of mathMl(); empty if it ran out of memory or nested too deep.
     std::string answer(Asked asked) {
         const bool good = duk_safe_call(context_, ask, &asked, 0, 1) == DUK_EXEC_SUCCESS;
         duk_size_t size = 0;
@@ -144,8 +144,8 @@ std::size_t byteOf(const std::string& text, std::size_t n) {
     return at;
 }
 
-/// KaTeX says "KaTeX parse error: WHAT at position 3: x^2^3": the place is told by whoever knows
-/// the file.
+/// KaTeX reports "KaTeX parse error: WHAT at position 3: x^2^3". The position is removed: the
+/// caller, which knows the file, reports it.
 std::string withoutPlace(std::string what) {
     constexpr std::string_view kPrefix = "KaTeX parse error: ";
     if (what.starts_with(kPrefix)) what.erase(0, kPrefix.size());
@@ -161,7 +161,7 @@ std::string withoutPlace(std::string what) {
     throw FormulaError(byteOf(tex, place), withoutPlace(std::string(rest + 1, end)));
 }
 
-/// Control bytes, and what is no UTF-8.
+/// Refuses long formulas, control bytes and invalid UTF-8.
 void checkText(const std::string& tex) {
     if (tex.size() > kLongestFormula)
         throw FormulaError(0, "the formula has " + std::to_string(tex.size()) +

@@ -7,7 +7,7 @@ namespace demos {
 
 constexpr std::size_t kLongestFormula = 2000;  // bytes
 
-/// What KaTeX cannot read, and the byte of the formula where that is.
+/// KaTeX cannot read a formula; `at`: the byte of the formula.
 class FormulaError : public std::runtime_error {
 public:
     FormulaError(std::size_t at, const std::string& what) : runtime_error(what), at_(at) {}
@@ -17,9 +17,9 @@ private:
     std::size_t at_;
 };
 
-/// A <math> element with the formula as its alttext; `display`: on a line of its own. Throws
-/// FormulaError, also for what a page should not do: links, pictures, classes and styles. There is
-/// one interpreter, so not for two threads at once.
+/// A <math> element with the formula as its alttext; `display`: on its own line. Throws
+/// FormulaError, also for links, pictures, classes and styles. There is one interpreter: not
+/// thread-safe.
 std::string mathMlOf(const std::string& tex, bool display);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-// Words of a slide as LaTeX that a frame of Beamer takes.
+// Words of a slide as LaTeX for a Beamer frame.
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-constexpr int kDeepestList = 3;   // Beamer's
+constexpr int kDeepestList = 3;   // Beamer's limit
 constexpr int kDeepestQuote = 2;  // LaTeX has six levels for both
 
 std::string rendered(cmark_node* root) {
@@ -25,7 +25,7 @@ std::string withoutLastNewlines(std::string text) {
     return text;
 }
 
-/// A frame has no sections: its headings are bold lines.
+/// Headings become bold lines, as a frame has no sections.
 void putHeading(cmark_node* heading) {
     cmark_node* paragraph = cmark_node_new(CMARK_NODE_PARAGRAPH);
     cmark_node* strong = cmark_node_new(CMARK_NODE_STRONG);
@@ -35,21 +35,21 @@ void putHeading(cmark_node* heading) {
     replaceNode(heading, paragraph);
 }
 
-/// Not verbatim, which ends where the code says \end{verbatim} and needs a fragile frame.
+/// Not verbatim, which needs a fragile frame and ends at an \end{verbatim} in the code.
 void putCode(cmark_node* code) {
     cmark_node* block = cmark_node_new(CMARK_NODE_CUSTOM_BLOCK);
     cmark_node_set_on_enter(block, latexCodeOf(cmark_node_get_literal(code)).c_str());
     replaceNode(code, block);
 }
 
-/// cmark's own rule takes \\linethickness for a length, which it is not.
+/// cmark's own rule uses \\linethickness as a length, which it is not.
 void putRule(cmark_node* rule) {
     cmark_node* block = cmark_node_new(CMARK_NODE_CUSTOM_BLOCK);
     cmark_node_set_on_enter(block, "\\begin{center}\\rule{0.5\\linewidth}{0.4pt}\\end{center}");
     replaceNode(rule, block);
 }
 
-/// Lists and quotes within more of their kind than LaTeX takes.
+/// Lists or quotes that are nested deeper than LaTeX allows.
 std::vector<cmark_node*> tooDeep(cmark_node* root, cmark_node_type type, int deepest) {
     std::vector<cmark_node*> nodes;
     int depth = 0;
@@ -90,7 +90,7 @@ std::string withoutEmptyLines(const std::string& text) {
     return result;
 }
 
-/// amsmath's align and its kin stand in a text as they are, and KaTeX takes them in a display.
+/// amsmath's align and similar environments need no \[ \]; KaTeX takes them in a display.
 bool isOwnDisplay(std::string_view tex) {
     constexpr std::string_view kBegin = "\\begin{";
     tex.remove_prefix(std::min(tex.find_first_not_of(" \t\r\n"), tex.size()));
@@ -102,7 +102,7 @@ bool isOwnDisplay(std::string_view tex) {
 
 std::string latexFrom(const std::string& commonMark, Words words) {
     const MarkupTree tree = markupTree(commonMark, words, [](const TextFormula& formula) {
-        mathMlIn(formula);  // what KaTeX refuses would stop LaTeX
+        mathMlIn(formula);  // throws: a formula that KaTeX refuses would stop LaTeX
         return latexFormulaOf(formula.tex, formula.display);
     });
     flatten(tree.get());
@@ -143,7 +143,7 @@ std::string latexCodeOf(const std::string& code) {
         line = latexEscaped(line.substr(indent));
         std::string kept;
         for (const char c : line) kept += c == ' ' ? "~" : std::string(1, c);
-        // \mbox{}: a line may be empty, and what follows \\ may begin with a bracket.
+        // \mbox{}: a line may be empty, and a bracket after \\ would be its argument.
         lines += (lines.empty() ? "" : "\\\\\n") + std::string("\\mbox{}");
         for (std::size_t i = 0; i < indent; ++i) lines += '~';
         lines += kept;
@@ -153,7 +153,7 @@ std::string latexCodeOf(const std::string& code) {
 }
 
 std::string latexFormulaOf(const std::string& tex, bool display) {
-    // An empty line ends a paragraph, which no formula may; after a % the end would be a comment.
+    // An empty line would end the formula's paragraph; after a % the end would be a comment.
     std::string text = withoutEmptyLines(tex);
     if (text.find('%') != std::string::npos) text += '\n';
     if (!display) return "$" + text + "$";

@@ -6,7 +6,7 @@
 
 namespace demos {
 
-/// With its films and pictures in media/ beside it.
+/// Its films and pictures are in media/ next to it.
 std::string linkedSlidesPage(const MadeDeck& deck);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// Who plays on a slide.
+/// The runs of a slide.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,34 +11,34 @@
 
 namespace demos {
 
-/// The runs of a slide, in their order: @{2.drift} is of the second.
+/// The runs of a slide, in order: @{2.drift} is a number of the second.
 struct LoadedRuns {
     std::string name;  // of the scene or the comparison
-    std::string key;   // the setting that runs through its values, or empty
+    std::string key;   // the setting of a sweep, or empty
     std::vector<Variant> variants;
     bool several = false;
 
     bool isSweep() const { return !key.empty(); }
 };
 
-/// What `impulse compare` and `impulse sweep` would be asked for.
+/// The corresponding options of `impulse compare` and `impulse sweep`.
 CompareOptions compareOptions(const SlideRuns& runs, const Options& shared);
 SweepOptions sweepOptions(const SlideRuns& runs, const Options& shared);
 
-/// `options`: with what the slide's pictures are drawn (slide_options.h). Nobody where the slide
-/// names no scene. Throws Stop (usage), SceneError.
+/// `options`: those of the slide's pictures (slide_options.h). Empty if the slide names no scene.
+/// Throws Stop (usage), SceneError.
 LoadedRuns loadRuns(const Slide& slide, const Options& options);
 
-/// s: until when the run goes on this slide.
+/// When the run ends on this slide, s.
 double untilOf(const Slide& slide, const Variant& variant);
 
-/// s of the run: where the film rests, and what stands for it on paper.
+/// The time of the film's poster, s of the run.
 double posterTime(const Slide& slide, double until);
 
-/// s of the run, rising: of a still or a strip.
+/// The times of a still or a strip, s of the run, increasing.
 std::vector<double> momentTimes(const Slide& slide, double until);
 
-/// The same text for the same physics, whichever slide it is on.
+/// A text that is the same for the same physics, on any slide.
 std::string runKey(const Slide& slide, const Variant& variant);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// A deck with everything played, drawn and counted: what is left is to write it down.
+/// A deck with everything simulated and drawn, ready to be written.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace demos {
 /// A still, a strip or charts.
 struct MadePicture {
     std::vector<std::uint8_t> png;
-    std::string svg;  // the same as lines and text; empty of what is drawn in pixels
+    std::string svg;  // the same as lines and text; empty for pictures drawn in pixels
     PictureSize size;  // pixels
-    std::string says;  // for who cannot see it: one line
+    std::string says;  // its description for people who cannot see it: one line
 };
 
 struct MadeFilm {
-    std::filesystem::path file;  // an .mp4 in the folder of the making; empty: none is made
+    std::filesystem::path file;  // an .mp4 in DeckMaking::folder; empty: none is made
     int frames = 0;
     int fps = 30;             // of the film as it plays
     double first = 0.0;       // s of the run, at the first frame
@@ -34,17 +34,17 @@ struct MadeTable {
 };
 
 struct MadeSlide {
-    Slide slide;  // its numbers filled in: no @{...} is left
+    Slide slide;  // with its numbers filled in: no @{...} is left
     std::optional<MadeFilm> film;
     std::vector<MadePicture> pictures;  // still or strip, then charts
     std::vector<MadeTable> tables;
-    std::string command;  // that makes the picture alone: "impulse compare nudges ..."; or empty
+    std::string command;  // makes the picture alone: "impulse compare nudges ..."; or empty
 };
 
 struct MadeDeck {
     Deck deck;
     std::vector<MadeSlide> slides;
-    std::vector<std::string> remarks;  // what is not supported, and why: a line each
+    std::vector<std::string> remarks;  // notes and warnings, a line each
 };
 
 }  // namespace demos

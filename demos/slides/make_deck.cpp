@@ -17,7 +17,7 @@
 namespace demos {
 namespace {
 
-/// A slide with all that is settled about it before anything is played.
+/// A slide with everything that is known before anything is simulated.
 struct Act {
     LoadedRuns loaded;
     std::optional<SlidePlan> plan;
@@ -33,7 +33,7 @@ struct Act {
                fmt::format("interrupted at slide '{}'{}", id, againLine(making.options)));
 }
 
-/// Whatever stops the work on a slide says on which.
+/// Adds the slide to the message of what stops the work on it.
 template <class Work>
 void at(const Slide& slide, const DeckMaking& making, const Work& work) {
     try {
@@ -51,17 +51,17 @@ bool hasFilm(const Deck& deck) {
     });
 }
 
-/// Whether films are made. Says why not, where somebody wants them.
+/// Whether films are made. Adds a remark if they are wanted but cannot be made.
 bool filmsAreMade(const Deck& deck, const DeckMaking& making, MadeDeck& made) {
     if (!making.films || !hasFilm(deck)) return false;
     if (render::haveFfmpeg()) return true;
     made.remarks.push_back(
-        "no ffmpeg, which makes films: apt install ffmpeg; in place of each film stands its "
-        "poster, all else is made");
+        "no ffmpeg, so films cannot be made (apt install ffmpeg); each film is replaced by its "
+        "poster, everything else is made");
     return false;
 }
 
-/// What of a scene is not supported, once.
+/// Adds the notes of the scenes, each once.
 void addNotes(const LoadedRuns& loaded, std::vector<std::string>& remarks) {
     for (const Variant& variant : loaded.variants)
         for (const std::string& note : variant.scene.notes)
@@ -137,7 +137,7 @@ private:
     MadeDeck made_;
     bool moving_ = false;
     DeckRuns runs_;
-    std::deque<Act> acts_;  // which stay where they are: facts refer to their runs
+    std::deque<Act> acts_;  // a deque does not move them: facts refer to their runs
     int frames_ = 0;
 };
 

@@ -1,4 +1,4 @@
-/// Plays and draws what a deck asks for.
+/// Simulates and draws what a deck needs.
 #pragma once
 #include <filesystem>
 
@@ -8,20 +8,20 @@
 
 namespace demos {
 
-/// Everything about the making that is the same for all slides.
+/// Settings that are the same for all slides.
 struct DeckMaking {
-    std::filesystem::path folder;  // is there; films go to it as <id>.mp4
-    bool films = true;             // false: posters alone, as for paper
+    std::filesystem::path folder;  // an existing folder for films, <id>.mp4
+    bool films = true;             // false: only posters, as for paper
     Options options;               // jobs, samples, reproducible, context, quiet, json
 };
 
-/// `deck` has been read, so that what it names is there. Throws Stop (diverged, interrupted),
-/// render::Error. Without ffmpeg there are posters in place of films, and a remark; remarks are
-/// said before anything is played.
+/// `deck` has been checked by its reader. Throws Stop (diverged, interrupted), render::Error.
+/// Without ffmpeg posters replace films, with a remark; remarks are printed before anything is
+/// simulated.
 MadeDeck makeDeck(const Deck& deck, const DeckMaking& making);
 
-/// "; to make the deck again: impulse slides ...", after an interruption; empty where `options`
-/// come from no command line.
+/// "; to make the deck again: impulse slides ...", after an interruption; empty if `options` do not
+/// come from a command line.
 std::string againLine(const Options& options);
 
 }  // namespace demos

@@ -1,5 +1,5 @@
-// Words of a slide as Markdown for Marp: CommonMark again, of the cleaned tree, in which nothing
-// can be raw HTML, a picture from elsewhere or the next slide.
+// Words of a slide as Markdown for Marp: CommonMark again, from the cleaned tree, which has no raw
+// HTML, no external pictures and nothing that begins a slide.
 
 #include <cstdlib>
 #include <memory>
@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-/// What Marp reads besides CommonMark: formulas, tables, struck words.
+/// Marp's markup in addition to CommonMark: formulas, tables, struck-out words.
 constexpr std::string_view kMarksOfMarp = "$|~";
 
 cmark_node* verbatimNode(const std::string& markdown) {
@@ -20,7 +20,7 @@ cmark_node* verbatimNode(const std::string& markdown) {
     return node;
 }
 
-/// cmark escapes its own marks when it writes.
+/// cmark escapes only CommonMark's own markup.
 void escapeMarpsMarks(cmark_node* node) {
     const std::string text = cmark_node_get_literal(node);
     std::size_t done = 0;
@@ -36,7 +36,7 @@ bool isNothing(cmark_node* node) {
     return cmark_node_get_type(node) == CMARK_NODE_TEXT && !*cmark_node_get_literal(node);
 }
 
-/// Marp looks for a display at the beginning of a line.
+/// Marp needs a display formula at the beginning of a line.
 void putOnItsOwnLine(cmark_node* formula) {
     std::string text = cmark_node_get_on_enter(formula);
     if (!text.starts_with("$$")) return;
@@ -48,8 +48,8 @@ void putOnItsOwnLine(cmark_node* formula) {
     cmark_node_set_on_enter(formula, text.c_str());
 }
 
-/// Two lists in a row would be one. cmark writes a comment between them, which Marp takes for the
-/// speaker's notes; the definition of a link that nothing uses parts them as well.
+/// Two adjacent lists would become one. cmark separates them by a comment, which Marp takes for
+/// speaker's notes; an unused link definition separates them as well.
 void partFromNext(cmark_node* list) {
     cmark_node* next = cmark_node_next(list);
     if (!next) return;
@@ -65,7 +65,7 @@ MarkupTree treeOf(const std::string& commonMark, Words words) {
         const std::string dollars = formula.display ? "$$" : "$";
         return dollars + formula.tex + dollars;
     });
-    // A rule would be where the next slide begins.
+    // A rule would begin the next slide.
     for (cmark_node* node : nodesOf(tree.get()))
         if (cmark_node_get_type(node) == CMARK_NODE_THEMATIC_BREAK) cmark_node_free(node);
     for (cmark_node* node : nodesOf(tree.get())) {
@@ -77,7 +77,7 @@ MarkupTree treeOf(const std::string& commonMark, Words words) {
     return tree;
 }
 
-/// In one line a paragraph, as Marp ends lines where the text does.
+/// Writes each paragraph as one line, since Marp keeps line ends.
 std::string written(cmark_node* root) {
     const std::unique_ptr<char, decltype(&std::free)> text(
         cmark_render_commonmark(root, CMARK_OPT_NOBREAKS, 0), std::free);

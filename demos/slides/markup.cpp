@@ -24,7 +24,7 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// What a node adds to a line; blocks are parted by spaces.
+/// The text that a node adds to a line; blocks are separated by spaces.
 std::string plainPart(cmark_node* node) {
     switch (cmark_node_get_type(node)) {
         case CMARK_NODE_TEXT:
@@ -50,14 +50,14 @@ std::string unescaped(std::string text) {
     return text;
 }
 
-/// After the tag that begins at `at`; what it quotes may hold a '>'.
+/// The byte after the tag that begins at `at`; a quoted value may contain a '>'.
 std::size_t afterTag(const std::string& xml, std::size_t at) {
     bool quoted = false;
     for (; at < xml.size() && (quoted || xml[at] != '>'); ++at) quoted = quoted != (xml[at] == '"');
     return std::min(at + 1, xml.size());
 }
 
-/// "\lambda \ge 0" in the letters it is drawn with; LaTeX where these stand above each other.
+/// "\lambda \ge 0" as the letters it is drawn with; as LaTeX if they are not on one line.
 std::string lettersOf(const TextFormula& formula) {
     const std::string mathMl = mathMlIn(formula);
     std::string letters;

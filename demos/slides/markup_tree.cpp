@@ -8,9 +8,9 @@
 namespace demos {
 namespace {
 
-// While cmark reads, formula 12 is U+E000 12 U+E001: letters of no language, nothing to cmark.
+// While cmark reads, formula 12 is U+E000 12 U+E001: private letters without a meaning to cmark.
 constexpr std::string_view kMarkBegin = "\xee\x80\x80", kMarkEnd = "\xee\x80\x81";
-constexpr std::string_view kUnknown = "\xef\xbf\xbd";  // U+FFFD, as cmark puts for what is no text
+constexpr std::string_view kUnknown = "\xef\xbf\xbd";  // U+FFFD, cmark's letter for invalid bytes
 
 /// A formula's mark in a text: from `begin` to `end`.
 struct Mark {
@@ -30,7 +30,7 @@ public:
         source_ = std::move(text);
     }
 
-    /// A point before it keeps a line from being a heading or a list, and lets emphasis begin.
+    /// A point at the beginning keeps a line from being a heading or a list.
     std::string marked() const {
         std::string text = words_ == Words::line ? "." : "";
         std::size_t done = 0;
@@ -42,7 +42,7 @@ public:
         return text + source_.substr(done);
     }
 
-    /// Also those that a text spells as &#xE000; of them, what is no formula's stays as it is.
+    /// Also finds marks that a text spells as &#xE000; those without a formula stay as they are.
     std::vector<Mark> in(std::string_view text) const {
         std::vector<Mark> marks;
         for (std::size_t i = 0; (i = text.find(kMarkBegin, i)) != std::string_view::npos;) {
@@ -60,7 +60,7 @@ public:
         return marks;
     }
 
-    /// Dollars and all, for code.
+    /// The text with its formulas and their dollars again, for code.
     std::string restored(std::string_view text) const {
         std::string result;
         std::size_t done = 0;
@@ -144,7 +144,7 @@ void clean(cmark_node* node, const Marks& marks, const FormulaText& show) {
     }
 }
 
-/// The point that Marks::marked() put before a line.
+/// Removes the point that Marks::marked() put before a line.
 void dropPoint(cmark_node* root) {
     cmark_node* first = cmark_node_first_child(cmark_node_first_child(root));
     cmark_node_set_literal(first, std::string(literalOf(first).substr(1)).c_str());

@@ -1,5 +1,5 @@
-/// A slide's words as libcmark's tree, with its formulas in it and nothing that a page should not
-/// have: raw HTML is text, links lead to the web or to a mailbox, pictures are their descriptions.
+/// A slide's words as libcmark's tree, with its formulas and nothing that a page should not have:
+/// raw HTML is text, links lead to the web or to mail, pictures are replaced by their descriptions.
 #pragma once
 #include <cmark.h>
 
@@ -17,26 +17,26 @@ struct FreeNode {
 };
 using MarkupTree = std::unique_ptr<cmark_node, FreeNode>;
 
-/// A formula as it goes into the output, as it is.
+/// Returns a formula as it goes verbatim into the output.
 using FormulaText = std::function<std::string(const TextFormula&)>;
 
 enum class Words {
     blocks,  // paragraphs, lists, ...
-    line     // one paragraph, whatever it begins with
+    line     // one paragraph, even if it begins like another block
 };
 
 MarkupTree markupTree(const std::string& commonMark, Words words, const FormulaText& show);
 
-/// All nodes, each once, before those in it.
+/// All nodes, each once, parents before children.
 std::vector<cmark_node*> nodesOf(cmark_node* root);
 
-/// A new node of its own with this text.
+/// A new detached node with this text.
 cmark_node* textNode(const std::string& text);
 
-/// Puts `node` where `old` is, which is freed with all that is in it.
+/// Replaces `old` by `node` and frees `old` with its children.
 void replaceNode(cmark_node* old, cmark_node* node);
 
-/// Puts what is in the node where it is, and frees it.
+/// Replaces the node by its children, and frees it.
 void unwrapNode(cmark_node* node);
 
 }  // namespace demos

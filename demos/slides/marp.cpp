@@ -1,4 +1,4 @@
-// The talk as Markdown for Marp, whose formulas are written as ours: $x$ and $$x$$.
+// The talk as Markdown for Marp, which writes formulas in the same way: $x$ and $$x$$.
 #include <fmt/format.h>
 
 #include <string_view>
@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// A JSON string is a YAML string.
+/// Uses JSON strings, which are YAML strings too.
 std::string frontMatter(const Deck& deck) {
     return fmt::format(
         "---\nmarp: true\ntitle: {}\nauthor: {}\nmath: katex\npaginate: true\nsize: 16:9\n{}---\n",
@@ -44,7 +44,7 @@ std::string tableMarkdown(const MadeTable& table) {
     return text;
 }
 
-/// Longer than any run of backticks within.
+/// A fence longer than any run of backticks in the code.
 std::string fenceFor(const std::string& code) {
     std::string fence = "```";
     while (code.find(fence) != std::string::npos) fence += '`';
@@ -65,7 +65,7 @@ std::string wordsOf(const MadeSlide& made) {
     return text;
 }
 
-/// A description ends at a bracket; code, HTML or a formula that begins in it would not.
+/// Removes brackets, at which a description ends, and what begins code, HTML or a formula.
 std::string alt(const MadePicture& picture) {
     std::string text;
     for (const char c : picture.says)
@@ -90,7 +90,7 @@ std::string picturesMarkdown(const MadeSlide& made, bool words) {
     return text;
 }
 
-/// A comment ends at its first "-->".
+/// Breaks up each "-->", which would end the comment.
 std::string commentOf(const std::string& notes) {
     std::string text;
     for (const char c : notes) {

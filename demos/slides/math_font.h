@@ -1,10 +1,10 @@
-/// A font for formulas, which a page carries: not every machine has one with their spacing.
+/// A font for formulas, embedded in pages: not every machine has a math font.
 #pragma once
 #include <string>
 
 namespace demos {
 
-/// TeX Gyre Pagella Math's letters and signs, WOFF2, in base64; empty where the build had none.
+/// TeX Gyre Pagella Math's letters and signs as WOFF2 in base64; empty if the build had no font.
 const std::string& mathFont();
 
 }  // namespace demos

@@ -6,7 +6,7 @@
 namespace demos {
 namespace {
 
-/// Where a variant's A, a, 0, capital and small alpha are; 0: it has none.
+/// The code points of a variant's A, a, 0, capital and small alpha; 0: none.
 struct LetterVariant {
     std::string_view name;
     char32_t capitals, smalls, digits, capitalGreek, smallGreek;
@@ -25,7 +25,7 @@ constexpr LetterVariant kLetterVariants[] = {
     {"monospace", 0x1d670, 0x1d68a, 0x1d7f6, 0, 0},
 };
 
-/// Letters that Unicode had before the others: there is a hole in their place.
+/// Letters that Unicode already had elsewhere: their place in a variant's range is a hole.
 struct Older {
     char32_t hole, letter;
 };
@@ -36,7 +36,7 @@ constexpr Older kOlder[] = {
     {0x1d515, 0x211c}, {0x1d51d, 0x2128}, {0x1d53a, 0x2102}, {0x1d53f, 0x210d}, {0x1d545, 0x2115},
     {0x1d547, 0x2119}, {0x1d548, 0x211a}, {0x1d549, 0x211d}, {0x1d551, 0x2124}};
 
-/// `first` + the letter's place in the run that begins with `from`; 0 where the variant has none.
+/// `first` + the letter's offset in the range `from`..`to`; 0 if the variant has no such letter.
 char32_t placed(char32_t letter, char32_t from, char32_t to, char32_t first) {
     return first != 0 && letter >= from && letter <= to ? first + (letter - from) : 0;
 }

@@ -1,4 +1,4 @@
-/// Bold, script, blackboard ... letters of Unicode (U+1D400 to U+1D7FF and a few that are older).
+/// Bold, script, blackboard ... letters of Unicode (U+1D400 to U+1D7FF and a few older ones).
 #pragma once
 #include <string>
 #include <string_view>
@@ -6,10 +6,10 @@
 namespace demos {
 
 /// The letters of a UTF-8 text in a variant of MathML's mathvariant ("bold", "double-struck", ...);
-/// what the variant lacks stays as it is.
+/// letters that the variant lacks stay as they are.
 std::string inVariant(std::string_view text, std::string_view variant);
 
-/// Takes a character of valid UTF-8 off the front.
+/// Removes a character from the front of valid UTF-8 and returns it.
 char32_t takeCharacter(std::string_view& text);
 
 }  // namespace demos

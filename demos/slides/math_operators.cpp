@@ -11,10 +11,10 @@
 namespace demos {
 namespace {
 
-constexpr std::string_view kApply = "\u2061";  // stands after the name of a function
+constexpr std::string_view kApply = "\u2061";  // follows the name of a function
 constexpr const char* kThin = "0.1667em";      // TeX's \, : 3/18 of a quad
 
-/// What TeX calls an atom, as far as spaces go.
+/// TeX's kinds of atom, as far as they matter for spacing.
 enum class Atom { none, space, term, function, open, bracketed, close, sign };
 
 template <std::size_t N>
@@ -30,12 +30,12 @@ bool isToken(pugi::xml_node node) {
     return isCalled(node, "mo") || isCalled(node, "mi") || isCalled(node, "mn");
 }
 
-/// Something with a base and what stands above, below or beside it.
+/// Whether the element has a base and scripts above, below or beside it.
 bool isScripted(pugi::xml_node node) {
     return isOneOf(node.name(), {"msub", "msup", "msubsup", "munder", "mover", "munderover"});
 }
 
-/// Texts of tokens, one after the other; empty where there is more than tokens.
+/// The joined texts of tokens; empty if there is anything else.
 std::string flatText(pugi::xml_node node) {
     std::string text;
     for (const pugi::xml_node child : node.children()) {
@@ -47,10 +47,10 @@ std::string flatText(pugi::xml_node node) {
     return text;
 }
 
-/// KaTeX puts elements into <mo> and <mi>, where browsers know text alone.
+/// KaTeX puts elements into <mo> and <mi>, where browsers support only text.
 pugi::xml_node unwrapped(pugi::xml_node token) {
     if (!isToken(token) || !isElement(token.first_child())) return token;
-    const bool row = isCalled(token.first_child(), "mrow");  // of letters: \bmod
+    const bool row = isCalled(token.first_child(), "mrow");  // letters, as of \bmod
     if (token.first_child() == token.last_child() && !row) {
         pugi::xml_node parent = token.parent();
         const pugi::xml_node only = parent.insert_move_before(token.first_child(), token);
@@ -78,11 +78,11 @@ void setUnlessGiven(pugi::xml_node node, const char* name, const char* value) {
     if (!node.attribute(name)) node.append_attribute(name) = value;
 }
 
-/// A fence's bar is KaTeX's sign for "divides", which is a relation and keeps its height.
+/// For a fence's bar KaTeX uses the sign for "divides", a relation, which does not stretch.
 void setBar(pugi::xml_node sign) {
     const std::string_view text = textOf(sign);
     const bool one = text == "\u2223" || text == "|", two = text == "\u2225";
-    const bool fence = sign.attribute("fence");  // \lvert is none to KaTeX, and does not stretch
+    const bool fence = sign.attribute("fence");  // \lvert is no fence in KaTeX and does not stretch
     if ((!one && !two) || (!fence && !sign.attribute("stretchy"))) return;
     sign.text().set(one ? "|" : "\u2016");
     if (fence) {
@@ -99,8 +99,8 @@ int letters(pugi::xml_node node) {
     return count;
 }
 
-/// A line is a border, and an accent the sign that fonts have in several widths. Of tildes browsers
-/// take none of these: theirs is drawn wider.
+/// A line becomes a border, and an accent the sign that fonts have in several widths. Browsers do
+/// not use such widths of a tilde: it is scaled.
 void setWideAccent(pugi::xml_node node) {
     const pugi::xml_node base = node.first_child(), sign = node.last_child();
     if (!sign.attribute("stretchy").as_bool()) return;
@@ -134,13 +134,13 @@ bool isBlank(std::string_view text) {
     return true;
 }
 
-/// What scripts and stacks stand at.
+/// The innermost base of scripts and stacks.
 pugi::xml_node baseOf(pugi::xml_node node) {
     while (isScripted(node)) node = node.first_child();
     return node;
 }
 
-/// A bar that is no fence opens where an even number of its kind stands before it in its row.
+/// A bar that is not a fence opens if an even number of its kind precede it in its row.
 Atom atomOfBar(pugi::xml_node bar) {
     const std::string_view text = textOf(bar);
     while (isScripted(bar.parent())) bar = bar.parent();
@@ -187,7 +187,7 @@ Atom atomOf(pugi::xml_node node) {
     return isScripted(node) ? atomOf(node.first_child()) : Atom::term;
 }
 
-/// A minus after a relation, a bracket or another sign belongs to what follows.
+/// A minus after a relation, a bracket or another sign is a prefix.
 void setUnary(pugi::xml_node sign, Atom before) {
     const bool follows = before == Atom::open || before == Atom::sign || before == Atom::function;
     if (follows && sign.next_sibling() &&
@@ -195,7 +195,7 @@ void setUnary(pugi::xml_node sign, Atom before) {
         setUnlessGiven(sign, "form", "prefix");
 }
 
-/// sin x, 2 sin x and sin x cos x, but sin(x).
+/// A thin space as in sin x, 2 sin x and sin x cos x, but not in sin(x).
 bool isParted(Atom left, Atom right) {
     if (left == Atom::function) return right == Atom::term || right == Atom::function;
     return right == Atom::function &&
@@ -207,7 +207,7 @@ void spaceRow(pugi::xml_node row) {
     for (pugi::xml_node child : row.children()) {
         const Atom atom = atomOf(child);
         if (atom == Atom::sign) setUnary(child, before);
-        // A name and its U+2061 are one.
+        // A name and its U+2061 belong together.
         if (textOf(child) != kApply && isParted(last, atom))
             row.insert_child_before("mspace", child).append_attribute("width") = kThin;
         last = atom;

@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// A text within a formula keeps its letters, for those who search or listen.
+/// Text within a formula keeps its letters, for search and screen readers.
 std::string textStyle(const std::string& variant) {
     std::string style;
     const auto has = [&](const char* word) { return variant.find(word) != std::string::npos; };
@@ -43,13 +43,13 @@ std::vector<std::string> words(const std::string& text) {
     return list;
 }
 
-/// A list of a table's attribute: the last word holds for all that come after.
+/// An item of a table's attribute: the last word applies to all further items.
 std::string wordAt(const std::vector<std::string>& list, std::size_t i) {
     return list.empty() ? "" : list[std::min(i, list.size() - 1)];
 }
 
-/// What a table says of its cells, once for all of them; where KaTeX has no space between two
-/// columns, as within `aligned`, none is left.
+/// Styles of a table's cells from the table's attributes. Where KaTeX has no space between two
+/// columns, as within `aligned`, the cells have none.
 class Cells {
 public:
     explicit Cells(pugi::xml_node table)
@@ -93,7 +93,7 @@ void styleCells(pugi::xml_node table) {
         table.remove_attribute(name);
 }
 
-/// A box is drawn by its style; a stroke through a term cannot be, and would be missing in silence.
+/// A box is drawn by its style. A stroke through a term is refused: browsers would ignore it.
 void styleEnclosed(pugi::xml_node node) {
     const std::string_view notation = node.attribute("notation").value();
     if (notation != "box")
@@ -104,7 +104,7 @@ void styleEnclosed(pugi::xml_node node) {
     setStyle(node, "border:0.06em solid;padding:0.3em;");
 }
 
-/// The arrow of \vec combines with what stands before it in the text, which is another term.
+/// Replaces the arrow of \vec: it is a combining character and would join the term before it.
 void setAccent(pugi::xml_node node) {
     if (std::string_view(node.child_value()) != "\u20d7") return;
     node.first_child().set_value("\u2192");

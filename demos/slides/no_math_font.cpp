@@ -1,4 +1,4 @@
-// For builds without a font to embed: the reader's machine has one, or its browser makes do.
+// For builds without a font to embed: the page uses the reader's own mathematical font, if any.
 #include "demos/slides/math_font.h"
 
 #ifndef IMPULSE_HAVE_MATH_FONT

@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// As it was written, but for its digits.
+/// The name as it was written, without its digits.
 std::string written(const NumberName& name) {
     std::string text = name.run == 1 ? "" : std::to_string(name.run) + ".";
     if (name.group == "measure") return text + name.field;
@@ -28,11 +28,11 @@ std::string written(const NumberName& name) {
 
 [[noreturn]] void refuseField(const NumberName& name) {
     refuseNumber(name,
-                 "there is no such number; body.NAME.height, joint.NAME.force, contacts.impulse, "
-                 "run.time and measures are some");
+                 "there is no such number; examples are body.NAME.height, joint.NAME.force, "
+                 "contacts.impulse, run.time and measures");
 }
 
-/// A number on its way to text.
+/// Writes a number as text.
 struct Writer {
     const NumberName& name;
     NumberSetting setting;
@@ -80,7 +80,7 @@ std::string bodyValue(const NumberName& name, const RunNumbers& run, const Write
     refuseField(name);
 }
 
-/// Its force is a mean over the step, so that force times time is what the step's rows gave.
+/// A joint's force is a mean over the step, so force times dt is the impulse of the step's rows.
 std::string jointValue(const NumberName& name, const RunNumbers& run, const Writer& write) {
     const engine::JointState& joint = run.moment.joints[placeOf(name, run.scene.joints, run)];
     if (name.field == "impulse") return write(joint.force.norm() * run.moment.dt, "N s");

@@ -1,4 +1,4 @@
-/// What stands in place of @{...}.
+/// The values of @{...}.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,15 +11,15 @@
 
 namespace demos {
 
-/// One run, up to a moment.
+/// One run up to a moment.
 struct RunNumbers {
     const SceneDescription& scene;
-    const Summary& summary;  // until the moment
+    const Summary& summary;  // up to the moment
     const RunMoment& moment;
     const std::vector<ExpectationResult>& expectations;  // of the whole run
 };
 
-/// Throws Stop (scene) where the scene has no body, joint or [[expect]] of that name.
+/// Throws Stop (scene) if the scene has no body, joint or [[expect]] of that name.
 std::string valueOf(const NumberName& name, const RunNumbers& run, NumberSetting setting);
 
 }  // namespace demos

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostRuns = 1000;  // of a sweep
 constexpr int kMostExpectations = 1000;
 constexpr int kMostDigits = 9;
-constexpr std::size_t kShortest = 3;  // letters of a name that is cut off
+constexpr std::size_t kShortest = 3;  // letters of a beginning that is completed
 
 struct Group {
     const char* name;
@@ -32,7 +32,7 @@ const std::vector<Group>& groups() {
     return all;
 }
 
-/// How each may be written, for suggestions.
+/// All names of numbers, for suggestions.
 std::vector<std::string> spellings() {
     std::vector<std::string> all;
     for (const Measure& measure : measures()) all.emplace_back(measure.name);
@@ -51,7 +51,7 @@ std::optional<int> wholeFrom(std::string_view text) {
     return std::nullopt;
 }
 
-/// Reads what stands between the braces.
+/// Reads the text between the braces.
 class NumberReader {
 public:
     NumberReader(std::string_view text, std::size_t at) : whole_(text), rest_(text), at_(at) {}
@@ -138,7 +138,7 @@ private:
     std::size_t at_;
 };
 
-/// Of the brace that closes the one at `open`; a body's name may have braces in pairs.
+/// The position of the brace that closes the one at `open`; a body's name may have paired braces.
 std::size_t closingBrace(const std::string& text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size() && text[i] != '\n'; ++i) {
@@ -168,7 +168,7 @@ NumberedText numberedText(const std::string& text) {
             continue;
         }
         result.words.back() += text[i];
-        // \@ is an @ to CommonMark, and \\ a backslash.
+        // In CommonMark \@ is an @ and \\ a backslash.
         if (text[i] == '\\' && i + 1 < text.size()) result.words.back() += text[++i];
     }
     return result;

@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-constexpr double kMostCounted = 1e15;                   // whole numbers that a double holds, about
+constexpr double kMostCounted = 1e15;                   // about the largest exact whole number
 constexpr double kLeastPlain = 1e-3, kMostPlain = 1e9;  // written out without a prefix
 constexpr double kLeastLength = 1.0, kLeastPrefixed = 0.1;  // below: the next smaller prefix
 constexpr const char* kNoBreak = "\u00a0";
@@ -27,10 +27,10 @@ constexpr std::array<Prefix, 7> kPrefixes = {{{"n", "\\mathrm{n}"},
                                               {"M", "\\mathrm{M}"},
                                               {"G", "\\mathrm{G}"}}};
 
-/// What a value is divided by to be shown.
+/// The divisor of a shown value.
 struct Scale {
-    int power = 0;  // of 1000, which the prefix says
-    int tens = 0;   // of 10, which is written out
+    int power = 0;  // of 1000, shown as the prefix
+    int tens = 0;   // of 10, written out
     double factor() const { return std::pow(1000.0, power) * std::pow(10.0, tens); }
 };
 
@@ -39,12 +39,12 @@ bool takesPrefix(const std::string& unit) {
     return std::find(units.begin(), units.end(), unit) != units.end();
 }
 
-/// As it will be shown: 999.9996 with three digits is 1000.
+/// The value rounded as it will be shown: 999.9996 with three digits is 1000.
 double asShown(double value, int digits) {
     return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
-/// Of the first significant digit: 2 of 271.8, 0 of 3, -3 of 0.00271.
+/// The exponent of the first significant digit: 2 for 271.8, 0 for 3, -3 for 0.00271.
 int exponentOf(double value) {
     const std::string text = fmt::format("{:.16e}", value);
     return std::atoi(text.c_str() + text.find('e') + 1);
@@ -55,7 +55,7 @@ Scale scaleOf(double value, const std::string& unit) {
     if (size == 0.0) return {};
     if (!takesPrefix(unit))
         return size >= kLeastPlain && size < kMostPlain ? Scale{} : Scale{0, exponentOf(value)};
-    // A hair less, for what multiplying loses: 1e-6 m is 1 µm.
+    // Slightly less, for rounding in multiplications: 1e-6 m is 1 µm.
     const double least = (1.0 - 1e-12) * (unit == "m" ? kLeastLength : kLeastPrefixed);
     Scale scale;
     for (; size >= 1000.0 && scale.power < kMostPower; size /= 1000.0) ++scale.power;
@@ -70,14 +70,14 @@ std::string withoutZeros(std::string text) {
     return text;
 }
 
-/// Never with an exponent; what is nothing beside those decimals is 0.
+/// Never with an exponent; a value that rounds to zero is "0".
 std::string fixedText(double value, int decimals, Zeros zeros) {
     const std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
     if (text.find_first_of("123456789") == std::string::npos) return "0";
     return zeros == Zeros::kept ? text : withoutZeros(text);
 }
 
-/// A text's minus is as wide as a plus; in a formula LaTeX sees to that.
+/// In a text, replaces the hyphen by a minus sign; in a formula LaTeX does that.
 std::string withMinus(const std::string& number, NumberSetting setting) {
     std::string text;
     for (const char c : number)
@@ -97,7 +97,7 @@ std::string tensText(int tens, NumberSetting setting) {
     return text;
 }
 
-/// Letters upright, spaces kept: N s.
+/// The unit with upright letters and its spaces kept: N s.
 std::string texOf(const std::string& unit) {
     std::string tex;
     for (const char c : unit) tex += c == ' ' ? std::string("\\,") : std::string(1, c);

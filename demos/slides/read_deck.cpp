@@ -36,7 +36,7 @@ void readSize(Keys& top, PictureSize& size) {
         return top.complainOf("size", "size is " + describe(*value) + "; it should be " + right);
     const auto pixels = top.numbers("size", {kLeastSlideSide, kMostSlideSide, "pixels"});
     if (!pixels) return;
-    // Films have half as many pixels of colour each way.
+    // Films have colour at half the resolution in each direction.
     const auto isEven = [](double x) { return x == 2.0 * std::floor(0.5 * x); };
     if (!std::all_of(pixels->begin(), pixels->end(), isEven))
         return top.complainOf("size", std::string("size should be ") + right);
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// Where it stands; nothing where it is not said.
+    /// Reads one line and returns its position; nothing if the key is missing.
     std::optional<TomlPosition> readText(Keys& top, const char* key, std::string& to) {
         const std::optional<std::string> line = top.text(key);
         if (!line) return std::nullopt;
@@ -84,7 +84,7 @@ private:
             checkWords(to, *written, {}, complaints_);
     }
 
-    /// No CommonMark: a date may be 24. 12., an author of $-Soft.
+    /// Plain text, not CommonMark: a date may be "24. 12.", an author may be from "$-Soft".
     void readPlain(Keys& top, const char* key, std::string& to) {
         if (const std::optional<TomlPosition> written = readText(top, key, to))
             checkPlain(to, *written, complaints_);
@@ -99,7 +99,7 @@ private:
         readPlain(top, "date", deck_.date);
     }
 
-    /// A table of what it shows, or whether there is one.
+    /// `opening` is a table with the slide's keys, or false for no opening.
     void readOpening(Keys& top) {
         const Value* opening = top.any("opening");
         Slide slide;
@@ -137,7 +137,8 @@ private:
     Deck deck_;
 };
 
-/// By what only decks have, or nearly have; a file of nothing else is a deck without slides.
+/// Recognizes a deck by keys that only decks have, even misspelled; without `slide`, all keys of
+/// the file must be keys of a deck.
 bool isDeck(const Value& file) {
     const std::vector<std::string> slide = {"slide"};
     const std::vector<std::string> own = {"subtitle", "author", "date", "opening", "fps", "size"};

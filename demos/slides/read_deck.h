@@ -1,5 +1,5 @@
-/// From a deck file's text to a Deck. Strict, as scene files are: what is not understood, and what
-/// names a scene, section, body or key that is not there, is an error with its place.
+/// Reads a deck file's text into a Deck. It is as strict as for scene files: unknown keys, and
+/// names of scenes, sections or bodies that do not exist, are errors with their positions.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace demos {
 
-/// Whether the word is a path to a TOML file with [[slide]] in it, or one that looks like a deck
-/// but for that; false for scenes' names and whatever cannot be read.
+/// Whether the word is a path to a TOML file that has [[slide]] or otherwise looks like a deck;
+/// false for names of scenes and for files that cannot be read.
 bool isDeckFile(const std::string& nameOrPath);
 
 /// Throws SceneError with every complaint as `file:line:column: what`.
 Deck readDeck(std::string_view text, const std::filesystem::path& file);
 Deck loadDeck(const std::filesystem::path& file);
 
-/// What the reader asks of which table while it reads such a text, whatever is wrong with it.
+/// The keys that the reader looks up in each table while it reads such a text, even an invalid one.
 Catalog catalogDeck(std::string_view text);
 
 }  // namespace demos

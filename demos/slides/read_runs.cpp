@@ -45,7 +45,7 @@ private:
         good_ = false;
     }
 
-    /// At the value; of a list at the text that is told of.
+    /// Complains at the value; in a list, at the item that the message quotes.
     void complainOf(const char* key, const std::string& what) {
         const std::vector<std::string> texts =
             keys_.texts(key).value_or(std::vector<std::string>());
@@ -65,11 +65,11 @@ private:
                                       suggestion(runs.comparison, comparisonNames()));
         for (const char* key : {"scene", "vary", "case", "over"})
             if (keys_.has("compare") && keys_.has(key))
-                complain(key, "a comparison has a scene and cases of its own; leave out " +
+                complain(key, "a comparison has its own scene and cases; leave out " +
                                   std::string(key) + ", or compare");
     }
 
-    /// As loadScene() takes it; empty, and a complaint, where it can be no scene.
+    /// The name as loadScene() takes it; empty, with a complaint, if it cannot be a scene.
     std::string sceneCalled(const std::string& name) {
         if (isBuiltin(name)) return name;
         const bool isPath = name.find('/') != std::string::npos || fs::path(name).has_extension();
@@ -91,7 +91,7 @@ private:
             complain("case", "vary and case cannot be given together; use one of them");
         if (keys_.has("scene") || keys_.has("compare")) return;
         for (const char* key : {"set", "vary", "case", "over"})
-            if (keys_.has(key)) complain(key, std::string(key) + " is of a run; name a scene");
+            if (keys_.has(key)) complain(key, std::string(key) + " needs a run; name a scene");
     }
 
     Options options() const {
@@ -103,7 +103,7 @@ private:
         return options;
     }
 
-    /// The scene by itself, then with what is set: each is told where it is wrong.
+    /// Reads the scene alone, then with its settings, so that errors are reported at the right key.
     bool readsAlone() {
         const SlideRuns& runs = read_.runs;
         const Comparison* comparison = comparisonCalled(runs.comparison);
@@ -122,7 +122,7 @@ private:
         return good_;
     }
 
-    /// "--set solver.sweep=4: ..." is an option; here it is a key.
+    /// Turns the option in "--set solver.sweep=4: ..." into a key of the deck.
     static std::string asKey(const std::string& what) {
         if (what.starts_with("--")) return what.substr(2);
         const std::size_t example = what.find(", for example --");
@@ -130,7 +130,7 @@ private:
         return what.substr(0, example) + ", as in vary = \"solver.sweeps=1,4,16\"";
     }
 
-    /// What is wrong with the scene only then is reported with its place in it.
+    /// An error that the scene has only with these settings keeps its place in the scene.
     static std::string withSettings(const std::string& line) {
         return line.starts_with("--") ? asKey(line) : "with these settings: " + line;
     }

@@ -1,4 +1,4 @@
-/// The runs that a [[slide]] names, read.
+/// Reads the runs that a [[slide]] names.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -12,12 +12,12 @@ namespace demos {
 
 struct ReadRuns {
     SlideRuns runs;
-    std::vector<SceneDescription> scenes;  // one a run, in their order; none after a complaint
-    std::string point;                     // of a built-in comparison: what one should see
+    std::vector<SceneDescription> scenes;  // one per run, in order; none after a complaint
+    std::string point;                     // of a built-in comparison: what it shows
 };
 
-/// scene, compare, set, vary, case, over. `folder`: what scenes are relative to. Complains of what
-/// is not there, what does not read and what contradicts.
+/// Reads scene, compare, set, vary, case, over. `folder`: scenes are relative to it. Complains
+/// about missing scenes, invalid scenes and contradictions.
 ReadRuns readRuns(Keys& keys, const std::filesystem::path& folder);
 
 }  // namespace demos

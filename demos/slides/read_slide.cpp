@@ -50,11 +50,11 @@ public:
     }
 
 private:
-    /// Whether it names some; isRead(): and they could be read.
+    /// Whether the slide names runs; isRead(): and they could be read.
     bool hasRuns() const { return keys_.has("scene") || keys_.has("compare"); }
     bool isRead() const { return !loaded_.scenes.empty(); }
 
-    /// s: of the shortest run.
+    /// The end of the shortest run, s.
     double end() const {
         double seconds = 1e5;
         for (const SceneDescription& scene : loaded_.scenes)
@@ -68,7 +68,7 @@ private:
         for (const char* key : {"from", "until", "compare"})
             if (keys_.has(key))
                 keys_.complain(key,
-                               "a section says from when to when, and of which scene; leave "
+                               "a section already gives its scene and times; leave "
                                "out " +
                                    std::string(key) + ", or section");
         if (!isRead()) return;
@@ -92,7 +92,7 @@ private:
         const std::optional<std::string> text = keys_.text(key);
         if (!text) return;
         to = *text;
-        if (hasRuns() && !isRead()) return;  // complained of, and so would be every number
+        if (hasRuns() && !isRead()) return;  // reported already; every number would be an error
         checkWords(to, writtenAt(*keys_.any(key)), loaded_.scenes, reading_.complaints);
     }
 
@@ -132,17 +132,17 @@ private:
                            "at is the time of a still; write picture = \"still\", or from and "
                            "until for a film");
         if (keys_.has("moments") && slide_.exhibit != Exhibit::strip)
-            keys_.complain("moments", "moments are those of a strip; write picture = \"strip\"");
+            keys_.complain("moments", "moments needs a strip; write picture = \"strip\"");
         if (slide_.exhibit != Exhibit::film)
             for (const char* key : {"slow", "pause", "loop"})
                 if (keys_.has(key))
                     keys_.complain(key, std::string(key) +
-                                            " is of a film, which is not shown here; "
+                                            " needs a film, and none is shown here; "
                                             "leave it out");
         set(slide_.moments, keys_.whole("moments", {1, kMostMoments}));
     }
 
-    /// A time of the run; a complaint says when that ends.
+    /// Reads a time of the run; the complaint about a later one says when the run ends.
     void readTime(const char* key, std::optional<double>& to) {
         const std::optional<double> time = keys_.number(key, {0.0, 1e5, "s"});
         if (!time) return;
@@ -200,7 +200,7 @@ private:
         return names;
     }
 
-    /// What would be empty: a curve of joints that are not there, a table of nothing.
+    /// Complains about parts that would be empty: a curve of joints without joints, an empty table.
     void needParts(const char* key, const std::vector<std::string>& names, const char* name,
                    bool (*has)(const SceneDescription&), const char* lack) {
         const auto found = std::find(names.begin(), names.end(), name);
@@ -248,7 +248,7 @@ private:
         for (const char* key : {"section", "picture", "from", "until", "poster", "show",
                                 "colour_by", "plot", "table"})
             if (keys_.has(key))
-                keys_.complain(key, std::string(key) + " is of a run; name a scene or compare");
+                keys_.complain(key, std::string(key) + " needs a run; name a scene or compare");
     }
 
     void needContent() {
@@ -291,7 +291,7 @@ private:
     Keys& keys_;
     DeckReading& reading_;
     bool opening_;
-    int before_;  // complaints until then
+    int before_;  // number of complaints before this slide
     ReadRuns loaded_;
     Slide slide_;
 };

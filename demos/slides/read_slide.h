@@ -1,4 +1,4 @@
-/// One [[slide]] of a deck's file.
+/// Reads one [[slide]] of a deck's file.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace demos {
 
-/// What all slides of a deck are read with.
+/// The context in which all slides of a deck are read.
 struct DeckReading {
     const std::filesystem::path& folder;  // of the deck's file
     std::string_view source;              // its text
-    std::optional<int> fps;               // that the deck gives
+    std::optional<int> fps;               // if the deck gives it
     Complaints& complaints;
     SectionFiles sections;
-    std::vector<std::filesystem::path> files = {};  // that scenes were read from
+    std::vector<std::filesystem::path> files = {};  // the files of scenes
 };
 
-/// `opening`: its title is the deck's.
+/// `opening`: the slide has the deck's title.
 Slide readSlide(Keys keys, bool opening, DeckReading& reading);
 
 /// "03-clamp-the-total": a name for files. `number` counts from 1 of `count`.

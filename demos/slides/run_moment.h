@@ -1,4 +1,4 @@
-/// A run at one of its steps, kept while it plays on.
+/// The state of a run at one of its steps, kept while the run continues.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -14,8 +14,8 @@ struct RunMoment {
     engine::StepReport report;               // of the last step
     std::uint64_t hash = 0;                  // of the state
     double dt = 0.0;                         // s, of a step
-    std::vector<BodyMotion> bodies;          // by place in scene.bodies
-    std::vector<engine::JointState> joints;  // by place in scene.joints
+    std::vector<BodyMotion> bodies;          // by index in scene.bodies
+    std::vector<engine::JointState> joints;  // by index in scene.joints
     std::vector<engine::ContactState> contacts;
 };
 

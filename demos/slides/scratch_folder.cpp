@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kStart = "impulse_";
 
-/// "impulse_123_Ab3dEf": made by process 123; -1: no name of ours.
+/// 123 for "impulse_123_Ab3dEf", made by process 123; -1: not a scratch folder's name.
 pid_t makerOf(const std::string& name) {
     if (!name.starts_with(kStart)) return -1;
     const char* end = name.data() + name.size();
@@ -31,7 +31,7 @@ pid_t makerOf(const std::string& name) {
     return read.ec == std::errc() && end - read.ptr == 7 && *read.ptr == '_' ? maker : -1;
 }
 
-/// Of this user, and nobody holds it. In another container the maker may live and not be seen.
+/// Whether it belongs to this user and is unlocked. A maker in another container is not visible.
 bool isAbandoned(const fs::path& folder) {
     const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (file < 0) return false;
@@ -42,7 +42,7 @@ bool isAbandoned(const fs::path& folder) {
     return free;
 }
 
-/// Of runs that were killed.
+/// Removes the folders of killed runs.
 void sweepAbandoned(const fs::path& place) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(place, ignored)) {

@@ -1,5 +1,5 @@
-/// A folder for what is not whole yet; goes with its owner, or, where that was killed, with the
-/// next run.
+/// A temporary folder for incomplete files. It is removed with its owner or, if the process was
+/// killed, by the next run.
 #pragma once
 #include <filesystem>
 
@@ -7,7 +7,7 @@ namespace demos {
 
 class ScratchFolder {
 public:
-    /// Among the system's temporary files. Throws render::Error.
+    /// Made in the system's folder for temporary files. Throws render::Error.
     ScratchFolder();
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;

@@ -14,7 +14,7 @@ std::string textOf(const std::string& file) {
     try {
         return readSceneFile(file);
     } catch (const SceneError&) {
-        return {};  // it was there when the scene was read: places are those of the quotes then
+        return {};  // removed since the scene was read: places are then those of the quotes
     }
 }
 

@@ -9,12 +9,12 @@
 
 namespace demos {
 
-/// Texts of the scene files whose sections are told of, each read once.
+/// Texts of the scene files whose sections have complaints, each read once.
 class SectionFiles {
 public:
     explicit SectionFiles(Complaints& complaints) : complaints_(complaints) {}
 
-    /// The number of the file in complaints, and its text: empty where it cannot be read any more.
+    /// The number of the file in complaints, and its text; empty if it can no longer be read.
     struct File {
         int number = 0;
         std::string text;
@@ -26,12 +26,12 @@ private:
     std::map<std::string, File> files_;
 };
 
-/// What the section gives a slide: its words, its part of the run, how that plays. `several`: the
+/// Copies the section's words, part of the run and playback settings to the slide. `several`: the
 /// slide compares runs, for which the section has no charts.
 void takeSection(const SceneDescription& scene, const Section& section, bool several, Slide& slide);
 
-/// Complains of the section's words, at their places in the scene's file; at `otherwise` where they
-/// have none, as after --set.
+/// Complains about the section's words, at their places in the scene's file; at `otherwise` if they
+/// have no place, as after --set.
 void checkSection(const Section& section, const std::vector<SceneDescription>& runs,
                   Place otherwise, SectionFiles& files, Complaints& complaints);
 

@@ -31,7 +31,7 @@ Json sectionJson(const MadeSlide& made) {
     return json;
 }
 
-/// Nothing but what these folders hold, whatever the list says: a link within leads out of them.
+/// Accepts only names in these two folders: a link in a deeper path may lead elsewhere.
 bool isOurPlace(const std::filesystem::path& name) {
     const std::string file = name.filename().string();
     return !file.empty() && file != "." && file != ".." &&

@@ -1,4 +1,4 @@
-/// sections.json: what a folder of slides holds, for programs.
+/// sections.json: the content of a folder of slides, for programs.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace demos {
 
-/// `files`: all that the folder is to hold.
+/// `files`: all files of the folder.
 std::string sectionsJson(const MadeDeck& deck, const std::vector<std::filesystem::path>& files);
 
-/// The files that a run of 'impulse slides' has listed there; none where it has made nothing.
+/// The files that 'impulse slides' has listed in the folder; empty if it has made none.
 std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& folder);
 
 }  // namespace demos

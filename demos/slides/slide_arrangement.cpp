@@ -7,11 +7,11 @@
 namespace demos {
 namespace {
 
-constexpr double kChartAspect = 1.6;                     // width over height, where there is room
-constexpr double kNarrowChart = 1.35, kWideChart = 2.2;  // whatever room there is
-constexpr double kHoleIsWorth = 1.35;                    // so much wider are the pictures
+constexpr double kChartAspect = 1.6;                     // width over height, if there is room
+constexpr double kNarrowChart = 1.35, kWideChart = 2.2;  // limits of width over height
+constexpr double kHoleIsWorth = 1.35;  // empty cells must make the pictures wider by this factor
 
-/// Tables of measures have a column each; they are not counted yet.
+/// The number of columns is not known yet: a table of measures has one per measure.
 TableWidth plannedTables(const Slide& slide) {
     if (slide.measures) return TableWidth::wide;
     return slide.expectations ? TableWidth::half : TableWidth::none;
@@ -23,7 +23,7 @@ SlideRoom roomOf(const Slide& slide, TableWidth tables, const std::vector<double
     return cellOf(gridOf(aspects.size(), least, room), room);
 }
 
-/// px of a slide: of one of the pictures.
+/// The width of one of the pictures, px of a slide.
 double partWidth(const Slide& slide, const PictureGrid& grid, double aspect) {
     const double whole = aspect * grid.columns / grid.rows;
     return shownWidth(whole, exhibitRoom(slide, whole)) / grid.columns;

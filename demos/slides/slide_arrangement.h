@@ -1,4 +1,4 @@
-/// How large a slide will show its pictures: what is written in them is to be read.
+/// How large a slide will show its pictures, so that text in them is readable.
 #pragma once
 #include <optional>
 
@@ -6,26 +6,26 @@
 
 namespace demos {
 
-/// Of letters in pictures and charts, as the slide shows them: px of the font's em.
+/// The least size of letters in pictures and charts on the slide: px of the font's em.
 inline constexpr double kLeastLetters = 16.5;
 
-/// No words, charts or tables stand beside.
+/// Whether the slide has no words, charts or tables next to the picture.
 bool standsAlone(const Slide& slide);
 
-/// Before its tables are there.
+/// The layout before the tables are known.
 SlideLayout plannedLayout(const Slide& slide);
 
-/// The place of the slide's film, still or strip, of this width over height.
+/// The space for the slide's film, still or strip; `aspect`: its width over height.
 SlideRoom exhibitRoom(const Slide& slide, double aspect);
 
-/// Moments of a strip or runs of a film, `aspect` each: in rows and columns where they are largest,
-/// no more rows than columns. Empty cells have to be worth it.
+/// The rows and columns that show moments of a strip or runs of a film largest, no more rows than
+/// columns. Empty cells are used only if the gain is large. `aspect`: of each.
 PictureGrid arrangement(const Slide& slide, std::size_t count, double aspect);
 
-/// Of the letters in a film or still of so many pixels across, which has letters of kLabelPoints.
+/// Pixels per point for a film or still of this size, so that letters of kLabelPoints are readable.
 double pointPixels(const Slide& slide, PictureSize picture);
 
-/// The place of one of `count` charts. `exhibit`: width over height of what stands with them.
+/// The space for one of `count` charts. `exhibit`: width over height of the picture with them.
 SlideRoom chartRoom(const Slide& slide, const std::vector<MadeTable>& tables, std::size_t count,
                     std::optional<double> exhibit);
 

@@ -11,9 +11,9 @@
 namespace demos {
 namespace {
 
-constexpr double kFiner = 1.5;  // pixels of a chart for one of a slide of 1280x720
+constexpr double kFiner = 1.5;  // pixels of a chart per pixel of a slide of 1280x720
 
-/// For who cannot see it.
+/// The description for people who cannot see it.
 std::string saysOf(const Chart& chart) {
     const std::string what = chart.title.empty() ? chart.yTitle : chart.title;
     std::vector<std::string> labels;
@@ -23,7 +23,7 @@ std::string saysOf(const Chart& chart) {
     return fmt::format("Chart of {} over {}{}", what, chart.xTitle, lines);
 }
 
-/// Times the letters of a chart for a screen, whose unit is a picture of 1280x240.
+/// The factor on the letters of a chart for a screen, whose unit is a picture of 1280x240.
 double typeFor(PictureSize size) {
     constexpr double kLetterPixels = 20.0;  // there, from cap to descender
     const double unit = std::min(size.width / 1280.0, size.height / 240.0);
@@ -38,7 +38,7 @@ std::vector<Chart> chartsOf(const Slide& slide, const LoadedRuns& loaded, const 
     std::vector<Chart> charts;
     for (const std::string& name : slide.plots) {
         const int measure = measureCalled(name);
-        if (measure < 0) continue;  // the reader lets none through
+        if (measure < 0) continue;  // the reader refuses unknown names
         charts.push_back(loaded.isSweep() ? sweepChart(runs, measure, loaded.key)
                                           : historyChart(runs, measure, ""));
     }

@@ -1,4 +1,4 @@
-/// Charts of a slide's runs, to be read from the back of a room.
+/// Charts of a slide's runs, readable from the back of a room.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace demos {
 
-/// One run: `recorder` has seen it. Several: a line a run, or over the values of a sweep.
+/// One run: the charts of `recorder`. Several: a line per run, or over the values of a sweep.
 std::vector<Chart> chartsOf(const Slide& slide, const LoadedRuns& loaded, const Recorder& recorder,
                             const std::vector<Measured>& runs);
 
-/// As SVG and PNG, with the shape of its place on the slide and letters that can be read there.
+/// As SVG and PNG, with the shape of its place on the slide and letters that are readable there.
 MadePicture chartPicture(const Chart& chart, const SlideRoom& room, const std::string& theme);
 
 }  // namespace demos

@@ -30,7 +30,7 @@ void SlideFacts::askNumber(const NumberName& name) {
     const std::size_t count = loaded_.variants.size();
     const auto run = static_cast<std::size_t>(name.run - 1);
     if (run >= count)
-        throw Stop(Exit::scene, fmt::format("a number of run {}; the slide has {} {}", name.run,
+        throw Stop(Exit::scene, fmt::format("there is no run {}; the slide has {} {}", name.run,
                                             count, count == 1 ? "run" : "runs"));
     askMoment(run);
     if (name.group == "expect") runs_.askExpectations(keyOf(run), loaded_.variants[run].scene);

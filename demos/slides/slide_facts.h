@@ -1,4 +1,4 @@
-/// What a slide takes of its runs besides pictures of them: numbers, charts, tables.
+/// What a slide takes from its runs in addition to pictures: numbers, charts, tables.
 #pragma once
 #include <optional>
 #include <set>
@@ -15,14 +15,14 @@ namespace demos {
 
 class SlideFacts {
 public:
-    /// Asks `runs` for what the slide needs; all three have to stay. Throws NumberError, and Stop
-    /// (scene) for a number of a run that is not there.
+    /// Requests from `runs` what the slide needs; all three must outlive it. Throws NumberError,
+    /// and Stop (scene) for a number of a run that does not exist.
     SlideFacts(const Slide& slide, const LoadedRuns& loaded, DeckRuns& runs);
 
-    /// Plays that, if nobody did, and puts it into the slide. `exhibit`: width over height of the
-    /// picture that is drawn besides. `timing`: with processor times, which are others every time.
-    /// Throws Stop: scene (valueOf), interrupted, and diverged where the slide has one run alone or
-    /// a number of a run that diverged.
+    /// Simulates the runs if necessary, and fills in the slide. `exhibit`: width over height of the
+    /// picture next to the charts. `timing`: with processor times, which differ every time. Throws
+    /// Stop: scene (valueOf), interrupted, and diverged if the slide's only run or the run of a
+    /// number diverged.
     void fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
               bool timing);
 
@@ -34,7 +34,8 @@ private:
     std::string keyOf(std::size_t run) const { return runKey(slide_, loaded_.variants[run]); }
     const PlayedMoment& momentOf(std::size_t run) const;
     std::vector<Measured> measured() const;
-    /// Before the slide's moment, or the run's end: another slide of it may go on for longer.
+    /// Throws if the run diverged before the slide's moment or, with `toEnd`, its end; another
+    /// slide may use more of the run.
     void checkDiverged(std::size_t run, bool toEnd) const;
     std::string valueOf(const NumberName& name, NumberSetting setting) const;
 

@@ -1,4 +1,4 @@
-/// Pictures of one shape in rows and columns, as large as their room lets them be.
+/// Arranges pictures of one shape in rows and columns, as large as possible.
 #pragma once
 #include <cstddef>
 
@@ -13,16 +13,16 @@ struct PictureGrid {
     int rows = 1, columns = 1;
 };
 
-/// The cells that `count` pictures need in so many columns.
+/// The grid of `count` pictures with this number of columns.
 PictureGrid gridOf(std::size_t count, int columns);
 
-/// Whose pictures are largest. `aspect`: their width over height.
+/// The grid with the largest pictures. `aspect`: their width over height.
 PictureGrid gridOf(std::size_t count, double aspect, const SlideRoom& room);
 
-/// One cell, a gap away from the next.
+/// The size of one cell, without the gap.
 SlideRoom cellOf(const PictureGrid& grid, const SlideRoom& room);
 
-/// Pixels of a slide: how wide a picture is shown.
+/// The width of a picture in a space, pixels of a slide.
 double shownWidth(double aspect, const SlideRoom& room);
 
 /// Empty cells of the last row.

@@ -13,7 +13,7 @@ namespace demos {
 namespace {
 
 constexpr double kWidest = 100.0;
-constexpr std::size_t kLongCell = 30;  // bytes: such words may be broken into lines
+constexpr std::size_t kLongCell = 30;  // bytes: longer words may be broken into lines
 
 const char* classOf(SlideLayout layout) {
     switch (layout) {
@@ -89,7 +89,7 @@ constexpr const char* kFilmMarks =
     "<button class=\"wait\" tabindex=\"-1\" aria-label=\"play\"><svg viewBox=\"0 0 16 16\">"
     "<path d=\"M4 2.5v11l9-5.5z\"/></svg></button><div class=\"run\"><i></i></div>";
 
-/// The last row, where it is not full, stands in the middle; cells are two columns wide.
+/// Centres the last row if it is not full; cells are two columns wide.
 std::string placeOf(std::size_t i, std::size_t count, const PictureGrid& grid) {
     const int empty = emptyCells(count, grid);
     const bool first = static_cast<int>(i) == (grid.rows - 1) * grid.columns;
@@ -128,7 +128,7 @@ std::string showHtml(const MadeSlide& made, const SlideMedia& media) {
     return html + "</figure>";
 }
 
-/// A caption that has no picture to stand below.
+/// The caption of a slide without pictures.
 std::string lonelyCaption(const MadeSlide& made) {
     if (made.slide.caption.empty() || !picturesOf(made).empty()) return {};
     return "<p class=\"caption\">" + htmlInlineOf(made.slide.caption) + "</p>";

@@ -7,19 +7,19 @@
 namespace demos {
 namespace {
 
-constexpr double kWide = 2.6;            // width over height: a strip
+constexpr double kWide = 2.6;            // width over height, as of a strip
 constexpr std::size_t kLongText = 360;   // bytes
 constexpr std::size_t kNarrowTable = 4;  // columns that fit beside a picture
 constexpr std::size_t kHalfTable = 72;   // bytes across that fit in half a slide
-constexpr std::size_t kCell = 16;        // bytes: longer ones may be broken there
-constexpr std::size_t kBetween = 2;      // bytes' room between two columns
+constexpr std::size_t kCell = 16;        // bytes: longer cells may be broken there
+constexpr std::size_t kBetween = 2;      // the gap between two columns in bytes
 
 bool hasWords(const Slide& slide, TableWidth tables) {
     return !slide.text.empty() || !slide.formulas.empty() || !slide.code.empty() ||
            tables != TableWidth::none;
 }
 
-/// In bytes, its longest cells beside each other.
+/// The width of the table in bytes: the sum of each column's longest cell.
 std::size_t across(const MadeTable& table) {
     std::size_t sum = 0;
     for (std::size_t column = 0; column < table.head.size(); ++column) {
@@ -51,7 +51,7 @@ SlideLayout layoutOf(const Slide& slide, TableWidth tables, const std::vector<do
     if (aspects.size() == 1 && aspects.front() > kWide) return SlideLayout::below;
     if (tables == TableWidth::wide) return SlideLayout::below;
     if (tables == TableWidth::half) return SlideLayout::even;
-    // One above the other they would be small.
+    // Pictures above each other would be small.
     if (aspects.size() > 1 && slide.formulas.empty() && slide.code.empty() &&
         tables == TableWidth::none && slide.text.size() <= kLongText)
         return SlideLayout::below;

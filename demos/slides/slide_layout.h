@@ -1,4 +1,4 @@
-/// Where words and pictures of a slide stand.
+/// The layout of a slide's words and pictures.
 #pragma once
 #include <vector>
 
@@ -8,20 +8,20 @@
 namespace demos {
 
 enum class SlideLayout {
-    opening,          // the title's slide
+    opening,          // the title slide
     openingPictured,  // with a picture on its right
-    plain,            // words alone
-    full,             // pictures alone
+    plain,            // only words
+    full,             // only pictures
     beside,           // words on the left, two fifths of the width
-    even,             // likewise, half of it: code, much text or a table and charts
-    below             // words above what is wide: a strip, two pictures
+    even,             // words on the left, half of the width: code, much text or a table and charts
+    below             // words above wide pictures: a strip, two pictures
 };
 
-/// How much room a slide's tables ask for.
+/// How much space a slide's tables need.
 enum class TableWidth {
     none,    // there are none
     narrow,  // they fit beside a picture
-    half,    // they fit where that gets half the slide
+    half,    // they fit beside a picture of half the slide
     wide     // pictures go below them
 };
 TableWidth widthOf(const std::vector<MadeTable>& tables);
@@ -30,7 +30,7 @@ TableWidth widthOf(const std::vector<MadeTable>& tables);
 SlideLayout layoutOf(const Slide& slide, TableWidth tables, const std::vector<double>& aspects);
 SlideLayout layoutOf(const MadeSlide& slide);
 
-/// What a layout leaves to pictures, about: words decide about the rest.
+/// About the space that a layout leaves for pictures: it also depends on the words.
 SlideRoom pictureRoom(SlideLayout layout, TableWidth tables);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// What slides show: which pictures there are, what their files are called, where a page has them.
+/// The pictures and films of a slide, the names of their files, and their addresses in a page.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,10 +17,10 @@ bool hasFilm(const MadeSlide& slide);
 
 /// "media/03-clamp.mp4"
 std::string filmName(const MadeSlide& slide);
-/// Of the i-th of picturesOf(): "media/03-clamp.png", "media/03-clamp-2.svg".
+/// The file of the i-th of picturesOf(): "media/03-clamp.png", "media/03-clamp-2.svg".
 std::string pictureName(const MadeSlide& slide, std::size_t i, const char* ending = "png");
 
-/// Addresses for src; pictures in the order of picturesOf(), as lines where there are any.
+/// Addresses for src; pictures in the order of picturesOf(), as SVG if they have one.
 struct SlideMedia {
     std::string film;  // empty: none
     std::vector<std::string> pictures;

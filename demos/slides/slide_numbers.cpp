@@ -12,8 +12,8 @@ void addNumbers(const std::string& text, std::vector<NumberName>& names) {
     names.insert(names.end(), parts.numbers.begin(), parts.numbers.end());
 }
 
-/// Whether CommonMark would take a value between these words for more: digits after a dollar, which
-/// then closes nothing, a bracket with a link's address, the number of a list.
+/// Whether a value between these words would change their meaning in CommonMark: digits after a
+/// dollar, which then closes nothing, a link's address after a bracket, the number of a list.
 bool meansMore(const std::string& before, const std::string& value, const std::string& after) {
     if (before.ends_with('$') || before.ends_with(']')) return true;
     const std::size_t line = before.rfind('\n') + 1;  // npos + 1 is 0
@@ -22,7 +22,7 @@ bool meansMore(const std::string& before, const std::string& value, const std::s
            before.find_first_not_of(" \t>*+-.)0123456789", line) == std::string::npos;
 }
 
-/// As an entity the first sign is that sign and nothing more.
+/// Writes the first sign as an entity, which is never markup.
 std::string harmless(const std::string& value) {
     const auto first = static_cast<unsigned char>(value.empty() ? 0x80 : value.front());
     return first >= 0x80 ? value : "&#" + std::to_string(first) + ";" + value.substr(1);

@@ -1,4 +1,4 @@
-/// The places of a slide where numbers of its runs stand.
+/// Finds and replaces the numbers in a slide's words.
 #pragma once
 #include <functional>
 #include <string>
@@ -15,8 +15,8 @@ std::vector<NumberName> numbersIn(const Slide& slide);
 
 using NumberValue = std::function<std::string(const NumberName&, NumberSetting)>;
 
-/// Puts values in place of them; within formulas, also those between dollars in a text, as LaTeX.
-/// In a text they are words, wherever they stand: no list, no end of a formula.
+/// Replaces all @{...} by values; in formulas, also those between dollars in a text, as LaTeX. In a
+/// text a value is never markup: it begins no list and ends no formula.
 /// Throws NumberError, and what `value` throws.
 void fillNumbers(Slide& slide, const NumberValue& value);
 

@@ -16,7 +16,7 @@ int evenPart(int pixels, double share) {
     return std::max(2 * static_cast<int>(std::lround(0.5 * share * pixels)), 2);
 }
 
-/// Words after "impulse", quoted where they need it.
+/// A command line of impulse, with words quoted where necessary.
 class CommandLine {
 public:
     explicit CommandLine(const std::string& command) : text_("impulse " + command) {}
@@ -58,7 +58,7 @@ void addRuns(const SlideRuns& runs, CommandLine& line) {
     if (!runs.over.empty()) line.add("--over", runs.over);
 }
 
-/// What the chart of a slide without a picture shows.
+/// Adds the charts of a slide without a picture.
 void addCharts(const Slide& slide, const LoadedRuns& loaded, CommandLine& line) {
     if (!loaded.several) return line.add("--what", fmt::format("{}", fmt::join(slide.plots, ",")));
     line.add("--measure", slide.plots.front());
@@ -66,7 +66,7 @@ void addCharts(const Slide& slide, const LoadedRuns& loaded, CommandLine& line) 
     line.add("--plot", slide.id + ".svg");
 }
 
-/// As a shell's comment: no option of the command says it.
+/// A shell comment, as the command has no option for it.
 std::string spanOf(const Slide& slide, const LoadedRuns& loaded) {
     if (slide.exhibit != Exhibit::film) return {};
     std::string span;
@@ -79,7 +79,7 @@ std::string spanOf(const Slide& slide, const LoadedRuns& loaded) {
     return span.empty() ? "" : "  # the slide" + span;
 }
 
-/// Stills and strips are of one run; what several have is a film.
+/// Stills and strips have commands for one run; for several runs the command makes a film.
 void addTimes(const Slide& slide, const LoadedRuns& loaded, PictureSize whole, CommandLine& line) {
     const bool film = slide.exhibit == Exhibit::film || slide.exhibit == Exhibit::none;
     if (film || loaded.several) {

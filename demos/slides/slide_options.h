@@ -1,4 +1,4 @@
-/// A slide's wishes as the options of the command that would fulfil them.
+/// A slide's keys as options of the command that makes its picture.
 #pragma once
 #include <string>
 
@@ -8,18 +8,18 @@
 
 namespace demos {
 
-/// Scene, settings, look and size; never says anything. `making.options` gives jobs, samples,
-/// context and reproducible.
+/// Scene, settings, look and size; quiet. `making.options` gives jobs, samples, context and
+/// reproducible.
 Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making);
 
-/// The whole slide, or two thirds of it where words, charts or tables stand beside; even sides.
+/// The whole slide, or two thirds of it next to words, charts or tables; even sides.
 PictureSize pictureSize(const Slide& slide, PictureSize whole);
 
-/// Of a strip, whose moments have the shape of `whole`.
+/// The columns of a strip whose moments have the shape of `whole`.
 int stripColumns(const Slide& slide, PictureSize whole);
 
-/// "impulse still stack -t 2.9 --show impulses --theme print"; empty where nothing is drawn. What
-/// no option says follows as a shell's comment: which part of a film, and how fast.
+/// "impulse still stack -t 2.9 --show impulses --theme print"; empty if nothing is drawn. A shell
+/// comment after it says what no option can: which part of a film, and how fast.
 std::string commandOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded);
 
 }  // namespace demos

@@ -17,10 +17,10 @@
 namespace demos {
 namespace {
 
-/// A third of a second: browsers step back by playing on from the key frame before.
+/// One per third of a second: to step back, browsers decode from the previous key frame.
 constexpr int kKeyFramesASecond = 3;
 
-/// The drawing processes begin before `begin` opens what they should not hold.
+/// The drawing processes start before `begin` opens files that they should not inherit.
 void drawFrames(const SlidePlan& plan, const Studio& studio, const std::function<void()>& begin,
                 const std::function<void(const DrawnFrame&)>& take) {
     const int workers = workerCount(studio.jobs, static_cast<int>(plan.frames.size()));
@@ -49,7 +49,7 @@ std::string namesOf(const FilmPlan& film) {
     return fmt::format("{} side by side: {}", film.name, fmt::join(labels, "; "));
 }
 
-/// With letters that can be read on a slide.
+/// The strip's layout with letters that are readable on a slide.
 StripLayout stripOf(const SlidePlan& plan) {
     const PictureSize size{plan.film.layout.width, plan.film.layout.height};
     StripLayout layout =

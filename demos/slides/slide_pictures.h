@@ -1,4 +1,4 @@
-/// Films, stills and strips of slides, drawn.
+/// Draws films, stills and strips of slides.
 #pragma once
 #include <filesystem>
 
@@ -8,17 +8,17 @@
 
 namespace demos {
 
-/// With what everything is drawn.
+/// The settings of all drawing.
 struct Studio {
-    int jobs = 0;        // drawing processes at most; 0: one a core
-    Progress& progress;  // advances a frame a frame
+    int jobs = 0;        // maximum of drawing processes; 0: one per core
+    Progress& progress;  // advances with every frame
 };
 
-/// Where the plan has all frames of a film they go to `file`, whole or not at all; the poster comes
-/// from the same pass. Throws Stop (diverged, interrupted), render::Error.
+/// Writes the film to `file`, complete or not at all; with an empty `file` draws only the poster,
+/// which otherwise comes from the same pass. Throws Stop (diverged, interrupted), render::Error.
 MadeFilm madeFilm(const SlidePlan& plan, const std::filesystem::path& file, const Studio& studio);
 
-/// A still, or a strip of all the plan's frames with their times. Throws likewise.
+/// A still, or a strip of all the plan's frames with their times. Throws the same.
 MadePicture madeStill(const SlidePlan& plan, const Studio& studio);
 MadePicture madeStrip(const SlidePlan& plan, const Studio& studio);
 

@@ -17,13 +17,13 @@ namespace {
 
 constexpr int kMostShown = 240;  // frames a second of a film
 
-/// px of a slide: narrower pictures have no room for time, bodies and solver.
+/// px of a slide: narrower panels have no room for time, bodies and solver.
 constexpr double kNarrowPanel = 400.0;
 
-/// Of a panel's width, for the label on a plate; longer ones are lines of text.
+/// The share of a panel's width that a label on a plate may have; longer ones are lines of text.
 constexpr float kPlateShare = 0.8f;
 
-/// The steps a second that all of them have pictures of.
+/// The rate at which all runs have steps: the greatest common divisor of their hz.
 int commonHz(const LoadedRuns& loaded) {
     int hz = loaded.variants.front().scene.hz;
     for (const Variant& variant : loaded.variants) hz = std::gcd(hz, variant.scene.hz);
@@ -40,8 +40,7 @@ PictureSize sizeOf(const FilmPlan& film) { return {film.layout.width, film.layou
 
 int evenPixels(int pixels) { return std::max(pixels / 2 * 2, 2); }
 
-/// Panels of the deck's shape, the last row in the middle; as wide as the slide where they are more
-/// like a strip.
+/// Panels of the deck's shape with the last row centred; a single row is as wide as the slide.
 void arrangePanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
     const std::size_t count = plan.panels.size();
     const PictureGrid grid = arrangement(slide, count, aspectOf(whole));
@@ -60,7 +59,7 @@ void arrangePanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
     plan.picture.height = height;
 }
 
-/// Two stand side by side, each as high as the film, as `impulse compare` has them.
+/// Two panels stay side by side and as high as the film, as in `impulse compare`.
 void setPanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
     if (plan.panels.size() > 2) arrangePanels(slide, whole, plan);
     const PictureSize size = sizeOf(plan);
@@ -75,8 +74,7 @@ void setPanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
     }
 }
 
-/// One run beside words, which say what the scene's captions say; alone it is as the program draws
-/// it.
+/// One run next to words, which replace the scene's captions; without words it is drawn as usual.
 void setPicture(const Slide& slide, FilmPlan& plan) {
     if (standsAlone(slide) && !slide.opening) return;
     Overlays& overlays = plan.panels.front().overlays;
@@ -84,7 +82,7 @@ void setPicture(const Slide& slide, FilmPlan& plan) {
     overlays.pixelsPerPoint = pointPixels(slide, sizeOf(plan));
 }
 
-/// One run: the slide says in words what the scene's captions say. Several: each has its label.
+/// One run: the slide's words replace the scene's captions. Several: each has its label.
 FilmPlan planClip(const Slide& slide, const Deck& deck, const LoadedRuns& loaded, Options options,
                   int fps) {
     options.fps = fps;
@@ -124,7 +122,7 @@ SlidePlan filmOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
     return plan;
 }
 
-/// Pictures of one run are planned as `impulse still` and `impulse strip` plan them.
+/// Pictures of one run are planned as in `impulse still` and `impulse strip`.
 FilmPlan planMoments(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
                      Options options, const std::vector<double>& times) {
     if (loaded.several) return planClip(slide, deck, loaded, options, commonHz(loaded));
@@ -138,11 +136,11 @@ FilmPlan planMoments(const Slide& slide, const Deck& deck, const LoadedRuns& loa
     static_cast<Options&>(strip) = options;
     strip.times = times;
     FilmPlan plan = planStrip(strip);
-    stripSteps(plan, strip);  // whether they are apart
+    stripSteps(plan, strip);  // throws if two moments are the same step
     return plan;
 }
 
-/// Rows, columns and letters of a strip's moments.
+/// Sets rows, columns and letters of a strip's moments.
 void arrangeStrip(const Slide& slide, const Deck& deck, SlidePlan& plan) {
     const std::size_t moments = plan.frames.size();
     plan.columns = arrangement(slide, moments, aspectOf(deck.size)).columns;
@@ -153,7 +151,7 @@ void arrangeStrip(const Slide& slide, const Deck& deck, SlidePlan& plan) {
     if (!standsAlone(slide)) plan.film.panels.front().overlays.pixelsPerPoint = pixels;
 }
 
-/// A frame a step, so that every time has one.
+/// Plans one frame per step, so that every time has a frame.
 SlidePlan momentsOf(const Slide& slide, const Deck& deck, const LoadedRuns& loaded,
                     Options options) {
     const std::vector<double> times = momentTimes(slide, untilOf(slide, loaded.variants.front()));

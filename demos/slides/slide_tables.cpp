@@ -49,7 +49,8 @@ MadeTable expectationsTable(const std::vector<RunExpectations>& runs) {
     const bool several = runs.size() > 1;
     MadeTable table;
     if (several) table.head.push_back("run");
-    for (const char* name : {"what", "of", "asked", "came out", "ok"}) table.head.push_back(name);
+    for (const char* name : {"what", "of", "expected", "measured", "ok"})
+        table.head.push_back(name);
     for (const RunExpectations& run : runs)
         for (std::size_t i = 0; i < run.results.size(); ++i) {
             const ExpectationResult& result = run.results[i];

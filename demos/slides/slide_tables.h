@@ -8,18 +8,18 @@
 
 namespace demos {
 
-/// A row a run, named where there are several; without what is 0 in all of them. `timing`: with the
-/// measure ms, which is another in every run of the program.
+/// A row per run, with its name if there are several; without measures that are 0 in all runs.
+/// `timing`: with the measure ms, which differs in every run of the program.
 MadeTable measuresTable(const std::vector<Measured>& runs, bool several, bool timing);
 
-/// What came out for one run, or for each of several.
+/// The results of one run's expectations.
 struct RunExpectations {
     std::string label;
-    const SceneDescription* scene;           // which expects
+    const SceneDescription* scene;           // its expectations
     std::vector<ExpectationResult> results;  // in the order of the scene
 };
 
-/// A row an expectation: what, of, asked, came out, ok; numbers as quantityText() writes them.
+/// A row per expectation: what, of, expected, measured, ok; numbers as of quantityText().
 MadeTable expectationsTable(const std::vector<RunExpectations>& runs);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-# What `impulse slides` needs besides: KaTeX run by Duktape, CommonMark, its page, a math font.
+# Additional dependencies of `impulse slides`: KaTeX run by Duktape, CommonMark, its page, a math font.
 pkg_check_modules(CMARK REQUIRED IMPORTED_TARGET libcmark)
 pkg_check_modules(DUKTAPE REQUIRED IMPORTED_TARGET duktape)
 set(IMPULSE_KATEX /usr/share/javascript/katex/katex.js CACHE FILEPATH
@@ -10,19 +10,19 @@ endif()
 configure_file(slides/katex_text.cpp.in katex_text.cpp @ONLY)
 embed_page(slides slides "" "" state,fit,film,show,speaker,keys,pointer,start)
 
-# A font for the formulas of slides, cut to what formulas use. Without it they are set in what the
-# reader's machine has.
+# A font for the formulas of slides, reduced to what formulas use. Without it they are drawn in the
+# reader's own mathematical font.
 set(IMPULSE_MATH_FONT /usr/share/texmf/fonts/opentype/public/tex-gyre-math/texgyrepagella-math.otf
-    CACHE FILEPATH "the OpenType math font that pages of slides carry")
+    CACHE FILEPATH "the OpenType math font embedded in pages of slides")
 find_program(IMPULSE_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(IMPULSE_PYTHON NAMES python3)
 if(NOT EXISTS ${IMPULSE_MATH_FONT})
-  message(STATUS "No font at ${IMPULSE_MATH_FONT} (fonts-texgyre-math): slides carry none for formulas")
+  message(STATUS "No font at ${IMPULSE_MATH_FONT} (fonts-texgyre-math): slides embed none for formulas")
 else()
   execute_process(COMMAND ${IMPULSE_PYTHON} -c "import brotli, fontTools.subset"
                   RESULT_VARIABLE no_font_tools OUTPUT_QUIET ERROR_QUIET)
   if(no_font_tools)
-    message(STATUS "No fontTools (python3-fonttools, python3-brotli): slides carry no font for formulas")
+    message(STATUS "No fontTools (python3-fonttools, python3-brotli): slides embed no font for formulas")
   else()
     set(math_font ${CMAKE_CURRENT_BINARY_DIR}/math_font.cpp)
     target_sources(demos_slides PRIVATE ${math_font})

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Made when it is its turn: all films of a talk need not be in memory at once.
+/// The content is made when the file is written, so that only one film is in memory at a time.
 struct FolderFile {
     fs::path name;  // in the folder
     std::function<Bytes()> content;
@@ -55,7 +55,7 @@ void addMedia(const MadeSlide& slide, std::vector<FolderFile>& files) {
 
 constexpr const char* kList = "sections.json";
 
-/// But for the list of them all.
+/// All text files except the list.
 std::vector<FolderFile> wordFiles(const MadeDeck& deck) {
     return {{"index.html", [&deck] { return bytesOf(linkedSlidesPage(deck)); }},
             {"notes.md", [&deck] { return bytesOf(speakerNotesOf(deck)); }},
@@ -79,7 +79,7 @@ bool isAmong(const fs::path& name, const std::vector<fs::path>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A link would lead the films, and what is removed, out of the folder.
+/// With a symbolic link films would be written, and files removed, outside of the folder.
 void checkMediaFolder(const fs::path& folder) {
     std::error_code ignored;
     const fs::file_status media = fs::symlink_status(folder / "media", ignored);
@@ -90,7 +90,7 @@ void checkMediaFolder(const fs::path& folder) {
                     printable((folder / "media").string())));
 }
 
-/// What a slides run has not made is not its to replace.
+/// Throws if a file with one of the names was not made by a slides run.
 void checkStrangers(const fs::path& folder, const std::vector<fs::path>& names,
                     const std::vector<fs::path>& own) {
     checkMediaFolder(folder);
@@ -106,7 +106,7 @@ void checkStrangers(const fs::path& folder, const std::vector<fs::path>& names,
     }
 }
 
-/// In the folder, which may be a disk of its own: rename does not cross disks.
+/// Within the folder, which may be on another disk: rename does not work across disks.
 constexpr std::string_view kDraft = ".impulse-slides.tmp";
 
 bool isDraft(const fs::path& name) {
@@ -115,7 +115,7 @@ bool isDraft(const fs::path& name) {
            text.find_first_not_of("0123456789", kDraft.size()) == std::string::npos;
 }
 
-/// Of runs that were killed; the folder's lock says that nobody writes them now.
+/// Removes drafts of killed runs; the folder's lock ensures that no run is writing them.
 void sweepDrafts(const fs::path& folder) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
@@ -137,7 +137,7 @@ void checkEmpty(const fs::path& folder, bool overwrite) {
                                printable(folder.string())));
 }
 
-/// The folder for one run alone, made where it is not there; gone again where nothing came of it.
+/// Reserves the folder for one run; creates it if necessary, and removes it then if it stays empty.
 class Claim {
 public:
     explicit Claim(const fs::path& folder) : folder_(folder), made_(!fs::exists(folder)) {
@@ -146,7 +146,7 @@ public:
         sweepDrafts(folder);
     }
     ~Claim() {
-        if (made_) ::rmdir(folder_.c_str());  // not where there are files
+        if (made_) ::rmdir(folder_.c_str());  // fails if there are files
     }
     Claim(const Claim&) = delete;
     Claim& operator=(const Claim&) = delete;
@@ -157,7 +157,7 @@ private:
     std::optional<FolderLock> lock_;
 };
 
-/// All of it, until it is whole.
+/// All files, until they are complete.
 class Draft {
 public:
     explicit Draft(const fs::path& folder)
@@ -181,7 +181,7 @@ public:
             throw render::Error("cannot write '" + (folder_ / name).string() +
                                 "': " + error.message());
     }
-    /// sections.json as it is to be next.
+    /// Replaces sections.json.
     void publishList(const MadeDeck& deck, const std::vector<fs::path>& names) const {
         write({kList, [&] { return bytesOf(sectionsJson(deck, names)); }});
         publish(kList);
@@ -195,7 +195,7 @@ fs::path withoutSlash(const fs::path& folder) {
     return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Of the folder, or of the one in which it will be made.
+/// Checks the folder, or the existing one in which it will be created.
 void checkWritable(const fs::path& folder) {
     std::error_code ignored;
     fs::path there = fs::absolute(folder, ignored);
@@ -206,7 +206,7 @@ void checkWritable(const fs::path& folder) {
                         "': " + (isFolder ? render::describeError(errno) : "it is not a folder"));
 }
 
-/// Both, the old ones first.
+/// The names of both lists, `names` first.
 std::vector<fs::path> unionOf(std::vector<fs::path> names, const std::vector<fs::path>& others) {
     for (const fs::path& name : others)
         if (!isAmong(name, names)) names.push_back(name);
@@ -228,7 +228,7 @@ void checkSlidesFolder(const fs::path& target, bool overwrite) {
     checkStrangers(folder, namesOf(wordFiles(MadeDeck{})), listedFiles(folder));
 }
 
-/// Whenever it is killed, sections.json lists all that slides runs have put there.
+/// If it is killed at any time, sections.json lists all files that slides runs have written there.
 std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& target,
                                         bool overwrite) {
     const fs::path folder = withoutSlash(target);

@@ -26,7 +26,7 @@ SlidesOutput outputOf(const std::string& name) {
 
 void spareSources(const std::string& name, const Deck& deck) {
     for (const std::filesystem::path& source : deck.files) {
-        std::error_code neither;  // one of them is no file
+        std::error_code neither;  // set if one of them does not exist
         if (std::filesystem::equivalent(name, source, neither))
             refuseOutput(name, "the deck reads this file; write to another one");
     }

@@ -1,4 +1,4 @@
-/// Where a deck goes: the ending picks what is written.
+/// The outputs of a deck: the ending of a name selects what is written.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,8 +15,8 @@ struct SlidesOutput {
     std::string name;
 };
 
-/// Those of -o, or the default. Throws Stop (usage, wouldOverwrite) or render::Error for what
-/// cannot be written, or twice to one place, or over what the deck was read from.
+/// The outputs of -o, or the default. Throws Stop (usage, wouldOverwrite) or render::Error if one
+/// cannot be written, two have the same place, or one would overwrite a source of the deck.
 std::vector<SlidesOutput> slidesOutputsOf(const Options& options, const Deck& deck);
 
 }  // namespace demos

@@ -16,7 +16,7 @@ std::string hexOf(const render::Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", level(color.r), level(color.g), level(color.b));
 }
 
-/// The charts' ground, so that these have no edge.
+/// The page has the same background as charts, so that these have no visible edge.
 std::string inksStyle(const std::string& theme) {
     const Inks inks = inksOf(theme);
     return fmt::format(":root {{ --ground: {}; --ink: {}; --muted: {}; --grid: {}; --axis: {}; }}",
@@ -53,7 +53,7 @@ std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
     replaceAll(text.before, "@inks@", inksStyle(made.deck.theme));
     replaceAll(text.before, "@theme@", made.deck.theme);
     replaceAll(text.before, "</title>", "</title>" + authorTag(made.deck.author));
-    // The last: a title may say what it likes.
+    // Last, since a title may contain one of the other marks.
     replaceAll(text.before, "@title@", htmlEscaped(titleTextOf(made.deck.title)));
     return text.before + slides + text.after;
 }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr const char* kNoBrowser =
     "chromium is needed for a PDF; install it (apt install chromium)";
 
-/// 2 min, or what tests of hanging ones set.
+/// 2 min, or a time set by tests of a hanging browser.
 std::chrono::milliseconds patience() {
     return render::patienceOf("IMPULSE_CHROMIUM_PATIENCE_MS", std::chrono::minutes(2));
 }
@@ -48,12 +48,12 @@ std::vector<std::string> printing(const std::string& program, const fs::path& fo
                                    "--virtual-time-budget=20000",
                                    "--user-data-dir=" + (folder / "profile").string(),
                                    "--print-to-pdf=" + (folder / "talk.pdf").string()};
-    if (geteuid() == 0) words.emplace_back("--no-sandbox");  // whose sandbox refuses root
+    if (geteuid() == 0) words.emplace_back("--no-sandbox");  // the sandbox refuses root
     words.push_back("file://" + escapedPath(fs::absolute(folder / "talk.html").string()));
     return words;
 }
 
-/// "/Type /Page", not "/Type /Pages": Chromium's PDFs have their objects in the open.
+/// Counts "/Type /Page", not "/Type /Pages": objects in Chromium's PDFs are not compressed.
 std::size_t pagesOf(const std::vector<std::uint8_t>& pdf) {
     const std::string_view text(reinterpret_cast<const char*>(pdf.data()), pdf.size());
     constexpr std::string_view kPage = "/Type /Page";
@@ -63,7 +63,7 @@ std::size_t pagesOf(const std::vector<std::uint8_t>& pdf) {
     return pages;
 }
 
-/// Why there is no PDF, with what the program said last; empty where there is one.
+/// Why there is no PDF, with the last line of the program's output; empty if there is one.
 std::string troubleOf(const std::string& ended, bool printed, const fs::path& words) {
     if (ended.empty() && printed) return {};
     const std::vector<std::uint8_t> said = contentOf(words);

@@ -6,12 +6,12 @@
 namespace demos {
 namespace {
 
-constexpr std::size_t kLongestUnit = 8;  // bytes with its space, which is of two: " rad/s", " µm/s"
+constexpr std::size_t kLongestUnit = 8;  // bytes with its space of two bytes: " rad/s", " µm/s"
 constexpr std::string_view kMinus = "\u2212", kTimes = "\u00a0\u00d7\u00a010";
 
 enum class CellKind { number, words, nothing };
 
-/// Takes the power of ten off: "\u00a0\u00d7\u00a010\u207b\u2076".
+/// Removes the power of ten: "\u00a0\u00d7\u00a010\u207b\u2076".
 void skipPower(std::string_view& rest) {
     if (!rest.starts_with(kTimes)) return;
     rest.remove_prefix(kTimes.size());

@@ -1,4 +1,4 @@
-/// Which columns of a table hold numbers and stand right-aligned.
+/// Which columns of a table hold numbers and are right-aligned.
 #pragma once
 #include <vector>
 
@@ -6,7 +6,7 @@
 
 namespace demos {
 
-/// For every column of the head. A dash alone says that there is no number.
+/// One value per column of the head. A cell "-" means that there is no number.
 std::vector<bool> numberColumns(const MadeTable& table);
 
 }  // namespace demos

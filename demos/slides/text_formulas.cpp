@@ -35,7 +35,7 @@ private:
         return std::min(text_.find_first_not_of(c, from), text_.size()) - from;
     }
 
-    /// Code ends with as many backquotes as it began with; there is none where these never come.
+    /// Code ends with as many backquotes as it began with; without these there is no code.
     void skipCode() {
         const std::size_t begin = i_, ticks = runOf('`', i_);
         i_ += ticks;
@@ -63,7 +63,7 @@ private:
         return at > from && !isSpace(text_[at - 1]) && !digit;
     }
 
-    /// Where the formula's last dollars begin; the text's size where they are missing.
+    /// Where the formula's last dollars begin; the text's size if they are missing.
     std::size_t closingDollar(std::size_t from, bool display) const {
         for (std::size_t j = from; j < text_.size(); ++j) {
             if (text_[j] == '\\')
@@ -97,7 +97,7 @@ private:
 
     const std::string& text_;
     std::size_t i_ = 0;
-    std::vector<bool> unclosed_;  // runs of so many backquotes that nothing closes from here on
+    std::vector<bool> unclosed_;  // by number of backquotes: nothing closes these from here on
     ScannedText found_;
 };
 

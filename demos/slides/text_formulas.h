@@ -1,6 +1,6 @@
-/// The formulas in a text: $x$ within a line, $$x$$ on a line of its own. As Pandoc reads them: the
-/// first $ has no space after it, the last none before it and no digit after it, so that "$5 and
-/// $6" are prices; none in `code`, none across an empty line; \$ is a dollar.
+/// Finds the formulas in a text: $x$ within a line, $$x$$ on its own line. As in Pandoc, the first
+/// $ has no space after it, the last none before it and no digit after it, so that "$5 and $6" are
+/// prices. There are none in `code` and none across an empty line; \$ is a dollar.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,14 +14,14 @@ struct TextFormula {
     std::size_t at = 0;              // where `tex` begins
 };
 
-/// What is no plain word of a text, in its order.
+/// The parts of a text that are not plain words, in order.
 struct ScannedText {
     struct Span {
         std::size_t begin = 0, end = 0;  // bytes
     };
     std::vector<TextFormula> formulas;
     std::vector<Span> code;          // with its backquotes
-    std::vector<std::size_t> loose;  // each $ that is of no formula, of no code and of no price
+    std::vector<std::size_t> loose;  // each $ that belongs to no formula, code or price
 };
 ScannedText scannedText(const std::string& text);
 

@@ -5,7 +5,7 @@
 namespace demos {
 namespace {
 
-/// Goes through a file's characters.
+/// Walks through a file's characters.
 class Cursor {
 public:
     Cursor(std::string_view source, Place from) : rest_(source), place_{1, 1, from.file} {
@@ -40,7 +40,7 @@ private:
     Place place_;
 };
 
-/// Leaves the cursor on the first byte of a string's text; the quote, or 0 where there is none.
+/// Moves the cursor to the first byte of a string's text; returns the quote, or 0 if there is none.
 char openQuotes(Cursor& cursor) {
     const char quote = cursor.next('"') ? '"' : cursor.next('\'') ? '\'' : '\0';
     if (!quote) return quote;
@@ -61,7 +61,7 @@ std::size_t utf8Length(std::string_view hex) {
     return code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
 }
 
-/// A backslash before space: the rest of the line and all space after it are left out.
+/// A backslash before a line end: skips the rest of the line and all space after it.
 bool takeLeftOut(Cursor& cursor) {
     constexpr std::string_view kSpace = " \t\r\n";
     if (!cursor.next('\\') || cursor.rest().find_first_of(kSpace, 1) != 1) return false;
@@ -70,7 +70,7 @@ bool takeLeftOut(Cursor& cursor) {
     return true;
 }
 
-/// Passes what makes the text's next bytes; how many these are.
+/// Skips the source of the text's next bytes; returns the number of these bytes.
 std::size_t take(Cursor& cursor, char quote) {
     if (quote == '"' && cursor.next('\\')) {
         cursor.skip(1);
@@ -84,7 +84,7 @@ std::size_t take(Cursor& cursor, char quote) {
     return 1;
 }
 
-/// A file's text where the byte of a string is written; without a quote where that cannot be found.
+/// Where a byte of a string is in the file; without a quote if it cannot be found.
 struct Spot {
     Cursor cursor;
     char quote;

@@ -1,4 +1,4 @@
-/// Texts of TOML files with the places of their bytes: for complaints of what stands in them.
+/// The places of bytes of strings in TOML files, for complaints about these strings.
 #pragma once
 #include <cstddef>
 #include <string_view>
@@ -7,17 +7,17 @@
 
 namespace demos {
 
-/// Where a text is written.
+/// Where a string is written.
 struct TomlPosition {
     Place place;                   // of its opening quotes
-    std::string_view source = {};  // the file; empty where it is not at hand
+    std::string_view source = {};  // the file; empty if it is not available
 };
 
-/// The place of the text's byte, as an editor counts: escapes, left-out line ends and the newline
-/// after opening quotes are considered. That of the quotes where there are none, as after --set.
+/// The place of a byte of the string, as an editor counts: it considers escapes, skipped line ends
+/// and the newline after opening quotes. Without a source, as after --set, the place of the string.
 Place placeIn(const TomlPosition& written, std::size_t byte);
 
-/// Whether the text's byte is an escape in the file: the newline of "\n", the tab of "\theta".
+/// Whether a byte of the string is an escape in the file: the newline of "\n", the tab of "\theta".
 bool isEscape(const TomlPosition& written, std::size_t byte);
 
 }  // namespace demos

@@ -9,14 +9,14 @@ namespace demos {
 namespace {
 
 constexpr float kFaintest = 0.12f, kDensest = 0.34f;  // alpha of the oldest and newest ghost
-constexpr double kLeastWay = 0.3;  // of its reach, that a body moves between two ghosts
+constexpr double kLeastWay = 0.3;  // of its reach: the least movement of a body between two ghosts
 
 render::Ground groundOf(const engine::Shape& plane, const engine::Pose& pose, int id) {
     const Vec3 normal = pose.rotation * plane.normal;
     return {true, drawn(normal), static_cast<float>(normal.dot(pose.position)), id};
 }
 
-/// A body's solids where it is at `pose`.
+/// Adds a body's solids at `pose`.
 void place(const std::vector<DrawnPart>& parts, const engine::Pose& pose,
            const render::Color& color, int id, std::vector<render::Solid>& out) {
     for (const DrawnPart& part : parts) {
@@ -28,7 +28,7 @@ void place(const std::vector<DrawnPart>& parts, const engine::Pose& pose,
     }
 }
 
-/// How far the farthest point of a body goes from one pose to another, about.
+/// Approximately how far the farthest point of a body moves from one pose to another.
 double wayBetween(const engine::Pose& a, const engine::Pose& b, double reach) {
     return (a.position - b.position).norm() + a.rotation.angularDistance(b.rotation) * reach;
 }
@@ -55,7 +55,7 @@ double thicknessOf(const engine::Shape& shape) {
                 least = std::min(least, face.offset);
             return least;
         }
-        case engine::ShapeType::compound: return 0.3 * reachOf(shape);  // it may be hollow there
+        case engine::ShapeType::compound: return 0.3 * reachOf(shape);  // it may be hollow
         default: return shape.radius;
     }
 }

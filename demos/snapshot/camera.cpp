@@ -11,7 +11,7 @@ namespace demos {
 namespace {
 
 constexpr double kSameTime = 1e-9;      // s: times of pictures are sums, those of keys are not
-constexpr double kNearestFocus = 1e-3;  // m; what is nearer, or behind, is not focused on
+constexpr double kNearestFocus = 1e-3;  // m; a nearer point, or one behind, is not focused on
 
 double eased(Ease ease, double s) {
     switch (ease) {
@@ -38,7 +38,7 @@ CameraView mixed(const CameraKey& a, const CameraKey& b, double share) {
             a.fovDegrees + share * (b.fovDegrees - a.fovDegrees)};
 }
 
-/// How far the body that the camera follows has come, as the camera knows it.
+/// How far the followed body has moved, with the camera's lag.
 Vec3 followed(const Moment& moment) {
     const Stage& stage = moment.stage;
     const CameraDescription& camera = stage.scene.camera;
@@ -50,7 +50,7 @@ Vec3 followed(const Moment& moment) {
     return Vec3::Zero();
 }
 
-/// m along the view axis; never 0, so that a shutter may mix it.
+/// m along the view axis; never 0, so that a shutter can interpolate it.
 double focusOf(const Stage& stage, const Vec3& from, const Vec3& lookAt) {
     const CameraDescription& camera = stage.scene.camera;
     const Vec3 sight = lookAt - from;

@@ -1,4 +1,4 @@
-/// Where the camera is at a time: its keys, the body that it follows, and its orbit.
+/// The camera at a given time: from its keys, the body it follows, and its orbit.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,20 +13,20 @@ struct CameraView {
     double fovDegrees;
 };
 
-/// By the keys alone; `time`: s. Before the first key it comes from the camera's own view at 0 s,
-/// after the last it stays.
+/// The view by the keys alone; `time`: s. Up to the first key the camera moves from its own view at
+/// 0 s; after the last key it stays.
 CameraView viewAt(const CameraDescription& camera, double time);
 
-/// The same on its orbit, where it has one.
+/// The same with the orbit, if there is one.
 CameraView orbitAt(const CameraDescription& camera, double time);
 
-/// The cuts so far: pictures of the same number are of one take.
+/// The number of cuts so far: pictures with the same number belong to one shot.
 int shotAt(const CameraDescription& camera, double time);
 
-/// m: of the body's centre; none where no body is called so.
+/// The position of the body's centre in m; nothing if no body has this name.
 std::optional<Vec3> placeOf(const Stage& stage, const std::string& body);
 
-/// With what it follows, its orbit and its lens.
+/// The camera with followed body, orbit and lens.
 render::Camera cameraOf(const Moment& moment);
 
 }  // namespace demos

@@ -8,12 +8,13 @@
 namespace demos {
 namespace {
 
-constexpr int kCoilTurns = 9, kFewestRods = 5, kMostRods = 10;  // rods a turn
-constexpr float kStraight = 0.12f;  // of the length, at either end
+constexpr int kCoilTurns = 9, kFewestRods = 5, kMostRods = 10;  // rods per turn
+constexpr float kStraight = 0.12f;  // of the length, at each end
 constexpr float kWide = 0.09f;      // of the length at rest: the coil's radius
 constexpr float kThick = 0.15f;     // of that radius: the wire's
 
-/// So many that a turn is off by less than half a pixel in a picture 720 high: r (1 - cos(pi / n)).
+/// As many as keep the error of a turn, r (1 - cos(pi / n)), below half a pixel in a picture 720
+/// high.
 int rodsPerTurn(const render::Camera& camera, const render::Vec3& place, float radius) {
     const float away = std::max((place - camera.from).norm(), 1e-3f);
     const float half = std::tan(0.5f * camera.fovDegrees * 0.01745329252f);

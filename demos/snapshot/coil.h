@@ -1,11 +1,11 @@
-/// A spring as a coil of rods, so that one sees how far it is drawn out.
+/// A spring as a coil of rods, so that its extension is visible.
 #pragma once
 #include "render/frame.h"
 
 namespace demos {
 
-/// `rest`: m, its length without load; it sets how wide the coil is. What is small in the picture
-/// of `frame.camera` gets few rods.
+/// `rest`: m, the length without load; it sets the coil's width. A coil that is small in the
+/// picture of `frame.camera` gets few rods.
 void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int id,
              render::Frame& frame);
 

@@ -36,7 +36,7 @@ std::string materialText(const engine::Material& m) {
     return text;
 }
 
-/// What bodies are told apart by, where that has a name.
+/// The group or material of every body, for these colourings; else empty.
 std::vector<std::string> namesOf(const Stage& stage, const std::string& colorBy) {
     std::vector<std::string> names;
     if (colorBy == "group" || colorBy == "material")
@@ -46,7 +46,7 @@ std::vector<std::string> namesOf(const Stage& stage, const std::string& colorBy)
     return names;
 }
 
-/// The same number for what is the same, in the order of the bodies.
+/// Equal names get the same number, in the order of the bodies.
 std::vector<int> numbered(const std::vector<std::string>& names) {
     std::map<std::string, int> numbers;
     std::vector<int> result;
@@ -55,7 +55,7 @@ std::vector<int> numbered(const std::vector<std::string>& names) {
     return result;
 }
 
-/// By body; nothing when its own colours stay.
+/// By body; empty if bodies keep their own colours.
 std::vector<int> kindsOf(const Stage& stage, const std::string& colorBy) {
     if (colorBy == "island") return islandsOf(stage);
     if (colorBy != "id") return numbered(namesOf(stage, colorBy));

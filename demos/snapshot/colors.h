@@ -1,4 +1,4 @@
-/// Bodies' colours: their own, or by what they do.
+/// The colours of bodies: their own, or by what they do.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,29 +11,29 @@ namespace demos {
 
 struct History;
 
-inline constexpr float kSensorAlpha = 0.34f;  // a sensor lets through what is behind it
+inline constexpr float kSensorAlpha = 0.34f;  // a sensor is translucent
 
 /// By body: m/s for "speed"; N s for "impulse", the sum along the normals in the last step. Empty
-/// for colourings without a scale. Fixed bodies have the value -1.
+/// for colourings without a scale. The value of fixed bodies is -1.
 std::vector<double> colorValues(const Stage& stage, const std::string& colorBy);
 
-/// Viridis (van der Walt and Smith 2015): evenly spaced to the eye, also to colour-blind ones.
+/// Viridis (van der Walt and Smith 2015): perceptually uniform, also for colour-blind viewers.
 /// share: 0..1, clamped.
 render::Color scaleColor(double share);
 /// x red, y green, z blue.
 render::Color axisColor(int axis);
-/// From low to high, as many as it takes.
+/// The colours of the scale from low to high.
 std::vector<render::Color> scaleRamp();
 
-/// The end of the scale: given, or the least of 1, 2 or 5 times a power of ten not below the
+/// The end of the scale: as set, or the smallest of 1, 2 or 5 times a power of ten not below the
 /// largest value so far.
 double scaleEnd(const Overlays& overlays, const History& history);
 
-/// Bodies that hang together by contacts and joints, each named by the least number among them;
-/// fixed bodies do not join others, and are -1.
+/// By body: the island of bodies connected by contacts and joints, as the least index in it. Fixed
+/// bodies do not connect others, and have -1.
 std::vector<int> islandsOf(const Stage& stage);
 
-/// What the colours of moving bodies say, in the bodies' order: for "group" and "material".
+/// The meanings of colours for "group" and "material", in the order of the moving bodies.
 struct ColorMeaning {
     std::string name;
     render::Color color;
@@ -43,7 +43,7 @@ std::vector<ColorMeaning> colorMeanings(const Stage& stage, const std::string& c
 /// By body.
 std::vector<render::Color> bodyColors(const Stage& stage, const Overlays& overlays,
                                       const History& history);
-/// Its own, whatever else colours bodies.
+/// The body's own colour, whatever the colouring.
 render::Color ownColor(const Stage& stage, int body);
 
 }  // namespace demos

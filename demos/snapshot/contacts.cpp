@@ -1,4 +1,4 @@
-// Contact points with their normals, impulses and friction; nudges.
+// Contact points with their normals, impulses and friction; also nudges.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ constexpr double kDotShare = 0.16;     // of the thinner body's thickness, at mo
 constexpr double kNormalShare = 0.03;  // of the view's height
 constexpr double kNormalLength = 0.7;  // of the thinner body's thickness, at most
 
-/// m: of the thinner of the two; of the other one where one is a plane.
+/// m: the thickness of the thinner body; if one is a plane, of the other.
 double thinner(const Stage& stage, const engine::ContactState& contact) {
     const double a = thicknessOf(stage.world.def(contact.a).shape);
     const double b = thicknessOf(stage.world.def(contact.b).shape);

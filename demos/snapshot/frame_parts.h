@@ -1,4 +1,4 @@
-/// The parts that a snapshot is put together from.
+/// The parts of a snapshot.
 #pragma once
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace demos {
 
-/// What every part knows.
+/// The input of every part.
 struct Moment {
     const Stage& stage;
     const Overlays& overlays;
@@ -21,7 +21,7 @@ inline render::Vec3 drawn(const Vec3& v) { return v.cast<float>(); }
 
 using engine::reachOf;
 
-/// m: from its centre to its nearest face, about; 0 for a plane and a mesh.
+/// m: approximate distance from the centre to the nearest face; 0 for a plane and a mesh.
 double thicknessOf(const engine::Shape& shape);
 
 void addBodies(const Moment& moment, render::Frame& frame);     // bodies.cpp

@@ -10,7 +10,7 @@ namespace demos {
 namespace {
 
 constexpr double kHalfLife = 0.5;        // s, of a peak
-constexpr std::size_t kMostGhosts = 12;  // more cannot be told apart
+constexpr std::size_t kMostGhosts = 12;  // more cannot be distinguished
 constexpr double kLeastImpulse = 1e-6;   // N s; less is rounding
 constexpr double kLeastNudge = 1e-9;     // m
 
@@ -38,7 +38,7 @@ void rememberGhost(const Stage& stage, double every, History& history) {
     history.ghosts.push_back(std::move(poses));
 }
 
-/// The body's place p, smoothed with the time constant T: f' = (p - f) / T, exact for p at rest.
+/// The body's position p, smoothed with the time constant T: f' = (p - f) / T, exact for p at rest.
 void rememberFollowed(const Stage& stage, History& history) {
     const CameraDescription& camera = stage.scene.camera;
     if (!(camera.followLag > 0.0)) return;

@@ -1,4 +1,4 @@
-/// What pictures need to know of the steps so far, whichever frames are drawn.
+/// What pictures need from all steps so far, whichever frames are drawn.
 #pragma once
 #include <optional>
 #include <vector>
@@ -9,20 +9,20 @@
 namespace demos {
 
 struct History {
-    // What the longest arrow stands for: the largest of one step, halved every half second, so that
-    // what a crash leaves behind is seen again.
+    // The value of the longest arrow: the largest of one step, halved every half second, so that
+    // arrows become visible again after a crash.
     double impulsePeak = 0.0;  // N s, of one contact
     double nudgePeak = 0.0;    // m, of one body
 
-    std::vector<Vec3> nudges;      // m, by body, of the last step; empty = not watched
-    double largestValue = 0.0;     // of what the bodies are coloured by, so far
-    double lowestPotential = 0.0;  // J, so far, and 0 at most
+    std::vector<Vec3> nudges;      // m, by body, in the last step; empty = not watched
+    double largestValue = 0.0;     // of the colouring, so far
+    double lowestPotential = 0.0;  // J, so far, at most 0
     double largestEnergy = 0.0;    // J, so far
-    std::optional<Vec3> followed;  // m: where the camera that follows with a lag believes its body
+    std::optional<Vec3> followed;  // m: the body's position for a camera that follows with a lag
     std::vector<std::vector<engine::Pose>> ghosts;  // by body; the oldest first
 };
 
-/// After every step, and before the first. `history.nudges` is up to date already.
+/// To be called before the first step and after every step; `history.nudges` must be up to date.
 void remember(const Stage& stage, const Overlays& overlays, History& history);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-// What a joint is made of: rods, springs, rails, tracks, and arms to bodies that do not reach it.
+// The bars of a joint: rods, springs, rails, tracks, and arms to bodies that do not reach it.
 #include "demos/snapshot/joint_bars.h"
 
 #include <algorithm>
@@ -19,21 +19,21 @@ bool isSprung(const engine::JointDef& def) {
     return def.spring.isSoft() || def.free[0].spring.isSoft();
 }
 
-/// Joints that hold their anchors together, but for arms. A slider or a path goes past its anchor
-/// on a; a gear, an axis and a look-at hold no places.
+/// Joints that hold their anchors together, which only need arms. A slider or a path moves past its
+/// anchor on a; a gear, an axis and a look-at do not hold positions.
 bool meetsA(JointType type) {
     return type <= JointType::weld || type == JointType::universal ||
            type == JointType::constantVelocity;
 }
 
-/// Adds those of one joint.
+/// Adds the bars of one joint.
 class JointBars {
 public:
     JointBars(const Stage& stage, int joint, const engine::JointState& state,
               std::vector<JointBar>& bars)
         : stage_(stage), joint_(joint), state_(state), bars_(bars) {}
 
-    /// `range`: of a slider.
+    /// `range`: the range of a slider.
     void addAll(const SlideRange& range) {
         const engine::JointDef& def = state_.def;
         if (def.type == JointType::distance) addDistance(def);
@@ -54,7 +54,7 @@ private:
         if (isSprung(def)) bars_.back().rest = def.length;
     }
 
-    /// As far as it can slide; past where it comes by the body's size, where nothing stops it.
+    /// As long as it can slide; without a limit, by the body's size beyond `range`.
     void addRail(const engine::JointDef& def, const SlideRange& range) {
         const engine::Limits& limits = def.free[0].limits;
         const double size = engine::reachOf(stage_.world.def(def.b).shape);
@@ -68,7 +68,7 @@ private:
     }
 
     void addTrack(const engine::JointDef& def) {
-        constexpr int kSteps = 12;  // a piece
+        constexpr int kSteps = 12;  // per piece
         const auto at = [&](int i) {
             return engine::curveAt(def.path, def.closed, static_cast<double>(i) / kSteps).at;
         };

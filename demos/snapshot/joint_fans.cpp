@@ -14,12 +14,12 @@ using engine::larger;
 using engine::Limits;
 using engine::smaller;
 
-/// An angle about an axis, as it is drawn.
+/// The drawing of an angle about an axis.
 struct Fan {
     Vec3 at{0, 0, 0};     // m
     Vec3 axis{0, 0, 1};   // unit
-    Vec3 zero{1, 0, 0};   // unit, across the axis: where the angle is 0. Fixed in a, as limits are
-    double angle = 0.0;   // rad, where b stands
+    Vec3 zero{1, 0, 0};   // unit, perpendicular to the axis: angle 0. Fixed in a, like the limits
+    double angle = 0.0;   // rad, the current angle of b
     double length = 0.0;  // m
 
     Vec3 rim(double radians) const {
@@ -27,7 +27,7 @@ struct Fan {
     }
 };
 
-/// Across the axis, and fixed in the body that the axis is fixed in.
+/// Perpendicular to the axis, and fixed in the body that the axis is fixed in.
 Vec3 acrossIn(const Quat& body, const Vec3& axis) {
     const Vec3 local = body.conjugate() * axis, across = local.cross(Vec3::UnitX());
     return body * (across.norm() > 0.1 ? across : Vec3(local.cross(Vec3::UnitY()))).normalized();
@@ -37,10 +37,10 @@ void addHand(const Fan& fan, render::Frame& frame) {
     addLine(fan.at, fan.rim(fan.angle), kArcPixels, render::normalColor(), frame);
 }
 
-/// The limits and what lies between.
+/// Draws the limits and the arc between them.
 void addArc(const Fan& fan, const Limits& limits, render::Frame& frame) {
     if (!limits.any()) return;
-    const double turn = 2.0 * kPi;  // more is drawn as the whole round
+    const double turn = 2.0 * kPi;  // more is drawn as a full circle
     const double low = larger(limits.low, fan.angle - turn);
     const double high = smaller(limits.high, fan.angle + turn);
     constexpr int kSteps = 24;
@@ -58,10 +58,10 @@ void addLimitedAngle(const Fan& fan, const Limits& limits, render::Frame& frame)
     addArc(fan, limits, frame);
 }
 
-/// Directions at an angle of `swing` to the axis: a ring with four spokes; `zero` is across the
-/// axis.
+/// The directions at an angle of `swing` to the axis: a ring with four spokes; `zero` is
+/// perpendicular to the axis.
 void addCone(const Fan& cone, double swing, render::Frame& frame) {
-    if (swing <= 0.0 || swing >= kPi) return;  // no direction is beyond
+    if (swing <= 0.0 || swing >= kPi) return;  // no direction is excluded
     Fan ring = cone;
     ring.at += engine::cosine(swing) * cone.length * cone.axis;
     ring.length *= engine::sine(swing);
@@ -74,12 +74,12 @@ void addCone(const Fan& cone, double swing, render::Frame& frame) {
     }
 }
 
-/// m: as far as a way goes; past where b is, where nothing stops it.
+/// m: the upper limit; without one, a point beyond b.
 double upperEnd(const Limits& limits, double position, double size) {
     return std::isfinite(limits.high) ? limits.high : larger(position, 0.0) + size;
 }
 
-/// From limit to limit along `way`, through where b is; ticks across where something stops it.
+/// A line from limit to limit along `way`, through b, with ticks at the limits.
 void addLimitedWay(const JointState& joint, int coordinate, const Vec3& way, const Vec3& across,
                    double size, render::Frame& frame) {
     const Limits& limits = joint.def.free[coordinate].limits;
@@ -103,7 +103,7 @@ void addHingeAngle(const Stage& stage, const JointState& joint, double size, ren
             joint.position, 0.8 * size};
     Vec3 toCentre = stage.world.pose(joint.def.b).position - joint.worldB;
     toCentre -= axis.dot(toCentre) * axis;
-    if (toCentre.norm() > 1e-3 * size)  // then the hand points there
+    if (toCentre.norm() > 1e-3 * size)  // then the hand points to the centre
         fan.zero = engine::turnAbout(axis, -joint.position) * toCentre.normalized();
     addHand(fan, frame);
     addArc(fan, joint.def.free[0].limits, frame);
@@ -121,13 +121,13 @@ void addSwingAndTwist(const Stage& stage, const JointState& joint, double size,
     addCone(fan, swing.low, frame);
     addCone(fan, swing.high, frame);
     Fan twisted = fan;
-    twisted.length *= 0.5;  // inside the cone, of which it is no part
+    twisted.length *= 0.5;  // inside the cone, but not part of it
     addLimitedAngle(twisted, twist, frame);
 }
 
 void addUniversalAngles(const JointState& joint, double size, render::Frame& frame) {
-    // The first angle is that of axis2 round `axis`; the second that of b's first pin round axis2,
-    // which starts at a's.
+    // The first angle is that of axis2 about `axis`; the second is that of b's first pin about
+    // axis2, starting at a's.
     const Vec3 &axis = joint.worldAxis, &axis2 = joint.worldAxis2;
     const Vec3 first = engine::turnAbout(axis, -joint.positions[0]) * axis2;
     const Vec3 second = (axis - axis2.dot(axis) * axis2).normalized();
@@ -155,7 +155,7 @@ void addSuspension(const JointState& joint, double size, render::Frame& frame) {
     if (!way.spring.isSoft()) return;
     const double high = upperEnd(way.limits, joint.position, size);
     const Vec3 top = joint.worldB + (high - joint.position) * joint.worldAxis;
-    // Lines, which are seen through the wheel that the spring of most cars is drawn inside of.
+    // Lines, because the spring of most cars is inside the wheel, and lines are visible through it.
     render::Frame coil;
     coil.camera = frame.camera;
     addCoil(drawn(top), drawn(joint.worldB), static_cast<float>(size), 0, coil);

@@ -1,4 +1,4 @@
-/// Lines of --show joints: a joint's coordinates, where they stand and, in amber, their limits.
+/// Lines of --show joints: the current values of a joint's coordinates and, in amber, their limits.
 #pragma once
 #include "demos/snapshot/frame_parts.h"
 
@@ -11,8 +11,8 @@ inline void addLine(const Vec3& from, const Vec3& to, float pixels, const render
     frame.lines.push_back({drawn(from), drawn(to), pixels, color});
 }
 
-/// The angle of a hinge or an axis joint: its hand, which shows where b stands, and its limits.
-/// `size` here and below: m, how far the marks of this joint reach.
+/// The angle of a hinge or an axis joint: a hand that shows the angle of b, and the limits.
+/// `size` here and below: m, the extent of this joint's marks.
 void addHingeAngle(const Stage& stage, const engine::JointState& joint, double size,
                    render::Frame& frame);
 
@@ -23,10 +23,11 @@ void addSwingAndTwist(const Stage& stage, const engine::JointState& joint, doubl
 /// Limits of a universal joint's two angles.
 void addUniversalAngles(const engine::JointState& joint, double size, render::Frame& frame);
 
-/// A six-dof's frame, as a carries it, at a's anchor; at b's the limits of its ways and turns.
+/// The frame of a six-dof joint, fixed in a, at a's anchor; at b's anchor the limits of its
+/// translations and rotations.
 void addSixDof(const engine::JointState& joint, double size, render::Frame& frame);
 
-/// A wheel's suspension: its way, and where it is sprung a coil from the upper end to the wheel.
+/// A wheel's suspension: its travel, and, if it is sprung, a coil from the upper end to the wheel.
 void addSuspension(const engine::JointState& joint, double size, render::Frame& frame);
 
 }  // namespace demos

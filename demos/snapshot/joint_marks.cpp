@@ -10,13 +10,12 @@ using engine::JointState;
 using engine::JointType;
 using engine::smaller;
 
-/// m: the body's reach, 0 of the ground.
+/// m: the body's reach; 0 for the ground.
 double extentOf(const Stage& stage, engine::BodyId body) {
     return body == stage.ground ? 0.0 : reachOf(stage.world.def(body).shape);
 }
 
-/// The ground and meshes have no reach of their own: an anchor to them may be inside the other
-/// body.
+/// The ground and meshes have no reach: an anchor on them may be inside the other body.
 void addAnchor(const Stage& stage, engine::BodyId body, engine::BodyId other, const Vec3& at,
                float pixels, const render::Color& color, render::Frame& frame) {
     render::Marker marker{drawn(at), pixels, color};
@@ -25,7 +24,7 @@ void addAnchor(const Stage& stage, engine::BodyId body, engine::BodyId other, co
     frame.markers.push_back(marker);
 }
 
-/// m: how far marks reach, by the smaller of the two bodies.
+/// m: the extent of the marks, by the smaller of the two bodies.
 double sizeOf(const Stage& stage, const JointState& joint) {
     double size = 0.0;
     for (const engine::BodyId body : {joint.def.a, joint.def.b}) {
@@ -39,7 +38,7 @@ void addAxis(const Vec3& at, const Vec3& axis, double size, render::Frame& frame
     addLine(at - size * axis, at + size * axis, kAxisPixels, render::jointColor(), frame);
 }
 
-/// Those that hold in both bodies, as a carries them; of joints with two, axis2 as b does.
+/// The axes fixed in a; for joints with two axes, axis2 is the one fixed in b.
 void addAxes(const JointState& joint, double size, render::Frame& frame) {
     const JointType type = joint.def.type;
     const bool two = type == JointType::universal || type == JointType::wheel ||

@@ -1,4 +1,4 @@
-// Joints and springs: their bars as rods and coils, and marks of what they hold.
+// Joints and springs: their bars as rods and coils, and the marks of --show joints.
 #include "demos/snapshot/coil.h"
 #include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/joint_bars.h"

@@ -1,5 +1,4 @@
-// What the marks stand for, with samples of them: an arrow of a round number of N s, a colour
-// scale.
+// The meanings of the marks, with samples: an arrow of a round number of N s, a colour scale.
 #include <fmt/format.h>
 
 #include <algorithm>

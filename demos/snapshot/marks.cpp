@@ -1,4 +1,4 @@
-// What is drawn at every body: axes, centre of mass, bounding box, name.
+// The marks of every body: axes, centre of mass, bounding box, name.
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/frame_parts.h"
 #include "engine/shapes/bounds.h"
@@ -7,7 +7,7 @@
 namespace demos {
 namespace {
 
-/// As long as half the body and a third of its reach.
+/// Their length is half the body plus a third of its reach.
 void addAxes(const engine::Shape& shape, const engine::Pose& pose, render::Frame& frame) {
     const double reach = reachOf(shape);
     const Vec3 half = engine::boundsOf(shape, {}).high;

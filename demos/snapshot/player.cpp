@@ -16,15 +16,15 @@ const char* what(engine::Trouble trouble) {
         case engine::Trouble::none:
             return "nothing is wrong";
         case engine::Trouble::positionNotFinite:
-            return "position is not finite; the body was taken out";
+            return "position is not finite; the body was removed";
         case engine::Trouble::velocityNotFinite:
-            return "velocity is not finite; the body was taken out";
+            return "velocity is not finite; the body was removed";
         case engine::Trouble::positionTooLarge:
-            return "farther than 100 km from the origin; the body was taken out";
+            return "farther than 100 km from the origin; the body was removed";
         case engine::Trouble::velocityTooLarge:
             return "faster than 10000 m/s or rad/s; the body was slowed down";
         case engine::Trouble::tooManyRows:
-            return "more than the 1000 rows that the direct solver takes; use solver.type = "
+            return "more than 1000 rows, the limit of the direct solver; use solver.type = "
                    "\"impulses\"";
         case engine::Trouble::energyJump:
             return "energy grew tenfold in one step without a cause";
@@ -75,7 +75,7 @@ void Player::look(const engine::Incident& incident) {
     const auto isSame = [&](const engine::Incident& known) {
         return known.body == incident.body && known.trouble == incident.trouble;
     };
-    if (std::ranges::any_of(known_, isSame)) return;  // what is too fast may be so in every step
+    if (std::ranges::any_of(known_, isSame)) return;  // a body that is too fast may be so in every step
     known_.push_back(incident);
     incidents_.push_back(incidentText(stage_, incident));
 }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kLongestShare = 0.16;  // of the view's height
 constexpr double kSampleShare = 0.8;    // of the peak, at most
-constexpr double kLastBits = 1e-9;      // so that 1e-3 is round in spite of its last bit
+constexpr double kLastBits = 1e-9;      // so that 1e-3 counts as round despite its last bit
 
 double decadeBelow(double x) {
     return std::pow(10.0, std::floor(std::log10(x * (1.0 + kLastBits))));

@@ -1,4 +1,4 @@
-/// From a stage to a picture's plain values.
+/// Makes the frame of a picture from a stage.
 #pragma once
 #include "demos/look/overlays.h"
 #include "demos/play/stage.h"

@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-/// Four digits: 264.8 kJ.
+/// With four digits: 264.8 kJ.
 std::string joules(double energy) {
     const double size = std::abs(energy);
     if (size >= 1e6) return fmt::format("{:.4g} MJ", energy / 1e6);
@@ -20,7 +20,7 @@ std::string joules(double energy) {
     return fmt::format("{:.3g} mJ", energy * 1e3);
 }
 
-/// Shares of the largest energy so far, above the lowest potential so far.
+/// The bar shows shares of the largest energy so far, above the lowest potential so far.
 void addEnergy(const Moment& moment, std::vector<render::PlateRow>& rows) {
     const engine::Energy energy = moment.stage.world.energy();
     const render::Color moving = render::paletteColor(1), resting = render::paletteColor(0);

@@ -20,7 +20,7 @@ void addTexts(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
     const int bodies = static_cast<int>(stage.bodies.size());
     const int substeps = stage.world.settings().substeps;
-    // Statistics say the same; on paper they may have no room.
+    // Statistics have the same; on paper they may have no room.
     const bool said = moment.overlays.stats && moment.overlays.pixelsPerPoint <= 0.0;
     if (moment.overlays.clock && !said)
         frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,

@@ -1,4 +1,4 @@
-// The ways of the bodies that the scene names.
+// The trails of the bodies named by the scene.
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/frame_parts.h"
 

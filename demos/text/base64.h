@@ -10,7 +10,7 @@ namespace demos {
 
 std::string toBase64(std::span<const std::uint8_t> bytes);
 
-/// The bytes in a string; nothing where the text is no base64.
+/// The bytes in a string; nothing if the text is not base64.
 std::optional<std::string> fromBase64(std::string_view text);
 
 }  // namespace demos

@@ -1,5 +1,5 @@
-/// Whole numbers and texts as bytes, and back: small numbers in one byte (LEB128, sign in the
-/// lowest bit), so that many of them pack well.
+/// Writes and reads whole numbers and texts as bytes. Small numbers take one byte (LEB128, sign in
+/// the lowest bit), so that many of them compress well.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -20,19 +20,20 @@ private:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// Past the end, and where a value is not what was asked for, everything is zero and good() false.
+/// After the end, or after a value that is not as requested, all values are zero and good() is
+/// false.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
     std::int64_t whole();
-    /// A whole number of 0 to `most`.
+    /// A whole number from 0 to `most`.
     std::size_t count(std::size_t most);
     std::uint32_t bits32();
     double number();  // finite
     std::string text(std::size_t most);
     bool good() const { return good_; }
     bool atEnd() const { return bytes_.empty(); }
-    /// How many bytes are left: no list is longer.
+    /// The number of bytes left: no list can be longer.
     std::size_t left() const { return bytes_.size(); }
 
 private:

@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::size_t kMostLines = 20;
 
-/// Whether these first two of several bytes are a longer spelling than need be, half of a pair of
-/// UTF-16, or beyond U+10FFFF.
+/// Whether the first two of several bytes are an overlong encoding, a UTF-16 surrogate, or beyond
+/// U+10FFFF.
 bool outsideUtf8(unsigned first, unsigned second) {
     return (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
            (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
 }
 
-/// Bytes of the UTF-8 character that begins here; 0 when it is none that may be printed.
+/// The length in bytes of the UTF-8 character that begins here; 0 if it is not printable.
 std::size_t characterLength(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
@@ -29,7 +29,7 @@ std::size_t characterLength(std::string_view text) {
     // U+0080..U+009F are control characters too: U+009B begins an escape sequence.
     if (first == 0xc2 && byte(1) < 0xa0) return 0;
     if (outsideUtf8(first, byte(1))) return 0;
-    // U+FFFE and U+FFFF are no characters; XML knows neither.
+    // U+FFFE and U+FFFF are not characters; XML allows neither.
     if (first == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe) return 0;
     return length;
 }
@@ -58,7 +58,7 @@ std::string printable(std::string_view text) {
 std::string shown(std::string_view text) {
     std::size_t length = 64;
     if (text.size() <= length) return std::string(text);
-    // Back to where a character begins, so that no half of one is shown.
+    // Go back to the start of a character, so that none is cut in half.
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) --length;
     return std::string(text.substr(0, length)) + "...";
 }

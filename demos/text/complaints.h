@@ -1,4 +1,4 @@
-/// All that is wrong with a scene, collected, so that one run tells everything.
+/// Collects everything that is wrong with a scene, so that one run reports all of it.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace demos {
 
-/// Text that a terminal can be given: control bytes and what is not UTF-8 as \x1b.
+/// Text that is safe for a terminal: control bytes and invalid UTF-8 are written as \x1b.
 std::string printable(std::string_view text);
 
-/// What was written, for a message: its first 64 bytes, and "..." where there are more.
+/// The user's text in a message: its first 64 bytes, followed by "..." if there are more.
 std::string shown(std::string_view text);
 
 /// The shortest text that reads back to the same number.
@@ -19,17 +19,17 @@ std::string numberText(double value);
 
 class Complaints {
 public:
-    /// `options`: the texts after --set. What the k-th of them (from 1) says is at Place{0, k}.
+    /// `options`: the texts after --set. The k-th of them (from 1) has the place {0, k}.
     explicit Complaints(std::vector<std::string> options = {});
 
     /// The number of the file in places.
     int addFile(std::string name);
-    /// Empty where the place is an option.
+    /// Empty if the place is an option.
     std::string fileOf(Place place) const;
 
-    /// `what`: one sentence: what is wrong, its value, what would be right.
+    /// `what`: one sentence with what is wrong, the value, and what would be right.
     void add(Place place, std::string what);
-    /// Of a file that was read on its own.
+    /// Adds the complaints about a file that was read separately.
     void addAll(const Complaints& of, int file);
     int count() const { return static_cast<int>(complaints_.size()); }
     /// `file:line:column: what`, in the order of the files, options first; at most 20 and a

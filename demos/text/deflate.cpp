@@ -9,7 +9,7 @@
 namespace demos {
 
 std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes) {
-    constexpr int kSmall = 9;  // of 12: those above cost ten times the time for a hundredth
+    constexpr int kSmall = 9;  // of 12: higher levels take ten times as long to save a hundredth
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(kSmall), &libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
@@ -25,7 +25,7 @@ std::optional<std::vector<std::uint8_t>> inflated(std::span<const std::uint8_t> 
         decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
     if (!decompressor) throw std::bad_alloc();
     std::vector<std::uint8_t> out;
-    // The stream does not say how long it is; no byte of it stands for more than 1032.
+    // The stream does not store its length; one byte of it expands to at most 1032.
     for (std::size_t room = 8 * bytes.size() + 64;; room *= 4) {
         out.resize(std::min(room, most));
         std::size_t used = 0;

@@ -1,4 +1,4 @@
-/// Bytes made small, for what is kept in a repository or in a page.
+/// Compresses bytes for files in a repository and for pages.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace demos {
 
-/// As a zlib stream (RFC 1950). Throws std::bad_alloc.
+/// The bytes as a zlib stream (RFC 1950). Throws std::bad_alloc.
 std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes);
 
-/// Back; nothing where that is damaged or holds more than `most` bytes.
+/// The reverse; nothing if the stream is damaged or has more than `most` bytes.
 std::optional<std::vector<std::uint8_t>> inflated(std::span<const std::uint8_t> bytes,
                                                   std::size_t most);
 

@@ -1,10 +1,10 @@
-/// Names of files where an address belongs.
+/// File names in URLs.
 #pragma once
 #include <string>
 
 namespace demos {
 
-/// Everything but plain characters as %20.
+/// All characters except plain ones are written like %20.
 std::string escapedPath(const std::string& path);
 
 }  // namespace demos

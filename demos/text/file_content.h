@@ -1,4 +1,4 @@
-/// Files of our own making, read back.
+/// Reads files that this program has written.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace demos {
 
-/// An ordinary file's bytes, not through a symlink; empty when there is none, or one of more than
-/// `most` bytes.
+/// The bytes of an ordinary file, never through a symlink; empty if there is none or if it has more
+/// than `most` bytes.
 std::vector<std::uint8_t> contentOf(const std::filesystem::path& path,
                                     std::uintmax_t most = UINTMAX_MAX);
 

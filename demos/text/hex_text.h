@@ -1,4 +1,4 @@
-/// 64-bit numbers as texts: JSON's own are exact to 53 bits only.
+/// 64-bit numbers as texts: JSON numbers are only exact to 53 bits.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@ namespace demos {
 
 /// 16 digits.
 std::string hexText(std::uint64_t value);
-/// Back; nothing where the text is anything but a hexadecimal number of 64 bits.
+/// The reverse; nothing if the text is not a hexadecimal number of at most 64 bits.
 std::optional<std::uint64_t> fromHex(std::string_view text);
 
 }  // namespace demos

@@ -8,7 +8,7 @@ namespace {
 
 std::string beyond(const char* what, long limit) { return what + std::to_string(limit); }
 
-/// Past a string that begins at `i`: where it ends.
+/// The end of a string that begins at `i`.
 std::size_t endOfString(std::string_view json, std::size_t i) {
     for (++i; i < json.size() && json[i] != '"'; ++i)
         if (json[i] == '\\') ++i;
@@ -18,8 +18,8 @@ std::size_t endOfString(std::string_view json, std::size_t i) {
 }  // namespace
 
 std::string jsonTrouble(std::string_view json) {
-    if (json.size() > kMostJsonBytes) return beyond("is longer, in bytes, than ", kMostJsonBytes);
-    std::array<int, kMostJsonDepth + 1> members{};  // of the objects that are open, by depth
+    if (json.size() > kMostJsonBytes) return beyond("has more bytes than ", kMostJsonBytes);
+    std::array<int, kMostJsonDepth + 1> members{};  // of the open objects, by depth
     int depth = 0, values = 0;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char c = json[i];
@@ -29,7 +29,7 @@ std::string jsonTrouble(std::string_view json) {
         if (c == '[' || c == '{') members[static_cast<std::size_t>(depth)] = 0;
         if ((c == ']' || c == '}') && depth > 0) --depth;
         if (c == ':' && ++members[static_cast<std::size_t>(depth)] > kMostJsonMembers)
-            return beyond("has an object of more members than ", kMostJsonMembers);
+            return beyond("has an object with more members than ", kMostJsonMembers);
         if ((c == ',' || c == '[' || c == '{') && ++values > kMostJsonValues)
             return beyond("has more values than ", kMostJsonValues);
     }

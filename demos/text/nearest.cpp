@@ -23,7 +23,7 @@ int editDistance(std::string_view a, std::string_view b) {
 std::string nearest(std::string_view word, std::span<const std::string> names) {
     constexpr std::size_t kLongest = 64;  // no name is longer
     if (word.size() > kLongest + 2) return {};
-    // Fewer edits than letters: any other letter would be near to a name of one.
+    // Fewer edits than letters: otherwise any letter would be near a name of one letter.
     int best = std::min(word.size() <= 3 ? 2 : 3, static_cast<int>(word.size()));
     std::string name;
     for (const std::string& candidate : names) {

@@ -1,4 +1,4 @@
-/// "Did you mean": the known name that a misspelt one is closest to.
+/// "Did you mean": the known name closest to a misspelt one.
 #pragma once
 #include <span>
 #include <string>
@@ -11,8 +11,8 @@ namespace demos {
 /// (Damerau-Levenshtein, each letter edited once).
 int editDistance(std::string_view a, std::string_view b);
 
-/// The first of the names closest to `word` within two edits (one, for words of two or three
-/// letters; none, for one letter); empty when there is none.
+/// The first of the names closest to `word` within two edits (one for words of two or three
+/// letters, none for one letter); empty if there is none.
 std::string nearest(std::string_view word, std::span<const std::string> names);
 
 /// "; did you mean 'hz'?", or "; known are: gravity, hz, seed" (the first dozen).

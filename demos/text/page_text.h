@@ -1,12 +1,12 @@
-/// Pages of one file: a folder page/ has the html, its style and its scripts, which are built in
-/// (embed_page.cmake); a page's data come between.
+/// Pages in a single file: the html, style and scripts of a folder page/ are built in
+/// (embed_page.cmake), and the data are inserted.
 #pragma once
 #include <string>
 
 namespace demos {
 
 struct PageText {
-    std::string before, after;  // the data
+    std::string before, after;  // what comes before and after the data
 };
 PageText reportPageText();   // demos/regression/page
 PageText replayPageText();   // demos/export/page

@@ -4,12 +4,12 @@
 
 namespace demos {
 
-/// `many`: what more than one, or none, are called.
+/// `many`: the plural, also for 0.
 inline std::string plural(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// Of a noun whose plural ends in s.
+/// For a noun whose plural adds an s.
 inline std::string plural(std::size_t count, const char* one) {
     return plural(count, one, (std::string(one) + "s").c_str());
 }

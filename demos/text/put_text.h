@@ -5,8 +5,8 @@
 
 namespace demos {
 
-/// Never throws: a reader that went away is no reason to lose what is being made. What standard
-/// output has refused is reported at the end (run.cpp); what standard error has, nobody would read.
+/// Never throws: a closed pipe must not end the run. A failure of standard output is reported at
+/// the end (run.cpp), one of standard error is not.
 void putText(std::FILE* stream, std::string_view text);
 
 /// "impulse: LINE" on standard error.

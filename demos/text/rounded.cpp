@@ -9,7 +9,7 @@ double rounded(double value, int digits) {
     char text[32];
     if (!std::isfinite(value)) return value;
     const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
-    double result = 0.0;  // also of what is too small for a double
+    double result = 0.0;  // also for values too small for a double
     std::from_chars(text, end.ptr, result);
     return result;
 }

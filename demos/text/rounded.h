@@ -1,9 +1,9 @@
-/// Numbers that are as long as they need to be.
+/// Rounds numbers for output.
 #pragma once
 
 namespace demos {
 
-/// To so many significant digits, 1 to 17; what is not finite stays.
+/// Rounds to this many significant digits, 1 to 17; a value that is not finite is returned as is.
 double rounded(double value, int digits);
 
 }  // namespace demos

@@ -1,12 +1,12 @@
-/// JSON that stays inside a page's <script>, whatever its strings say.
+/// JSON that is safe inside a page's <script>, whatever its strings contain.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace demos {
 
-/// Inside <script> only "</script" and "<!--" mean anything to HTML, and JSON has no `<` outside of
-/// its strings, where \u003c says the same. All else that is not ASCII is escaped too (U+2028).
+/// Inside <script> only "</script" and "<!--" have a meaning in HTML. JSON has `<` in strings only,
+/// where \u003c is equivalent. All characters beyond ASCII are escaped too (U+2028).
 std::string scriptSafe(const nlohmann::ordered_json& json);
 
 }  // namespace demos

@@ -1,10 +1,10 @@
-/// Words of a command line as a shell takes them.
+/// Words of a command line, quoted for a shell.
 #pragma once
 #include <string>
 
 namespace demos {
 
-/// In single quotes where a shell would take the word apart.
+/// In single quotes if a shell would split or expand the word.
 std::string shellWord(const std::string& word);
 
 }  // namespace demos

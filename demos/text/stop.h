@@ -1,4 +1,4 @@
-/// How a run ends when it does not end well: a line for the user and a code for the shell.
+/// How a run fails: a line for the user and an exit code for the shell.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -12,12 +12,12 @@ enum class Exit {
     scene = 3,           // the scene file
     environment = 4,     // no OpenGL, no ffmpeg, disk full
     wouldOverwrite = 5,  // without --overwrite
-    diverged = 6,        // the simulation: a body that could not go on, or energy from nowhere
-    incomplete = 7,      // parts of a film are not there or do not belong together
+    diverged = 6,        // the simulation: a body that could not continue, or energy from nowhere
+    incomplete = 7,      // parts of a film are missing or do not belong together
     interrupted = 130    // SIGINT, SIGTERM, SIGHUP
 };
 
-/// One line: what is wrong, the value, what would be right. Caught once, in run().
+/// One line with what is wrong, the value, and what would be right. Caught once, in run().
 class Stop : public std::runtime_error {
 public:
     Stop(Exit code, const std::string& line) : std::runtime_error(line), code_(code) {}

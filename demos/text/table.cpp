@@ -65,7 +65,7 @@ void checkFree(const std::string& target, bool overwrite) {
     if (!std::filesystem::exists(status)) return;
     render::checkReplaceable(target);
     if (!overwrite)
-        throw Stop(Exit::wouldOverwrite, fmt::format("'{}' is there already; --overwrite "
+        throw Stop(Exit::wouldOverwrite, fmt::format("'{}' already exists; --overwrite "
                                                      "replaces it",
                                                      printable(target)));
 }

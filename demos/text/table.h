@@ -1,4 +1,4 @@
-/// Tables of numbers, and where results go.
+/// Tables of numbers, and the writing of results.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace demos {
 /// Rows of comma-separated values; a number reads back to the same value.
 class Table {
 public:
-    /// `target`: a file, "-" for standard output, or empty for a table that was not asked for.
+    /// `target`: a file, "-" for standard output, or empty for a table that is not wanted.
     Table(std::string target, std::string_view columns);
 
     bool wanted() const { return !target_.empty(); }
@@ -28,7 +28,7 @@ public:
     void endRow();
     long rows() const { return rows_; }
     const std::string& text() const { return text_; }
-    /// To its target, whole or not at all. Throws render::Error.
+    /// Writes to the target, completely or not at all. Throws render::Error.
     void write() const;
 
 private:
@@ -37,20 +37,20 @@ private:
     long rows_ = 0;
 };
 
-/// A file (written whole or not at all, its folder made) or "-". Throws render::Error, of a file
-/// that is kept render::AlreadyThere.
+/// Writes to a file (completely or not at all; its folder is created) or to "-". Throws
+/// render::Error, and render::AlreadyThere for a file that is kept.
 void writeResult(const std::string& target, std::span<const std::uint8_t> bytes,
                  render::Existing existing = render::Existing::replaced);
 
-/// What --overwrite means for a file that is there.
+/// What --overwrite means for an existing file.
 inline render::Existing existingFiles(bool overwrite) {
     return overwrite ? render::Existing::replaced : render::Existing::kept;
 }
 
-/// The same for two names of one file, which need not be there; "-" stays as it is.
+/// The same path for two names of one file, which need not exist; "-" stays as it is.
 std::filesystem::path placeOf(const std::string& target);
 
-/// Throws Stop (wouldOverwrite) when the file is there.
+/// Throws Stop (wouldOverwrite) if the file exists.
 void checkFree(const std::string& target, bool overwrite);
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// FNV-1a, 64 bits, of texts and files. Not for the state of a world: engine::StateHash is.
+/// FNV-1a, 64 bits, of texts and files. For the state of a world use engine::StateHash.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@ class TextHash {
 public:
     void add(std::span<const std::uint8_t> bytes) {
         for (const std::uint8_t byte : bytes) mix(byte);
-        mix(0xff);  // so that "ab" "c" and "a" "bc" differ: no UTF-8 text holds this byte
+        mix(0xff);  // so that "ab" "c" and "a" "bc" differ: no UTF-8 text contains this byte
     }
     void add(std::string_view text) {
         for (const char c : text) mix(static_cast<std::uint8_t>(c));
@@ -26,7 +26,7 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325ull;
 };
 
-/// Of one file or text.
+/// The hash of one file or text.
 inline std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
     TextHash hash;
     hash.add(bytes);

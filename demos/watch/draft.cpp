@@ -18,7 +18,7 @@
 namespace demos {
 namespace {
 
-/// What decides about a picture besides its frame.
+/// What determines a picture besides its frame.
 std::uint64_t sumOf(const FilmPlan& plan) {
     TextHash hash;
     for (const int number : {plan.layout.width, plan.layout.height, plan.picture.width,
@@ -35,7 +35,7 @@ void note(int frame, std::vector<FrameSpan>& spans) {
 
 }  // namespace
 
-/// One play of the scene.
+/// One simulation of the scene.
 class DraftMaker::Run {
 public:
     explicit Run(const FilmPlan& plan)
@@ -65,7 +65,7 @@ public:
         fitCamera(plan_.picture.width, plan_.picture.height, shown);
         return shown;
     }
-    /// A strip's cursor goes with the frame.
+    /// A strip's cursor depends on the frame.
     std::uint64_t sumOfPicture(int frame, const render::Frame& shown) {
         TextHash hash;
         hash.add(std::to_string(planSum_));
@@ -77,7 +77,7 @@ public:
     const std::vector<std::uint64_t>& states() const { return states_; }
     const std::string& trouble() const { return trouble_; }
 
-    /// Those that were not kept; of a run that was cut short, only what was measured.
+    /// The failed expectations; `cut`: the run was cut short, so only those that were measured.
     std::vector<ExpectationResult> failed(bool cut) const {
         std::vector<ExpectationResult> results = checker_.results();
         std::erase_if(results, [cut](const ExpectationResult& result) {
@@ -122,7 +122,7 @@ std::optional<render::Image> DraftMaker::drawn(int frame, const render::Frame& s
     if (place < stored_.size() && stored_[place] == sum) return std::nullopt;
     render::Image image = withStrip(renderer_->draw(shown), plan, plan.timeOf(frame));
     stored_.resize(std::max(stored_.size(), place + 1));
-    stored_[place] = 0;  // while it is half there
+    stored_[place] = 0;  // while it is half written
     store_->put(frame, image);
     stored_[place] = sum;
     return image;
@@ -158,7 +158,7 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
     return draft;
 }
 
-/// The first frame that has changed; the poster where there was no picture.
+/// Writes the first frame that has changed, or the poster if there was no picture.
 void DraftMaker::writePicture(const Run& run, Draft& draft) {
     std::error_code ignored;
     if (draft.framesBefore == 0 || !std::filesystem::exists(places_.picture(), ignored))

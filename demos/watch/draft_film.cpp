@@ -36,7 +36,7 @@ DraftFilm::DraftFilm(const DraftPlaces& places, const FilmPlan& plan, const Fram
                      DraftFiles& files)
     : places_(places), plan_(plan), store_(store), files_(files) {}
 
-/// With all frames before this one.
+/// Starts the film with its first `frames` frames.
 void DraftFilm::open(int frames) {
     const render::VideoSource source{plan_.layout.width, plan_.layout.height, plan_.fps, false};
     writer_ = std::make_unique<render::VideoWriter>(places_.film(), source);
@@ -74,7 +74,7 @@ void DraftFilm::close(int frames) {
     files_.untold = true;
 }
 
-/// Frames past the end, of whichever draft or session, would be taken for this film's.
+/// Removes frames past the end, left by any draft or session: they would seem to be this film's.
 void DraftFilm::closeFiles(int frames) {
     std::error_code ignored;
     std::vector<fs::path> outdated;

@@ -1,4 +1,4 @@
-/// What a draft is written to: draft.mp4, or PNG frames and a strip where there is no ffmpeg.
+/// The files of a draft: draft.mp4, or PNG frames and a strip if there is no ffmpeg.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace demos {
 
-/// Where the drafts of a scene go.
+/// The paths of a scene's drafts.
 struct DraftPlaces {
     std::filesystem::path folder;
     bool films = true;  // there is an ffmpeg
@@ -21,32 +21,32 @@ struct DraftPlaces {
     std::filesystem::path picture() const { return folder / "draft.png"; }
     std::filesystem::path strip() const { return folder / "draft_strip.png"; }
     std::filesystem::path frame(int frame) const;
-    /// What the names of its files in `folder` begin with, temporary ones among them.
+    /// How the names of its files in `folder` begin, including temporary files.
     static std::vector<std::string> names() {
         return {"draft.mp4", "draft.png", "draft_strip.png", "draft.tmp"};
     }
-    /// What to open.
+    /// The file for the user to open.
     std::filesystem::path toOpen() const { return films ? film() : strip(); }
 };
 
-/// What the files show. A draft that is given up may have changed them without being told.
+/// What the files show. A draft that was given up may have changed them without a report.
 struct DraftFiles {
     std::vector<std::uint64_t> sums;  // by frame, FrameHasher's; 0: not known
     bool untold = false;              // written since the last whole draft was reported
 
-    /// Forgets what is not there any more.
+    /// Forgets files that no longer exist.
     void look(const DraftPlaces& places);
 };
 
-/// Frames come one after the other; nothing is written before the first one that differs from what
-/// the files show.
+/// Takes frames in order. Writes nothing before the first frame that differs from what the files
+/// show.
 class DraftFilm {
 public:
-    /// `store` has every frame before it is added; `files` is kept up with what is written.
+    /// `store` must have every frame before it is added; `files` is updated with what is written.
     DraftFilm(const DraftPlaces& places, const FilmPlan& plan, const FrameStore& store,
               DraftFiles& files);
     void add(int frame, const render::Image* image, std::uint64_t sum);
-    /// Of so many frames: a draft that differs by its length alone is written now.
+    /// `frames`: in all. A draft that differs only in length is written now.
     void close(int frames);
 
 private:

@@ -9,7 +9,7 @@
 namespace demos {
 namespace {
 
-/// What a killed watcher has left is removed.
+/// Removes what a killed watcher has left.
 std::filesystem::path freeMark(const DraftPlaces& places) {
     const std::filesystem::path mark = places.folder / "draft";
     if (render::sweepTemporaries(mark))

@@ -1,4 +1,4 @@
-/// One watcher a folder.
+/// One watcher per folder.
 #pragma once
 #include <filesystem>
 
@@ -7,12 +7,12 @@
 
 namespace demos {
 
-/// By a file beside the drafts, not by FolderLock: `impulse render` may write its frames into the
-/// folder meanwhile.
+/// A file next to the drafts, not a FolderLock: `impulse render` may write frames into the folder
+/// at the same time.
 class DraftLock {
 public:
-    /// The folder has to be there. Throws Stop (wouldOverwrite) while another watcher writes there,
-    /// render::Error where it takes no files.
+    /// The folder must exist. Throws Stop (wouldOverwrite) while another watcher writes there,
+    /// render::Error if no file can be created.
     explicit DraftLock(const DraftPlaces& places);
     ~DraftLock();
     DraftLock(const DraftLock&) = delete;

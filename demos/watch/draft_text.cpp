@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostSpans = 3;  // that are listed one by one
+constexpr std::size_t kMostSpans = 3;  // listed one by one
 
 /// The names of the sections that these frames are in, in the order of the film.
 std::vector<std::string> sectionsOf(const FrameSpan& span, const FilmPlan& plan) {

@@ -1,4 +1,4 @@
-/// A draft in lines for people, and as JSON.
+/// A draft as lines of text and as JSON.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,11 +10,11 @@ namespace demos {
 /// "frames 43 to 74 (2.87 to 4.93 s, section 'impact') changed"
 std::string changeText(const Draft& draft, const FilmPlan& plan);
 
-/// All that there is to say of a whole one, but what went wrong.
+/// The report of a whole draft, without failures.
 std::vector<std::string> draftLines(const Draft& draft, const FilmPlan& plan,
                                     const DraftPlaces& places);
 
-/// What went wrong: expectations that were not kept, and a run that diverged.
+/// The failures: expectations that failed, and a run that diverged.
 std::vector<std::string> failureLines(const Draft& draft, const FilmPlan& plan);
 
 /// {"event":"draft",...}

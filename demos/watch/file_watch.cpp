@@ -20,15 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file is whole when its writer closes it, or when it comes under its name. It and its folder
-/// may go.
+/// A file is complete when its writer closes it or when it is renamed to its name. The file and its
+/// folder may also be removed or moved.
 constexpr std::uint32_t kEvents =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_DELETE_SELF | IN_MOVE_SELF;
 
-/// A folder that is gone has no events, and those above it may be gone too: it is looked for.
+/// A missing folder has no events, and its parents may be missing too: it is polled.
 constexpr std::chrono::milliseconds kLook(250);
 
-/// Several files of one save, or of one `git checkout`, come closer together than this.
+/// Several files of one save, or of one `git checkout`, are written within this time.
 constexpr std::chrono::milliseconds kTogether(20);
 
 [[noreturn]] void fail(const std::string& what) {
@@ -77,7 +77,7 @@ void FileWatch::lookForLost() {
     std::set<fs::path> lost;
     lost.swap(lost_);
     for (const fs::path& folder : lost) addFolder(folder);
-    if (lost_.size() < lost.size()) news_ = true;  // what came with a folder has no event
+    if (lost_.size() < lost.size()) news_ = true;  // files that came with the folder have no event
 }
 
 bool FileWatch::isOwn(const std::string& name) const {
@@ -86,11 +86,11 @@ bool FileWatch::isOwn(const std::string& name) const {
 }
 
 void FileWatch::take(const inotify_event& event, Which which) {
-    if (event.mask & IN_Q_OVERFLOW) news_ = true;  // some were lost
+    if (event.mask & IN_Q_OVERFLOW) news_ = true;  // events were lost
     const auto folder = folders_.find(event.wd);
     if (folder == folders_.end()) return;
     if (event.mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT)) {
-        inotify_rm_watch(queue_, event.wd);  // one that was moved is watched where it is now
+        inotify_rm_watch(queue_, event.wd);  // a moved folder would be watched at its new place
         lost_.insert(folder->second);
         folders_.erase(folder);
         news_ = true;

@@ -10,27 +10,27 @@ struct inotify_event;
 
 namespace demos {
 
-/// The folders of the files are watched, not the files: an editor that writes another file and
-/// renames it is noticed, and so is a file that is not there yet.
+/// Watches the files' folders, not the files, to notice editors that write another file and rename
+/// it, and files that do not exist yet.
 class FileWatch {
 public:
-    /// Files whose names begin with one of `ownNames` are never news beside what is watched: who
-    /// watches writes them. Throws render::Error where the system has no more watches to give.
+    /// Other files in a watched folder whose names begin with one of `ownNames` are never news: the
+    /// watcher itself writes them. Throws render::Error if the system has no more watches.
     explicit FileWatch(std::vector<std::string> ownNames);
     ~FileWatch();
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
 
-    /// These from now on, and what they are links to; a folder that is not there is waited for.
-    /// True: one of them was not watched before. Throws render::Error for a folder that may not be
+    /// Watches these files from now on, and the targets of links; waits for missing folders. True:
+    /// one of them was not watched before. Throws render::Error for a folder that cannot be
     /// watched.
     bool watch(const std::vector<std::filesystem::path>& files);
 
-    enum class Which { files, anyBeside };  // anyBeside: any file of their folders counts
-    /// Until one is whole again after it was written, or is gone: true. False: SIGINT or SIGTERM
-    /// came (demos/processes/signals.h). What has happened since the last wait counts.
+    enum class Which { files, anyBeside };  // anyBeside: also any other file in their folders
+    /// Waits until a file is completely written or removed: true. False: SIGINT or SIGTERM came
+    /// (demos/processes/signals.h). Changes since the last wait count.
     bool wait(Which which);
-    /// Whether wait() would come back at once.
+    /// Whether wait() would return at once.
     bool hasNews(Which which);
 
 private:
@@ -41,9 +41,9 @@ private:
     void lookForLost();
 
     int queue_;
-    std::map<int, std::filesystem::path> folders_;  // by number of the watch
+    std::map<int, std::filesystem::path> folders_;  // by watch descriptor
     std::set<std::filesystem::path> files_;         // absolute
-    std::set<std::filesystem::path> lost_;          // folders that are not there
+    std::set<std::filesystem::path> lost_;          // missing folders
     std::vector<std::string> ownNames_;
     bool news_ = false;
 };

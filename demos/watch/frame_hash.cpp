@@ -1,5 +1,5 @@
-// Every struct is taken apart by name: a member that is added to a frame and forgotten here does
-// not compile.
+// Every struct is taken apart by structured bindings: this file does not compile if a frame has a
+// member that is missing here.
 
 #include "demos/watch/frame_hash.h"
 
@@ -21,7 +21,7 @@ public:
     std::uint64_t value() const { return hash_.value(); }
 
 private:
-    /// Numbers and enumerations; 0.0f and -0.0f differ, which costs a drawing at worst.
+    /// Numbers and enumerations; 0.0f and -0.0f differ, which at worst draws a frame again.
     template <class Value>
     requires std::is_arithmetic_v<Value> || std::is_enum_v<Value>
     void one(const Value& value) {
@@ -55,7 +55,7 @@ private:
         const auto& [visible, normal, offset, id] = ground;
         add(visible, normal, offset, id);
     }
-    /// The mesh is added by its owner, who knows it already.
+    /// FrameHasher adds the mesh, whose sum it may know already.
     void one(const render::Solid& solid) {
         const auto& [shape, halfSize, position, rotation, color, id, mesh] = solid;
         add(shape, halfSize, position, rotation, color, id, mesh != nullptr);
@@ -104,7 +104,7 @@ private:
     TextHash hash_;
 };
 
-/// All else in a mesh follows from these.
+/// Everything else in a mesh follows from these.
 std::uint64_t sumOf(const render::SolidMesh& mesh) {
     FrameSum sum;
     sum.add(mesh.vertices, mesh.triangles.size(), mesh.convex, mesh.facets);

@@ -1,4 +1,4 @@
-/// Whether two frames would be drawn alike, by a number of 64 bits.
+/// A 64-bit hash of a frame: frames with the same hash are drawn alike.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -8,17 +8,17 @@
 
 namespace demos {
 
-/// The frames of one run: a mesh that many of them share is looked at once.
+/// Hashes the frames of one run; a mesh that many of them share is hashed once.
 class FrameHasher {
 public:
-    /// Of everything that the frame holds, by value. Two frames that differ have the same number
-    /// with a chance of 2^-64.
+    /// The hash of all values in the frame. Two frames that differ have the same hash with a chance
+    /// of 2^-64.
     std::uint64_t of(const render::Frame& frame);
 
 private:
     std::uint64_t of(const std::shared_ptr<const render::SolidMesh>& mesh);
 
-    // Held, so that no other mesh comes to a known address.
+    // Owned, so that no other mesh gets a known address.
     std::map<std::shared_ptr<const render::SolidMesh>, std::uint64_t> meshes_;
 };
 

@@ -1,5 +1,5 @@
-/// The pictures of a film, by their number, in a file without a name: however long the film is, it
-/// takes no memory, and nothing is left of it.
+/// The pictures of a film, by their number, in a file without a name: it takes no memory, however
+/// long the film is, and leaves nothing behind.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -11,11 +11,11 @@ namespace demos {
 
 class FrameStore {
 public:
-    /// On the disk of `beside`; pictures of this size, in pixels. Throws render::Error.
+    /// On the file system of `beside`, for pictures of this size in pixels. Throws render::Error.
     FrameStore(const std::filesystem::path& beside, int width, int height);
     /// Throws render::Error when the disk is full.
     void put(int frame, const render::Image& image);
-    /// One that was put there.
+    /// A picture that was put there.
     render::Image get(int frame) const;
     int width() const { return width_; }
     int height() const { return height_; }

@@ -13,7 +13,8 @@ struct Bounds {
     bool contains(const Bounds& o) const {
         return (low.array() <= o.low.array()).all() && (o.high.array() <= high.array()).all();
     }
-    /// Whether from + t way is inside for a t of 0 to `most`: the slabs' spans have one in common.
+    /// Whether from + t way is inside for some t in [0, most]: the intervals of the three slabs
+    /// intersect.
     bool meets(const Vec3& from, const Vec3& way, double most) const {
         double first = 0.0, last = most;
         for (int i = 0; i < 3; ++i) {
@@ -29,7 +30,8 @@ struct Bounds {
     }
     Bounds with(const Bounds& o) const { return {low.cwiseMin(o.low), high.cwiseMax(o.high)}; }
     Bounds grownBy(double m) const { return {low.array() - m, high.array() + m}; }
-    /// Half the surface: the chance that a random ray meets it, which is what a tree's cost is.
+    /// Half the surface: proportional to the chance that a random ray hits it, the measure of a
+    /// tree's cost.
     double area() const {
         const Vec3 d = high - low;
         return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();

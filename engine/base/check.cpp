@@ -6,7 +6,7 @@
 namespace engine {
 
 void checkFailed(const char* condition, const char* advice, const char* file, int line) {
-    std::fprintf(stderr, "%s:%d: not true: %s; %s\n", file, line, condition, advice);
+    std::fprintf(stderr, "%s:%d: check failed: %s; %s\n", file, line, condition, advice);
     std::abort();
 }
 

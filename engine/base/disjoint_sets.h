@@ -1,5 +1,5 @@
-/// Which of n things hang together (union-find; Tarjan 1975). The leader of a set is its least member,
-/// so that the result does not depend on the order of joining.
+/// Union-find over n elements (Tarjan 1975). The leader of a set is its smallest member, so the result does
+/// not depend on the order of joining.
 #pragma once
 #include <numeric>
 #include <vector>

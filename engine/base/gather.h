@@ -1,4 +1,5 @@
-/// Eight rows of four floats, each at its own address, to and from lanes: a transposition.
+/// Loads eight rows of four floats, each at its own address, into lanes, and stores them back: a
+/// transposition.
 #pragma once
 #include "engine/base/lanes.h"
 
@@ -54,7 +55,7 @@ ENGINE_INLINE Lanes3 gather(const float* base, int stride, const int* at) {
     return v;
 }
 
-/// The other way; the fourth float of every row becomes 0.
+/// The inverse of gather; the fourth float of every row becomes 0.
 ENGINE_INLINE void scatter(const Lanes3& v, float* base, int stride, const int* at) {
     const Part zero = Part{};
     for (int p = 0; p < kParts; ++p) {

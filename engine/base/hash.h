@@ -1,5 +1,6 @@
-/// The state hash: the proof that two runs went through the same bits.
-/// FNV-1a, 64 bits, fed a double's bytes from the low end, so that it is the same on every machine.
+/// The state hash: equal hashes show that two runs produced the same bits.
+/// FNV-1a, 64 bits, over the bytes of each double from the low end, so it is the same on every
+/// machine.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -16,7 +17,7 @@ public:
             value_ *= 0x100000001b3ull;
         }
     }
-    /// -0 equals +0 and hashes like it.
+    /// -0 hashes like +0.
     void add(double x) { add(std::bit_cast<std::uint64_t>(x == 0.0 ? 0.0 : x)); }
     void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
     void add(const Quat& q) { add(q.w()), add(q.x()), add(q.y()), add(q.z()); }

@@ -1,9 +1,10 @@
-/// Eight floats side by side, and what can be done to all of them at once. Only element-wise
-/// + - * / and sqrt: every lane rounds as a float alone would, so the bits are those of a plain loop,
-/// whichever instructions carry it out.
+/// Eight floats side by side, and operations on all of them at once: only element-wise + - * / and sqrt.
+/// Every lane rounds as a single float does, so the bits are those of a plain loop, whatever instructions are
+/// used.
 ///
-/// A file that includes this is compiled once per instruction set; ENGINE_LANES names the copy, so
-/// that the linker never mixes them. With AVX2 a register holds all eight, else two hold four each.
+/// A file that includes this is compiled once per instruction set; ENGINE_LANES names the copy, so that the
+/// linker never mixes them. With AVX2 one register holds all eight floats, otherwise two registers hold four
+/// each.
 #pragma once
 
 #if defined(__SSE2__)
@@ -31,7 +32,7 @@ using Four = float __attribute__((vector_size(16)));
 using Part = float __attribute__((vector_size(4 * kWidth)));
 using PartBits = int __attribute__((vector_size(4 * kWidth)));
 
-/// All ones where a comparison holds, all zeros where not.
+/// All ones where a comparison holds, otherwise all zeros.
 struct Mask {
     PartBits part[kParts];
 };
@@ -84,7 +85,7 @@ ENGINE_INLINE Lanes select(const Mask& m, const Lanes& x, const Lanes& y) {
                                               (~m.part[i] & reinterpret_cast<PartBits>(y.part[i]))));
 #endif
 }
-/// The second where neither is smaller (larger): what the processors' instructions give.
+/// Returns the second argument where neither is smaller (larger), like the processor's instructions.
 #if defined(__AVX2__)
 ENGINE_INLINE Lanes smaller(const Lanes& a, const Lanes& b) { ENGINE_EACH(Lanes, _mm256_min_ps(a.part[i], b.part[i])); }
 ENGINE_INLINE Lanes larger(const Lanes& a, const Lanes& b) { ENGINE_EACH(Lanes, _mm256_max_ps(a.part[i], b.part[i])); }
@@ -137,7 +138,7 @@ ENGINE_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// A symmetric 3 x 3 matrix, by its upper triangle.
+/// A symmetric 3 x 3 matrix, stored as its upper triangle.
 struct Symmetric3 {
     Lanes xx, xy, xz, yy, yz, zz;
 };

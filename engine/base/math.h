@@ -1,4 +1,4 @@
-/// The vocabulary: Eigen's fixed-size types. The world is in double.
+/// The vector types: Eigen's fixed-size types, in double.
 /// Only + - * / and sqrt appear below this line: they round the same on every machine.
 #pragma once
 #include <Eigen/Core>
@@ -10,29 +10,29 @@ namespace engine {
 
 using Vec2 = Eigen::Vector2d;  // x, y
 using Vec3 = Eigen::Vector3d;  // x, y, z; right-handed
-using Vec4 = Eigen::Vector4d;  // four of a kind
+using Vec4 = Eigen::Vector4d;  // four values
 using Mat2 = Eigen::Matrix2d;     // 2 x 2
 using Mat3 = Eigen::Matrix3d;  // inertia, rotation
 using Mat4 = Eigen::Matrix4d;     // 4 x 4
-using Quat = Eigen::Quaterniond;  // a rotation, of length 1; made as (w, x, y, z)
+using Quat = Eigen::Quaterniond;  // a rotation, of length 1; constructed as (w, x, y, z)
 
-/// Ties and NaNs are defined: a when the two are equal, b when a is not a number.
+/// Ties and NaNs are defined: a when the two are equal, b when a is NaN.
 template <class Value>
 Value smaller(Value a, Value b) {
     return a <= b ? a : b;
 }
-/// The larger one, with the same ties.
+/// The larger one, with the same rules.
 template <class Value>
 Value larger(Value a, Value b) {
     return a >= b ? a : b;
 }
-/// x, or the bound it is beyond.
+/// x, limited to [low, high].
 template <class Value>
 Value clamped(Value x, Value low, Value high) {
     return smaller(larger(x, low), high);
 }
 
-/// The matrix that crosses: crossMatrix(a) b = a x b.
+/// The cross product as a matrix: crossMatrix(a) b = a x b.
 inline Mat3 crossMatrix(const Vec3& a) {
     Mat3 m;
     m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
@@ -40,7 +40,7 @@ inline Mat3 crossMatrix(const Vec3& a) {
 }
 
 /// Two unit vectors that complete the unit vector n to a right-handed frame (n, t1, t2).
-/// The axis least along n is the helper, so that nothing cancels.
+/// The helper is the axis least aligned with n, which avoids cancellation.
 inline void tangents(const Vec3& n, Vec3& t1, Vec3& t2) {
     const double x = std::abs(n.x()), y = std::abs(n.y()), z = std::abs(n.z());
     const Vec3 helper = x <= y && x <= z ? Vec3(Vec3::UnitX())

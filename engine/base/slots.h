@@ -1,5 +1,5 @@
-/// Numbers of things that come and go, used again: a number and its generation name one thing.
-/// What is removed keeps its number through the next step, which still has to tell of it.
+/// Reusable numbers of objects: a number and its generation identify one object. A removed object
+/// keeps its number through the next step, which still has to report it.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@ namespace engine {
 
 class Slots {
 public:
-    /// A number for a new thing: one that is free, else the next.
+    /// A number for a new object: a free one, else the next.
     int take() {
         if (free_.empty()) {
             generations_.push_back(0);
@@ -19,7 +19,7 @@ public:
         return i;
     }
     void remove(int i) { removed_.push_back(i); }
-    /// Whether this number and generation is, or was the last to be, in its slot.
+    /// Whether this generation is the current, or the last, one of its slot.
     bool knows(int i, unsigned generation) const {
         return i >= 0 && i < static_cast<int>(generations_.size()) &&
                generations_[i] == generation;

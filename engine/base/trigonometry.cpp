@@ -3,8 +3,8 @@
 namespace engine {
 namespace {
 
-/// x = k pi/2 + r with |r| <= pi/4. pi/2 is taken away in three pieces, the first two of 33 bits,
-/// so that k times them is exact (Cody and Waite).
+/// x = k pi/2 + r with |r| <= pi/4. pi/2 is subtracted in three pieces, the first two of 33 bits, so that k
+/// times them is exact (Cody and Waite).
 struct Reduced {
     int quadrant;
     double r;
@@ -20,7 +20,7 @@ Reduced reduce(double x) {
     return {static_cast<int>(k - 4.0 * turns), r};
 }
 
-/// Taylor's series; on |r| <= pi/4 the first term left out is below 1e-18.
+/// Taylor series; for |r| <= pi/4 the first omitted term is below 1e-18.
 double sineSeries(double r) {
     const double s = r * r;
     double sum = 0.0;
@@ -39,7 +39,7 @@ double cosineSeries(double r) {
     return 1.0 + sum;
 }
 
-/// atan(z) for |z| <= 1: halved twice by atan(z) = 2 atan(z / (1 + sqrt(1 + z^2))), then its series.
+/// atan(z) for |z| <= 1: halved twice by atan(z) = 2 atan(z / (1 + sqrt(1 + z^2))), then the Taylor series.
 double arctangentOfRatio(double z) {
     for (int halving = 0; halving < 2; ++halving) z = z / (1.0 + std::sqrt(1.0 + z * z));
     const double s = z * z;

@@ -13,10 +13,10 @@
 namespace engine {
 namespace {
 
-// How often a thread looks before it lets others have the processor (there may be fewer processors
-// than threads, and a thread that is waited for may be waiting for this one), and before it sleeps.
+// How often a thread polls before it yields the processor (there may be fewer processors than
+// threads, so the thread it waits for may need this one's processor), and before it sleeps.
 constexpr int kBeforeYielding = 100, kBeforeSleeping = 1000;
-constexpr int kLine = 64;        // bytes: what one thread writes is not on another's cache line
+constexpr int kLine = 64;        // bytes: threads write to separate cache lines
 
 void breathe() {
 #if defined(__SSE2__)
@@ -88,7 +88,7 @@ void Workers::setCount(int threads) {
             team_->threads.emplace_back(
                 [team = team_.get(), i = count_] { team->waitForWork(i); });
     } catch (const std::system_error&) {
-        // The system gives no more; those that there are do.
+        // The system provides no more threads: continue with those started so far.
     }
 }
 

@@ -1,6 +1,6 @@
-/// Threads that share the work of a step: the only place of the engine that knows of any. They split
-/// what is done, never the order in which the contacts of a body are solved, so that the bits are those
-/// of one thread. Between calls they look out for work for some microseconds, then sleep.
+/// The threads that share the work of a step; no other part of the engine creates threads. They split the
+/// work but keep the order in which the contacts of a body are solved, so the bits are those of one thread.
+/// Between calls they poll for work for some microseconds, then sleep.
 #pragma once
 #include <memory>
 
@@ -11,11 +11,11 @@ public:
     Workers();
     ~Workers();
 
-    /// In all, the caller's included; fewer if the system does not give as many.
+    /// The total, including the caller's thread; fewer if the system cannot provide them.
     void setCount(int threads);
     int count() const { return count_; }
 
-    /// work(0), ... work(count - 1), each on a thread of its own; comes back when all are done.
+    /// Calls work(0), ... work(count - 1), each on its own thread; returns when all are done.
     template <class Work>
     void run(const Work& work) {
         if (count_ == 1)
@@ -24,7 +24,8 @@ public:
             runAll([](const void* w, int i) { (*static_cast<const Work*>(w))(i); }, &work);
     }
 
-    /// work(first, end, part) for parts of [0, n); in one piece if that is less than `least` a thread.
+    /// Calls work(first, end, part) for parts of [0, n), each with at least `least` items; one part if n is
+    /// too small.
     template <class Work>
     void share(int n, int least, const Work& work) {
         const int parts = n / least < count_ ? (n < least ? 1 : n / least) : count_;
@@ -46,7 +47,7 @@ private:
     std::unique_ptr<Team> team_;
 };
 
-/// How far one thread has come in a common order, for others that wait for what it does.
+/// How far each thread has come in a common order, for threads that wait for its results.
 class Progress {
 public:
     Progress();
@@ -55,9 +56,9 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void reset(int threads);
-    /// All places of thread i before `place` are done.
+    /// Reports that thread i has finished all places before `place`.
     void reached(int i, int place);
-    /// Comes back when thread i has reached `place`, with the place that it has reached.
+    /// Waits until thread i has reached `place`; returns the place it has reached.
     int waitFor(int i, int place) const;
 
 private:

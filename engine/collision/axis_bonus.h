@@ -1,12 +1,12 @@
-/// What one direction of contact is ahead of another before they are compared.
+/// Bonuses added to a contact direction before directions are compared.
 #pragma once
 
 namespace engine {
 
-/// A face keeps its place until another is better by this much, so that resting bodies do not
-/// change their reference face, and with it all their features, for a rounding error.
+/// Another face must be better by this much to replace the reference face, so that a rounding error
+/// does not change the reference face of resting bodies, and with it all their features.
 constexpr double kFaceBonus = 5e-4;  // m
-/// Edges give one point where a face gives four: they must be clearly better.
+/// Edges must be clearly better, because they give one point where a face gives four.
 constexpr double kEdgeBonus = 2e-3;  // m
 
 }  // namespace engine

@@ -14,7 +14,7 @@ bool isPlane(const Bodies& bodies, int i) {
     return bodies.defs[i].shape.type == ShapeType::plane;
 }
 
-/// Neither ignores a group of the other.
+/// True when neither ignores a group of the other.
 bool heeds(const BodyDef& a, const BodyDef& b) {
     return (a.groups & b.ignores) == 0 && (b.groups & a.ignores) == 0;
 }
@@ -23,8 +23,8 @@ bool mayMeet(const Bodies& bodies, int i, int j) {
     return (bodies.isDynamic(i) || bodies.isDynamic(j)) && heeds(bodies.defs[i], bodies.defs[j]);
 }
 
-/// Where the body may be within the next step. Turning moves no point farther than its sweep, nor
-/// out of the ball around the body.
+/// Bounds of where the body may be during the next step. Rotation moves no point farther than the
+/// sweep, nor out of the ball around the body.
 Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
     const Shape& shape = bodies.defs[i].shape;
     const Motion motion = motionOf(bodies, i, dt);
@@ -49,14 +49,14 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt, Workers*
         Proxy& proxy = proxies_[i];
         proxy.moved = false;
         if (!bodies.present[i] || !bodies.defs[i].collide || bodies.isAsleep(i)) continue;
-        if (isPlane(bodies, i)) {  // no leaf: `moved` once, when it is new
+        if (isPlane(bodies, i)) {  // has no leaf: `moved` only when it is new
             proxy.moved = proxy.leaf == -1;
             proxy.leaf = -2;
         } else {
             proxy.tight = reachOf(bodies, i, 0.5 * margin, dt);
             if (proxy.leaf >= 0 && tree_.bounds(proxy.leaf).contains(proxy.tight)) continue;
             if (proxy.leaf >= 0) tree_.remove(proxy.leaf);
-            // Fat by a tenth of its size: a body that creeps stays in its leaf for many steps.
+            // Enlarged by a tenth of its size: a slow body stays in its leaf for many steps.
             const double fat = 0.05 * (proxy.tight.high - proxy.tight.low).maxCoeff();
             proxy.leaf = tree_.insert(proxy.tight.grownBy(fat), i);
             proxy.moved = true;

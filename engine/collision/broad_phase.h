@@ -1,6 +1,6 @@
-/// Which pairs of bodies are close enough to look at: a dynamic tree of fat bounds. Only a body that
-/// has left its fat bounds is inserted again and asked for its neighbours; a resting heap costs a walk
-/// over its bodies. Planes meet everything that moves.
+/// Finds the pairs of bodies that may touch, with a dynamic tree of enlarged (fat) bounds. Only a body that
+/// has left its fat bounds is reinserted and searches for its neighbours; a resting heap costs one loop over
+/// its bodies. Planes are paired with every dynamic body.
 #pragma once
 #include <compare>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace engine {
 
-/// The lower body number first: the order of everything that follows from pairs.
+/// The lower body number comes first. Everything derived from pairs follows their order.
 struct PairKey {
     int a = 0, b = 0;
     auto operator<=>(const PairKey&) const = default;
@@ -19,19 +19,19 @@ struct PairKey {
 
 class BroadPhase {
 public:
-    /// Moves the bounds with the bodies; they reach `margin` (m) and one step of length dt (s) ahead.
-    /// `workers` share the search for neighbours, if there are any.
+    /// Updates the bounds, which include the margin (m) and the motion of one step of length dt (s).
+    /// `workers`, if given, share the search for neighbours.
     void update(const Bodies& bodies, double margin, double dt, Workers* workers = nullptr);
     void remove(int body);
-    /// Adds the pairs of bodies that may come farther than their bounds say: `more` (m), by body,
-    /// where it is above `least`.
+    /// Adds the pairs of bodies that may move farther than their bounds allow: by `more` (m, indexed by
+    /// body), where that exceeds `least`.
     void lookFarther(const Bodies& bodies, const std::vector<double>& more, double least);
 
-    /// Sorted, each pair once. Of two bodies at least one is dynamic.
+    /// Sorted and unique. At least one body of each pair is dynamic.
     const std::vector<PairKey>& pairs() const { return pairs_; }
-    /// Today's bounds, margin and motion included.
+    /// The current bounds, with margin and motion.
     const Bounds& bounds(int body) const { return proxies_[body].tight; }
-    /// Of a pair; `more` (m) than the margin apart counts as well.
+    /// Whether the bounds of a pair overlap; those up to `more` (m) farther apart count as well.
     bool boundsMeet(const PairKey& pair, double more = 0.0) const {
         const Proxy &a = proxies_[pair.a], &b = proxies_[pair.b];
         return a.leaf < 0 || b.leaf < 0 || a.tight.grownBy(more).overlaps(b.tight);
@@ -45,10 +45,10 @@ private:
         bool moved = false;
     };
 
-    /// Those from `first` on are new; the others are sorted.
+    /// Merges the new pairs, from `first` on, into the sorted ones before them.
     void sortPairs(std::size_t first);
     void forgetPairsOfMoved();
-    /// What one thread finds.
+    /// The results of one thread.
     struct Found {
         std::vector<PairKey> pairs;
         std::vector<int> open;  // for tree_.query

@@ -8,9 +8,9 @@
 namespace engine {
 namespace {
 
-constexpr double kInFront = 0.05;  // of how far the body reaches: so that no rounding takes it back
+constexpr double kInFront = 0.05;  // of the body's reach: more than rounding
 
-/// `centre`: of a convex piece of the body, in its axes.
+/// `centre`: the centre of a convex piece, in the body's axes.
 void hold(Bodies& bodies, int body, int mesh, std::span<const Pose> before, const Shape& piece,
           const Vec3& centre) {
     const Pose& surface = bodies.poses[mesh];

@@ -27,11 +27,11 @@ void clip(PolygonOf<Most>& polygon, const Vec3& normal, double offset, int line)
         const bool insideP = heightP <= kStays, insideQ = heightQ <= kStays;
         if (insideP && kept.count < Most) kept.add(p, polygon.edge[i]);
         if (insideP == insideQ || kept.count == Most) continue;
-        // Between the two, also where the inner one is kept by grace: the line through both may meet
-        // the plane far away.
+        // Stay between the two, also where the inner one is only within the tolerance: the line through both
+        // may meet the plane far away.
         const double t = clamped(heightP / (heightP - heightQ), 0.0, 1.0);
         const Vec3 crossing = p + t * (q - p);
-        // Leaving: the next edge runs along the plane. Entering: on along the old line.
+        // When leaving, the next edge runs along the plane; when entering, it continues along the old line.
         kept.add(crossing, insideP ? line : polygon.edge[i]);
     }
     polygon = kept;
@@ -53,7 +53,7 @@ ClippedPoints<Most>::ClippedPoints(const PolygonOf<Most>& polygon, const Vec3& n
 template <int Most>
 void ClippedPoints<Most>::keepFour(const Vec3& n) {
     if (count <= 4) return;
-    // Ties within 0.2 mm go to the first in the ring, so that a flat rest keeps its choice.
+    // Ties within 0.2 mm go to the first in the ring, so that the choice for a flat contact is stable.
     constexpr double kTie = 2e-4;
     int first = 0;
     for (int i = 1; i < count; ++i)

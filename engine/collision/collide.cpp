@@ -7,8 +7,8 @@ namespace {
 
 using Collide = Manifold (*)(const Shape&, const Pose&, const Shape&, const Pose&, double);
 
-/// Row: the shape that comes first in ShapeType. Two planes never meet; the shapes after these are
-/// left to collide_convex.
+/// The row is the shape that comes first in ShapeType. Two planes never collide; later shapes are
+/// handled by collide_convex.
 constexpr int kShapes = 4;
 constexpr Collide kCollide[kShapes][kShapes] = {
     {collideSphereSphere, collideSphereBox, collideSphereCapsule, collideSpherePlane},

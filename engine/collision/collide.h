@@ -1,5 +1,5 @@
-/// Shape against shape. Every function finds the points whose separation is at most `margin`, so
-/// that the solver sees a contact before it is too late; none found leaves count = 0.
+/// Shape against shape. Every function finds the points whose separation is at most `margin`, so that the
+/// solver knows a contact before it is too late. If there are none, count is 0.
 #pragma once
 #include "engine/collision/manifold.h"
 #include "engine/collision/pieces.h"
@@ -21,8 +21,9 @@ Manifold collideSpherePlane(const Shape& a, const Pose& poseA, const Shape& b, c
                             double margin);
 Manifold collideBoxBox(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
                        double margin);
-/// The best pair of faces, also where two edges are nearer: what comes down when the boxes turn about
-/// those. Every point found deep is so, because it lies within the other's sides.
+/// The contact of the best pair of faces, even where two edges are nearer: it holds the features that come
+/// down when the boxes turn about those edges. Every point found to be deep really is, because it lies within
+/// the other's sides.
 Manifold collideBoxFaces(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,
                          double margin);
 Manifold collideBoxCapsule(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB,

@@ -1,6 +1,6 @@
 /// Box against box: the axis of least penetration among 15 (3 + 3 face normals, 9 edge pairs), then
-/// either a face clipped by the other's sides, at most four points kept, or one point on two edges.
-/// (Gottschalk 1996 for the axes; Sutherland and Hodgman 1974 for the clipping.)
+/// either a face clipped by the other's sides, with at most four points kept, or one point on two
+/// edges. (Gottschalk 1996 for the axes; Sutherland and Hodgman 1974 for the clipping.)
 #include "engine/collision/collide.h"
 #include "engine/collision/axis_bonus.h"
 #include "engine/collision/clip.h"
@@ -15,7 +15,7 @@ struct BestAxis {
     int i = -1, j = -1;          // face: axis i; edges: axis i of a, axis j of b
 };
 
-/// Along n (unit, any sign), as seen from a.
+/// The separation along n (unit, either sign), oriented from a to b.
 BestAxis along(const Vec3& n, const OrientedBox& a, const OrientedBox& b, int i, int j) {
     const double distance = n.dot(b.centre - a.centre);
     const Vec3 outward = distance < 0.0 ? Vec3(-n) : n;
@@ -44,8 +44,8 @@ BestAxis bestEdges(const OrientedBox& a, const OrientedBox& b) {
     return best;
 }
 
-/// The reference face is on `reference`, with outward normal n; the other box's face that looks
-/// against it the most is clipped by its four sides.
+/// The reference face is on `reference`, with outward normal n. The face of the other box most
+/// opposed to it is clipped by its four sides.
 void clipFaces(const OrientedBox& reference, int axis, const Vec3& n, const OrientedBox& other,
                double margin, bool flipped, Manifold& m) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -102,7 +102,7 @@ void touchEdges(const OrientedBox& a, const OrientedBox& b, const BestAxis& best
     const int feature = 12 * 6 * 64 + ((best.i * 3 + best.j) * 4 + cornerA) * 4 + cornerB;
     const Vec3 onA = p + clamped(s, -a.half[best.i], a.half[best.i]) * d;
     const Vec3 onB = q + clamped(t, -b.half[best.j], b.half[best.j]) * e;
-    // Clamping may leave the two askew; the separation along the normal is what the axis says.
+    // Clamping may move the two points off the normal; the separation along it is that of the axis.
     const Vec3 middle = 0.5 * (onA + onB);
     const Vec3 reach = 0.5 * best.separation * best.normal;
     m.add(middle - reach, middle + reach, feature);

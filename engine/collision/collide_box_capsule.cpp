@@ -1,6 +1,7 @@
-/// Box against capsule, in the box's axes. Core outside: the closest point gives the normal, and
-/// where that is (nearly) a face's, the core clipped to the face gives two points. Core inside: the
-/// axis of least penetration among the faces and the box edges crossed with the core.
+/// Box against capsule, in the box's axes. Core outside: the closest point gives the normal; where
+/// that is (nearly) the normal of a face, the core clipped to the face gives two points. Core
+/// inside: the axis of least penetration among the face normals and the cross products of the box
+/// edges with the core.
 #include "engine/collision/collide.h"
 #include "engine/collision/segment.h"
 
@@ -10,8 +11,8 @@ namespace {
 Vec3 closestInBox(const Vec3& p, const Vec3& half) { return p.cwiseMax(-half).cwiseMin(half); }
 
 /// t of the point of the segment closest to the box. The squared distance is convex in t, and its
-/// slope is piecewise linear, with kinks where the segment passes a face's plane: walk the kinks to
-/// the piece in which the slope changes its sign, and solve there.
+/// slope is piecewise linear, with kinks where the segment passes a face's plane: the kinks are
+/// searched for the interval in which the slope changes sign, and it is solved there.
 double closestToBox(const Segment& s, const Vec3& half) {
     const auto slope = [&](double t) {
         const Vec3 p = s.at(t);
@@ -40,14 +41,14 @@ struct Axis {
     bool face = false;
 };
 
-/// Least penetration of the bare core and the box.
+/// The axis of least penetration of the core (without its radius) and the box.
 Axis leastPenetration(const Segment& s, const Vec3& half) {
     Axis best;
     const auto consider = [&](const Vec3& n, bool face) {
         const Vec3 out = n.dot(s.centre) < 0.0 ? Vec3(-n) : n;
         const double separation =
             out.dot(s.centre) - std::abs(out.dot(s.half)) - out.cwiseAbs().dot(half);
-        // An edge has to be clearly better than a face, which holds the core at two points.
+        // An edge must be clearly better than a face, which gives two points.
         if (separation > best.separation + (face ? 0.0 : 2e-3)) best = {separation, out, face};
     };
     for (int i = 0; i < 3; ++i) consider(Vec3::Unit(i), true);
@@ -58,7 +59,7 @@ Axis leastPenetration(const Segment& s, const Vec3& half) {
     return best;
 }
 
-/// The stretch of the core above the face `axis`: parameters, empty when it passes beside.
+/// The part of the core above the face `axis`, as parameters; false when there is none.
 bool clipToFace(const Segment& s, const Vec3& half, int axis, double& from, double& to) {
     from = -1.0, to = 1.0;
     for (int i = 0; i < 3; ++i) {
@@ -75,7 +76,7 @@ bool clipToFace(const Segment& s, const Vec3& half, int axis, double& from, doub
     return to - from > 1e-6;
 }
 
-/// Two points along the face, in the box's axes. False: the core does not lie along it.
+/// Two points along the face, in the box's axes. False: no part of the core is above it.
 bool alongFace(const Segment& s, const Vec3& half, double radius, double margin, int axis,
                double side, Manifold& m) {
     double from = 0.0, to = 0.0;
@@ -109,7 +110,7 @@ Manifold coreOutside(const Segment& s, const Vec3& half, double radius, double m
     for (int i = 1; i < 3; ++i)
         if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
     const double side = normal[axis] < 0.0 ? -1.0 : 1.0;
-    // Within 3 deg of the face, or so that a wide margin takes in the other end as well.
+    // Within 3 deg of the face, or so close that a wide margin includes the other end.
     const bool lies = std::abs(s.half[axis]) < larger(0.05 * s.half.norm(), 0.5 * margin);
     if (std::abs(normal[axis]) > 0.999 && lies &&
         alongFace(s, half, radius, margin, axis, side, m) && m.count > 0)

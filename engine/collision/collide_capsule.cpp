@@ -1,4 +1,4 @@
-/// Capsule against capsule and box: a thick segment, one point or, lying along, two.
+/// Capsule against capsule: two thick segments; one point or, if they are parallel, two.
 #include "engine/collision/collide.h"
 #include "engine/collision/segment.h"
 
@@ -14,7 +14,7 @@ void addBalls(Manifold& m, const Vec3& p, double rp, const Vec3& q, double rq, d
     }
 }
 
-/// Closest parameters of two segments (Ericson, double-Time Collision Detection, 5.1.9).
+/// Closest parameters of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
 void closestParameters(const Segment& a, const Segment& b, double& s, double& t) {
     const Vec3 r = b.centre - a.centre;
     const double aa = a.half.squaredNorm(), bb = b.half.squaredNorm(), ab = a.half.dot(b.half);
@@ -39,7 +39,7 @@ Manifold collideCapsuleCapsule(const Shape& a, const Pose& poseA, const Shape& b
     if (distance - a.radius - b.radius > margin) return m;
     if (distance > 0.0)
         m.normal = between / distance;
-    else  // cores cross: apart along their common normal
+    else  // cores cross: separate them along their common normal
         m.normal = coreA.half.cross(coreB.half).squaredNorm() > 0.0
                        ? Vec3(coreA.half.cross(coreB.half).normalized())
                        : Vec3(Vec3::UnitY());

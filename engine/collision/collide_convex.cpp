@@ -6,8 +6,8 @@
 namespace engine {
 namespace {
 
-constexpr double kBeside = 5e-4;  // m: a point this far beside a face still lies on it
-constexpr int kLine = 1 << 30;    // features that are not on faces
+constexpr double kBeside = 5e-4;  // m: a point this far outside a face's sides still lies on it
+constexpr int kLine = 1 << 30;    // features that belong to no face
 
 struct FaceAxis {
     double separation = -1e300;  // m, radii included
@@ -15,9 +15,9 @@ struct FaceAxis {
     bool ofB = false;
 };
 
-/// The face of `owner` that all of `other` lies farthest beyond. A single point of `other` says how far
-/// that is at most: only faces that may be better than the best so far are looked at. Ends at the first
-/// that is beyond `margin`.
+/// The face of `owner` with the largest separation from `other`. Any single point of `other` gives an upper
+/// bound of it, so only faces that may be better than the best so far are evaluated. Ends at the first
+/// separation beyond `margin`.
 FaceAxis bestFaceOf(const Convex& owner, const Convex& other, bool ofB, double margin) {
     const double radii = owner.radius() + other.radius();
     const Vec3 front = other.isTriangle() ? owner.localOf(other.front()) : Vec3::Zero();
@@ -50,7 +50,7 @@ FaceAxis bestFace(const Convex& a, const Convex& b, double margin) {
     return best;
 }
 
-/// The side planes of a face: one between every two corners, looking out.
+/// A side plane of a face, through two adjacent corners; the normal points out.
 struct Side {
     Vec3 normal;
     double offset;
@@ -61,7 +61,7 @@ Side sideOf(const Feature& face, int i, const Vec3& n) {
     return {out, out.dot(from)};
 }
 
-/// A segment or a point, cut by the sides of a face; false: nothing is left.
+/// Clips a segment or a point by the sides of a face; false: nothing is left.
 bool clipLine(Feature& line, const Feature& face, const Vec3& n) {
     for (int i = 0; i < face.count; ++i) {
         const Side side = sideOf(face, i, n);
@@ -82,7 +82,7 @@ bool clipLine(Feature& line, const Feature& face, const Vec3& n) {
     return true;
 }
 
-/// What of `other` lies against face number `number` of `owner`, n being that face's normal.
+/// The part of `other` that lies against face `number` of `owner`.
 Manifold clipToFace(const Convex& owner, int number, const Convex& other, bool ofB,
                     double margin) {
     Manifold m;
@@ -121,7 +121,7 @@ void addAlong(Manifold& m, const Vec3& p, const Vec3& q, double radiusA, double 
               double margin, int feature) {
     const double separation = m.normal.dot(q - p) - radiusA - radiusB;
     if (separation > margin) return;
-    // The two may be askew; the separation along the normal is what the axis says.
+    // The two points may be off the normal; the separation along it is that of the axis.
     const Vec3 middle = 0.5 * (p + radiusA * m.normal + q - radiusB * m.normal);
     const Vec3 reach = 0.5 * separation * m.normal;
     m.add(middle - reach, middle + reach, feature);
@@ -133,7 +133,7 @@ double deepestOf(const Manifold& m) {
     return deepest;
 }
 
-/// Two lines side by side: two points. None: they are not, or what touches first lies elsewhere.
+/// Two points where two lines run along each other. No points: they do not, or the first touch is elsewhere.
 Manifold alongLines(const Convex& a, const Convex& b, const WayOut& out, double margin) {
     Manifold m;
     m.normal = out.normal;
@@ -158,7 +158,7 @@ Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
     Manifold onFace;
     if (face.face >= 0) onFace = clipToFace(a, b, face, margin);
     const double deepest = deepestOf(onFace);
-    // What touches first lies over the face: no other normal is better by more than the bonus.
+    // The first touch is over the face: no other normal is better by more than the bonus.
     const bool over = deepest < face.separation + kBeside;
     if (over && face.separation > -kEdgeBonus) return onFace;
     const WayOut out = wayOut(a, b, margin + a.radius() + b.radius());
@@ -172,8 +172,8 @@ Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
     return m;
 }
 
-/// Against a triangle a. Edges that are not sharp, and the back, are felt through the front: as far
-/// as the piece lies over it, and has not sunk below it by more than a quarter of its size.
+/// Against a triangle a. Edges that are not sharp, and the back, act through the front: only where the piece
+/// is over it, and has not sunk below it by more than a quarter of its size.
 Manifold collideTriangle(const Convex& a, const Convex& b, double margin) {
     const double separation = separationOfCores(a, b, a.front()) - b.radius();
     if (separation > margin) return {};
@@ -216,7 +216,7 @@ Manifold collideConvexPlane(const Convex& a, const Shape& plane, const Pose& pos
 }
 
 ConvexGap gapOf(const Convex& a, const Convex& b, double enough) {
-    if (a.isTriangle() || b.isTriangle()) {  // most are told apart by its plane
+    if (a.isTriangle() || b.isTriangle()) {  // its plane separates most pairs
         const Vec3 front = a.isTriangle() ? a.front() : Vec3(-b.front());
         const double above = separationOfCores(a, b, front) - a.radius() - b.radius();
         if (above > enough) return {above, front};

@@ -4,24 +4,24 @@
 ///                         feature is clipped by its sides and up to four points are kept
 ///   anything else         the normal of the closest points (gjk.h): two points where two lines on
 ///                         curved sides run along each other, else one
-/// Where the pieces overlap, GJK has no normal. Then b is pushed out along the line of the centres
-/// until the two are a little apart, the normal n found there, and b pushed out along n instead,
-/// as long as that makes the way out shorter: at the end n is a direction of least penetration.
+/// Where the pieces overlap, GJK gives no normal. Then b is moved along the line of the centres until the two
+/// are slightly apart, the normal n is found there, and b is moved along n instead. This repeats as long as
+/// the way out gets shorter; the final n is a direction of least penetration.
 #pragma once
 #include "engine/collision/convex.h"
 #include "engine/collision/manifold.h"
 
 namespace engine {
 
-/// Points whose separation is at most `margin` (m). A mesh's triangle holds its front only, and edges
-/// that are not sharp are felt through the faces beside them.
+/// Points whose separation is at most `margin` (m). A mesh triangle is solid from its front only; edges that
+/// are not sharp act through the adjacent faces.
 Manifold collideConvex(const Convex& a, const Convex& b, double margin);
 
 /// Against a half space.
 Manifold collideConvexPlane(const Convex& a, const Shape& plane, const Pose& pose, double margin);
 
-/// The distance (m) and the direction from a to b along which it is measured; not positive: they
-/// touch or overlap. Behind a triangle it is kFar. More than `enough` (m) is only said to be more.
+/// The distance (m) and the direction from a to b along which it is measured; <= 0: they touch or overlap.
+/// Behind a triangle it is kFar. A distance above `enough` (m) is only a lower bound.
 struct ConvexGap {
     double distance = 0.0;
     Vec3 normal = Vec3::UnitY();

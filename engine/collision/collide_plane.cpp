@@ -8,8 +8,8 @@ Manifold collideBoxPlane(const Shape& a, const Pose& poseA, const Shape& b, cons
                          double margin) {
     const Vec3 up = poseB.rotation * b.normal;
     const Vec3 upLocal = poseA.rotation.conjugate() * up;
-    // The face that looks down the most holds the lowest corner and its neighbours: four corners
-    // are enough, and being one face's they are found again in the next step.
+    // The lowest face contains the lowest corner and its neighbours. Its four corners are enough,
+    // and because they belong to one face they are found again in the next step.
     int axis = 0;
     for (int i = 1; i < 3; ++i)
         if (std::abs(upLocal[i]) > std::abs(upLocal[axis]) + 1e-3) axis = i;
@@ -17,7 +17,7 @@ Manifold collideBoxPlane(const Shape& a, const Pose& poseA, const Shape& b, cons
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     Manifold m;
     m.normal = -up;
-    // Corners in a ring; the feature is the corner's number, one bit an axis.
+    // Corners in a ring; the feature is the corner's number, one bit per axis.
     constexpr double kRing[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     for (const auto& sign : kRing) {
         Vec3 corner;

@@ -1,11 +1,11 @@
-/// Sphere against the others: one point, on the line from the centre to the closest point.
+/// Sphere against other shapes: one point, on the line from the centre to the closest point.
 #include "engine/collision/collide.h"
 #include "engine/collision/segment.h"
 
 namespace engine {
 namespace {
 
-/// Two balls around `a` and `b`: c = |b - a| - ra - rb. Concentric ones part along y.
+/// Two balls around `a` and `b`: c = |b - a| - ra - rb. Concentric balls are separated along y.
 Manifold ballAgainstBall(const Vec3& a, double ra, const Vec3& b, double rb, double margin) {
     Manifold m;
     const Vec3 between = b - a;

@@ -11,7 +11,7 @@ Pose seenFrom(const Pose& a, const Pose& b) {
     return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
 }
 
-/// What rolls gets new points as it goes.
+/// Rolling shapes get new points as they move.
 bool isFlat(const Shape& shape) {
     switch (shape.type) {
         case ShapeType::box:

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kSamePlace = 0.02;  // m
 constexpr double kSameWay = 0.95;    // cosine, between normals
-constexpr int kPairsAThread = 256;   // at least: fewer are looked at before they are shared out
+constexpr int kPairsAThread = 256;   // at least
 
-/// Kept as it is but for its normal, which turns with a: saves the search, and its points do not change
-/// their names.
+/// Keeps the previous contact; only its normal turns with a. This saves the search, and the points keep their
+/// features.
 bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pair,
                  const Bodies& bodies, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
@@ -32,8 +32,8 @@ bool anyStirs(const Bodies& bodies) {
     return false;
 }
 
-/// Neither stirs, and what contact they have is asleep. One that is about to be hit may be thrown
-/// against another that it did not touch.
+/// Neither stirs, and their contact, if any, is asleep. A body about to be hit may be thrown against another
+/// that it did not touch.
 bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey& pair,
            double thrown) {
     if (!bodies.isAsleep(pair.a) && !bodies.isAsleep(pair.b)) return false;
@@ -41,8 +41,8 @@ bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey&
     return thrown == 0.0 || std::ranges::binary_search(asleep, pair, {}, pairOf);
 }
 
-/// Near: within the margin, or as far as this step's hits may throw the two. Up to two contacts. `old`:
-/// the first of the previous contacts that is not of an earlier pair.
+/// Adds up to two contacts. `near` (m): the margin, or as far as the hits of this step may throw the two.
+/// `old`: the first previous contact that does not belong to an earlier pair.
 void addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
                  std::size_t old, const ContactFinder& finder, std::vector<Contact>& found) {
     const PiecePair whole{pair, wholeOf(bodies.defs[pair.a].shape),
@@ -62,8 +62,8 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
     if (manifold.count > 0) found.push_back(contactOf(bodies, pair, manifold, Found::here));
 }
 
-/// The pair's contact of the last step that looks the same way, of those from `old` on; of two fast
-/// bodies the first only, whichever way it looks. Null: there is none.
+/// The contact of the pair in the last step with nearly the same normal, from `old` on. For pairs of whole
+/// shapes only the first contact counts, whatever its normal. Null: there is none.
 const Contact* sameAs(const Contact& contact, const std::vector<Contact>& previous,
                       std::size_t old, bool isFirst, bool areWhole) {
     const Contact* same = nullptr;
@@ -76,7 +76,7 @@ const Contact* sameAs(const Contact& contact, const std::vector<Contact>& previo
     return same;
 }
 
-/// Of some of the pairs, in their order.
+/// Finds the contacts of some of the pairs, in their order.
 void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double margin, double dt,
                  const ContactFinder& finder, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
@@ -123,7 +123,7 @@ void carryImpulses(const Contact& from, Contact& to) {
                 carry(i, j);
                 break;
             }
-    // What has another name in the same place (the reference face has changed sides, say).
+    // Points with another feature in the same place (for example after the reference face has changed).
     for (int i = 0; i < to.count; ++i)
         for (int j = 0; j < from.count && !found[i]; ++j)
             if (!taken[j] && (to.points[i].anchorA - from.points[j].anchorA).squaredNorm() <

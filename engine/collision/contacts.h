@@ -1,5 +1,5 @@
-/// Step 6 of the loop: collision detection, which makes the temporary constraints of the next step
-/// and hands every point that is found again the impulses it had (contact caching).
+/// Step 6 of the loop: collision detection. It makes the temporary constraints of the next step and
+/// gives every point that is found again its previous impulses (contact caching).
 #pragma once
 #include <vector>
 
@@ -14,25 +14,26 @@ namespace engine {
 
 struct ContactFinder {
     BroadPhase broadPhase;
-    std::vector<PairKey> jointed;    // sorted: bodies held by a joint do not collide
-    MovingPairs moving;              // those that the margin is too short for
+    std::vector<PairKey> jointed;    // sorted: bodies joined by a joint do not collide
+    MovingPairs moving;              // pairs that move farther than the margin
     std::vector<Contact> contacts;   // sorted by pair; fast ones may have two
     std::vector<Contact> previous;   // kept for its memory only
-    std::vector<std::vector<Contact>> found;  // of every thread
-    Workers* workers = nullptr;      // share the pairs; nobody: the caller looks at all of them
-    Seams seams;                     // of floors of several bodies
+    std::vector<std::vector<Contact>> found;  // by thread
+    Workers* workers = nullptr;      // share the pairs; null: the caller's thread does all
+    Seams seams;                     // for floors made of several bodies
     std::vector<Contact> asleep;     // sorted: of sleeping islands (sleeping_contacts.h)
-    std::vector<Sensed> sensed;      // sorted: of sensors, now
+    std::vector<Sensed> sensed;      // sorted: current overlaps of sensors
 };
 
 inline PairKey pairOf(const Contact& contact) { return {contact.a, contact.b}; }
 
-/// `margin` (m): contacts are made this far ahead of touching. A pair that would cover more than
-/// that within dt (s) gets them where it will touch (moving_contacts.h). Pairs that sleep are not
-/// looked at.
+/// `margin` (m): contacts are made this far ahead of touching. A pair that would move farther
+/// within dt (s) gets its contacts where it will touch (moving_contacts.h). Sleeping pairs are
+/// skipped.
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt);
 
-/// Impulses from one contact of a pair to the next: by feature, or else by place.
+/// Copies impulses from a pair's previous contact to its new one, matching points by feature, then
+/// by place.
 void carryImpulses(const Contact& from, Contact& to);
 
 }  // namespace engine

@@ -5,10 +5,10 @@
 namespace engine {
 namespace {
 
-constexpr int kRim = 16;             // corners that stand for a circle
+constexpr int kRim = 16;             // corners of the polygon that represents a circle
 constexpr double kAlong = 0.05;      // sine: a line within three degrees
-constexpr double kTilted = 1e-3;     // sine: a disc that lies flatter keeps its corners
-constexpr int kCorners = kMostClipped / 2;  // of a face, at most: the rest is left for cuts
+constexpr double kTilted = 1e-3;     // sine: a disc tilted less keeps its corners
+constexpr int kCorners = kMostClipped / 2;  // of a face, at most: the rest is for clipping
 
 /// The unit circle's corners.
 const std::array<Vec2, kRim>& rim() {
@@ -39,7 +39,7 @@ const Vec3& farthest(const std::vector<Vec3>& corners, const Vec3& d) {
     return corners[best];
 }
 
-/// Of a vector's part across y: a unit vector, or x where there is none.
+/// The unit vector of d's part across y, or x where that is zero.
 Vec3 outwards(const Vec3& d) {
     const Vec3 across(d.x(), 0.0, d.z());
     const double length = across.norm();
@@ -141,7 +141,7 @@ Plane Convex::plane(int face) const {
 Feature Convex::disc(double y, const Vec3& n) const {
     const Vec3 local = turn_.transpose() * n;
     const double tilt = std::sqrt(local.x() * local.x() + local.z() * local.z());
-    // The corner that touches first is one of the circle's, however it lies.
+    // Whatever the tilt, the point that touches first is a corner of the polygon.
     const Vec3 first = tilt > kTilted * local.norm() ? outwards(local) : Vec3(Vec3::UnitX());
     const Vec3 second(first.z(), 0.0, -first.x());
     Feature feature;
@@ -180,7 +180,7 @@ void Convex::toWorld(Feature& feature) const {
         feature.corner[i] = pose_.position + turn_ * feature.corner[i];
 }
 
-/// From the rim to the top's, on the side of `local`.
+/// The line from the base's rim to that of the top, on the side of `local`.
 Feature Convex::sideLine(const Vec3& local) const {
     const Vec3 out = shape_->radius * outwards(local);
     Feature feature;
@@ -229,7 +229,7 @@ bool Convex::line(const Vec3& n, Segment& result) const {
         return shape_->halfLength > 0.0;
     }
     if (!isRound(shape_->type)) return false;
-    // Across the side line: y for a cylinder, leaning by the slope of a cone.
+    // Direction of the side line: y for a cylinder, inclined by the slope for a cone.
     const double height = topOf(*shape_) - baseOf(*shape_);
     const double inwards = shape_->type == ShapeType::cone ? shape_->radius : 0.0;
     const Vec3 out = outwards(local);

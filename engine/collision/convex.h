@@ -1,6 +1,6 @@
-/// A convex piece of a body as the general collision functions see it, in world axes: by its
-/// support mapping, its flat faces and the features that may lie on another's face. A ball is a
-/// point and a capsule a segment, both with a radius around them.
+/// A convex piece of a body for the general collision functions, in world axes: its support mapping, its flat
+/// faces and the features that may lie on another piece's face. A ball is a point and a capsule a segment,
+/// both with a radius around them.
 #pragma once
 #include "engine/collision/clip.h"
 #include "engine/collision/pieces.h"
@@ -9,10 +9,10 @@
 
 namespace engine {
 
-/// As a margin it leaves no point out; as a time it is never.
+/// Infinity: as a margin it includes every point; as a time it means never.
 constexpr double kFar = 1e9;  // m, s
 
-using Feature = PolygonOf<kMostClipped>;  // one corner, two, or a face's, counter-clockwise
+using Feature = PolygonOf<kMostClipped>;  // a point, a line, or a face, counter-clockwise
 
 /// normal . x = offset.
 struct Plane {
@@ -22,40 +22,40 @@ struct Plane {
 
 class Convex {
 public:
-    /// Anything but a plane, a compound or a mesh.
+    /// For every shape except planes, compounds and meshes.
     Convex(const Shape& shape, const Pose& pose);
-    /// A mesh's triangle.
+    /// A triangle of a mesh.
     Convex(const Mesh& mesh, int triangle, const Pose& pose);
 
     double radius() const { return radius_; }
     const Vec3& centre() const { return centre_; }
-    /// m: how far it reaches from its centre, without the radius.
+    /// m: the largest distance from its centre, without the radius.
     double reach() const { return reach_; }
     bool isTriangle() const { return mesh_ != nullptr; }
-    /// It holds from this side only.
+    /// A triangle's normal; it is solid from this side only.
     const Vec3& front() const { return front_; }
 
-    /// The point of the core farthest along n (any length).
+    /// The point of the core farthest along n (of any length).
     Vec3 support(const Vec3& n) const;
 
     int faceCount() const;
     Vec3 faceNormal(int face) const;
-    /// Of a face, in the piece's own axes.
+    /// The plane of a face, in the piece's own axes.
     Plane plane(int face) const;
     Vec3 toLocal(const Vec3& p) const { return turn_.transpose() * (p - pose_.position); }
     Vec3 turned(const Vec3& local) const { return turn_ * local; }  // a direction, to world axes
     Vec3 localOf(const Vec3& n) const { return turn_.transpose() * n; }  // and back
     Feature face(int face) const;
 
-    /// What may touch a flat face that lies against it, n pointing towards that face: the face that
-    /// looks at it the most, a line on a curved side, or a point. `number` of it, for names.
+    /// The feature that may touch another piece's flat face, n pointing towards that face: the face most
+    /// aligned with n, a line on a curved side, or a point. `number` identifies it, for feature names.
     Feature towards(const Vec3& n, int& number) const;
-    /// The straight line on a curved side that n stands on; false: none, or n is more than three
-    /// degrees off.
+    /// The straight line on a curved side whose normal is n; false: none, or n is more than three degrees
+    /// off.
     bool line(const Vec3& n, Segment& result) const;
-    /// Of a triangle, whose point p (on it) is: an edge that is not sharp, or a corner of such edges.
+    /// For a triangle: whether its point p is on an edge that is not sharp, or on a corner of such edges.
     bool isSmoothAt(const Vec3& p) const;
-    /// Of a triangle: none of its edges is sharp.
+    /// For a triangle: whether none of its edges is sharp.
     bool isSmooth() const;
 
 private:
@@ -73,7 +73,7 @@ private:
     double radius_ = 0.0, reach_ = 0.0;
 };
 
-/// Of anything but a plane.
+/// For every piece except planes.
 Convex convexOf(const Piece& piece, const Pose& body);
 
 }  // namespace engine

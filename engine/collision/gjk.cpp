@@ -12,7 +12,7 @@ struct Corner {
     double share = 0.0;
 };
 
-/// The points that carry v, which is the sum of their shares.
+/// The points whose weighted sum (by share) is v.
 struct Simplex {
     int count = 0;
     std::array<Corner, 4> corner;
@@ -24,7 +24,7 @@ struct Simplex {
     }
 };
 
-/// Shares of the corners i, j (and k), 0 for those that do not count.
+/// Weights of up to three corners; 0 for those that do not contribute.
 struct Shares {
     std::array<double, 3> of{};
     Vec3 nearest = Vec3::Zero();
@@ -37,7 +37,7 @@ Shares ofSegment(const Vec3& a, const Vec3& b) {
     return {{1.0 - t, t, 0.0}, a + t * ab};
 }
 
-/// By the regions of a triangle's corners, edges and inside (Ericson 2005, 5.1.5).
+/// By the Voronoi regions of the triangle's corners, edges and interior (Ericson 2005, 5.1.5).
 Shares ofTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a;
     const double d1 = -ab.dot(a), d2 = -ac.dot(a), d3 = -ab.dot(b), d4 = -ac.dot(b),
@@ -47,7 +47,7 @@ Shares ofTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
         const double all = va + vb + vc;
         return {{va / all, vb / all, vc / all}, a + (vb / all) * ab + (vc / all) * ac};
     }
-    // Outside, the nearest edge; a triangle without an area is its edges as well.
+    // Outside: the nearest edge. The same for a degenerate triangle.
     Shares best = ofSegment(a, b);
     const Shares second = ofSegment(b, c), third = ofSegment(a, c);
     if (second.nearest.squaredNorm() < best.nearest.squaredNorm())
@@ -57,7 +57,7 @@ Shares ofTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     return best;
 }
 
-/// Keeps the corners that carry the nearest point. False: the origin is inside.
+/// Keeps the corners that contribute to the nearest point. False: the origin is inside.
 bool reduce(Simplex& s) {
     const auto p = [&](int i) -> const Vec3& { return s.corner[i].p; };
     if (s.count == 1) {
@@ -75,8 +75,8 @@ bool reduce(Simplex& s) {
         double least = 1e300;
         bool inside = true;
         for (const auto& f : kFaces) {
-            // Inside, the origin is on the fourth corner's side of every face. Four corners nearly in
-            // a plane, as polyhedra and rims have them, hold nothing: noise would choose the sides.
+            // If inside, the origin is on the fourth corner's side of every face. Four nearly coplanar
+            // corners, as polyhedra and rims have them, contain nothing: rounding would decide the sides.
             const Vec3 n = (p(f[1]) - p(f[0])).cross(p(f[2]) - p(f[0])), up = p(f[3]) - p(f[0]);
             const double fourth = n.dot(up);
             const bool flat = fourth * fourth <= kFlat * n.squaredNorm() * up.squaredNorm();
@@ -135,7 +135,7 @@ Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, doubl
         const double square = v.squaredNorm();
         if (square <= touching * touching) return {};
         const Corner next = support(-v);
-        const double along = v.dot(next.p);  // over |v|: they are that far apart at least
+        const double along = v.dot(next.p);  // over |v|: a lower bound of the distance
         if (square - along <= kEpsilon * square || holds(s, next.p)) break;
         if (along > 0.0 && along * along > enough * enough * square) {
             Closest far = result(s, v);
@@ -146,7 +146,7 @@ Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, doubl
         s.corner[s.count++] = next;
         if (!reduce(s)) return {};
         const Vec3 nearer = s.nearest();
-        if (!(nearer.squaredNorm() < square)) {  // as near as rounding lets it come
+        if (!(nearer.squaredNorm() < square)) {  // as near as rounding allows
             s = before;
             break;
         }

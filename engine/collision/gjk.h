@@ -1,4 +1,4 @@
-/// How far two convex pieces are apart.
+/// The distance between two convex pieces.
 ///
 /// GJK (Gilbert, Johnson and Keerthi 1988; van den Bergen 2003): the point v of the difference
 /// B - A nearest to the origin, in a simplex of at most four of its points that is carried towards
@@ -16,8 +16,8 @@ struct Closest {
     Vec3 onA, onB;               // m
 };
 
-/// With b moved by `shift` (m), which onB includes. Of what is certainly farther apart than `enough` (m,
-/// of the cores), the distance is only what the normal shows of it.
+/// b is moved by `shift` (m), which onB includes. If the cores are certainly farther apart than `enough` (m),
+/// the distance is only a lower bound, measured along the normal.
 Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, double enough = kFar);
 
 }  // namespace engine

@@ -1,4 +1,4 @@
-/// Where two shapes touch: what a collide_* function finds.
+/// Where two shapes touch: the result of a collide function.
 #pragma once
 #include <array>
 
@@ -7,8 +7,8 @@
 namespace engine {
 
 struct ManifoldPoint {
-    Vec3 onA, onB;    // m, world axes: the two surfaces; onB - onA lies along the normal
-    int feature = 0;  // which corner, edge pair or end made the point: the same from step to step
+    Vec3 onA, onB;    // m, world axes: on the two surfaces; onB - onA is along the normal
+    int feature = 0;  // the corner, edge pair or end that made the point: stable over steps
 };
 
 struct Manifold {
@@ -21,7 +21,7 @@ struct Manifold {
         points[count++] = ManifoldPoint{onA, onB, feature};
     }
     double separation(int i) const { return normal.dot(points[i].onB - points[i].onA); }  // m
-    /// The same seen from the other body.
+    /// The same contact with a and b exchanged.
     void flip() {
         normal = -normal;
         for (int i = 0; i < count; ++i) points[i].onA.swap(points[i].onB);

@@ -13,14 +13,14 @@ constexpr double kMostLooks = 16.0;
 constexpr double kFarToTurn = 0.4;  // rad
 constexpr int kMovingPairsAThread = 64;   // at least
 constexpr double kSameDirection = 0.999;  // within 2.6 degrees
-constexpr int kHops = 2;  // bodies that a blow goes through in a step; without, the worst
+constexpr int kHops = 2;  // bodies that a hit passes through in a step; with none, the worst
                           // penetration of one pile of 2000 bodies was 37 mm instead of 27
 
-/// A pair on its way.
+/// A pair in motion.
 struct Pair {
     const Piece &pieceA, &pieceB;
     const Motion &a, &b;
-    double shareOfA;  // 1 where only b can be turned, 0 where only a
+    double shareOfA;  // 1 if only b can rotate, 0 if only a
 
     Pair(const Bodies& bodies, const PiecePair& pair, const MovingPairs& moving)
         : pieceA(pair.a), pieceB(pair.b), a(moving.motions[pair.bodies.a]),
@@ -29,7 +29,7 @@ struct Pair {
         const double easeB = bodies.inverseMasses[pair.bodies.b].angular.trace();
         shareOfA = easeA + easeB > 0.0 ? easeB / (easeA + easeB) : 0.5;
     }
-    /// How fast the bodies close at a point of the present, m/s: -J v.
+    /// How fast the bodies approach at a present point, m/s: -J v.
     double closingAt(const Vec3& p, const Vec3& n) const {
         const Vec3 ofA = a.velocity + a.spin.cross(p - a.start.position);
         const Vec3 ofB = b.velocity + b.spin.cross(p - b.start.position);
@@ -37,9 +37,9 @@ struct Pair {
     }
 };
 
-/// The manifold of the poses at `time` as if seen from now, C being at least what is closed within
-/// `free` (s). What the bodies move across the normal until then would leave the two points askew:
-/// the body that is harder to turn gives way, because a wrong arm does least to it.
+/// Moves the manifold of the poses at `time` back to the present; C is at least what is closed within `free`
+/// (s). Motion across the normal until then would take the two points off the normal: the point of the body
+/// that is harder to rotate is moved, because a wrong arm affects it least.
 void seeFromNow(Manifold& m, const Pair& pair, double time, double free) {
     for (int i = 0; i < m.count; ++i) {
         const double then = m.separation(i);
@@ -56,7 +56,7 @@ void seeFromNow(Manifold& m, const Pair& pair, double time, double free) {
     }
 }
 
-/// m/s, at the point that touches first.
+/// The approach speed at the point that touches first, m/s.
 double approachOf(const Manifold& m, const Pair& pair, double time) {
     int first = 0;
     for (int i = 1; i < m.count; ++i)
@@ -68,7 +68,7 @@ double approachOf(const Manifold& m, const Pair& pair, double time) {
     return larger(-m.normal.dot(leaving), 0.0);
 }
 
-/// True when `m` has a point or a direction that `other` has not.
+/// True when `m` has a point or a normal that `other` lacks.
 bool holdsMore(const Manifold& m, const Manifold& other) {
     if (m.count > 0 && m.normal.dot(other.normal) < kSameDirection) return true;
     for (int i = 0; i < m.count; ++i) {
@@ -84,8 +84,8 @@ bool areBoxes(const Pair& pair) {
     return pair.pieceA.isBox() && pair.pieceB.isBox();
 }
 
-/// What comes to touch when the pair has stopped approaching at `time` and turns and slides on: at
-/// the step's end, or if that is nothing new, the faces beside two edges that hit each other.
+/// The contact that forms when the pair stops approaching at `time` but continues to turn and slide: at the
+/// end of the step, or, if that is nothing new, the faces next to two edges that hit each other.
 Manifold afterImpact(const Pair& pair, const Manifold& first, double time, double margin,
                      double dt) {
     const double left = dt - time;
@@ -111,8 +111,7 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
-/// Blows that would carry on by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the
-/// masses.
+/// Hits that would continue by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the masses.
 void hit(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
          std::vector<double>& throws) {
     const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;
@@ -123,7 +122,7 @@ void hit(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
     throws[pair.b] = larger(throws[pair.b], (1.0 + e) * ontoB * b / (a + b));
 }
 
-/// Hits, and kHops times: who is hit passes it on to whom it touches.
+/// Finds the throws of the hits; kHops times, a body that is hit passes its throw on to the bodies it meets.
 void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
     moving.throws.assign(bodies.count(), 0.0);
     for (const MovingPairs::Entry& entry : moving.entries) {
@@ -139,7 +138,7 @@ void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
     }
 }
 
-/// Of all pieces; those that matter are kept in `close`.
+/// The first impact over all pieces; pairs of pieces that meet or pass closely are kept in `close`.
 Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const PairKey& pair,
                    double margin, const std::vector<Motion>& motions, double dt,
                    std::vector<MovingPairs::Close>& close) {
@@ -200,8 +199,8 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {
         if (!entry.impact.meets) continue;
         const Shape *shapes[2] = {&bodies.defs[entry.pair.a].shape, &bodies.defs[entry.pair.b].shape};
         const bool rough = shapes[0]->type == ShapeType::mesh || shapes[1]->type == ShapeType::mesh;
-        double size = 1e9;  // m; a ball looks the same however it turns, and glances off one triangle
-        for (const int k : {0, 1})  // against the next
+        double size = 1e9;  // m; a ball may turn freely, except that it may glance off one triangle
+        for (const int k : {0, 1})  // onto the next
             if (bodies.isDynamic(k == 0 ? entry.pair.a : entry.pair.b) &&
                 (rough || shapes[k]->type != ShapeType::sphere))
                 size = smaller(size, 2.0 * reachOf(*shapes[k]));
@@ -219,7 +218,7 @@ bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double
         if (!bodies.isDynamic(i) || type == ShapeType::sphere) return false;
         if (type != ShapeType::cylinder && type != ShapeType::capsule && type != ShapeType::cone)
             return true;
-        const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // about it, it stays the same
+        const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // rotation about it changes nothing
         return axis.cross(spin).norm() * time > kFarToTurn;
     };
     return std::ranges::any_of(contacts, [&](const Contact& c) {

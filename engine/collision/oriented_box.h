@@ -1,4 +1,4 @@
-/// A box as its separating axes see it.
+/// A box for tests along separating axes.
 #pragma once
 #include "engine/base/math.h"
 #include "engine/shape.h"

@@ -9,9 +9,9 @@ namespace engine {
 namespace {
 
 constexpr double kSameNormal = 0.9995;      // within 1.8 degrees
-constexpr double kSamePlane = 1.0 - 1e-12;  // but for rounding
+constexpr double kSamePlane = 1.0 - 1e-12;  // except for rounding
 
-/// Another name for the same feature of another piece.
+/// A feature that is unique over the pairs of pieces.
 int featureOf(int feature, const Piece& a, const Piece& b) {
     const unsigned mixed =
         (static_cast<unsigned>(feature) * 31u + static_cast<unsigned>(a.number)) * 10007u +
@@ -19,8 +19,8 @@ int featureOf(int feature, const Piece& a, const Piece& b) {
     return static_cast<int>(mixed & 0x7fffffffu);
 }
 
-/// Of the points of both, the four that carry best, along the normal of the one that touches first: the
-/// other's may be that of an edge which the next piece hides.
+/// Keeps the four best points of both contacts, along the normal of the one that touches first; the other's
+/// normal may be that of an edge hidden by the next piece.
 void merge(const Bodies& bodies, Contact more, Contact& into) {
     const bool askew = into.normal.dot(more.normal) < kSamePlane;
     if (askew && deepestOf(more, bodies) < deepestOf(into, bodies)) std::swap(more, into);

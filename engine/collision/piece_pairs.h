@@ -6,7 +6,7 @@
 
 namespace engine {
 
-/// How far a body's points get within dt (s), at most, m.
+/// The farthest that any point of a body moves within dt (s), m.
 inline double wayOf(const Motion& motion, double dt) {
     return dt * (motion.velocity.norm() + motion.sweep);
 }
@@ -15,8 +15,8 @@ inline bool areWhole(const Bodies& bodies, const PairKey& pair) {
     return isWhole(bodies.defs[pair.a].shape) && isWhole(bodies.defs[pair.b].shape);
 }
 
-/// Calls visit(pieceA, pieceB) for the pieces that come as near as `near` (m) at least, in the order of
-/// their numbers. `motions`: by body.
+/// Calls visit(pieceA, pieceB) for all pairs of pieces that may come within `near` (m), in the order of their
+/// numbers. `motions`: by body.
 template <class Visit>
 void forPiecePairs(const Bodies& bodies, const std::vector<Motion>& motions,
                    const BroadPhase& broadPhase, const PairKey& pair, double near, double dt,
@@ -30,7 +30,7 @@ void forPiecePairs(const Bodies& bodies, const std::vector<Motion>& motions,
         });
         return;
     }
-    // The broad phase knows where each body gets to within the step.
+    // The broad phase's bounds include each body's motion within the step.
     const Bounds reachA = broadPhase.bounds(pair.a).grownBy(wayB + near);
     const Bounds reachB = broadPhase.bounds(pair.b).grownBy(wayA + near);
     const bool wholeA = isWhole(shapeA);

@@ -1,6 +1,6 @@
-/// The convex pieces of a shape: itself, the parts of a compound, or the triangles of a mesh.
-/// Collision detection is between pieces; what is found with one normal becomes one contact of the two
-/// bodies (piece_contacts.h).
+/// The convex pieces of a shape: the shape itself, the parts of a compound, or the triangles of a mesh.
+/// Collision detection works on pieces; points with the same normal become one contact of the two bodies
+/// (piece_contacts.h).
 #pragma once
 #include "engine/shapes/bounds.h"
 #include "engine/collision/manifold.h"
@@ -9,8 +9,8 @@
 namespace engine {
 
 struct Piece {
-    const Shape* shape = nullptr;  // a mesh: the whole of it
-    int number = 0;                // of the part or the triangle
+    const Shape* shape = nullptr;  // of a triangle: the whole mesh
+    int number = 0;                // of the part or triangle
     bool isTriangle = false;
     const Pose* place = nullptr;   // of a part, in the body's axes
 
@@ -26,7 +26,7 @@ inline bool isWhole(const Shape& shape) {
 }
 inline Piece wholeOf(const Shape& shape) { return {&shape, 0, false, nullptr}; }
 
-/// Of a piece, in world axes.
+/// The bounds of a piece, in world axes.
 Bounds boundsOf(const Piece& piece, const Pose& body);
 
 /// Calls visit(piece) for every piece that may be inside `within` (m, world axes).

@@ -1,12 +1,12 @@
-// With the way o + t d, 0 <= t <= 1, in the shape's own axes:
+// With the ray o + t d, 0 <= t <= 1, in the shape's own axes:
 // plane     t = -n.o / n.d
 // sphere    t = m - sqrt((r^2 - |o + m d|^2) / |d|^2),  m = -o.d / |d|^2
 // box       the last of the three entries  (-sign(d_i) half_i - o_i) / d_i,  if before every exit
-// cylinder  as a sphere across its axis, between its ends, or an end inside the rim
+// cylinder  a sphere across its axis, between its ends, or an end inside the rim
 // cone      x^2 + z^2 = (r (top - y) / h)^2, or its base inside the rim
 // hull      the last entry into a half space, if before every exit
-// mesh      the first of the triangles that are seen from their fronts
-// capsule   as a sphere across its core; beyond the core's ends, the sphere around that end
+// mesh      the first triangle hit from its front
+// capsule   a sphere across its core; beyond the core's ends, the sphere around that end
 #include "engine/collision/ray_cast.h"
 
 #include "engine/collision/pieces.h"
@@ -35,7 +35,7 @@ Hit enterPlane(const Vec3& n, const Way& way) {
     return SurfaceHit{height / down, n};
 }
 
-/// By way of the point nearest to the middle: as exact from far away.
+/// Via the ray's point nearest to the centre, so that it is as exact from far away.
 Hit enterSphere(double radius, const Way& way) {
     const double wayWay = way.d.squaredNorm(), nearest = -way.o.dot(way.d) / wayWay;
     if (way.o.squaredNorm() <= radius * radius || !(nearest > 0.0)) return std::nullopt;
@@ -64,8 +64,8 @@ Hit enterBox(const Vec3& half, const Way& way) {
     return SurfaceHit{in, way.d[axis] > 0.0 ? Vec3(-Vec3::Unit(axis)) : Vec3(Vec3::Unit(axis))};
 }
 
-/// Who enters the endless cylinder beside an end can only enter the capsule there, and so can who
-/// begins inside the cylinder.
+/// A ray that enters the infinite cylinder beyond an end can only enter the capsule at that end; so
+/// can a ray that begins inside the cylinder.
 Hit enterCapsule(double radius, double halfLength, const Way& way) {
     const Way across{Vec3(way.o.x(), 0.0, way.o.z()), Vec3(way.d.x(), 0.0, way.d.z())};
     const Hit side = enterSphere(radius, across);
@@ -77,7 +77,7 @@ Hit enterCapsule(double radius, double halfLength, const Way& way) {
     return enterSphere(radius, {way.o - end, way.d});
 }
 
-/// Into a flat end at the height y from outside, within the rim.
+/// Where the ray enters a flat end at height y from outside, within the rim.
 Hit enterEnd(double y, double radius, const Way& way) {
     const double side = y < 0.0 ? -1.0 : 1.0;
     if (side * way.d.y() >= 0.0 || side * (way.o.y() - y) < 0.0) return std::nullopt;
@@ -99,7 +99,7 @@ Hit enterCylinder(double radius, double half, const Way& way) {
     return sooner(side, sooner(enterEnd(-half, radius, way), enterEnd(half, radius, way)));
 }
 
-/// The side: |across|^2 = (slope (top - y))^2, the first root on the way in and below the tip.
+/// The side: |across|^2 = (slope (top - y))^2, the first root that enters below the tip.
 Hit enterCone(double radius, double half, const Way& way) {
     const double base = -0.5 * half, top = 1.5 * half, slope = radius / (2.0 * half);
     const double o = slope * (top - way.o.y()), d = -slope * way.d.y();
@@ -109,7 +109,7 @@ Hit enterCone(double radius, double half, const Way& way) {
     Hit side;
     const double square = b * b - a * c;
     if (square >= 0.0) {
-        const double q = -(b + (b < 0.0 ? -1.0 : 1.0) * std::sqrt(square));  // nothing cancels
+        const double q = -(b + (b < 0.0 ? -1.0 : 1.0) * std::sqrt(square));  // avoids cancellation
         for (const double t : {a != 0.0 ? q / a : -1.0, q != 0.0 ? c / q : -1.0}) {
             const Vec3 p = way.o + t * way.d;
             if (!isOnWay(t) || p.y() < base || p.y() > top) continue;
@@ -144,7 +144,7 @@ Hit enterTriangle(const Mesh& mesh, const Mesh::Triangle& triangle, const Way& w
     for (int i = 0; i < 3; ++i) {
         const Vec3& from = mesh.corners[triangle.corners[i]];
         const Vec3& to = mesh.corners[triangle.corners[(i + 1) % 3]];
-        // On the seam of two triangles it must be in one of them.
+        // A point on the seam of two triangles must be in one of them.
         if (n.dot((to - from).cross(p - from)) < -1e-12 * (to - from).squaredNorm())
             return std::nullopt;
     }
@@ -160,7 +160,7 @@ Hit enterMesh(const Mesh& mesh, const Way& way) {
     return first;
 }
 
-/// Who begins inside one of the parts is inside.
+/// A ray that begins inside one of the parts begins inside the compound.
 Hit enterCompound(const ShapeParts& parts, const Way& way) {
     Hit first;
     for (const ShapePart& part : parts)

@@ -1,4 +1,4 @@
-/// Where a straight way enters shapes, in closed form.
+/// Where a ray enters a shape, in closed form.
 #pragma once
 #include <optional>
 
@@ -8,11 +8,12 @@
 namespace engine {
 
 struct SurfaceHit {
-    double fraction = 0.0;  // of the way
+    double fraction = 0.0;  // of the ray
     Vec3 normal{0, 1, 0};   // unit, out of the shape, world axes
 };
 
-/// From `from` to `to` (m, world axes). None where the way begins inside, leads away, or ends before.
+/// The ray goes from `from` to `to` (m, world axes). No hit if it begins inside, misses, or ends before the
+/// shape.
 std::optional<SurfaceHit> enterShape(const Shape& shape, const Pose& pose, const Vec3& from,
                                      const Vec3& to);
 

@@ -8,12 +8,12 @@
 namespace engine {
 namespace {
 
-constexpr double kSteep = 0.5;     // cosine: of less, a contact does not help to hold the body up
-constexpr double kAbove = 1e-3;    // m: lower steps are none
-constexpr double kInPlane = 2e-3;  // m, and what the body has sunk in
-constexpr double kSeated = 2e-3;   // m: farther from the tile, its plane says nothing yet
+constexpr double kSteep = 0.5;     // cosine: below it, a contact does not help to support the body
+constexpr double kAbove = 1e-3;    // m: lower steps do not count
+constexpr double kInPlane = 2e-3;  // m, plus the depth that the body has sunk in
+constexpr double kSeated = 2e-3;   // m: farther from the tile, its plane means nothing yet
 
-/// m, along n, of what a shape reaches; kFar where that is not known.
+/// The extent of a shape along n, m; kFar where it is not known.
 double topOf(const Shape& shape, const Pose& pose, const Vec3& n) {
     if (shape.type == ShapeType::plane || shape.type == ShapeType::mesh) return kFar;
     if (shape.type != ShapeType::compound) {
@@ -28,7 +28,7 @@ double topOf(const Shape& shape, const Pose& pose, const Vec3& n) {
     return top;
 }
 
-/// A contact as seen from the tile.
+/// A contact, with its normal and points on the tile's side.
 struct OnTile {
     const Contact& contact;
     const Bodies& bodies;
@@ -45,13 +45,13 @@ struct OnTile {
     }
 };
 
-/// m: how far out of the seat's plane a point may be that is found on the way (moving_contacts.h). It has
-/// been moved along the contact by what the body does until then.
+/// How far from the seat's plane a point may be that was found ahead of time (moving_contacts.h), m: it has
+/// been moved by the body's motion until then.
 double movedOut(double cosine, double way) {
     return cosine > kSteep ? way * std::sqrt(larger(1.0 - cosine * cosine, 0.0)) : 0.0;
 }
 
-/// `way` (m): of the body within the step.
+/// `way` (m): how far the body moves within the step.
 bool hides(const OnTile& seat, const OnTile& other, double way) {
     const double cosine = seat.n.dot(other.n), deepest = deepestOf(seat.contact, seat.bodies);
     if (deepest > kSeated) return false;

@@ -21,7 +21,7 @@ inline double closestOn(const Segment& s, const Vec3& p) {
     return square > 0.0 ? clamped((p - s.centre).dot(s.half) / square, -1.0, 1.0) : 0.0;
 }
 
-/// The part of segment a that runs beside b: parameters on a.
+/// The part of segment a that is alongside b, as parameters on a.
 inline bool overlap(const Segment& a, const Segment& b, double& from, double& to) {
     const double square = a.half.squaredNorm();
     const double middle = (b.centre - a.centre).dot(a.half) / square;

@@ -5,7 +5,7 @@
 namespace engine {
 namespace {
 
-/// The points at which pieces overlap, and one of the normals.
+/// Collects the points where pieces overlap, and the first normal.
 class Overlap {
 public:
     void add(const Manifold& m) {

@@ -1,5 +1,5 @@
-/// Sensors: bodies that nothing hits and that know whom they overlap. A pair is looked at where it
-/// stands at the end of a step; what is past a sensor within one step is not seen.
+/// Sensors: bodies that collide with nothing and record what they overlap. A pair is tested at its
+/// poses at the end of a step; a body that passes a sensor within one step is missed.
 #pragma once
 #include <vector>
 
@@ -10,16 +10,16 @@ namespace engine {
 /// A sensor and a body that is in it, or two sensors.
 struct Sensed {
     PairKey pair;
-    Vec3 position;  // m, in the middle of the points found
+    Vec3 position;  // m, mean of the points found
     Vec3 normal;    // unit, from a to b
 };
 
-/// Whether one of the two is a sensor: they get no contact.
+/// Whether one of the two is a sensor; such pairs get no contact.
 inline bool isSensed(const Bodies& bodies, const PairKey& pair) {
     return bodies.hasSensors && (bodies.defs[pair.a].sensor || bodies.defs[pair.b].sensor);
 }
 
-/// All of them, sorted. Who sleeps is looked at as well: a sensor does not forget it.
+/// Finds all overlaps, sorted. Sleeping bodies are included, so a sensor does not lose them.
 void findSensed(const Bodies& bodies, const BroadPhase& broadPhase,
                   std::vector<Sensed>& sensed);
 

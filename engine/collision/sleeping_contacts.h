@@ -1,14 +1,14 @@
-/// Contacts of sleeping islands lie apart, as they were when the island fell asleep: nobody looks
-/// for them, nobody solves them, and whoever wakes finds the impulses that carried it.
+/// Contacts of sleeping islands are stored separately, unchanged since the island fell asleep. They
+/// are neither detected nor solved; a body that wakes gets back the impulses that supported it.
 #pragma once
 #include "engine/collision/contacts.h"
 
 namespace engine {
 
-/// From `contacts` to `asleep`: those of bodies that have fallen asleep.
+/// Moves contacts of bodies that have fallen asleep from `contacts` to `asleep`.
 void layDownContacts(const Bodies& bodies, ContactFinder& finder);
 
-/// From `asleep` to `contacts`: those of bodies that have woken.
+/// Moves contacts of bodies that have woken from `asleep` to `contacts`.
 void takeUpContacts(const Bodies& bodies, ContactFinder& finder);
 
 }  // namespace engine

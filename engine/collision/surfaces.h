@@ -1,10 +1,10 @@
-/// Two surfaces where they touch (material.h).
+/// Combines the materials of two surfaces that touch (material.h).
 #pragma once
 #include "engine/material.h"
 
 namespace engine {
 
-/// What holds between the two; of no meaning there: the density.
+/// The combined material; its density is meaningless.
 Material together(const Material& a, const Material& b);
 
 }  // namespace engine

@@ -9,29 +9,29 @@ namespace engine {
 namespace {
 
 constexpr double kTouching = 5e-4;  // m: this close counts as touching
-constexpr int kMostAdvances = 64;   // a pair that is so slow to come together touches
+constexpr int kMostAdvances = 64;   // a pair not finished after so many touches
 
-/// The larger of two bodies as the smaller one meets it (time_of_impact.h).
+/// The motion of the larger body near the smaller one (time_of_impact.h).
 struct Passing {
-    bool any = false;               // it turns slowly enough for this to say more
-    Vec3 velocity = Vec3::Zero();   // m/s, of its points at the other's centre, less the other's
+    bool any = false;               // it turns slowly enough for a tighter bound
+    Vec3 velocity = Vec3::Zero();   // m/s, of its point at the other's centre, relative to the other
     double reach = 0.0;             // m: r'
 };
 
 Passing passingOf(const Motion& large, const Vec3& centre, const Motion& small,
                   const Vec3& smallCentre, double left) {
-    constexpr double kLarger = 2.0;  // times the size: of less, there is nothing to gain
+    constexpr double kLarger = 2.0;  // times the size: below it, nothing is gained
     if (large.size < kLarger * small.size) return {};
     const double rate = large.spin.norm();
     if (!(rate * left < 0.5) || rate == 0.0) return {};
     const Vec3 between = large.velocity - small.velocity;
     const Vec3 velocity = between + large.spin.cross(smallCentre - centre);
-    // Back in time a point is no farther than e^(rate left) < 1 / (1 - rate left) takes it.
+    // Going back in time, a point's distance grows by at most e^(rate left) < 1 / (1 - rate left).
     const double from = (small.size + left * velocity.norm()) / (1.0 - rate * left);
     return {true, velocity, from + left * between.norm()};
 }
 
-/// Two bodies on their way, from `now` (s) on for `left` (s).
+/// The motion of two bodies from `now` (s) on, for `left` (s).
 class Approach {
 public:
     Approach(const Motion& a, const Motion& b, double now, double left)
@@ -40,9 +40,9 @@ public:
         passing_ = passingOf(large, large.placeAt(now), small, small.placeAt(now), left);
     }
     double left() const { return left_; }
-    /// m/s, of the centres along n, from a to b.
+    /// The approach of the centres along n, from a to b, m/s.
     double ofCentres(const Vec3& n) const { return (a_.velocity - b_.velocity).dot(n); }
-    /// c: of points that may meet, at most.
+    /// c: the fastest approach of any points that may meet, m/s.
     double mostAlong(const Vec3& n) const {
         const double turnA = a_.spin.cross(n).norm(), turnB = b_.spin.cross(n).norm();
         const double all = ofCentres(n) + turnA * a_.reach + turnB * b_.reach;
@@ -60,14 +60,14 @@ private:
     Passing passing_;
 };
 
-/// How far apart two shapes are (not positive: they touch), and for how long at least.
+/// The distance of two shapes (<= 0: they touch), and how long they stay apart at least.
 struct Gap {
     double distance = -kFar;  // m
     double time = 0.0;        // s; kFar: never
     double closing = 0.0;     // m/s, of the centres along the axis of the distance
-    double least = -kFar;     // m: closer they do not come in the time that is left
+    double least = -kFar;     // m: a lower bound of the distance in the time left
 
-    /// One direction n, from a to b, along which they are `apart`; the longest time counts.
+    /// Adds a direction n, from a to b, along which they are `apart`. The longest time counts.
     void see(const Vec3& n, double apart, const Approach& approach) {
         if (apart > distance) distance = apart, closing = approach.ofCentres(n);
         if (apart <= 0.0) return;
@@ -77,8 +77,8 @@ struct Gap {
     }
 };
 
-/// By all 15 axes: a pair that passes side by side is told apart at the first look. Without the edges where
-/// the faces show that they stay farther apart than `near` (m).
+/// Tests all 15 axes, so a pair that passes side by side is separated in the first iteration. Omits the edges
+/// if the faces show that they stay farther apart than `near` (m).
 Gap gapOfBoxes(const OrientedBox& boxA, const OrientedBox& boxB, const Approach& approach,
                double near) {
     Gap gap;
@@ -103,7 +103,8 @@ bool isConvex(const Piece& piece) {
     return piece.isTriangle || piece.shape->type > ShapeType::plane;
 }
 
-/// Not exact where they stay farther apart than `near` (m); `enough`: so they do where it is more (m).
+/// Not exact where they stay farther apart than `near` (m), as they do if their distance exceeds `enough`
+/// (m).
 Gap gapAt(const Piece& pieceA, const Pose& poseA, const Piece& pieceB, const Pose& poseB,
           const Approach& approach, double near, double enough) {
     if (pieceA.isBox() && pieceB.isBox())

@@ -14,7 +14,7 @@ int BoundsTree::newNode() {
 }
 
 int BoundsTree::bestSibling(const Bounds& bounds) const {
-    // Down the tree while pushing the new leaf into a child costs less than pairing it here.
+    // Descends while pushing the new leaf into a child costs less than pairing it here.
     int node = root_;
     while (!nodes_[node].isLeaf()) {
         const double area = nodes_[node].bounds.area();
@@ -87,7 +87,7 @@ void BoundsTree::rotate(int node) {
     double bestGain = 0.0;
     int bestSide = -1, bestGrandchild = -1;
     for (int side = 0; side < 2; ++side) {
-        const int stays = nodes_[node].children[side];  // its child goes up, the other one comes in
+        const int stays = nodes_[node].children[side];  // one of its children moves up
         const int comes = nodes_[node].children[1 - side];
         if (nodes_[stays].isLeaf()) continue;
         for (int i = 0; i < 2; ++i) {

@@ -1,7 +1,7 @@
-/// A dynamic tree of bounds: leaves are bodies, every inner node holds its two children. Leaves go
-/// where they enlarge the tree's surface least, and neighbours are swapped on the way up when that
-/// makes it smaller, so that inserting, removing and asking cost the logarithm of the number of
-/// bodies. (Goldsmith and Salmon 1987; Kopta et al. 2012; Catto, GDC 2019.)
+/// A dynamic tree of bounds: leaves are bodies, and every inner node bounds its two children. A leaf is
+/// inserted where it enlarges the tree's surface least, and neighbours are swapped on the way up when that
+/// makes it smaller. Inserting, removing and querying are logarithmic in the number of bodies. (Goldsmith and
+/// Salmon 1987; Kopta et al. 2012; Catto, GDC 2019.)
 #pragma once
 #include <vector>
 
@@ -11,13 +11,13 @@ namespace engine {
 
 class BoundsTree {
 public:
-    /// Returns the leaf's number, which stays until it is removed.
+    /// Returns the number of the leaf, valid until it is removed.
     int insert(const Bounds& bounds, int body);
     void remove(int leaf);
     const Bounds& bounds(int leaf) const { return nodes_[leaf].bounds; }
 
-    /// Calls visit(body) for every leaf that overlaps, in an order that depends on the tree alone. `open`
-    /// is the caller's memory for nodes still to be looked at: one a thread.
+    /// Calls visit(body) for every leaf that overlaps, in an order that depends only on the tree. `open` is
+    /// the caller's memory for nodes still to visit: one per thread.
     template <class Visit>
     void query(const Bounds& bounds, std::vector<int>& open, Visit visit) const {
         if (root_ < 0) return;
@@ -36,8 +36,8 @@ public:
         }
     }
 
-    /// Calls visit(body) for every leaf that the way from `from` to `to` (m) meets before the fraction
-    /// `most` of it; what visit returns is the new `most`.
+    /// Calls visit(body) for every leaf that the ray from `from` to `to` (m) hits before its fraction `most`;
+    /// visit returns the new `most`.
     template <class Visit>
     void along(const Vec3& from, const Vec3& to, double most, Visit visit) const {
         if (root_ < 0) return;
@@ -58,7 +58,7 @@ public:
 
     /// Levels below the root; 0 for a single leaf.
     int height() const;
-    /// True when every node holds its children and knows its parent (for tests).
+    /// True when every node bounds its children and they refer to it as their parent (for tests).
     bool isConsistent() const;
 
 private:

@@ -4,12 +4,12 @@ namespace engine {
 namespace {
 
 constexpr double kClear = 1e-5;  // of the pieces' size: closer, GJK's normal loses digits
-constexpr double kGap = 1e-2;    // of the pieces' size: how far they are held apart to find one
+constexpr double kGap = 1e-2;    // of the pieces' size: how far they are moved apart to find one
 constexpr int kMostPushes = 24;
 constexpr int kMostTurns = 8;
 
-/// The normal where b, pushed along d, comes free. From beyond, the push is taken back by what the
-/// closest points allow: along their normal that much is free for certain.
+/// The normal where b, pushed along d, separates from a. Starting too far out, the push is reduced
+/// by what the closest points allow: along their normal, that distance is certainly free.
 Closest pushOut(const Convex& a, const Convex& b, const Vec3& d, double gap) {
     double push = gap - separationOfCores(a, b, d);
     Closest closest = closestPoints(a, b, push * d);

@@ -1,7 +1,7 @@
-/// Axis: an axis of b stays parallel to one of a; where the two are does not matter.
+/// Axis: an axis of b stays parallel to one of a, whatever the positions.
 ///   C = t.h_b, two rows, as in a hinge
-/// It is the hinge without its point. The opposite direction is parallel as well: made with the two
-/// axes at more than a right angle, it settles there. Free is the angle about the axis.
+/// It is a hinge without its point. The opposite direction is parallel too: if the axes are at more
+/// than a right angle when the joint is made, it settles there. The angle about the axis is free.
 #pragma once
 #include "engine/constraints/hinge_joint.h"
 

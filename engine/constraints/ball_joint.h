@@ -1,9 +1,9 @@
-/// Ball joint: a point of a and a point of b are one.
+/// Ball joint: a point of a and a point of b coincide.
 ///   C = p_b - p_a = x_b + r_b - x_a - r_a                       three rows, along e = x, y, z
 ///   dC/dt = v_b + w_b x r_b - v_a - w_a x r_a
 ///   J_e = [-e, -(r_a x e), e, r_b x e]                          from e.(w x r) = w.(r x e)
-/// Free are the twist about its axis and the axis's swing (turning.h): limits of them are the twist
-/// and the cone of a shoulder.
+/// The twist about its axis and the swing of the axis are free (turning.h); limiting them gives the
+/// twist range and the cone of a shoulder.
 #pragma once
 #include "engine/constraints/joint_constraint.h"
 

@@ -1,7 +1,7 @@
 /// A smooth curve through points: uniform Catmull-Rom. Between P1 and P2, with their neighbours,
 ///   p(t) = (2 P1 + (P2 - P0) t + (2 P0 - 5 P1 + 4 P2 - P3) t^2 + (3 P1 - P0 - 3 P2 + P3) t^3) / 2
-/// An open curve's end has the neighbour 2 P1 - P2, so that it arrives there straight. The parameter
-/// counts points: 2.5 is half way from the third to the fourth. (Catmull and Rom 1974.)
+/// Beyond the end of an open curve, the neighbour is 2 P1 - P2, so it is straight there. The parameter counts
+/// points: 2.5 is half way from the third to the fourth. (Catmull and Rom 1974.)
 #pragma once
 #include <vector>
 
@@ -17,7 +17,7 @@ inline int pieces(const std::vector<Vec3>& points, bool closed) {
     return static_cast<int>(points.size()) - (closed ? 0 : 1);
 }
 
-/// The point number i, also one beyond the ends.
+/// Point number i, also beyond the ends.
 inline Vec3 pointOf(const std::vector<Vec3>& points, bool closed, int i) {
     const int n = static_cast<int>(points.size());
     if (closed) return points[((i % n) + n) % n];
@@ -26,7 +26,7 @@ inline Vec3 pointOf(const std::vector<Vec3>& points, bool closed, int i) {
     return points[i];
 }
 
-/// t is brought into the curve: round and round a closed one, to the ends of an open one.
+/// Brings t into the curve's range: wraps on a closed curve, clamps on an open one.
 inline double onCurve(const std::vector<Vec3>& points, bool closed, double t) {
     const double most = pieces(points, closed);
     return closed ? t - most * std::floor(t / most) : clamped(t, 0.0, most);
@@ -44,7 +44,7 @@ inline CurvePoint curveAt(const std::vector<Vec3>& points, bool closed, double t
             c + 3.0 * s * d};
 }
 
-/// m, from `from` to `to` of one piece: Gauss-Legendre with five points.
+/// The length of one piece from `from` to `to`, m: Gauss-Legendre with five points.
 inline double curveLength(const std::vector<Vec3>& points, bool closed, double from, double to) {
     constexpr double kAt[5] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
                                0.9061798459386640};
@@ -64,7 +64,7 @@ inline double nearestOnCurve(const std::vector<Vec3>& points, bool closed, const
         const CurvePoint p = curveAt(points, closed, t);
         const Vec3 away = x - p.at;
         const double slope = p.first.squaredNorm() - away.dot(p.second);
-        const double size = larger(slope, 0.25 * p.first.squaredNorm());  // downhill in any case
+        const double size = larger(slope, 0.25 * p.first.squaredNorm());  // always a descent direction
         if (size <= 0.0) return t;
         const double step = clamped(away.dot(p.first) / size, -0.25, 0.25);
         t = onCurve(points, closed, t + step);
@@ -73,7 +73,8 @@ inline double nearestOnCurve(const std::vector<Vec3>& points, bool closed, const
     return t;
 }
 
-/// The same from nowhere: the best of a walk along the whole curve, and Newton's method from there.
+/// The same without a starting value: samples the whole curve, then uses Newton's method from the best
+/// sample.
 inline double nearestOnCurve(const std::vector<Vec3>& points, bool closed, const Vec3& x) {
     constexpr int kPerPiece = 16;
     double best = 0.0, least = 1e300;

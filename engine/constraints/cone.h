@@ -1,15 +1,15 @@
-/// Two rows across each other whose impulse is held in a round cone, on accumulated values:
+/// Two perpendicular rows whose accumulated impulse is limited to a round cone:
 ///   |lambda| <= limit
-/// It is solved as a 2-vector: the impulse that stops the slip where the cone has room for it, else a
-/// step against the slip, cut to the cone. The step is one number times the slip, so that a sliding
-/// body is braked straight backwards; cutting the stopping impulse instead, which K has turned, brakes
-/// a box 13 % too little and depends on the direction.
+/// It is solved as a 2-vector: the impulse that stops the slip if it is inside the cone, else a step against
+/// the slip, clamped to the cone. The step is a scalar times the slip, so a sliding body is braked exactly
+/// against its motion. Clamping the stopping impulse instead, whose direction K has changed, brakes a box 13
+/// % too little and depends on the direction.
 #pragma once
 #include "engine/constraints/jacobian.h"
 
 namespace engine {
 
-/// Of the two rows, K = J M^-1 J^T; all zero where nothing can be moved.
+/// For K = J M^-1 J^T of the two rows; all zero if neither body can move.
 struct ConeMass {
     Mat2 stop = Mat2::Zero();  // K^-1
     double slide = 0.0;        // 1 / largest eigenvalue of K
@@ -26,7 +26,7 @@ inline ConeMass coneMass(const Row& s, const Row& t) {
     return mass;
 }
 
-/// Where the accumulated impulse `before` goes, for the slip (m/s or rad/s) that it leaves.
+/// The new accumulated impulse, from the one `before` and the slip (m/s or rad/s) it leaves.
 inline Vec2 solveInCone(const ConeMass& mass, const Vec2& before, const Vec2& slip, double limit) {
     Vec2 wanted = before - mass.stop * slip;
     if (wanted.squaredNorm() <= limit * limit) return wanted;

@@ -1,9 +1,9 @@
-/// Constant velocity joint (homokinetic): a point in common, and of the turn from the straight joint
-/// to how it is only swing, no twist about the shafts. What comes in on one goes out on the other,
-/// at every angle between them: the rate below is, for C = 0, along the line that halves that angle.
+/// Constant velocity joint (homokinetic): a common point, and a rotation from the straight joint that is only
+/// swing, with no twist about the shafts. Both shafts turn at the same rate at every angle between them: for
+/// C = 0, the rate below is along the line that bisects that angle.
 ///   C = p_b - p_a                                               three rows, as in a ball joint
 ///   C = phi, the twist about a's shaft (turning.h),   J = [0, -rate, 0, rate]
-/// q_0 is that of the straight joint, whatever the angle at which it was made. Free is the swing.
+/// q_0 is that of the straight joint, whatever the angle when the joint was made. The swing is free.
 #pragma once
 #include "engine/constraints/ball_joint.h"
 

@@ -1,12 +1,12 @@
-/// Contact: two points that must not pass each other, and friction between them.
-///   C = (p_b - p_a) . n >= 0          n from a to b, p on either surface
+/// Contact: two points that must not pass each other, with friction.
+///   C = (p_b - p_a) . n >= 0          n from a to b, p on the two surfaces
 ///   J = [-n, -(r_a x n), n, r_b x n]  lambda in [0, inf)
-/// The complete derivative has a further term (p_b - p_a) . dn/dt, of the order of the gap; the normal
-/// is held for one step, so it is zero here.
-/// Friction acts along two tangents t1, t2 with the same arms; its impulse is held in the cone
+/// The complete derivative has another term (p_b - p_a) . dn/dt, of the order of the gap; it is zero here,
+/// because the normal is constant during a step.
+/// Friction acts along two tangents t1, t2 with the same arms; its accumulated impulse is limited to the cone
 ///   |lambda_t| <= mu lambda_n
-/// on accumulated values: point by point (cone.h), or where a manifold's normals are solved together,
-/// its friction together too (manifold_friction.h).
+/// point by point (cone.h), or for the manifold as a whole where its normals are solved together
+/// (manifold_friction.h).
 /// (First seed, 'Constraint function' and 'The algorithm'; Catto, GDC 2006 and 2009.)
 #pragma once
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace engine {
 
-/// One point. What the sweeps read of it is small on purpose: J and M^-1 J^T follow from the arms and
-/// the two masses by a few products, which cost less than fetching three rows of 144 bytes.
+/// One point. It is small on purpose: J and M^-1 J^T follow from the arms and the two masses by a few
+/// products, which is cheaper than loading three rows of 144 bytes.
 struct ContactRow {
     Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();  // m, to the point
     ConeMass frictionMass;                          // along t1 and t2
@@ -36,7 +36,7 @@ struct ContactRow {
 struct ContactConstraint {
     int a = -1, b = -1;
     int count = 0;
-    int stride = 1;            // sub-steps of the world's that its bodies go on by at once; 0: they wait
+    int stride = 1;            // its bodies advance by this many of the world's sub-steps; 0: they wait
     double friction = 0.0;     // mu
     double restitution = 0.0;  // e
     double rolling = 0.0;      // rho, m
@@ -45,28 +45,28 @@ struct ContactConstraint {
     NormalBlock block;
     ManifoldFriction manifold;
     std::array<ContactRow, Contact::kMaxPoints> rows;
-    ConeMass rollingMass;               // of turns about t1 and t2
+    ConeMass rollingMass;               // for rotation about t1 and t2
     Vec2 rollingMoment = Vec2::Zero();  // N m s on b, accumulated about t1, t2
 };
 
 /// Where a contact's points are, in world axes relative to the bodies' centres of mass.
 struct ContactGeometry {
-    Vec3 armA, armB;    // m, to the middle between the surfaces: one point, so that a pair of
-                        // impulses changes no angular momentum
+    Vec3 armA, armB;    // m, to the middle between the surfaces: a common point, so that two opposite
+                        // impulses do not change the angular momentum
     double separation;  // C, m
 };
 
-/// A point's row along one of the contact's directions n, t1, t2.
+/// The row of a point along one of the directions n, t1, t2.
 inline Row rowAlong(const ContactConstraint& c, int i, const Vec3& direction) {
     return makeRow(alongDirection(direction, c.rows[i].armA, c.rows[i].armB), c.massA, c.massB);
 }
 
-/// How fast the point of b leaves the point of a, m/s.
+/// The velocity of the point of b relative to that of a, m/s.
 inline Vec3 velocityBetween(const ContactRow& row, const Velocity& a, const Velocity& b) {
     return (b.linear + b.angular.cross(row.armB)) - (a.linear + a.angular.cross(row.armA));
 }
 
-/// Applies the impulse P (N s) on b, -P on a, with the angular impulses about their centres.
+/// Applies the impulse P (N s) to b and -P to a, with the angular impulses about their centres.
 inline void applyImpulse(const ContactConstraint& c, const Vec3& impulse, const Vec3& angularA,
                          const Vec3& angularB, Velocity& a, Velocity& b) {
     a.linear -= c.massA.linear * impulse;
@@ -75,23 +75,23 @@ inline void applyImpulse(const ContactConstraint& c, const Vec3& impulse, const 
     b.angular += c.massB.angular * angularB;
 }
 
-/// What a point has got so far, along n, t1 and t2 together.
+/// The accumulated impulse of a point along n, t1 and t2.
 inline Vec3 impulseOf(const ContactConstraint& c, const ContactRow& row) {
     return row.lambda * c.n + row.friction[0] * c.t1 + row.friction[1] * c.t2;
 }
 
-/// At one point.
+/// Applies an impulse at one point.
 inline void applyAt(const ContactConstraint& c, const ContactRow& row, const Vec3& impulse,
                     Velocity& a, Velocity& b) {
     applyImpulse(c, impulse, row.armA.cross(impulse), row.armB.cross(impulse), a, b);
 }
 
-/// The row of the turn of b over a about a direction; see constraints/rolling.h.
+/// The row of the rotation of b relative to a about a direction; see constraints/rolling.h.
 inline Row rowOfTurn(const ContactConstraint& c, const Vec3& direction) {
     return makeRow({Vec3(Vec3::Zero()), Vec3(-direction), direction}, c.massA, c.massB);
 }
 
-/// Effective masses and the block, for the arms that the rows have.
+/// Computes the effective masses and the block from the rows' arms.
 inline void setMasses(ContactConstraint& c, const InverseMass& massA, const InverseMass& massB) {
     c.massA = massA, c.massB = massB;
     Row normals[Contact::kMaxPoints];
@@ -107,8 +107,8 @@ inline void setMasses(ContactConstraint& c, const InverseMass& massA, const Inve
     if (c.rolling > 0.0) c.rollingMass = coneMass(rowOfTurn(c, c.t1), rowOfTurn(c, c.t2));
 }
 
-/// Arms, effective masses and the block of one contact. `points` may be written by hand: the solver
-/// does not care where its constraints come from.
+/// Sets arms, effective masses and the block of one contact. `points` may be hand-written: the solver does
+/// not depend on where its constraints come from.
 inline ContactConstraint makeContactConstraint(const Contact& contact,
                                                const ContactGeometry* points,
                                                const InverseMass& massA, const InverseMass& massB) {
@@ -133,7 +133,7 @@ inline ContactConstraint makeContactConstraint(const Contact& contact,
     return c;
 }
 
-/// The largest |change of velocity along a row|, and sum of |change of lambda|, of one solve.
+/// The largest |change of velocity along a row| and the sum of |change of lambda| of one solve.
 struct Correction {
     double velocity = 0.0;
     double impulse = 0.0;
@@ -142,7 +142,7 @@ struct Correction {
         velocity = larger(velocity, std::abs(dv));
         impulse += std::abs(dLambda);
     }
-    /// Of two rows in a cone: the slip that their change makes, at most.
+    /// For two rows in a cone: an upper bound of the slip that their change causes.
     void add(const ConeMass& mass, const Vec2& change) {
         const double most = larger(std::abs(change[0]), std::abs(change[1]));
         if (mass.slide > 0.0) velocity = larger(velocity, most / mass.slide);
@@ -150,15 +150,15 @@ struct Correction {
     }
 };
 
-/// lambda may only push, and it is the sum over all sweeps that is clamped, not this sweep's share.
-/// (First seed, 'Global solution'.) accumulate = false shows what happens otherwise.
+/// lambda may only push. The sum over all sweeps is clamped, not the change in this sweep. (First seed,
+/// 'Global solution'.) accumulate = false shows what happens otherwise.
 inline double pushOnly(double& accumulated, double lambda, bool accumulate) {
     const double before = accumulated;
     accumulated = accumulate ? larger(before + lambda, 0.0) : before + larger(lambda, 0.0);
     return accumulated - before;
 }
 
-/// One normal row after the other.
+/// Solves the normal rows one after the other.
 inline void solveNormals(ContactConstraint& c, bool accumulate, Velocity& a, Velocity& b,
                          Correction& correction) {
     for (int i = 0; i < c.count; ++i) {
@@ -172,7 +172,7 @@ inline void solveNormals(ContactConstraint& c, bool accumulate, Velocity& a, Vel
     }
 }
 
-/// All normal rows of the manifold at once.
+/// Solves all normal rows of the manifold at once.
 inline void solveNormalsTogether(ContactConstraint& c, Velocity& a, Velocity& b,
                                  Correction& correction) {
     Vec4 before = Vec4::Zero(), q = Vec4::Zero();
@@ -209,8 +209,8 @@ inline void solveFriction(ContactConstraint& c, Velocity& a, Velocity& b, Correc
     }
 }
 
-/// The points of a manifold that slips by (s_1, s_2, w_n), one after the other; (F_1, F_2, T) of what
-/// they changed.
+/// Solves the points of a slipping manifold (s_1, s_2, w_n) one after the other; returns their change (F_1,
+/// F_2, T).
 inline Vec3 slidePoints(ContactConstraint& c, Vec3 slip, const Vec4& limit, Correction& correction) {
     const ManifoldFriction& f = c.manifold;
     Vec3 change = Vec3::Zero();
@@ -227,7 +227,7 @@ inline Vec3 slidePoints(ContactConstraint& c, Vec3 slip, const Vec4& limit, Corr
     return change;
 }
 
-/// Friction of all points at once; see manifold_friction.h.
+/// Solves friction of all points at once; see manifold_friction.h.
 inline void solveFrictionTogether(ContactConstraint& c, Velocity& a, Velocity& b,
                                   Correction& correction) {
     if (c.friction <= 0.0) return;

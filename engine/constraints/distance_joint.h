@@ -1,10 +1,10 @@
-/// Distance joint (rod): two points at the distance l.
+/// Distance joint (rod): keeps two points at the distance l.
 ///   C = |p_b - p_a| - l                                         one row
 ///   dC/dt = n.(dp_b/dt - dp_a/dt),   n = (p_b - p_a) / |p_b - p_a|
 ///   J = [-n, -(r_a x n), n, r_b x n]
-/// The change of n itself is across n and drops out. (Second seed, 'Constraints'.) While the two
-/// points coincide there is no direction, and y is as good as any.
-/// Limited or driven, the distance is free: with an upper limit alone it is a rope.
+/// The change of n is perpendicular to n and drops out. (Second seed, 'Constraints'.) If the two
+/// points coincide there is no direction, and y is used. With a limit, motor or spring the distance
+/// is free: an upper limit alone makes it a rope.
 #pragma once
 #include "engine/constraints/joint_constraint.h"
 

@@ -1,21 +1,21 @@
-/// What acts along the coordinates x that a joint leaves free, dx/dt = J v. Up to three rows each, a
-/// spring and an inertia in one:
+/// Springs, motors and limits along the free coordinates x of a joint, dx/dt = J v. Each has up to three
+/// rows; a spring and an inertia share one:
 ///   spring   C = x - rest, soft (soft.h)
-///   inertia  of a rotor, kept by its rate u of the sub-step before:  lambda = -I (J v - u), a soft row of
+///   inertia  of a rotor that keeps its rate u of the sub-step before:  lambda = -I (J v - u), a soft row of
 ///            gamma = 1 / I, b = -u. In one row with the spring,
 ///              1/gamma = 1/gamma_s + I,  b = gamma (b_s / gamma_s - I u)
-///            and the spring's k and c are of the mass that swings, 1/K + I
+///            and the spring's k and c are for the mass that swings, 1/K + I
 ///   motor    J v - speed = 0,                 |lambda| <= strength h
 ///   limit    C = s (x - bound) >= 0 and s J for the nearer bound, s = 1 for the low one, -1 for the
-///            high one:  s J v + b >= 0, lambda >= 0, with b = C / h, so that it may be reached in
-///            this sub-step and not passed; for C < 0 see setBiases. Two equal bounds: an equality.
+///            high one:  s J v + b >= 0, lambda >= 0, with b = C / h, so that it can be reached in
+///            this sub-step but not passed; for C < 0 see setBias. Equal bounds: an equality.
 /// In every sweep the total is clamped to its bounds [low, high], like a contact's.
 ///
-/// An impulse along J alone would tear at the rows J_r that the joint holds, and the sweep would go back
-/// and forth between the two (with a small bob on a long arm a thousand times). So J is freed first:
+/// An impulse along J alone would violate the rows J_r that the joint holds, and the sweep would alternate
+/// between the two (a thousand times for a small bob on a long arm). So J is first projected:
 ///   J <- J - (J M^-1 J_r^T) (J_r M^-1 J_r^T)^-1 J_r
-/// which is the same rate where J_r v = 0 and an impulse together with the joint's own reaction: K is
-/// then what a motor has to turn, the inertia about the hinge.
+/// The rate is the same where J_r v = 0, and the impulse includes the joint's reaction: K then belongs to
+/// what a motor has to turn, the inertia about the hinge.
 #pragma once
 #include "engine/constraints/joint_constraint.h"
 
@@ -31,9 +31,9 @@ struct DriveRow {
     double error = 0.0;            // C, m or rad
     double bias = 0.0;             // b, m/s or rad/s
     double softness = 0.0;         // of a spring
-    double rate = 0.0;             // u, m/s or rad/s; where there is an inertia
+    double rate = 0.0;             // u, m/s or rad/s; used with an inertia
     double low = 0.0, high = 0.0;  // bounds of lambda
-    double lambda = 0.0;           // N s (N m s), of one sub-step
+    double lambda = 0.0;           // N s (N m s), in one sub-step
 
     int slot() const { return 3 * coordinate + static_cast<int>(kind); }  // in Joint::driven
 };
@@ -41,10 +41,10 @@ struct DriveRow {
 struct JointDrive {
     static constexpr int kMaxRows = 18;
     int a = -1, b = -1;
-    int joint = -1;                      // its number in the world
+    int joint = -1;                      // number in the world
     int count = 0;
     std::array<DriveRow, kMaxRows> rows;
-    std::array<Row, 6> along;          // by coordinate, freed of what the joint holds
+    std::array<Row, 6> along;          // by coordinate, projected off the rows that the joint holds
     Vec3 totalImpulse = Vec3::Zero();  // N s on b, over the whole step
     Vec3 totalTwist = Vec3::Zero();    // N m s on b about its centre of mass
 
@@ -57,7 +57,7 @@ struct JointDrive {
     }
 };
 
-/// Applies an impulse along one row and books it as the joint's reaction.
+/// Applies an impulse along one row and adds it to the joint's reaction.
 inline void push(JointDrive& drive, const DriveRow& row, double lambda, Velocity& a, Velocity& b) {
     const Row& along = drive.along[row.coordinate];
     const double signedLambda = row.sign * lambda;
@@ -66,7 +66,7 @@ inline void push(JointDrive& drive, const DriveRow& row, double lambda, Velocity
     drive.totalTwist += signedLambda * along.j.angularB;
 }
 
-/// lambda = -(s J v + b + gamma total) / (K + gamma), the total clamped; gives what was added.
+/// lambda = -(s J v + b + gamma total) / (K + gamma), with the total clamped; returns the change.
 inline double pushWithin(const Row& along, DriveRow& row, const Velocity& a, const Velocity& b) {
     if (!(along.k > 0.0)) return 0.0;
     const double rate = row.sign * velocityAlong(along.j, a, b);
@@ -76,7 +76,7 @@ inline double pushWithin(const Row& along, DriveRow& row, const Velocity& a, con
     return row.lambda - before;
 }
 
-/// The rows of what acts on a joint, springs first and limits last: in a sweep the last one wins.
+/// The drive rows of a joint, springs first and limits last: in a sweep, the last row wins.
 inline JointDrive driveOf(const JointDef& def) {
     JointDrive drive;
     drive.a = def.a.index, drive.b = def.b.index;
@@ -95,7 +95,7 @@ inline JointDrive driveOf(const JointDef& def) {
     return drive;
 }
 
-/// C of a row, and the nearer bound of a limit.
+/// Sets C of a row, and selects the nearer bound of a limit.
 inline void place(DriveRow& row, double x) {
     const Limits& limits = row.freedom.limits;
     if (row.kind == DriveKind::motor) return;
@@ -111,7 +111,7 @@ inline void place(DriveRow& row, double x) {
     row.error = sign > 0.0 ? x - low : high - x;
 }
 
-/// A limit whose bounds are one.
+/// A limit whose bounds are equal.
 inline bool isHeld(const DriveRow& row) {
     return row.freedom.limits.low >= row.freedom.limits.high;
 }
@@ -131,7 +131,7 @@ inline SoftRow springRow(const DriveRow& row, double k, const Settings& settings
     return {softness, softness * (stiff * soft.bias - inertia * row.rate)};
 }
 
-/// b, gamma and the bounds of lambda, for a sub-step of length h (s).
+/// Sets b, gamma and the bounds of lambda for a sub-step of length h (s).
 inline void setBias(DriveRow& row, double k, const Settings& settings, double h) {
     constexpr double kAny = std::numeric_limits<double>::infinity();
     row.low = -kAny, row.high = kAny;

@@ -1,10 +1,10 @@
 /// Gear: two bodies turn at a fixed ratio, each about its own axis.
-///   C = phi_b - r phi_a       phi: how far a body has turned about its axis since the gear was made,
+///   C = phi_b - r phi_a       phi: angle a body has turned about its axis since the gear was made,
 ///                             the twist of q q_0^-1 about h as it was then (turning.h, with w of
 ///                             that body alone)
 ///   J = [0, -r rate_a, 0, rate_b]
-/// The axes are to be held by hinges on something that stays: phi is seen from the world. Outer teeth
-/// have r = -n_a / n_b, an inner ring or a chain r = n_a / n_b.
+/// The axes must be held by hinges on something at rest, because phi is measured in the world. External teeth
+/// have r = -n_a / n_b, an internal ring or a chain r = n_a / n_b.
 #pragma once
 #include "engine/constraints/joint_constraint.h"
 

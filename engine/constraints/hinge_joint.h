@@ -1,15 +1,15 @@
-/// Hinge: a point in common, and an axis in common.
+/// Hinge: a common point and a common axis.
 ///   C = p_b - p_a                                               three rows, as in a ball joint
-///   C = t.h_b   for the two t across a's axis, fixed in a;  h_b is the axis fixed in b
+///   C = t.h_b   for two t perpendicular to a's axis, fixed in a;  h_b is the axis fixed in b
 ///   dC/dt = (w_a x t).h_b + t.(w_b x h_b) = (t x h_b).(w_a - w_b)
 ///   J = [0, t x h_b, 0, -(t x h_b)]
-/// Free is the angle about the axis (turning.h), turns counted.
+/// The angle about the axis is free (turning.h); full turns are counted.
 #pragma once
 #include "engine/constraints/ball_joint.h"
 
 namespace engine {
 
-/// An axis of b stays parallel to the one of a that the two `across` are across.
+/// Keeps an axis of b parallel to the axis of a that both vectors of `across` are perpendicular to.
 inline void addParallelRows(const Vec3 (&acrossA)[2], const Vec3& axisB, JointRows& rows) {
     for (const Vec3& across : acrossA) {
         const Vec3 turn = across.cross(axisB);

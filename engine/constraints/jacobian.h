@@ -1,6 +1,6 @@
 /// One row of a constraint between two bodies.
 ///   dC/dt = J v,   J = [-n, j_a, n, j_b],   v = [v_a, w_a, v_b, w_b]
-/// n is the same for both bodies: a constraint between them feels their relative motion only.
+/// n is the same for both bodies: a constraint between them depends only on their relative motion.
 ///   K = J M^-1 J^T = (1/m_a + 1/m_b) n.n + j_a.(I_a^-1 j_a) + j_b.(I_b^-1 j_b)
 /// is the inverse of the effective mass. An impulse lambda along the row changes the velocities by
 ///   dv = M^-1 J^T lambda.
@@ -29,7 +29,7 @@ inline double velocityAlong(const Jacobian& j, const Velocity& a, const Velocity
            j.angularB.dot(b.angular);
 }
 
-/// A row with what does not change while it is swept: M^-1 J^T and K.
+/// A row with the values that stay constant during sweeps: M^-1 J^T and K.
 struct Row {
     Jacobian j;
     double massA = 0.0, massB = 0.0;  // 1/kg
@@ -44,7 +44,7 @@ inline double coupling(const Row& i, const Row& j) {
            i.j.angularB.dot(j.turnB);
 }
 
-/// The part of J_i M^-1 J_k^T that goes through one body: i's b or a, and k's b or a.
+/// The contribution of one body to J_i M^-1 J_k^T; it is b or a of row i, and b or a of row k.
 inline double couplingThrough(const Row& i, bool ofB, const Row& k, bool toB) {
     const double mass = ofB ? i.massB : i.massA;
     const double sign = ofB == toB ? 1.0 : -1.0;
@@ -66,7 +66,7 @@ inline void apply(const Row& row, double lambda, Velocity& a, Velocity& b) {
     b.angular += lambda * row.turnB;
 }
 
-/// lambda = -(J v + b) / K: the impulse after which J v + b = 0. No mass, no impulse.
+/// lambda = -(J v + b) / K: the impulse after which J v + b = 0; zero if neither body can move.
 inline double correctiveImpulse(const Row& row, double bias, const Velocity& a, const Velocity& b) {
     return row.k > 0.0 ? -(velocityAlong(row.j, a, b) + bias) / row.k : 0.0;
 }

@@ -18,7 +18,7 @@
 namespace engine {
 namespace {
 
-/// Two directions across an axis that is given in a body's axes; fixed in the body as well.
+/// Two directions perpendicular to an axis given in a body's axes, and fixed in the body.
 void acrossOf(const Vec3& axis, const Quat& body, Vec3 (&across)[2]) {
     tangents(axis, across[0], across[1]);
     for (Vec3& t : across) t = body * t;
@@ -37,7 +37,7 @@ void addPath(const Joint& joint, const Pose& a, JointGeometry& g) {
     g.wayOnPath = joint.lengths[piece] + curveLength(def.path, def.closed, piece, t);
 }
 
-/// What only the types after weld and coordinates need.
+/// Adds what only the types after weld, and coordinates, need.
 void addMore(const Joint& joint, const Pose& a, const Pose& b, JointGeometry& g) {
     g.axisA = a.rotation * joint.axisA;
     g.axis2A = a.rotation * joint.axis2A;

@@ -1,6 +1,5 @@
-/// A joint's rows. Every joint type has a file of its own with C and J on top; here is what they
-/// share. All rows are equalities: lambda is free. What acts along the coordinates that they leave
-/// free is in drive.h.
+/// The rows of joints. Every joint type has its own file with C and J on top; this file has what they share.
+/// All rows are equalities: lambda is unbounded. drive.h handles the free coordinates.
 #pragma once
 #include <array>
 
@@ -9,48 +8,48 @@
 
 namespace engine {
 
-/// A joint as it persists in the world.
+/// A joint of a world, kept from step to step.
 struct Joint {
     JointDef def;
-    Vec3 axisA = Vec3::UnitZ(), axisB = Vec3::UnitZ();    // `axis` in either body's axes
-    Quat turnAtStart = Quat::Identity();                  // q_a^-1 q_b, of the straight joint
-    Vec3 axis2A = Vec3::UnitX(), axis2B = Vec3::UnitX();  // axis2 in either body's axes
-    Quat startA = Quat::Identity(), startB = Quat::Identity();  // gear: rotations at first
-    std::vector<double> lengths;                          // path: m, from its start to every point
+    Vec3 axisA = Vec3::UnitZ(), axisB = Vec3::UnitZ();    // `axis` in the axes of a and b
+    Quat turnAtStart = Quat::Identity();                  // q_a^-1 q_b of the straight joint
+    Vec3 axis2A = Vec3::UnitX(), axis2B = Vec3::UnitX();  // axis2 in the axes of a and b
+    Quat startA = Quat::Identity(), startB = Quat::Identity();  // gear: initial rotations
+    std::vector<double> lengths;                          // path: m, from its start to each point
     double nearest = 0.0;                                 // path: parameter of the nearest point
     bool present = true, broken = false;
-    bool torn = false;                                    // by what cannot all hold
-    bool acts = false;                                    // something does along a coordinate
-    std::array<double, 6> position{};                     // of the coordinates, to count turns by
-    std::array<double, 6> lambda{};                       // N s (N m s), of one sub-step
-    std::array<double, 18> driven{};                      // likewise of the coordinates (drive.h)
+    bool torn = false;                                    // by constraints that cannot all hold
+    bool acts = false;                                    // a spring, motor, limit or rotor acts
+    std::array<double, 6> position{};                     // of the coordinates, to count turns
+    std::array<double, 6> lambda{};                       // N s (N m s), in one sub-step
+    std::array<double, 18> driven{};                      // the same, along coordinates (drive.h)
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();   // N, N m on b: see JointState
 };
 
-/// Everything a joint's C and J are made of, in world axes.
+/// The inputs of a joint's C and J, in world axes.
 struct JointGeometry {
     Vec3 armA, armB;    // m, from the centres of mass to the anchors
     Vec3 between;       // m, p_b - p_a
     Vec3 axisB;         // hinge: its axis, fixed in b
-    Vec3 acrossA[2];    // hinge: two unit vectors across its axis, fixed in a
+    Vec3 acrossA[2];    // hinge: two unit vectors perpendicular to its axis, fixed in a
     Quat turnA, turnB;  // rotations of the two bodies
     Quat turnAtStart;   // weld
     double length;      // m, distance
 
-    // From here on only of the types after weld, and for coordinates.
+    // The rest is only for the types after weld, and for coordinates.
     Vec3 axisA, axis2A, axis2B;                  // fixed in a, a, b
-    Vec3 across2A[2], acrossB[2];                // across axis2A, axisB
-    std::array<double, 6> near{};                // the coordinates not long ago
-    unsigned locked = 0;                         // sixDof: a bit for every coordinate
+    Vec3 across2A[2], acrossB[2];                // perpendicular to axis2A, axisB
+    std::array<double, 6> near{};                // recent values of the coordinates
+    unsigned locked = 0;                         // sixDof: one bit per coordinate
     double ratio = 1.0;                          // gear
-    Vec3 startAxisA, startAxisB;                 // gear: axisA and axis2B at first,
+    Vec3 startAxisA, startAxisB;                 // gear: axisA and axis2B initially,
     Quat sinceStartA, sinceStartB;               // and q q_0^-1
     Vec3 armToB, fromPath;                       // path: p_b - x_a, p_b - p(s)
     Vec3 alongPath, acrossPath[2];
     double wayOnPath = 0.0;  // m
 };
 
-/// What b has turned as seen from a, in world axes.
+/// The rotation of b relative to a since the start, in world axes.
 inline Quat turnSinceStart(const JointGeometry& g) {
     return g.turnB * (g.turnA * g.turnAtStart).conjugate();
 }
@@ -67,7 +66,7 @@ struct JointRows {
     }
 };
 
-/// The row of an angle; `sign` is that of its rate.
+/// Adds the row of an angle; `sign` is the sign of its rate.
 inline void addTurn(const Angle& angle, JointRows& rows, double sign = 1.0) {
     rows.add({Vec3::Zero(), Vec3(-sign * angle.rate), Vec3(sign * angle.rate)}, angle.value);
 }
@@ -75,46 +74,46 @@ inline void addTurn(const Angle& angle, JointRows& rows, double sign = 1.0) {
 struct JointConstraint {
     int a = -1, b = -1;
     int count = 0;
-    int joint = -1;      // its number in the world
+    int joint = -1;      // number in the world
     bool inTree = false; // solved with its tree, not in the sweep
     bool torn = false;   // see Joint
-    double kept = 1.0;   // share of the last impulses to start from, in this sub-step
+    double kept = 1.0;   // share of the previous impulses used as the start in this sub-step
     std::array<Row, 6> rows;
     std::array<double, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;
-    bool pointAtOnce = false;  // the first three rows, a point's, are solved as one
+    bool pointAtOnce = false;  // the first three rows, of a point, are solved together
     Mat3 pointMass = Mat3::Zero();  // (J M^-1 J^T)^-1 of these three
-    bool asBlock = false;      // a type after weld: where points are blocks, it is one as a whole
-    int treeRows = 0;          // places that it takes in a tree (tree_joint.h); 0: it is no part of one
-    bool allAtOnce = false;    // and is solved so
-    Eigen::Matrix<double, 6, 6> mass = Eigen::Matrix<double, 6, 6>::Zero();  // likewise of all
+    bool asBlock = false;      // a type after weld: all its rows are one block if points are blocks
+    int treeRows = 0;          // rows that it takes in a tree (tree_joint.h); 0: not part of a tree
+    bool allAtOnce = false;    // all rows are solved together
+    Eigen::Matrix<double, 6, 6> mass = Eigen::Matrix<double, 6, 6>::Zero();  // the same for all rows
     Vec3 totalImpulse = Vec3::Zero();  // N s on b, over the whole step
     Vec3 totalTwist = Vec3::Zero();    // N m s on b about its centre of mass
 };
 
-/// Applies an impulse along one row and books it as the joint's reaction; `lambda` is the caller's.
+/// Applies an impulse along one row and adds it to the joint's reaction; the caller updates lambda.
 inline void push(JointConstraint& joint, int i, double lambda, Velocity& a, Velocity& b) {
     apply(joint.rows[i], lambda, a, b);
     joint.totalImpulse += lambda * joint.rows[i].j.linear;
     joint.totalTwist += lambda * joint.rows[i].j.angularB;
 }
 
-/// How many rows hold: 3 of a ball, 1 of a distance, 5 of a hinge, 6 of a weld ...
+/// The number of rows: ball 3, distance 1, hinge 5, weld 6 ...
 int rowCount(JointType type);
-/// The same where it depends on more: none of a distance that is free, what a sixDof locks.
+/// The same for a definition: 0 for a free distance, the locked coordinates for a sixDof.
 int rowCount(const JointDef& def);
-/// Places in a tree: 3 of a rod, whose row has any direction, 6 of a slider; 0 of those that are swept.
+/// Rows in a tree: 3 for a rod, whose row has any direction, 6 for a slider, 0 for types that are swept.
 int treeRowsOf(JointType type);
 
 JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b);
 
-/// C and J of any joint.
+/// C and J of a joint of any type.
 JointRows rowsOf(JointType type, const JointGeometry& geometry);
 
-/// The coordinates that a joint leaves free, and how they change with the velocities: x and J.
+/// The free coordinates of a joint, and their Jacobians: x and J.
 JointRows coordinatesOf(const Joint& joint, const Pose& a, const Pose& b);
 
-/// The same; keeps in mind where they are. To be called before any has gone on by half a turn.
+/// The same; also stores their values. Must be called before any coordinate has moved by half a turn.
 JointRows followCoordinates(Joint& joint, const Pose& a, const Pose& b);
 
 }  // namespace engine

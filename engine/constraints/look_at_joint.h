@@ -1,9 +1,10 @@
 /// Look-at: an axis of b points from its anchor to the anchor of a.
-///   C = t.d   for the two t across the axis, fixed in b;  d = p_b - p_a
+///   C = t.d   for two t perpendicular to the axis, fixed in b;  d = p_b - p_a
 ///   dC/dt = (w_b x t).d + t.(v_b + w_b x r_b - v_a - w_a x r_a)
 ///   J = [-t, -(r_a x t), t, (r_b - d) x t]                      the arm of b reaches to p_a
-/// Away from the anchor is a solution as well: made with the axis at more than a right angle to the
-/// line of sight, it settles there. (Second seed, 'Pointing towards a point'.)
+/// Pointing away from the anchor is also a solution: if the axis is at more than a right angle to
+/// the line of sight when the joint is made, it settles there. (Second seed, 'Pointing towards a
+/// point'.)
 #pragma once
 #include "engine/constraints/joint_constraint.h"
 

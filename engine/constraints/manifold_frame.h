@@ -1,6 +1,6 @@
-/// The plane that a manifold's points are put in: across the normal they stay where they are, along it
-/// they go to the height of the one that is touched first. Where along its gap a point is makes no
-/// difference to the normal rows; in one plane, friction of all points is one force and one twist.
+/// The common plane of a manifold's points: they are moved along the normal to the height of the point that
+/// touches first. The normal rows do not depend on where along its gap a point is, and in one plane the
+/// friction of all points is one force and one twist.
 #pragma once
 #include "engine/constraints/contact.h"
 
@@ -8,13 +8,13 @@ namespace engine {
 
 struct ManifoldFrame {
     Vec3 t1, t2;
-    Vec3 centre = Vec3::Zero();  // r_a of the middle of the points, m
-    double reach = 0.0;          // m, of the points from there, along t1 or t2
+    Vec3 centre = Vec3::Zero();  // r_a of the mean of the points, m
+    double reach = 0.0;          // m, largest distance of a point from it along t1 or t2
     int count = 0;
     double x[Contact::kMaxPoints], y[Contact::kMaxPoints];  // m, from the centre along t1 and t2
     double gap[Contact::kMaxPoints];                        // C, m
 
-    /// A point in the middle between the two surfaces, and how far they are apart.
+    /// Adds a point midway between the two surfaces, and their separation.
     void add(const Vec3& armA, double separation) {
         if (count == 0 || separation < gap[deepest_]) deepest_ = count;
         arms_[count] = armA;

@@ -1,10 +1,10 @@
-/// Friction of a manifold at once. Its points share a plane (manifold_frame.h), so that their friction is
-/// a force and a twist about the normal, and one solve of three rows stops all their slip:
+/// Friction of a whole manifold. Its points share a plane (manifold_frame.h), so their friction is a force
+/// and a twist about the normal, and one solve of three rows stops all slip:
 ///   (F_1, F_2, T) = total - K^-1 (s_1, s_2, w_n),   K = J M^-1 J^T of the three at the middle c
-/// The points share it as they share the load, with p_i = lambda_i / sum and the middle m of the load,
+/// It is distributed over the points like the load, with p_i = lambda_i / sum and the centre m of the load,
 ///   f_i = p_i (F + (T - m x F) / S  (r_i - m) turned),   S = sum p_i |r_i - m|^2
-/// If every f_i is inside its cone |f_i| <= mu lambda_i, that is the solution. Else the manifold slips,
-/// and point after point is solved alone (cone.h).
+/// If every f_i is inside its cone |f_i| <= mu lambda_i, that is the solution. Otherwise the manifold slips,
+/// and the points are solved one by one (cone.h).
 #pragma once
 #include <array>
 
@@ -13,13 +13,13 @@
 
 namespace engine {
 
-/// In the contact's axes t1, t2 about c; x and y: of the points.
+/// In the contact's axes t1, t2 about c; x and y are the points' coordinates.
 struct ManifoldFriction {
     Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();  // m, to c
     Vec4 x = Vec4::Zero(), y = Vec4::Zero();        // m
-    double reach = 0.0;                             // m: the largest of them
-    Mat3 k = Mat3::Zero();                          // of (s_1, s_2, w_n)
-    Mat3 mass = Mat3::Zero();                       // K^-1; without w_n where one point cannot twist
+    double reach = 0.0;                             // m: the largest |x| or |y|
+    Mat3 k = Mat3::Zero();                          // for (s_1, s_2, w_n)
+    Mat3 mass = Mat3::Zero();                       // K^-1; without w_n for a single point
 };
 
 /// The inverse of K, or of its first two rows.
@@ -52,12 +52,12 @@ inline ManifoldFriction manifoldFriction(const Vec3& n, const Vec3& t1, const Ve
     return f;
 }
 
-/// The force and twist (F_1, F_2, T) of what one point gives.
+/// The force and twist (F_1, F_2, T) of the friction of one point.
 inline Vec3 aboutMiddle(const ManifoldFriction& f, int i, const Vec2& friction) {
     return {friction[0], friction[1], f.x[i] * friction[1] - f.y[i] * friction[0]};
 }
 
-/// What the points have to give for `wanted` in all; false where one of them cannot.
+/// The friction of each point so that they sum to `wanted`; false if one would leave its cone.
 inline bool shareFriction(const ManifoldFriction& f, int count, const Vec3& wanted,
                           const Vec4& limit, std::array<Vec2, Contact::kMaxPoints>& shares) {
     const double load = limit.sum();

@@ -1,13 +1,12 @@
-/// The normal rows of one manifold, solved together. The points of a face share one plane, so a load
-/// on one of them is felt at all; swept one after the other they tilt the box a little in every
-/// sweep, and that is what makes a tall stack lean (twenty boxes, 10 s: 247 mm swept, 2 mm solved).
+/// The normal rows of one manifold, solved together. The points of a face are coupled: a load on one affects
+/// all. If they are swept one after the other, they tilt the box a little in every sweep, and a tall stack
+/// leans (twenty boxes, 10 s: 247 mm swept, 2 mm solved).
 ///
 ///   find lambda >= 0 with w = K lambda + q >= 0 and lambda . w = 0
 ///
-/// Four points of one plane have only three independent rows, and two points may lie in one place: K is
-/// singular, and its diagonal is raised by a thousandth where there is more than one row. With
-/// q = (J v + b) - K lambda_old every sweep is a proximal step, whose limit is the exact solution all
-/// the same.
+/// Four points in one plane have only three independent rows, and two points may coincide: then K is
+/// singular. So with more than one row its diagonal is raised by a thousandth. With q = (J v + b) - K
+/// lambda_old every sweep is a proximal step, which still converges to the exact solution.
 #pragma once
 #include <array>
 
@@ -20,10 +19,10 @@ struct NormalBlock {
     int count = 0;
     Vec4 exact = Vec4::Zero();    // the diagonal of J M^-1 J^T
     Mat4 k = Mat4::Zero();        // J M^-1 J^T, diagonal raised
-    Mat4 inverse = Mat4::Zero();  // used when every point pushes, the common case
+    Mat4 inverse = Mat4::Zero();  // for the common case: every point pushes
 };
 
-/// The rows of the set bits of `active`, by elimination without pivoting (K is positive definite).
+/// Solves the rows whose bits are set in `active`, by elimination without pivoting (K is positive definite).
 inline Vec4 solveActive(const NormalBlock& block, const Vec4& q, unsigned active) {
     Mat4 m = block.k;
     Vec4 x = -q;
@@ -50,7 +49,7 @@ inline Vec4 solveActive(const NormalBlock& block, const Vec4& q, unsigned active
     return x;
 }
 
-/// Of the given rows; both bodies are the same in all of them.
+/// Makes the block of the given rows, all between the same two bodies.
 template <class RowAt>
 NormalBlock makeNormalBlock(int count, RowAt rowAt) {
     NormalBlock block;
@@ -67,9 +66,9 @@ NormalBlock makeNormalBlock(int count, RowAt rowAt) {
     return block;
 }
 
-/// The complementary solution. First all points push; if one would have to pull it is let go, if one
-/// left alone would sink it is taken back. A set that was not found after a few changes (it may
-/// cycle when the problem is degenerate) is cut off at zero: the next sweep goes on from there.
+/// The complementary solution. It starts with all points active; a point that would pull is removed, an
+/// inactive point that would sink is added again. If no set is found after a few changes (degenerate problems
+/// may cycle), the result is clamped at zero, and the next sweep continues from there.
 inline Vec4 solveNormalBlock(const NormalBlock& block, const Vec4& q) {
     Vec4 lambda = -(block.inverse * q);
     if (lambda.head(block.count).minCoeff() >= 0.0) return lambda;

@@ -1,23 +1,23 @@
-/// Rolling resistance: a moment against the turn of one surface over the other. The load of a soft
-/// surface acts by rho ahead of where the bodies would touch, and its moment is rho times the load:
+/// Rolling resistance: a moment against the rolling of one surface on the other. The load of a soft surface
+/// acts at a distance rho ahead of the contact point, so its moment is rho times the load:
 ///   s = t . (w_b - w_a), for t1 and t2 across the normal     rad/s
 ///   J = [0, -t, 0, t]
 ///   |lambda| <= rho sum lambda_n                             N m s
-/// A ball that rolls comes to rest, and lies still on a slope with tan(angle) < rho / r. The turn about
-/// the normal is the business of friction.
+/// A rolling ball comes to rest, and stays at rest on a slope with tan(angle) < rho / r. Friction handles the
+/// rotation about the normal.
 #pragma once
 #include "engine/constraints/contact_constraint.h"
 
 namespace engine {
 
-/// What the rolling of a contact can be held with, N m s.
+/// The largest rolling moment of a contact, N m s.
 inline double rollingLimit(const ContactConstraint& c) {
     double load = 0.0;
     for (int i = 0; i < c.count; ++i) load += c.rows[i].lambda + c.rows[i].bounce;
     return c.rolling * load;
 }
 
-/// The angular impulse on b, and its opposite on a.
+/// Applies the angular impulse to b, and its opposite to a.
 inline void applyRolling(const ContactConstraint& c, const Vec2& moment, Velocity& a, Velocity& b) {
     const Vec3 turn = moment[0] * c.t1 + moment[1] * c.t2;
     a.angular -= c.massA.angular * turn;

@@ -1,8 +1,8 @@
-/// Six degrees of freedom, each free or locked: three ways along x, y, z of a frame fixed in a, and
-/// three turns about them.
-///   way    C = e.d                as in a slider
-///   turn   C = phi, the twist about e (turning.h),   J = [0, -rate, 0, rate]
-/// The three twists are the rotation vector while no more than one of them is large.
+/// Six degrees of freedom, each free or locked: three translations along x, y, z of a frame fixed
+/// in a, and three rotations about them.
+///   translation  C = e.d          as in a slider
+///   rotation     C = phi, the twist about e (turning.h),   J = [0, -rate, 0, rate]
+/// The three twists form the rotation vector as long as at most one of them is large.
 #pragma once
 #include "engine/constraints/slider_joint.h"
 

@@ -1,15 +1,15 @@
-/// Slider: b moves along an axis of a and does not turn.
-///   C = t.d   for the two t across the axis, fixed in a;  d = p_b - p_a
+/// Slider: b moves along an axis of a without rotating.
+///   C = t.d   for two t perpendicular to the axis, fixed in a;  d = p_b - p_a
 ///   dC/dt = (w_a x t).d + t.(v_b + w_b x r_b - v_a - w_a x r_a)
 ///   J = [-t, -((r_a + d) x t), t, r_b x t]                      the arm of a reaches to p_b
-///   and b does not turn, as in a weld                           three rows
-/// Free is the way along the axis h, C = h.d with the same J.
+///   and no relative rotation, as in a weld                      three rows
+/// The translation along the axis h is free, C = h.d with the same J.
 #pragma once
 #include "engine/constraints/weld_joint.h"
 
 namespace engine {
 
-/// Of the way along n, fixed in a, from a's anchor to b's.
+/// J of the distance along n (fixed in a) from a's anchor to b's.
 inline Jacobian alongFixedInA(const Vec3& n, const JointGeometry& g) {
     return alongDirection(n, Vec3(g.armA + g.between), g.armB);
 }

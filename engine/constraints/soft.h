@@ -1,18 +1,18 @@
 /// A soft row: instead of C = 0, a spring and a damper along it,
-///   k = m w^2,  c = 2 m zeta w,  w = 2 pi hz,  m = 1 / K       k and c suit the masses that the
+///   k = m w^2,  c = 2 m zeta w,  w = 2 pi hz,  m = 1 / K       k and c match the masses that the
 ///   row moves, unless the spring has its own
-/// What it does to the rate along it is, with the rate v0 that all else would leave,
+/// It changes the rate along the row, with the rate v0 that everything else leaves, to
 ///   v1 = E (v0 - W C / h)
-/// and as a row, lambda = m (v1 - v0) on top of what the others give:
+/// As a row, with lambda = m (v1 - v0) on top of the other impulses:
 ///   J v1 + b + gamma lambda = 0,   gamma = E K / (1 - E),   b = E W C / (h (1 - E))
 ///
 /// Springs::symplectic  E = 1 / (1 + h c / m),  W = h^2 k / m: pulled, then damped. E is the product of the
 ///                      two roots of its recurrence, so a swing decays by e^(-zeta w t), and not at all
-///                      where zeta = 0; a weight sags by m g / k and falls with m g / c. For h w up to
-///                      0.2, and then more and more, from 0.4 on altogether, the other, which is stable
-///                      at any stiffness:
+///                      where zeta = 0; a weight sags by m g / k and falls with m g / c. Used for h w up
+///                      to 0.2; above, it blends into the other scheme (fully from 0.4 on), stable at
+///                      any stiffness:
 /// Springs::implicit    E = 1 / (1 + h c / m + h^2 k / m),  W the same: the implicit-Euler spring to
-///                      round-off, a little too well damped (a swing of 1.5 Hz by 80 % in 14 periods)
+///                      round-off, damped a little too much (a swing of 1.5 Hz by 80 % in 14 periods)
 /// (Catto, GDC 2011, 'Soft Constraints'; Smith, Open Dynamics Engine, 'ERP and CFM'; Hairer, Lubich,
 /// Wanner, 'Geometric Numerical Integration', I.1.)
 #pragma once
@@ -32,7 +32,7 @@ struct SoftRate {
     double kept = 1.0, pull = 0.0;  // E, W
 };
 
-/// Of W and of c h / m.
+/// From W and c h / m.
 inline SoftRate softRate(double pull, double damping, Springs how) {
     const double stiff = larger(std::sqrt(pull), damping);
     const double share =
@@ -40,16 +40,16 @@ inline SoftRate softRate(double pull, double damping, Springs how) {
     return {1.0 / (1.0 + damping + share * pull), pull};
 }
 
-/// Of a row with the inverse effective mass k and the error C, for a step of length h.
+/// For a row with the inverse effective mass k and the error C, and a step of length h.
 inline SoftRow softRow(const Spring& spring, double k, double error, double h, Springs how) {
     if (k <= 0.0) return {};
     const SoftRate rate =
         softRate(h * h * spring.stiffnessOf(k) * k, h * spring.resistanceOf(k) * k, how);
-    const double taken = larger(1.0 - rate.kept, 1e-9);  // nearly nothing of an undamped one
+    const double taken = larger(1.0 - rate.kept, 1e-9);  // nearly zero for an undamped spring
     return {rate.kept * k / taken, rate.kept * rate.pull * error / (h * taken)};
 }
 
-/// lambda = -(J v + b + gamma lambda_total) / (K + gamma); with gamma = 0 the rigid row's.
+/// lambda = -(J v + b + gamma lambda_total) / (K + gamma); with gamma = 0, that of the rigid row.
 inline double correctiveImpulse(const Row& row, double bias, double softness, double total,
                                 const Velocity& a, const Velocity& b) {
     if (row.k <= 0.0) return 0.0;

@@ -1,10 +1,10 @@
 /// Angles between two bodies, and how they change with w = w_b - w_a:   d(angle)/dt = rate . w
-/// With (s, u) = q_b (q_a q_0)^-1, what b has turned as seen from a, and h fixed in a:
+/// With (s, u) = q_b (q_a q_0)^-1, the rotation of b relative to a, and h fixed in a:
 ///   twist about h   phi = 2 atan2(u.h, s)
 ///                   ds/dt = -u.w / 2,   d(u.h)/dt = (s h - h x u).w / 2
 ///                   rate = (s^2 h - s h x u + (u.h) u) / (s^2 + (u.h)^2)
 ///   swing of h_b    theta = angle(h_a, h_b),   rate = h_a x h_b / |h_a x h_b|
-///   of h_b around   alpha = atan2(q.h_b, p.h_b) for p, q fixed in a, across each other
+///   of h_b around   alpha = atan2(q.h_b, p.h_b) for p, q fixed in a, perpendicular
 ///                   d(p.h_b)/dt = (h_b x p).w,   rate = (x (h_b x q) - y (h_b x p)) / (x^2 + y^2)
 #pragma once
 #include "engine/base/trigonometry.h"
@@ -16,7 +16,7 @@ struct Angle {
     Vec3 rate = Vec3::Zero();
 };
 
-/// The same angle, by whole turns as near as can be to `near`.
+/// The same angle, changed by full turns to be as close as possible to `near`.
 inline double counted(double angle, double near) {
     constexpr double kTurn = 2.0 * kPi;
     return angle + kTurn * std::floor((near - angle) / kTurn + 0.5);

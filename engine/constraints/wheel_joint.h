@@ -1,7 +1,8 @@
-/// Wheel: b rides along an axis h of a (the way of the suspension) and spins about an axle k.
-///   C = t.d   for the two t across h             two rows, as in a slider
-///   C = t'.k_b  for the two t' across k          two rows, as in a hinge; k_b is fixed in b
-/// Free are the way along h, which a spring makes a coil-over, and the spin, which a motor drives.
+/// Wheel: b moves along an axis h of a (the suspension) and spins about an axle k.
+///   C = t.d   for two t perpendicular to h       two rows, as in a slider
+///   C = t'.k_b  for two t' perpendicular to k    two rows, as in a hinge; k_b is fixed in b
+/// The translation along h is free (a spring makes it a coil-over), and so is the spin (a motor
+/// drives it).
 #pragma once
 #include "engine/constraints/hinge_joint.h"
 #include "engine/constraints/slider_joint.h"

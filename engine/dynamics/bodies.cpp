@@ -13,10 +13,10 @@ BodyMass massOf(const BodyDef& def) {
     ENGINE_CHECK(m.mass > 0.0, "a dynamic body needs a positive mass");
     m.inertia = def.inertia ? *def.inertia : inertiaOf(def.shape, m.mass);
     ENGINE_CHECK(!def.inertia || isInertia(m.inertia),
-                 "an inertia tensor must be symmetric, positive definite and a body's: no principal "
+                 "an inertia tensor must be symmetric and positive definite, with no principal "
                  "moment larger than the sum of the others");
     const Eigen::LLT<Mat3> factor(m.inertia);
-    ENGINE_CHECK(factor.info() == Eigen::Success, "a dynamic body needs some extent");
+    ENGINE_CHECK(factor.info() == Eigen::Success, "a dynamic body needs a shape with an extent");
     m.inverseInertia = factor.solve(Mat3::Identity());
     m.isRound = m.inertia == m.inertia(0, 0) * Mat3::Identity();
     if (m.isRound) m.inverseInertia = Mat3::Identity() / m.inertia(0, 0);
@@ -47,7 +47,7 @@ void addBody(Bodies& bodies, const BodyDef& def, int i) {
         def.shape.type == ShapeType::plane || def.shape.type == ShapeType::mesh;
     ENGINE_CHECK(def.kind != BodyKind::dynamic || !surface,
                  "a plane or a mesh has no mass; make it fixed or kinematic");
-    ENGINE_CHECK(def.pose.rotation.norm() > 0.0, "a rotation needs a quaternion that is not zero");
+    ENGINE_CHECK(def.pose.rotation.norm() > 0.0, "a rotation needs a nonzero quaternion");
     BodyDef filled = def;
     filled.pose.rotation.normalize();
     const BodyMass mass = massOf(def);

@@ -1,4 +1,4 @@
-/// The bodies of a world, an array per use: what a solver gathers (velocity, inverse mass) lies
+/// The bodies of a world, with one array per use: the data that a solver gathers (velocity, inverse mass) is
 /// close together.
 #pragma once
 #include <vector>
@@ -14,18 +14,18 @@ struct Velocity {
     Vec3 angular = Vec3::Zero();
 };
 
-/// M^-1 of one body: 1/m and the inverse inertia in world axes. All zero: no impulse moves it.
+/// M^-1 of one body: 1/m and the inverse inertia in world axes. All zero: impulses do not move the body.
 struct InverseMass {
     double linear = 0.0;          // 1/kg
     Mat3 angular = Mat3::Zero();  // 1/(kg m^2)
 };
 
-/// Mass in body axes: what does not change from step to step.
+/// Mass properties in body axes, constant over steps.
 struct BodyMass {
     double mass = 0.0;                        // kg
     Mat3 inertia = Mat3::Zero();              // kg m^2
     Mat3 inverseInertia = Mat3::Zero();
-    bool isRound = false;                     // the same about every axis: a ball, a cube
+    bool isRound = false;                     // equal about every axis: a ball, a cube
 };
 
 /// m/s^2 and rad/s^2
@@ -39,35 +39,35 @@ struct Bodies {
     std::vector<Velocity> velocities;
     std::vector<InverseMass> inverseMasses;  // world axes, of the current pose
     std::vector<BodyMass> masses;
-    std::vector<double> massFactors;  // constraints take a body for so much heavier (pressed_bodies.h)
-    std::vector<Load> loads;                         // of the coming step
-    std::vector<Acceleration> accelerations;         // of this sub-step
-    std::vector<double> spans;                       // s: their own sub-steps (solver/paces.h)
-    std::vector<int> strides;                        // as many of the world's sub-steps
-    std::vector<char> acts;                          // 0: they wait in this one of the world's
+    std::vector<double> massFactors;  // constraints treat the body as this much heavier (pressed_bodies.h)
+    std::vector<Load> loads;                         // for the coming step
+    std::vector<Acceleration> accelerations;         // in this sub-step
+    std::vector<double> spans;                       // s: the body's own sub-step (solver/paces.h)
+    std::vector<int> strides;                        // the same, in the world's sub-steps
+    std::vector<char> acts;                          // 0: waits in this sub-step of the world
     std::vector<char> present;                       // 0: removed
-    std::vector<int> asleep;   // the least body of its sleeping island (sleep.h); -1: awake
-    std::vector<char> placed;  // 1: by the caller, after the last step
+    std::vector<int> asleep;   // lowest body number of its sleeping island (sleep.h); -1: awake
+    std::vector<char> placed;  // 1: placed by the caller since the last step
     bool hasSensors = false;
 
     int count() const { return static_cast<int>(defs.size()); }
     bool isDynamic(int i) const { return present[i] && defs[i].kind == BodyKind::dynamic; }
     bool isAsleep(int i) const { return asleep[i] >= 0; }
     bool isAwake(int i) const { return isDynamic(i) && !isAsleep(i); }
-    /// It is its turn in this sub-step, and forces and impulses move it; something carries it on.
+    /// isActing: forces and impulses move it in this sub-step. isGoing: it moves in this sub-step.
     bool isActing(int i) const { return acts[i] && isAwake(i); }
     bool isGoing(int i) const { return acts[i] && isMoving(i); }
-    /// Of two bodies that touch or are jointed, one that impulses move, if there is one.
+    /// Of two bodies that touch or are joined, one that impulses can move, if any.
     int movable(int a, int b) const { return isDynamic(a) ? a : b; }
-    /// Steps carry it on.
+    /// Present, awake and not fixed: steps move it.
     bool isMoving(int i) const {
         return present[i] && defs[i].kind != BodyKind::fixed && !isAsleep(i);
     }
-    /// It may come to touch what it did not touch before.
+    /// It may make new contacts.
     bool stirs(int i) const {
         return placed[i] || (!isAsleep(i) && (isDynamic(i) || isDriven(i)));
     }
-    /// A kinematic body under way.
+    /// A moving kinematic body.
     bool isDriven(int i) const {
         return present[i] && defs[i].kind == BodyKind::kinematic && !isStill(i);
     }
@@ -76,14 +76,13 @@ struct Bodies {
     }
 };
 
-/// Puts a body in a slot, the one after the last or one that is free; what the definition leaves open
-/// is filled in.
+/// Puts a body into a free slot or the next one. Fills in values that the definition leaves open.
 void addBody(Bodies& bodies, const BodyDef& def, int slot);
 
-/// All bodies act, in sub-steps of h (s).
+/// Makes all bodies act, with sub-steps of h (s).
 void setSpans(Bodies& bodies, double h);
 
-/// M^-1 in world axes, after the body was turned; of all that act.
+/// Updates M^-1 in world axes after rotation: of one body, or of all acting bodies.
 void updateInverseInertia(Bodies& bodies, int i);
 void updateInverseInertias(Bodies& bodies);
 

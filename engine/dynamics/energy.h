@@ -1,15 +1,15 @@
-/// E = m v^2 / 2 + w.(I w) / 2 - m g.(x - v h / 2), the check on everything else.
+/// E = m v^2 / 2 + w.(I w) / 2 - m g.(x - v h / 2), used to check everything else.
 ///
-/// Semi-implicit Euler's velocities are those of half a sub-step ago: with them, the height of that
-/// moment keeps E in free fall to the last bits, where the height of now would let it go up and down by
-/// m g v h / 2 (Hairer, Lubich, Wanner, 'Geometric Numerical Integration', IX: the modified energy).
+/// The velocities of semi-implicit Euler belong to half a sub-step ago. With the height of that moment, E is
+/// constant in free fall to the last bits; with the present height it would vary by m g v h / 2 (Hairer,
+/// Lubich, Wanner, 'Geometric Numerical Integration', IX: the modified energy).
 #pragma once
 #include "engine/dynamics/bodies.h"
 #include "engine/step_report.h"
 
 namespace engine {
 
-/// h: Bodies::spans, the sub-steps that the velocities come from.
+/// h: Bodies::spans, the sub-steps that produced the velocities.
 Energy energyOf(const Bodies& bodies, const Vec3& gravity);
 
 /// kg m/s, and kg m^2/s about the origin.

@@ -1,18 +1,18 @@
 /// Semi-implicit Euler: velocities first, then positions with the new velocities.
 ///   v1 = v0 + a h
 ///   x1 = x0 + v1 h
-/// (Second seed, 'Integration'. The order is what keeps an oscillator's energy bounded.)
+/// (Second seed, 'Integration'. This order keeps the energy of an oscillator bounded.)
 #pragma once
 #include "engine/dynamics/bodies.h"
 #include "engine/settings.h"
 
 namespace engine {
 
-/// Step 2 of the loop, with the accelerations of step 1 (dynamics/forces.h): h is Bodies::spans, for those
-/// that act.
+/// Step 2 of the loop, with the accelerations of step 1 (dynamics/forces.h), for acting bodies. h is
+/// Bodies::spans.
 void integrateVelocities(Bodies& bodies, Gyroscope gyroscope);
 
-/// Step 4 of the loop. The inverse inertias are made again after the nudges, which turn bodies as well.
+/// Step 4 of the loop. The inverse inertias are updated after the nudges, which rotate bodies as well.
 void integratePositions(Bodies& bodies, Gyroscope gyroscope);
 
 /// A body's rotation and spin after a time h (s) without torque.

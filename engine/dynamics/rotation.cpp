@@ -8,20 +8,20 @@
 namespace engine {
 namespace {
 
-constexpr double kSmallest = 1e-12;  // of a series: the first term left out
+constexpr double kSmallest = 1e-12;  // the first omitted term of a series
 constexpr int kMostTerms = 14;
 constexpr int kMostCuts = 40;        // halvings of the time
-constexpr int kMostParts = 4096;     // of a step, for bodies that turn absurdly fast
+constexpr int kMostParts = 4096;     // of a step, for extremely fast bodies
 
 /// w = R I^-1 R^T L
 Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
     return rotation * Vec3(mass.inverseInertia * Vec3(rotation.conjugate() * momentum));
 }
 
-/// The rotation as a power series in the share of h that has passed.
+/// The rotation as a power series in the elapsed share of h.
 class FreeTurn {
 public:
-    /// Its terms, as many as are needed to go to `share`.
+    /// Computes as many terms as are needed up to `share`.
     FreeTurn(const BodyMass& mass, double h, const Vec3& momentum, const Quat& rotation,
              double share)
         : share_(share) {
@@ -35,13 +35,13 @@ public:
             w_[terms_] = h * (mass.inverseInertia * m_[terms_]);
             power *= share;
             const double size = power * sizeOf(terms_);
-            if (size * size <= kSmallest * before) return;  // so would be the next one
+            if (size * size <= kSmallest * before) return;  // so is the next term
             before = size;
         }
         cut();
     }
 
-    /// How far it can be followed: `share`, or less.
+    /// How far the series is accurate: `share`, or less.
     double share() const { return share_; }
 
     Quat atEnd() const {
@@ -70,7 +70,7 @@ private:
         s_[terms_] = 0.5 / terms_ * s, v_[terms_] = 0.5 / terms_ * v;
     }
 
-    /// Halves the way until the last two terms no longer count.
+    /// Halves the time until the last two terms are negligible.
     void cut() {
         const double last = sizeOf(terms_), before = sizeOf(terms_ - 1);
         for (int i = 0; i < kMostCuts; ++i) {
@@ -93,7 +93,7 @@ Quat turnedBy(const Vec3& turn, const Quat& q) {
     const Vec3 half = 0.5 * turn;
     const double x2 = half.squaredNorm();
     double cosineOfHalf, sineOverHalf;
-    if (!(x2 >= 1e-2 && x2 < 1e200)) {  // the terms left out are below 1e-16; or it is not a number
+    if (!(x2 >= 1e-2 && x2 < 1e200)) {  // omitted terms are below 1e-16; or NaN
         sineOverHalf = 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0)));
         cosineOfHalf = 1.0 - x2 / 2.0 * (1.0 - x2 / 12.0 * (1.0 - x2 / 30.0 * (1.0 - x2 / 56.0)));
     } else {
@@ -119,12 +119,12 @@ Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const
 }
 
 void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
-    if (mass.isRound) {  // L and w are parallel: w stays
+    if (mass.isRound) {  // L and w are parallel: w is constant
         rotation = turnedBy(h * spin, rotation);
         return;
     }
     const Vec3 momentum = rotation * Vec3(mass.inertia * Vec3(rotation.conjugate() * spin));
-    if (!momentum.allFinite()) return;  // the step will be taken back
+    if (!momentum.allFinite()) return;  // the step will be undone
     double left = 1.0;
     for (int part = 0; left > 0.0 && part < kMostParts; ++part) {
         const FreeTurn turn(mass, h, momentum, rotation, left);

@@ -1,16 +1,16 @@
-/// How a free body's spin and rotation are carried over a time h.
+/// Integrates spin and rotation of a free body over a time h.
 ///
-/// With no torque L = I w is kept. Seen from the body it is M = R^T L, the spin W = I^-1 M, and
+/// Without torque L = I w is constant. In body axes it is M = R^T L, the spin is W = I^-1 M, and
 ///   dM/dt = M x W,   dq/dt = q (0, W) / 2
-/// The right sides are products, so the terms of the power series in t follow from each other:
+/// The right sides are products, so the terms of the power series in t follow recursively:
 ///   (k + 1) M_k+1 = sum_j M_j x W_k-j,   (k + 1) q_k+1 = sum_j q_j (0, W_k-j) / 2,   j = 0 .. k
-/// They are added up until the next one is below 1e-12; where they do not get there in time (a fast
-/// body), the time is cut. A series needs sums and products only, so its bits are the same everywhere.
+/// They are summed until the next one is below 1e-12; if that takes too many terms (a fast body), the time is
+/// divided. A series needs only sums and products, so its bits are the same everywhere.
 ///
-/// Gyroscope::momentum is that. The others, for comparison:
+/// This is Gyroscope::momentum. The others are for comparison:
 ///   implicitEuler  one Newton step on I dw/dt = -w x I w (Catto, GDC 2015, 'Numerical Methods'):
 ///                  stable, but the energy decays: -26 % in 60 s on the free spin of tests/behaviour
-///   none           w stays: a body spun about its middle axis never flips
+///   none           w is constant: a body spun about its middle axis never flips
 #pragma once
 #include "engine/base/math.h"
 #include "engine/dynamics/bodies.h"
@@ -30,7 +30,7 @@ inline Quat cayley(const Vec3& turn, const Quat& q) {
 ///   q1 = (cos(|turn| / 2), sin(|turn| / 2) turn / |turn|) q
 Quat turnedBy(const Vec3& turn, const Quat& q);
 
-/// A body put into another rotation takes its spin along: so it keeps its energy, w . I w.
+/// Sets the rotation of a body and turns its spin with it, which keeps its energy, w . I w.
 inline void turnTo(const Quat& rotation, int body, Bodies& bodies) {
     Quat& before = bodies.poses[body].rotation;
     Vec3& spin = bodies.velocities[body].angular;
@@ -38,7 +38,8 @@ inline void turnTo(const Quat& rotation, int body, Bodies& bodies) {
     before = rotation;
 }
 
-/// The turn from one pose to another (rad, world axes), of less than a radian: 2 sin(angle / 2) its axis.
+/// The rotation from one pose to another (rad, world axes), below one radian: 2 sin(angle / 2) times its
+/// axis.
 inline Vec3 turnBetween(const Pose& from, const Pose& to) {
     const Quat turn = to.rotation * from.rotation.conjugate();
     return turn.w() < 0.0 ? Vec3(-2.0 * turn.vec()) : Vec3(2.0 * turn.vec());
@@ -48,7 +49,7 @@ inline Vec3 turnBetween(const Pose& from, const Pose& to) {
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,
                                double h);
 
-/// Rotation and spin after a time h with L = I w kept.
+/// Rotation and spin after a time h with constant L = I w.
 void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& spin);
 
 }  // namespace engine

@@ -6,7 +6,7 @@
 namespace engine {
 namespace {
 
-/// 0: attached. 1: stalled, as is all air from behind.
+/// 0: attached. 1: stalled; always 1 for air from behind.
 double stalledShare(const Airfoil& airfoil, double cosAttack, double sinAttack) {
     if (cosAttack <= 0.0) return 1.0;
     const double beyond = std::abs(sinAttack) - sine(airfoil.stall);

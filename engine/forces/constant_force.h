@@ -1,4 +1,4 @@
-/// A force that stays, and one that turns with the body (thrust).
+/// A force that is constant in world axes, or turns with the body (thrust).
 ///   F, T = (p - x) x F + T0,   p = x + R at
 #pragma once
 #include <span>

@@ -1,4 +1,4 @@
-/// What the forces of a world say of a sub-step, by the kind of each.
+/// Evaluates the forces of a world for a sub-step, by their kind.
 #pragma once
 #include <span>
 
@@ -13,14 +13,14 @@
 
 namespace engine {
 
-/// Whether it acts in the span of time that begins at `time` and is `h` long (s): the half of a
-/// span and more counts as all of it.
+/// Whether the force acts in the sub-step that begins at `time` and has length `h` (s): it does if
+/// it acts at its middle.
 bool acts(const ForceDef& force, double time, double h);
 
 void addLoads(const ForceDef& force, const Bodies& bodies, const ForceMoment& now,
               std::span<Load> loads);
 
-/// J: what the force could give back, in `potential` or `elastic`; of those that have a potential.
+/// Adds the potential energy of the force (J), if it has any, to `potential` or `elastic`.
 void addPotential(const ForceDef& force, const Bodies& bodies, Energy& energy);
 
 }  // namespace engine

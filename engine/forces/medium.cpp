@@ -24,7 +24,7 @@ Vec3 dragOf(const Medium& medium, const Bodies& bodies, int body, double share, 
     return smaller(c, largestDrag(bodies, body, h)) * u;
 }
 
-/// Of a convex body: half the sum of |area . d| over its surface.
+/// For a convex body: half the sum of |area . d| over its surface.
 double shadowOfSurface(const Shape& shape, const Vec3& d) {
     double sum = 0.0;
     forTriangles(shape, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -33,7 +33,7 @@ double shadowOfSurface(const Shape& shape, const Vec3& d) {
     return sum;
 }
 
-/// As if no part stood in another's lee.
+/// Ignores that parts may shield each other.
 double shadowOfParts(const ShapeParts& parts, const Vec3& d) {
     double sum = 0.0;
     for (const ShapePart& part : parts) sum += shadowOf(part.shape, part.pose.rotation, d);

@@ -1,9 +1,9 @@
-/// Air or water that moves, or stands still: drag that grows with the square of the speed, and what
-/// the displaced medium weighs.
-///   F_d = rho/2 C A |u| u,   u = (velocity of the medium) - v, A the body's shadow along u
-///   F_b = -rho V g,          at the middle of the displaced volume V
-/// Below a surface only the share of a body that is under it is dragged and carried. Falling in it
-/// a body of mass m reaches v = sqrt(2 (m - rho V) g / (rho C A)).
+/// Air or water, moving or at rest: drag that grows with the square of the speed, and the weight of
+/// the displaced medium.
+///   F_d = rho/2 C A |u| u,   u = (velocity of the medium) - v, A the area projected along u
+///   F_b = -rho V g,          at the centroid of the displaced volume V
+/// With a surface, drag and buoyancy act only on the submerged share of a body. A body of mass m
+/// falling in the medium reaches v = sqrt(2 (m - rho V) g / (rho C A)).
 #pragma once
 #include <span>
 
@@ -17,7 +17,7 @@ struct Bodies;
 void addLoads(const Medium& medium, std::span<const BodyId> on, const Bodies& bodies,
               const ForceMoment& now, std::span<Load> loads);
 
-/// m^2: the shadow of a body in light along the unit vector `direction`.
+/// The area of a body projected along the unit vector `direction`, m^2.
 double shadowOf(const Shape& shape, const Quat& rotation, const Vec3& direction);
 
 }  // namespace engine

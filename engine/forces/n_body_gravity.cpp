@@ -5,7 +5,7 @@
 namespace engine {
 namespace {
 
-/// `visit(i, j, d, r2)` for every pair that is not in one point.
+/// Calls `visit(i, j, d, r2)` for every pair that does not coincide.
 template <class Visit>
 void forEachPair(const NBodyGravity& gravity, std::span<const BodyId> on, const Bodies& bodies,
                  Visit visit) {

@@ -1,4 +1,4 @@
-/// Gravity between bodies, each pair once: what one gets the other gives.
+/// Gravity between bodies, each pair once, with equal and opposite forces.
 ///   F_ij = G m_i m_j d / (|d|^2 + s^2)^(3/2),   d = x_j - x_i
 ///   E = -G m_i m_j / sqrt(|d|^2 + s^2)
 #pragma once

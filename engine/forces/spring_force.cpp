@@ -14,7 +14,7 @@ struct SpringEnd {
           point(bodies.poses[id.index].position + arm),
           velocity(bodies.velocities[id.index].linear +
                    bodies.velocities[id.index].angular.cross(arm)) {}
-    /// What an impulse along n changes of the end's velocity along n, 1/kg.
+    /// The change of the end's velocity along n per unit of impulse along n, 1/kg.
     double ease(const Bodies& bodies, BodyId id, const Vec3& n) const {
         const InverseMass& m = bodies.inverseMasses[id.index];
         const Vec3 turn = arm.cross(n);

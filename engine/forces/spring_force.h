@@ -1,12 +1,12 @@
-/// A spring with a damper between a point of one body and a point of another, with W = h^2 k K, K being what
-/// an impulse along d changes of d/dt |d|:
+/// A spring with a damper between a point of one body and a point of another, with W = h^2 k K, where K is
+/// the change of d/dt |d| per unit of impulse along d:
 ///   v0 = d/dt |d|,   v1 = E (v0 - W (|d| - l) / h)        constraints/soft.h
 ///   F = (v0 - v1) / (K h) d / |d|,   d = p_b - p_a, on a; its opposite on b
-///   U = k (|d| - l - v0 h / 2)^2 / 2                      of the moment that velocities are of
-/// So it swings with T = 2 pi sqrt(m / k), without damping for a hundred times and more, and is stable at any
-/// stiffness. Where n springs pull at a body each of them has an n-th of its mass (Tonge et al. 2012, 'Mass
-/// splitting for jitter-free parallel rigid body simulation'): all together do not overshoot either. Where
-/// k h^2 is above m they give way as if k were m / h^2; soft distance joints do not.
+///   U = k (|d| - l - v0 h / 2)^2 / 2                      at the moment of the velocities
+/// So it swings with T = 2 pi sqrt(m / k), for a hundred periods and more without damping, and is stable at
+/// any stiffness. Where n springs pull at a body, each gets an n-th of its mass (Tonge et al. 2012, 'Mass
+/// splitting for jitter-free parallel rigid body simulation'), so together they do not overshoot either.
+/// Where k h^2 exceeds m, they yield as if k were m / h^2; soft distance joints do not.
 #pragma once
 #include <span>
 

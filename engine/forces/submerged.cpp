@@ -17,7 +17,7 @@ SubmergedPart ofBall(double r, const Vec3& centre, const Vec3& up, double level)
     return {kPi * depth * depth * (3.0 * r - depth) / 3.0, centre - down * up};
 }
 
-/// Of a convex polygon: what lies below, in the same order.
+/// A convex polygon; below() returns its part under the level, in the same order.
 struct Polygon {
     Vec3 corner[5];
     int count = 0;
@@ -35,7 +35,7 @@ struct Polygon {
     }
 };
 
-/// Outwards of the axis k, anticlockwise seen from outside.
+/// The face at `side` of the axis k, counter-clockwise from outside.
 Polygon faceOf(const Shape& box, const Pose& pose, int k, double side) {
     constexpr double kTurn[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
     Polygon face;
@@ -49,7 +49,7 @@ Polygon faceOf(const Shape& box, const Pose& pose, int k, double side) {
     return face;
 }
 
-/// The sum of tetrahedra between a point of the water's surface and what lies below it of faces.
+/// The sum of tetrahedra between a point of the water's surface and the submerged parts of faces.
 class Tetrahedra {
 public:
     Tetrahedra(const Vec3& apex, const Vec3& up, double level)
@@ -87,7 +87,7 @@ SubmergedPart ofBox(const Shape& box, const Pose& pose, const Vec3& up, double l
     return parts.sum();
 }
 
-/// What its triangles lack of the whole is spread over it.
+/// The volume is scaled, because the triangles enclose less than the shape.
 SubmergedPart ofSurface(const Shape& shape, const Pose& pose, const Vec3& up, double level) {
     Tetrahedra parts = tetrahedra(pose, up, level);
     double all = 0.0;

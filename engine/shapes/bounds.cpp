@@ -6,7 +6,7 @@
 namespace engine {
 namespace {
 
-/// Of a disc across `axis`.
+/// Half the bounds of a disc perpendicular to `axis`.
 Vec3 discReach(const Vec3& axis, double radius) {
     return radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt();
 }

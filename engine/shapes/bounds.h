@@ -5,10 +5,10 @@
 
 namespace engine {
 
-/// Of any shape but a plane, which has none.
+/// The bounds of any shape except a plane, which has none.
 Bounds boundsOf(const Shape& shape, const Pose& pose);
 
-/// Of the same box seen in other axes: around it, and a little larger.
+/// The bounds of a box in other axes: they contain it, and are a little larger.
 Bounds seenFrom(const Pose& pose, const Bounds& world);
 
 }  // namespace engine

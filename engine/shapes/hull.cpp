@@ -1,5 +1,5 @@
-// Qhull finds which points are corners and which corners share a face; everything that is computed
-// from them, and the order of it all, is ours, so that no bit depends on Qhull's build.
+// Qhull finds which points are corners and which corners share a face. Everything computed from them, and the
+// order, is done here, so that no bit depends on Qhull's build.
 #include "engine/shapes/hull.h"
 
 #include <libqhull_r/qhull_ra.h>
@@ -23,7 +23,7 @@ int farthest(std::span<const Vec3> points, Distance distance) {
     return best;
 }
 
-using Loops = std::vector<std::vector<int>>;  // the points of every face, in no order
+using Loops = std::vector<std::vector<int>>;  // the points of each face, unordered
 
 Loops facesByQhull(std::span<const Vec3> points) {
     std::vector<double> coordinates;
@@ -43,19 +43,19 @@ Loops facesByQhull(std::span<const Vec3> points) {
                 faces.back().push_back(qh_pointid(qh, vertex->point));
             }
         }
-    int curlong = 0, totlong = 0;  // what is left of long memory: nothing
+    int curlong = 0, totlong = 0;  // long memory left: none
     qh_freeqhull(qh, !qh_ALL);
     qh_memfreeshort(qh, &curlong, &totlong);
     return faces;
 }
 
-/// Counter-clockwise about the way out, beginning with the first of them.
+/// Sorts the corners counter-clockwise about the outward normal, beginning with the first.
 void putInOrder(Hull::Face& face, std::span<const Vec3> corners, const Vec3& inside) {
     Vec3 middle = Vec3::Zero();
     for (const int i : face.corners) middle += corners[i];
     middle /= static_cast<double>(face.corners.size());
     const Vec3 a = corners[face.corners[0]] - middle;
-    Vec3 n = Vec3::Zero();  // of the corner that makes the widest angle with the first
+    Vec3 n = Vec3::Zero();  // with the corner that gives the largest cross product
     for (const int i : face.corners)
         if (const Vec3 wide = a.cross(corners[i] - middle); wide.norm() > n.norm()) n = wide;
     if (n.dot(middle - inside) < 0.0) n = -n;
@@ -69,7 +69,7 @@ void putInOrder(Hull::Face& face, std::span<const Vec3> corners, const Vec3& ins
     for (std::size_t i = 0; i < turns.size(); ++i) face.corners[i] = turns[i].second;
 }
 
-/// Newell's normal; the plane leaves no corner outside.
+/// Newell's normal; no corner is outside the plane.
 void findPlane(Hull::Face& face, std::span<const Vec3> corners) {
     Vec3 sum = Vec3::Zero();
     const std::size_t count = face.corners.size();
@@ -103,7 +103,7 @@ std::optional<Hull> convexHull(std::span<const Vec3> points) {
         if (!p.allFinite()) return std::nullopt;
     if (points.size() < 4 || isFlat(points)) return std::nullopt;
     Loops loops = facesByQhull(points);
-    std::vector<int> corners;  // by their place among the points
+    std::vector<int> corners;  // indices of points
     for (const std::vector<int>& loop : loops) corners.insert(corners.end(), loop.begin(), loop.end());
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());

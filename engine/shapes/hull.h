@@ -18,10 +18,10 @@ struct Hull {
     std::vector<Face> faces;
 };
 
-/// To a ten-thousandth of their extent. At least one point, all finite.
+/// Whether points are flat to a ten-thousandth of their extent. At least one point, all finite.
 bool isFlat(std::span<const Vec3> points);
 
-/// By Qhull; faces in one plane are one face. Nothing where the points are flat (shape.h).
+/// Uses Qhull; faces in one plane are merged. Null if the points are flat (shape.h).
 std::optional<Hull> convexHull(std::span<const Vec3> points);
 
 }  // namespace engine

@@ -127,7 +127,7 @@ Mat3 inertiaOf(const Shape& shape, double mass) {
 }
 
 bool isInertia(const Mat3& inertia) {
-    constexpr double kRounding = 1e-6;  // of the trace; a thin plate's S has a zero in it
+    constexpr double kRounding = 1e-6;  // of the trace; S of a thin plate has a zero eigenvalue
     const double trace = inertia.trace();
     const Mat3 second = (0.5 + kRounding) * trace * Mat3::Identity() - inertia;
     return inertia.isApprox(inertia.transpose()) &&

@@ -15,7 +15,7 @@ bool isBefore(const Vec3& a, const Vec3& b) {
     return false;
 }
 
-/// The number of the first corner in the same place, for each.
+/// For each corner, the number of the first corner at the same place.
 std::vector<int> weld(std::span<const Vec3> corners) {
     std::map<Vec3, int, bool (*)(const Vec3&, const Vec3&)> places(isBefore);
     std::vector<int> first;
@@ -25,7 +25,7 @@ std::vector<int> weld(std::span<const Vec3> corners) {
 }
 
 void markSharp(Mesh& mesh) {
-    std::map<std::pair<int, int>, int> edges;  // from corner to corner: whose it is
+    std::map<std::pair<int, int>, int> edges;  // directed edge: its triangle
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
         for (int i = 0; i < 3; ++i) {
             const std::array<int, 3>& c = mesh.triangles[t].corners;
@@ -50,7 +50,7 @@ class TreeBuilder {
 public:
     explicit TreeBuilder(Mesh& mesh) : mesh_(mesh) {}
 
-    /// Halves by the middles along the longest side.
+    /// Splits at the median of the centroids along the longest side.
     void build(int first, int end) {
         const int node = static_cast<int>(mesh_.nodes.size());
         mesh_.nodes.push_back({boundsOf(first, end), first, 0, 0});

@@ -1,4 +1,4 @@
-/// A surface of triangles, with a tree of bounds over them that never changes.
+/// A surface of triangles, with a static tree of bounds.
 #pragma once
 #include <array>
 #include <span>
@@ -8,19 +8,19 @@
 
 namespace engine {
 
-constexpr double kLeastArea = 1e-12;  // m^2: triangles of less are left out
+constexpr double kLeastArea = 1e-12;  // m^2: smaller triangles are omitted
 
 struct Mesh {
     struct Triangle {
-        std::array<int, 3> corners;        // counter-clockwise from the side that holds
-        Vec3 normal;                       // unit, out of that side
-        std::array<bool, 3> sharp;         // the edge from corner i to the next is convex or a rim:
-                                           // others cannot be felt by what slides over them
+        std::array<int, 3> corners;        // counter-clockwise from the solid side
+        Vec3 normal;                       // unit, towards that side
+        std::array<bool, 3> sharp;         // the edge from corner i to the next is convex or a
+                                           // boundary; other edges do not affect sliding bodies
     };
     struct Node {
         Bounds bounds;
         int first = 0, count = 0;  // a leaf's triangles; count 0: an inner node
-        int next = 0;              // after everything below this node
+        int next = 0;              // node after this one's subtree
     };
     std::vector<Vec3> corners;  // m
     std::vector<Triangle> triangles;
@@ -28,7 +28,7 @@ struct Mesh {
 
     const Bounds& bounds() const { return nodes[0].bounds; }
 
-    /// Calls visit(number) for the triangles whose leaves overlap, in order.
+    /// Calls visit(number), in order, for all triangles in leaves that overlap `within`.
     template <class Visit>
     void query(const Bounds& within, Visit visit) const {
         for (int i = 0; i < static_cast<int>(nodes.size());) {
@@ -43,7 +43,7 @@ struct Mesh {
     }
 };
 
-/// Corners in the same place become one; triangles without an area are left out.
+/// Merges corners at the same place and omits triangles without an area.
 Mesh makeMesh(std::span<const Vec3> corners, std::span<const std::array<int, 3>> triangles);
 
 }  // namespace engine

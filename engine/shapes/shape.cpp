@@ -9,7 +9,7 @@
 namespace engine {
 namespace {
 
-/// About the local y.
+/// A shape of revolution about the local y.
 Shape roundShape(ShapeType type, double radius, double halfLength) {
     Shape s;
     s.type = type;
@@ -55,7 +55,7 @@ Shape Shape::capsule(double radius, double height) {
 
 Shape Shape::plane(const Vec3& normal) {
     const double length = normal.norm();
-    ENGINE_CHECK(length > 0.0, "a plane needs a normal that is not zero");
+    ENGINE_CHECK(length > 0.0, "a plane needs a nonzero normal");
     Shape s;
     s.type = ShapeType::plane;
     s.normal = normal / length;
@@ -75,7 +75,7 @@ Shape Shape::cone(double radius, double height) {
 std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
     std::optional<Hull> hull = convexHull(points);
     if (!hull) return std::nullopt;
-    // About the first corner first: far from the origin the integrals would cancel.
+    // Moves the first corner to the origin: far from the origin, the integrals lose digits.
     const Vec3 near = hull->corners[0];
     const auto moveBy = [&](const Vec3& way) {
         for (Vec3& corner : hull->corners) corner += way;
@@ -98,12 +98,12 @@ std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
 }
 
 Shape Shape::compound(std::span<const ShapePart> parts, const std::optional<Vec3>& given) {
-    ENGINE_CHECK(!parts.empty(), "a compound needs a part");
+    ENGINE_CHECK(!parts.empty(), "a compound needs at least one part");
     auto placed = std::make_shared<ShapeParts>();
     for (const ShapePart& part : parts) {
         const ShapeType type = part.shape.type;
         ENGINE_CHECK(type != ShapeType::plane && type != ShapeType::mesh,
-                     "a compound holds no planes and no meshes");
+                     "a compound cannot contain planes or meshes");
         ENGINE_CHECK(part.density > 0.0, "a part of a compound needs a positive density");
         const Quat turn = part.pose.rotation.normalized();
         if (type != ShapeType::compound) {

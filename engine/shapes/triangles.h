@@ -1,5 +1,5 @@
-/// The surface of a solid shape as triangles, for sums over it: polyhedra as they are, circles as
-/// polygons of 24 corners, which hold 1.1 % less.
+/// The surface of a solid shape as triangles, for sums over it. Polyhedra are exact; circles are polygons of
+/// 24 corners, with 1.1 % less area.
 #pragma once
 #include "engine/base/trigonometry.h"
 #include "engine/shape.h"
@@ -7,8 +7,8 @@
 
 namespace engine {
 
-/// Calls visit(a, b, c), in the shape's axes (m), counter-clockwise from outside, for the triangles of
-/// a hull, a cylinder or a cone.
+/// Calls visit(a, b, c) for the triangles of a hull, a cylinder or a cone, in the shape's axes (m),
+/// counter-clockwise from outside.
 template <class Visit>
 void forTriangles(const Shape& shape, Visit visit) {
     if (shape.type == ShapeType::hull) {
@@ -26,7 +26,7 @@ void forTriangles(const Shape& shape, Visit visit) {
     const double c = cosine(2.0 * kPi / kSides), s = sine(2.0 * kPi / kSides);
     const Vec3 up = top - base;
     Vec3 p(shape.radius, 0.0, 0.0);
-    for (int i = 0; i < kSides; ++i) {  // anticlockwise seen from below
+    for (int i = 0; i < kSides; ++i) {  // counter-clockwise seen from below
         const Vec3 q(c * p.x() - s * p.z(), 0.0, s * p.x() + c * p.z());
         visit(base, Vec3(base + p), Vec3(base + q));
         if (cone) {

@@ -1,7 +1,7 @@
 /// A = L D L^T with blocks of N x N, for a symmetric A whose pattern is known.
 ///   W_ik = A_ik D_k^-1,   A_ij -= W_ik A_jk^T       for all i, j after k
-/// Written for blocks of fixed size: a chain's factors are a hundred multiplications a joint.
-/// A row that follows from the others shows as a pivot that vanishes; it is left out, its x is 0.
+/// Blocks have a fixed size: factoring a chain takes a hundred multiplications per joint. A row that depends
+/// on the others has a vanishing pivot; it is left out, and its x is 0.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,15 +10,14 @@
 
 namespace engine {
 
-/// A pivot that elimination has reduced to this share of itself was nearly a difference of equals:
-/// its row follows from the others but for a little play, and dividing by that would tear at the
-/// bodies.
+/// A pivot reduced to this share of itself by elimination is nearly a difference of equals: its row depends
+/// on the others except for a little play, and dividing by it would give huge impulses.
 constexpr double kVanished = 1e-6;
-/// Of a tree that is held once no row follows from the others: what a long chain reduces to a millionth
-/// of itself is meant. Only round-off is left out.
+/// In a tree that is held once, no row depends on the others: pivots that a long chain reduces to a millionth
+/// are valid. Only round-off is left out.
 constexpr double kVanishedInOpenTree = 1e-13;
 
-/// The inverse by sweeping one pivot after the other; rows whose pivot has vanished are left out.
+/// Inverts by sweeping the pivots one by one; rows with a vanishing pivot are left out.
 template <int N>
 void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale,
                  double vanished = kVanished) {
@@ -39,7 +38,7 @@ void sweepPivots(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 
         for (int j = 0; j < N; ++j) m(i, j) = kept[i] && kept[j] ? -m(i, j) : 0.0;
 }
 
-/// The inverse by cofactors, one division; the pivots are quotients of its minors.
+/// Inverts by cofactors with one division; the pivots are quotients of minors.
 inline void invertKept(Mat3& m, const Vec3& scale, double vanished) {
     const double a = m(0, 0), b = m(1, 0), c = m(2, 0), d = m(1, 1), e = m(2, 1), f = m(2, 2);
     const double minor = a * d - b * b;
@@ -59,7 +58,7 @@ inline void invertKept(Mat3& m, const Vec3& scale, double vanished) {
     m(1, 2) = m(2, 1) = (b * c - a * e) * inverse;
 }
 
-/// A larger one in two parts, F = B A^-1 and S = C - F B^T:
+/// Inverts a larger matrix in two parts, with F = B A^-1 and S = C - F B^T:
 ///   [A B^T; B C]^-1 = [A^-1 + F^T S^-1 F, -F^T S^-1; -S^-1 F, S^-1]
 template <int N>
 void invertKept(Eigen::Matrix<double, N, N>& m, const Eigen::Matrix<double, N, 1>& scale,
@@ -84,16 +83,16 @@ class BlockFactors {
 public:
     using Block = Eigen::Matrix<double, N, N>;
     using Rows = Eigen::Matrix<double, N, 1>;
-    /// A place eliminated later that a place is coupled with, directly or by fill-in.
+    /// The coupling of a place with a place eliminated later, direct or by fill-in.
     struct Link {
         int place;
-        int body;     // the movable body in common; -1: fill-in
+        int body;     // the common movable body; -1: fill-in
         Block block;  // A_ik, then W_ik
     };
 
-    /// The next place, with its later ones in ascending order; `vanished`: see kVanished.
+    /// Adds the next place, with its later places in ascending order. `vanished`: see kVanished.
     void addPlace(std::span<const Link> later, double vanished);
-    /// When all places are there: which block every product goes to.
+    /// Call after all places were added: finds the target block of every product.
     void connect();
     int count() const { return static_cast<int>(nodes_.size()); }
 
@@ -106,10 +105,10 @@ public:
         return std::span<Link>(links_).subspan(nodes_[k].firstLink, nodes_[k].linkCount);
     }
 
-    /// D_k^-1 and W_ik from A.
+    /// Computes D_k^-1 and W_ik from A.
     void factor();
 
-    /// x = A^-1 x; `give(k, x_k)` is called for every place, the last one first.
+    /// x = A^-1 x; calls `give(k, x_k)` for every place, from last to first.
     template <class Give>
     void solve(std::vector<Rows>& x, Give give) const;
 
@@ -124,7 +123,7 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<Link> links_;
-    std::vector<int> targets_;  // of every node, for i after j among its links: the link A_ij
+    std::vector<int> targets_;  // for every node, and i after j among its links: the link A_ij
 };
 
 /// a b

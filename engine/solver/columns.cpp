@@ -17,7 +17,7 @@ void Columns::number(std::span<const Contact> contacts, std::span<const int> ord
         if (!a || !b) levels_[a ? c.a : c.b] = 1;
     }
     bool changed = true;
-    for (int pass = 0; pass < kMostPasses && changed; ++pass) {  // from the floor up one does nearly
+    for (int pass = 0; pass < kMostPasses && changed; ++pass) {  // one is nearly enough, from the floor up
         changed = false;
         for (std::size_t k = order.size(); k-- > 0;) {
             const Contact& c = contacts[order[k]];

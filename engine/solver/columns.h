@@ -1,9 +1,9 @@
-/// How many sub-steps what stands on the floor asks for, of the levels n of bodies on each other. A
-/// structure sways as a whole, the softer the taller it is, and only shorter sub-steps hold it:
-///   column  fewer than four bodies on a level      2 n / 5 - 2         a stack of 20 asks for six
-///   wall    as wide as it likes                    c^2 / (5 n)         20 rows for four
-/// where c = bodies / bodies on the floor is what the lowest of them carry: n of a wall, n / 2 of a
-/// pyramid (45 rows ask for 2.4), little of a heap, which braces itself.
+/// The number of sub-steps that a structure on the floor needs, from its levels n of stacked bodies. A
+/// structure sways as a whole, the more the taller it is, and only shorter sub-steps prevent that:
+///   column  fewer than four bodies per level       2 n / 5 - 2         a stack of 20 needs six
+///   wall    wider                                  c^2 / (5 n)         20 rows need four
+/// where c = bodies / bodies on the floor is the load on the lowest ones: n for a wall, n / 2 for a pyramid
+/// (45 rows need 2.4), little for a heap, which supports itself sideways.
 #pragma once
 #include <span>
 #include <vector>
@@ -19,9 +19,9 @@ public:
     /// `order`: the contacts from the top down.
     void measure(std::span<const Contact> contacts, std::span<const int> order, const Bodies& bodies,
                  DisjointSets& islands);
-    /// Of an island, by its leader; 0: nothing stands there.
+    /// For an island, given by its leader; 0: no structure.
     double substeps(int leader) const;
-    /// Of a column; 0: it is none.
+    /// The levels of a column; 0: not a column.
     int levels(int leader) const;
 
 private:
@@ -33,7 +33,7 @@ private:
                 const Bodies& bodies);
 
     std::vector<Island> islands_;  // by leader
-    std::vector<int> levels_;      // of every body
+    std::vector<int> levels_;      // by body
 };
 
 }  // namespace engine

@@ -1,5 +1,5 @@
-/// What goes into the solver and comes out of it: the black box of the first seed. Bodies are an
-/// array of velocities; constraints name them by number; nothing here knows a shape.
+/// The input and output of the solver: the black box of the first seed. Bodies are an array of velocities,
+/// and constraints refer to them by number; shapes are unknown here.
 #pragma once
 #include <span>
 #include <vector>
@@ -17,14 +17,14 @@ namespace engine {
 struct Constraints {
     std::vector<ContactConstraint> contacts;
     std::vector<JointConstraint> joints;
-    std::vector<JointDrive> drives;  // of joints that are limited, driven or sprung, or turn a rotor
-    std::vector<int> order;  // of the contacts in a sweep
+    std::vector<JointDrive> drives;  // of joints with limits, motors, springs or rotors
+    std::vector<int> order;  // order of the contacts in a sweep
     Impacts impacts;         // of contacts with restitution
-    int jointStride = 1;     // sub-steps of the world's that joints go on by at once; 0: they wait
-    bool ratesStale = true;  // velocities are not those of the last solve (keepRates in drives.h)
+    int jointStride = 1;     // joints advance by this many of the world's sub-steps; 0: they wait
+    bool ratesStale = true;  // velocities changed since the last solve (keepRates in drives.h)
 };
 
-/// One solve is enough: there is nothing but trees.
+/// One solve is enough: there are only trees.
 inline bool solvedAtOnce(const Constraints& c, const JointTrees& trees) {
     return c.contacts.empty() && c.drives.empty() && !trees.empty() && trees.exact() &&
            trees.order().size() == c.joints.size();

@@ -13,16 +13,16 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Of a diagonal that is 1. A row that elimination has reduced to this was nearly a difference of
-/// equals: a row of hinges between two banks holds the directions twice but for a little play, and
-/// dividing by that throws the bodies about.
+/// Relative to a diagonal of 1. A row that elimination reduces to this is nearly a difference of
+/// equals: a row of hinges between two banks holds some directions twice except for a little play,
+/// and dividing by it gives huge impulses.
 constexpr double kSingular = 1e-5;
-constexpr double kMissed = 1e-3;     // of the right-hand side: more is a contradiction
-constexpr double kExact = 1e-12;   // of the largest number of its kind
+constexpr double kMissed = 1e-3;     // of the right-hand side: a larger error is a contradiction
+constexpr double kExact = 1e-12;   // of the largest value of its kind
 constexpr int kMostChanges = 300;  // of the active set
-constexpr int kMostSweeps = 5000;  // where no set was found
+constexpr int kMostSweeps = 5000;  // used if no set was found
 
-/// A x = rhs for the active rows, in units in which A's diagonal is 1.
+/// A x = rhs for the active rows, scaled so that A's diagonal is 1.
 class ActiveSystem {
 public:
     ActiveSystem(const Matrix& a, std::vector<int> rows) : rows_(std::move(rows)) {
@@ -59,7 +59,7 @@ public:
     /// The last solution could not meet all rows.
     bool missed() const { return missed_; }
 
-    /// Rows that follow from the others.
+    /// Rows that depend on the others.
     std::vector<int> redundant() const {
         std::vector<int> list;
         if (rank_ == static_cast<int>(rows_.size())) return list;
@@ -78,7 +78,7 @@ private:
     Eigen::CompleteOrthogonalDecomposition<Matrix> leastNorm_;
 };
 
-/// The search for the set of rows that hold.
+/// Searches for the set of active rows.
 class ActiveSet {
 public:
     ActiveSet(GlobalRows& g, int bodies)
@@ -99,7 +99,8 @@ public:
             ActiveSystem system = solveActive();
             const std::vector<int> wrong = wrongRows();
             if (wrong.empty() && settleFriction(system)) return true;
-            // All at once while that helps; then one at a time, which does not go round in circles.
+            // Changes all wrong rows at once while that helps, then one at a time, which avoids
+            // cycles.
             if (static_cast<int>(wrong.size()) < least) {
                 least = static_cast<int>(wrong.size());
                 patience = 5;
@@ -140,7 +141,7 @@ private:
         return system;
     }
 
-    /// The active forces, for the sliding ones as they are now.
+    /// Solves for the active forces, with the present sliding forces.
     void refill(ActiveSystem& system) {
         for (const int i : system.rows()) g_.force[i] = 0.0;
         const int n = static_cast<int>(system.rows().size());
@@ -154,7 +155,7 @@ private:
         redundant_ = system.redundant();
     }
 
-    /// Rows that pull, sink, hold with more than their strength, or stick beyond their cone.
+    /// Rows that pull, sink, exceed their strength, or stick outside their cone.
     std::vector<int> wrongRows() const {
         std::vector<int> wrong;
         for (int i = 0; i < g_.count(); ++i) {
@@ -178,7 +179,7 @@ private:
     bool beyondStrength(int i) const {
         return a_(i, i) * (std::abs(g_.force[i]) - g_.rows[i].most) > tolerance_;
     }
-    /// At the end of its strength, though less would do.
+    /// At its maximum strength, though less is enough.
     bool givesWay(int i) const {
         return g_.force[i] > 0.0 ? slack(i) > tolerance_ : slack(i) < -tolerance_;
     }
@@ -201,14 +202,15 @@ private:
         }
     }
 
-    /// What slides or rolls, cut to its cone.
+    /// Sets the force of a sliding or rolling pair, clamped to its cone.
     void hold(int i, Vec2 force) {
         const double limit = larger(g_.coneLimit(i), 0.0);
         if (force.norm() > limit) force *= limit / force.norm();
         g_.force[i] = force[0], g_.force[i + 1] = force[1];
     }
 
-    /// Turns the sliding forces against the slip until they stay; true when all sets still hold.
+    /// Turns the sliding forces against the slip until they are stable; true when the active set is
+    /// still consistent.
     bool settleFriction(ActiveSystem& system) {
         for (int turn = 0; turn < kMostChanges; ++turn) {
             double moved = 0.0;
@@ -226,8 +228,8 @@ private:
         return false;
     }
 
-    /// One step of the force against a slip; sets `sticks` and takes it in where it need not
-    /// slide.
+    /// One step of the force against the slip. If it need not slide, makes it active and sets
+    /// `sticks`.
     double turnFriction(int i, bool& sticks) {
         const Vec2 before(g_.force[i], g_.force[i + 1]);
         const double limit = larger(g_.coneLimit(i), 0.0);
@@ -255,7 +257,7 @@ DirectReport solveIsland(GlobalRows& g, const Constraints& c, int bodies) {
     DirectReport report = set.report(c);
     report.found = found;
     if (found) return report;
-    report.contradiction = false;  // not known
+    report.contradiction = false;  // unknown
     for (double& force : g.force)
         if (!std::isfinite(force)) force = 0.0;
     Pgs pgs(g, bodies);

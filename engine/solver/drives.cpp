@@ -49,7 +49,7 @@ private:
     Block inverse_ = Block::Zero();
 };
 
-/// A coordinate that the joint holds after all has next to no K left, and nothing to drive.
+/// A coordinate that the joint does hold has almost no K left, and cannot be driven.
 constexpr double kNone = 1e-9;
 
 Row freeRow(const HeldRows& held, const Jacobian& j, const InverseMass& a, const InverseMass& b) {
@@ -59,7 +59,7 @@ Row freeRow(const HeldRows& held, const Jacobian& j, const InverseMass& a, const
     return row;
 }
 
-/// One by one, each as the one before has left the bodies.
+/// Nudges one row, from the poses that the previous one left.
 void nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& settings) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
@@ -75,13 +75,13 @@ void nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& 
     moveBy(wayB, b, bodies);
 }
 
-/// Neither of a limit's bounds is near: its place before the sub-step and its rate since say so.
+/// Neither bound of a limit is near, by its position before the sub-step and its rate since.
 bool isFar(const JointDrive& drive, const DriveRow& row, std::span<const Velocity> v, double h) {
     constexpr double kClear = 0.05;  // m, rad
     if (isHeld(row) || row.error < kClear) return false;
     const Limits& limits = row.freedom.limits;
     const double rate = velocityAlong(drive.along[row.coordinate].j, v[drive.a], v[drive.b]);
-    const double span = limits.high - limits.low;  // what is gained on one is lost on the other
+    const double span = limits.high - limits.low;  // distance between the bounds
     return row.error > kClear + h * std::abs(rate) && span - row.error > kClear + h * std::abs(rate);
 }
 

@@ -1,4 +1,5 @@
-/// What the sweeps are after: the velocities of the direct solution (Settings::compareExact).
+/// The velocities that the sweeps should converge to: those of the direct solution
+/// (Settings::compareExact).
 #pragma once
 #include "engine/solver/constraints.h"
 
@@ -6,8 +7,8 @@ namespace engine {
 
 class ExactVelocities {
 public:
-    /// From the velocities before solving. Unknown (distance -1) unless the settings ask for it,
-    /// and for more rows than the direct solver takes.
+    /// Takes the velocities before solving. Unknown (distance -1) unless Settings::compareExact is
+    /// set, and for more rows than the direct solver accepts.
     ExactVelocities(const Constraints& c, std::span<const Velocity> v, const Settings& settings,
                     double h);
 
@@ -15,7 +16,7 @@ public:
     double distance(std::span<const Velocity> v) const;
 
 private:
-    std::vector<Velocity> exact_;  // empty: not known
+    std::vector<Velocity> exact_;  // empty: unknown
 };
 
 }  // namespace engine

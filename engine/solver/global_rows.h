@@ -1,17 +1,17 @@
-/// The constraints as a global solver sees them: all rows in one list, in the order in which a
-/// sweep of sequential impulses comes by them, and the system that they have to meet together.
+/// The constraints for a global solver: all rows in one list, in the order of a sweep of sequential impulses,
+/// and the system that they form.
 ///   A lambda = zeta / h - J (v1 / h + M^-1 f_ext),   A = J M^-1 J^T,   zeta = -b
-/// lambda is a force here, in N (N m). The velocities that come in have taken up the external
-/// forces already, so the second term in the bracket is part of the first. (First seed, 'Projected
-/// Gauss-Seidel'; Catto 2005.) An impulse is h times the force.
+/// lambda is a force here, in N (N m). The input velocities already include the external forces, so the
+/// second term in the bracket is part of the first. (First seed, 'Projected Gauss-Seidel'; Catto 2005.) An
+/// impulse is h times the force.
 #pragma once
 #include "engine/solver/constraints.h"
 
 namespace engine {
 
-/// free: any lambda. push: lambda >= 0. hold: |lambda| <= most, a motor's strength. cone: this row
-/// and the next are two tangents of a contact, for slip or for turns, |(lambda_1, lambda_2)| <= mu times
-/// the sum of the normal forces that hold them.
+/// free: any lambda. push: lambda >= 0. hold: |lambda| <= most, a motor's strength. cone: this row and the
+/// next are two tangents of a contact, for slip or for rolling, with |(lambda_1, lambda_2)| <= mu times the
+/// sum of their normal forces.
 enum class RowKind { free, push, hold, cone };
 
 struct GlobalRow {
@@ -21,10 +21,10 @@ struct GlobalRow {
     double softness = 0.0;                      // added to A's diagonal, 1/kg
     double most = 0.0;                          // hold, N (N m)
     const ConeMass* mass = nullptr;             // cone
-    int normal = -1, normals = 0;               // cone: the first row that holds it, and how many do
-    double mu = 0.0;                            // cone; m where it is turns that are held
-    double bounce = 0.0;                        // cone: N s, along those from the impact pass
-    int joint = -1;                             // its place in the constraints' joints, or -1
+    int normal = -1, normals = 0;               // cone: first row of its normal forces, and their number
+    double mu = 0.0;                            // cone; m for rolling
+    double bounce = 0.0;                        // cone: N s, along the normals from the impact pass
+    int joint = -1;                             // index in the constraints' joints, or -1
 
     double diagonal() const { return row.k + softness; }
 };
@@ -45,25 +45,25 @@ struct GlobalRows {
     }
 };
 
-/// Rows and right-hand side, from the velocities before solving; the forces start from the impulses
-/// of the last step, or from 0. Trees of joints count row by row. Points to the contact rows of `c`.
+/// Makes rows and right-hand side from the velocities before solving; the forces start from the impulses of
+/// the last step, or from 0. Trees of joints are added row by row. Keeps pointers to the contact rows of `c`.
 GlobalRows globalRows(const Constraints& c, std::span<const Velocity> v, const Settings& settings,
                       double h);
 
 /// v += M^-1 J^T lambda
 void addAlongRows(const GlobalRows& g, std::span<const double> lambda, std::span<Velocity> v);
 
-/// The forces become impulses of the constraints, and change the velocities.
+/// Converts the forces to impulses of the constraints and applies them to the velocities.
 void takeForces(const GlobalRows& g, Constraints& c, std::span<Velocity> v);
 
-/// A force within the row's bounds; of any kind but cone.
+/// The force limited to the row's bounds; for every kind except cone.
 inline double held(const GlobalRow& row, double force) {
     if (row.kind == RowKind::push) return larger(force, 0.0);
     return row.kind == RowKind::hold ? clamped(force, -row.most, row.most) : force;
 }
 
-/// One projected Gauss-Seidel sweep. `residual(i)` = wanted_i - (A lambda)_i as it is now, without
-/// the softness; `moved(i, change)` is told of every change of a force.
+/// One projected Gauss-Seidel sweep. `residual(i)` = the present wanted_i - (A lambda)_i without softness;
+/// `moved(i, change)` is called for every change of a force.
 template <class Residual, class Moved>
 SweepReport sweepRows(GlobalRows& g, Residual residual, Moved moved) {
     Correction correction;

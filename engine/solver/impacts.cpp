@@ -5,10 +5,10 @@
 namespace engine {
 namespace {
 
-/// A blow goes back and forth through n balls in n passes; what is left then is for the sweeps.
+/// An impact travels through n balls and back in n passes; the sweeps handle the rest.
 constexpr int kPasses = 64;
 constexpr double kLeaves = 1e9;    // m/s
-constexpr double kMostTurn = 0.2;  // rad: turns of more do not add up
+constexpr double kMostTurn = 0.2;  // rad: larger rotations cannot be added
 
 ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
     ContactImpact impact;
@@ -31,7 +31,7 @@ Velocity since(const Pose& now, const Pose& start) {
     return {now.position - start.position, turnBetween(start, now)};
 }
 
-/// How a point meets the other side within a sub-step.
+/// The impact of a point within a sub-step.
 struct Meeting {
     bool hits = false;
     double time = 0.0;   // s
@@ -99,7 +99,7 @@ bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double thresh
         approach[i] = c.n.dot(velocityBetween(c.rows[i], a, b));
         fastest = smaller(fastest, approach[i]);
     }
-    if (fastest > -0.5 * threshold) return false;  // most contacts rest: nothing more to look at
+    if (fastest > -0.5 * threshold) return false;  // most contacts rest
     if (!impact.placed) place(impact);
     const double earliest = larger(bodyA.time, bodyB.time);
     Meeting meetings[Contact::kMaxPoints];
@@ -114,8 +114,8 @@ bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double thresh
         time = smaller(time, meetings[i].time);
     }
     if (!any) return false;
-    // w = K lambda + q >= 0: as fast as asked where the two hit, 'no faster' where they only come near.
-    // What leaves is left alone: with w = 0 there, Newton's law would add lambda u / 2 to the energy.
+    // w = K lambda + q >= 0: the bounce speed where the two hit, and no approach where they only come near.
+    // Separating points are ignored: with w = 0 there, Newton's law would add lambda u / 2 to the energy.
     Vec4 q = Vec4::Zero();
     for (int i = 0; i < c.count; ++i)
         q[i] = meetings[i].hits ? approach[i] + c.restitution * meetings[i].speed -

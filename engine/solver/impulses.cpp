@@ -22,7 +22,7 @@ double biasOf(const ContactRow& row, double restitution, double approach, const 
     return 0.0;
 }
 
-/// (J M^-1 J^T)^-1 of all rows.
+/// (J M^-1 J^T)^-1 for all rows.
 Eigen::Matrix<double, 6, 6> massOf(const JointConstraint& joint) {
     Eigen::Matrix<double, 6, 6> k = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> scale = Eigen::Matrix<double, 6, 1>::Zero();
@@ -35,15 +35,16 @@ Eigen::Matrix<double, 6, 6> massOf(const JointConstraint& joint) {
     return k;
 }
 
-/// The share that a joint outside the trees starts from: its rows turn with its bodies. Started from all
-/// of it, bodies of unequal masses that spin and that few sweeps cannot settle gain energy without end.
+/// The share of the impulses that a joint outside the trees starts from, because its rows turn with its
+/// bodies. With the full impulses, spinning bodies of unequal masses gain energy without limit if few sweeps
+/// cannot converge.
 double keptInTurn(const Velocity& a, const Velocity& b, double h) {
-    constexpr double kStraight = 0.02, kMostLost = 0.1;  // rad; a share
+    constexpr double kStraight = 0.02, kMostLost = 0.1;  // rad; share
     const double turn = h * larger(a.angular.norm(), b.angular.norm());
     return 1.0 - clamped(turn - kStraight, 0.0, kMostLost);
 }
 
-/// b, softness, and the block of the point's rows; after the rows were made.
+/// Sets b, softness, and the block of the point's rows, after the rows were made.
 void setBiases(JointConstraint& joint, const Settings& settings, double h) {
     for (int i = 0; i < joint.count; ++i) {
         const SoftRow soft = joint.spring.isSoft()
@@ -64,7 +65,7 @@ void setBiases(JointConstraint& joint, const Settings& settings, double h) {
     joint.pointMass = k.inverse();
 }
 
-/// The point's three rows as one: lambda = -K^-1 (J v + b).
+/// Solves the point's three rows together: lambda = -K^-1 (J v + b).
 void sweepPoint(JointConstraint& joint, Velocity& a, Velocity& b, Correction& correction) {
     Vec3 left;
     for (int i = 0; i < 3; ++i)
@@ -78,7 +79,7 @@ void sweepPoint(JointConstraint& joint, Velocity& a, Velocity& b, Correction& co
     }
 }
 
-/// All rows as one.
+/// Solves all rows together.
 void sweepWhole(JointConstraint& joint, Velocity& a, Velocity& b, Correction& correction) {
     Eigen::Matrix<double, 6, 1> left = Eigen::Matrix<double, 6, 1>::Zero();
     for (int i = 0; i < joint.count; ++i)
@@ -185,7 +186,7 @@ SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
 void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& settings, double h) {
     c.impacts.solve(v, settings);
     setBiases(c, v, settings, h);
-    if (c.contacts.empty()) return;  // they are in lanes
+    if (c.contacts.empty()) return;  // contacts are in lanes
     for (const ContactImpact& impact : c.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
             c.contacts[impact.number].rows[i].bounce = impact.contact.rows[i].bounce;

@@ -2,32 +2,32 @@
 ///   foreach constraint: start from the impulse of the last step, and apply it
 ///   while not satisfied: foreach constraint:
 ///       lambda = -(J v + b) / K;  total += lambda, clamped;  v += M^-1 J^T (what the total gained)
-/// The seed starts from 0; it also asks for contact caching, which is to start from the last step.
+/// The seed starts from 0, but also requires contact caching, which starts from the last step.
 #pragma once
 #include "engine/solver/constraints.h"
 
 namespace engine {
 
-/// b of every contact row whose turn it is, in a world's sub-step of h (s), from the velocities before:
-///   still apart by C     b = C / h: the gap may close, no more
-///   overlapping          b = beta (C + slop) / h with Baumgarte; else 0, the nudges' business
+/// Sets b of every acting contact row, in a sub-step of the world of h (s), from the velocities before:
+///   still apart by C     b = C / h: the gap may close, but no more
+///   overlapping          b = beta (C + slop) / h with Baumgarte; else 0, left to the nudges
 ///   bouncing             b = e (J v1) where it will touch at more than the bounce speed
 void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& settings, double h);
 
-/// v += M^-1 J^T lambda of the last step; with warm starting off the totals are set to 0 instead.
+/// v += M^-1 J^T lambda of the last step; without warm starting, the totals are set to 0 instead.
 void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings);
 
-/// One sweep over everything; trees of joints are solved exactly, each at its place.
+/// One sweep over all constraints; trees of joints are solved exactly.
 SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                   const Settings& settings);
 
-/// Biases and bounces: what comes before the sweeps of every method.
+/// Biases and bounces, before the sweeps of every method.
 void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& settings, double h);
 
-/// Adds a sub-step's impulses to the totals of the step: what comes after them.
+/// Adds the impulses of a sub-step to the totals of the step, after the sweeps.
 void bookImpulses(Constraints& c);
 
-/// 'While not satisfied': until the residual is small or the count is reached; a report per sweep.
+/// 'While not satisfied': sweeps until the residual is small or the count is reached; one report per sweep.
 template <class Sweep>
 void sweepUntilSatisfied(const Settings& settings, std::vector<SweepReport>& report, Sweep sweep) {
     for (int i = 0; i < settings.sweeps; ++i) {
@@ -37,7 +37,7 @@ void sweepUntilSatisfied(const Settings& settings, std::vector<SweepReport>& rep
     }
 }
 
-/// All of the above.
+/// A complete solve: all of the above.
 void solveImpulses(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                    const Settings& settings, double h, std::vector<SweepReport>& report);
 

@@ -5,7 +5,7 @@
 namespace engine {
 namespace {
 
-/// A movable body of the row; -1 where it moves none.
+/// A movable body of the row; -1 if there is none.
 int bodyOf(const GlobalRow& row) {
     return row.row.massB > 0.0 ? row.b : row.row.massA > 0.0 ? row.a : -1;
 }

@@ -1,4 +1,5 @@
-/// Rows that share no movable body, however indirectly, are problems of their own.
+/// Splits rows into independent problems: rows of different islands share no movable body, even
+/// indirectly.
 #pragma once
 #include "engine/solver/global_rows.h"
 
@@ -6,10 +7,10 @@ namespace engine {
 
 struct Island {
     GlobalRows rows;
-    std::vector<int> places;  // of its rows in the whole list, ascending
+    std::vector<int> places;  // indices of its rows in the whole list, ascending
 };
 
-/// In the order of their first rows.
+/// Islands in the order of their first rows.
 std::vector<Island> islandsOf(const GlobalRows& g, int bodies);
 
 }  // namespace engine

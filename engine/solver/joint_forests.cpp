@@ -13,13 +13,13 @@ using Joints = std::span<JointConstraint>;
 using Masses = std::span<const InverseMass>;
 
 constexpr int kMostForests = 4;
-/// A body that many joints meet in couples each of them with all others, which costs their number
-/// squared; what comes after this many is left to the next forest.
+/// The joints of a body are all coupled with each other, so the cost grows with their number
+/// squared. Joints beyond this number are left to the next forest.
 constexpr int kMostJointsOfABody = 16;
 
 bool moves(Masses masses, int body) { return masses[body].linear > 0.0; }
 
-/// Bodies that hang together, by their leader; a fixed body does not pass on what hangs on it.
+/// Connected bodies, by their leader; fixed bodies do not connect.
 class Trees {
 public:
     explicit Trees(Masses masses) : masses_(masses), held_(masses.size()) {
@@ -43,7 +43,7 @@ private:
     std::vector<char> held_;
 };
 
-/// Of every body, whether a joint is torn of all that hang together with it.
+/// For every body: whether a joint of its connected set is torn.
 std::vector<char> findTorn(Joints joints, Masses masses) {
     std::vector<char> torn(masses.size(), 0);
     const auto isTorn = [](const JointConstraint& joint) { return joint.torn; };
@@ -58,7 +58,7 @@ std::vector<char> findTorn(Joints joints, Masses masses) {
     return torn;
 }
 
-/// The joints of the next forest; `closes` tells which of them hold a tree a second time.
+/// Chooses the joints of the next forest; `closes` marks those that hold a tree a second time.
 std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& torn, Trees& trees,
                         std::vector<char>& closes) {
     std::vector<int> chosen, degree(masses.size(), 0);
@@ -81,7 +81,7 @@ std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& t
     return chosen;
 }
 
-/// Which joints are coupled, as elimination goes on.
+/// The coupling of joints during elimination.
 class Graph {
 public:
     Graph(Joints joints, Masses masses, const std::vector<int>& chosen)
@@ -119,7 +119,7 @@ private:
         neighbours_[i].insert(k);
         neighbours_[k].insert(i);
     }
-    /// Degree, then how many have to go before, then the number.
+    /// Degree, then level (eliminations needed before), then number.
     std::tuple<int, int, int> rank(int i) const {
         return {static_cast<int>(neighbours_[i].size()), level_[i], i};
     }
@@ -168,7 +168,7 @@ void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
     }
 }
 
-/// A tree that a rigid joint outside it pulls at is not whole.
+/// A tree is not whole if a rigid joint outside it acts on it.
 void findWhole(Joints joints, Masses masses, Trees& trees, ForestPlan& plan) {
     std::vector<char> pulled(masses.size(), 0), inPlan(joints.size(), 0);
     for (const ForestPlan::Place& place : plan.places) inPlan[place.joint] = 1;

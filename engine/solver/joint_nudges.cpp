@@ -9,7 +9,7 @@
 namespace engine {
 namespace {
 
-/// A joint outside the trees: row after row, the others' errors following to first order.
+/// Nudges a joint outside the trees, row by row; the errors of the others follow to first order.
 void nudgeJoint(const Joint& joint, Bodies& bodies, const Settings& settings) {
     if (joint.def.spring.isSoft()) return;
     const int a = joint.def.a.index, b = joint.def.b.index;

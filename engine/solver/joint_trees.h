@@ -1,13 +1,12 @@
 /// Joints that form trees, solved exactly: one linear system for a whole tree.
 ///   A lambda = -(J v + b),   A = J M^-1 J^T
-/// A chain costs time linear in its links and a tree hardly more. Sweeping a chain of a heavy ball on
-/// light links needs thousands of sweeps instead (Catto, GDC 2014: they grow with the ratio of the
-/// masses).
+/// A chain costs time linear in its links and a tree hardly more. A heavy ball on a chain of light links
+/// needs thousands of sweeps instead (Catto, GDC 2014: they grow with the mass ratio).
 ///
-/// Loops are cut into several forests (joint_forests.h), which are solved one after the other: a
-/// sweep over lines instead of points. A row that follows from the others (the three directions that
-/// a row of parallel hinges holds twice) shows as a pivot that vanishes; its impulse is 0, so that
-/// contradicting joints do not tear at each other with ever larger impulses.
+/// Loops are cut into several forests (joint_forests.h), which are solved one after the other: a sweep over
+/// lines instead of points. A row that depends on the others (the three directions that a row of parallel
+/// hinges holds twice) has a vanishing pivot; its impulse is 0, so contradicting joints do not build up ever
+/// larger impulses against each other.
 #pragma once
 #include "engine/solver/tree_part.h"
 
@@ -15,31 +14,32 @@ namespace engine {
 
 class JointTrees {
 public:
-    /// Chooses the forests and the order of elimination; sets `inTree`. For when joints come or go.
+    /// Chooses the forests and the order of elimination; sets `inTree`. Called when joints are added or
+    /// removed.
     void build(std::span<JointConstraint> list, std::span<const Joint> joints,
                std::span<const InverseMass> masses);
     bool empty() const { return forests_.empty(); }
-    /// One solve meets all joints: there is one forest only.
+    /// One solve satisfies all joints: there is only one forest.
     bool exact() const { return forests_.size() <= 1; }
 
-    /// J, C and the factors of A at the bodies' present poses.
+    /// Computes J, C and the factors of A at the present poses.
     void prepare(std::span<const Joint> joints, const Bodies& bodies);
 
-    /// Before the sweeps of a sub-step. What the first forest got last time makes no difference to
-    /// an exact solve; the others start from it. biasRate: Baumgarte's beta / h, 1/s.
+    /// Called before the sweeps of a sub-step. The first forest is solved exactly and does not need its
+    /// previous impulses; the others start from theirs. biasRate: Baumgarte's beta / h, 1/s.
     void begin(double keep, double biasRate, std::span<Velocity> v);
-    /// J v + b = 0 in one forest after the other: lambda is added up and applied. What an exact solve
-    /// had to correct is no residual, however much it was: nothing is left of it.
+    /// Solves J v + b = 0 in one forest after the other, accumulating and applying lambda. The corrections of
+    /// an exact solve do not count as residual, because no error is left.
     void solveVelocities(std::span<Velocity> v, Correction& correction);
-    /// J v = 0 once more, for the trees that no other joint pulls at.
+    /// Solves J v = 0 once more, for the trees that no other joint acts on.
     void projectVelocities(std::span<Velocity> v);
-    /// After the last sweep: the velocities that the bodies will move by.
+    /// After the last sweep: stores the velocities with which the bodies will move.
     void keepStart(std::span<const Velocity> v);
-    /// C = 0 in one forest after the other (joint_nudges.h).
+    /// Solves C = 0 in one forest after the other (joint_nudges.h).
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
-    void beginStep();                                           // empties the step's books
-    /// scale(a, b), of bodies whose sub-steps have got another length.
+    void beginStep();                                           // resets the step's totals
+    /// Scales the impulses by scale(a, b), for bodies whose sub-step length has changed.
     template <class Scale>
     void scaleImpulses(const Scale& scale) {
         for (Forest& forest : forests_)
@@ -49,8 +49,8 @@ public:
     }
     void report(std::span<Joint> joints, double dt) const;      // impulses and forces
 
-    /// All joints in trees, by their place in the constraint list, in order of elimination; and those
-    /// of them that no other joint pulls at.
+    /// All joints in trees, by index in the constraint list, in order of elimination; and those in trees that
+    /// no other joint acts on.
     const std::vector<int>& order() const { return order_; }
     const std::vector<int>& whole() const { return whole_; }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Velocities = std::span<Velocity>;
 
-/// The velocities that the forces so far would give.
+/// The distance of the velocities that the present forces would give.
 double distanceOf(const GlobalRows& g, Velocities v, const ExactVelocities& exact) {
     std::vector<Velocity> now(v.begin(), v.end());
     std::vector<double> impulses = g.force;
@@ -36,7 +36,7 @@ void solveByForces(Constraints& c, Velocities v, const Settings& settings, doubl
     bookImpulses(c);
 }
 
-/// Keeps what most needs to be said of a step's sub-steps.
+/// Keeps the worst report of a step's sub-steps.
 void keepWorst(const DirectReport& now, DirectReport& kept) {
     const auto badness = [](const DirectReport& r) {
         return (r.found ? 0 : 1 << 20) + (r.contradiction ? 1 << 19 : 0) + (r.rows - r.rank);

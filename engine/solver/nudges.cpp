@@ -7,7 +7,7 @@
 namespace engine {
 namespace {
 
-/// x += M^-1 J^T lambda, q turned by I^-1 j lambda.
+/// x += M^-1 J^T lambda; q is rotated by I^-1 j lambda.
 void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies) {
     if (lambda == 0.0) return;
     const auto move = [&](int body, double mass, double sign, const Vec3& turn) {
@@ -20,13 +20,13 @@ void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies) {
     move(b, row.massB, 1.0, row.turnB);
 }
 
-/// The share of C that one nudge goes for: beta of what is beyond the slop.
+/// The part of C that one nudge corrects: beta times the error beyond the slop.
 double goal(double separation, const Settings& settings, double most) {
     const double beyond = separation + settings.slop;
     return beyond < 0.0 ? larger(settings.nudgeFactor * beyond, -most) : beyond;
 }
 
-/// True: it was deep enough to move its bodies.
+/// True if it was deep enough to move its bodies.
 bool nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solver,
                   const Settings& settings, double most) {
     Vec4 q = Vec4::Zero();
@@ -61,11 +61,11 @@ void move(int body, const WideVelocity& way, Bodies& bodies) {
     turnTo(cayley(turn, pose.rotation), body, bodies);
 }
 
-/// One nudge of all contacts in lanes, unless none is needed. True: bodies were moved.
+/// Nudges all contacts in lanes once, if needed. True if bodies were moved.
 bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     if (!s.wide.separate(bodies, settings.slop)) return false;
     const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
-    constexpr int kLeast = 512;  // bodies a thread
+    constexpr int kLeast = 512;  // bodies per thread
     s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
             if (bodies.isActing(i)) move(i, ways[i], bodies);
@@ -73,7 +73,7 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     return true;
 }
 
-/// True: some body was moved.
+/// True if any body was moved.
 bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, double h) {
     const double speed = settings.depenetrationSpeed / settings.nudges;
     bool moved = solver.lanes && nudgeInLanes(solver, bodies, settings);
@@ -96,7 +96,8 @@ void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
     TreeNudge nudge{kMostNudge, ofJoints, settings.gyroscope};
     c.impacts.movePositions(bodies);
     for (int i = 0; i < settings.nudges; ++i) {
-        // First of all, so that they feed back what moving left, and nothing of what contacts push.
+        // Joints first, so that they feed back only the error of the motion, not the pushes of
+        // contacts.
         if (jointed) nudgeJoints(joints, bodies, solver, settings, ofJoints, nudge);
         nudge.h = 0.0;
         nudge.pushed = nudgeContacts(bodies, solver, settings, h);

@@ -1,11 +1,11 @@
-/// Whose turn it is. A step of the world is cut into the most sub-steps that any island asks for
-/// (substeps.h); an island that asks for fewer takes part in every second, third or further one, and
-/// goes on by as much at once:
-///   stride = the largest divisor of the sub-steps between two looks for contacts that leaves the
-///            island the number it asked for
-/// So a wheel that turns fast costs nothing to the heap beside it. Whatever depends on what moves in
-/// every sub-step moves with it: bodies that a force acts on, and islands that a moving kinematic body
-/// touches or holds. Islands with joints keep one pace, because their trees are solved together.
+/// Which islands take part in a sub-step. A step of the world has as many sub-steps as the most demanding
+/// island needs (substeps.h). An island that needs fewer takes part in every second, third, ... sub-step and
+/// advances by that many at once:
+///   stride = the largest divisor of the sub-steps between two contact detections that leaves the
+///            island the number it needs
+/// So a fast wheel does not slow down a heap next to it. Bodies that a force acts on, and islands that a
+/// moving kinematic body touches or holds, take part in every sub-step. Islands with joints share one stride,
+/// because their trees are solved together.
 #pragma once
 #include <span>
 #include <vector>
@@ -17,8 +17,8 @@ namespace engine {
 
 class Paces {
 public:
-    /// Bodies::strides, of `total` sub-steps with a look after every `aLook` of them; all islands are at the
-    /// same time. `everyStep`: bodies with stride 1.
+    /// Sets Bodies::strides, for `total` sub-steps with contact detection after every `aLook` of them; all
+    /// islands are at the same time. `everyStep`: bodies with stride 1.
     void choose(DisjointSets& islands, const Substeps& substeps, std::span<const Contact> contacts,
                 std::span<const Joint> joints, std::span<const char> everyStep, int total, int aLook,
                 Bodies& bodies);
@@ -36,7 +36,7 @@ private:
     int longest_ = 1, ofJoints_ = 1;
 };
 
-/// Bodies that any chain of contacts and joints connects.
+/// Joins bodies that are connected by any chain of contacts and joints.
 void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
              const Bodies& bodies, DisjointSets& islands);
 

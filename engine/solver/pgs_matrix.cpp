@@ -3,7 +3,7 @@
 namespace engine {
 namespace {
 
-/// Where a row takes hold of a movable body.
+/// A row that acts on a movable body.
 struct Hold {
     int row;
     bool ofB;

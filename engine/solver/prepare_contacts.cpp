@@ -8,8 +8,8 @@
 namespace engine {
 namespace {
 
-/// Where the points of a contact are: in one plane (constraints/manifold_frame.h). Of two bodies that
-/// are still apart the arms end where they will touch, as if b had come by the gap.
+/// Places the points of a contact in one plane (constraints/manifold_frame.h). If the bodies are still apart,
+/// the arms end where they will touch, as if b had moved by the gap.
 void placePoints(const Contact& contact, const Pose& a, const Pose& b,
                  ContactGeometry (&points)[Contact::kMaxPoints]) {
     ManifoldFrame frame;
@@ -30,8 +30,8 @@ void placePoints(const Contact& contact, const Pose& a, const Pose& b,
         points[i] = {frame.arm(i), frame.arm(i) + offset, frame.gap[i]};
 }
 
-constexpr double kLayer = 1e-3;  // m: contacts less far apart are one layer, in the order of pairs
-constexpr double kStays = 0.02;  // m: a contact that has moved by less keeps its place
+constexpr double kLayer = 1e-3;  // m: closer contacts form one layer, in the order of pairs
+constexpr double kStays = 0.02;  // m: a contact that has moved less keeps its place
 
 }  // namespace
 
@@ -98,7 +98,7 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
-    if (solver.lanes) {  // separations are up to date since the nudges
+    if (solver.lanes) {  // separations are up to date from the nudges
         solver.wide.beginSubstep(bodies);
         solver.wide.followTurns(bodies);
         return;

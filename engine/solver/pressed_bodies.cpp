@@ -3,8 +3,8 @@
 namespace engine {
 namespace {
 
-constexpr double kMostRatio = 100.0;  // of the masses of two bodies that press
-constexpr double kAgainst = -0.2;     // cosine: the two sides of a press, or of a wedge
+constexpr double kMostRatio = 100.0;  // of the masses of two touching bodies
+constexpr double kAgainst = -0.2;     // cosine: opposite sides of a press, or of a wedge
 constexpr double kNear = 2e-3;        // m: contacts ahead of touching do not press
 
 bool touches(const Contact& contact, const Bodies& bodies) {

@@ -1,10 +1,10 @@
-/// A light body pressed between heavy ones counts for more than it weighs:
-///   m <- max(m, M / 100),   I likewise
-/// M being the heaviest that presses it. A sweep passes on a blow through a light body only as far as
-/// that can carry it: a gram between two tonnes would need a million sweeps, and until then it is
-/// squeezed through the floor, or the load is thrown back. What a pressed body does with its own
-/// momentum does not show: its neighbours have a hundred times as much. Free bodies, those that lie on
-/// one side only, and those with a joint keep their mass.
+/// A light body pressed between heavy ones is treated as heavier:
+///   m <- max(m, M / 100),   I in proportion
+/// where M is the heaviest that presses it. In a sweep, a light body passes on only a small part of an
+/// impulse: a gram between two tonnes would need a million sweeps; with fewer it is squeezed through the
+/// floor, or the load is thrown back. The error in its own momentum does not matter, because its neighbours
+/// have a hundred times as much. Free bodies, those that are touched from one side only, and those with a
+/// joint keep their mass.
 #pragma once
 #include <span>
 #include <vector>
@@ -17,9 +17,9 @@ namespace engine {
 
 class PressedBodies {
 public:
-    /// Of a step: the bodies of these contacts.
+    /// At the beginning of a step: sets the mass factors of the pressed bodies of these contacts.
     void load(std::span<const Contact> contacts, std::span<const Joint> joints, Bodies& bodies);
-    /// At its end: everybody weighs what it weighs.
+    /// At the end of the step: resets the mass factors.
     void unload(Bodies& bodies);
 
 private:
@@ -27,10 +27,10 @@ private:
 
     struct Press {
         int body = -1;
-        double mass = 0.0;            // kg, of the heaviest
+        double mass = 0.0;            // kg, of the heaviest neighbour
         Vec3 normal = Vec3::Zero();   // towards the body
     };
-    std::vector<int> slot_;    // of every body; -1: nothing heavy touches it
+    std::vector<int> slot_;    // by body; -1: nothing heavy touches it
     std::vector<Press> presses_;
     std::vector<int> pressed_;
 };

@@ -7,14 +7,14 @@
 namespace engine {
 namespace {
 
-/// Sweep i of a group, beside those of the others.
+/// Merges sweep i of a group with those of other groups.
 void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& swept) {
     if (report.size() <= i) report.emplace_back();
     report[i].residual = larger(report[i].residual, swept.residual);
     report[i].delta += swept.delta;
 }
 
-/// The joints' share of a sweep; contacts see what it changed, and it sees what they did.
+/// The joints' part of a sweep; velocities are exchanged with the contacts before and after.
 SweepReport sweepJoints(Solver& s, std::span<Velocity> v, const Settings& settings) {
     const std::span<const int> shared = s.wide.groups().jointedBodies();
     s.wide.give(v, shared);
@@ -68,7 +68,7 @@ void beginJoints(Solver& s, std::span<Velocity> v, const Settings& settings, dou
 void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
                   std::vector<SweepReport>& report) {
     if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
-        return;  // all asleep, or in free flight
+        return;  // all are asleep or in free flight
     beginSolving(s.constraints, v, settings, h);  // bounces, and biases of the joints
     s.wide.begin(v, settings);
     for (const ContactImpact& impact : s.constraints.impacts.list())

@@ -1,4 +1,4 @@
-/// What the solver of a world keeps from one sub-step to the next.
+/// The state of a world's solver between sub-steps.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -14,11 +14,11 @@ namespace engine {
 struct Solver {
     Constraints constraints;
     Workers workers;
-    WideContacts wide;               // the contacts instead, when they are solved in lanes
-    bool lanes = false;              // they are
+    WideContacts wide;               // the contacts, when solved in lanes
+    bool lanes = false;              // contacts are solved in lanes
     JointTrees trees;
     PressedBodies pressed;
-    DisjointSets islands;            // bodies that contacts and joints hold together
+    DisjointSets islands;            // bodies connected by contacts and joints
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
     std::vector<int> order;          // of the contacts, from the top down
     std::vector<std::uint64_t> keys; // of the contacts, while they are sorted

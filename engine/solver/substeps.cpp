@@ -11,7 +11,7 @@ constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
 constexpr double kCalm = 1.0;             // s
 constexpr double kCalmOfJoints = 10.0;    // s
 
-/// omega^2 of a body pulled by the force f at the arm r: f r / I across the arm.
+/// omega^2 of a body pulled by the force f at the arm r: f r / I, with I perpendicular to the arm.
 double swingSquared(const InverseMass& mass, const Vec3& arm, double force) {
     const double r = arm.norm();
     if (r == 0.0 || mass.linear == 0.0) return 0.0;
@@ -20,7 +20,7 @@ double swingSquared(const InverseMass& mass, const Vec3& arm, double force) {
     return force * r * across;
 }
 
-/// rad/s; a wheel's spin about its axle turns no arm.
+/// rad/s, without a wheel's spin about its axle, which turns no arm.
 double turnOfB(const Joint& joint, const Bodies& bodies) {
     const int b = joint.def.b.index;
     const Vec3& spin = bodies.velocities[b].angular;
@@ -29,7 +29,7 @@ double turnOfB(const Joint& joint, const Bodies& bodies) {
     return (spin - axle.dot(spin) * axle).norm();
 }
 
-/// A rod's own turning, and its swing across its pull: the bodies at its ends need not turn with it.
+/// Adds a rod's own rotation and its swing across the pull: the bodies at its ends need not turn with it.
 void addRod(const Joint& joint, const Bodies& bodies, double force, double& swing, double& turn) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const Pose &poseA = bodies.poses[a], &poseB = bodies.poses[b];
@@ -43,7 +43,7 @@ void addRod(const Joint& joint, const Bodies& bodies, double force, double& swin
                               (bodies.inverseMasses[a].linear + bodies.inverseMasses[b].linear));
 }
 
-/// What one joint of a tree asks for.
+/// The number of sub-steps that one joint of a tree needs.
 double stepsFor(const JointConstraint& c, const Joint& joint, const Bodies& bodies, double dt) {
     const double force = joint.force.norm();
     double swing = larger(
@@ -54,10 +54,10 @@ double stepsFor(const JointConstraint& c, const Joint& joint, const Bodies& bodi
     return dt * larger(std::sqrt(swing) / kSwingPerSubstep, turn / kTurnPerSubstep);
 }
 
-/// Of two bodies that impulses move; 0: of others.
+/// The mass ratio of two movable bodies; otherwise 0.
 double massRatio(double a, double b) { return a > 0.0 && b > 0.0 ? larger(a / b, b / a) : 0.0; }
 
-/// 4, 8, 12, 16, 24, 32: a power of two times the least, and half as many again; the least goes into all.
+/// 4, 8, 12, 16, 24, 32: a power of two times the least, or 1.5 times that; all are multiples of the least.
 int nextNumber(int number, int least) {
     int power = least;
     if (number == least) return 2 * least;
@@ -127,7 +127,7 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
     }
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isMoving(i)) continue;
-        if (bodies.spans[i] == 0.0) chosen_[i] = {};  // a new body, perhaps with an old number
+        if (bodies.spans[i] == 0.0) chosen_[i] = {};  // a new body, perhaps with a reused number
         Island& island = islands_[islands.leaderOf(i)];
         Chosen &merged = island.chosen, &own = chosen_[i];
         merged.calm = island.any ? smaller(merged.calm, own.calm) : own.calm;

@@ -1,17 +1,17 @@
-/// How many sub-steps an island asks for: bodies that contacts and joints hold together.
+/// The number of sub-steps an island needs (an island: bodies connected by contacts and joints).
 ///   links under tension     omega = sqrt(F r / I) is the rate at which a link pulled with F at the arm
 ///                           r swings across the pull; the feedback of joint nudges is stable and
 ///                           keeps its energy while h omega < 1 (1000 kg swung on 1 kg links: joints
-///                           come apart by 0.2 mm; at 1.2 by 2 mm, at 1.4 by 30 mm, and energy comes
-///                           from nowhere)
-///   fast joints             h |w| < 0.1: the arms' turning in a sub-step stays nearly linear
-///   columns and walls       the taller, the more (columns.h)
-///   heavy on light          eight, where one body of a contact weighs ten times the other; and where it is a
+///                           separate by 0.2 mm; at 1.2 by 2 mm, at 1.4 by 30 mm, and energy
+///                           grows)
+///   fast joints             h |w| < 0.1: the rotation of the arms in a sub-step is nearly linear
+///   columns and walls       more for taller ones (columns.h)
+///   heavy on light          eight if one body of a contact has ten times the mass of the other; if it has a
 ///                           hundred times, 3.2 for every level of the column (1000:1 on four: 16)
-/// The number is 4, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It goes up at
-/// once and down only after a second that fewer would have done for; with joints after ten, because a
-/// symplectic integrator keeps its energy only while its step stays the same (five links lose 10 % in
-/// two minutes with one second, 0.4 % with ten).
+/// The number is 4, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It rises at once, and
+/// falls only after a second in which fewer would have been enough; with joints, after ten seconds, because a
+/// symplectic integrator conserves energy only while its step is constant (five links lose 10 % in two
+/// minutes with one second, 0.4 % with ten).
 #pragma once
 #include "engine/solver/columns.h"
 #include "engine/solver/solver.h"
@@ -20,8 +20,8 @@ namespace engine {
 
 class Substeps {
 public:
-    /// For every body that is awake the number of its island, in a step of dt (s). `islands`: the bodies
-    /// that hang together. Returns the largest.
+    /// Chooses the number of every awake body's island, for a step of dt (s). `islands`: the connected
+    /// bodies. Returns the largest.
     int choose(DisjointSets& islands, std::span<const Contact> contacts,
                std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
                const Settings& settings, double dt);
@@ -29,9 +29,9 @@ public:
 
 private:
     struct Chosen {
-        int current = 0;     // 0: not chosen yet
-        int enough = 0;      // that would have done,
-        double calm = 0.0;   // s, for this long
+        int current = 0;     // 0: none yet
+        int enough = 0;      // largest number needed
+        double calm = 0.0;   // s, during this time
     };
     struct Island {
         Chosen chosen;
@@ -49,8 +49,8 @@ private:
     std::vector<Island> islands_;  // by leader
 };
 
-/// The forces that trees whose joints came or went would carry in the coming step, to first order:
-/// what the next choice goes by.
+/// Estimates, to first order, the forces in trees whose joints have changed, in the coming step; the next
+/// choice uses them.
 void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& gravity,
                      Solver& solver, double dt);
 

@@ -1,15 +1,15 @@
-/// A joint of a tree, without rows: the point and the twist that it holds.
+/// A joint of a tree, stored without rows: the point and the twist that it constrains.
 ///   point  u = v_b + w_b x r_b - v_a - w_a x r_a        three rows, along x, y and z
 ///   twist  t_i.(w_b - w_a)                              two more for a hinge, three for a weld
 /// As matrices, with R_s = [r_s x; t] (its rows are r_s x e and t) and E = [1; 0]:
 ///   J = [-E, -R_a, E, R_b]
 ///   J M^-1 J^T = (1/m_a + 1/m_b) E E^T + R_a I_a^-1 R_a^T + R_b I_b^-1 R_b^T
 /// It is the J of ball_joint.h, hinge_joint.h, weld_joint.h (for small errors, u = 0 there) and
-/// distance_joint.h in a form that is a quarter the size of rows. Of the point a rod holds what is along
-/// n, and a slider (slider_joint.h) what is across its axis, a's arm reaching to p_b: B u instead of u, where
+/// distance_joint.h in a form a quarter of the size of rows. Of the point, a rod holds the component along n,
+/// and a slider (slider_joint.h) those across its axis, with a's arm to p_b: B u instead of u, where
 ///   B = [n; 0; 0],   B = [t_1; t_2; 0]
-/// A universal joint (universal_joint.h) and one of constant velocity are ball joints with one twist.
-/// N is 3, 5 or 6; a joint with fewer rows than its tree leaves the last ones 0, and so does B.
+/// Universal (universal_joint.h) and constant velocity joints are ball joints with one twist. N is 3, 5 or 6;
+/// a joint with fewer rows than its tree has zeros in the last ones, and so has B.
 #pragma once
 #include <array>
 
@@ -25,7 +25,7 @@ using TreeBlock = Eigen::Matrix<double, N, N>;
 template <int N>
 using Twist = std::array<Vec3, N - 3>;
 
-/// Where J and C of a joint come from, in world axes.
+/// The inputs of a joint's J and C, in world axes.
 template <int N>
 struct TreeGeometry {
     Vec3 armA, armB;                         // m
@@ -38,15 +38,15 @@ struct TreeGeometry {
 template <int N>
 struct TreeJoint {
     int a = -1, b = -1;        // bodies
-    int ownA = -1, ownB = -1;  // their places in the tree's own list
-    int joint = -1;            // its number in the world
-    int constraint = -1;       // its place in the constraint list
+    int ownA = -1, ownB = -1;  // their indices in the tree's own list
+    int joint = -1;            // number in the world
+    int constraint = -1;       // index in the constraint list
     int tree = -1;
     JointType type = JointType::ball;
     bool closes = false;       // holds its tree at a second fixed body
     Vec3 anchorA, anchorB;     // m, in the bodies' axes
     double reach = 0.0;        // m, the longest of its lever arms
-    Twist<N> across;           // hinge, slider: across its axis, in a's axes
+    Twist<N> across;           // hinge, slider: perpendicular to its axis, in a's axes
     TreeGeometry<N> now;
     TreeRows<N> lambda = TreeRows<N>::Zero();                  // N s, N m s; of this sub-step
     Vec3 impulse = Vec3::Zero(), torque = Vec3::Zero();        // on b, over the whole step
@@ -78,7 +78,7 @@ void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const 
         if constexpr (N == 6) {
             if (joint.type != JointType::weld && joint.type != JointType::slider) return;
             Quat tooFar = b.rotation * (a.rotation * def.turnAtStart).conjugate();
-            if (tooFar.w() < 0.0) tooFar.coeffs() = -tooFar.coeffs();  // the short way round
+            if (tooFar.w() < 0.0) tooFar.coeffs() = -tooFar.coeffs();  // the shorter rotation
             for (int i = 0; i < 3; ++i) g.twist[i] = Vec3::Unit(i);
             g.error.template tail<3>() = 2.0 * tooFar.vec();
         }
@@ -109,7 +109,7 @@ inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, c
     return g;
 }
 
-/// Rows of the point that a joint holds, where these are not x, y and z; else 0.
+/// The number of point rows of a joint, if these are not x, y and z; else 0.
 template <int N>
 int pointRows(const TreeJoint<N>& joint) {
     return joint.type == JointType::distance ? 1 : joint.type == JointType::slider ? 2 : 0;
@@ -132,7 +132,7 @@ Vec3 pushOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
     return rows > 1 ? Vec3(first + lambda[1] * joint.now.point[1]) : first;
 }
 
-/// C at other poses than J's.
+/// C at poses other than those of J.
 template <int N>
 TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b) {
     return geometryOf(joint, def, a, b).error;
@@ -152,7 +152,7 @@ inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity& a, c
     return result;
 }
 
-/// Of lambda: the twists' sum, N m s.
+/// The sum of the twists of lambda, N m s.
 template <int N>
 Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
     Vec3 sum = Vec3::Zero();
@@ -160,7 +160,7 @@ Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
     return sum;
 }
 
-/// The joint's books: a share of lambda.
+/// Adds a share of lambda to the joint's totals.
 template <int N>
 inline void book(TreeJoint<N>& joint, const TreeRows<N>& lambda, double share) {
     joint.lambda += share * lambda;
@@ -184,7 +184,7 @@ inline void apply(const TreeJoint<N>& joint, const TreeRows<N>& lambda, const In
     b.angular += massB.angular * turnB;
 }
 
-/// R m, for the R of one arm; m has three rows.
+/// R m, with the R of one arm; m has three rows.
 template <int N, class Matrix>
 Eigen::Matrix<double, N, Matrix::ColsAtCompileTime> leverTimes(const Vec3& r, const Twist<N>& twist,
                                                                const Matrix& m) {
@@ -200,7 +200,7 @@ Eigen::Matrix<double, N, Matrix::ColsAtCompileTime> leverTimes(const Vec3& r, co
     return result;
 }
 
-/// R_i I^-1 R_k^T + E E^T / m: what goes through one body from the arm of k to the arm of i.
+/// R_i I^-1 R_k^T + E E^T / m: the coupling through one body from the arm of k to that of i.
 template <int N>
 inline TreeBlock<N> couplingThrough(const InverseMass& mass, const Vec3& armI,
                                     const Twist<N>& twistI, const Vec3& armK,

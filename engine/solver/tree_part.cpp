@@ -8,16 +8,16 @@
 namespace engine {
 namespace {
 
-constexpr double kGain = 0.5;    // Newton goes on while a step leaves no more than this of the errors
-constexpr int kMostNudges = 8;   // Newton steps of a tree that moves anew; two or three do
-constexpr double kSmall = 1e-3;  // of the lever arms: an error that may stay in a loop that does not fit
+constexpr double kGain = 0.5;    // Newton continues while a step leaves at most this share of the errors
+constexpr int kMostNudges = 8;   // Newton steps of a tree that moves again; two or three are enough
+constexpr double kSmall = 1e-3;  // of the lever arms: an error allowed in a loop that does not fit
 constexpr double kMet = 1e-8;    // of the lever arms; at 1e-6 a four-bar gains 2 % in ten minutes
-/// Hinges between two held ends hold the directions across twice, but for a play so small that
-/// dividing by it throws bodies about: there the last one gives way by this share of its K.
+/// Hinges between two held ends constrain the perpendicular directions twice, except for a play so small that
+/// dividing by it gives huge impulses: the last hinge yields by this share of its K.
 constexpr double kPlay = 1e-2;
 
-/// How much of a tree's nudge becomes velocity: all while the errors are small against the arms,
-/// nothing where the linear picture no longer holds.
+/// The share of a tree's nudge that becomes velocity: all while the errors are small compared with the arms,
+/// none where linearization fails.
 double feedbackShare(double ratio) { return clamped((0.04 - ratio) / 0.02, 0.0, 1.0); }
 
 template <int N>
@@ -40,7 +40,7 @@ TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint& co
     return t;
 }
 
-/// What a closing hinge or weld has besides its K.
+/// Adds play to K of a closing hinge or weld.
 template <int N>
 void addPlay(const TreeJoint<N>& joint, TreeBlock<N>& k) {
     if constexpr (N > 3) {
@@ -207,7 +207,7 @@ void TreePart<N>::takeBackFeedback(const TreeNudge& nudge, Bodies& bodies) {
         return tree.anew && tree.ratio > (tree.closed ? kSmall : kMet) &&
                !(tree.sum < kGain * tree.before);
     };
-    for (Tree& tree : trees_)  // what is left of a loop that does not quite fit, no step takes away
+    for (Tree& tree : trees_)  // no step removes the error of a loop that does not quite fit
         tree.again = fails(tree) || ((tree.anew || (tree.whole && nudge.h == 0.0)) &&
                                      tree.sum < kGain * tree.before);
     if (std::none_of(trees_.begin(), trees_.end(), fails)) return;
@@ -305,7 +305,7 @@ void TreePart<N>::moveAnew(Member& member, const Vec3& turn, const TreeNudge& nu
     Vec3 spin = member.spin;
     turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
     Quat& rotation = bodies.poses[member.body].rotation;
-    rotation = rotation * (before.conjugate() * member.end);  // a contact may have nudged it as well
+    rotation = rotation * (before.conjugate() * member.end);  // a contact may have nudged it too
     rotation.normalize();
     bodies.velocities[member.body].angular = spin;
 }

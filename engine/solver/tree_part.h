@@ -13,33 +13,33 @@ namespace engine {
 
 /// One nudge of joints by impulses on positions (solver/joint_nudges.h).
 struct TreeNudge {
-    double most = 0.0;  // m: what one nudge may move
-    double h = 0.0;     // s, of the sub-step whose velocities it feeds back to; 0: to none
+    double most = 0.0;  // m: limit of one nudge
+    double h = 0.0;     // s, of the sub-step whose velocities get feedback; 0: no feedback
     Gyroscope gyroscope = Gyroscope::momentum;
-    bool pushed = false;  // contacts have moved bodies since the nudge before
+    bool pushed = false;  // contacts have moved bodies since the last nudge
 };
 
 template <int N>
 class TreePart {
 public:
-    /// The trees of the plan that have more than `fewest` rows a joint, and at most N.
+    /// Builds the trees of the plan with more than `fewest` and at most N rows per joint.
     void build(const ForestPlan& plan, int fewest, std::span<const JointConstraint> list,
                std::span<const Joint> joints);
 
-    /// J and C at the bodies' poses.
+    /// Computes J and C at the bodies' poses.
     void place(std::span<const Joint> joints, std::span<const Pose> poses);
-    /// The factors of A, for J as it is; `masses` are those of the same poses.
+    /// Factors A, for the present J; `masses` are at the same poses.
     void factor(std::span<const InverseMass> masses);
 
-    /// Applies `keep` of the impulses of the last step; 0 only forgets them.
+    /// Applies the share `keep` of the impulses of the last step; 0 only discards them.
     void warmStart(double keep, std::span<Velocity> v);
-    /// Afterwards J v + biasRate C = 0; of `wholeOnly` trees.
+    /// Solves J v + biasRate C = 0; if `wholeOnly`, for whole trees only.
     void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity> v,
                          Correction& correction);
-    /// The velocities that the bodies are about to move by, from the poses of place().
+    /// Stores the velocities with which the bodies will move from the poses of place().
     void keepStart(std::span<const Velocity> v);
-    /// Afterwards C = 0 to first order, and v as a whole tree's feedback wants it: there C = 0 is met to
-    /// round-off, by moving once more from the start with another velocity.
+    /// Solves C = 0 to first order. Whole trees with feedback are solved to round-off, by repeating the
+    /// motion from the start with another velocity, which becomes v.
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
     bool empty() const { return joints_.empty(); }
@@ -49,41 +49,41 @@ public:
 
 private:
     struct Tree {
-        bool whole = true;   // solved exactly as it stands
+        bool whole = true;   // no other joint acts on it
         double worst = 0.0;     // largest |C|, m or rad
         double ratio = 0.0;     // largest |C| / lever arm
-        double sum = 0.0;       // of the largest |C| of its joints
-        double before = 0.0;    // the same at the nudge before; below 0: this is the first
+        double sum = 0.0;       // of the largest |C| of each joint
+        double before = 0.0;    // the same at the previous nudge; below 0: none
         bool closed = false;    // held twice
         double gain = 0.0;      // 1/s
-        bool anew = false;      // it moves once more from the start
-        bool again = false;     // Newton's method goes on
-        double farthest = 0.0;  // m, of what its nudge would move
-        double share = 1.0;     // of that, what it does move
+        bool anew = false;      // it repeats the motion from the start
+        bool again = false;     // Newton's method continues
+        double farthest = 0.0;  // m, largest displacement by its nudge
+        double share = 1.0;     // of the displacement that is applied
     };
     struct Member {
         int body = -1;
         int tree = -1;
-        Quat start = Quat::Identity();  // of the sub-step, and where the spin takes it from there
+        Quat start = Quat::Identity();  // of the sub-step, and its end with the spin
         Quat end = Quat::Identity();
         Velocity kept = {};             // at the start, before any feedback
-        Vec3 spin = Vec3::Zero();       // at the start, with it
+        Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
 
     int own(int body, int tree, std::vector<int>& places);
     void evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses);
-    /// A chain drawn straight between two posts has next to no way to give its errors a direction: the
-    /// linear solution goes round the world for them. It is cut to where it can be meant.
+    /// A chain pulled straight between two posts can hardly correct errors along it: the linear solution for
+    /// them is huge. It is limited to a plausible size.
     void limitMoves();
-    /// The nudge before this one, with the same J, has made such a tree's errors no smaller.
+    /// The previous nudge, with the same J, did not reduce the errors of a closed tree.
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
     void chooseGains(const TreeNudge& nudge, const Bodies& bodies);
-    /// One Newton step of all trees, or of those alone that it brings nearer.
+    /// One Newton step of all trees, or if `more`, only of those where it still helps.
     void nudgeOnce(const TreeNudge& nudge, bool more, Bodies& bodies);
-    /// The feedback of trees that Newton's steps do not meet is taken back: their errors are no small
-    /// ones, or the sub-step is too long for their tension.
+    /// Undoes the feedback of trees where Newton's method does not converge: their errors are too large, or
+    /// the sub-step is too long for their tension.
     void takeBackFeedback(const TreeNudge& nudge, Bodies& bodies);
     bool isMet() const;
     void move(const TreeNudge& nudge, Bodies& bodies);
@@ -93,9 +93,9 @@ private:
     BlockFactors<N> factors_;
     std::vector<Tree> trees_;
     std::vector<Member> members_;
-    std::vector<InverseMass> masses_;  // of the members
-    std::vector<Velocity> moved_;      // of the members, by the nudge: m, rad
-    std::vector<TreeRows<N>> x_, fed_;  // fed_: what was booked of the nudges of this sub-step
+    std::vector<InverseMass> masses_;  // by member
+    std::vector<Velocity> moved_;      // by member: motion in this nudge, m, rad
+    std::vector<TreeRows<N>> x_, fed_;  // fed_: impulses added by the nudges of this sub-step
     bool anyWhole_ = false;
 };
 

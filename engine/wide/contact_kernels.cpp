@@ -1,5 +1,5 @@
 // The wide contact solver's inner loops: constraints/contact_constraint.h, eight contacts at a time.
-// Built once for every instruction set; nothing with external linkage comes from a header here.
+// Compiled once per instruction set, so no header here may define anything with external linkage.
 #include "engine/wide/contact_kernels.h"
 
 #include "engine/wide/friction_lanes.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPoints = ContactBatch::kPoints;
 
-/// How fast every point of b leaves that of a along n.
+/// The velocity along n of every point of b relative to that of a.
 ENGINE_INLINE Lanes4 alongNormal(const ContactBatch& c, const Lanes3& along) {
     Lanes4 v;
     for (int i = 0; i < kPoints; ++i)
@@ -21,7 +21,7 @@ ENGINE_INLINE Lanes4 alongNormal(const ContactBatch& c, const Lanes3& along) {
     return v;
 }
 
-/// The impulses along n at the four points, as one at c.
+/// Combines the impulses along n at the four points to one at c.
 ENGINE_INLINE Lanes3 together(const ContactBatch& c, const Lanes4& lambda) {
     Lanes3 all{sum(lambda), Lanes(0.0f), Lanes(0.0f)};
     for (int i = 0; i < kPoints; ++i) {
@@ -35,7 +35,7 @@ ENGINE_INLINE Motion6 onlyAlong(const Lanes3& along) {
     return {along, {Lanes(0.0f), Lanes(0.0f), Lanes(0.0f)}};
 }
 
-// What happens before and after the sweeps.
+// Before and after the sweeps.
 
 bool separate(const ContactBatch& c, ContactRecord& record, const WideVelocity* motions,
               const WideStep& step) {
@@ -106,7 +106,7 @@ void book(const ContactBatch& c, ContactRecord& record) {
 
 // The sweep.
 
-/// Rows that push now and pull, or do not push and sink.
+/// Active rows that pull, and inactive rows that sink.
 ENGINE_INLINE Mask wrongRows(const ContactBatch& c, const Lanes4& before, const Lanes4& after,
                              const Lanes4& left) {
     constexpr int kDiagonal[4] = {0, 4, 7, 9};
@@ -121,7 +121,7 @@ ENGINE_INLINE Mask wrongRows(const ContactBatch& c, const Lanes4& before, const 
     return wrong;
 }
 
-/// The change of (N, M_1, M_2). Most often the rows that pushed in the last sweep still do, and one
+/// Returns the change of (N, M_1, M_2). Usually the rows that pushed in the last sweep still do, and one
 /// multiplication by the inverse of their block solves them.
 ENGINE_INLINE Lanes3 sweepNormals(ContactBatch& c, const Lanes3& along, Corrections& worst) {
     const Symmetric4 k{c.k};
@@ -138,7 +138,7 @@ ENGINE_INLINE Lanes3 sweepNormals(ContactBatch& c, const Lanes3& along, Correcti
         Mask active[4];
         const Lanes4 found = searchActive(k, q - k * before, before, active);
         storeInverse(k, active, wrong, c.inverse);
-        // The other lanes keep their last bit: who they share a batch with must not matter.
+        // The other lanes keep every bit: results must not depend on what shares a batch.
         for (int i = 0; i < kPoints; ++i) {
             after[i] = select(wrong, found[i], after[i]);
             change[i] = select(wrong, found[i] - before[i], change[i]);
@@ -171,7 +171,7 @@ void sweep(ContactBatch* batches, int count, WideVelocity* v, WideSums& sums) {
     worst.velocity.store(sums.velocity), worst.impulse.store(sums.impulse);
 }
 
-/// Fresh impulses on positions: solver/nudges.cpp in lanes.
+/// Impulses on positions: solver/nudges.cpp in lanes.
 bool nudge(const ContactBatch& c, const ContactRecord& record, WideVelocity* ways,
            const WideStep& step) {
     const PairLanes pair(c, ways);

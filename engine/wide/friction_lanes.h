@@ -1,5 +1,5 @@
-/// constraints/manifold_friction.h, eight at a time: friction of a manifold as one force and one twist,
-/// and where it slips, point after point.
+/// constraints/manifold_friction.h, eight at a time: friction of a manifold as one force and one twist, or,
+/// where it slips, point by point.
 #pragma once
 #include "engine/wide/cone_lanes.h"
 #include "engine/wide/pair_lanes.h"
@@ -44,7 +44,7 @@ public:
 private:
     ENGINE_INLINE Lanes3 hold(const Lanes3& slip, Corrections& worst) {
         const Lanes zero(0.0f), one(1.0f);
-        const Mask loaded = zero < load_;  // where nothing presses there is no friction
+        const Mask loaded = zero < load_;  // without load there is no friction
         Lanes3 wanted = total_ - load6(c_.twistMass) * slip;
         wanted = {where(loaded, wanted.x), where(loaded, wanted.y), where(loaded, wanted.z)};
         const Lanes over = one / select(loaded, load_, one);
@@ -75,7 +75,7 @@ private:
         return wanted - total_;
     }
 
-    /// The points of the lanes that slip, one after the other.
+    /// Solves the points of slipping lanes one after the other.
     ENGINE_INLINE Lanes3 slide(const Mask& slips, Lanes3 slip, Corrections& worst) {
         const Symmetric3 k = load6(c_.twistK);
         Lanes3 sum = Lanes(0.0f) * slip;

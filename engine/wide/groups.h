@@ -1,6 +1,6 @@
-/// Islands: bodies that no chain of contacts and joints connects are problems of their own, and each
-/// is swept as often as it needs. Small ones whose turns come together (Bodies::spans) share a group, so that
-/// lanes are full; all islands with joints are one group, the first, because their trees are solved together.
+/// Islands: bodies not connected by contacts and joints are independent problems, and each is swept as often
+/// as it needs. Small islands with equal sub-steps (Bodies::spans) share a group, to fill the lanes. All
+/// islands with joints are in the first group, because their trees are solved together.
 #pragma once
 #include <span>
 #include <vector>
@@ -14,15 +14,15 @@ namespace engine {
 
 class ContactGroups {
 public:
-    /// Of the bodies as they move now; `islands`: which of them hang together.
+    /// Groups the contacts, with the present velocities; `islands`: the connected bodies.
     void find(std::span<const Contact> contacts, std::span<const Joint> joints,
               const Bodies& bodies, DisjointSets& islands);
 
     int count() const { return static_cast<int>(moving_.size()); }
-    bool hasJoints() const { return jointed_; }  // then they are in group 0
+    bool hasJoints() const { return jointed_; }  // in group 0
     int of(int contact) const { return ofContact_[contact]; }
-    /// A large island with more than one in fifty contacts between bodies that pass each other at more
-    /// than 0.5 m/s: what is on its way is not worth the sweeps that a heap needs to stay at rest.
+    /// A large island where more than one in fifty contacts is between bodies that pass each other at more
+    /// than 0.5 m/s: it does not need the sweeps that keep a heap at rest.
     bool moving(int group) const { return moving_[group] != 0; }
     /// Bodies of group 0 that contacts may move.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
@@ -33,7 +33,7 @@ private:
         bool jointed = false;
     };
 
-    /// A group that small islands go to.
+    /// A group that takes further small islands.
     struct Open {
         double span = 0.0;  // s, of its bodies
         int group = -1, room = 0;
@@ -45,7 +45,7 @@ private:
 
     std::vector<Open> open_;
     std::vector<int> ofContact_, jointedBodies_;
-    std::vector<Island> islands_;  // at their leaders
+    std::vector<Island> islands_;  // by leader
     std::vector<char> moving_;
     bool jointed_ = false;
 };

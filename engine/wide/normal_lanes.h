@@ -5,7 +5,7 @@
 
 namespace engine::ENGINE_LANES {
 
-/// Upper triangle of a symmetric 4 x 4 matrix, row after row.
+/// Upper triangle of a symmetric 4 x 4 matrix, row by row.
 struct Symmetric4 {
     const float (&x)[10][8];
     ENGINE_INLINE Lanes operator()(int i, int j) const {
@@ -35,7 +35,7 @@ ENGINE_INLINE Lanes least(const Lanes4& a) {
 }
 ENGINE_INLINE Lanes sum(const Lanes4& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
-/// K = L D L^T of the active rows; the others as if they were rows of the unit matrix.
+/// K = L D L^T of the active rows; the others are treated as rows of the unit matrix.
 class ActiveRows {
 public:
     ENGINE_INLINE ActiveRows(const Symmetric4& k, const Mask (&active)[4]) {
@@ -53,7 +53,7 @@ public:
         }
     }
 
-    /// x with K x = b in the active rows and 0 in the others.
+    /// Returns x with K x = b in the active rows and 0 in the others.
     ENGINE_INLINE Lanes4 solve(const Lanes4& b) const {
         Lanes4 x;
         for (int i = 0; i < 4; ++i) x[i] = where(active_[i], b[i]);
@@ -87,9 +87,9 @@ inline void storeInverse(const Symmetric4& k, const Mask (&active)[4], const Mas
     }
 }
 
-/// For the lanes in which other points push than before: from a guess (the points with a positive entry:
-/// those that pushed before, or that are hit), the worst is let go or taken back until none is wrong.
-/// The solution is unique, so the guess is only a matter of time. `active`: the points that push.
+/// For lanes whose set of pushing points has changed. Starting from a guess (the points with a positive
+/// entry: those that pushed before, or that are hit), the worst point is removed or added until none is
+/// wrong. The solution is unique, so the guess affects only the time. `active`: the points that push.
 inline Lanes4 searchActive(const Symmetric4& k, const Lanes4& q, const Lanes4& guess,
                            Mask (&active)[4]) {
     constexpr float kSinking = -1e-6f;  // m/s: rounding of K lambda + q
@@ -100,7 +100,7 @@ inline Lanes4 searchActive(const Symmetric4& k, const Lanes4& q, const Lanes4& g
     for (int change = 0; change < 8 && any(open); ++change) {
         const Lanes4 x = ActiveRows(k, active).solve(-q);
         const Lanes4 w = k * x;
-        Lanes4 wrong;  // what has to be mended, the most negative first: pulls before sinking
+        Lanes4 wrong;  // violations, the most negative first: pulling before sinking
         const Mask pulls = least(x) < Lanes(0.0f);
         for (int i = 0; i < 4; ++i)
             wrong[i] = select(pulls, x[i], select(active[i], Lanes(0.0f), w[i] + q[i]));

@@ -5,8 +5,8 @@
 namespace engine {
 namespace {
 
-constexpr std::size_t kLarge = 1024;  // contacts: less are swept before they are shared out
-constexpr int kInOneGo = 8;           // batches between two looks at what the other half has done
+constexpr std::size_t kLarge = 1024;  // contacts: smaller groups are not divided
+constexpr int kInOneGo = 8;           // batches between two checks of the other half's progress
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void Overlap::begin(int mostSweeps) {
 void Overlap::waitFor(int k, int pass, int otherFirst, int otherCount) {
     if (needs_[k] < 0) return;
     const int half = half_[k];
-    const int theirs = half == 0 ? pass - 1 : pass;  // the pass of theirs that comes before this one
+    const int theirs = half == 0 ? pass - 1 : pass;  // the other half's pass before this one
     if (theirs < 0) return;
     const int place = theirs * otherCount + (needs_[k] - otherFirst) + 1;
     if (known_[half] < place) known_[half] = progress_.waitFor(1 - half, place);

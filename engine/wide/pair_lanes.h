@@ -1,5 +1,5 @@
-/// Eight pairs of bodies, seen from their contacts' frames, while impulses act between them. An impulse
-/// (F_1, F_2, N) at c with the moment (M_1, M_2, T) about c is in world axes
+/// Eight pairs of bodies in the frames of their contacts, for applying impulses between them. An impulse
+/// (F_1, F_2, N) at c with the moment (M_1, M_2, T) about c is, in world axes,
 ///   P = F_1 t1 + F_2 t2 + N n,   L = M_1 t1 + M_2 t2 + T n + r_a x P
 ///   v_a -= P / m_a, w_a -= I_a^-1 L;   v_b += P / m_b, w_b += I_b^-1 (L + d x P)
 #pragma once
@@ -17,8 +17,8 @@ ENGINE_INLINE Symmetric3 load6(const float (&x)[6][8]) {
 }
 
 /// Either the motion (velocity, spin) or the impulse (N s, N m s) of contacts:
-///   along   s_n, w_1, w_2   or   N, M_1, M_2: what the normals see
-///   across  s_1, s_2, w_n   or   F_1, F_2, T: what friction sees
+///   along   s_n, w_1, w_2   or   N, M_1, M_2: for the normals
+///   across  s_1, s_2, w_n   or   F_1, F_2, T: for friction
 struct Motion6 {
     Lanes3 along, across;
 };
@@ -34,7 +34,7 @@ public:
           linearB_(gather(v->linear, kStride, c.b)),
           angularB_(gather(v->angular, kStride, c.b)) {}
 
-    /// How b moves as seen from a, at c.
+    /// The motion of b relative to a, at c.
     ENGINE_INLINE Motion6 motion() const {
         const Lanes3 n = load3(c_.n), t1 = load3(c_.t1), t2 = load3(c_.t2);
         const Lanes3 turn = angularB_ - angularA_;

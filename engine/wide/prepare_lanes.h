@@ -1,14 +1,14 @@
-/// Effective masses of eight manifolds at their centres, once a step. A unit impulse along e at c turns
-/// a by I_a^-1 (r_a x e) and b by I_b^-1 (r_b x e); a unit moment about e turns them by I^-1 e:
+/// Effective masses of eight manifolds at their centres, once per step. A unit impulse along e at c changes
+/// the spin of a by I_a^-1 (r_a x e) and of b by I_b^-1 (r_b x e); a unit moment about e by I^-1 e:
 ///   K_ij = (1/m_a + 1/m_b) e_i . e_j + l_ai . I_a^-1 l_aj + l_bi . I_b^-1 l_bj
-/// for (N, M_1, M_2), which the normal rows (1, y, -x) combine, and for (F_1, F_2, T) of friction.
+/// for (N, M_1, M_2), combined by the normal rows (1, y, -x), and for (F_1, F_2, T) of friction.
 #pragma once
 #include "engine/wide/normal_lanes.h"
 #include "engine/wide/pair_lanes.h"
 
 namespace engine::ENGINE_LANES {
 
-/// Row after row: m a.
+/// m a, with m stored row by row.
 ENGINE_INLINE Lanes3 times(const float (&m)[9][8], const Lanes3& a) {
     const auto row = [&](int i) {
         return Lanes::load(m[i]) * a.x + Lanes::load(m[i + 1]) * a.y + Lanes::load(m[i + 2]) * a.z;
@@ -16,7 +16,7 @@ ENGINE_INLINE Lanes3 times(const float (&m)[9][8], const Lanes3& a) {
     return {row(0), row(3), row(6)};
 }
 
-/// The levers l of three unit impulses, and I^-1 l.
+/// The lever arms l of three unit impulses, and I^-1 l.
 struct Levers {
     Lanes3 a[3], b[3], atA[3], atB[3];
 
@@ -24,7 +24,7 @@ struct Levers {
         const Symmetric3 turnA = load6(c.turnA), turnB = load6(c.turnB);
         for (int i = 0; i < 3; ++i) atA[i] = turnA * a[i], atB[i] = turnB * b[i];
     }
-    /// Without the masses.
+    /// K without the linear masses.
     static ENGINE_INLINE Lanes k(const Levers& p, int i, const Levers& q, int j) {
         return dot(p.a[i], q.atA[j]) + dot(p.b[i], q.atB[j]);
     }
@@ -46,7 +46,7 @@ ENGINE_INLINE void storeNormalBlock(ContactBatch& c, const ContactRecord& record
         pushes[i] = Lanes(0.0f) < Lanes::load(c.point[i].lambda);
         pushed = pushed | pushes[i];
     }
-    // Where there is more than one row the diagonal is raised: see normal_block.h.
+    // With more than one row the diagonal is raised: see normal_block.h.
     const Lanes raise = select(exists[1], Lanes(1.001f), Lanes(1.0f));
     int place = 0;
     for (int i = 0; i < 4; ++i) {
@@ -61,7 +61,7 @@ ENGINE_INLINE void storeNormalBlock(ContactBatch& c, const ContactRecord& record
     storeInverse(Symmetric4{c.k}, pushes, ~nowhere(), c.inverse);
 }
 
-/// K^-1 of s_1, s_2, w_n by elimination; of the first two only, where one point cannot twist.
+/// K^-1 of s_1, s_2, w_n by elimination; only of the first two for a single point.
 ENGINE_INLINE void storeTwistMass(ContactBatch& c, const Symmetric3& k, const Mask& twists) {
     const Lanes one(1.0f), zero(0.0f);
     const Mask real = zero < k.xx;
@@ -93,10 +93,10 @@ ENGINE_INLINE void storeCone(const Lanes& k11, const Lanes& k12, const Lanes& k2
     where(real, Lanes(1.0f) / select(real, most, Lanes(1.0f))).store(cone.mass);
 }
 
-/// Of the rows (1, 0, -y) and (0, 1, x) of one point.
+/// The cone of one point, with the rows (1, 0, -y) and (0, 1, x).
 ENGINE_INLINE void storeSlide(const Symmetric3& k, const WidePoint& point, WideCone& slide) {
     const Lanes x = Lanes::load(point.x), y = Lanes::load(point.y);
-    const Lanes zx = k.xz - y * k.zz, zy = k.yz + x * k.zz;  // what the rows change of w_n
+    const Lanes zx = k.xz - y * k.zz, zy = k.yz + x * k.zz;  // change of w_n by the rows
     storeCone(k.xx - y * k.xz - y * zx, k.xy - y * k.yz + x * zx, k.yy + x * k.yz + x * zy, slide);
 }
 

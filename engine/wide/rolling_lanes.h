@@ -1,5 +1,5 @@
-/// constraints/rolling.h, eight at a time. The turn is read from the bodies again, after friction: few
-/// contacts resist rolling, and those that do not should pay nothing for it.
+/// constraints/rolling.h, eight at a time. The rotation is read from the bodies again after friction, so
+/// contacts without rolling resistance, the majority, have no extra cost.
 #pragma once
 #include "engine/wide/cone_lanes.h"
 #include "engine/wide/pair_lanes.h"

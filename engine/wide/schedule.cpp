@@ -18,7 +18,7 @@ int Schedule::firstOpen(int batch) {
 
 void Schedule::add(std::span<const BodyPair> pairs, std::span<const int> order) {
     const int first = static_cast<int>(batches_.size());
-    // Batches that an earlier group left half empty are not for this one.
+    // Batches that an earlier list left partly empty are not used.
     if (first > 0) open_[firstOpen(first - 1)] = first;
     for (const int contact : order) {
         const BodyPair& pair = pairs[contact];

@@ -23,7 +23,7 @@ Vec3 get3(const float (&x)[3][8], int lane) {
     return Eigen::Vector3f(x[0][lane], x[1][lane], x[2][lane]).cast<double>();
 }
 
-/// Apart from each other, so that no two threads write to one cache line.
+/// Slots are separated, so that two threads never write to one cache line.
 int wasteOf(int bodies, int half) { return bodies + 4 * (half + 1); }
 
 WideVelocity narrowed(const Velocity& v) {
@@ -32,7 +32,7 @@ WideVelocity narrowed(const Velocity& v) {
     return w;
 }
 
-/// All that a batch knows of one contact; the other lanes keep their last bit.
+/// Copies the data of one lane; the other lanes keep every bit.
 void copyLane(const ContactBatch& from, int lane, ContactBatch& to) {
     constexpr std::size_t kLane = sizeof(float), kRow = 8 * kLane;
     static_assert(sizeof(ContactBatch) % kRow == 0, "rows of eight, and nothing between them");
@@ -46,7 +46,7 @@ void copyLane(const ContactBatch& from, int lane, ContactBatch& to) {
 
 template <class Work>
 void WideContacts::eachBatch(const Work& work) {
-    constexpr int kLeast = 32;  // batches a thread
+    constexpr int kLeast = 32;  // batches per thread
     workers_->share(static_cast<int>(batches_.size()), kLeast, [&](int first, int end, int) {
         for (int k = first; k < end; ++k)
             if (batchSpans_[k] > 0.0f) work(k);
@@ -55,7 +55,7 @@ void WideContacts::eachBatch(const Work& work) {
 
 template <class Work>
 void WideContacts::eachBody(const Work& work) {
-    constexpr int kLeast = 512;  // bodies a thread
+    constexpr int kLeast = 512;  // bodies per thread
     workers_->share(static_cast<int>(start_.size()), kLeast, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) work(i);
     });
@@ -78,7 +78,7 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     const int count = static_cast<int>(schedule_.batches().size());
     batches_.resize(count), records_.resize(count);
     place_.resize(contacts.size());
-    batchSpans_.assign(count, 1.0f);  // of all, to be filled
+    batchSpans_.assign(count, 1.0f);  // all are filled
     eachBatch([&](int k) { fillBatch(k, contacts, bodies); });
     for (std::vector<WideVelocity>* v : {&now_, &before_, &motions_, &ways_})
         v->resize(wasteOf(bodies.count(), 2));
@@ -127,7 +127,7 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     ContactRecord& record = records_[batch];
     const Vec3 apart = bodies.poses[contact.a].position - bodies.poses[contact.b].position;
     const int waste = wasteOf(bodies.count(), overlap_.halfOf(batch));
-    double open = 0.0;  // m: the arms end where the two will touch, as if b had come by the gap
+    double open = 0.0;  // m: the arms end where the two will touch, as if b had moved by the gap
     for (int i = 0; i < contact.count; ++i) {
         const Vec3 between = axes_[contact.b] * contact.points[i].anchorB -
                              axes_[contact.a] * contact.points[i].anchorA - apart;
@@ -351,7 +351,7 @@ PointImpulses WideContacts::impulses(int contact, int i) const {
 }
 
 void WideContacts::store(std::span<Contact> contacts) const {
-    constexpr int kLeast = 256;  // contacts a thread
+    constexpr int kLeast = 256;  // contacts per thread
     workers_->share(static_cast<int>(contacts.size()), kLeast, [&](int first, int end, int) {
         for (int k = first; k < end; ++k) store(k, contacts[k]);
     });

@@ -1,6 +1,6 @@
-/// The contacts of a world in single precision, eight side by side: the fast form of
-/// solver/impulses.h and solver/nudges.h for contacts. Poses and velocities stay in double; floats hold
-/// what solving changes of them, so that what no impulse touches keeps all its digits.
+/// The contacts of a world in single precision, eight side by side: the fast form of solver/impulses.h and
+/// solver/nudges.h for contacts. Poses and velocities are in double; floats hold only the changes by the
+/// solver, so other motion keeps all its digits.
 #pragma once
 #include <span>
 #include <vector>
@@ -18,7 +18,7 @@
 
 namespace engine {
 
-/// What one point got, N s: in the last sub-step, and over the whole step.
+/// The impulses of one point, N s: in the last sub-step, and over the whole step.
 struct PointImpulses {
     double normal = 0.0, total = 0.0;
     Vec3 friction = Vec3::Zero(), totalFriction = Vec3::Zero();
@@ -26,8 +26,8 @@ struct PointImpulses {
 
 class WideContacts {
 public:
-    /// Rows of all contacts, at the bodies' present poses; once a step. `order` is that of a sweep. The
-    /// workers are for this step.
+    /// Makes the rows of all contacts at the present poses, once per step. `order` is the order of a sweep.
+    /// The workers are used during this step.
     void prepare(std::span<const Contact> contacts, std::span<const int> order,
                  std::span<const Joint> joints, const Bodies& bodies, DisjointSets& islands,
                  const Settings& settings, Workers& workers);
@@ -35,34 +35,35 @@ public:
     bool empty() const { return batches_.empty(); }
     const ContactGroups& groups() const { return groups_; }
 
-    /// Whose turn it is: of all that follows, what bodies wait for is left alone.
+    /// Finds which groups act in this sub-step; the functions below skip the others.
     void beginSubstep(const Bodies& bodies);
     bool acts(int group) const { return spans_[group] > 0.0; }
-    /// Biases, from the velocities before solving.
+    /// Sets biases from the velocities before solving.
     void begin(std::span<const Velocity> v, const Settings& settings);
-    /// What a point got when its bodies met (solver/impacts.h), N s; after begin().
+    /// Sets the bounce impulse of a point (solver/impacts.h), N s; after begin().
     void setBounce(int contact, int i, double impulse);
     void warmStart(int group);
     SweepReport sweep(int group);
-    /// Warm start and sweeps of a large group (overlap.h), which may be shared by two threads.
+    /// Large groups (overlap.h): solveLarge does warm start and sweeps, possibly with two threads.
     bool isLarge(int group) const { return middle_[group] < firstBatch_[group + 1]; }
     std::span<const SweepReport> solveLarge(int group, const SweepLimits& limits);
-    /// Takes in the velocities of bodies that others have changed; gives back what sweeps changed.
+    /// take: reads velocities that joints have changed. give: writes back the changes by sweeps.
     void take(std::span<const Velocity> v, std::span<const int> bodies);
     void give(std::span<Velocity> v, std::span<const int> bodies);
-    /// All of them, and the sub-step's impulses into the totals.
+    /// Writes back all velocities, and adds the impulses of the sub-step to the totals.
     void finish(std::span<Velocity> v);
 
-    /// C of every point at the bodies' present poses; true: some overlap is deeper than the slop.
+    /// Updates C of every point at the present poses; true if some overlap is deeper than the slop.
     bool separate(const Bodies& bodies, double slop);
-    /// Masses of the contacts whose bodies have turned far since their rows were made; after separate().
+    /// Updates the masses of contacts whose bodies have turned far since their rows were made; after
+    /// separate().
     void followTurns(const Bodies& bodies);
-    /// One nudge of all contacts by at most `most` (m) and the depenetration speed, after separate(): the
-    /// bodies' ways (m) and turns (rad).
+    /// Nudges all contacts once, limited by `most` (m) and the depenetration speed, after separate(). Returns
+    /// the bodies' translations (m) and rotations (rad).
     std::span<const WideVelocity> nudge(const Settings& settings, double most);
 
     PointImpulses impulses(int contact, int point) const;
-    /// Those of the last sub-step to where the next step finds them.
+    /// Stores the impulses of the last sub-step for the next step.
     void store(std::span<Contact> contacts) const;
 
 private:
@@ -81,7 +82,7 @@ private:
     int solveHalf(int group, int half, const SweepLimits& limits);
     void pass(int group, int half, int number);
 
-    /// work(batch) for all batches whose turn it is, work(body) for all bodies, in any order.
+    /// Calls work(batch) for all acting batches, or work(body) for all bodies, in any order.
     template <class Work>
     void eachBatch(const Work& work);
     template <class Work>
@@ -90,23 +91,23 @@ private:
     Workers* workers_ = nullptr;
     ContactGroups groups_;
     Schedule schedule_;
-    std::vector<std::vector<int>> orders_;   // of every group
-    std::vector<int> firstBatch_;            // of every group, and the end
-    std::vector<double> spans_;              // s, of every group's sub-step; 0: it waits
-    std::vector<float> batchSpans_;          // likewise of every batch
-    std::vector<int> middle_;                // of every group: the first batch of the lower half
+    std::vector<std::vector<int>> orders_;   // by group
+    std::vector<int> firstBatch_;            // by group, and the end
+    std::vector<double> spans_;              // s, sub-step by group; 0: it waits
+    std::vector<float> batchSpans_;          // the same by batch
+    std::vector<int> middle_;                // by group: the first batch of the lower half
     Overlap overlap_;
     std::vector<ContactBatch> batches_;
     std::vector<ContactRecord> records_;
-    std::vector<int> place_;                 // of every contact: 8 batch + lane
+    std::vector<int> place_;                 // by contact: 8 batch + lane
     std::vector<BodyPair> pairs_;
-    // Of every body; then a slot of zeros for empty lanes to read, and for either half one for waste.
+    // By body; then a slot of zeros that empty lanes read, and one per half for unused results.
     std::vector<WideVelocity> now_, before_, motions_, ways_;
-    std::vector<Velocity> atStart_;          // of the sub-step, before solving
+    std::vector<Velocity> atStart_;          // velocities before solving the sub-step
     std::vector<Pose> start_;                // where the rows were made
     std::vector<Mat3> axes_;                 // their rotations
-    std::vector<char> turned_;               // far, since then
-    std::vector<double> farTurn_;            // rad, of every body
+    std::vector<char> turned_;               // has turned far since then
+    std::vector<double> farTurn_;            // rad, by body
     bool anyTurned_ = false;
     WideStep step_;
 };

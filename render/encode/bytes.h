@@ -1,4 +1,4 @@
-/// Files in memory.
+/// The bytes of a file in memory.
 #pragma once
 #include <cstdint>
 #include <vector>

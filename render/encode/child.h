@@ -1,4 +1,4 @@
-/// What it takes to run another program, whichever it is.
+/// Helpers to run another program.
 #pragma once
 #include <spawn.h>
 
@@ -8,26 +8,26 @@
 
 namespace render {
 
-/// posix_spawn's two structures, freed on every way out.
+/// The two structures of posix_spawn, freed by the destructor.
 struct SpawnPlan {
     SpawnPlan();
     ~SpawnPlan();
     SpawnPlan(const SpawnPlan&) = delete;
     SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-    /// In a process group of its own, with signals as they were before anybody caught them: Ctrl-C
-    /// reaches a whole group, and this one has work to finish, or goes with all it has started.
+    /// Puts the child into its own process group, with default signal handlers. Ctrl-C reaches a
+    /// whole group: the child then can finish its work, or can be killed with all it has started.
     void standAlone();
 
-    posix_spawn_file_actions_t files;  ///< which of our files it has
+    posix_spawn_file_actions_t files;  ///< the files the child inherits
     posix_spawnattr_t attributes;      ///< signals and process group
 };
 
-/// The milliseconds that the environment's `variable` says, for tests of programs that hang;
-/// `unlessSet` where it says nothing, or nothing from 1 ms to a day.
+/// The milliseconds in the environment `variable`, for tests of programs that hang; `unlessSet` if
+/// it is not set or not within 1 ms to a day.
 std::chrono::milliseconds patienceOf(const char* variable, std::chrono::milliseconds unlessSet);
 
-/// The last line that says something, without what could steer a terminal; at most 300 bytes.
+/// The last line that is not empty, with control characters replaced; at most 300 bytes.
 std::string lastLineOf(std::string_view text);
 
 }  // namespace render

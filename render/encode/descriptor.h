@@ -1,13 +1,14 @@
-/// An open file of the system's, by its number.
+/// An open file descriptor.
 #pragma once
 
 namespace render {
 
-/// A file descriptor that closes itself. Always above 2: a program started with its standard
-/// output closed would else be given number 1, and dup2 in the child would tread on it.
+/// A file descriptor that closes itself. It is always above 2: in a program started with its
+/// standard output closed it could be number 1, which dup2 in the child would overwrite.
 class Descriptor {
 public:
-    /// Takes over an open one. Where it is negative, Error: "cannot `purpose`: " and errno's words.
+    /// Takes over an open one. Throws Error if it is negative: "cannot `purpose`: " and the text of
+    /// errno.
     Descriptor(int number, const char* purpose);
     ~Descriptor();
     Descriptor(const Descriptor&) = delete;

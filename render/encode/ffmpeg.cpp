@@ -29,9 +29,10 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTalk = "talk to ffmpeg";
-constexpr int kUnknownStatus = 255 << 8;  // as if it had ended with exit(255)
+constexpr int kUnknownStatus = 255 << 8;  // as after exit(255)
 
-/// All of a file in memory that a child writes; the offset is shared, so read by position.
+/// The end (at most 64 KiB) of a file in memory that a child writes. The offset is shared, so it is
+/// read by position.
 std::string contentOf(const Descriptor& file) {
     std::string text(std::size_t{1} << 16, '\0');
     const off_t end = ::lseek(file.number(), 0, SEEK_END);
@@ -41,8 +42,8 @@ std::string contentOf(const Descriptor& file) {
     return text;
 }
 
-/// Time runs out only while the child does nothing at all: the palette of a long GIF is slow
-/// work, and a machine under load is no reason to end it.
+/// A time limit that counts only while the child uses no processor time: the palette of a long GIF
+/// takes long, and so does everything on a machine under load.
 class Patience {
 public:
     Patience(pid_t child, std::chrono::milliseconds limit) : limit_(limit) {
@@ -97,15 +98,15 @@ Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseco
 void Ffmpeg::spawn(const std::vector<std::string>& arguments, const Descriptor* shared) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments) {
-        argv.push_back(const_cast<char*>(argument.c_str()));  // the C interface; not written to
+        argv.push_back(const_cast<char*>(argument.c_str()));  // the C interface; not modified
     }
     argv.push_back(nullptr);
     SpawnPlan plan;
-    plan.standAlone();  // after Ctrl-C it lives to close the film
+    plan.standAlone();  // after Ctrl-C it must still close the film
     ::posix_spawn_file_actions_adddup2(&plan.files, theirs_->number(), 0);
     ::posix_spawn_file_actions_adddup2(&plan.files, progress_.number(), 1);
     ::posix_spawn_file_actions_adddup2(&plan.files, errors_.number(), 2);
-    if (shared)  // the last: the others may have this number here
+    if (shared)  // last, since one of the others may have this number
         ::posix_spawn_file_actions_adddup2(&plan.files, shared->number(), kSharedFile);
     const int error =
         ::posix_spawnp(&child_, argv[0], &plan.files, &plan.attributes, argv.data(), environ);
@@ -113,7 +114,7 @@ void Ffmpeg::spawn(const std::vector<std::string>& arguments, const Descriptor* 
         throw Error(
             "ffmpeg was not found; install it (apt install ffmpeg); PNG frames need nothing else");
     }
-    if (error != 0) throw Error("ffmpeg does not start: " + describeError(error));
+    if (error != 0) throw Error("ffmpeg cannot be started: " + describeError(error));
     running_ = true;
 }
 
@@ -145,7 +146,7 @@ bool Ffmpeg::finish(const std::function<bool()>& giveUp) {
     while (running_) {
         const pid_t ended = ::waitpid(child_, &status_, WNOHANG);
         if (ended != 0) running_ = false;
-        if (ended < 0) status_ = kUnknownStatus;  // our caller ignores SIGCHLD
+        if (ended < 0) status_ = kUnknownStatus;  // the calling program ignores SIGCHLD
         if (ended != 0) break;
         if (!hung_ && giveUp && giveUp()) {
             end();
@@ -157,7 +158,7 @@ bool Ffmpeg::finish(const std::function<bool()>& giveUp) {
             break;
         }
         pollfd wait = {frames_.number(), POLLIN, 0};
-        if (::poll(&wait, 1, 100) > 0) std::this_thread::sleep_for(1ms);  // its end is near
+        if (::poll(&wait, 1, 100) > 0) std::this_thread::sleep_for(1ms);  // it is about to exit
     }
     return !hung_ && WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
 }
@@ -175,7 +176,7 @@ std::string Ffmpeg::complaint() const {
     const std::string tail = words.empty() ? "" : ": " + words;
     if (hung_) {
         return "ffmpeg did nothing for " + std::to_string(patience_.count() / 1000) +
-               " s and was ended" + tail;
+               " s and was killed" + tail;
     }
     if (WIFSIGNALED(status_)) {
         return "ffmpeg was killed by signal " + std::to_string(WTERMSIG(status_)) + tail;
@@ -183,7 +184,7 @@ std::string Ffmpeg::complaint() const {
     return "ffmpeg stopped with status " + std::to_string(WEXITSTATUS(status_)) + tail;
 }
 
-/// -progress writes blocks of "key=value" lines; the last block tells the final count.
+/// -progress writes blocks of "key=value" lines; the last block has the final count.
 int Ffmpeg::framesWritten() const {
     const std::string text = contentOf(progress_);
     const std::size_t key = text.rfind("frame=");

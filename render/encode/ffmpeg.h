@@ -1,4 +1,4 @@
-/// The child that makes the films: one running ffmpeg, fed with raw pictures.
+/// The child process that makes the films: one running ffmpeg, which is sent raw pictures.
 #pragma once
 #include <sys/types.h>
 
@@ -14,14 +14,14 @@
 
 namespace render {
 
-/// One running ffmpeg. Frames go through a socket instead of a pipe: send() can be told not to
-/// raise SIGPIPE, for this call alone, and the other end closing tells when the child has ended.
-/// Its words go to files in memory, which cannot fill up and block it.
+/// One running ffmpeg. Frames go through a socket instead of a pipe: send() can avoid SIGPIPE for a
+/// single call, and the closing of the other end shows that the child has ended. The child's output
+/// goes to files in memory, which cannot fill up and block it.
 class Ffmpeg {
 public:
     /// Starts `arguments` (the program's name first, looked up in PATH). `patience`: a child that
-    /// neither reads nor uses processor time for so long is taken for hanging. `shared` is the
-    /// child's file number kSharedFile, where its arguments name that.
+    /// neither reads nor uses processor time for this long counts as hanging. `shared` becomes the
+    /// child's descriptor kSharedFile, which the arguments may refer to.
     Ffmpeg(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
            const Descriptor* shared = nullptr);
     static constexpr int kSharedFile = 3;  // its number in the child
@@ -29,22 +29,22 @@ public:
     Ffmpeg(const Ffmpeg&) = delete;
     Ffmpeg& operator=(const Ffmpeg&) = delete;
 
-    /// False when the child does not take the bytes; finish() and complaint() tell why.
+    /// False if the child does not accept the bytes; call finish() and complaint() for the reason.
     bool send(std::span<const std::uint8_t> bytes);
 
-    /// No more frames: waits for the end. True when the child ended well. `giveUp` is asked ten
-    /// times a second whether it is worth waiting on; if not, the child is ended.
+    /// Sends no more frames and waits for the end. True if the child succeeded. `giveUp` is called
+    /// ten times a second; if it returns true, the child is killed.
     bool finish(const std::function<bool()>& giveUp = {});
 
-    /// Why finish() was false.
+    /// The reason why finish() returned false.
     std::string complaint() const;
 
     int framesWritten() const;  // as ffmpeg counts them
 
-    /// All that it has written to its standard output.
+    /// Its standard output.
     std::string output() const;
 
-    /// Ends the child now, if it still runs.
+    /// Kills the child if it is still running.
     void end() noexcept;
 
 private:
@@ -57,7 +57,7 @@ private:
     void spawn(const std::vector<std::string>& arguments, const Descriptor* shared);
 
     Descriptor frames_;
-    std::unique_ptr<Descriptor> theirs_;  // the child's end; open here until it has started
+    std::unique_ptr<Descriptor> theirs_;  // the child's end, until the child has started
     Descriptor progress_, errors_;
     std::chrono::milliseconds patience_;
     pid_t child_ = -1;
@@ -68,10 +68,10 @@ private:
 /// Whether an ffmpeg can be run from PATH.
 bool haveFfmpeg();
 
-/// "5.1.6-0+deb12u1", as ffmpeg names itself; empty where it does not run.
+/// "5.1.6-0+deb12u1", as ffmpeg reports it; empty if ffmpeg does not run.
 std::string ffmpegVersion();
 
-/// 60 s, or the milliseconds of IMPULSE_FFMPEG_PATIENCE_MS, which tests of hanging ones set.
+/// 60 s, or the milliseconds of IMPULSE_FFMPEG_PATIENCE_MS, which tests of hanging programs set.
 std::chrono::milliseconds ffmpegPatience();
 
 }  // namespace render

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 10000..99999: machines that share a folder have processes of the same numbers.
+/// 10000..99999, by host: machines that share a folder may have processes of the same number.
 unsigned hostNumber() {
     char name[256] = {};
     ::gethostname(name, sizeof name - 1);
@@ -26,11 +26,11 @@ unsigned hostNumber() {
     return hash % 90'000u + 10'000u;
 }
 
-/// ENOENT of a folder that is there: it makes no files, as /proc does not.
+/// ENOENT in an existing folder means that no files can be created there, as in /proc.
 std::string reasonOf(const fs::path& path, int error) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::error_code ignored;
-    if (error == ENOENT && fs::is_directory(folder, ignored)) return "its folder takes no files";
+    if (error == ENOENT && fs::is_directory(folder, ignored)) return "no file can be created in its folder";
     return describeError(error);
 }
 
@@ -38,26 +38,26 @@ std::string reasonOf(const fs::path& path, int error) {
     throw Error("cannot write '" + path.string() + "': " + reasonOf(path, error));
 }
 
-/// Zero or an errno. A short count is no error: the next call tells why it was short.
+/// Zero or an errno. A short count is no error: the next call reports why it was short.
 int writeAll(int file, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) return errno;
-        if (written == 0) return EIO;  // no progress and no reason: do not spin
+        if (written == 0) return EIO;  // no progress and no reason: do not loop forever
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
     return 0;
 }
 
-/// Zero or an errno. Network disks tell only here that they were full. Not repeated on EINTR:
-/// Linux has released the number by then, and another thread may own it.
+/// Zero or an errno. Network disks report only here that they are full. Not repeated on EINTR:
+/// Linux has already released the number, and another thread may own it.
 int closeFile(int file) { return ::close(file) == 0 || errno == EINTR ? 0 : errno; }
 
-/// Of the same open file: its lock lasts as long as either.
+/// A second descriptor of the same open file; its lock lasts until both are closed.
 int duplicate(int file) { return ::fcntl(file, F_DUPFD_CLOEXEC, 3); }
 
-/// Under the name that it carries until it is whole. What is returned holds its lock.
+/// Writes the file under its temporary name. The returned descriptor holds its lock.
 int writeTemporary(const NamedBytes& content) {
     const fs::path temporary = temporaryNameFor(content.path);
     const int file = createTemporary(temporary, content.path);
@@ -71,14 +71,14 @@ int writeTemporary(const NamedBytes& content) {
     fail(content.path, error);
 }
 
-/// Opened and locked; false when a sweep of another run has taken it away in between.
+/// Locks a file just opened; false if a sweep of another run has removed it in between.
 bool lockNew(int file) {
-    ::flock(file, LOCK_EX | LOCK_NB);  // not every disk has locks
+    ::flock(file, LOCK_EX | LOCK_NB);  // not every disk supports locks
     struct stat status = {};
     return ::fstat(file, &status) != 0 || status.st_nlink > 0;
 }
 
-/// Zero or an errno. Not every file system can look and rename in one step.
+/// Zero or an errno. Not every file system can check and rename in one step.
 int renameToFree(const fs::path& from, const fs::path& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
     if (errno != EINVAL && errno != ENOSYS) return errno;
@@ -108,9 +108,9 @@ std::string describeError(int error) {
         case ENOSPC:
             return "disk full";
         case EDQUOT:
-            return "disk quota used up";
+            return "disk quota exceeded";
         case EFBIG:
-            return "file larger than this disk or process may write (see ulimit -f)";
+            return "file larger than the disk or process allows (see ulimit -f)";
         default:
             return std::generic_category().message(error);
     }
@@ -123,7 +123,7 @@ void makeFolder(const fs::path& folder) {
         throw Error("cannot write into '" + folder.string() + "': it is not a folder");
     fs::create_directories(folder, error);
     if (error)
-        throw Error("cannot make the folder '" + folder.string() +
+        throw Error("cannot create the folder '" + folder.string() +
                     "': " + describeError(error.value()));
 }
 
@@ -157,7 +157,7 @@ int createTemporary(const fs::path& temporary, const fs::path& target) {
         error = file < 0 ? errno : EEXIST;
         if (file >= 0 && lockNew(file)) return file;
         if (file >= 0) ::close(file);
-        if (error == EEXIST) ::unlink(temporary.c_str());  // a symlink itself, not what it names
+        if (error == EEXIST) ::unlink(temporary.c_str());  // a symlink itself, not its target
     }
     fail(target, error);
 }
@@ -166,7 +166,7 @@ int createUnnamed(const fs::path& target) {
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     if (file >= 0) return file;
-    // not every file system has them
+    // not every file system has unnamed files
     std::string name = temporaryNameFor(target).string() + ".XXXXXX";
     const int named = ::mkostemp(name.data(), O_CLOEXEC);
     if (named < 0) fail(target, errno);
@@ -175,13 +175,13 @@ int createUnnamed(const fs::path& target) {
 }
 
 void publish(const fs::path& temporary, const fs::path& target, Existing existing) {
-    // rename replaces a symlink that appeared meanwhile; it does not follow it
+    // rename replaces a symlink created in the meantime; it does not follow it
     const int error = existing == Existing::kept ? renameToFree(temporary, target)
                       : ::rename(temporary.c_str(), target.c_str()) == 0 ? 0
                                                                          : errno;
     if (error == EEXIST && existing == Existing::kept)
         throw AlreadyThere("'" + target.string() +
-                           "' has appeared meanwhile, perhaps from another run; --overwrite "
+                           "' was created in the meantime, perhaps by another run; --overwrite "
                            "replaces it");
     if (error != 0) fail(target, error);
 }
@@ -202,7 +202,7 @@ bool sweepTemporaries(const fs::path& path) {
         if (::flock(file, LOCK_EX | LOCK_NB) == 0)
             ::unlink(entry.path().c_str());
         else if (errno == EWOULDBLOCK)
-            held = true;  // otherwise the disk has no locks: nobody knows whose it is
+            held = true;  // otherwise the disk has no locks: the owner is unknown
         ::close(file);
     }
     return held;

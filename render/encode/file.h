@@ -1,4 +1,4 @@
-/// Files that are either whole or absent: temporary name, write, close, rename.
+/// Files that are either complete or absent: they are written under a temporary name and renamed.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -8,28 +8,28 @@
 
 namespace render {
 
-/// What becomes of a file that has the name already, even if only since a moment ago.
+/// What happens to an existing file of the same name, even one created a moment ago.
 enum class Existing { replaced, kept };
 
-/// Gives `path` this content in one step; a reader, or a run killed half way, sees the old file or
-/// the new one. The folder must exist; what killed runs have left of this file is removed.
-/// Throws AlreadyThere where a file is there that is to be kept, and Error (path and reason) when
-/// the target is a symlink, a directory or a device, or when the disk is full; then neither a
-/// temporary file nor a half-written one is left.
+/// Gives `path` this content in one step: readers see the old file or the new one, even if the run
+/// is killed. The folder must exist; temporary files of this path from killed runs are removed.
+/// Throws AlreadyThere if there is a file that is to be kept, and Error (path and reason) if the
+/// target is a symlink, a directory or a device, or if the disk is full; no temporary or
+/// half-written file is left then.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                          Existing existing = Existing::replaced);
 
-/// The same for one of many in a folder, which is not searched for leavings every time.
+/// The same for one of many files in a folder: leftovers of killed runs are not searched for.
 void writeFrameFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// A file to be, and what it is to hold.
+/// A file to write, and its content.
 struct NamedBytes {
-    std::filesystem::path path;           ///< replaced where it is there
+    std::filesystem::path path;           ///< replaced if it exists
     std::span<const std::uint8_t> bytes;  ///< all of it
 };
 
-/// Several such files: all of them are complete under their temporary names before the first one is
-/// renamed, so that a full disk leaves none.
+/// Writes several files. All of them are complete under their temporary names before the first one
+/// is renamed, so that a full disk leaves none.
 void writeFilesTogether(std::span<const NamedBytes> files, Existing existing = Existing::replaced);
 
 /// The same for a text.
@@ -39,34 +39,34 @@ inline void writeFileAtomically(const std::filesystem::path& path, std::string_v
     writeFileAtomically(path, std::span(bytes, text.size()), existing);
 }
 
-/// The folder and its parents; what is there stays. Throws Error.
+/// Creates the folder and its parents if they do not exist. Throws Error.
 void makeFolder(const std::filesystem::path& folder);
 
-/// Throws Error unless `path` is free or an ordinary file that may be replaced.
+/// Throws Error unless `path` does not exist or is an ordinary file.
 void checkReplaceable(const std::filesystem::path& path);
 
-/// The name a file carries until it is whole: beside the target (rename does not cross disks),
+/// The name of a file until it is complete: in the target's folder (rename does not cross disks),
 /// with the numbers of this machine and process.
 std::filesystem::path temporaryNameFor(const std::filesystem::path& path);
 
 /// Creates a new `temporary` and opens it, never through a symlink. A file left there by a killed
-/// run of the same process number is removed first. `target` is for the message. As long as the
-/// file is open, sweepTemporaries() of other runs leave it alone, where the disk has locks.
+/// run with the same process number is removed first. `target` is for the message. While the file
+/// is open, sweepTemporaries() of other runs does not remove it, if the disk supports locks.
 int createTemporary(const std::filesystem::path& temporary, const std::filesystem::path& target);
 
-/// A file without a name on the disk of `target`: it is gone with its last descriptor, however a
-/// run ends. Open for reading and writing.
+/// A file without a name on the disk of `target`, open for reading and writing. It disappears with
+/// its last descriptor, however a run ends.
 int createUnnamed(const std::filesystem::path& target);
 
-/// From a temporary name to the one it was meant for. Throws AlreadyThere, Error; the temporary
-/// file stays then.
+/// Renames a temporary file to its target. Throws AlreadyThere or Error; the temporary file then
+/// stays.
 void publish(const std::filesystem::path& temporary, const std::filesystem::path& target,
              Existing existing);
 
-/// Removes the temporaries of `path` that killed runs have left. True when another run holds one.
+/// Removes the temporary files of `path` left by killed runs. True if another run holds one.
 bool sweepTemporaries(const std::filesystem::path& path);
 
-/// One line for an errno: "disk full", "file too large: ...", otherwise the system's text.
+/// One line for an errno: "disk full", "file larger than ...", otherwise the system's text.
 std::string describeError(int error);
 
 }  // namespace render

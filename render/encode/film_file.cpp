@@ -1,4 +1,4 @@
-// mp4: boxes (size, type) that fill the file, ftyp first, moov and mdat among them
+// mp4: boxes (size, type) that fill the file: ftyp first, moov and mdat among the others
 // webm: EBML header, then a Segment that fills the rest      gif: "GIF8" ... 0x3b
 // webp: "RIFF" size "WEBP"                                    apng: signature ... IEND
 #include "render/encode/film_file.h"
@@ -24,7 +24,7 @@ public:
     }
     Offset size() const { return size_; }
 
-    /// Empty where the file has no so many bytes.
+    /// Empty if the file has fewer bytes.
     std::string text(Offset at, std::size_t count) const {
         std::string bytes(count, '\0');
         const bool within = at <= size_ && count <= size_ - at;
@@ -62,7 +62,8 @@ bool mp4IsWhole(const FilmFile& film) {
     return index && pictures;
 }
 
-/// An EBML element's length: the first byte's leading zeros say how many bytes more it has.
+/// The length of an EBML element: the leading zeros of the first byte give the number of bytes that
+/// follow it.
 struct Length {
     Offset value = 0;
     std::size_t bytes = 0;  // 0: none

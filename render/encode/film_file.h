@@ -1,11 +1,10 @@
-/// Whether a film file is complete, by its container alone.
+/// Checks whether a film file is complete, by its container only.
 #pragma once
 #include "render/encode/video_format.h"
 
 namespace render {
 
-/// True when the open `file` begins as this kind of film does and ends where it says that it ends.
-/// What is in between is not decoded.
+/// True if the open `file` begins and ends as this kind of film does. The content is not decoded.
 bool filmIsWhole(const VideoFormat& format, int file);
 
 }  // namespace render

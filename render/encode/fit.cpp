@@ -30,7 +30,7 @@ public:
         if (const std::optional<Fitted> fitted = attempt(0)) return *fitted;
         const std::size_t last = ladder_.size() - 1;
         std::optional<Fitted> found;
-        if (last > 0) found = attempt(last);  // without it there is no use in going on
+        if (last > 0) found = attempt(last);  // if this one does not fit, none does
         if (!found) {
             throw Error("even " + describe(format_, ladder_[last]) + " takes " + bytesText(bytes_) +
                         ", more than " + bytesText(fit_.largestFile));
@@ -44,8 +44,8 @@ public:
             if (fitted) found = fitted;
             (fitted ? high : low) = fitted ? middle : middle + 1;
         }
-        if (!written) found = attempt(high);  // the same bits again
-        if (!found) throw Error("ffmpeg wrote another film the second time; draw it again");
+        if (!written) found = attempt(high);  // writes the same bits again
+        if (!found) throw Error("ffmpeg wrote a different film the second time; draw it again");
         return *found;
     }
 
@@ -54,10 +54,10 @@ private:
         return fit_.largestFile > 0 && bytes > fit_.largestFile;
     }
 
-    /// Into output_; nothing when it does not fit.
+    /// Encodes into output_; nothing if it does not fit.
     std::optional<Fitted> attempt(std::size_t rung) {
         const Encoding& encoding = ladder_[rung];
-        fs::resize_file(output_, 0);  // what the last attempt left is not this one's size
+        fs::resize_file(output_, 0);  // else the size of the last attempt would be read
         Ffmpeg ffmpeg(
             restoreArguments(format_, film_.source, encoding, Ffmpeg::kSharedFile, output_),
             film_.patience, &film_.file);
@@ -67,7 +67,7 @@ private:
             passed = rung + 1 < ladder_.size() && tooLarge(bytesIn(output_));
             return cancelled || passed;
         });
-        if (cancelled) throw Cancelled("interrupted while it was encoded");
+        if (cancelled) throw Cancelled("interrupted during encoding");
         if (!whole && !passed) throw Error(ffmpeg.complaint());
         bytes_ = bytesIn(output_);
         if (passed || tooLarge(bytes_)) {

@@ -1,4 +1,4 @@
-/// A stored film made as good as a number of bytes allows.
+/// Encodes a stored film in the best quality that fits into a number of bytes.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -12,36 +12,36 @@
 
 namespace render {
 
-/// Thrown where the caller did not want to wait any longer.
+/// Thrown when the caller cancels the encoding.
 class Cancelled : public Error {
 public:
     using Error::Error;
 };
 
-/// Frames that ffmpeg has written as storeArguments() says.
+/// Frames that ffmpeg has written with storeArguments().
 struct StoredFilm {
     const Descriptor& file;              // open for reading
     VideoSource source;
     int frames = 0;                      // in the file
-    std::chrono::milliseconds patience;  // with ffmpeg, as a VideoWriter's
+    std::chrono::milliseconds patience;  // with ffmpeg, as in VideoWriter
 };
 
-/// How large a film may be, and who is asked and told on the way.
+/// The size limit of a film, and callbacks during encoding.
 struct Fit {
-    std::uint64_t largestFile = 0;                      // bytes; 0: no limit, the best there is
-    std::function<bool()> cancelled = {};               // asked ten times a second
-    std::function<void(const std::string&)> tell = {};  // what did not fit
+    std::uint64_t largestFile = 0;                      // bytes; 0: no limit, best quality
+    std::function<bool()> cancelled = {};               // called ten times a second
+    std::function<void(const std::string&)> tell = {};  // called for encodings that do not fit
 };
 
-/// What a film became.
+/// How a film was encoded.
 struct Fitted {
     Encoding encoding;
     std::uint64_t bytes = 0;  // of the file
 };
 
-/// Fills `output`, an empty file. Tries the best encoding and then, by halving what
-/// is left of ladderOf(), the best of those that fit.
-/// Throws Cancelled, and Error when even the last one is too large or ffmpeg fails.
+/// Fills `output`, an empty file. Tries the best encoding first; if it is too large, finds the best
+/// one of ladderOf() that fits by bisection.
+/// Throws Cancelled; throws Error if even the last one is too large or ffmpeg fails.
 Fitted encodeToFit(const StoredFilm& film, const VideoFormat& format, const Fit& fit,
                    const std::filesystem::path& output);
 

@@ -15,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In single quotes, as ffmpeg's lists of files are written.
+/// One line of ffmpeg's list of files, with the name in single quotes.
 std::string quotedName(const fs::path& file) {
     std::string text = "file 'file:";
     for (const char c : fs::absolute(file).string()) {
-        if (c == '\n') throw Error("cannot join '" + file.string() + "': its name has two lines");
+        if (c == '\n')
+            throw Error("cannot join '" + file.string() + "': its name contains a line break");
         text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     }
     return text + "'\n";
@@ -44,7 +45,7 @@ void joinFilms(std::span<const fs::path> parts, int frames, const fs::path& targ
                Existing existing) {
     const VideoFormat* format = videoFormatOf(target);
     if (!format || (format->codec != Codec::h264 && format->codec != Codec::vp9))
-        throw Error("film '" + target.string() + "': parts are joined into .mp4 or .webm");
+        throw Error("film '" + target.string() + "': parts can only be joined into .mp4 or .webm");
     checkReplaceable(target);
     std::string list;
     for (const fs::path& part : parts) list += quotedName(part);
@@ -59,7 +60,7 @@ void joinFilms(std::span<const fs::path> parts, int frames, const fs::path& targ
         if (ffmpeg.framesWritten() != frames || !filmIsWhole(*format, held.number()))
             throw Error("film '" + target.string() + "': of " + std::to_string(frames) +
                         " frames of its parts " + std::to_string(ffmpeg.framesWritten()) +
-                        " were joined; are they of one kind?");
+                        " were joined; are the parts of one kind?");
         publish(temporary, target, existing);
     } catch (...) {
         ::unlink(temporary.c_str());

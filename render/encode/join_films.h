@@ -1,4 +1,4 @@
-/// Films one after the other, without encoding them again.
+/// Joins films without encoding them again.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace render {
 
-/// `parts`: of one kind (.mp4 or .webm, as `target`), size and rate, encoded alike; `frames`: they
-/// have together. Whole or not at all. Throws Error, AlreadyThere.
+/// `parts`: of one kind (.mp4 or .webm, as `target`), size, rate and encoding. `frames`: the total
+/// number. The target is written completely or not at all. Throws Error, AlreadyThere.
 void joinFilms(std::span<const std::filesystem::path> parts, int frames,
                const std::filesystem::path& target, Existing existing);
 

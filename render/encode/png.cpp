@@ -14,14 +14,14 @@
 
 namespace {
 
-/// Kept for the next picture: it is a megabyte that would be cleared for every one.
+/// Kept for the next picture: it is a megabyte that would have to be cleared every time.
 libdeflate_compressor* keptCompressor() {
     thread_local const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>
         kept(libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
     return kept.get();
 }
 
-/// stb's compressor, replaced: level 1 of libdeflate is both faster and smaller.
+/// Replaces stb's compressor: level 1 of libdeflate is faster and compresses better.
 /// The buffer comes from malloc because stb frees it.
 unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, int /*quality*/) {
     libdeflate_compressor* const compressor = keptCompressor();
@@ -35,7 +35,7 @@ unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, 
     return out;
 }
 
-/// stb's own goes byte by byte.
+/// Replaces stb's own, which goes byte by byte.
 unsigned int crc32(const unsigned char* bytes, int size) {
     return libdeflate_crc32(0, bytes, static_cast<std::size_t>(size));
 }
@@ -62,14 +62,14 @@ unsigned int crc32(const unsigned char* bytes, int size) {
 namespace render {
 namespace {
 
-/// Without a way out in the middle, so that the compiler looks at many at once.
+/// Without an early exit, so that the compiler can vectorise the loop.
 bool isOpaque(const Image& image) {
     std::uint8_t all = 255;
     for (std::size_t alpha = 3; alpha < image.pixels.size(); alpha += 4) all &= image.pixels[alpha];
     return all == 255;
 }
 
-/// Four bytes are copied for three: the next pixel goes over the fourth.
+/// Copies four bytes at a time: the next pixel overwrites the fourth.
 Bytes withoutAlpha(const Image& image) {
     const std::size_t count = image.pixels.size() / 4;
     Bytes rgb(3 * count + 1);
@@ -79,11 +79,11 @@ Bytes withoutAlpha(const Image& image) {
     return rgb;
 }
 
-/// Pixels a metre, both ways: PNG 1.2, section 4.2.4.2.
+/// Pixels per metre in both directions: PNG 1.2, section 4.2.4.2.
 Bytes physicalSize(int dpi) {
     const auto perMeter = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
     Bytes chunk;
-    chunk.reserve(21);  // all of it; growing, GCC 12 warns of an overflow that cannot be
+    chunk.reserve(21);  // all of it: otherwise GCC 12 warns of an overflow that cannot happen
     addBigEndian32(chunk, 9);
     chunk.insert(chunk.end(), {'p', 'H', 'Y', 's'});
     addBigEndian32(chunk, perMeter);
@@ -143,7 +143,7 @@ void checkSize(const Image& image) {
 
 std::vector<std::uint8_t> encodePng(const Image& image, int dpi) {
     checkSize(image);
-    static const int noFilter = stbi_write_force_png_filter = 0;  // once: it is a global of stb's
+    static const int noFilter = stbi_write_force_png_filter = 0;  // once: it is global in stb
     static_cast<void>(noFilter);
     const bool opaque = isOpaque(image);
     const int channels = opaque ? 3 : 4;
@@ -153,7 +153,7 @@ std::vector<std::uint8_t> encodePng(const Image& image, int dpi) {
     const std::unique_ptr<unsigned char, decltype(&std::free)> png(
         stbi_write_png_to_mem(pixels, 0, image.width, image.height, channels, &size), &std::free);
     if (!png) throw Error("out of memory while encoding a PNG; draw smaller pictures");
-    constexpr int kHeaderEnd = 33;  // signature and IHDR, behind which pHYs may stand
+    constexpr int kHeaderEnd = 33;  // signature and IHDR, after which pHYs is allowed
     if (dpi <= 0) return {png.get(), png.get() + size};
     Bytes bytes(png.get(), png.get() + kHeaderEnd);
     const Bytes chunk = physicalSize(dpi);

@@ -22,8 +22,8 @@ void addChunk(Bytes& file, std::string_view name, std::span<const std::uint8_t> 
     addBigEndian32(file, libdeflate_crc32(0, file.data() + begin, file.size() - begin));
 }
 
-/// Every row begins with the number of its filter. Sub, the difference of each byte to the same
-/// byte of the pixel on the left, makes noughts of flat surfaces.
+/// Every row begins with the number of its filter. Sub, the difference of each byte from the same
+/// byte of the pixel on the left, turns areas of one colour into zeros.
 Bytes filtered(std::span<const std::uint16_t> samples, int height, std::size_t rowSamples,
                std::size_t channels) {
     constexpr std::uint8_t kSub = 1;

@@ -27,7 +27,7 @@ namespace render {
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
-    throw Error("PNG cannot be read: " + why + "; write the file again");
+    throw Error("the PNG cannot be read: " + why + "; write the file again");
 }
 
 }  // namespace
@@ -44,10 +44,10 @@ Image decodePng(std::span<const std::uint8_t> bytes) {
     }
     if (image.width > kLargestSide || image.height > kLargestSide) {
         refuse(std::to_string(image.width) + "x" + std::to_string(image.height) +
-               " is over 16384 pixels a side");
+               " has a side of more than 16384 pixels");
     }
-    // stb does not look at checksums and takes some torn files for whole ones
-    if (!pngIsWhole(bytes, image.width, image.height)) refuse("it is torn or damaged");
+    // stb does not check checksums and accepts some truncated files
+    if (!pngIsWhole(bytes, image.width, image.height)) refuse("it is truncated or damaged");
     const std::unique_ptr<stbi_uc, decltype(&std::free)> pixels(
         stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4),
         &std::free);

@@ -1,4 +1,4 @@
-/// PNG back to a picture: for tests, golden pictures and comparison.
+/// Reads a PNG back into a picture: for tests, golden pictures and comparison.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -8,7 +8,8 @@
 namespace render {
 
 /// Decodes one complete PNG of any kind to 8-bit RGBA; a file without alpha comes back opaque.
-/// Throws Error when the file is torn, damaged, not a PNG, or larger than 16384 on a side.
+/// Throws Error if the file is truncated, damaged, not a PNG, or has a side of more than 16384
+/// pixels.
 Image decodePng(std::span<const std::uint8_t> bytes);
 
 }  // namespace render

@@ -1,4 +1,4 @@
-/// Whether another program is there.
+/// Finds another program.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace render {
 
-/// Where PATH has a program of this name; nothing where it has none.
+/// The path of a program of this name in PATH; nothing if there is none.
 std::optional<std::filesystem::path> programPath(std::string_view name);
 
 }  // namespace render

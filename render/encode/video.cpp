@@ -37,7 +37,7 @@ void checkFilm(const fs::path& path, const VideoFormat* format, const VideoSourc
                     sizeText(width + width % 2, height + height % 2));
     }
     if (fps < 1 || fps > format->largestFps) {
-        throw Error("film " + quoted(path) + ": " + std::to_string(fps) + " frames a second; a " +
+        throw Error("film " + quoted(path) + ": " + std::to_string(fps) + " frames per second; a " +
                     format->ending + " takes 1.." + std::to_string(format->largestFps));
     }
     if (source.alpha && !format->holdsAlpha) {
@@ -62,7 +62,7 @@ VideoWriter::VideoWriter(const fs::path& path, const VideoSource& source, const 
       format_(videoFormatOf(path)) {
     checkFilm(path, format_, source);
     checkReplaceable(path);
-    // Made here and not by ffmpeg, which would write through a symlink.
+    // Created here and not by ffmpeg, which would write through a symlink.
     held_ = std::make_unique<Descriptor>(createTemporary(temporary_, path), "write a film");
     try {
         start();
@@ -113,14 +113,14 @@ void VideoWriter::close(Existing existing) {
     if (store_) encodeStored();
     if (!filmIsWhole(*format_, held_->number()))
         fail("ffmpeg reported " + std::to_string(written) +
-             " frames and left no whole film; see whether 'ffmpeg' on the PATH is the real one");
+             " frames but left no complete film; check that 'ffmpeg' on the PATH is the real one");
     try {
         publish(temporary_, target_, existing);
     } catch (const Error&) {
         abandon();
         throw;
     }
-    // An encoder whose program was killed may have made its file after this run looked for it.
+    // An encoder whose parent was killed may have created its file after this run's first sweep.
     sweepTemporaries(target_);
     ffmpeg_.reset();
     store_.reset();
@@ -148,7 +148,7 @@ void VideoWriter::abandon() noexcept {
 }
 
 void VideoWriter::failFeeding() {
-    fail((store_ ? "its frames cannot be stored beside it: " : "") + ffmpeg_->complaint());
+    fail((store_ ? "its frames cannot be stored next to it: " : "") + ffmpeg_->complaint());
 }
 
 void VideoWriter::fail(const std::string& why) {

@@ -1,4 +1,4 @@
-/// Pictures to a film: raw frames through a pipe to a child ffmpeg, no PNG in between.
+/// Writes pictures as a film: raw frames go to a child ffmpeg, without PNGs in between.
 #pragma once
 #include <chrono>
 #include <filesystem>
@@ -14,24 +14,23 @@
 
 namespace render {
 
-/// Whether the ending names a film this program writes: .mp4 .webm .gif .webp .apng
+/// Whether the path ends like a film this program can write: .mp4 .webm .gif .webp .apng
 bool isVideoName(const std::filesystem::path& path);
 
-/// A film that is whole after close() and absent otherwise: written beside the target under a
-/// temporary name, renamed at the end. Every member may throw Error with ffmpeg's own last words;
-/// nothing is left behind then.
+/// A film that is complete after close() and absent otherwise: it is written next to the target
+/// under a temporary name and renamed at the end. Every member may throw Error with ffmpeg's last
+/// message; no file is left then.
 ///
-/// A GIF, whose palette comes from all its frames, and a film that has to fit into so many bytes
-/// are stored without loss in a nameless file beside the target and encoded by close().
+/// A GIF, whose palette comes from all its frames, and a film with a size limit are first stored
+/// without loss in an unnamed file next to the target, and encoded by close().
 class VideoWriter {
 public:
-    /// `source.fps`: 1..240, of a GIF 1..50; `source.alpha`: the film shows what is behind it, in
-    /// straight form, of which a GIF has yes or no and a .mp4 nothing (Error). `patience`: a child
-    /// that neither takes frames nor uses processor time for so long is taken for hanging, and
-    /// ended.
+    /// `source.fps`: 1..240, for a GIF 1..50. `source.alpha`: the film has straight alpha; in a GIF
+    /// it is only on or off, an .mp4 has none (Error). `patience`: a child that neither takes
+    /// frames nor uses processor time for this long counts as hanging and is killed.
     VideoWriter(const std::filesystem::path& path, const VideoSource& source,
                 std::chrono::milliseconds patience = ffmpegPatience());
-    /// The same, with a limit.
+    /// The same, with a size limit.
     VideoWriter(const std::filesystem::path& path, const VideoSource& source, const Fit& fit,
                 std::chrono::milliseconds patience = ffmpegPatience());
     ~VideoWriter();
@@ -41,15 +40,15 @@ public:
     /// Appends one frame of the size given above.
     void add(const Image& image);
 
-    /// Waits for ffmpeg, checks its exit status, its count of frames and its file, renames.
+    /// Waits for ffmpeg, checks its exit status, its number of frames and its file, and renames it.
     void close(Existing existing = Existing::replaced);
 
-    /// Ends ffmpeg and removes the unfinished file; also what the destructor does without close().
+    /// Kills ffmpeg and removes the unfinished file. The destructor does so without close().
     void abandon() noexcept;
 
-    int frames() const { return frames_; }  // taken so far
+    int frames() const { return frames_; }  // added so far
 
-    /// After close(), of a film with a limit: "7.6 MB: 640x360, 15 frames/s, 128 colours".
+    /// After close(), for a film with a limit: "7.6 MB: 640x360, 15 frames/s, 128 colours".
     std::string summary() const;
 
 private:
@@ -63,10 +62,10 @@ private:
     Fit fit_;
     std::chrono::milliseconds patience_;
     const VideoFormat* format_;
-    std::unique_ptr<Descriptor> held_;  // the temporary file, so that others leave it alone
+    std::unique_ptr<Descriptor> held_;  // the temporary file, locked against other runs
     int frames_ = 0;
-    std::unique_ptr<Descriptor> store_;  // empty: encoded as the frames come
-    std::unique_ptr<Ffmpeg> ffmpeg_;     // empty after close() and abandon()
+    std::unique_ptr<Descriptor> store_;  // null: frames are encoded as they come
+    std::unique_ptr<Ffmpeg> ffmpeg_;     // null after close() and abandon()
     std::optional<Fitted> fitted_;
 };
 

@@ -9,15 +9,15 @@ namespace {
 
 constexpr bool kNoAlpha = false, kAlpha = true;
 
-// GIF counts hundredths of a second, and browsers slow a frame shorter than two to ten
+// GIF counts hundredths of a second, and browsers show frames shorter than two for ten
 constexpr VideoFormat kFormats[] = {
     {".mp4", Codec::h264, "H.264", 240, kNoAlpha}, {".webm", Codec::vp9, "VP9", 240, kAlpha},
     {".gif", Codec::gif, nullptr, 50, kAlpha},     {".webp", Codec::webp, nullptr, 240, kAlpha},
     {".apng", Codec::apng, nullptr, 240, kAlpha},
 };
 
-/// A step down: the picture's sides, the frames a second below which none is left out (0: none
-/// is), and the quality as Encoding has it.
+/// A step of the ladder: the scale of the picture's sides, the lowest rate that leaving out frames
+/// may give (0: none is left out), and the quality as in Encoding.
 struct Rung {
     double side;
     int leastFps;
@@ -82,7 +82,7 @@ Arguments start() {
             "error",  "-y",       "-progress",    "pipe:1"};
 }
 
-/// rgb0 is RGBA whose fourth byte is ignored: the picture goes out as it lies in memory.
+/// rgb0 is RGBA whose fourth byte is ignored: the picture is sent as it is in memory.
 Arguments rawInput(const VideoSource& source) {
     return {"-f",
             "rawvideo",
@@ -96,8 +96,8 @@ Arguments rawInput(const VideoSource& source) {
             "-"};
 }
 
-/// Frames left out and pictures made smaller; ends with a comma when there is anything to do. A
-/// colour that nobody sees must not bleed into its neighbours, hence the premultiplied scaling.
+/// Leaves out frames and scales pictures down; ends with a comma unless it is empty. Scaling is
+/// premultiplied, so that the colours of transparent pixels do not bleed into their neighbours.
 std::string reduction(const VideoSource& source, const Encoding& encoding) {
     std::string chain;
     if (encoding.everyNth > 1) chain += "framestep=" + std::to_string(encoding.everyNth) + ",";
@@ -108,8 +108,8 @@ std::string reduction(const VideoSource& source, const Encoding& encoding) {
     return chain + "format=gbrap,premultiply=inplace=1," + scale + "unpremultiply=inplace=1,";
 }
 
-/// Without these ffmpeg converts by the matrix of standard definition, and players guess another.
-/// The flags make the conversion the same on every CPU.
+/// Without these ffmpeg converts with the matrix of standard definition, and players guess another
+/// one. The flags make the conversion the same on every CPU.
 Arguments yuv(const VideoSource& source, const std::string& before, const Arguments& codec) {
     const std::string convert =
         "scale=in_range=full:out_range=tv:out_color_matrix=bt709:"
@@ -128,7 +128,7 @@ Arguments yuv(const VideoSource& source, const std::string& before, const Argume
     return all;
 }
 
-/// Key frames as close as they are asked for, of the frames that are kept.
+/// The requested distance of key frames, counted in frames that are kept.
 Arguments keyed(const VideoSource& source, const Encoding& encoding, const Arguments& codec) {
     if (source.keyEvery == 0) return codec;
     Arguments all = {"-g", std::to_string(encoding.framesOf(source.keyEvery))};
@@ -136,8 +136,8 @@ Arguments keyed(const VideoSource& source, const Encoding& encoding, const Argum
     return all;
 }
 
-/// One palette for the whole film, of what moves; ordered dither stays still between frames. The
-/// frames come twice, since a filter that splits them would keep all of them in memory.
+/// One palette for the whole film, from the moving parts; ordered dither is stable between frames.
+/// The frames are read twice, since a filter that splits them would keep all of them in memory.
 std::string paletteGraph(const std::string& before, int colours) {
     return "[0:v]" + before + "palettegen=stats_mode=diff:max_colors=" + std::to_string(colours) +
            "[p];[1:v]" + before +
@@ -160,7 +160,7 @@ Arguments codecArguments(const VideoFormat& format, const VideoSource& source,
                        keyed(source, encoding,
                              {"-c:v", "libx264", "-preset", "fast", "-crf", quality, "-movflags",
                               "+faststart", "-f", "mp4"}));
-        case Codec::vp9:  // alternative reference frames cannot have alpha
+        case Codec::vp9:  // no alternative reference frames with alpha
             return yuv(source, before,
                        keyed(source, encoding,
                              {"-c:v", "libvpx-vp9", "-crf", quality, "-b:v", "0", "-deadline",
@@ -183,12 +183,12 @@ Arguments codecArguments(const VideoFormat& format, const VideoSource& source,
                {"-c:v", "apng", "-plays", "0", "-f", "apng"});
 }
 
-/// The encoders' bits depend on the number of threads, by default that of the machine.
+/// The encoders' output depends on the number of threads, which by default is that of the machine.
 void finish(Arguments& all, const Arguments& codec, const std::string& output) {
     append(all, {"-an", "-threads", "4", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v",
                  "+bitexact"});
     append(all, codec);
-    all.push_back("file:" + output);  // names that begin with '-' or hold ':'
+    all.push_back("file:" + output);  // for names that begin with '-' or contain ':'
 }
 
 std::string nameOf(int file) { return "/proc/self/fd/" + std::to_string(file); }

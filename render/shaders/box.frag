@@ -11,8 +11,7 @@ uniform float lineStrength;     // 0..1
 layout(location = 0) out vec4 result;
 layout(location = 1) out int seen;
 
-// How much of a line along the face's edges covers the pixel. On small faces it never takes more
-// than a fair share.
+// Coverage of the pixel by the lines along the face's edges. They fade on small faces.
 float lineCover(vec2 inner) {
     vec2 perPixel = 1.0 / (fwidth(onFace) + 1e-6);
     vec2 pixels = inner * perPixel, size = halfFace * perPixel;
@@ -31,7 +30,7 @@ void main() {
     result = vec4(color, 1.0);
 #else
 #ifdef EDGES
-    // A rounded edge: the normal leans out over the last stretch before it.
+    // A rounded edge: the normal leans outwards near the edge.
     vec2 lean = sign(onFace) * (1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, inner));
     normal = normalize(normal + 0.55 * (worldU * lean.x + worldV * lean.y));
 #endif

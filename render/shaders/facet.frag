@@ -10,7 +10,7 @@ uniform float lineStrength;     // 0..1
 layout(location = 0) out vec4 result;
 layout(location = 1) out int seen;
 
-// As on a box, but none along edges of less than 10 degrees, and a full one from 30 on.
+// As on a box, but with no line at edges of less than 10 degrees, and a full one from 30 on.
 float lineCover() {
     vec3 pixel = fwidth(edgeDistances) + 1e-6;
     vec3 bend = vec3(length(lean0), length(lean1), length(lean2));
@@ -29,7 +29,7 @@ void main() {
     result = vec4(color, 1.0);
 #else
 #ifdef EDGES
-    // A rounded edge, as a box's.
+    // A rounded edge, as on a box.
     vec3 near = 1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, edgeDistances);
     normal = normalize(normal + 0.55 * (lean0 * near.x + lean1 * near.y + lean2 * near.z));
 #endif

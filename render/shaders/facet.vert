@@ -15,14 +15,13 @@ uniform float thinnestOfUnit;               // of the half sizes, before it is s
 out vec3 world, worldNormal;
 out vec3 tint;                              // linear; with LIT_CORNERS: sRGB
 out vec3 edgeDistances;                     // m
-out vec3 lean0, lean1, lean2;               // from the normal to the mean one at an edge
+out vec3 lean0, lean1, lean2;               // from the normal to the mean normal at an edge
 flat out float thinnest, halfFace;          // m
 flat out int surface;
 
 vec3 scaledNormal(vec3 n) { return normalize(n / scale); }
 
-// As long as the tangent of half the angle between the normals; at sharper edges than a box's no
-// longer than at those.
+// Its length is the tangent of half the angle between the normals, but at most that of a box.
 vec3 lean(vec3 n, vec3 other) {
     vec3 m = scaledNormal(other);
     vec3 v = (m - dot(n, m) * n) / max(1.0 + dot(n, m), 0.01);

@@ -3,14 +3,14 @@
 in vec3 place;                        // in the shadow map
 in vec2 grid;                         // m, on the plane
 uniform vec3 groundColor, lineColor;  // linear
-uniform vec3 ambientLight, fullSun;   // on a plane that sees all of them, linear
+uniform vec3 ambientLight, fullSun;   // on a fully lit plane, linear
 uniform float lineStrength;
-uniform float perCell;                // 1 / m between thin lines; five of them make a strong one
+uniform float perCell;                // 1 / m between thin lines; every fifth is strong
 uniform int surface;
 layout(location = 0) out vec4 result;
 layout(location = 1) out int seen;
 
-// How much lines cover of the pixel: every fifth is a strong one. Grey where they get too dense.
+// Coverage of the pixel by grid lines; every fifth is a strong one. They fade where they get dense.
 float lines() {
     vec2 at = grid * perCell, number = floor(at + 0.5);
     vec2 pixel = max(fwidth(at), vec2(1e-6));
@@ -29,7 +29,7 @@ vec3 light() {
 }
 
 #ifdef SHADOW_CATCHER
-// Black, as much of it as light is missing: over any background it looks like the shadow.
+// Black, with the missing share of light as alpha: over any background it looks like the shadow.
 void main() {
     float share = dot(light(), vec3(1.0)) / dot(ambientLight + fullSun, vec3(1.0));
     seen = surface;

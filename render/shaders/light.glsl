@@ -7,12 +7,12 @@ uniform float fogStart, fogDistance;  // m
 #include "shadow_place.glsl"
 #include "shadow.glsl"
 
-// A corner that sees little of the sky sees a little less of a sun that is no point.
+// A point that sees little of the sky also sees a little less of the sun, which is not a point.
 float sunShare(vec3 place, float sees) {
     return sunlit(place) * (0.7 + 0.3 * sees);
 }
 
-// Sun and sky on a matt surface; `shine`: how much of a lacquer is on it.
+// Sun and sky on a matt surface; `shine`: strength of the gloss on it.
 vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
     float sees = open();
     float sun = max(dot(normal, toSun), 0.0) * sunShare(shadowPlace(world, normal), sees);
@@ -28,7 +28,7 @@ vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
 }
 
 // clear^2, clear = 1 / (1 + ((depth - start) / distance)^2), with depth = 1 / gl_FragCoord.w along
-// the view axis: rows of ground keep one colour, which PNG takes for nothing.
+// the view axis: rows of ground keep one colour, which costs nothing in a PNG.
 float clearness() {
     float near = gl_FragCoord.w * fogDistance, past = max(1.0 - gl_FragCoord.w * fogStart, 0.0);
     float clear = near * near / (near * near + past * past);

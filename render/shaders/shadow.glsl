@@ -1,12 +1,12 @@
-// What reaches a point from the sun, at a place p in its map, and from the sky.
+// The share of the sun's and of the sky's light that reaches a point; p: the point in the map.
 
 #if defined(SOFT_SHADOWS) || defined(HARD_SHADOWS)
 uniform sampler2DShadow shadowMap;
-uniform float shadowSize;          // texels a side
+uniform float shadowSize;          // texels per side
 #endif
 
 #ifdef SOFT_SHADOWS
-// Sixteen texels by four gathers, weighted so that the kernel moves smoothly with the point.
+// Sixteen texels from four gathers, weighted so that the kernel moves smoothly with the point.
 float sunlit(vec3 p) {
     vec2 t = p.xy - 0.5;
     vec2 f = fract(t), g = 1.0 - f;
@@ -22,7 +22,7 @@ float sunlit(vec3 p) {
     return (lower + upper) / 9.0;
 }
 #elif defined(HARD_SHADOWS)
-// One of many sub-frames, each with the sun in another place: their mean is soft.
+// For one of many sub-frames with different sun directions: their mean is soft.
 float sunlit(vec3 p) {
     return texture(shadowMap, vec3(p.xy / shadowSize, p.z));
 }
@@ -31,7 +31,7 @@ float sunlit(vec3 p) { return 1.0; }
 #endif
 
 #ifdef OCCLUSION
-uniform sampler2D openMap;      // how much of the sky a point sees
+uniform sampler2D openMap;      // visible share of the sky
 float open() { return texelFetch(openMap, ivec2(gl_FragCoord.xy), 0).r; }
 #else
 float open() { return 1.0; }

@@ -3,8 +3,8 @@ uniform vec3 toSun;             // unit
 uniform mat4 worldToShadow;     // to texels; z to 0..1
 uniform float shadowTexel;      // m
 
-// In the shadow map. Moved out along the normal by what a kernel's width hides at this slant: no
-// acne, no gap.
+// The point in the shadow map. It is moved along the normal by what the kernel's width needs at
+// this slant: no shadow acne, no gap.
 vec3 shadowPlace(vec3 world, vec3 normal) {
     float slant = 1.0 - max(dot(normal, toSun), 0.0);
     vec3 lifted = world + normal * shadowTexel * (1.0 + 2.6 * slant);

@@ -1,6 +1,6 @@
 #version 330 core
-in float up;                                    // of a ray as long as 1 along the view axis
-uniform vec3 fogColor, horizonColor, topColor;  // sRGB: mixed as they are seen
+in float up;                                    // of a ray of length 1 along the view axis
+uniform vec3 fogColor, horizonColor, topColor;  // sRGB, mixed in sRGB
 layout(location = 0) out vec4 result;
 layout(location = 1) out int seen;
 void main() {

@@ -55,7 +55,7 @@ TEST(BreakTorque, IsThatOfTheLever) {
     }
 }
 
-// What was jointed did not collide; once broken it does.
+// Joined bodies do not collide; after the joint breaks they do.
 TEST(BreakForce, WhatFallsAsleepBrokenWakesAndCollides) {
     Settings settings = Settings::steady();
     settings.sleeping = true;

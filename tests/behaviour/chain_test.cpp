@@ -69,7 +69,7 @@ TEST(Chain, SwingsAThousandKilogramsWithoutTearingOrGaining) {
     EXPECT_LT(gain, 5e-3);
 }
 
-// Parallel hinges between two banks hold the directions across twice.
+// Parallel hinges between two banks constrain the perpendicular directions twice.
 TEST(Bridge, OfHingesAtBothBanksCarriesAFallingCrate) {
     World world;
     const BodyId left = world.add(support::fixed(Shape::box({1, 1, 2}), {-5.5, 0, 0}));

@@ -1,4 +1,4 @@
-// mission 28: constraints that contradict each other settle between what they want (second seed).
+// mission 28: constraints that contradict each other settle between their targets (second seed).
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -7,7 +7,7 @@
 namespace engine {
 namespace {
 
-/// A ball that two ball joints want at x = +reach and at x = -reach (m), the first one first.
+/// A ball that two ball joints pull to x = +reach and to x = -reach (m), in this order.
 World tornBall(const Settings& settings, double reach) {
     World world(settings);
     world.setGravity(Vec3::Zero());
@@ -24,25 +24,25 @@ World tornBall(const Settings& settings, double reach) {
 
 double restOf(World& world) {
     support::run(world, 100);
-    EXPECT_EQ(world.velocity({2}), Vec3(0, 0, 0));  // nudges are no velocity
+    EXPECT_EQ(world.velocity({2}), Vec3(0, 0, 0));  // nudges add no velocity
     return world.pose({2}).position.x();
 }
 
-// x -> x + beta (1 - x) -> x + beta (-1 - x): what stays is -beta / (2 - beta) = -0.111111. At a
-// tenth of the size: the engine moves a body by 0.2 m a nudge at most (nudges.cpp, kMostNudge).
+// x -> x + beta (1 - x) -> x + beta (-1 - x): the limit is -beta / (2 - beta) = -0.111111. At a tenth of the
+// size, because the engine moves a body by at most 0.2 m per nudge (nudges.cpp, kMostNudge).
 TEST(Contradiction, SettlesWhereTheLastJointIsATouchNearer) {
     World world = tornBall(Settings::seed(), 0.1);
     EXPECT_NEAR(restOf(world) / 0.1, -0.2 / 1.8, 1e-12);
     EXPECT_NEAR(restOf(world) / 0.1, -0.111111, 5e-7);
 }
 
-// With 1 m either way beta C = 0.2 (1 -+ x) is more than the 0.2 m, and both pull alike.
+// With 1 m on both sides beta C = 0.2 (1 -+ x) exceeds the 0.2 m, and both pull equally.
 TEST(Contradiction, SettlesInTheMiddleWhereBothNudgesAreCutOff) {
     World world = tornBall(Settings::seed(), 1.0);
     EXPECT_NEAR(restOf(world), 0.0, 1e-12);
 }
 
-// Every other share and any number of nudges a step end at the same place.
+// Any other share and any number of nudges per step end at the same place.
 TEST(Contradiction, SettlesAtMinusBetaOverTwoLessBeta) {
     for (const double beta : {0.1, 0.3, 0.5, 0.9}) {
         Settings settings = Settings::seed();
@@ -53,7 +53,7 @@ TEST(Contradiction, SettlesAtMinusBetaOverTwoLessBeta) {
     }
 }
 
-/// Eight links, straight from post to post: no slack, and next to no way to give an error a direction.
+/// Eight links, straight from post to post, without slack: they can hardly correct errors along the chain.
 struct TautChain {
     World world;
     BodyId right;
@@ -94,8 +94,7 @@ TEST(TautChain, HangsBetweenItsPosts) {
         }
 }
 
-// Half a metre too far for two seconds, then back: it comes apart by no more than it has to, about, and
-// mends.
+// Half a metre too far for two seconds, then back: it separates hardly more than necessary, and closes again.
 TEST(TautChain, DrawnOutComesApartAndMends) {
     TautChain chain(Settings::steady());
     support::run(chain.world, 60);

@@ -1,4 +1,4 @@
-// Joints that hold directions only: axis and look-at.
+// Joints that constrain only directions: axis and look-at.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -13,7 +13,8 @@ using support::kGravity;
 using support::kStep;
 using support::run;
 
-// A tray stays level while it falls and spins freely: places are free, and the turn about the axis.
+// A tray stays level while it falls and spins freely: positions and the rotation about the axis are
+// free.
 TEST(AxisJoint, KeepsADirectionAndNothingElse) {
     World world;
     const BodyId hook = world.add(support::hook());
@@ -31,7 +32,7 @@ TEST(AxisJoint, KeepsADirectionAndNothingElse) {
     EXPECT_NEAR(world.joint(id).force.norm(), 0.0, 1e-12);
 }
 
-// Another axis of b is brought to the one of a.
+// Another axis of b is aligned with the axis of a.
 TEST(AxisJoint, BringsTwoDirectionsTogether) {
     World world = support::weightless();
     const BodyId hook = world.add(support::hook()), arrow = world.add(ballOf(2, 0.1, {3, 1, 0}));
@@ -42,7 +43,7 @@ TEST(AxisJoint, BringsTwoDirectionsTogether) {
     EXPECT_LT((world.pose(arrow).rotation * local - Vec3::UnitY()).norm(), 1e-5);
 }
 
-// A lamp on its stand follows what moves past (second seed, 'Pointing towards a point').
+// A lamp on its stand follows a passing body (second seed, 'Pointing towards a point').
 TEST(LookAtJoint, PointsAtWhatMoves) {
     World world;
     BodyDef target = support::hook({0, 2, 4});

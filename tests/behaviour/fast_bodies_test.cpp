@@ -1,5 +1,5 @@
-// Bodies that cover many times their size in one step: none passes what it should hit, and none is
-// stopped by what it only passes.
+// Bodies that move many times their size in one step: they neither pass through what they should hit, nor are
+// stopped by what they only pass.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -14,15 +14,15 @@ using support::kStep;
 using support::run;
 using support::weightless;
 
-constexpr double kFast = 200.0;  // m/s: 3.3 m a step
+constexpr double kFast = 200.0;  // m/s: 3.3 m per step
 const Vec3 kThin{0.02, 60, 60};  // m, a wall across x
 
-/// Toward +x, turned out of it.
+/// A direction turned away from +x.
 Vec3 heading(double degreesUp, double degreesAside) {
     return engine::turnAboutXyz({0, radians(degreesAside), radians(degreesUp)}) * Vec3::UnitX();
 }
 
-/// Starts `ahead` metres before a point of the wall and flies at it.
+/// A body that starts `ahead` metres before a point of the wall and flies at it.
 BodyDef thrown(const Shape& shape, const Vec3& direction, double ahead) {
     BodyDef def = body(shape, Vec3(-0.06 - ahead, 0, 0) - direction.cwiseProduct(Vec3(0, 1, 1)) *
                                                               (ahead / direction.x()));
@@ -30,7 +30,7 @@ BodyDef thrown(const Shape& shape, const Vec3& direction, double ahead) {
     return def;
 }
 
-/// The farthest x that the body's centre comes to while it is beside the wall.
+/// The largest x of the body's centre while it is next to the wall.
 double farthest(World& world, BodyId id, int steps) {
     double x = -1e9;
     for (int i = 0; i < steps; ++i) {
@@ -107,7 +107,7 @@ TEST(FastRod, DoesNotPassAThinWall) {
 }
 
 TEST(FastRod, ASpinningRodDoesNotSweepThroughABall) {
-    for (int k = 0; k < 24; ++k) {  // the rod's tip runs at 50 m/s, 0.83 m a step
+    for (int k = 0; k < 24; ++k) {  // the rod's tip moves at 50 m/s, 0.83 m per step
         World world = weightless();
         BodyDef rod = body(Shape::box({0.02, 2, 0.02}), Vec3::Zero(), 100.0);
         rod.spin = {0, 0, 50};
@@ -137,8 +137,8 @@ TEST(FastBodies, TwoBulletsMeet) {
         }
 }
 
-// The arms of the impulse have to be those of the impact, several metres on: with any others the bullet
-// is spun instead of being turned away.
+// The impulse needs the arms at the impact, several metres ahead: with other arms the bullet is spun instead
+// of deflected.
 TEST(FastBodies, ABulletGlancesOffAHeavyBallThatComesTowardIt) {
     for (const double offset : {0.0, 0.1, 0.2, 0.3})
         for (int k = 0; k < 12; ++k) {
@@ -233,7 +233,7 @@ TEST(FastBox, TumblesOntoTheFloorWithoutSinkingIn) {
         const BodyId id = world.add(def);
         worst = std::min(worst, lowestCorner(world, id, 40));
     }
-    EXPECT_GT(worst, -0.03);  // a corner sweeps 20 cm a step
+    EXPECT_GT(worst, -0.03);  // a corner moves 20 cm per step
 }
 
 /// A ball through a row of plates: hits, misses and throws.
@@ -252,7 +252,7 @@ TEST(FastBodies, TheOrderOfBodiesDoesNotMatter) {
     World one = shooting(true), other = shooting(false);
     run(one, 10), run(other, 10);
     EXPECT_GT(one.velocity({1}).x(), 10.0);  // it was hit
-    for (const int i : {0, 1}) {  // of 200 m/s; an island on the move is swept four times
+    for (const int i : {0, 1}) {  // of 200 m/s; a moving island is swept four times
         EXPECT_LT((one.pose({i}).position - other.pose({1 - i}).position).norm(), 1e-2);
         EXPECT_LT((one.velocity({i}) - other.velocity({1 - i})).norm(), 5e-2);
     }
@@ -264,7 +264,7 @@ TEST(FastBodies, TheSameThrowGivesTheSameBits) {
     EXPECT_EQ(one.hash(), other.hash());
 }
 
-// In a gap that the margin would not see: the first hit throws the second ball at the third.
+// A gap larger than the margin: the first hit throws the second ball at the third.
 TEST(FastBodies, ABodyThatIsHitDoesNotEnterItsNeighbour) {
     for (const double gap : {0.03, 0.06, 0.1}) {
         World world = weightless();

@@ -1,4 +1,4 @@
-// Forces besides gravity, against what a formula says of the motion.
+// Forces besides gravity, compared with closed forms of the motion.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -10,7 +10,7 @@ namespace {
 
 using support::kGravity;
 
-/// One body, one force, four sub-steps a step.
+/// One body, one force, four sub-steps per step.
 struct Flight {
     World world;
     BodyId body;
@@ -42,7 +42,7 @@ TEST(DragForce, DecaysByTheSameShareInEverySubstep) {
     for (int i = 0; i < 240; ++i) v *= 1.0 - 0.8 * h / 2.0, w *= 1.0 - 0.05 * h / 0.2;
     EXPECT_NEAR(flight.velocity().x(), v, 1e-12);
     EXPECT_NEAR(flight.world.spin(flight.body).y(), w, 1e-12);
-    EXPECT_NEAR(v, 3.0 * std::exp(-0.4), 2e-3);  // which is nearly e^(-c t / m)
+    EXPECT_NEAR(v, 3.0 * std::exp(-0.4), 2e-3);  // nearly e^(-c t / m)
 }
 
 TEST(DragForce, LetsAFallingBodyReachMGOverC) {
@@ -92,7 +92,7 @@ TEST(MediumForce, CarriesABodyAlongWithTheWind) {
     EXPECT_LT((flight.velocity() - Vec3(3, 0, -4)).norm(), 0.01);
 }
 
-// A cube of half the density of water floats half under.
+// A cube of half the density of water floats half submerged.
 TEST(MediumForce, LetsACubeFloatAtItsDensity) {
     Flight flight(support::body(Shape::box({1, 1, 1}), {0, 0.4, 0}, 300.0), kDown);
     flight.add(Medium{.density = 1000, .dragCoefficient = 1.0, .level = 0.0});
@@ -163,7 +163,7 @@ TEST(SpringForces, SwingWithTheirPeriod) {
     EXPECT_NEAR(world.energy().total(), 6.25, 0.05);
 }
 
-/// A bob of 2 kg that a spring of `hz` pulls along x towards 1 m, 0.3 m off; without gravity.
+/// A bob of 2 kg pulled along x towards 1 m by a spring of `hz`, from 0.3 m off, without gravity.
 struct Swing {
     World world;
     BodyId bob;
@@ -178,7 +178,7 @@ struct Swing {
         world.add(ForceDef{spring, {hook, bob}});
     }
     double stretch() const { return world.pose(bob).position.x() - 1.0; }
-    /// The largest stretch from `from` to `until` (s), of 0.3 m at first.
+    /// The largest stretch between `from` and `until` (s); it begins with 0.3 m.
     double amplitude(double from, double until) {
         double largest = 0.0;
         while (world.report().time < until) {
@@ -189,7 +189,7 @@ struct Swing {
     }
 };
 
-// From 0.1 Hz to a twentieth of the steps a second.
+// From 0.1 Hz to a twentieth of the step rate.
 TEST(SpringForces, SwingAHundredTimesWithoutDamping) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()})
         for (const double hz : {0.1, 0.7, 1.5, 3.0}) {
@@ -241,7 +241,7 @@ TEST(SpringForces, AreStableInANet) {
     const BodyId ball = world.add(support::body(Shape::sphere(0.9), {2.5, 1.5, 2.5}, 1.0));
     const double most = world.energy().kinetic + world.energy().potential;
     for (int i = 0; i < 600; ++i) {
-        world.step(support::kStep);  // what such springs hold is not k C^2 / 2
+        world.step(support::kStep);  // the energy in such springs is not k C^2 / 2
         EXPECT_LT(world.energy().kinetic + world.energy().potential, most + 1e-3) << i;
     }
     EXPECT_GT(world.pose(ball).position.y(), 0.0);
@@ -264,7 +264,7 @@ TEST(SpringForces, PullBothEndsAlike) {
     EXPECT_NEAR(length, 1.0, 0.2);
 }
 
-// F t = m v, for the time it lasts, and along the body's own axis as the body turns.
+// F t = m v while the force lasts, along the body's own axis as the body turns.
 TEST(ConstantForces, ActForTheirTime) {
     World world;
     world.setGravity(Vec3::Zero());
@@ -297,7 +297,7 @@ TEST(ConstantForces, OffTheCentreTurnABody) {
     EXPECT_EQ(flight.world.spin(flight.body), spin);
 }
 
-// The glide ratio is C_L / C_D: sink / way, with the wing held level by a heavy tail of drag.
+// The glide ratio is C_L / C_D, with the wing held level by a tail of large drag.
 TEST(AirfoilForce, AGliderSinksByDragOverLift) {
     BodyDef def = support::body(Shape::box({0.5, 0.1, 0.2}), Vec3::Zero(), 1.0);
     Mat3 stiff = Mat3::Identity() * 1e6;  // keeps its attitude

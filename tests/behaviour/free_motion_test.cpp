@@ -28,7 +28,7 @@ double fallIn(int steps, int substeps = 1) {
     return world.pose(ball).position.y();
 }
 
-// y_n = -g dt^2 n (n + 1) / 2, exactly what v-then-x integration adds up to
+// y_n = -g dt^2 n (n + 1) / 2, the exact sum of v-then-x integration
 TEST(FreeFall, FollowsTheSemiImplicitSum) {
     EXPECT_NEAR(fallIn(60), -4.98675, 1e-12);
     EXPECT_NEAR(fallIn(60), -kGravity * kStep * kStep * 60 * 61 / 2, 1e-12);
@@ -73,8 +73,8 @@ TEST(AppliedForce, ActsForOneStepOnly) {
     EXPECT_NEAR(world.velocity(id).x(), 12 * kStep / 2.0, 1e-15);
 }
 
-// mission 3: forces may depend on rotation too. A torsion spring of 2 rad/s, by formula beside the
-// engine: w -= k/I a h, then a += h w.
+// mission 3: forces may depend on rotation too. A torsion spring of 2 rad/s, compared with a
+// formula: w -= k/I a h, then a += h w.
 TEST(ForceField, MayDependOnRotation) {
     World world(oneSubstep());
     world.setGravity(Vec3::Zero());

@@ -1,4 +1,4 @@
-// A free body against the closed solution of Euler's equations in Jacobi's functions (Landau and
+// A free body compared with the closed solution of Euler's equations in Jacobi's functions (Landau and
 // Lifshitz, Mechanics, section 37), from needles to plates, up to 200 rad/s.
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ struct Closed {
     Closed(const Vec3& moments, const Vec3& start) : inertia(moments), spin(start) {
         const double i1 = inertia[0], i2 = inertia[1], i3 = inertia[2];
         const double a = i1 * spin[0] * spin[0], c = i3 * spin[2] * spin[2];
-        // L^2 - 2 E I1 and so on, without taking differences of what is nearly equal
+        // L^2 - 2 E I1 and so on, without differences of nearly equal numbers
         const double over1 = c * (i3 - i1), over2 = c * (i3 - i2) - a * (i2 - i1);
         rate = std::sqrt((i3 - i2) * over1 / (i1 * i2 * i3));
         m1 = (i3 - i1) * over2 / ((i3 - i2) * over1);
@@ -52,8 +52,8 @@ struct Closed {
         const Vec3 l = momentumAt(t), w = spinAt(t);
         return l.norm() * (l[1] * w[1] + l[2] * w[2]) / (l[1] * l[1] + l[2] * l[2]);
     }
-    /// L lies along the world's x axis: psi and theta are read off L in body axes, phi is the integral
-    /// of its rate, by Simpson's rule.
+    /// L is along the world's x axis: psi and theta follow from L in body axes, phi is the integral of its
+    /// rate, by Simpson's rule.
     Quat rotationAt(double t) const {
         const Vec3 l = momentumAt(t);
         const int cuts = 2 * static_cast<int>(200.0 * (1.0 + t * spin.norm()));
@@ -80,8 +80,8 @@ protected:
         const Vec3 d = sizes().cwiseProduct(sizes());
         return Vec3(d[1] + d[2], d[0] + d[2], d[0] + d[1]) / 12.0;
     }
-    /// Turning about the middle axis but for a thousandth, most of the time: the case in which errors
-    /// grow fastest. On the way from one turn to the next the middle part is 0, and there it starts.
+    /// Rotation about the middle axis except for a thousandth, most of the time: the case in which errors
+    /// grow fastest. Between two flips the middle component is 0; the motion starts there.
     static Closed motion() {
         const Vec3 i = moments();
         const double w = GetParam().spin;
@@ -138,7 +138,7 @@ TEST_P(FreeRotation, KeepsEnergyAndMomentumForAMinute) {
     }
 }
 
-// No upper bound of the spin but the engine's own: a needle and a ball near 1e4 rad/s.
+// The only bound of the spin is the engine's own: a needle and a ball near 1e4 rad/s.
 TEST(FastSpin, TurnsAsFarAsItsSpinSaysAtAnySpeed) {
     World world;
     world.setGravity(Vec3::Zero());

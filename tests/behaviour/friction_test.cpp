@@ -12,7 +12,8 @@ using support::kGravity;
 using support::kStep;
 using support::run;
 
-/// Contacts as rows in double precision and eight side by side in single; how exact either is, m/s^2.
+/// Contacts as rows in double precision, and eight side by side in single precision; the accuracy of each,
+/// m/s^2.
 struct Form {
     bool lanes;
     double exact;
@@ -25,7 +26,7 @@ Settings settingsOf(const Form& form) {
     return settings;
 }
 
-/// A plane that falls towards +x at the angle, and a body on it.
+/// A plane inclined by the angle, down towards +x, and a body on it.
 struct Incline {
     World world;
     BodyId rider;
@@ -49,7 +50,7 @@ struct Incline {
     double speed() const { return world.velocity(rider).dot(downhill); }
 };
 
-/// m/s^2 downhill, over the second second: the first holds the landing.
+/// m/s^2 downhill, during the second second; the first includes the landing.
 double acceleration(Incline& incline) {
     run(incline.world, 60);
     const double before = incline.speed();
@@ -84,7 +85,7 @@ TEST(Incline, ASphereRollsWithFiveSevenths) {
         }
 }
 
-// and below that it slips, with the box's law
+// Below that it slips, like the box.
 TEST(Incline, ASphereSlipsOnIce) {
     for (const Form& form : kForms)
         for (const double mu : {0.1, 0.16}) {

@@ -1,4 +1,4 @@
-// mission 6: a box spun about its middle axis flips, again and again (Dzhanibekov).
+// mission 6: a box spun about its middle axis flips repeatedly (Dzhanibekov).
 #include <gtest/gtest.h>
 
 #include "engine/shapes/mass.h"
@@ -49,7 +49,7 @@ TEST(Gyroscope, ImplicitEulerFlipsAndNeverGainsEnergy) {
 
 TEST(Gyroscope, MomentumFlipsAndKeepsEnergyAndMomentum) {
     Spin spin(Gyroscope::momentum, 4);
-    // {0.1, 5, 0.1} lies on the separatrix, L^2 = 2 E I: one flip, and no more of them ever.
+    // {0.1, 5, 0.1} is on the separatrix, L^2 = 2 E I: one flip only.
     spin.world.setVelocity(spin.id, Vec3::Zero(), {0.1, 5.0, 0.05});
     const double energy = spin.world.energy().total();
     const Vec3 momentum = spin.momentum();

@@ -1,4 +1,4 @@
-// Limits of joints' coordinates: where they stop, and what they carry there.
+// Limits of joints' coordinates: where they stop, and the load they carry there.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -13,7 +13,7 @@ using support::kGravity;
 using support::kStep;
 using support::run;
 
-// Counted over the turn: 5 rad/s for 2 s would be 573 degrees.
+// Full turns are counted: 5 rad/s for 2 s would be 573 degrees.
 TEST(HingeLimit, StopsAt400Degrees) {
     World world = support::weightless();
     const BodyId hook = world.add(support::hook()), wheel = world.add(ballOf(2, 0.3, {0, 0, 0}));
@@ -62,7 +62,8 @@ TEST_P(HingeLimitBy, HoldsAnArmAtItsAngle) {
     const JointId id = world.add(def);
     run(world, 180);
     EXPECT_NEAR(world.joint(id).position, radians(-30), 1e-5);
-    // Sequential impulses solve the point exactly, in a tree; the others leave it to a nudge a step.
+    // Sequential impulses solve the point exactly, in a tree; the other methods leave it to one nudge per
+    // step.
     const double apart = GetParam() == Method::impulses ? 1e-6 : 1e-3;  // m
     EXPECT_NEAR(world.pose(bob).position.y(), -0.5, 1e-4 + apart);
     EXPECT_LT(world.joint(id).separation, apart);
@@ -71,7 +72,7 @@ TEST_P(HingeLimitBy, HoldsAnArmAtItsAngle) {
     EXPECT_NEAR(world.joint(id).force.y(), 3.0 * kGravity, 0.02);
 }
 
-// Nothing is different until it is reached.
+// A limit changes nothing until it is reached.
 TEST(HingeLimit, OutOfReachLeavesAPendulumAlone) {
     Vec3 at[2];
     for (const bool limited : {false, true}) {
@@ -93,8 +94,8 @@ TEST(HingeLimit, OutOfReachLeavesAPendulumAlone) {
     EXPECT_LT((at[0] - at[1]).norm(), 1e-6);
 }
 
-// An arm of eight held out by its limits: every one of them carries all that comes after it. Limits are
-// swept one after the other, and give by a third of a degree.
+// An arm of eight links held out by limits: each carries all links after it. Limits are swept one after the
+// other, and yield by a third of a degree.
 TEST(HingeLimit, HoldsAChainStiff) {
     World world;
     BodyId last = world.add(support::hook());
@@ -113,13 +114,13 @@ TEST(HingeLimit, HoldsAChainStiff) {
         EXPECT_NEAR(world.joint(joints[i]).position, radians(-5), radians(0.5)) << i;
         EXPECT_LT(world.joint(joints[i]).separation, 1e-3);
     }
-    // links i to 7 hang on hinge i; the first one's moment is that of all about the wall
+    // links i to 7 hang on hinge i; the moment of the first is that of all links about the wall
     double moment = 0.0;
     for (int i = 1; i <= 8; ++i) moment += kGravity * world.pose({i}).position.x();
     EXPECT_NEAR(world.joint(joints[0]).torque.z(), moment, 0.02 * moment);
 }
 
-// A shoulder: an arm held out falls to the edge of its cone, whichever way gravity pulls it.
+// A shoulder: an arm falls to the edge of its cone, whatever the direction of gravity.
 TEST(BallLimit, HoldsAPendulumInItsCone) {
     for (const Vec3& pull : {Vec3(0, -9.81, 0), Vec3(0, 3, 6), Vec3(1, -4, 5)}) {
         World world;
@@ -158,7 +159,7 @@ TEST(BallLimit, StopsItsTwist) {
     EXPECT_NEAR(world.joint(id).position, radians(-45), 1e-6);
 }
 
-// Slack it carries nothing and the ball falls freely; taut, its weight.
+// A slack rope carries nothing and the ball falls freely; a taut rope carries its weight.
 TEST(Rope, GoesSlackAndTaut) {
     World world;
     const BodyId hook = world.add(support::hook());
@@ -182,7 +183,7 @@ TEST(Rope, GoesSlackAndTaut) {
     EXPECT_EQ(world.joint(id).force.norm(), 0.0);
 }
 
-// Sag of a spring of w = 2 pi hz is g / w^2; the stop below is not reached, or is.
+// Sag of a spring of w = 2 pi hz is g / w^2; the stop below is either reached or not.
 TEST(SoftDistance, SagsToItsStop) {
     for (const double stop : {2.0, 1.05}) {
         World world;
@@ -215,7 +216,7 @@ TEST(SliderLimit, StopsAtBothEnds) {
     EXPECT_NEAR(world.joint(id).position, 0.25, 1e-6);
 }
 
-// Two bounds that are one hold like a row of the joint.
+// Two equal bounds hold like a row of the joint.
 TEST(SliderLimit, OfTwoEqualBoundsHoldsItThere) {
     World world;
     const BodyId hook = world.add(support::hook()), block = world.add(ballOf(1, 0.1, {0, 0, 0}));

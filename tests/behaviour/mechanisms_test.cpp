@@ -1,5 +1,5 @@
-// Mechanisms without friction keep their energy, for as long as one likes: chains of any number of
-// links, by any joint, released level; loops.
+// Mechanisms without friction keep their energy for any time: chains of any number of links, with any joint,
+// released level; and loops.
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.h"
@@ -9,7 +9,7 @@ namespace {
 
 using support::body;
 
-/// The lowest and the highest energy of a run, less the first and over the given scale.
+/// The lowest and the highest energy of a run, relative to the first, divided by the given scale.
 struct Swing {
     double low = 0.0, high = 0.0, separation = 0.0;
 
@@ -24,7 +24,7 @@ struct Swing {
     }
 };
 
-/// `links` of half a metre, level, the first on a hook; `scale` is what they lose until they hang.
+/// `links` of half a metre, level, the first on a hook; `scale` is the energy they lose until they hang.
 World levelChain(int links, JointType type, const Settings& settings, double& scale) {
     World world(settings);
     BodyId last = world.add(support::hook());
@@ -83,7 +83,7 @@ TEST(ChainAt240Hz, LosesLessThanAPercent) {
     EXPECT_GT(swing.low, -0.01);
 }
 
-// Parallel hinges hold a loop of four bars three times more than it needs.
+// Parallel hinges constrain a loop of four bars three times too often.
 TEST(FourBars, KeepTheirEnergyInALoop) {
     for (const JointType type : {JointType::hinge, JointType::ball}) {
         World world;
@@ -140,7 +140,7 @@ TEST(SliderCrank, KeepsItsEnergy) {
     }
 }
 
-// A pendulum that hangs from a block on a rail, and one on that of another, which is carried along.
+// A pendulum on a block on a rail, and one on the block of another slider that is carried along.
 TEST(Sliders, KeepTheirEnergyInAChain) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
         World world(settings);

@@ -45,7 +45,7 @@ TEST(HingeMotor, OfSpeedZeroIsABrake) {
     EXPECT_NEAR(world.joint(id).position, 1.0, 0.01);  // w^2 I / 2 M
 }
 
-/// Where a lift of 2 kg is after 2 s, by a motor of this strength.
+/// The position of a lift of 2 kg after 2 s, with a motor of this strength.
 JointState lift(double strength, const Settings& settings = Settings::steady()) {
     World world(settings);
     const BodyId hook = world.add(support::hook()), cabin = world.add(ballOf(2, 0.1, {0, 0, 0}));

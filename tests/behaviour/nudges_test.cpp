@@ -1,4 +1,4 @@
-// mission 26, 27: position errors, taken away by nudges or by Baumgarte's bias.
+// mission 26, 27: position errors, removed by nudges or by Baumgarte's bias.
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/rotation.h"
@@ -19,7 +19,7 @@ Settings seedWith(int nudges, double factor) {
     return s;
 }
 
-/// A ball joint with its anchors `error` (m) apart, nothing else.
+/// A ball joint with its anchors `error` (m) apart, and nothing else.
 World drifted(const Settings& settings, double error = 0.1) {
     World world(settings);
     world.setGravity(Vec3::Zero());
@@ -50,8 +50,8 @@ TEST(Nudges, TakeAnOverlapAwayInTheSameWay) {
     EXPECT_EQ(world.velocity(ball), Vec3(0, 0, 0));
 }
 
-// C and J again in every sweep: a ball held at an arm of 0.8 m, on a rod that is too short. By
-// formula beside the engine; with the first J in all eight sweeps the ball ends up 6 mm elsewhere.
+// C and J are evaluated again in every sweep: a ball held at an arm of 0.8 m, on a rod that is too
+// short, compared with a formula. With the first J in all eight sweeps the ball ends 6 mm away.
 TEST(Nudges, EvaluateCAndJAnewInEverySweep) {
     World world(seedWith(8, 0.2));
     world.setGravity(Vec3::Zero());
@@ -90,8 +90,8 @@ TEST(Nudges, PutATreeRightAtOnceAndItStaysStill) {
     EXPECT_NEAR(world.pose({1}).position.norm(), 0.0, 1e-12);
 }
 
-// mission 26: b = beta C / dt: (1 - beta)^k; 0.2 gives 0.167772 after 8 steps. For rows that hold
-// both ways: a contact may not pull, keeps the speed of the first step and jumps (below).
+// mission 26: b = beta C / dt: (1 - beta)^k; 0.2 gives 0.167772 after 8 steps. For equality rows; a
+// contact may not pull, keeps the speed of the first step and jumps (below).
 TEST(Baumgarte, DecaysGeometrically) {
     Settings s = seedWith(0, 0.0);
     s.baumgarte = 0.2;
@@ -110,7 +110,7 @@ TEST(Baumgarte, DivergesAboveTwo) {
     EXPECT_NEAR(world.pose({1}).position.x(), 0.001 * std::pow(1.0 - 2.1, 30), 1e-12);  // x 17
 }
 
-/// Highest point of a ball that starts 0.5 m deep in the floor, above its rest.
+/// Highest point, above its rest position, of a ball that starts 0.5 m deep in the floor.
 double highest(const Settings& settings) {
     World world(settings);
     world.add(support::floorPlane());

@@ -1,4 +1,4 @@
-// solver/paces.h: an island is cut into as many sub-steps as it asks for, and no other with it.
+// solver/paces.h: an island gets as many sub-steps as it needs, without affecting others.
 #include <gtest/gtest.h>
 
 #include "engine/base/hash.h"
@@ -14,7 +14,7 @@ using support::run;
 
 enum class Beside { nothing, heavyOnLight, column, fastWheel, motor };
 
-/// A body far from the pyramid, or some, that ask for more sub-steps than it does.
+/// One or more bodies far from the pyramid that need more sub-steps than it does.
 void addBeside(World& world, Beside what) {
     const Vec3 at{40, 0, 0};
     if (what == Beside::heavyOnLight) {
@@ -43,7 +43,7 @@ Outcome pyramidBeside(Beside what, Settings settings, bool lanes) {
     settings.lanes = lanes;
     World world(settings);
     world.add(support::floorPlane());
-    constexpr int kRows = 9;  // more than 64 contacts: a group of its own
+    constexpr int kRows = 9;  // more than 64 contacts: its own group
     for (int row = 0; row < kRows; ++row)
         for (int i = 0; i < kRows - row; ++i)
             world.add(body(Shape::box({1, 1, 1}), {1.05 * (i + 0.5 * row), row + 0.52, 0}));
@@ -63,7 +63,7 @@ Outcome pyramidBeside(Beside what, Settings settings, bool lanes) {
     return outcome;
 }
 
-// In lanes; row by row all contacts are one problem, swept until the worst is satisfied.
+// Only in lanes; row by row all contacts are one problem, swept until the worst is satisfied.
 TEST(Paces, TroubleElsewhereChangesNoBitOfAPyramid) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
         const Outcome alone = pyramidBeside(Beside::nothing, settings, true);
@@ -103,7 +103,7 @@ Vec3 momentumOf(const World& world) {
     return sum;
 }
 
-// Islands of unlike strides meet: what one gets the other loses, and nothing comes from nowhere.
+// Islands of different strides meet: momentum is conserved, and energy does not grow.
 TEST(Paces, IslandsThatMeetKeepMomentumAndGainNoEnergy) {
     for (const bool lanes : {true, false}) {
         World world = rodsAndBoxes(lanes);
@@ -122,7 +122,7 @@ TEST(Paces, IslandsThatMeetKeepMomentumAndGainNoEnergy) {
     }
 }
 
-// A ball falls from its own pace onto a column that goes at another: it rests there.
+// A ball falls onto a column with another stride and rests there.
 TEST(Paces, ABallThatLandsOnAColumnRestsOnIt) {
     World world = support::stack(14, Settings::steady(), 0.6, 1.0);
     BodyDef box = body(Shape::box({0.5, 0.5, 0.5}), {0, 16.0, 0});
@@ -133,7 +133,8 @@ TEST(Paces, ABallThatLandsOnAColumnRestsOnIt) {
     EXPECT_LT(world.velocity(dropped).norm(), 1e-3);
 }
 
-// What moves in every sub-step takes whoever it carries along: a lift under a pile, beside a wheel.
+// A body that acts in every sub-step makes those it carries do so too: a lift under a pile, next to
+// a wheel.
 TEST(Paces, ALiftCarriesItsPileBesideAFastWheel) {
     World world;
     BodyDef lift = support::fixed(Shape::box({4, 0.2, 4}), {0, 0, 0});

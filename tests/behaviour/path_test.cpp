@@ -94,7 +94,7 @@ TEST(Path, IsFoundAnewByABodyThatIsPutElsewhere) {
     EXPECT_NEAR(wire.world.pose(wire.bead).position.x(), 3.0, 0.01);
 }
 
-// Up and down the hills of a closed track at one speed; after a round it is where it began.
+// Over the hills of a closed track at constant speed; after one lap it is back at the start.
 TEST(Path, AMotorKeepsItsSpeedRoundATrack) {
     const std::vector<Vec3> track = {{1, 0, 0}, {0, 0.5, 1}, {-1, 0, 0}, {0, -0.3, -1}};
     Wire wire(track, true, {1.0, kUnlimited});

@@ -47,7 +47,8 @@ TEST(Pendulum, SwingsInTheTimeOfTheEllipticIntegral) {
     EXPECT_NEAR(period(p, 5), 2.367842, 0.003 * 2.367842);
 }
 
-// The error goes with the step, so two steps give the limit (Richardson), to the mission's digits.
+// The error is proportional to the step, so two step lengths give the limit (Richardson), to the
+// mission's digits.
 TEST(Pendulum, TendsToTheEllipticIntegralWithTheStep) {
     Pendulum whole(90), half(90);
     const double t1 = period(whole, 5, 1.0 / 1920), t2 = period(half, 5, 1.0 / 3840);
@@ -74,7 +75,8 @@ TEST(Pendulum, KeepsItsEnergyForAMinute) {
     EXPECT_LT(p.world.joint(p.joint).separation, 1e-6);
 }
 
-// What the feedback of nudges is for: without it (joints as rows) two thirds are gone.
+// The purpose of the feedback of nudges: without it (joints as rows) two thirds of the energy are
+// lost.
 TEST(Pendulum, LosesEnergyWhenOnlyNudged) {
     Settings rows = Settings::steady();
     rows.joints = JointSolving::rows;

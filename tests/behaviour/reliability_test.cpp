@@ -1,4 +1,4 @@
-// No non-finite state is ever passed on, and nothing that is put together badly hurts.
+// Non-finite states do not spread, and badly built scenes do no harm.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -34,7 +34,7 @@ TEST(Trouble, ABodyThatIsPushedByNoNumberIsTakenOutAndTheRestGoesOn) {
         EXPECT_LT((world.pose(id).position - Vec3(0, id.index - 0.5, 0)).norm(), 2e-3);
 }
 
-// Nobody pushed it: whoever it was joined to or touched goes with it, and nobody else.
+// Without an external cause: only the bodies it was joined to or touched are removed with it.
 TEST(Trouble, AForceFieldWithoutANumberTakesWhatItSpoiled) {
     World world = support::stack(2);
     const BodyId left = world.add(body(Shape::sphere(0.5), {20, 5, 0}));

@@ -1,4 +1,4 @@
-// mission 24, 25: what lies still keeps its contacts.
+// mission 24, 25: resting bodies keep their contacts.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -32,7 +32,7 @@ double reboundHeight(double e, const Settings& settings) {
 TEST(Restitution, RisesToESquared) {
     for (const double e : {0.3, 0.5, 0.8, 1.0}) {
         EXPECT_NEAR(reboundHeight(e, Settings::steady()), 2.0 * e * e, 2e-3) << e;
-        // Up to half a step's fall is lost or won where the hit lies between two steps.
+        // Up to half a step's fall is lost or gained if the hit is between two steps.
         EXPECT_NEAR(reboundHeight(e, Settings::seed()), 2.0 * e * e, 0.25) << e;
     }
 }
@@ -40,7 +40,7 @@ TEST(Restitution, RisesToESquared) {
 /// A ball dropped from a metre, for a minute: the height of every bounce, by its energy.
 struct Bounces {
     std::vector<double> heights;  // m
-    double lowest = 1.0;          // m, of its lowest point at the ends of steps
+    double lowest = 1.0;          // m, of its lowest point at ends of steps
 
     Bounces(double e, const Settings& settings) {
         World world(settings);
@@ -76,11 +76,11 @@ TEST(Restitution, RisesToEToTheTwiceNthAndComesToRest) {
         ASSERT_GE(bounces.heights.size(), 8u);
         for (int n = 0; n < 8; ++n)
             EXPECT_NEAR(bounces.heights[n] / std::pow(0.64, n + 1), 1.0, 0.005) << n;
-        EXPECT_GT(bounces.lowest, -6e-4);  // and lies on the floor at the end
+        EXPECT_GT(bounces.lowest, -6e-4);  // and rests on the floor at the end
     }
 }
 
-// A ball thrown at the floor, which slips, or grips and leaves rolling: mu (1 + e) v against 2/7 v.
+// A ball thrown at the floor slips, or grips and leaves rolling: mu (1 + e) v compared with 2/7 v.
 TEST(Restitution, OfAnObliqueHitIsNewtonsAndCoulombs) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()})
         for (const double v : {3.0, 10.0, 30.0, 100.0})
@@ -125,7 +125,7 @@ TEST(Restitution, ABoxDroppedFlatStaysFlat) {
     }
 }
 
-// One ball in, one ball out: momentum and energy leave no other choice for equal masses.
+// One ball in, one ball out: for equal masses, momentum and energy allow nothing else.
 TEST(Cradle, ABlowTravelsThroughARowOfTouchingBalls) {
     World world;
     world.setGravity(Vec3::Zero());

@@ -1,4 +1,4 @@
-// Rolling resistance against closed forms: a moment of rho times the load, about the line of contact.
+// Rolling resistance compared with closed forms: a moment of rho times the load, about the line of contact.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -28,7 +28,7 @@ Settings settingsOf(const Solving& how) {
     return settings;
 }
 
-/// A plane that falls towards +x, and something round on it.
+/// A plane inclined down towards +x, and a round body on it.
 struct Slope {
     World world;
     BodyId rider;
@@ -126,7 +126,7 @@ TEST(RollingResistance, IsTheLargerOfTheTwoSurfaces) {
     EXPECT_EQ(speedOn(0.01, 0.02), slowed);
 }
 
-// What acts between two balls turns one as it turns the other back.
+// The moment between two balls acts on both with opposite signs.
 TEST(RollingResistance, ChangesNoAngularMomentum) {
     for (const bool lanes : {false, true}) {
         Settings settings = Settings::steady();

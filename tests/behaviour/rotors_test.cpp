@@ -1,4 +1,4 @@
-// Inertia along a joint's coordinate: a rotor that turns with it and weighs nothing.
+// Inertia along a joint's coordinate: a weightless rotor that turns with it.
 #include <gtest/gtest.h>
 
 #include "tests/support/joints.h"
@@ -37,7 +37,7 @@ Settings substeps(int count) {
     return settings;
 }
 
-/// J in 5 s. A rod's end, hung on the body before; both of the rods' joints have a rotor.
+/// The energy lost in 5 s, J, by two rods in a chain whose joints both have a rotor.
 double energyLost(double inertia, const Settings& settings) {
     World world(settings);
     BodyId before = world.add(support::hook());
@@ -56,8 +56,8 @@ double energyLost(double inertia, const Settings& settings) {
     return start - world.energy().total();
 }
 
-// What turning adds to the rate of a coordinate reaches the rotor a sub-step later: they meet like
-// clay, and of energy is lost what falls with the length of a sub-step.
+// The rotor follows a change of its coordinate's rate by rotation one sub-step later, as in an inelastic
+// impact; the energy lost is proportional to the sub-step.
 TEST(Rotor, TakesLessEnergyFromADoublePendulumTheShorterTheStep) {
     const double scale = 2.0 * kGravity;  // J, of two rods that fall by a metre
     for (const double inertia : {0.01, 0.3, 5.0}) {
@@ -70,7 +70,7 @@ TEST(Rotor, TakesLessEnergyFromADoublePendulumTheShorterTheStep) {
 }
 
 TEST(Rotor, SwingsASpringMoreSlowly) {
-    // w^2 = k / (m + I): half a period after it was let go it is on the other side.
+    // w^2 = k / (m + I): half a period after its release it is on the other side.
     World world = support::weightless();
     const BodyId hook = world.add(support::hook()), weight = world.add(ballOf(1, 0.1, {0, 0, 0}));
     JointDef def = jointAt(world, JointType::slider, hook, weight, Vec3::Zero(), {1, 0, 0});
@@ -85,7 +85,7 @@ TEST(Rotor, SwingsASpringMoreSlowly) {
 }
 
 TEST(Rotor, IsNotThrownOutward) {
-    // On an arm that turns at W:  (m + I) r'' = m W^2 r. Only what weighs feels the turning.
+    // On an arm that turns at W:  (m + I) r'' = m W^2 r. The centrifugal force acts only on m.
     World world(substeps(16));
     world.setGravity(Vec3::Zero());
     BodyDef turning = support::hook();

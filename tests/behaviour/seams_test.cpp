@@ -1,4 +1,4 @@
-// Floors of many pieces are as smooth as they look: nothing catches where one ends and the next begins.
+// Floors of many pieces are smooth: bodies do not catch where one piece ends and the next begins.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kTiles = 60;  // of 1 m, in a row along x
 
-/// A flat mesh of 1 m by 0.7 m; `off`: how far its corners lie beside their places.
+/// A flat mesh of 1 m by 0.7 m; `off`: how far its corners are displaced.
 Shape flatMesh(double off) {
     support::Random random(3);
     constexpr int kRows = 12, kColumns = kTiles + 1;
@@ -86,7 +86,7 @@ struct Bumps {
     double spin = 0.0;    // rad/s
 };
 
-/// The worst of a slide over the whole floor, or of twenty seconds.
+/// The worst values of a slide over the whole floor, or during twenty seconds.
 Bumps slide(Floor floor, const Slider& slider, double speed, const Settings& settings) {
     World world(settings);
     addFloor(world, floor);

@@ -1,4 +1,4 @@
-// Turning handed on: universal and constant velocity joints, gears.
+// Transmitted rotation: universal and constant velocity joints, gears.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -12,8 +12,8 @@ using support::jointAt;
 using support::kStep;
 using support::run;
 
-/// Two shafts that meet at the origin at the angle beta: the first is driven at 3 rad/s, the second
-/// is held along its own line.
+/// Two shafts that meet at the origin at the angle beta: the first is driven at 3 rad/s, the second is held
+/// along its own axis.
 struct Shafts {
     World world = support::weightless();
     BodyId first, second;
@@ -29,7 +29,7 @@ struct Shafts {
         JointDef hinge = jointAt(world, JointType::hinge, hook, first, {0, 0, -0.5}, along1);
         hinge.free[0].motor = {3.0, kUnlimited};
         drive = world.add(hinge);
-        // the pin of the first lies in the plane of the shafts, that of the second across it
+        // the pin of the first is in the plane of the shafts, that of the second perpendicular to it
         const bool pins = type == JointType::universal;
         joint = world.add(jointAt(world, type, first, second, Vec3::Zero(),
                                   pins ? Vec3::UnitX() : along1,
@@ -40,7 +40,7 @@ struct Shafts {
     double speed2() const { return world.spin(second).dot(along2); }
 };
 
-// w2 / w1 = cos beta / (1 - sin^2 beta cos^2 alpha), alpha from the pin in the plane of the shafts
+// w2 / w1 = cos beta / (1 - sin^2 beta cos^2 alpha), alpha measured from the pin in the plane of the shafts
 TEST(UniversalJoint, HandsOnTheSpeedOfCardansFormula) {
     for (const double degrees : {15.0, 30.0, 45.0}) {
         const double beta = radians(degrees);
@@ -75,7 +75,7 @@ TEST(ConstantVelocityJoint, HandsOnTheSpeedAsItIs) {
     }
 }
 
-// alpha = M / (I_a + r^2 I_b): the second wheel counts with the square of the ratio.
+// alpha = M / (I_a + r^2 I_b): the second wheel is weighted with the square of the ratio.
 TEST(Gear, TurnsAtItsRatio) {
     for (const double ratio : {-2.0, 0.5}) {
         World world = support::weightless();
@@ -97,7 +97,7 @@ TEST(Gear, TurnsAtItsRatio) {
     }
 }
 
-// Axes may be at right angles, and a belt goes the same way round.
+// Axes may be at right angles, and a belt drives both wheels in the same direction.
 TEST(Gear, JoinsAxesOfAnyDirection) {
     World world = support::weightless();
     const BodyId hook = world.add(support::hook());
@@ -110,7 +110,7 @@ TEST(Gear, JoinsAxesOfAnyDirection) {
     world.add(gear);
     world.setVelocity(a, Vec3::Zero(), {0, 0, 4});
     run(world, 120);
-    // I_a w_a + r I_b w_b is kept: w_a = 4 * 0.3 / (0.3 + 9 * 0.1)
+    // I_a w_a + r I_b w_b is conserved: w_a = 4 * 0.3 / (0.3 + 9 * 0.1)
     EXPECT_NEAR(world.joint(first).speed, 1.0, 1e-4);
     EXPECT_NEAR(world.joint(second).speed, 3.0, 3e-4);
 }

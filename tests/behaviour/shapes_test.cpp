@@ -76,7 +76,7 @@ TEST_P(Stacks, OfTenStandOnAPlaneAndOnAMesh) {
 
 INSTANTIATE_TEST_SUITE_P(All, Stacks, testing::Range(0, 8));
 
-/// Cones carry on their tips: seven plates, each on three cones.
+/// Cones support loads on their tips: seven plates, each on three cones.
 TEST(Cones, CarryPlatesOnTheirTips) {
     World world;
     world.add(support::floorPlane());
@@ -125,7 +125,7 @@ TEST(Meshes, ABallRollsOverAFlatGridWithoutABump) {
     EXPECT_NEAR(world.velocity(ball).z(), 0.4, 1e-3);
 }
 
-/// A valley z-wise flat: h = |x| slope; what is dropped into it comes to rest at its bottom.
+/// A valley along z: h = |x| slope; bodies dropped into it come to rest at the bottom.
 TEST(Meshes, WhatIsDroppedIntoAValleyStaysInIt) {
     constexpr int kPoints = 21;
     std::vector<double> heights;
@@ -157,7 +157,7 @@ TEST(Meshes, HoldFromTheirFrontOnly) {
     world.setVelocity(below, {0, 2, 0}, Vec3::Zero());
     support::run(world, 90);
     EXPECT_GT(world.pose(above).position.y(), 0.19);
-    EXPECT_GT(world.pose(below).position.y(), 1.9);  // let through
+    EXPECT_GT(world.pose(below).position.y(), 1.9);  // passed through
 }
 
 TEST(FastShapes, DoNotPassThroughAMesh) {

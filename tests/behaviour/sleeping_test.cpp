@@ -1,4 +1,4 @@
-// Islands fall asleep when they rest, all of them or none, and stay where they are to the bit
+// Islands fall asleep as a whole when they rest, and then stay where they are to the bit
 // (engine/dynamics/sleep.h).
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST_P(SleepingStack, WakesWithTheImpulsesThatCarriedIt) {
     run(world, 1);
     EXPECT_EQ(sleepers(world), 0);
     EXPECT_NEAR(loadOf(world), 4 * kMass * kGravity, 0.01 * 4 * kMass * kGravity);
-    EXPECT_NEAR(height(world, {4}), before, 1e-4);  // from nothing it falls by 1 mm and more
+    EXPECT_NEAR(height(world, {4}), before, 1e-4);  // without them it falls by 1 mm or more
     run(world, 60);
     EXPECT_EQ(sleepers(world), 4);
 }
@@ -84,7 +84,7 @@ TEST(Sleeping, IsOfIslands) {
     EXPECT_EQ(sleepers(world), 2);
     EXPECT_FALSE(world.isAsleep(far));
     for (int i = 0; i < 60; ++i) {
-        world.applyForce(far, {0, 0, 100});  // too little to move it, but it is no rest
+        world.applyForce(far, {0, 0, 100});  // too little to move it, but it counts as not resting
         world.step(kStep);
         ASSERT_FALSE(world.isAsleep(far));
     }
@@ -94,7 +94,7 @@ TEST(Sleeping, IsOfIslands) {
     EXPECT_EQ(sleepers(world), 2);
 }
 
-// A pendulum's turning points are slow, but not for long: it swings as if nothing could sleep.
+// A pendulum is slow at its turning points, but not for long: it swings as if sleeping were off.
 TEST(Sleeping, APendulumNeverSleepsAtItsTurningPoint) {
     World world(sleepy()), other;
     for (World* w : {&world, &other}) {
@@ -109,7 +109,7 @@ TEST(Sleeping, APendulumNeverSleepsAtItsTurningPoint) {
     EXPECT_EQ(world.hash(), other.hash());
 }
 
-// The plank could sleep, but for the ball that rolls on it.
+// The plank could sleep without the ball that rolls on it.
 TEST(Sleeping, IsOfAWholeIslandOrOfNone) {
     World world(sleepy());
     world.add(support::floorPlane());
@@ -181,7 +181,7 @@ struct HangingChain {
     }
 };
 
-// Without a sweep a joint gives what it starts from.
+// Without sweeps a joint's impulse is its start value.
 TEST(Sleeping, JointsKeepTheirForceForAStepOfAnotherLength) {
     Settings settings = sleepy();
     settings.joints = JointSolving::rows;
@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(Joints, SleepingChain,
                                                                     : "weld";
                          });
 
-/// Five stacks, one after the other hit by a ball while others sleep.
+/// Five stacks, hit by a ball one after the other while others sleep.
 std::vector<std::uint64_t> hashesOf(const Settings& settings) {
     World world(settings);
     world.add(support::floorPlane());
@@ -268,7 +268,7 @@ TEST(Sleeping, GivesTheSameBitsInEveryRunAndOnAllInstructions) {
     EXPECT_EQ(first, hashesOf(baseline));
 }
 
-// A stack beside one that is hit goes on sleeping, and the hit one does what it does alone.
+// A stack next to one that is hit keeps sleeping, and the hit one behaves as if it were alone.
 TEST(Sleeping, ChangesNothingForThoseAwake) {
     World one(sleepy()), both(sleepy());
     both.add(support::floorPlane()), one.add(support::floorPlane());
@@ -285,7 +285,7 @@ TEST(Sleeping, ChangesNothingForThoseAwake) {
     EXPECT_TRUE(both.isAsleep(far));
 }
 
-/// Balls in a square of 4 by 4, jointed along both sides, held at two corners, let go at the level.
+/// Balls in a square of 4 by 4, joined along both sides, held at two corners, released level.
 std::vector<BodyId> addNet(World& world) {
     std::vector<BodyId> net;
     const auto joint = [&](int a, int b) {
@@ -304,7 +304,7 @@ std::vector<BodyId> addNet(World& world) {
     return net;
 }
 
-// The trees are cut again when a lamp on a chain falls asleep; the net must not feel it.
+// The trees are rebuilt when a lamp on a chain falls asleep; this must not affect the net.
 TEST(Sleeping, ChangesNothingForJointsThatPull) {
     World one(sleepy()), both(sleepy());
     const std::vector<BodyId> inOne = addNet(one), inBoth = addNet(both);

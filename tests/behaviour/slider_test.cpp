@@ -13,13 +13,13 @@ using support::kGravity;
 using support::kStep;
 using support::run;
 
-/// What v-then-x integration of a constant acceleration adds up to.
+/// The sum of v-then-x integration with a constant acceleration.
 double fallen(double acceleration, const World& world, int steps) {
     const double n = steps * world.report().substeps, h = kStep / world.report().substeps;
     return 0.5 * acceleration * h * h * n * (n + 1);
 }
 
-/// A block that hangs beside a rail of 30 degrees down along x.
+/// A block hanging next to a rail inclined by 30 degrees, down along x.
 struct SlopingRail {
     World world;
     BodyId block;
@@ -40,7 +40,7 @@ struct SlopingRail {
     }
 };
 
-/// All locked but the way along x.
+/// All locked except translation along x.
 JointDef sixDofSlider() {
     JointDef def;
     def.type = JointType::sixDof;
@@ -57,7 +57,7 @@ TEST(Slider, SlidesDownWithGSin) {
         EXPECT_NEAR(state.speed, kGravity, 1e-6);
         EXPECT_LT(state.separation, 1e-9);
         EXPECT_LT(it.world.spin(it.block).norm(), 1e-9);
-        // the rail pushes across itself: m g cos 30
+        // the rail pushes perpendicular to itself: m g cos 30
         EXPECT_NEAR(state.force.norm(), 3 * kGravity * cosine(radians(30)), 1e-4);
         EXPECT_NEAR(state.force.dot(it.down), 0.0, 1e-6);
     }
@@ -78,7 +78,8 @@ TEST(Slider, IsTheSameByEveryMethod) {
     }
 }
 
-// Carried by what turns: the rod of a governor. In its own axes the block feels w^2 r outwards.
+// On a rotating rod, as in a governor. In the rod's axes the block is accelerated by w^2 r
+// outwards.
 TEST(Slider, IsFlungOutByWhatTurns) {
     World world = support::weightless();
     BodyDef drum = support::hook();

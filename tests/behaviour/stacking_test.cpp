@@ -1,4 +1,4 @@
-// mission 35 (Catto 2005) and what the default solver is for.
+// mission 35 (Catto 2005) and the purpose of the default solver.
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.h"
@@ -10,7 +10,7 @@ using support::body;
 using support::kStep;
 using support::run;
 
-/// Largest way of any box from where it was put.
+/// Largest displacement of any box from its start.
 double drift(const World& world) {
     double worst = 0.0;
     for (int i = 1; i < world.bodyCount(); ++i)
@@ -23,11 +23,11 @@ double drift(const World& world) {
 TEST(Catto2005, TenBoxesStandWithCaching) {
     World world = support::stack(10, Settings::seed(), 0.2, 1.0);
     run(world, 600);
-    EXPECT_GT(world.pose({10}).position.y(), 9.4);  // it sways, and stands
+    EXPECT_GT(world.pose({10}).position.y(), 9.4);  // it sways but stands
 }
 
-/// Steps until the top of `count` boxes, put down a millimetre off, has fallen by half a box; 1200
-/// when it stands for 20 s.
+/// Steps until the top of `count` boxes, placed a millimetre off, has fallen by half a box; 1200 if it stands
+/// for 20 s.
 int stepsUntilTheFall(int count, bool caching) {
     Settings settings = Settings::seed();
     settings.warmStart = caching;
@@ -40,7 +40,7 @@ int stepsUntilTheFall(int count, bool caching) {
 }
 
 // and three fall without: after 14 s with the seed's nudges, ten within a second. (With Baumgarte's
-// bias instead of nudges even four stand for a minute: its push replaces the impulse not kept.)
+// bias instead of nudges even four stand for a minute: its push replaces the missing cached impulse.)
 TEST(Catto2005, ThreeBoxesFallWithoutCaching) {
     EXPECT_LT(stepsUntilTheFall(3, false), 1200);
     EXPECT_LT(stepsUntilTheFall(10, false), 90);
@@ -74,7 +74,7 @@ TEST(Steady, TwentyBoxesStandWhenPutDownBadly) {
     EXPECT_LT(drift(world), 5e-3);
 }
 
-/// A stack put down by a hand: every box 0.1 mm and 0.2 mrad off.
+/// A stack as placed by hand: every box 0.1 mm and 0.2 mrad off.
 World handmade(int count, const Settings& settings) {
     World world = support::stack(count, settings);
     support::Random random(7);
@@ -97,8 +97,8 @@ TEST(Columns, OfTwentyAndThirtyStandForMinutesInBothPresets) {
         }
 }
 
-// The wider a heap is, the less it sways: it is not cut finer for its height.
-/// Sub-steps of boxes beside and on each other in preset `fast`, which has two.
+// A wide heap sways less: it does not need more sub-steps for its height.
+/// Sub-steps of boxes next to and on each other in preset `fast`, which has two.
 int substepsOf(int wide, int tall, int deep) {
     World world(Settings::fast());
     world.add(support::floorPlane());

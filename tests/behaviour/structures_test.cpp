@@ -1,4 +1,4 @@
-// What people build to see whether an engine holds it: tall stacks, card houses, towers, dominoes.
+// Structures that people build to test an engine: tall stacks, card houses, towers, dominoes.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -15,7 +15,7 @@ BodyDef rough(BodyDef def, double friction) {
     return def;
 }
 
-/// m: the longest way of a body from where it is said to have begun.
+/// The largest displacement of a body from its start, m.
 double moved(const World& world, const std::vector<Vec3>& start) {
     double most = 0.0;
     for (int i = 0; i < static_cast<int>(start.size()); ++i)
@@ -49,10 +49,10 @@ TEST(Structures, ATowerOfThirtyLayersStands) {
         }
     const std::vector<Vec3> start = places(world);
     run(world, 600);
-    EXPECT_LT(moved(world, start), 20e-3);  // 18 m high, it sways a little, but comes to no harm
+    EXPECT_LT(moved(world, start), 20e-3);  // 18 m high, it sways a little without damage
 }
 
-/// Pairs of leaning cards, a card laid over every gap, and a storey less above.
+/// Pairs of leaning cards, a card over every gap, and one pair less on each storey.
 World cardHouse(int storeys, double friction) {
     constexpr double kLength = 1.5, kThickness = 0.02;  // m
     const double lean = radians(15.0), s = sine(lean), c = cosine(lean);
@@ -92,7 +92,7 @@ TEST(Structures, AHouseOfSlipperyCardsFalls) {
     EXPECT_GT(moved(world, start), 0.5);
 }
 
-/// A row, so far from each other; the first begins to turn at `push` (rad/s).
+/// A row of dominoes at a distance; the first begins to turn at `push` (rad/s).
 World dominoes(int count, double apart, double push) {
     World world;
     world.add(rough(support::floorPlane(), 0.6));
@@ -122,14 +122,14 @@ TEST(Structures, DominoesStandUntilTheFirstIsPushed) {
     expectAllFallen(pushed);
 }
 
-// Each only reaches the next when it is nearly down, and slips on it as it goes on.
+// Each reaches the next only when it is nearly down, and then slips on it.
 TEST(Structures, DominoesAtTheirHeightFromEachOtherFallToo) {
     World world = dominoes(15, 1.01, 2.5);
     run(world, 900);
     expectAllFallen(world);
 }
 
-/// Loops of rods: what one forest of joints cannot take is left to the next (solver/joint_forests.h).
+/// Loops of rods: joints that do not fit in one forest are left to the next (solver/joint_forests.h).
 struct Net {
     static constexpr int kSide = 8;
     World world;

@@ -1,5 +1,6 @@
 // mission 3: three bodies of unit mass that chase each other along a figure eight (Moore 1993;
-// Chenciner and Montgomery 2000). Forces that depend on positions, asked for in every sub-step.
+// Chenciner and Montgomery 2000). The forces depend on positions and are evaluated in every
+// sub-step.
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.h"
@@ -30,7 +31,7 @@ struct FigureEight {
         s.substeps = s.maxSubsteps = 1;
         return s;
     }
-    /// Largest distance of a body from where it set out, after one period in steps of about dt.
+    /// Largest distance of a body from its start after one period, in steps of about dt.
     double closure(double dt) {
         const int steps = static_cast<int>(kPeriod / dt + 0.5);
         support::run(world, steps, kPeriod / steps);
@@ -52,7 +53,7 @@ TEST(ThreeBodies, CloseTwiceAsWellInHalfTheStep) {
     EXPECT_NEAR(whole / half, 2.0, 0.02);
 }
 
-// Forces between the bodies alone: the centre of mass stays, and nothing is gained.
+// Only forces between the bodies: the centre of mass stays, and no energy is gained.
 TEST(ThreeBodies, KeepTheirCentreOfMass) {
     FigureEight eight;
     support::run(eight.world, 6000);

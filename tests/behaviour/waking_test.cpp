@@ -1,4 +1,4 @@
-// What sleeps wakes when anything could move it (engine/world_sleep.h).
+// Sleeping bodies wake when anything could move them (engine/world_sleep.h).
 #include <gtest/gtest.h>
 
 #include "tests/support/sleepers.h"
@@ -8,7 +8,7 @@ namespace {
 
 using namespace support;
 
-// What the hit does is what it does to a stack that never slept.
+// A hit has the same effect as on a stack that never slept.
 TEST(Waking, ABallThatHitsAStackWakesItInTime) {
     World world = sleepingStack(5), awake = support::stack(5);
     run(awake, 180);
@@ -34,10 +34,10 @@ TEST(Waking, ABallThatHitsAStackWakesItInTime) {
     EXPECT_GT(world.pose({3}).position.x(), 0.5);
     run(world, 600);
     for (const int i : {1, 2, 4, 5}) EXPECT_TRUE(world.isAsleep({i})) << i;
-    EXPECT_FALSE(world.isAsleep({3}));  // the ball rolls along it, and on
+    EXPECT_FALSE(world.isAsleep({3}));  // the ball rolls along it and beyond
 }
 
-// Thrown against its neighbour within the very step of the hit.
+// Thrown against its neighbour within the step of the hit.
 TEST(Waking, WhoIsThrownWakesWhomItWillHit) {
     World world(sleepy()), awake;
     double worst[2] = {};
@@ -148,7 +148,7 @@ TEST(Waking, AJointToABodyAwakeWakes) {
     EXPECT_GT(world.pose({2}).position.x(), 0.1);
 }
 
-// A lift that stands still may be slept on; one under way not, however slow it is.
+// Bodies may sleep on a lift at rest, but not on a moving one, however slow.
 TEST(Waking, AMovingKinematicBodyKeepsAwakeAndWakes) {
     World world(sleepy());
     BodyDef def = body(Shape::box({4, 1, 4}), {0, -0.5, 0});

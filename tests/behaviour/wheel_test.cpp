@@ -60,12 +60,13 @@ TEST(Wheel, SpinsFreelyAndTurnsNowhereElse) {
     c.world.setVelocity(c.wheel, Vec3::Zero(), {1, 2, 30});
     run(c.world, 120);
     EXPECT_NEAR(c.world.joint(c.joint).speeds[1], 30.0, 1e-6);
-    EXPECT_NEAR(c.world.joint(c.joint).positions[1], 60.0, 0.1);  // 9.5 turns and more
+    EXPECT_NEAR(c.world.joint(c.joint).positions[1], 60.0, 0.1);  // more than 9.5 turns
     EXPECT_LT(Vec3(c.world.spin(c.wheel) - Vec3(0, 0, 30)).norm(), 1e-6);
     EXPECT_LT(c.world.joint(c.joint).separation, 1e-6);
 }
 
-// A cart of four: sits on its springs, drives at the speed of its rims, stops when it brakes.
+// A cart with four wheels: rests on its springs, drives at the speed of its rims, stops when
+// braked.
 TEST(Wheel, FourDriveACart) {
     World world;
     world.add(support::floorPlane());

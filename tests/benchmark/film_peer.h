@@ -25,7 +25,7 @@ inline double medianOf(std::vector<double> values) {
     return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
-/// Of kFrames pictures without the first, in which shaders are compiled.
+/// Over kFrames pictures, without the first, which compiles shaders.
 inline double timeFrames(const std::function<void()>& draw) {
     std::vector<double> ms;
     for (int i = 0; i <= kFrames; ++i) {
@@ -36,7 +36,7 @@ inline double timeFrames(const std::function<void()>& draw) {
     return medianOf(ms);
 }
 
-/// A wall of 196 bricks with a hole, three balls before it, one large one: 200 bodies.
+/// A wall of 196 bricks with a hole, three balls in front of it and a large one: 200 bodies.
 inline std::vector<render::Solid> bodies() {
     std::vector<render::Solid> all;
     std::minstd_rand random(5);

@@ -1,5 +1,5 @@
-// Milliseconds of processor time a frame: our default finish, then without what MuJoCo's has not
-// (ambient occlusion, edge lines). `film_peer_impulse [PICTURE.png]`
+// Milliseconds of processor time per frame: our default finish, then without the features that
+// MuJoCo lacks (ambient occlusion, edge lines). `film_peer_impulse [PICTURE.png]`
 #include <cstdio>
 
 #include "render/encode/file.h"

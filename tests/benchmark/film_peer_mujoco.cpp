@@ -1,6 +1,6 @@
-// Milliseconds of processor time a frame, MuJoCo's renderer with what ours has by default: several
-// samples, a shadow, haze, a patterned ground. `film_peer_mujoco [PICTURE.ppm]`. Nothing else that
-// knows OpenGL may be linked: MuJoCo takes the functions of the first such library it finds.
+// Milliseconds of processor time per frame of MuJoCo's renderer, with our default features: several
+// samples, a shadow, haze, a patterned ground. `film_peer_mujoco [PICTURE.ppm]`. No other OpenGL
+// library may be linked: MuJoCo takes the functions of the first one it finds.
 #include <GL/osmesa.h>
 #include <mujoco/mujoco.h>
 
@@ -16,7 +16,7 @@ using namespace film_peer;
 
 namespace {
 
-/// The same bodies as MuJoCo reads them; its z is up, which a turned world body brings back to y.
+/// The same bodies as a MuJoCo model. Its z is up; a rotated world body turns that to y.
 std::string mjcf() {
     std::string text =
         "<mujoco><visual><global offwidth='1280' offheight='720' fovy='40'/>"
@@ -42,7 +42,7 @@ std::string mjcf() {
     return text + "</worldbody></mujoco>";
 }
 
-/// MuJoCo's camera is given by its way around what it looks at.
+/// MuJoCo's camera is defined by its angles around the point that it looks at.
 mjvCamera mujocoCamera() {
     mjvCamera camera;
     mjv_defaultCamera(&camera);
@@ -59,7 +59,7 @@ int fail(const char* what) {
     return 1;
 }
 
-/// As a .ppm, whose first row is the top one; MuJoCo's is the bottom one.
+/// Writes a .ppm, whose first row is the top one; MuJoCo's first row is the bottom one.
 void writePicture(const char* name, const std::vector<unsigned char>& rgb) {
     std::ofstream file(name, std::ios::binary);
     file << "P6 " << kWidth << " " << kHeight << " 255\n";

@@ -1,4 +1,4 @@
-# From the lines of `impulse test --self-test --json` to a table: what each mutant shows, over all
+# Turns the lines of `impulse test --self-test --json` into a table: the effect of each mutant over all
 # pictures that it changes.
 function field(name,    value) {
     if (!match($0, "\"" name "\":(\"[^\"]*\"|[^,}]*)")) return ""
@@ -25,7 +25,7 @@ function field(name,    value) {
 }
 
 END {
-    print "Damage: of the pictures that it changes, in how many it is noticed, and the least of them."
+    print "Damage: of the pictures that a mutant changes, how many are noticed, and the smallest change."
     print ""
     print "| mutant | scenes caught | pictures | state notices | gate notices | least window | largest SSIM |"
     print "| --- | --: | --: | --: | --: | --: | --: |"

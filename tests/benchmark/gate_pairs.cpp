@@ -1,5 +1,5 @@
-// How far the same pictures are apart that were drawn in several ways: every two of the folders
-// given, file by file, as a Markdown table. For `tests/benchmark/gate`.
+// How much pictures differ that were drawn in different ways: compares every two of the given folders
+// file by file and prints a Markdown table. For `tests/benchmark/gate`.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -19,14 +19,14 @@ namespace fs = std::filesystem;
 
 constexpr int kLevels[] = {1, 2, 3, 4};  // windows are counted over each of these
 
-/// The largest of all pictures that two ways have in common.
+/// The largest differences over all pictures that two folders have in common.
 struct Pair {
     int pictures = 0, identical = 0;
     long differing = 0;  // pixels of one picture
     int largest = 0;     // levels
     int windows[std::size(kLevels)] = {};
     double ssim = 1.0;
-    std::string worst;  // where SSIM is least
+    std::string worst;  // the picture with the lowest SSIM
 };
 
 render::Image read(const fs::path& path) {
@@ -34,7 +34,7 @@ render::Image read(const fs::path& path) {
     return render::decodePng(std::vector<std::uint8_t>(std::istreambuf_iterator<char>(file), {}));
 }
 
-/// Relative to the folder, in the order of their names.
+/// Paths relative to the folder, sorted by name.
 std::set<fs::path> picturesIn(const fs::path& folder) {
     std::set<fs::path> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))

@@ -1,5 +1,5 @@
-// Bullet as it comes (10 sweeps, split impulse, single precision in Debian), for the benchmark.
-// Sleeping and damping are off, as in the scenes of the others.
+// Bullet with its defaults (10 sweeps, split impulse, single precision in Debian), for the benchmark.
+// Sleeping and damping are off, as in the other engines.
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
@@ -99,7 +99,7 @@ private:
         if (body.collide)
             world_.addRigidBody(bodies_.back().get());
         else
-            world_.addRigidBody(bodies_.back().get(), 2, 0);  // in group 2, meets no group
+            world_.addRigidBody(bodies_.back().get(), 2, 0);  // in group 2, collides with no group
     }
 
     void add(const Joint& joint, const Scene& scene) {

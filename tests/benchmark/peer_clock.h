@@ -1,11 +1,11 @@
-/// Seconds, as the machine counts them.
+/// Time in seconds, from the machine's clocks.
 #pragma once
 #include <time.h>
 
 namespace peers {
 
 enum class Clock {
-    wall,      // what a user waits for
+    wall,      // the time that a user waits
     processor  // of all threads of this process; others on the machine hardly change it
 };
 

@@ -1,5 +1,5 @@
-/// What a step costs. Nothing is measured here but time: watch() (peer_quality.h) does the rest in
-/// a run of its own.
+/// The cost of a step. Only time is measured here; watch() (peer_quality.h) measures quality in
+/// a separate run.
 #pragma once
 #include "tests/benchmark/peer_engine.h"
 
@@ -7,8 +7,8 @@ namespace peers {
 
 /// Medians over the steps of the first and of the last two simulated seconds.
 struct Cost {
-    double first = 0.0, last = 0.0;          // s of processor time a step, all threads together
-    double wallFirst = 0.0, wallLast = 0.0;  // s on the clock a step
+    double first = 0.0, last = 0.0;          // s of processor time per step, all threads together
+    double wallFirst = 0.0, wallLast = 0.0;  // s on the clock per step
     double points = 0.0;                     // contact points after the last step
     int steps = 0;
 
@@ -18,7 +18,7 @@ struct Cost {
 /// Runs the scene once; ends early after `budget` seconds on the clock.
 Cost measureCost(const Scene& scene, Engine& engine, double budget);
 
-/// Number by number.
+/// The median of each number, and the most steps.
 Cost median(const std::vector<Cost>& runs);
 
 }  // namespace peers

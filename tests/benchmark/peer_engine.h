@@ -1,5 +1,5 @@
-/// What a driver gives to the benchmark: one engine that builds a scene and steps it. A driver
-/// (peer_impulse.cpp, peer_bullet.cpp, peer_ode.cpp) is linked with peer_main.cpp to one program.
+/// The interface of a driver: one engine that builds a scene and steps it. Each driver
+/// (peer_impulse.cpp, peer_bullet.cpp, peer_ode.cpp) is linked with peer_main.cpp into one program.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace peers {
 
-/// What a body does after a step: all that is asked of an engine, the rest is measured.
+/// A body's state after a step: all that an engine reports; the rest is measured from it.
 struct BodyState {
     Pose pose;
     Vec3 velocity{0, 0, 0};  // m/s, of the centre of mass
@@ -19,20 +19,20 @@ struct BodyState {
 class Engine {
 public:
     virtual ~Engine() = default;
-    /// Once, before anything else; the scene outlives the engine.
+    /// Called once, before anything else; the scene outlives the engine.
     virtual void build(const Scene& scene) = 0;
-    /// False: the engine has given up, the bodies stay where they are.
+    /// False: the engine gave up; the bodies stay where they are.
     virtual bool step(double dt) = 0;
-    /// Of the scene's body of this number.
+    /// The state of the scene's body of this number.
     virtual BodyState state(int body) const = 0;
-    /// Contact points in the engine's care after the last step, as it counts them itself.
+    /// Contact points after the last step, as the engine counts them.
     virtual int contactPoints() const = 0;
 };
 
 // Each driver defines these three.
 std::string engineName();
 std::vector<std::string> presetNames();  // the first is the default
-/// Nothing where the engine has no such preset or cannot step on so many threads.
+/// Nothing if the engine has no such preset or does not support so many threads.
 std::unique_ptr<Engine> makeEngine(const std::string& preset, int threads);
 
 }  // namespace peers

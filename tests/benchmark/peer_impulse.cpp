@@ -1,4 +1,4 @@
-// This project's engine, for the benchmark. Presets differ in their Settings only.
+// This project's engine, for the benchmark. Presets differ only in their Settings.
 #include "engine/world.h"
 #include "tests/benchmark/peer_engine.h"
 

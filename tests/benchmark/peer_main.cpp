@@ -1,5 +1,5 @@
-// Runs scenes in one engine and prints a line for each: first how well it did, then what a step
-// costs. Linked with one of peer_impulse.cpp, peer_bullet.cpp and peer_ode.cpp.
+// Runs scenes in one engine and prints a line for each: first the quality, then the cost of a step.
+// Linked with one of peer_impulse.cpp, peer_bullet.cpp and peer_ode.cpp.
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -23,14 +23,14 @@ struct Options {
 };
 
 const char* const kUsage =
-    "usage: %s SCENE... [options]     one line of JSON a scene\n"
+    "usage: %s SCENE... [options]     one line of JSON per scene\n"
     "  --preset NAME   %s\n"
-    "  --threads N     where the engine has them (1)\n"
-    "  --repeat N      runs to take the cost from, each from the start (3); 0: quality only\n"
+    "  --threads N     if the engine supports them (1)\n"
+    "  --repeat N      runs to measure the cost, each from the start (3); 0: quality only\n"
     "  --noquality     cost only\n"
     "  --seconds T     simulated time instead of the scene's own\n"
     "  --budget T      seconds on the clock after which a run ends early\n"
-    "  --table         a line for people instead of JSON\n"
+    "  --table         a line of text instead of JSON\n"
     "scenes: %s\n";
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
@@ -48,7 +48,7 @@ double number(const std::string& option, const std::string& value) {
     double result = -1.0;
     try {
         result = std::stod(value, &read);
-    } catch (const std::logic_error&) {  // said below
+    } catch (const std::logic_error&) {  // reported below
     }
     if (read == 0 || read != value.size() || !(result >= 0.0))
         throw std::runtime_error(option + ": '" + value + "' should be a number, 0 or more");

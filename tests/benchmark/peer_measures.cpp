@@ -8,12 +8,12 @@ namespace peers {
 
 namespace {
 
-/// rad, 0 to pi; exact for small angles too, where acos is not.
+/// rad, 0 to pi; also exact for small angles, where acos is not.
 double angleBetween(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A vector fixed in a body: from where the body began to where it is.
+/// A vector fixed in a body, rotated from the body's start to its present pose.
 Vec3 carried(const Vec3& axis, const Pose& start, const Pose& now) {
     return now.rotation * Vec3(start.rotation.conjugate() * axis);
 }

@@ -1,5 +1,5 @@
-/// How well a scene is at one moment: measured from the states of the bodies alone, the same way
-/// for all engines.
+/// The quality of a scene at one moment, measured from the states of the bodies alone, in the same
+/// way for all engines.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,14 +10,14 @@ namespace peers {
 
 using States = std::span<const BodyState>;
 
-/// Of all joints at one moment.
+/// The errors of all joints at one moment.
 struct Separation {
     double worst = 0.0;       // m, between the two anchors
     double meanSquare = 0.0;  // m^2
     double axisAngle = 0.0;   // rad, the worst between the two axes of a hinge
 };
 
-/// Of all dynamic bodies, from where they began; the largest of each.
+/// How far dynamic bodies have moved from their start; the largest of each.
 struct Drift {
     double total = 0.0, horizontal = 0.0, vertical = 0.0;  // m
 };
@@ -29,7 +29,7 @@ Vec3 angularMomentum(const Scene& scene, States states);  // kg m^2/s, of the sp
 double fastest(const Scene& scene, States states);        // m/s
 int lostBodies(const Scene& scene, States states);
 bool finite(States states);
-/// Of all poses, bit for bit (FNV-1a).
+/// A hash of all poses, bit for bit (FNV-1a).
 std::uint64_t hash(States states);
 
 }  // namespace peers

@@ -1,4 +1,4 @@
-// ODE as it comes (QuickStep, 20 sweeps, double precision in Debian), for the benchmark.
+// ODE with its defaults (QuickStep, 20 sweeps, double precision in Debian), for the benchmark.
 // Preset "direct" is its exact solver (dWorldStep). Sleeping and damping are off.
 #include <ode/ode.h>
 

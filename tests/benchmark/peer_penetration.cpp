@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kCell = 2.4;  // m: two small bodies that touch lie in neighbouring cells
 
-/// A box as separating axes see it.
+/// A box in the form that the separating-axis test needs.
 struct Obb {
     Vec3 halfSize, center;
     std::array<Vec3, 3> axes;
@@ -44,7 +44,7 @@ double boxInBox(const Obb& a, const Obb& b) {
     double least = 1e9;
     for (const Vec3& axis : axesBetween(a, b)) {
         const double length = axis.norm();
-        if (length < 1e-6) continue;  // parallel edges: a face says the same
+        if (length < 1e-6) continue;  // parallel edges: a face's axis covers this case
         const Vec3 n = axis / length;
         least = std::min(least, a.reachAlong(n) + b.reachAlong(n) - std::abs(between.dot(n)));
         if (least <= 0.0) break;
@@ -52,7 +52,7 @@ double boxInBox(const Obb& a, const Obb& b) {
     return least;
 }
 
-/// The centre is outside: radius less distance. Inside: radius and the way to the nearest face.
+/// Centre outside: radius minus distance. Inside: radius plus distance to the nearest face.
 double sphereInBox(const Body& box, const Pose& boxPose, const Body& sphere, const Vec3& center) {
     const Vec3 local = boxPose.toLocal(center);
     const Vec3 nearest = local.cwiseMax(-box.halfSize).cwiseMin(box.halfSize);
@@ -108,7 +108,7 @@ PenetrationCheck::PenetrationCheck(const Scene& scene) : scene_(scene) {
             (scene.bodies[i].reach() > kCell / 2 ? large_ : small_).push_back(i);
 }
 
-/// Each with each and with all small ones.
+/// Pairs each large body with the other large ones and with all small ones.
 std::vector<PenetrationCheck::Pair> PenetrationCheck::pairsOfLarge() const {
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < large_.size(); ++i) {

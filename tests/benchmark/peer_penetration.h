@@ -1,5 +1,5 @@
-/// How deep bodies are in each other, found from their shapes and poses alone: no engine's contacts
-/// are believed, since engines differ in what they call penetration.
+/// How deep bodies penetrate each other, computed from their shapes and poses alone, since engines
+/// define penetration differently.
 #pragma once
 #include <set>
 #include <span>
@@ -29,10 +29,10 @@ private:
 
     const Scene& scene_;
     std::set<Pair> joined_;           // lower number first
-    std::vector<int> small_, large_;  // bodies that collide; large: they reach out of their cell
+    std::vector<int> small_, large_;  // bodies that collide; large: larger than a cell
 };
 
-/// m; not positive: apart.
+/// m; zero or negative: apart.
 double penetration(const Body& a, const Pose& poseA, const Body& b, const Pose& poseB);
 
 }  // namespace peers

@@ -7,9 +7,9 @@
 
 namespace peers {
 
-/// Of one moment, and of the run until then.
+/// Measures of one moment, and of the run until then.
 struct Quality {
-    int steps = 0;             // that were done
+    int steps = 0;             // steps that were done
     double fallTime = -1.0;    // s; -1: it did not fall
     double gaveUpTime = -1.0;  // s; -1: every step went well and left finite states
     Drift drift;               // at the end
@@ -37,7 +37,7 @@ struct Quality {
 /// Runs the scene once and watches every step; ends early after `budget` seconds on the clock.
 Quality watch(const Scene& scene, Engine& engine, double budget);
 
-/// What matters in this scene, in a few words.
+/// The measures that matter in this scene, in a few words.
 std::string verdict(const Scene& scene, const Quality& quality);
 
 }  // namespace peers

@@ -11,7 +11,7 @@ namespace {
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-/// An object without objects in it. No string here needs an escape.
+/// A flat object. No string here needs escaping.
 class JsonLine {
 public:
     void add(const char* name, const std::string& value) { append(name, "\"" + value + "\""); }
@@ -68,7 +68,7 @@ void addConserved(JsonLine& json, const Scene& scene, const Quality& q) {
     }
 }
 
-/// Where there are joints, contact points are not what a step is spent on.
+/// With joints in the scene, a step's time is not spent on contact points.
 bool countsPoints(const Result& result) {
     return result.cost->points > 0.0 && result.scene.joints.empty();
 }
@@ -111,7 +111,7 @@ std::string tableLine(const Result& result) {
     if (result.cost) {
         line += text(" %9.4f ms at first %9.4f ms at last", 1e3 * result.cost->first,
                      1e3 * result.cost->last);
-        if (countsPoints(result)) line += text(" %6.0f ns a point", 1e9 * result.cost->perPoint());
+        if (countsPoints(result)) line += text(" %6.0f ns/point", 1e9 * result.cost->perPoint());
     }
     if (result.quality) line += "  " + verdict(result.scene, *result.quality);
     return line;

@@ -1,4 +1,4 @@
-/// What the benchmark says of one scene and engine: a line for programs, a line for people.
+/// The benchmark's result for one scene and engine: a line for programs, a line for people.
 #pragma once
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ struct Result {
     std::optional<Cost> cost;
 };
 
-/// One line of JSON: metres, seconds, degrees. What the scene does not have is left out.
+/// One line of JSON: metres, seconds, degrees. Values that do not apply to the scene are left out.
 std::string json(const Result& result);
 
 /// Scene, engine, cost and verdict in columns.

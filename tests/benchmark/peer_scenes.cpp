@@ -92,7 +92,7 @@ Scene stack() {
     return scene;
 }
 
-/// Touching cubes, `base` at the bottom and one at the top: weight on many paths at once, and the
+/// Touching cubes, `base` at the bottom and one at the top: weight on many paths, and the
 /// cost of many contacts. The layout of Box3D's CreateLargePyramid.
 Scene pyramid(int base) {
     Scene scene;
@@ -125,7 +125,7 @@ Scene wall() {
     return scene;
 }
 
-/// A chain of 100 links, released level: joints that have to carry one another's weight.
+/// A chain of 100 links, released level: joints that carry each other's weight.
 Scene chain() {
     Scene scene = jointScene();
     scene.watchEnergy = true;
@@ -144,7 +144,7 @@ Scene chain() {
 }
 
 /// A ball of 1000 kg on twenty links of 1 kg, hanging or released level: a mass ratio that sweeps
-/// from row to row do not see.
+/// from row to row hardly resolve.
 Scene heavyBall(bool level) {
     Scene scene = jointScene();
     scene.watchEnergy = level;
@@ -177,7 +177,7 @@ Vec3 onBridge(double angle) {
 /// them: joints and contacts that depend on each other.
 Scene bridge() {
     Scene scene;
-    scene.lostBelow = -20.0;  // far below any sag: what leaves the bridge falls for ever
+    scene.lostBelow = -20.0;  // far below any sag: bodies that leave the bridge fall for ever
     const int planks = 100;
     const double plank = 2 * std::asin(0.5 / kBridgeRadius);  // rad, of the arc
     const double start = -0.5 * planks * plank;
@@ -304,7 +304,7 @@ Scene incline(int degrees) {
     return scene;
 }
 
-/// Every body 0.1 mm and 0.2 mrad off: a stand that depends on perfect symmetry is none.
+/// Every body 0.1 mm and 0.2 mrad off: a stack must not depend on perfect symmetry to stand.
 Scene perturbed(Scene scene) {
     const double shift = 1e-4, angle = 2e-4;  // m, rad
     Lcg random;

@@ -1,5 +1,5 @@
-/// The scenes in which engines are compared: what to build, and what is worth measuring there.
-/// No engine is known here; of ours only the words for vectors and poses. y is up.
+/// The scenes in which engines are compared: what to build, and what to measure there.
+/// No engine is used here; of ours only the types for vectors and poses. y is up.
 #pragma once
 #include <optional>
 #include <string>
@@ -46,7 +46,7 @@ struct Scene {
     Vec3 gravity{0, -9.81, 0};  // m/s^2
     double friction = 0.6;      // mu, where two surfaces meet; nothing bounces
 
-    bool watchPenetration = true;     // measured by us, not asked of the engine
+    bool watchPenetration = true;     // measured by us, not reported by the engine
     bool shouldStand = false;         // it has fallen when a body is half a metre from its start
     bool watchEnergy = false;         // nothing here may take or give energy
     double energyScale = 1.0;         // J: what 100 % of an energy error is
@@ -60,7 +60,7 @@ struct Scene {
 /// S1 to S13b as in the table of README.md; p: perturbed; P<n>: a pyramid of n boxes at its base.
 std::vector<std::string> sceneNames();
 
-/// Nothing where there is no scene of this name.
+/// Nothing if there is no scene of this name.
 std::optional<Scene> makeScene(const std::string& name);
 
 }  // namespace peers

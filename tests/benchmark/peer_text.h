@@ -1,4 +1,4 @@
-/// printf into a text, of 255 characters at most.
+/// printf into a string of at most 255 characters.
 #pragma once
 #include <cstdio>
 #include <string>

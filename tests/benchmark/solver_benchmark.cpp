@@ -1,6 +1,6 @@
 // Nanoseconds per row and sweep: sequential impulses against projected Gauss-Seidel on forces, in
 // Catto's form and with the matrix written out (mission 31). Stacks of ten boxes, four points and
-// twelve rows a contact; a sweep is timed, and what each method needs before its first sweep.
+// twelve rows per contact. Times one sweep, and the preparation of each method before its first sweep.
 #include <benchmark/benchmark.h>
 
 #include "engine/solver/impulses.h"
@@ -12,7 +12,7 @@ namespace {
 using namespace engine;
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr int kHeight = 10;  // boxes a stack
+constexpr int kHeight = 10;  // boxes per stack
 
 struct Problem {
     Constraints constraints;
@@ -68,7 +68,7 @@ void forces(benchmark::State& state) {
     countRows(state, problem);
 }
 
-/// What has to be done before the first sweep.
+/// The preparation before the first sweep.
 template <class Method>
 void preparation(benchmark::State& state) {
     Problem problem(static_cast<int>(state.range(0)));

@@ -1,5 +1,5 @@
-# Lines of JSON from the peers (one object without objects in it a line) -> two Markdown tables.
-# Columns and rows stand in the order in which they were first seen.
+# Turns the peers' JSON lines (one flat object per line) into two Markdown tables.
+# Columns and rows are in the order in which they first appear.
 
 function field(name,    value) {
     if (!match($0, "\"" name "\":(\"[^\"]*\"|[^,}]*)")) return ""
@@ -8,7 +8,7 @@ function field(name,    value) {
     return value
 }
 
-# Adds to the list of all values of this cell and number; a cell is scene and column.
+# Appends to the list of values of a cell and name; a cell is a scene and a column.
 function note(cell, name) {
     if (field(name) != "") values[cell, name] = values[cell, name] " " field(name)
 }
@@ -36,7 +36,7 @@ function milliseconds(cell) {
 
 function isCut(cell) { return median(cell, "cost_steps") + 0 < steps[cell] + 0 }
 
-# Two runs that were cut end at different moments of the scene: their ratio is a guess.
+# Cut runs end at different moments of the scene: their ratio is only a guess.
 function ratio(cell, other) {
     if (median(cell, "cpu_last_ms") + 0 <= 0 || median(other, "cpu_last_ms") == "") return "-"
     return sprintf("%.3g", median(other, "cpu_last_ms") / median(cell, "cpu_last_ms")) \
@@ -105,7 +105,7 @@ END {
     print columns[1] " over that engine's, with a ? where a run was cut; ns: per contact point"
     print "in scenes without joints (both: last two seconds).\n"
     costTable()
-    print "\nHow well, measured from the poses in the same way for all: the worst of the whole run,"
-    print "but drift and penetration at its end.\n"
+    print "\nQuality, measured from the poses in the same way for all: the worst of the whole run,"
+    print "except drift and penetration, which are at its end.\n"
     qualityTable()
 }

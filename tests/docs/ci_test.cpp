@@ -1,4 +1,4 @@
-// demos/regression/in-ci.md: its jobs, its commands and its table say what there is.
+// demos/regression/in-ci.md: its jobs, commands and table agree with the program.
 #include <gtest/gtest.h>
 
 #include "tests/docs/texts.h"
@@ -17,7 +17,7 @@ std::string section(const std::string& heading) {
     return kPage.substr(begin, kPage.find("\n## ", begin + 1) - begin);
 }
 
-/// The lines of a job that make the program, by what they begin with.
+/// The lines of a job that build the program, recognised by their first words.
 std::set<std::string> building(const std::string& job) {
     return matches(job, R"(\n +- (?:run: )?((?:apt-get|git clone|/impulse/|cmake) ?[^\n]+))");
 }
@@ -44,7 +44,7 @@ TEST(InCi, ItsJobsBuildInTheSameWay) {
     EXPECT_NE(textOf(kRoot / "CMakeLists.txt").find("option(IMPULSE_TESTS "), std::string::npos);
 }
 
-// The folder that the jobs keep is the one that the program writes to.
+// The jobs keep the folder that the program writes to.
 TEST(InCi, ItsJobsKeepTheResults) {
     const std::string help = outputOf("test --help");
     for (const char* heading : {"GitHub Actions", "GitLab"})

@@ -1,4 +1,4 @@
-// demos/export/README.md says what the program writes.
+// demos/export/README.md agrees with the files that the program writes.
 #include <gtest/gtest.h>
 
 #include "demos/export/npz.h"

@@ -1,4 +1,4 @@
-// demos/figure/README.md says what figures are.
+// demos/figure/README.md agrees with the figures that are made.
 #include <gtest/gtest.h>
 
 #include "demos/look/type.h"
@@ -41,7 +41,7 @@ TEST(FigureReadme, TellsThePointsThatAreDrawn) {
     }
 }
 
-/// With everything that a caption can tell.
+/// Makes captions with every possible line.
 TEST(FigureReadme, NamesEveryLineOfACaption) {
     const support::TemporaryFolder folder;
     const std::string place = " --width 85mm --dpi 72 --caption " + (folder / "c.txt").string() +

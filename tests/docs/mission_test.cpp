@@ -1,4 +1,4 @@
-// tests/README.md says which test holds which item of the mission: all items, and tests that exist.
+// tests/README.md lists the tests for each item of the mission: every item has some, and all exist.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -11,7 +11,7 @@ using namespace docs;
 
 constexpr int kItems = 35;
 
-/// A name in the table; `later` where "(not yet)" follows it.
+/// A name in the table; `later` if "(not yet)" follows it.
 struct Named {
     std::string name;
     bool later;
@@ -92,7 +92,7 @@ TEST(Mission, EveryTestInTheTableExists) {
                 << "item " << row.item << ": " << test.name;
 }
 
-// What is still to be written, and nothing else; once it is there the mark has to go.
+// Only tests that are known to be missing are marked; once such a test exists, its mark must go.
 TEST(Mission, OnlyWhatIsKnownToBeMissingIsNotYetThere) {
     const std::set<std::string> known{"(with its joints)", "Pgs.*",            "Direct.*",
                                       "solver_benchmark",  "SoftConstraint.*", "PointBlock.*"};
@@ -101,11 +101,11 @@ TEST(Mission, OnlyWhatIsKnownToBeMissingIsNotYetThere) {
         for (const Named& test : row.tests) {
             if (!test.later) continue;
             EXPECT_TRUE(known.count(test.name)) << "item " << row.item << ": " << test.name;
-            EXPECT_FALSE(existing.count(test.name)) << test.name << " exists: strike '(not yet)'";
+            EXPECT_FALSE(existing.count(test.name)) << test.name << " exists: remove '(not yet)'";
         }
 }
 
-// The check itself: a row taken away is missed, wherever it stood.
+// Tests the check itself: it notices a missing row, wherever the row was.
 TEST(Mission, ARowTakenAwayIsMissed) {
     for (int item = 1; item <= kItems; ++item) {
         const std::regex row("\\n\\| " + std::to_string(item) + " \\|[^\\n]*");

@@ -1,4 +1,4 @@
-// demos/mjcf/README.md and the reader of MuJoCo's models speak of the same words and files.
+// demos/mjcf/README.md and the reader of MuJoCo's models name the same words and files.
 #include <gtest/gtest.h>
 
 #include "tests/docs/texts.h"

@@ -1,4 +1,4 @@
-// The README says what the program says: scenes, commands, links.
+// The README agrees with the program: scenes, commands, links.
 #include <gtest/gtest.h>
 
 #include "demos/film/film_strip.h"
@@ -37,7 +37,7 @@ TEST(Readme, ItsCommandsExist) {
             << command;
 }
 
-/// As large as the command below it makes it of today's scenes, and fit for a page.
+/// Has the size that the command below it gives for today's scenes, and is small enough for a page.
 TEST(ScenesReadme, ItsGalleryHoldsEveryScene) {
     const std::string command = R"(`impulse gallery -o (\.github/gallery\.png --size \d+x\d+ --columns \d+)`)";
     const std::set<std::string> found = matches(kScenesText, command);

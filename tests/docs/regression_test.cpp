@@ -1,4 +1,4 @@
-// demos/regression/README.md says what the program says.
+// demos/regression/README.md agrees with the program.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

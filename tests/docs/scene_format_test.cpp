@@ -1,4 +1,4 @@
-// demos/scene/README.md says what the reader says, and the schema knows every key of its source.
+// demos/scene/README.md agrees with the reader; the schema has every key of the reader's source.
 #include <gtest/gtest.h>
 
 #include "tests/docs/texts.h"
@@ -11,7 +11,7 @@ using namespace docs;
 const fs::path kSceneFolder = demosFolder("scene");
 const std::string kSceneText = readmeOf(kSceneFolder);
 
-/// The text's scene as a file.
+/// Writes the README's scene to a file.
 class SceneReadme : public testing::Test {
 protected:
     void SetUp() override {

@@ -1,4 +1,4 @@
-// demos/slides/README.md says what the reader of decks takes.
+// demos/slides/README.md agrees with the reader of decks.
 #include <gtest/gtest.h>
 
 #include "demos/measures/summary.h"
@@ -13,7 +13,7 @@ using namespace docs;
 const fs::path kSlidesFolder = demosFolder("slides");
 const std::string kSlidesText = readmeOf(kSlidesFolder);
 
-/// The keys that the reader asks for in a table, as complaints call it.
+/// The keys that the reader looks up in a table; `table` is its name in error messages.
 std::set<std::string> asked(const std::string& table) {
     const demos::Catalog catalog =
         demos::catalogDeck("format = 1\ntitle = 't'\n[opening]\n[[slide]]\nscene = 'stack'\n");
@@ -71,10 +71,10 @@ TEST(SlidesReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kSlidesFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "Files")), files);
 }
 
-/// What stands in backquotes in the cells of the first column, "click" is no key.
+/// The keys in backquotes in the first column; "click" is not a key.
 TEST(SlidesReadme, NamesEveryKeyOfThePageAndNoOther) {
     const std::string keys = textOf(kSlidesFolder / "page" / "keys.js");
     std::set<std::string> listed{"?"};

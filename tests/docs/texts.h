@@ -1,4 +1,4 @@
-/// Texts of the repository and of the program, and what stands in them.
+/// Reads texts of the repository and of the program, and searches them.
 #pragma once
 #include <array>
 #include <cstdio>
@@ -27,7 +27,7 @@ inline fs::path demosFolder(const std::string& name) {
 
 inline std::string readmeOf(const fs::path& folder) { return textOf(folder / "README.md"); }
 
-/// Both streams of the program.
+/// What the program writes to both streams.
 inline std::string outputOf(const std::string& arguments) {
     FILE* pipe = popen((std::string(IMPULSE_BINARY) + " " + arguments + " 2>&1").c_str(), "r");
     std::string text;
@@ -38,7 +38,7 @@ inline std::string outputOf(const std::string& arguments) {
     return text;
 }
 
-/// What the first group of the pattern matches.
+/// All matches of the pattern's first group.
 inline std::set<std::string> matches(const std::string& text, const std::string& pattern) {
     std::set<std::string> result;
     const std::regex expression(pattern);
@@ -47,14 +47,14 @@ inline std::set<std::string> matches(const std::string& text, const std::string&
     return result;
 }
 
-/// Of a README: from the heading to the next one; empty where there is none.
+/// A README's section from the heading to the next one; empty if there is none.
 inline std::string sectionOf(const std::string& text, const std::string& heading) {
     const std::size_t begin = text.find("\n## " + heading + "\n");
     if (begin == std::string::npos) return {};
     return text.substr(begin, text.find("\n## ", begin + 1) - begin);
 }
 
-/// What stands in backquotes in the first cell of every row.
+/// The text in backquotes in the first cell of every row.
 inline std::set<std::string> firstCells(const std::string& text) {
     std::set<std::string> names;
     for (const std::string& cell : matches(text, R"(\n\| (`[^|]+) \|)"))

@@ -20,7 +20,7 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     ++allocations;
     return std::malloc(size);
 }
-// Inlined without its operator new, GCC would take free() for the wrong partner.
+// If it were inlined without its operator new, GCC would warn that free() does not match.
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 

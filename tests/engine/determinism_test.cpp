@@ -22,7 +22,7 @@ TEST_P(Golden, TheTrajectoryIsTheSameBitForBit) {
     expectGolden(support::goldenWorlds()[GetParam()], Settings::steady());
 }
 
-// 1 thread is the test above; 4 are more than there is work for, and perhaps than there are processors.
+// 1 thread is the test above; 4 are more than the work needs, and maybe more than the processors.
 TEST_P(Golden, TheTrajectoryIsTheSameWithTwoAndFourThreads) {
     for (const int threads : {2, 4}) {
         Settings settings = Settings::steady();

@@ -1,4 +1,4 @@
-// Who touches whom: events of contacts, sensors, and groups that pass through each other.
+// Touch events of contacts and sensors, and groups that pass through each other.
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.h"
@@ -42,12 +42,12 @@ TEST(Touches, ABounceBeginsAndEndsWithItsImpulse) {
     EXPECT_FALSE(events[0].sensor);
     EXPECT_NEAR(events[0].time, std::sqrt(2.0 / kGravity), 1.0 / 60);
     EXPECT_NEAR(events[0].time, static_cast<double>(events[0].step) / 60, 1e-12);
-    EXPECT_NEAR(events[0].speed, speed, 2 * kGravity / 60);  // where the step began
+    EXPECT_NEAR(events[0].speed, speed, 2 * kGravity / 60);  // at the start of the step
     EXPECT_NEAR(events[0].position.y(), 0.0, speed / 60);
     EXPECT_EQ(events[0].normal, Vec3(0, 1, 0));
     EXPECT_EQ(events[1].kind, Kind::end);
     EXPECT_GT(events[1].step, events[0].step);
-    EXPECT_NEAR(events[1].impulse, 2.0 * speed * 1.5, 0.35);  // and its weight for a step or two
+    EXPECT_NEAR(events[1].impulse, 2.0 * speed * 1.5, 0.35);  // plus its weight for a step or two
     EXPECT_GE(events[1].impulse, events[0].impulse);
 }
 
@@ -112,7 +112,7 @@ BodyDef gate() {
     return def;
 }
 
-// In when the lowest point is at 3.5, out when the highest is at 2.5: 2 m later.
+// It enters when the lowest point is at 3.5, and leaves when the highest is at 2.5: 2 m later.
 TEST(Sensors, TellOfWhatFallsThroughAndHoldNothingUp) {
     World world, without;
     for (World* w : {&world, &without}) {
@@ -153,7 +153,7 @@ TEST(Sensors, StopNoRay) {
     EXPECT_FALSE(world.castRay({0, 9, 0}, {0, -9, 0}).has_value());
 }
 
-// Fast enough that the pair would get its contact from the time of impact.
+// So fast that the pair gets its contact from the time of impact.
 TEST(Sensors, ThrowNobodyThatIsShotThrough) {
     World world;
     world.setGravity(Vec3::Zero());
@@ -165,7 +165,7 @@ TEST(Sensors, ThrowNobodyThatIsShotThrough) {
     EXPECT_EQ(world.velocity(id), Vec3(0, -50, 0));
 }
 
-// Groups 1 and 2; whoever ignores a group falls through its bodies, whichever of the two says so.
+// Groups 1 and 2: a body falls through another if either ignores a group of the other.
 TEST(Groups, PassThroughWhomTheyIgnore) {
     for (const bool floorSays : {false, true}) {
         World world;

@@ -1,5 +1,5 @@
-// The wide contact solver: what is solved together, the same bits on every instruction set, and the
-// same answers as rows in double precision.
+// The wide contact solver: which contacts are solved together, the same bits on every instruction set, and
+// the same results as rows in double precision.
 #include <gtest/gtest.h>
 
 #include "engine/solver/prepare_contacts.h"
@@ -13,7 +13,7 @@ namespace {
 using support::body;
 using support::kStep;
 
-/// A heap that is not at rest: boxes and balls, some bouncing.
+/// A moving heap: boxes and balls, some bouncing.
 World heap(const Settings& settings) {
     World world(settings);
     world.add(support::floorPlane());
@@ -27,7 +27,7 @@ World heap(const Settings& settings) {
 }
 
 TEST(Schedule, KeepsTheOrderOfContactsThatShareABody) {
-    // A chain 0-1-2-3-4 and five pairs of their own.
+    // A chain 0-1-2-3-4 and five separate pairs.
     std::vector<BodyPair> pairs{{0, 1}, {1, 2}, {2, 3}, {3, 4}};
     for (int i = 5; i < 15; i += 2) pairs.push_back({i, i + 1});
     const std::vector<int> order{3, 2, 1, 0, 4, 5, 6, 7, 8};
@@ -41,7 +41,7 @@ TEST(Schedule, KeepsTheOrderOfContactsThatShareABody) {
     EXPECT_LT(batchOf[3], batchOf[2]);
     EXPECT_LT(batchOf[2], batchOf[1]);
     EXPECT_LT(batchOf[1], batchOf[0]);
-    for (int i = 4; i < 9; ++i) EXPECT_EQ(batchOf[i], 0) << i;  // into the lanes left over
+    for (int i = 4; i < 9; ++i) EXPECT_EQ(batchOf[i], 0) << i;  // in the free lanes
 }
 
 TEST(Schedule, FixedBodiesTieNothingTogether) {
@@ -64,7 +64,7 @@ TEST(Schedule, AGroupBeginsItsOwnBatches) {
     EXPECT_EQ(schedule.batches()[1][0], 1);
 }
 
-/// Contacts of body pairs (i, i + 1) at these heights, in the order in which a sweep meets them.
+/// Contacts of body pairs (i, i + 1) at these heights, in the order of a sweep.
 std::vector<int> orderOf(std::vector<Contact>& contacts, const std::vector<double>& heights) {
     Bodies bodies;
     for (const double height : heights)
@@ -110,7 +110,7 @@ TEST(Lanes, AgreeWithRowsInDoublePrecision) {
     }
 }
 
-// A large group is swept by halves: what a step reports does not depend on who does it.
+// A large group is swept in halves: a step's report does not depend on the number of threads.
 TEST(Lanes, ReportTheSameSweepsWithTwoThreads) {
     const auto pyramid = [](int threads) {
         Settings settings = Settings::steady();

@@ -34,7 +34,7 @@ TEST(World, SubstepsRepeatTheFirstFiveAndDetectCollisionsOnce) {
     EXPECT_EQ(collisions, 1);
 }
 
-// mission 7: contacts are found once more before the very first step, and after a body was moved
+// mission 7: contacts are also found before the first step, and after a body was moved
 TEST(World, SeesContactsBeforeTheFirstStepAndAfterAMove) {
     World world = support::stack(1);
     world.findContacts();
@@ -50,7 +50,7 @@ TEST(World, SeesContactsBeforeTheFirstStepAndAfterAMove) {
     EXPECT_GT(world.contacts()[0].impulse, 0.0);
 }
 
-// mission 7: a step finds at its end what the next one solves
+// mission 7: at its end, a step finds the contacts that the next one solves
 TEST(World, SolvesInTheNextStepWhatItFoundInThis) {
     World world(Settings::seed());
     world.add(support::floorPlane());
@@ -62,7 +62,7 @@ TEST(World, SolvesInTheNextStepWhatItFoundInThis) {
     EXPECT_EQ(world.contacts().size(), 1u);
 }
 
-// mission 8: collision constraints are temporary, and so are the impulses of those that have gone
+// mission 8: collision constraints are temporary, and so are the impulses of lost contacts
 TEST(World, ForgetsTheContactsOfABodyThatHasLeft) {
     World world = support::stack(1, Settings::seed());
     run(world, 60);
@@ -121,7 +121,7 @@ TEST(World, AKinematicBodyMovesAsToldAndCarries) {
     const BodyId box = world.add(body(Shape::box({1, 1, 1}), {0, 0.5, 0}, 5));
     run(world, 120);
     EXPECT_NEAR(world.pose(moving).position.x(), 2.0, 1e-9);
-    EXPECT_NEAR(world.velocity(box).x(), 1.0, 1e-3);  // friction has brought it to the belt's speed
+    EXPECT_NEAR(world.velocity(box).x(), 1.0, 1e-3);  // friction has accelerated it to the belt's speed
 }
 
 TEST(World, KinematicSpinTurnsAsTold) {
@@ -135,7 +135,7 @@ TEST(World, KinematicSpinTurnsAsTold) {
     EXPECT_NEAR(std::atan2(x.y(), x.x()), 1.0, 1e-12);
 }
 
-// mission 24: a removed body leaves no cache behind
+// mission 24: a removed body leaves no cached impulses
 TEST(World, ARemovedBodyLeavesNothingBehind) {
     World world = support::stack(3);
     run(world, 60);
@@ -192,7 +192,7 @@ TEST(World, AnIdNamesOneBodyForEver) {
     run(world, 2);
     world.remove(first);
     EXPECT_NEAR(world.pose(first).position.x(), 0.0,
-                1e-6);  // the last one, until the number is used again
+                1e-6);  // the last pose, until the number is used again
     world.step(kStep);
     ASSERT_EQ(world.touches().size(), 1u);
     EXPECT_EQ(world.touches()[0].b, first);
@@ -279,7 +279,7 @@ TEST(World, MayChangeItsSettingsBetweenTwoSteps) {
 TEST(World, StopsTheProgramAtTheCallersBugs) {
     World world;
     const BodyId id = world.add(body(Shape::sphere(1), Vec3::Zero()));
-    EXPECT_DEATH(world.step(0.0), "a step needs time");
+    EXPECT_DEATH(world.step(0.0), "a step needs a positive time");
     EXPECT_DEATH((void)world.pose({7}), "no such body");
     EXPECT_DEATH(support::join(world, JointType::ball, id, id, Vec3::Zero()), "two different");
     Settings both = Settings::steady();

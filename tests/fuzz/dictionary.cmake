@@ -1,5 +1,5 @@
 # cmake -DOUT=scene.dict -DDIR=demos/scene -P dictionary.cmake
-# The format's words for the fuzzer: what is in quotes in the files that read it, and TOML's own.
+# Writes the format's words for the fuzzer: quoted words of the reader's sources, and TOML syntax.
 file(GLOB files ${DIR}/read_*.cpp ${DIR}/repeat.cpp ${DIR}/reader.cpp ${DIR}/joint_kinds.cpp
      ${DIR}/expression.cpp)
 set(words "")
@@ -14,7 +14,7 @@ list(REMOVE_DUPLICATES words)
 list(SORT words)
 list(LENGTH words count)
 if(count LESS 100)
-  message(FATAL_ERROR "${count} words of the format in ${DIR}: where has the reader gone?")
+  message(FATAL_ERROR "only ${count} words of the format found in ${DIR}; has the reader moved?")
 endif()
 list(JOIN words "\n" text)
 file(WRITE ${OUT} "${text}

@@ -1,5 +1,5 @@
 # cmake -DOUT=mjcf.dict -DDIR=demos/mjcf -P mjcf_dictionary.cmake
-# MJCF's words for the fuzzer: all of vocabulary.cpp, and XML's own.
+# Writes MJCF's words for the fuzzer: all words of vocabulary.cpp, and XML syntax.
 file(STRINGS ${DIR}/vocabulary.cpp lines REGEX "\"[a-z]")
 set(words "")
 foreach(line IN LISTS lines)
@@ -10,7 +10,7 @@ list(REMOVE_DUPLICATES words)
 list(SORT words)
 list(LENGTH words count)
 if(count LESS 100)
-  message(FATAL_ERROR "${count} words of MJCF in ${DIR}: where has the vocabulary gone?")
+  message(FATAL_ERROR "only ${count} words of MJCF found in ${DIR}; has the vocabulary moved?")
 endif()
 list(TRANSFORM words REPLACE "(.+)" "\"\\1\"")
 list(JOIN words "\n" text)

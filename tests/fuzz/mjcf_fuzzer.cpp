@@ -1,5 +1,5 @@
-// Any bytes as a MuJoCo model, promises as in scene_fuzzer.cpp: refused in whole lines with a place
-// inside the text, or taken by the engine and finite after a step.
+// Arbitrary bytes as a MuJoCo model. As in scene_fuzzer.cpp, they have to be rejected in complete
+// lines with a place inside the text, or be simulated by the engine and finite after a step.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -18,14 +18,14 @@
 
 namespace demos {
 
-/// Texts are read here, not names.
+/// Scenes come from texts here, not from names.
 std::span<const BuiltinScene> builtinScenes() { return {}; }
 
 }  // namespace demos
 
 namespace {
 
-constexpr std::size_t kMostBodies = 64;  // of a world that is built, and of one that is stepped
+constexpr std::size_t kMostBodies = 64;  // of a world that is built; below, of one that is stepped
 constexpr std::size_t kMostMoving = 8;
 
 void require(bool truth, const char* what, std::string_view value) {
@@ -34,7 +34,7 @@ void require(bool truth, const char* what, std::string_view value) {
     std::abort();
 }
 
-/// Takes a number off the front; -1 where there is none.
+/// Takes a number off the front; -1 if there is none.
 long numberAt(std::string_view& line) {
     const std::size_t end = line.find(':');
     if (end == 0 || end > 9) return -1;
@@ -47,7 +47,7 @@ long numberAt(std::string_view& line) {
     return number;
 }
 
-/// `a.xml:line:column: what`, of this text or of what it includes.
+/// `a.xml:line:column: what`, of this text or of an included one.
 void checkLine(const std::string& whole, long linesOfText) {
     require(demos::printable(whole) == whole, "a byte that does not print", whole);
     std::string_view line = whole;
@@ -59,11 +59,11 @@ void checkLine(const std::string& whole, long linesOfText) {
     if (!own) return;
     const long row = numberAt(line), column = numberAt(line);
     require(row >= 1 && row <= linesOfText + 1, "a line that is not in the text", whole);
-    require(column >= 1, "a column that is none", whole);
-    require(line.size() > 3 && line[0] == ' ', "a line of nothing", whole);
+    require(column >= 1, "a column below 1", whole);
+    require(line.size() > 3 && line[0] == ' ', "a line without a message", whole);
 }
 
-/// Every file that a model names is this mesh, or not there.
+/// Every file that a model names is this mesh, or missing.
 std::string fileCalled(const std::filesystem::path& path) {
     if (path.extension() == ".obj") return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     throw demos::SceneError({demos::printable(path.string()) + ": there is no such file"});
@@ -77,7 +77,7 @@ void checkWorld(demos::SceneDescription scene) {
         const bool finite = stage.world.pose(id).position.allFinite() &&
                             stage.world.velocity(id).allFinite() &&
                             stage.world.spin(id).allFinite();
-        require(finite, "not finite after a step that went well", stage.nameOf(id));
+        require(finite, "not finite after a step without an error", stage.nameOf(id));
     }
 }
 
@@ -91,7 +91,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         for (const std::string& note : scene.notes) checkLine(note, lines);
         checkWorld(std::move(scene));
     } catch (const demos::SceneError& error) {
-        require(!error.lines().empty(), "refused without a word", text);
+        require(!error.lines().empty(), "rejected without a message", text);
         for (const std::string& line : error.lines()) checkLine(line, lines);
     }
     return 0;

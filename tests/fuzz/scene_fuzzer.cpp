@@ -1,6 +1,6 @@
-// Any bytes as a scene. What readScene refuses it refuses in lines that are whole: a place inside
-// the text, nothing a terminal should not be given. What it accepts the engine takes (ENGINE_CHECK
-// stops the program), and one step leaves it finite or says why not.
+// Arbitrary bytes as a scene. If readScene rejects them, each line of its error has a place inside
+// the text and only printable characters. If it accepts them, the engine does too (ENGINE_CHECK
+// stops the program), and one step leaves a finite world or reports why not.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace demos {
 
-/// Texts are read here, not names.
+/// Scenes come from texts here, not from names.
 std::span<const BuiltinScene> builtinScenes() { return {}; }
 
 }  // namespace demos
@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::string_view kOption = "#--set ";
 constexpr std::size_t kMostOptions = 8;
-constexpr std::size_t kMostBodies = 64;  // of a world that is built, and of one that is stepped
+constexpr std::size_t kMostBodies = 64;  // of a world that is built; below, of one that is stepped
 constexpr std::size_t kMostMoving = 8;
 
 void require(bool truth, const char* what, std::string_view value) {
@@ -35,7 +35,7 @@ void require(bool truth, const char* what, std::string_view value) {
     std::abort();
 }
 
-/// A line that begins with `#--set ` is a comment of the scene, and an option as well.
+/// A line that begins with `#--set ` is a comment in the scene and also an option.
 std::vector<std::string> optionsIn(std::string_view text) {
     std::vector<std::string> options;
     for (std::size_t at = text.find(kOption);
@@ -47,7 +47,7 @@ std::vector<std::string> optionsIn(std::string_view text) {
     return options;
 }
 
-/// Takes a number off the front; -1 where there is none.
+/// Takes a number off the front; -1 if there is none.
 long numberAt(std::string_view& line) {
     const std::size_t end = line.find(':');
     if (end == 0 || end > 9) return -1;
@@ -64,21 +64,21 @@ void checkComplaint(const std::string& whole, long linesOfText) {
     require(demos::printable(whole) == whole, "a byte that does not print", whole);
     std::string_view line = whole;
     if (line.starts_with("--set ") || line.starts_with("and ")) return;
-    require(line.starts_with("a.toml:"), "a complaint without its file", whole);
+    require(line.starts_with("a.toml:"), "an error without its file", whole);
     line.remove_prefix(7);
     const long row = numberAt(line), column = numberAt(line);
     require(row >= 1 && row <= linesOfText + 1, "a line that is not in the text", whole);
-    require(column >= 1, "a column that is none", whole);
-    require(line.size() > 3 && line[0] == ' ', "a complaint of nothing", whole);
+    require(column >= 1, "a column below 1", whole);
+    require(line.size() > 3 && line[0] == ' ', "an error without a message", whole);
 }
 
 void checkRefusal(const demos::SceneError& error, std::string_view text) {
-    require(!error.lines().empty(), "refused without a word", text);
+    require(!error.lines().empty(), "rejected without a message", text);
     const long lines = std::count(text.begin(), text.end(), '\n') + 1;
     for (const std::string& line : error.lines()) checkComplaint(line, lines);
 }
 
-/// As much work as a step of few bodies should be, whatever the scene asks for.
+/// Limits the work of a step, whatever settings the scene has.
 void boundWork(engine::Settings& s) {
     s.threads = 1;
     s.substeps = std::min(s.substeps, 8);
@@ -97,7 +97,7 @@ void checkWorld(demos::SceneDescription scene) {
         const bool finite = stage.world.pose(id).position.allFinite() &&
                             stage.world.velocity(id).allFinite() &&
                             stage.world.spin(id).allFinite();
-        require(finite, "not finite after a step that went well", stage.nameOf(id));
+        require(finite, "not finite after a step without an error", stage.nameOf(id));
     }
 }
 

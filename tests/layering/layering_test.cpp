@@ -1,4 +1,4 @@
-// Arrows point one way: what each folder may include of the project and of other libraries.
+// Dependencies point one way: what each folder may include of the project and of other libraries.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -58,7 +58,7 @@ TEST(Layering, EngineOpensNoFileAndPrintsNothing) {
                                           "unordered_map", "unordered_set", "thread"};
     for (const Include& i : includesOf("engine")) {
         if (i.file == "engine/base/workers.cpp" && i.header == "thread") continue;
-        if (i.file == "engine/base/check.cpp") continue;  // the caller's bug is printed
+        if (i.file == "engine/base/check.cpp") continue;  // prints the caller's error
         EXPECT_FALSE(forbidden.count(i.header)) << i.file << ": " << i.line;
     }
 }
@@ -80,7 +80,7 @@ Floors floorsIn(const std::vector<std::string>& lines) {
     return floors;
 }
 
-/// The drawing of a README: ```floors, the highest first.
+/// The block ```floors of a README, the highest first.
 Floors drawnFloors(const std::string& root) {
     const std::string text = textOf(root + "/README.md"), begin = "```floors\n";
     const std::size_t at = text.find(begin);
@@ -92,7 +92,7 @@ Floors drawnFloors(const std::string& root) {
     return floorsIn(lines);
 }
 
-/// "engine/world_state.cpp" is of "world", which has no folder; "engine/body.h" of ".".
+/// "engine/world_state.cpp" belongs to "world", which has no folder; "engine/body.h" to ".".
 std::string folderOf(const std::string& file, const std::string& root, const Floors& floors) {
     const std::string rest = file.substr(root.size() + 1);
     if (const std::size_t slash = rest.find('/'); slash != std::string::npos)
@@ -113,7 +113,7 @@ TEST_P(LayeringOf, FoldersIncludeLowerFloorsOnly) {
     for (const Include& i : includesOf(root)) {
         if (startsWith(i.file, "demos/examples/")) continue;
         const std::string from = folderOf(i.file, root, floors);
-        ASSERT_TRUE(floors.count(from)) << i.file << " is of no folder in the drawing";
+        ASSERT_TRUE(floors.count(from)) << i.file << " belongs to no folder in the drawing";
         seen.insert(from);
         if (!startsWith(i.header, root + "/")) continue;
         const std::string to = folderOf(i.header, root, floors);
@@ -121,12 +121,12 @@ TEST_P(LayeringOf, FoldersIncludeLowerFloorsOnly) {
         EXPECT_TRUE(from == to || floors.at(to) < floors.at(from)) << i.file << ": " << i.line;
     }
     for (const auto& [folder, floor] : floors)
-        EXPECT_TRUE(seen.count(folder)) << folder << " is drawn and has no files";
+        EXPECT_TRUE(seen.count(folder)) << folder << " is in the drawing but has no files";
 }
 INSTANTIATE_TEST_SUITE_P(Roots, LayeringOf, testing::Values("engine", "render", "demos"),
                          [](const auto& root) { return std::string(root.param); });
 
-/// A library of demos is linked to the floors below it: CMake has to have the same ones.
+/// A library of demos is linked to the floors below it: CMake must have the same floors.
 TEST(Layering, TheFloorsOfDemosAreThoseOfItsLibraries) {
     const std::string text = textOf("demos/CMakeLists.txt");
     const std::regex floor(R"(\nimpulse_floor\(([^)]*)\))");
@@ -155,7 +155,7 @@ std::vector<std::string> blockOf(const std::string& readme, const std::string& n
     return lines;
 }
 
-/// A function that begins at the left edge: its definition, and not a call.
+/// True if the function begins at the left edge: that is its definition, not a call.
 bool defines(const std::string& file, const std::string& function) {
     return std::regex_search(textOf(file), std::regex("\n\\w[^\n;]*\\b" + function + "\\("));
 }
@@ -206,7 +206,8 @@ TEST(Layering, RenderKnowsNoPhysics) {
             << i.file << ": " << i.line;
 }
 
-/// Two types of one name in one namespace link without a word and crash: the One Definition Rule.
+/// Two types of the same name in one namespace violate the One Definition Rule: they link silently
+/// and crash.
 TEST(Layering, EveryTypeOfAFolderHasItsOwnName) {
     const std::regex definition(R"(^(?:struct|class) (?:alignas\(\d+\) )?(\w+)[^;]*\{)");
     for (const char* folder : {"engine", "render", "demos"}) {

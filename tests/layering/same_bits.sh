@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# same_bits.sh OBJDUMP NM LIBRARY...: the engine computes the same bits on every machine only without
-# fused multiply-add, which rounds once where a * b + c rounds twice, and without the C library's
-# trigonometry and powers, which differ in their last bit from one processor to the next.
+# same_bits.sh OBJDUMP NM LIBRARY...: to compute the same bits on every machine, the engine must not
+# use fused multiply-add, which rounds once where a * b + c rounds twice, nor the C library's
+# trigonometry and powers, whose last bit differs between processors.
 set -euo pipefail
 objdump=$1 nm=$2
 shift 2

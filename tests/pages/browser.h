@@ -1,4 +1,4 @@
-/// A page opened by headless Chromium, with a profile of its own; no name resolves, nothing leaves.
+/// Opens a page in headless Chromium with its own profile; no host name resolves: no network.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -19,11 +19,11 @@ inline std::string contentOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What became of a page.
+/// The results of opening a page.
 struct Opened {
     std::string dom;                    // after its script ran
-    std::vector<std::string> console;   // its messages, refusals of the content policy among them
-    std::vector<std::string> requests;  // addresses it asked the network for
+    std::vector<std::string> console;   // its messages, including refusals by the content policy
+    std::vector<std::string> requests;  // addresses it requested from the network
     render::Image screenshot;           // 1400x900
 };
 
@@ -70,8 +70,8 @@ private:
         ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder_ / "log");
     }
 
-    /// "[..:INFO:CONSOLE:17] "text", source: ..."; a driver's remarks about speed are not the
-    /// page's.
+    /// "[..:INFO:CONSOLE:17] "text", source: ..."; without remarks of a graphics driver about
+    /// speed.
     std::vector<std::string> consoleLines() const {
         std::vector<std::string> lines;
         std::istringstream log(contentOf(folder_ / "log"));
@@ -90,12 +90,12 @@ private:
         return event.substr(begin, event.find('"', begin) - begin);
     }
 
-    /// Not those of the browser itself, whose initiator is "not an origin".
+    /// Without those of the browser itself, whose initiator is "not an origin".
     std::vector<std::string> pageRequests() const {
         std::vector<std::string> addresses;
         const std::string log = contentOf(folder_ / "net.json");
         EXPECT_FALSE(log.empty());
-        std::istringstream events(log);  // a line each
+        std::istringstream events(log);  // one per line
         for (std::string line; std::getline(events, line);) {
             const std::string initiator = valueOf(line, "initiator"), url = valueOf(line, "url");
             if (!initiator.empty() && initiator != "not an origin" && url.starts_with("http"))

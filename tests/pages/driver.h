@@ -1,10 +1,10 @@
-/// Scripts that use a page as a reader would, and what they tell.
+/// Scripts that use a page as a reader would, and their results.
 #pragma once
 #include "tests/pages/browser.h"
 
 namespace support {
 
-/// Steps of a driver, each after the page has come to rest; what they tell comes into the DOM.
+/// Steps of a driver, each after the page has come to rest; their results go into the DOM.
 inline std::string driver(const std::string& steps) {
     return R"js(
 const told = document.createElement("pre");
@@ -20,8 +20,8 @@ const key = async (name, shiftKey = false) => {
   await rest();
 };
 const link = async (hash) => { location.hash = hash; await rest(); };
-// A picture that loads takes time on the clock and none of the browser's virtual time, which a timer
-// would use up while a film seeks or the clipboard answers. It comes from where the page allows.
+// Loading a picture takes real time but no virtual time of the browser; a timer would use up
+// virtual time while a film seeks or the clipboard answers. The page's policy allows its address.
 const inPage = /img-src[^;]*data:/.test(document.querySelector("meta[http-equiv]").content);
 const emptyPicture = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" id="p';
 let breaths = 0;

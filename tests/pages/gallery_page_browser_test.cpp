@@ -1,5 +1,5 @@
 // The gallery in a browser: its cards, the search, films under the pointer, copied commands, no
-// request.
+// network requests.
 #include "demos/gallery/gallery_page.h"
 #include "render/encode/ffmpeg.h"
 #include "render/encode/video.h"
@@ -53,7 +53,7 @@ protected:
     GalleryWords words_;
 };
 
-/// "[a b]" of the cards that are not hidden.
+/// "[a b]": the cards that are not hidden.
 const std::string kTellShown = R"js(
   const shown = () => tell([...document.querySelectorAll(".card")]
     .filter((card) => card.offsetParent !== null).map((card) => card.dataset.scene).join(" "));
@@ -68,7 +68,7 @@ TEST_F(GalleryInBrowser, ShowsACardForEachSceneByGroup) {
   tell(document.querySelectorAll("video").length);
 )js");
     EXPECT_EQ(told(opened),
-              "[stack wall it's mine][stacks,scenes of yours][12 bodies2 s60 steps/s]"
+              "[stack wall it's mine][stacks,your scenes][12 bodies2 s60 steps/s]"
               "[true][0]");
     EXPECT_TRUE(opened.console.empty()) << opened.console.front();
     EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
@@ -123,7 +123,7 @@ TEST_F(GalleryInBrowser, CommandsHaveTheOptionsOfTheGallery) {
               "impulse export stack --set 'world.gravity=[0, -5, 0]' -o stack.html]");
 }
 
-/// A scene may be called as the page's own parts are, and a link may hold anything.
+/// A scene may have the name of one of the page's own parts, and a link may contain anything.
 TEST_F(GalleryInBrowser, NamesAndLinksAreOnlyThat) {
     for (const char* name : {"nothing", "told", "search", "top"}) add(name, "", "A title", "why");
     const Opened opened = open("q=100%", kTellShown + R"js(
@@ -152,7 +152,7 @@ TEST_F(GalleryInBrowser, SumsAreWrittenAsPeopleDo) {
     EXPECT_NE(none.dom.find("There are no scenes here."), std::string::npos);
 }
 
-/// One at a time, from its first frame; fetched when it is asked for and not before.
+/// Films play one at a time, from the first frame, and are loaded only when needed.
 TEST_F(GalleryInBrowser, FilmsPlayUnderThePointerAndByTap) {
     if (!render::haveFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     for (const char* name : {"stack.mp4", "wall.mp4"}) {

@@ -1,4 +1,4 @@
-// replay.html in a browser: bodies where the camera has them, arrows, curves, keys, no request.
+// replay.html in a browser: bodies where the camera sees them, arrows, curves, keys, no requests.
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +17,8 @@ using support::told;
 
 constexpr int kFrames = 61;  // two seconds
 
-/// A red ball that goes from x = -3 to 3 (m), pushed to the left by a contact from the second frame
-/// on, and a blue one that stays above it.
+/// A red ball that moves from x = -3 to 3 (m), pushed to the left by a contact from the second
+/// frame on, and a blue one that stays above it.
 class ReplayInBrowser : public testing::Test {
 protected:
     ReplayInBrowser() {
@@ -49,7 +49,7 @@ protected:
         return browser_.open(replayPage(recording_).html, hash, script);
     }
 
-    /// Of the screen, where a place (m) of the world is.
+    /// The colour on the screen at a position (m) of the world.
     std::vector<int> colorOf(const Opened& opened, const Vec3& place) const {
         const Rect picture = support::toldRect(opened);
         const auto width = static_cast<int>(picture.width),
@@ -68,8 +68,8 @@ protected:
     Recording recording_;
 };
 
-/// The browser makes its window higher for the screenshot, after the driver has run: the page is
-/// given a height that does not depend on the window's, nor on what is reported.
+/// The browser makes its window higher for the screenshot, after the driver has run, so the page
+/// gets a height that does not depend on the window's, nor on what the driver reports.
 std::string still(const std::string& steps = "") {
     return driver(steps + R"js(
   const style = document.createElement("style");
@@ -85,7 +85,7 @@ std::string still(const std::string& steps = "") {
 bool isRed(const std::vector<int>& color) { return color[0] > 100 && color[0] > 3 * color[2]; }
 bool isBlue(const std::vector<int>& color) { return color[2] > 100 && color[2] > 3 * color[0]; }
 
-/// Pixels of one colour, which nothing lights.
+/// The number of pixels of one unlit colour.
 int countOf(const Opened& opened, int r, int g, int b) {
     int found = 0;
     for (int y = 0; y < opened.screenshot.height; ++y)
@@ -110,7 +110,7 @@ TEST_F(ReplayInBrowser, DrawsBodiesWhereTheCameraHasThem) {
     }
 }
 
-/// Here nothing keeps the page's height: the window becomes higher after the last picture.
+/// Here the page's height is not fixed: the window becomes higher after the last picture.
 TEST_F(ReplayInBrowser, ABallStaysRoundInAWindowThatChanges) {
     const render::Image shot = open("t=1&curves=0").screenshot;
     int left = shot.width, right = 0, top = shot.height, bottom = 0;
@@ -140,7 +140,7 @@ TEST_F(ReplayInBrowser, ArrowsAndDotsComeByLinkAndByKey) {
     const Opened with = open("t=1&show=contacts,impulses", still());
     const Opened pressed = open("t=1&show=", still("await key('i'); await key('c');"));
     const Opened before = open("t=0&show=contacts,impulses", still());
-    // The arrow's red and the dot's pink; the legend has some of both.
+    // The arrow's red and the dot's pink; the legend contains both too.
     for (const Opened* opened : {&with, &pressed}) {
         EXPECT_GT(countOf(*opened, 0xd6, 0x27, 0x28), countOf(before, 0xd6, 0x27, 0x28) + 100);
         EXPECT_GT(countOf(*opened, 0xe0, 0x21, 0x8a), 30);
@@ -241,7 +241,7 @@ TEST_F(ReplayInBrowser, OrbitsPansAndZooms) {
     EXPECT_EQ(told(opened), "[true][true][true][true]");
 }
 
-/// As on a phone.
+/// A narrow window, as on a phone.
 TEST_F(ReplayInBrowser, AllControlsAreWithinANarrowPage) {
     const Opened opened = open("t=1", driver(R"js(
   document.documentElement.style.width = document.body.style.width = "320px";
@@ -253,7 +253,7 @@ TEST_F(ReplayInBrowser, AllControlsAreWithinANarrowPage) {
     EXPECT_EQ(told(opened), "[0][true]");
 }
 
-/// More values than a function takes arguments.
+/// More values than a function can take as arguments.
 TEST_F(ReplayInBrowser, ALongRunIsShown) {
     const RecordedFrame last = recording_.frames.back();
     recording_.frames.resize(45'000, last);
@@ -277,7 +277,7 @@ TEST_F(ReplayInBrowser, HasTheScenesTitleAndNoMinusZero) {
     EXPECT_EQ(told(opened), "[0.000, 3.000, 0.000 m][Two balls \u2013 impulse replay]");
 }
 
-/// Half of the width each, or all of it for the energy: the cursor's column is elsewhere.
+/// With contacts the two charts have half of the width each; without, the energy has all of it.
 TEST_F(ReplayInBrowser, ARunWithoutContactsHasNoChartOfThem) {
     const std::string click = R"js(
   const chart = byId("curves"), r = chart.getBoundingClientRect();

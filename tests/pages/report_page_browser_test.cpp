@@ -1,5 +1,5 @@
 // The report in a browser: every mode, the keys, the command, the colours on the screen, no
-// request.
+// network requests.
 #include <cmath>
 
 #include "demos/regression/report_page.h"
@@ -114,7 +114,7 @@ TEST_F(ReportInBrowser, ABrokenContractCannotBeAccepted) {
   await key("a"); await key("p"); await key("A", true);
   tell(byId("command").textContent.startsWith("impulse"));
   tell(byId("expectations").open);
-  await key("n"); await key("a");  // the least that a scene without a baseline has
+  await key("n"); await key("a");  // without a baseline only the whole scene
   tell(byId("command").textContent.replace(/--results \S+/, "--results DIR"));
 )js"));
     EXPECT_EQ(told(opened), "[false][true][impulse approve --results DIR 'it'\\''s new']");
@@ -143,7 +143,7 @@ TEST_F(ReportInBrowser, BlinksByHandAndDrawsBothRuns) {
     EXPECT_EQ(told(opened), "[100,220][true true]");
 }
 
-/// Half way it turns its back on the bodies.
+/// Half way the camera turns away from the bodies.
 TEST_F(ReportInBrowser, TheFilmIsSeenAsTheCameraGoes) {
     trajectories_[0].camera.keys = {{0.5, {8, 5, 14}, {16, 8, 28}, 35.0, Ease::cut}};
     const Opened opened = open("scene=first", driver(R"js(
@@ -181,8 +181,8 @@ TEST_F(ReportInBrowser, GoesToTheWorstWindowTheFirstStepAndThePixel) {
         << told(opened);
 }
 
-/// The browser makes its window higher for the screenshot, after the driver has run: the stage is
-/// given a height and a place that do not depend on the window's.
+/// The browser makes its window higher for the screenshot, after the driver has run, so the stage
+/// gets a height and a place that do not depend on the window's.
 const std::string kStage = driver(R"js(
   byId("stage").style.height = "300px";
   byId("scene").scrollTop = 0;
@@ -191,7 +191,7 @@ const std::string kStage = driver(R"js(
   tell(`${r.left} ${r.top} ${r.width} ${r.height}`);
 )js");
 
-/// Of the screen where a pixel of the picture is, the picture fitted to the stage.
+/// The screen's pixel where a pixel of the picture is shown, with the picture fitted to the stage.
 const std::uint8_t* screenAt(const Opened& opened, double x, double y) {
     const Rect stage = support::toldRect(opened);
     const double zoom = std::min(stage.width / kPictureWidth, stage.height / kPictureHeight);
@@ -219,7 +219,7 @@ TEST_F(ReportInBrowser, TheHeatMapIsBrightWhereTheSquareIs) {
     EXPECT_NEAR(inside[2], 143, 2);
     EXPECT_EQ(colorAt(opened, kOutX, kOutY), (std::vector<int>{0, 0, 4}));
     // Its first column is blurred to L* 77.96, 0.701 on the scale, and Sobel's gradient is 0.234:
-    // 0.701^(1 - sqrt(0.234 / sqrt 2)) = 0.810, a green of 195; without the edge it were 143.
+    // 0.701^(1 - sqrt(0.234 / sqrt 2)) = 0.810, a green of 195; without the edge it would be 143.
     EXPECT_NEAR(colorAt(opened, kLeft + 0.5, kInY)[1], 195, 4);
 }
 

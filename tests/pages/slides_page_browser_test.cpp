@@ -1,4 +1,4 @@
-// A talk in a browser: keys, films frame by frame, the speaker's window, print; no request.
+// A talk in a browser: keys, films frame by frame, the speaker's window, print; no requests.
 #include <algorithm>
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ using support::driver;
 using support::Opened;
 using support::told;
 
-/// Besides keys: which slide is seen, and a film's frame by its grey.
+/// Helpers for drivers: which slide is shown, and a film's frame by its grey level.
 const std::string kEyes = R"js(
   const at = () => document.querySelector(".leaf.seen .number").textContent.split(" ")[0];
   const film = () => document.querySelector(".leaf.seen video");
@@ -97,7 +97,7 @@ TEST_F(SlidesInBrowser, OthersPlayAtOnceAndLoopAsTheSectionSays) {
     expectQuiet(opened);
 }
 
-/// Every frame there and back, and the run's time, which passes at a third of the film's speed.
+/// Every frame forward and back, and the run's time, which passes at a third of the film's speed.
 TEST_F(SlidesInBrowser, StepsFrameByFrameExactly) {
     const Opened opened = open("2", R"js(
   await frame();
@@ -123,7 +123,7 @@ TEST_F(SlidesInBrowser, StepsFrameByFrameExactly) {
     expectQuiet(opened);
 }
 
-/// Virtual time runs ahead of a film, so it is put near its end.
+/// Virtual time runs ahead of a film, so the film is moved near its end.
 TEST_F(SlidesInBrowser, HoldsItsLastFrameAndTheSpaceBarGoesOn) {
     const Opened opened = open("2", R"js(
   await frame();
@@ -167,7 +167,7 @@ TEST_F(SlidesInBrowser, ClicksGoBackOnTheLeftAndOnElsewhere) {
     EXPECT_EQ(told(opened), "[4][3][2]");
 }
 
-/// The driver runs in both windows. Each file is an origin of its own: they can only write letters.
+/// The driver runs in both windows. Each file is its own origin: they can only post messages.
 TEST_F(SlidesInBrowser, TheSpeakersWindowFollowsAndLeads) {
     const Opened opened = open("1", R"js(
   if (location.hash === "#speaker") {
@@ -276,7 +276,7 @@ TEST_F(SlidesInBrowser, NineteenPicturesAreAllSeenAndTheLastRowStandsInTheMiddle
 
 TEST_F(SlidesInBrowser, AFolderPlaysItsFilmsToo) {
     writeSlidesFolder(deck_, folder_ / "talk");
-    // The page is opened beside media/, as index.html would be.
+    // The page is opened next to media/, like index.html.
     std::filesystem::rename(folder_ / "talk/media", folder_ / "media");
     const Opened opened =
         browser_.open(support::contentOf(folder_ / "talk/index.html"), "2", driver(kEyes + R"js(

@@ -1,4 +1,4 @@
-// A picture beside one of eight times its size, and how both are drawn.
+// Compares a picture with one of eight times its size.
 #pragma once
 #include <cmath>
 
@@ -13,7 +13,7 @@ inline RendererSettings plainSettings(int width, int height, int samples) {
     return s;
 }
 
-/// Every pixel the mean of 8 x 8 of a picture that much larger.
+/// Every pixel is the mean of 8 x 8 pixels of the larger picture.
 inline Image shrunk(const Image& large) {
     Image small{large.width / 8, large.height / 8, {}};
     small.pixels.resize(4u * static_cast<std::size_t>(small.width * small.height));

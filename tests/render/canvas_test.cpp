@@ -23,7 +23,7 @@ Image white(int width, int height) {
     return image;
 }
 
-/// Black on white: pixels' worth of ink.
+/// Black on white: the amount of ink, in pixels.
 double inkOf(const Image& image) {
     double sum = 0.0;
     for (std::size_t i = 0; i < image.pixels.size(); i += 4) sum += 255 - image.pixels[i];
@@ -41,7 +41,7 @@ TEST(Canvas, ARectangleHasItsAreaWhereverItLies) {
     }
 }
 
-/// Half an ink over nothing is the ink itself at half the alpha: straight, not darkened.
+/// Ink that half covers a transparent pixel keeps its colour at half the alpha: straight alpha.
 TEST(Canvas, ATransparentPictureTakesTheInksColor) {
     Image image{4, 4, std::vector<std::uint8_t>(64, 0)};
     const Color ink{200 / 255.0f, 100 / 255.0f, 50 / 255.0f, 1.0f};
@@ -69,7 +69,7 @@ TEST(Canvas, ASlantedLineHasItsArea) {
     Image image = white(200, 200);
     const Point points[] = {{20, 30}, {170, 130}};
     drawPolyline(image, points, 3.0f, kInk);
-    // A box filter across the line instead of along the axes: a percent at most.
+    // The box filter is across the line instead of along the axes: an error of at most a percent.
     const double area = std::hypot(150.0, 100.0) * 3.0 + 0.25 * 3.14159 * 9.0;
     EXPECT_NEAR(inkOf(image), area, 0.01 * area);
 }

@@ -1,4 +1,4 @@
-// Every kind of context gives the same picture, whatever the user's environment says to the driver.
+// Every kind of context gives the same picture, whatever driver variables the user has set.
 #include "render/context.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ Frame stillLife() {
 
 class Contexts : public testing::Test {
 protected:
-    /// The PNG of a process of its own, as the driver reads its environment once. Empty: it failed.
+    /// The PNG from a separate process: the driver reads its environment once. Empty: it failed.
     std::vector<std::uint8_t> drawn(
         ContextKind kind, bool reproducible, void (*before)() = [] {}) {
         const std::filesystem::path file = folder_ / std::to_string(++drawn_);

@@ -1,4 +1,4 @@
-// Texts, plates and names keep clear of each other and within the picture, at every size.
+// Texts, plates and names do not overlap and stay within the picture, at every size.
 #include "render/corners.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Plate plateIn(Corner corner, int rows) {
     return plate;
 }
 
-/// Something in every corner, a caption that is much too long for a line.
+/// Something in every corner, and a caption that is much too long for a line.
 Frame crowded() {
     Frame frame;
     frame.texts.push_back({"t = 1.750 s   152 bodies   steady, 4 sub-steps"});
@@ -88,7 +88,7 @@ TEST(Corners, LongTextsAreBrokenBetweenWords) {
     EXPECT_EQ(brokenText(text, 20, 1e6f), std::vector<std::string>{text});
 }
 
-/// Letters of a given size are the same in every picture: they break into lines or are left out.
+/// Letters of a fixed size are the same in every picture: texts break into lines or are left out.
 TEST(Corners, LettersOfAGivenSizeNeverShrink) {
     Frame frame;
     frame.look.unit = 2.0f;

@@ -1,4 +1,4 @@
-// The data of small frames, by one renderer for all of them.
+// The data images of small frames, all drawn by one renderer.
 #pragma once
 #include "render/data_images.h"
 #include "render/renderer.h"

@@ -1,4 +1,4 @@
-// Data passes against closed forms: planes, spheres, boxes at known places, seen by a known camera.
+// Data passes against closed forms: planes, spheres and boxes at known places, for a known camera.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Solid solid(SolidShape shape, const Vec3& at, const Vec3& half, int id) {
 
 std::size_t at(int x, int y) { return static_cast<std::size_t>(y) * kDataWidth + x; }
 
-/// A pixel centre's ray in the frame of emptyAhead(), for one metre along the view axis.
+/// The ray of a pixel's centre in emptyAhead(), 1 m long along the view axis.
 Eigen::Vector3d ray(int x, int y) {
     const double tangent = std::tan(20.0 * 3.14159265358979 / 180.0);
     return {(2.0 * (x + 0.5) / kDataWidth - 1.0) * tangent * kDataWidth / kDataHeight,
@@ -76,7 +76,7 @@ TEST(DataPass, ASphereIsRoundAndTheSkyIsNothing) {
             if (root < 0.0) continue;  // the outermost pixels: see enter()
             const double t = (-b - std::sqrt(root)) / a;
             const Eigen::Vector3d normal = (t * d + Eigen::Vector3d(0, 0, 10)) / 2.0;
-            // float camera: 1e-6 of the angle, which the grazing ray makes larger
+            // the camera is in floats: 1e-6 of the angle, more for a grazing ray
             const double hard = 1e-4 / std::max(std::sqrt(root), 0.05);
             ASSERT_NEAR(data.depth[at(x, y)], t, hard) << x << "," << y;
             ASSERT_LT((data.normal[at(x, y)].cast<double>() - normal).norm(), hard);
@@ -84,7 +84,7 @@ TEST(DataPass, ASphereIsRoundAndTheSkyIsNothing) {
     EXPECT_NEAR(data.depth[at(kDataWidth / 2, kDataHeight / 2)], 8.0f, 1e-3f);
 }
 
-// The outline of a mesh of 48 slices is within a pixel of the round one.
+// The outline of the mesh is within a pixel of the sphere's.
 TEST(DataPass, TheOutlineIsThatOfTheSphere) {
     Frame frame = emptyAhead();
     frame.solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {2, 2, 2}, 0));
@@ -126,8 +126,8 @@ TEST(DataPass, NormalsOfATurnedBoxAreItsAxes) {
     for (const int count : faces) EXPECT_GT(count, 20);
 }
 
-// Between two boxes of one size a rasteriser's rounding decides; a ray that passes the lower one's
-// front by a hair would find its covered top.
+// Between two boxes of one size the rasteriser's rounding decides; a ray that barely misses the
+// front of the lower one would hit its covered top.
 TEST(DataPass, ACoveredFaceIsNeverSeen) {
     Frame frame = emptyAhead();
     frame.camera.from = {4, 3, 9};
@@ -195,7 +195,7 @@ TEST(DataPass, FlowOfAMovedAndTurnedBoxIsTheDifferenceOfItsProjections) {
     for (int y = 0; y < kDataHeight; ++y)
         for (int x = 0; x < kDataWidth; ++x) {
             if (data.id[at(x, y)] == 0) {
-                ASSERT_EQ(data.flow[at(x, y)], Eigen::Vector2f(0, 0));  // a sky that stands still
+                ASSERT_EQ(data.flow[at(x, y)], Eigen::Vector2f(0, 0));  // the sky does not move
                 continue;
             }
             ++covered;
@@ -214,7 +214,7 @@ TEST(DataPass, FlowUnderAMovingCameraIsThatOfTheStandingPoints) {
         frame->grounds.push_back({true, {0, 1, 0}, -1.5f, 0});
         frame->solids.push_back(solid(SolidShape::sphere, {0, 0, 0}, {1, 1, 1}, 1));
     }
-    next.camera.from = {0.5f, 0.25f, 9};  // looks along -z still
+    next.camera.from = {0.5f, 0.25f, 9};  // still looks along -z
     next.camera.lookAt = {0.5f, 0.25f, 0};
     const DataImages data = dataOf(now, &next);
     int sky = 0;
@@ -224,7 +224,7 @@ TEST(DataPass, FlowUnderAMovingCameraIsThatOfTheStandingPoints) {
             const Eigen::Vector2d flow = data.flow[at(x, y)].cast<double>();
             if (data.id[at(x, y)] == 0) {
                 ++sky;
-                ASSERT_LT(flow.norm(), 1e-4);  // infinitely far away, and the view does not turn
+                ASSERT_LT(flow.norm(), 1e-4);  // infinitely far away, and the camera does not turn
                 continue;
             }
             const Eigen::Vector3d p = static_cast<double>(data.depth[at(x, y)]) * ray(x, y);
@@ -244,7 +244,7 @@ TEST(DataPass, FlowIsUnknownWithoutANextFrameAndForWhatIsGone) {
     EXPECT_EQ(dataOf(now, &next).flow[0].x(), 0.0f);
 }
 
-// A white ball in front of black, lit by nothing but the ambient light: whoever is bright is it.
+// White bodies on black, lit by ambient light only: every bright pixel belongs to a body.
 TEST(DataPass, LinesUpWithThePicture) {
     Frame frame = emptyAhead();
     frame.look.skyTop = frame.look.skyHorizon = frame.look.fog = {0, 0, 0, 1};

@@ -85,7 +85,7 @@ TEST(PictureDifference, StructureAloneFailsTheGate) {
     render::Image a = grey(32, 32), b = a;
     for (int i = 0; i < 8; ++i) b.at(8 + i, 8)[0] = b.at(8 + i, 8)[1] = 255;
     const render::Difference d = render::compare(a, b);
-    EXPECT_LE(d.worstWindow, render::Gate{}.windowPixels);  // a thin scratch
+    EXPECT_LE(d.worstWindow, render::Gate{}.windowPixels);  // a thin scratch is below the limit
     EXPECT_LT(d.worstSsim, 0.5);
     EXPECT_FALSE(render::samePicture(d));
 }
@@ -102,7 +102,7 @@ TEST(PictureDifference, ColourAloneFailsTheGate) {
     EXPECT_FALSE(render::samePicture(d));
 }
 
-/// Every window counted pixel by pixel: what sums of areas have to agree with.
+/// Counts every window pixel by pixel: the summed areas must agree with it.
 int worstWindowOf(const render::Image& a, const render::Image& b, int levels) {
     int worst = 0;
     for (int top = 0; top == 0 || top + 16 <= a.height; ++top)
@@ -147,7 +147,7 @@ double ssimOf(const render::Image& a, const render::Image& b, int left, int top)
 }
 
 TEST(PictureDifference, AgreesWithItsDefinition) {
-    std::mt19937 dice(7);  // the same numbers everywhere, unlike a distribution's
+    std::mt19937 dice(7);  // the same numbers on every platform, unlike a distribution
     for (const auto& [width, height] : {std::pair{61, 37}, {16, 16}, {8, 50}, {3, 3}, {40, 9}}) {
         render::Image a = grey(width, height);
         for (std::uint8_t& value : a.pixels) value = static_cast<std::uint8_t>(dice() % 256);

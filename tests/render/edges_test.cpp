@@ -1,4 +1,4 @@
-// Edges: rays that meet surfaces, the samples taken along them, and trails, which cover in part.
+// Edges: rays that hit surfaces, the samples taken along them, and the partial coverage of trails.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +51,7 @@ TEST(EdgeRays, EnterWhereAWalkAlongThemGetsInside) {
                 const double walked =
                     walk(surface, sight.eye.cast<double>(), along.cast<double>());
                 const double t = std::min(static_cast<double>(found.t[lane]), kFarthest);
-                if (tube && t == kFarthest) continue;  // a walk may go in by an open end
+                if (tube && t == kFarthest) continue;  // a walk may enter through an open end
                 EXPECT_NEAR(t, walked, 2e-3) << "surface " << static_cast<int>(surface.kind);
                 ++(t < kFarthest ? hits : misses);
             }
@@ -89,11 +89,11 @@ TEST(EdgeRays, DoNotMeetWhatIsBehindTheEye) {
     }
 }
 
-/// Nothing but colours that do not change within a surface.
+/// Every surface has a single colour.
 Frame flatSurfaces() {
     Frame frame = oneSurfaceOfEach();
     frame.look.shadows = frame.look.ambientOcclusion = frame.look.edges = false;
-    frame.grounds.clear();  // its lines are as wide in a larger picture
+    frame.grounds.clear();  // its lines have the same width in a larger picture
     Solid floor;
     floor.position = {0, -1, 0}, floor.halfSize = {4, 0.6f, 4}, floor.color = fromHex(0x808890);
     frame.solids[0].color = fromHex(0x1f77d0);
@@ -201,12 +201,12 @@ TEST(Trails, CoverAsMuchAsTheyAreWide) {
     frame.trails.push_back(trail);
     const Image image = Renderer(plainSettings(160, 90, 1)).draw(frame);
     double before = 1e9;
-    for (int y = 20; y < 50; ++y) {  // from the newest, which is the widest and darkest, down
+    for (int y = 20; y < 50; ++y) {  // from the newest point, which is the widest and darkest, down
         double missing = 0.0;
         for (int x = 0; x < 160; ++x) missing += empty.at(x, y)[1] - image.at(x, y)[1];
         missing /= empty.at(0, y)[1];
         EXPECT_GT(missing, 0.2) << y;
-        EXPECT_LT(missing, before + 0.03) << y;  // pixels' worth of black: no steps, no gaps
+        EXPECT_LT(missing, before + 0.03) << y;  // black ink, in pixels: no steps, no gaps
         before = missing;
     }
 }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder of its own for every test.
+/// Every test has its own empty folder.
 class AtomicFile : public testing::Test {
 protected:
     std::ptrdiff_t filesInFolder() const {
@@ -139,7 +139,7 @@ TEST_F(AtomicFile, SaysWhichPathAndWhy) {
     EXPECT_EQ(render::describeError(ENOSPC), "disk full");
 }
 
-/// In a child process: writes 1 MB where only 100 kB are allowed. 0: refused with an Error.
+/// In a child process: writes 1 MB where only 100 kB are allowed. 0: it throws Error.
 int writeTooMuch(const fs::path& path) {
     ::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit = {100'000, 100'000};

@@ -1,4 +1,4 @@
-/// Films opened again: by ffmpeg, and byte by byte where it cannot.
+/// Reads films back: with ffmpeg, and byte by byte where ffmpeg cannot.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -48,14 +48,14 @@ inline unsigned byteAt(const std::string& bytes, std::size_t at) {
     return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0u;
 }
 
-/// Where `mark` begins; the file's end, and a failure, when it does not.
+/// The position of `mark`; if it is missing, a failure and the file's end.
 inline std::size_t find(const std::string& bytes, const std::string& mark) {
     const std::size_t at = bytes.find(mark);
     EXPECT_NE(at, std::string::npos) << mark;
     return std::min(at, bytes.size());
 }
 
-/// Hundredths of a second that each frame of a GIF is shown: graphic control extensions,
+/// The delay of each frame of a GIF in hundredths of a second: graphic control extensions,
 /// 21 F9 04 flags delay(2) transparent 00.
 inline std::vector<unsigned> gifDelays(const std::string& gif) {
     std::vector<unsigned> delays;

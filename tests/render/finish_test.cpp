@@ -1,4 +1,4 @@
-// What a picture looks like: drafts, transparent ground, many moments in one.
+// Finishes of a picture: drafts, transparent background, many moments in one.
 #include <gtest/gtest.h>
 
 #include "render/palette.h"
@@ -28,7 +28,7 @@ Frame boxAt(float x) {
     return frame;
 }
 
-/// Levels of all channels together; the floor of the box's middle row at column x.
+/// The sum of the levels of all colour channels.
 int levelsAt(const Image& image, int x, int y) {
     const std::uint8_t* p = image.at(x, y);
     return p[0] + p[1] + p[2];
@@ -78,7 +78,7 @@ TEST(Draft, OfManyMomentsHasNoShadowsEither) {
     EXPECT_NE(Renderer(settings()).draw(moments).pixels, Renderer(settings()).draw(plain).pixels);
 }
 
-/// Of all channels, in levels.
+/// Over all channels, in levels.
 double meanDifference(const Image& a, const Image& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
@@ -91,7 +91,7 @@ TEST(Draft, HasNeitherShadowsNorSamples) {
     one.samples = 1;
     Frame plain = boxAt(0);
     plain.look.shadows = plain.look.ambientOcclusion = false;
-    // Light is found at corners: no gloss, no rounded edges. All else is the same.
+    // Light is per vertex: no gloss, no rounded edges. The rest is the same.
     const double alike = meanDifference(draft, Renderer(one).draw(plain));
     EXPECT_LT(alike, 1.5);
     EXPECT_GT(meanDifference(draft, Renderer(one).draw(boxAt(0))), 1.5 * alike);
@@ -133,7 +133,7 @@ TEST(Moments, BlurWhatMovesAndNothingElse) {
     for (int i = 0; i < 8; ++i) moving.push_back(boxAt(-1.0f + 0.25f * static_cast<float>(i)));
     const Image blurred = renderer.draw(moving);
     const Image first = renderer.draw(boxAt(-1.0f)), empty = renderer.draw(boxAt(50.0f));
-    // Half of the moments have the box over its left edge's place: between box and background.
+    // The box covers this place in half of the moments: the level is between box and background.
     const int x = kFinishWidth / 2 - 20;
     EXPECT_GT(levelsAt(blurred, x, kMiddle), levelsAt(first, x, kMiddle) + 40);
     EXPECT_LT(levelsAt(blurred, x, kMiddle), levelsAt(empty, x, kMiddle) - 40);

@@ -53,7 +53,7 @@ TEST(FloatFiles, RefuseAWrongNumberOfPixels) {
     EXPECT_THROW(encodePng16({}, 0, 2, 1), Error);
 }
 
-/// The samples of a PNG as encodePng16 writes it, by hand: one IDAT, filter Sub.
+/// Decodes a PNG as encodePng16 writes it: one IDAT, filter Sub.
 std::vector<std::uint16_t> samplesOf(const Bytes& png, int width, int height, int channels) {
     const std::size_t length = std::size_t{png[33]} << 24 | std::size_t{png[34]} << 16 |
                                std::size_t{png[35]} << 8 | png[36];

@@ -1,5 +1,5 @@
-// A corpus for the gate: what has to pass and what has to fail, on a tower of ten boxes as this
-// renderer draws it. Noise is planted, as no driver here makes any.
+// A corpus for the gate: changes that must pass and changes that must fail, on a tower of ten boxes
+// drawn by this renderer. Noise is added artificially, since no driver here makes any.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ const Case kShouldMatch[] = {
                      for (int c = 0; c < 3; ++c) add(image.at(x, y)[c], 2);
          });
      }},
-    {"LonePixelsByTenLevels",  // an edge that falls to the other side on another processor
+    {"LonePixelsByTenLevels",  // an edge that is rounded differently on another processor
      [] {
          return noisy([](Image& image, Dice&) {
              for (int y = 10; y < 360; y += 40)

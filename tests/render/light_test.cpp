@@ -1,4 +1,4 @@
-// The parts of a picture that are found without a driver: surroundings, means, samples, regions.
+// The parts of a picture that are computed without a driver: occlusion, means, samples, regions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,7 +60,7 @@ TEST(SubSample, CoversPixelSunAndLensEvenly) {
     }
 }
 
-/// What a camera looking along -z sees of a floor 1 m below it, and of a wall 6 m away.
+/// Depths seen by a camera that looks along -z: a floor 1 m below it, and a wall 6 m away.
 DepthMap room(bool wall) {
     DepthMap map{96, 96, std::vector<float>(96 * 96)};
     for (int y = 0; y < 96; ++y)
@@ -162,7 +162,7 @@ TEST(BodyRects, AreThePictureWhereABodyReachesBehindTheEye) {
     EXPECT_EQ(rect.x1, 640);
     EXPECT_EQ(rect.y1, 360);
     frame.solids[0].halfSize = {1, 1, 1};
-    frame.solids[0].position = {0, 2, 12};  // all of it behind
+    frame.solids[0].position = {0, 2, 12};  // entirely behind the eye
     EXPECT_TRUE(bodyRects(frame, straight(), 640, 360).empty());
 }
 

@@ -1,4 +1,4 @@
-// Marks over a picture whose depths are known: what is in front hides them, and nothing else does.
+// Marks over a picture with known depths: only nearer surfaces hide them.
 #include "render/overlay.h"
 
 #include <gtest/gtest.h>
@@ -23,10 +23,10 @@ struct Scene {
         view = makeView(frame.camera, 1.0f);
         image.width = image.height = kSize;
         image.pixels.assign(4u * kSize * kSize, 255);
-        depth.width = depth.height = kSize / 2;  // half size, as the renderer's
+        depth.width = depth.height = kSize / 2;  // half size, as in the renderer
         depth.meters.assign(kSize * kSize / 4, distance);
     }
-    /// Pixels' worth of ink.
+    /// The amount of ink, in pixels.
     double draw() {
         drawOverlays(image, frame, view, depth);
         double sum = 0.0;
@@ -95,7 +95,7 @@ TEST(Overlay, ALineIsCutAtTheCameraAndFaintBehindThings) {
     for (Scene* scene : {&before, &behind})
         scene->frame.lines.push_back({{-5, 0.3f, -10}, {5, 0.3f, -10}, 2.0f, kBlack});
     const double full = before.draw();
-    EXPECT_NEAR(full, 100.0, 10.0);  // a pixel wide, as the picture is small
+    EXPECT_NEAR(full, 100.0, 10.0);  // one pixel wide, since the picture is small
     EXPECT_LT(behind.draw(), 0.4 * full);
     Scene through(40);
     through.frame.lines.push_back({{1, 1, 50}, {1, 1, -20}, 2.0f, kBlack});

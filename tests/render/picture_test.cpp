@@ -1,5 +1,5 @@
-// Golden frames: small pictures kept in tests/golden, drawn in the reproducible class of pixels.
-// IMPULSE_UPDATE_GOLDEN=1 writes them again; look at them before they are committed.
+// Golden frames: small pictures stored in tests/golden, drawn in the reproducible class of pixels.
+// IMPULSE_UPDATE_GOLDEN=1 writes them again; check them before you commit them.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -76,7 +76,7 @@ Image golden(const std::string& name, const Image& actual) {
     return decodePng(bytes);
 }
 
-/// The renderer is made once: the first one in a process decides the class of pixels.
+/// There is one renderer: the first one in a process decides the class of pixels.
 bool rendererMade = false;
 
 Renderer& renderer() {
@@ -116,7 +116,7 @@ TEST(GoldenPicture, DarkWithoutOcclusion) {
     expectGolden("dark", frame);
 }
 
-// What the gate is for: a body one centimetre off, a shadow missing, a body hidden.
+// The damage that the gate must find: a body one centimetre off, a missing shadow, a hidden body.
 TEST(Gate, CatchesPlantedDamage) {
     const Image right = renderer().draw(still());
     EXPECT_FALSE(samePicture(compare(right, renderer().draw(still(0.01f))), Gate{}));
@@ -134,7 +134,7 @@ TEST(Renderer, DrawsTheSameFrameTwiceToTheByte) {
     EXPECT_EQ(renderer().draw(annotated()).pixels, first.pixels);
 }
 
-// A second renderer in its own process, with other threads: the pixels are the same.
+// A second renderer in its own process with another number of threads draws the same pixels.
 TEST(Renderer, ThreadsDoNotChangePixels) {
     if (rendererMade) GTEST_SKIP() << "the driver's threads do not survive a fork; run it alone";
     const auto drawnWith = [](int threads) {

@@ -44,7 +44,7 @@ TEST(Png, TellsItsPixelsAMetreWhereAsked) {
     const render::Image image = gradient(20, 10);
     const Bytes plain = render::encodePng(image), sized = render::encodePng(image, 300);
     ASSERT_EQ(sized.size(), plain.size() + 21);
-    EXPECT_EQ(std::string(sized.begin() + 37, sized.begin() + 41), "pHYs");  // right behind IHDR
+    EXPECT_EQ(std::string(sized.begin() + 37, sized.begin() + 41), "pHYs");  // right after IHDR
     EXPECT_EQ(bigEndian(sized, 41), 11811u);  // 300 / 0.0254
     EXPECT_EQ(bigEndian(sized, 45), 11811u);
     EXPECT_EQ(sized[49], 1);  // metres

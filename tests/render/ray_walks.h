@@ -1,5 +1,5 @@
-// The view that rays start from, and where one gets inside of a surface, found by walking along it:
-// slow, and without the formulas that the renderer uses.
+// The view that rays start from, and the point where a ray enters a surface, found by walking along
+// the ray: slow, and without the formulas that the renderer uses.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ inline double windingNumber(const SolidMesh& mesh, const Vec3d& p) {
     return sum / (2.0 * 3.14159265358979);
 }
 
-/// A bar is a tube without ends; here it has them.
+/// A bar is a tube without ends; here its ends are closed.
 inline bool isInside(const Surface& s, const Vec3d& point) {
     const Vec3d p = s.axes.transpose() * (point - s.at);
     const double across = std::hypot(p.x(), p.z());
@@ -53,7 +53,7 @@ inline bool isInside(const Surface& s, const Vec3d& point) {
     return false;
 }
 
-/// How far along a ray one has to go to get inside, by many small steps; kFarthest: never.
+/// The distance along a ray at which it gets inside, by many small steps; kFarthest: never.
 inline double walk(const Surface& s, const Vec3d& from, const Vec3d& along, double step = 5e-4,
                    double first = 0.0, double last = kFarthest) {
     for (double t = first + step; t < last; t += step)

@@ -15,7 +15,7 @@ namespace {
 
 float shareOf(std::mt19937& random) { return static_cast<float>(random() % 65536u) / 65536.0f; }
 
-/// Seen from above and aside.
+/// Seen from above and from the side.
 Frame emptyBelow() {
     Frame frame;
     frame.camera = {{2, 3, 7}, {0, 0, 0}, {0, 1, 0}, 30};
@@ -60,7 +60,7 @@ TEST(SolidRays, EnterWhereAWalkAlongThemGetsInside) {
                 const Vec3d eye = sight.eye.cast<double>();
                 const double walked = walk(surface, eye, way, 2e-3, 5.0, 11.0);
                 const double t = std::min(static_cast<double>(found.t[lane]), kFarthest);
-                if (t == kFarthest && walked < kFarthest) {  // through a corner, by a hair
+                if (t == kFarthest && walked < kFarthest) {  // it barely touches a corner
                     EXPECT_FALSE(isInside(surface, eye + (walked + 0.02) * way));
                     continue;
                 }
@@ -77,7 +77,7 @@ TEST(SolidRays, EnterWhereAWalkAlongThemGetsInside) {
     }
 }
 
-// The four-wide rays say whether and which face; asked for that face, the other ones agree.
+// The four-wide rays find the face; the double-precision rays agree when given that face.
 TEST(SolidRays, KnowTheFaceThatTheyEnter) {
     const Sight sight =
         sightOf(viewOf(emptyBelow(), kDataWidth, kDataHeight), kDataWidth, kDataHeight);
@@ -96,7 +96,7 @@ TEST(SolidRays, KnowTheFaceThatTheyEnter) {
                 ASSERT_NEAR(hit.t, static_cast<double>(found.t[0]), 2e-4)
                     << static_cast<int>(surface.kind) << " face " << found.face[0];
                 ASSERT_LT(hit.normal.dot(way), 1e-3);
-                // just outside before, just inside after: the normal is the surface's
+                // a step along the normal is outside: it is the surface's normal
                 const Vec3d point = sight.eye.cast<double>() + hit.t * way;
                 ASSERT_FALSE(isInside(surface, point + 1e-3 * hit.normal));
             }
@@ -127,7 +127,7 @@ TEST(SolidRays, StraightDownAnAxisMeetTheEnd) {
     EXPECT_NEAR(tip.t[0], 6.0f, 1e-4f);
 }
 
-/// Triangles thrown about at random.
+/// Triangles at random places.
 std::shared_ptr<const SolidMesh> soup(int count) {
     std::mt19937 random(5);
     const auto share = [&random] { return shareOf(random) - 0.5f; };
@@ -187,7 +187,7 @@ TEST(MeshTree, FindsWhatTryingAllTrianglesFinds) {
     EXPECT_GT(hits, 100);
 }
 
-/// Calls check(point, normal) in the solid's own axes for every pixel that shows it.
+/// Calls check(point, normal) in the solid's axes for every pixel that shows it.
 template <class Check>
 int forAllPixels(const Solid& solid, Check check) {
     Frame frame = emptyBelow();
@@ -257,7 +257,7 @@ TEST(SolidData, AConeGetsThinnerEvenly) {
 TEST(SolidData, AnOctahedronHasEightFlatFaces) {
     const int covered = forAllPixels(oneSolidOfEach()[2], [](const Vec3d& p, const Vec3d& n) {
         ASSERT_NEAR(n.cwiseAbs().dot(Vec3d::Ones()), std::sqrt(3.0), 1e-5);
-        // on the face's plane; a pixel at its border may be beyond by a hair
+        // on the face's plane; a pixel at its border may be slightly beyond
         ASSERT_NEAR(n.dot(p), 1.2 / std::sqrt(3.0), 1e-4);
         ASSERT_NEAR(p.cwiseAbs().sum(), 1.2, 5e-3);
     });

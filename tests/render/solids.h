@@ -1,4 +1,4 @@
-// Solids of triangles with closed forms, and one of each kind side by side.
+// Solids of triangles with closed forms, and a scene with one of each kind.
 #pragma once
 #include <cmath>
 #include <utility>
@@ -21,7 +21,7 @@ inline std::shared_ptr<const SolidMesh> octahedron(float r) {
     return makeMesh(corners, triangles, true);
 }
 
-/// A flat outline, counter-clockwise seen from +z, made thick; `caps`: its triangles.
+/// Extrudes a flat outline, counter-clockwise seen from +z; `caps`: the triangles of its area.
 inline std::shared_ptr<const SolidMesh> prism(const std::vector<Eigen::Vector2f>& outline,
                                               const MeshTriangles& caps, float halfThickness,
                                               bool convex) {
@@ -42,7 +42,7 @@ inline std::shared_ptr<const SolidMesh> prism(const std::vector<Eigen::Vector2f>
     return makeMesh(corners, triangles, convex);
 }
 
-/// An L, 2 m wide and high: one that hides parts of itself.
+/// An L, 2 m wide and high: a solid that hides parts of itself.
 inline std::shared_ptr<const SolidMesh> angleBar() {
     return prism({{-1, -1}, {1, -1}, {1, -0.4f}, {-0.4f, -0.4f}, {-0.4f, 1}, {-1, 1}},
                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 0.5f, false);
@@ -98,7 +98,7 @@ inline Solid solidOf(std::shared_ptr<const SolidMesh> mesh, const Vec3& at, cons
     return solid;
 }
 
-/// Cylinder, cone, polyhedra and an angle bar on hills, a box and a ball among them.
+/// Cylinder, cone, polyhedra, angle bar, box and ball on hills.
 inline Frame everySolid() {
     Frame frame;
     frame.camera = {{3.2f, 3.8f, 8.4f}, {0.1f, 0.45f, 0}, {0, 1, 0}, 35};

@@ -1,4 +1,4 @@
-// Meshes as they are taken apart for drawing, and pictures of the solids of triangles.
+// How meshes are split for drawing, and pictures of solids made of triangles.
 #include "tests/render/solids.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(SolidMesh, GentleHillsAreOnePieceAndSteepOnesAreNot) {
     };
     EXPECT_EQ(field(0.05f, MeshEdges::sharp)->facetCount, 1);
     const int some = field(0.5f, MeshEdges::sharp)->facetCount;
-    EXPECT_GT(some, 3);    // no fold within one
+    EXPECT_GT(some, 3);    // no fold within a facet
     EXPECT_LT(some, 100);  // of 1800 triangles
     EXPECT_GT(field(0.5f, MeshEdges::all)->facetCount, 900);
     EXPECT_EQ(field(5.0f, MeshEdges::none)->crisp[7], (std::array{false, false, false}));
@@ -77,7 +77,7 @@ TEST(SolidMesh, RefusesWhatIsNoMesh) {
               std::string::npos);
 }
 
-// Twice the area of what is drawn, by its corners' order: turned inside out it would be negative.
+// The volume inside the triangles; it would be negative if they were turned inside out.
 TEST(FacetMesh, IsAsLargeAsTheSolidAndTurnedOutwards) {
     const auto volume = [](const std::vector<FacetVertex>& mesh) {
         double sum = 0.0;
@@ -115,8 +115,8 @@ TEST(JoinedFaces, AreThoseThatHideNothing) {
     const auto field = hills(12, 80);
     const int high = faces(field, {0, 50, 0}), low = faces(field, {0, 1, 8});
     EXPECT_LT(high, low);
-    EXPECT_LT(2 * high, field->facetCount);  // but for those at the border, all are one
-    EXPECT_EQ(faces(angleBar(), {3, 4, 5}), 5 + 1);  // those that face away are one
+    EXPECT_LT(2 * high, field->facetCount);  // all are one, except for those at the border
+    EXPECT_EQ(faces(angleBar(), {3, 4, 5}), 5 + 1);  // the faces that face away are one
     const Solid hull = solidOf(octahedron(1), {0, 0, 0}, {});
     EXPECT_TRUE(joinedFaces({surfaceOf(hull)}, {0, 0, 9}).empty());
 }
@@ -137,7 +137,7 @@ TEST(PixelRect, HoldsASolidWithItsTip) {
 Frame flatSolids() {
     Frame frame = everySolid();
     frame.look.shadows = frame.look.ambientOcclusion = frame.look.edges = false;
-    frame.grounds.clear();  // its lines are as wide in a larger picture
+    frame.grounds.clear();  // its lines have the same width in a larger picture
     return frame;
 }
 

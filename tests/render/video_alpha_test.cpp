@@ -1,4 +1,4 @@
-// What a film file keeps of its frames: alpha, rate, loop, the first picture.
+// What a film file preserves of its frames: alpha, rate, loop, the first picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void fill(render::Image& image, int x0, int x1, int y0, int y1, const std::uint8
         for (int x = x0; x < x1; ++x) std::copy_n(color, 4, image.at(x, y));
 }
 
-/// Nothing on top, glass from row 32 down, and a red square that moves a pixel a frame.
+/// Transparent on top, glass from row 32 down, and a red square that moves one pixel per frame.
 render::Image filmFrame(int number) {
     render::Image image{kFilmWidth, kFilmHeight,
                         std::vector<std::uint8_t>(4 * kFilmWidth * kFilmHeight)};
@@ -62,7 +62,7 @@ TEST_F(FilmFile, KeepsAlphaInStraightForm) {
             expectColor(frames[i], i + 12, 16, kRed, exact ? 0 : 6, name);
             EXPECT_LE(frames[i].at(i + 40, 4)[3], 4) << name;
             EXPECT_LE(frames[i].at(60, 2)[3], 4) << name;
-            if (fs::path(name).extension() == ".gif")  // yes or no: 128 is yes
+            if (fs::path(name).extension() == ".gif")  // on or off: 128 is on
                 EXPECT_EQ(frames[i].at(32, 40)[3], 255);
             else
                 expectColor(frames[i], 32, 40, kGlass, exact ? 0 : 6, name);
@@ -74,9 +74,9 @@ unsigned threeBytes(const std::string& bytes, std::size_t at) {
     return byteAt(bytes, at) + 256 * byteAt(bytes, at + 1) + 65536 * byteAt(bytes, at + 2);
 }
 
-/// The frame at `at` (its "ANMF") of an animated WebP as a WebP of its own: ffmpeg of 2022 reads
-/// only these. ANMF size(4) x/2 y/2 width-1 height-1 milliseconds (3 each) flags(1), then the
-/// picture's own chunks.
+/// The frame at `at` (its "ANMF") of an animated WebP as a separate WebP: ffmpeg of 2022 reads only
+/// these. ANMF size(4) x/2 y/2 width-1 height-1 milliseconds (3 each) flags(1), then the picture's
+/// chunks.
 std::string pictureAt(const std::string& webp, std::size_t at) {
     const std::string chunks = webp.substr(at + 24, threeBytes(webp, at + 4) - 16);
     const std::string head = std::string("VP8X\x0a\0\0\0\x10\0\0\0", 12) + webp.substr(at + 14, 6);
@@ -91,7 +91,7 @@ TEST_F(FilmFile, AWebpKeepsAlphaToo) {
     const std::string webp = contentOf(write("a.webp", 25, true));
     const std::size_t first = find(webp, "ANMF");
     std::ofstream(folder_ / "first.webp", std::ios::binary) << pictureAt(webp, first);
-    // rows and columns at the edges in which there is nothing are left out
+    // empty rows and columns at the edges are left out
     const int left = static_cast<int>(2 * threeBytes(webp, first + 8));
     const int top = static_cast<int>(2 * threeBytes(webp, first + 11));
     const int width = static_cast<int>(threeBytes(webp, first + 14)) + 1;
@@ -143,7 +143,7 @@ TEST_F(FilmFile, PlaysForEver) {
     EXPECT_EQ(byteAt(webp, animation + 12) + byteAt(webp, animation + 13), 0u);
 }
 
-/// In hundredths, which do not divide a second by 30: three, three, four.
+/// Delays are in hundredths, which do not divide a second by 30: three, three, four.
 TEST_F(FilmFile, AGifKeepsTimeOverAll) {
     NEED_FFMPEG();
     for (const int fps : {10, 15, 25, 30, 50}) {

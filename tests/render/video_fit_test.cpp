@@ -1,4 +1,4 @@
-// Films that have to fit into so many bytes.
+// Films with a size limit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using render::VideoWriter;
 
 constexpr int kNoiseWidth = 128, kNoiseHeight = 96, kNoiseFrames = 12, kNoiseFps = 30;
 
-/// Noise that moves, which no codec likes, over a ramp.
+/// Moving noise, which is hard for every codec, over a ramp.
 render::Image noiseFrame(int number) {
     render::Image image{kNoiseWidth, kNoiseHeight,
                         std::vector<std::uint8_t>(4 * kNoiseWidth * kNoiseHeight, 255)};
@@ -64,7 +64,7 @@ TEST_F(FitInto, EveryFormatFindsARungBelowTheLimit) {
     EXPECT_EQ(filesLeft(), 10);
 }
 
-/// One byte more than a rung takes is enough for it, one less is not.
+/// A limit of exactly a rung's size is enough for it, one byte less is not.
 TEST_F(FitInto, TheBestRungThatFitsIsTaken) {
     NEED_FFMPEG();
     const std::string best = write("best.gif", {1'000'000'000, {}, {}});
@@ -126,7 +126,7 @@ TEST_F(FitInto, FramesAreStoredWithoutAName) {
     EXPECT_EQ(filesLeft(), 1) << "the film's temporary name, and nothing else";
 }
 
-/// White that nobody sees, beside darkness: an edge between them must stay dark.
+/// Transparent white next to dark: the edge between them must stay dark.
 render::Image halfSeen(int number) {
     render::Image image = noiseFrame(number);
     for (int y = 0; y < kNoiseHeight; ++y)

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using render::VideoWriter;
 
-/// A grey field in which a white square moves one pixel a frame.
+/// A grey picture in which a white square moves one pixel per frame.
 render::Image frame(int width, int height, int number) {
     render::Image image{width, height, {}};
     image.pixels.assign(std::size_t{4} * width * height, 90);
@@ -37,7 +37,7 @@ void addFrames(VideoWriter& film, int frames, int width = 64, int height = 48) {
     for (int i = 0; i < frames; ++i) film.add(frame(width, height, i));
 }
 
-/// The message of the Error that `work` throws; empty when it throws none.
+/// The message of the Error that `work` throws; empty if it throws none.
 template <class Work>
 std::string errorOf(const Work& work) {
     try {
@@ -52,7 +52,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// A folder of its own, and PATH as it was afterwards.
+/// Every test has its own folder; PATH is restored afterwards.
 class Video : public testing::Test {
 protected:
     void SetUp() override {
@@ -64,7 +64,7 @@ protected:
     std::ptrdiff_t filesLeft() const {
         return std::distance(fs::directory_iterator(folder_ / "out"), fs::directory_iterator());
     }
-    /// Puts a program named ffmpeg in front that behaves badly in a known way.
+    /// Puts a script named ffmpeg first on the PATH that misbehaves in a known way.
     void replaceFfmpeg(const char* script) {
         std::ofstream(folder_ / "ffmpeg") << "#!/bin/sh\n" << script << "\n";
         ::chmod((folder_ / "ffmpeg").c_str(), 0755);
@@ -87,7 +87,7 @@ int countFrames(const fs::path& path) {
     return frames;
 }
 
-/// How many frames of a film stand alone.
+/// The number of key frames of a film.
 int countKeyFrames(const fs::path& path) {
     const std::string command =
         "ffprobe -v error -skip_frame nokey -count_frames -select_streams v:0 -show_entries "
@@ -269,12 +269,12 @@ TEST_F(Video, AHangingFfmpegIsEnded) {
         EXPECT_TRUE(has(error, "did nothing")) << error;
     }
     VideoWriter film(out("a.mp4"), {16, 16, 25}, 200ms);
-    film.add({16, 16, std::vector<std::uint8_t>(1024)});  // fits the pipe: close() has to notice
+    film.add({16, 16, std::vector<std::uint8_t>(1024)});  // fits the socket: close() must notice
     EXPECT_TRUE(has(errorOf([&] { film.close(); }), "did nothing"));
     EXPECT_EQ(filesLeft(), 0);
 }
 
-/// In a child process: noise of 2.4 MB where a file may have 50 kB. 0: refused.
+/// In a child process: 2.4 MB of noise where a file may have 50 kB. 0: it fails as expected.
 int filmTooMuch(const fs::path& path) {
     const rlimit limit = {50'000, 50'000};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 3;

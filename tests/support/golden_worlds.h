@@ -1,4 +1,4 @@
-/// Worlds whose state after some seconds is known to the last bit.
+/// Worlds whose state after some seconds is fixed to the last bit.
 #pragma once
 #include <array>
 
@@ -14,7 +14,7 @@ struct GoldenWorld {
     std::uint64_t hash;
 };
 
-/// Ten boxes, each a little turned, and a heavy ball that falls on them.
+/// Ten boxes, each slightly rotated, and a heavy ball that falls on them.
 inline World goldenStack() {
     World world = stack(10);
     for (int i = 1; i <= 10; ++i)
@@ -24,7 +24,7 @@ inline World goldenStack() {
     return world;
 }
 
-/// A rod, let go at the level.
+/// A rod, released level.
 inline World goldenPendulum() {
     World world;
     const BodyId top = world.add(hook()), bob = world.add(body(Shape::sphere(0.1), {1, 0, 0}));
@@ -32,7 +32,7 @@ inline World goldenPendulum() {
     return world;
 }
 
-/// Forty links and a ball of a hundred times their weight, let go at the level, a floor below.
+/// Forty links and a ball a hundred times as heavy as a link, released level above a floor.
 inline World goldenChain() {
     World world;
     BodyId last = world.add(hook({0, 15, 0}));
@@ -49,7 +49,7 @@ inline World goldenChain() {
     return world;
 }
 
-/// A pyramid large enough to be shared by threads (wide/overlap.h), and a ball that breaks into it.
+/// A pyramid large enough to be shared by threads (wide/overlap.h), hit by a ball.
 inline World goldenPyramid() {
     World world;
     world.add(floorPlane());
@@ -63,7 +63,7 @@ inline World goldenPyramid() {
     return world;
 }
 
-/// One of every force on bodies of every shape, half in water; a sensor, a group that is ignored.
+/// One force of every type on bodies of several shapes, half in water; a sensor, an ignored group.
 inline World goldenForces() {
     World world;
     BodyDef ground = floorPlane();
@@ -148,7 +148,7 @@ inline World goldenShapes() {
     return world;
 }
 
-/// Balls, capsules and cylinders that roll down a slope onto a floor and resist it, each differently.
+/// Balls, capsules and cylinders that roll down a slope onto a floor, with varied rolling friction.
 inline World goldenRolling() {
     World world;
     world.add(floorPlane());

@@ -8,7 +8,7 @@ using engine::Freedom;
 using engine::JointDef;
 using engine::JointState;
 
-/// A joint at a point in world axes, to be filled in further and added.
+/// A joint at a point in world axes, to be completed and added.
 inline JointDef jointAt(const World& world, JointType type, BodyId a, BodyId b, const Vec3& at,
                         const Vec3& axis = Vec3::UnitZ(), const Vec3& axis2 = Vec3::Zero()) {
     JointDef def;

@@ -1,4 +1,4 @@
-/// Decks with pictures and films of known contents, for tests of what writes them down.
+/// Decks with pictures and films of known contents, for tests of the writers of decks.
 #pragma once
 #include <cstdlib>
 #include <string>
@@ -19,10 +19,10 @@ inline demos::MadePicture plantedDeckPicture(int width, int height, std::uint8_t
     return picture;
 }
 
-/// Frame n is grey of the level that plantedLevel(n) says. `file` need not become a film, for
-/// tests that only pass it on.
+/// The grey level of frame n.
 inline std::uint8_t plantedLevel(int frame) { return static_cast<std::uint8_t>(30 + 8 * frame); }
 
+/// `file` need not exist for tests that only pass it on.
 inline demos::MadeFilm plantedFilm(const std::filesystem::path& file) {
     demos::MadeFilm film;
     film.file = file;
@@ -34,7 +34,7 @@ inline demos::MadeFilm plantedFilm(const std::filesystem::path& file) {
     return film;
 }
 
-/// A real film, by ffmpeg: video levels 16..235 are 0..255 on the screen.
+/// Writes a real film with ffmpeg: video levels 16..235 are 0..255 on the screen.
 inline bool writePlantedFilm(const std::filesystem::path& file) {
     const std::string command =
         "ffmpeg -v error -y -f lavfi -i \"color=black:s=64x36:r=30:d=0.8,format=yuv420p,"
@@ -50,7 +50,7 @@ inline demos::MadeSlide plantedSlide(const std::string& id, const std::string& t
     return made;
 }
 
-/// Opening; a film that waits; one that loops, beside a chart; words, formulas, code and a table.
+/// Opening; a film that waits; one that loops, next to a chart; words, formulas, code and a table.
 inline demos::MadeDeck plantedDeck(const std::filesystem::path& film) {
     demos::MadeDeck deck;
     deck.deck.name = "talk";

@@ -14,7 +14,7 @@ inline demos::RecordedBody plantedBall(const std::string& name, double radius) {
     return {name, {0.9f, 0.1f, 0.1f, 1.0f}, {part}, {0, 0, 0}, 2.0};
 }
 
-/// Where ball number `body` is at a time (s): on its own orbit of 30 m through all directions.
+/// The pose of ball number `body` at a time (s): on its own orbit, 30 m across, and turning.
 inline engine::Pose plantedPose(int body, double time) {
     engine::Pose pose;
     pose.position = {15.0 * std::sin(time + body), 15.0 * std::cos(0.7 * time), 3.0 * body};

@@ -52,8 +52,8 @@ inline demos::SceneVerdict plantedScene(const std::string& name, demos::SceneVer
     return scene;
 }
 
-/// Bodies "body0", "body1", ... in a row along x: each falls by its number times `fall` metres in a
-/// second, so that body0 stays where it is.
+/// Bodies "body0", "body1", ... in a row along x: each falls its number times `fall` metres per
+/// second, so that body0 does not move.
 inline demos::Trajectory fallingBodies(int bodies, int moments, double fall) {
     demos::Trajectory trajectory;
     for (int i = 0; i < bodies; ++i) {

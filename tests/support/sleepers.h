@@ -1,4 +1,4 @@
-/// Worlds in which islands fall asleep, and what to ask of them.
+/// Worlds in which islands fall asleep, and measures of them.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ inline World sleepingStack(int count, const Settings& settings = sleepy()) {
     return world;
 }
 
-/// N: what the floor, body 0, carries.
+/// The load on the floor, body 0, in N.
 inline double loadOf(const World& world, double dt = kStep) {
     double sum = 0.0;
     for (const engine::ContactState& c : world.contacts())

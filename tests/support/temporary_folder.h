@@ -8,7 +8,7 @@
 
 namespace support {
 
-/// Goes with its owner.
+/// Deleted with its owner.
 class TemporaryFolder {
 public:
     TemporaryFolder() {

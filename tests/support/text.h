@@ -1,10 +1,10 @@
-/// Texts for tests: long ones, and what stands in one.
+/// Helpers for texts in tests.
 #pragma once
 #include <string>
 
 namespace support {
 
-/// How often a part stands in a text.
+/// How often a part occurs in a text.
 inline int count(const std::string& text, const std::string& part) {
     int found = 0;
     for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;

@@ -1,4 +1,4 @@
-/// Small worlds for tests, in one line each.
+/// Small worlds for tests, each made with one line.
 #pragma once
 #include <vector>
 
@@ -42,7 +42,7 @@ inline BodyDef fixed(const Shape& shape, const Vec3& at = Vec3::Zero()) {
 
 inline BodyDef floorPlane() { return fixed(Shape::plane(Vec3::UnitY())); }
 
-/// A point that joints can hang on; nothing touches it.
+/// A point for joints to hang on; nothing collides with it.
 inline BodyDef hook(const Vec3& at = Vec3::Zero()) {
     BodyDef def = fixed(Shape::sphere(0.01), at);
     def.collide = false;
@@ -88,7 +88,7 @@ inline World stack(int count, const Settings& settings = Settings::steady(), dou
     return world;
 }
 
-/// Numbers without a library: the same on every machine (Steele et al. 2014, splitmix64).
+/// Random numbers without a library: the same on every machine (Steele et al. 2014, splitmix64).
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -1,4 +1,4 @@
-// A ball is dropped on a crate: the engine, and nothing else of impulse.
+// Drops a ball on a crate, with the engine alone.
 #include <engine/world.h>
 
 #include <cstdio>
@@ -29,7 +29,7 @@ int main() {
             std::printf("t = %.1f s  height %.4f m  speed %.4f m/s\n", world.report().time,
                         world.pose(dropped).position.y(), world.velocity(dropped).norm());
         if (!world.step(1.0 / 60)) {
-            std::fprintf(stderr, "step %lld went wrong\n", world.report().step);
+            std::fprintf(stderr, "step %lld failed\n", world.report().step);
             return 1;
         }
     }

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// What the picture shows of the world: the only place that knows both.
+/// Makes a picture's frame of the world: the only place that knows both libraries.
 render::Frame frameOf(const engine::World& world, engine::BodyId box) {
     const engine::Pose& pose = world.pose(box);
     render::Solid solid;

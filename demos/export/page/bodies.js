@@ -1,4 +1,4 @@
-// Bodies, and the bars and coils between them, where they are now.
+// Bodies, and the bars and coils between them, at the current time.
 
 let poses = [];        // by body: { at, turn, speed } between two frames
 const kinds = [];      // { batch, parts, thinnest, reach, numbers }: solids of one size
@@ -6,7 +6,7 @@ let bars = null;       // of joints and springs
 const kJointColor = [...linear([0.29, 0.302, 0.322]), 1];
 const kAtEase = [0, 0, 0, 1], kFull = [1, 1, 1];
 
-/// Half of the solid's least size, and how far it reaches (m).
+/// Half of the solid's smallest size, and its reach (m).
 function sizeOf(numbers) {
   const half = [0, 0, 0];
   let reach = 0;
@@ -34,7 +34,7 @@ function makeKinds() {
   bars = new Batch(barTriangles());
 }
 
-/// Rotations of either sign are the same; the nearer one leads there.
+/// q and -q are the same rotation: interpolate to the nearer one.
 function poseAt({ still, places, turns, speeds }, frame, share) {
   if (still) return { at: [...places], turn: [...turns], speed: 0 };
   const next = Math.min(frame + 1, lastFrame), at = [0, 0, 0], turn = [0, 0, 0, 0];
@@ -66,7 +66,7 @@ function placeSolids() {
   }
 }
 
-/// m, in the world, of a place in a body's axes.
+/// m, in the world: a place given in a body's axes.
 function placeOf(body, local) {
   return body < 0 ? local : plus(poses[body].at, turned(poses[body].turn, local));
 }

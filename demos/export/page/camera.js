@@ -1,4 +1,4 @@
-// Where the picture is seen from: the scene's camera, until a reader moves it.
+// The camera: the scene's, until the reader moves it.
 
 function sceneCamera() {
   const { cameras } = data, frame = frameNow(), cameraOf = (number) => cameras[Math.min(number, cameras.length - 1)];
@@ -8,7 +8,7 @@ function sceneCamera() {
 
 const cameraNow = () => view.camera ?? sceneCamera();
 
-/// The reader's own camera, which begins where the scene's is.
+/// The reader's own camera, which starts from the scene's.
 function ownCamera() {
   view.camera ??= sceneCamera();
   return view.camera;
@@ -26,14 +26,14 @@ function sightOf(camera, aspect) {
   return { eye: camera.from, at: camera.at, right, up, back, distance, tangent, aspect, worldToClip };
 }
 
-/// Places in the picture, CSS pixels, and the depth (m; 0 or less: behind).
+/// The place in the picture, CSS pixels, and the depth (m; 0 or less: behind the camera).
 function project(sight, [x, y, z], width, height) {
   const m = sight.worldToClip, w = m[3] * x + m[7] * y + m[11] * z + m[15];
   const clip = [0, 1].map((row) => (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]) / w);
   return [(0.5 + 0.5 * clip[0]) * width, (0.5 - 0.5 * clip[1]) * height, w];
 }
 
-/// Radians about the vertical and about the horizon, round what it looks at.
+/// Turns about the point it looks at: radians about the vertical, and up.
 function orbit(turn, rise) {
   const camera = ownCamera(), way = minus(camera.from, camera.at), length = norm(way);
   const height = Math.asin(Math.max(-1, Math.min(1, way[1] / length)));
@@ -43,7 +43,7 @@ function orbit(turn, rise) {
   changed();
 }
 
-/// As far as so many pixels of the picture, where it looks.
+/// Moves by so many pixels of the picture at the distance of the point it looks at.
 function pan(x, y) {
   const camera = ownCamera(), sight = sightOf(camera, 1);
   const pixel = 2 * sight.tangent * sight.distance / canvas.clientHeight;
@@ -67,9 +67,9 @@ function resetCamera() {
   changed();
 }
 
-let followed = null;  // m, where the body was that the camera goes with
+let followed = null;  // m, the last place of the body that the camera follows
 
-/// Moves on with its body.
+/// Moves with the followed body.
 function followBody() {
   if (!view.follow || view.body < 0) {
     followed = null;
@@ -84,7 +84,7 @@ function followBody() {
   followed = place;
 }
 
-/// The camera turns to the body that was chosen and goes with it, or no longer.
+/// The camera moves to the chosen body and follows it, or stops following.
 function toggleFollow() {
   if (view.body < 0) return;
   view.follow = !view.follow;

@@ -1,20 +1,20 @@
-// Energy, penetration and separation over time, with the values where the cursor is.
+// Energy, penetration and separation over time, with the values at the cursor.
 
-const kLeast = 1e-6;  // m: less is rounding, and no curve
+const kLeast = 1e-6;  // m: less is rounding error and shows no curve
 const touches = data.contacts.counts.some((count) => count > 0) || data.curves.penetration.some((depth) => depth > kLeast);
 
-/// Of what the run has.
+/// The charts that the run has values for.
 const kCharts = [
   { title: "energy", unit: "J", scale: 1, there: true, lines: [["kinetic", "--warm"], ["potential", "--cool"], ["total", "--ink"]] },
   { title: "penetration", unit: "mm", scale: 1000, there: touches, fromZero: true, lines: [["penetration", "--warm"]] },
   { title: "separation of joints", unit: "mm", scale: 1000, there: data.joints.length > 0, fromZero: true, lines: [["separation", "--cool"]] },
 ].filter((chart) => chart.there);
 const kChartMargin = { left: 46, right: 12, top: 22, bottom: 18 };
-const kNarrowest = 140;  // CSS pixels, of a chart: more of them go below each other
+const kNarrowest = 140;  // CSS pixels, of a chart: narrower ones go below each other
 
 const styleColor = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/// What is null was not finite.
+/// null stands for a value that was not finite.
 function rangeOf({ lines, fromZero }) {
   let low = fromZero ? 0 : Infinity, high = fromZero ? kLeast : -Infinity;
   for (const [name] of lines)
@@ -56,8 +56,8 @@ function valueText(name, label, chart) {
   return chart.lines.length > 1 && label !== "" ? `${label} ${number}` : number;
 }
 
-/// The title, and every line's value now in its colour; names, then values are cut where there is
-/// no room.
+/// The title, and every line's current value in its colour. Without room names are shortened, then
+/// the title.
 function drawChartTexts(context, box, chart) {
   const kGap = 12, width = box.right - box.left + kChartMargin.left, left = box.right - width, y = box.top - 8;  // pixels
   context.font = kChartFont(12);
@@ -79,7 +79,7 @@ function drawChartTexts(context, box, chart) {
 
 const kChartFont = (pixels) => `${pixels}px system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif`;
 
-/// The range beside the chart, its time below.
+/// The range next to the chart, its time below.
 function drawScale(context, box, { range, scale }) {
   context.font = kChartFont(10.5);
   context.fillStyle = styleColor("--soft");
@@ -124,7 +124,7 @@ function drawCurves() {
   kCharts.forEach((chart, number) => drawChart(context, chartBox(number, width, height), chart));
 }
 
-/// The frame under a place in the charts, CSS pixels.
+/// The frame at a place in the charts, CSS pixels.
 function frameUnder(x, y) {
   const { clientWidth: width, clientHeight: height } = byId("curves"), columns = columnsIn(width);
   const column = Math.min(columns - 1, Math.floor(x / width * columns));

@@ -1,4 +1,4 @@
-// From text to numbers: what replay_codec.cpp and replay_page.cpp wrote.
+// Decodes what replay_codec.cpp and replay_json.cpp wrote.
 
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -6,7 +6,7 @@ async function unpacked(text) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/// Columns of `length` words; each word is told as its difference to the one before.
+/// Columns of `length` words; each word is stored as its difference from the one before.
 async function columnsOf(text, length) {
   const bytes = await unpacked(text), count = bytes.length / 2, words = new Uint16Array(count);
   for (let i = 0; i < count; ++i) {
@@ -18,7 +18,7 @@ async function columnsOf(text, length) {
 
 const valueOf = ([low, size], word) => low + size * word / 65535;
 
-/// The smallest three of a quaternion; two top bits tell which is left out.
+/// The smallest three of a quaternion; two top bits say which is left out.
 function rotationOf(words, into, at) {
   const largest = words[0] >> 15 | words[1] >> 15 << 1;
   let next = 0, rest = 1;
@@ -39,7 +39,7 @@ function directionOf(word) {
   return unit([(1 - Math.abs(v)) * sign(u), (1 - Math.abs(u)) * sign(v), z]);
 }
 
-/// Of every body: places (3 a frame), turns (4) and speeds; of one frame where it stays.
+/// For every body: places (3 per frame), turns (4) and speeds; one frame only if it never moves.
 async function motionsOf() {
   const column = await columnsOf(data.tracks, data.frames);
   let next = 0;

@@ -3,7 +3,7 @@
 const canvas = byId("picture");
 const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, preserveDrawingBuffer: false });
 
-/// A program and its uniforms' places.
+/// A program and the locations of its uniforms.
 function programOf(vertex, fragment) {
   const program = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
@@ -25,7 +25,7 @@ function programOf(vertex, fragment) {
   return { program, places };
 }
 
-/// Numbers, vectors of three and matrices, by the uniforms' names; what a program lacks is left out.
+/// Sets numbers, vectors of three and matrices by uniform name; skips names that the program lacks.
 function use({ program, places }, uniforms) {
   gl.useProgram(program);
   for (const [name, value] of Object.entries(uniforms)) {

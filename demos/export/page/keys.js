@@ -1,12 +1,12 @@
-// The keyboard, and the page that says so.
+// The keyboard, and its help.
 
 const kKeyHelp = [
-  ["Space", "play, pause"], ["Left Right", "a frame back, on; with Shift ten"], ["Home End", "to the first, the last frame"],
-  ["PageUp PageDown", "to the section before, the next one"], ["[ ]", "slower, faster"], ["L", "again and again"],
+  ["Space", "play, pause"], ["Left Right", "one frame back, forward; with Shift ten"], ["Home End", "first, last frame"],
+  ["PageUp PageDown", "previous, next section"], ["[ ]", "slower, faster"], ["L", "loop"],
   ["C N I K", "contacts, normals, impulses, friction"], ["J T B", "joints, trails, names"], ["G", "curves"],
   ["W A S D", "orbit; with Shift pan. Or drag; pan with the right button or two fingers"],
-  ["+ -", "nearer, farther; or the wheel, or two fingers"], ["R", "back to the scene's camera"],
-  ["click", "choose a body"], ["F", "follow it; or double click"], ["Esc", "choose none"], ["?", "this page"],
+  ["+ -", "zoom in, out; also the wheel or two fingers"], ["R", "back to the scene's camera"],
+  ["click", "choose a body"], ["F", "follow it; or double-click"], ["Esc", "deselect"], ["?", "this help"],
 ];
 const kKeyTurn = 0.08, kKeyPan = 40;  // rad, CSS pixels
 
@@ -40,7 +40,7 @@ function showHelp() {
   help.showModal();
 }
 
-/// Letters are the same with Caps Lock; Shift is told for letters and arrows.
+/// Caps Lock does not matter; Shift is part of the name for letters and arrows.
 function keyOf({ key, shiftKey }) {
   const named = /^[a-zA-Z]$/.test(key) ? key.toLowerCase() : key;
   return shiftKey && (named !== key || /^([a-z]|Arrow)/.test(named)) ? `Shift+${named}` : named;
@@ -49,7 +49,7 @@ function keyOf({ key, shiftKey }) {
 function onKey(event) {
   if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest?.("select")) return;
   if (byId("help").open && event.key !== "?") return;
-  if (event.key === " " && event.target.closest?.("button")) return;  // that is pressed by it
+  if (event.key === " " && event.target.closest?.("button")) return;  // Space presses the button
   const action = kKeyActions[keyOf(event)];
   if (!action) return;
   event.preventDefault();

@@ -4,7 +4,7 @@ const kSkyLight = [0.40, 0.44, 0.50], kGroundLight = [0.27, 0.25, 0.23], kSunLig
 const kShadowSide = 2048;  // texels
 const darkly = matchMedia("(prefers-color-scheme: dark)");
 
-/// The scene's own look, or the dark one with a dark page where the scene has no theme of its own.
+/// The scene's own look; the dark look if the page is dark and the scene has no theme.
 const lookNow = () => (darkly.matches && !data.themed ? data.dark : data.look);
 
 let programs = null, shadow = null, nothing = null;
@@ -27,7 +27,7 @@ function makeLight() {
   shadow = { map, buffer };
 }
 
-/// A ball (m) around what can be seen and throws a shadow; steps of 10 % keep its edges at rest.
+/// A ball (m) around all visible bodies that cast shadows; steps of 10 % keep shadow edges still.
 function shadowBall(sight) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   const farthest = 4 * sight.distance;
@@ -65,7 +65,7 @@ function drawShadows(sight) {
   return { worldToShadow: multiplied(halved, worldToMap), shadowTexel: 2 * radius / kShadowSide };
 }
 
-/// What every lit program is told.
+/// The uniforms of every lit program.
 function lightOf(sight, shadows) {
   const look = lookNow();
   return {
@@ -81,7 +81,7 @@ function lineColor([r, g, b]) {
 
 function drawGround(ground, sight, light) {
   const { normal, offset } = ground, look = lookNow();
-  if (dot(sight.eye, normal) <= offset) return;  // seen from its front only
+  if (dot(sight.eye, normal) <= offset) return;  // visible from its front only
   const acrossIt = Math.abs(normal[0]) < 0.9 ? unit(minus([1, 0, 0], times(normal[0], normal))) : across(normal);
   const middle = plus(sight.at, times(offset - dot(sight.at, normal), normal));
   const decade = Math.floor(Math.log10(sight.distance / 6));

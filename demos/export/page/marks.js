@@ -1,4 +1,4 @@
-// What is drawn over the picture: contacts, arrows, anchors, trails. Faint where it is hidden.
+// Marks over the picture: contacts, arrows, anchors, trails. Faint where they are hidden.
 
 const hex = (rgb) => [rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255].map((level) => level / 255).concat(1);
 const kInks = {
@@ -16,7 +16,7 @@ function makeMarks() {
   };
 }
 
-/// m that are one CSS pixel at a place.
+/// The size of a CSS pixel at a place, m.
 const pixelAt = (sight, place) =>
   2 * sight.tangent * Math.max(dot(minus(sight.eye, place), sight.back), 0.01) / canvas.clientHeight;
 
@@ -35,7 +35,7 @@ function addArrow(sight, from, way, color) {
   marks.heads.add(plus(neck, times(head / 4, along)), turn, [2.9 * wide, head / 2, 2.9 * wide], color);
 }
 
-/// How long an arrow is for a N s: as in the film's pictures, by the peak of the last moments.
+/// The length of arrows per N s: as in the film, by the recent peak.
 function arrowScale() {
   const peak = data.curves.peak[frameNow()], longest = kLongest * data.viewHeight;
   return peak > 0 ? { perUnit: longest / peak, longest, peak } : { perUnit: 0, longest, peak: 0 };
@@ -62,7 +62,7 @@ function addAnchors(sight) {
   }
 }
 
-/// The ways of the last three seconds, of the bodies that the scene names and of the chosen one.
+/// The paths of the last three seconds, for the bodies that the scene names and the chosen one.
 function addTrails(sight) {
   const chosen = view.body >= 0 && !data.trails.includes(view.body) ? [view.body] : [];
   const now = frameNow(), first = Math.max(0, now - Math.round(kTrailSeconds * data.fps));
@@ -86,9 +86,9 @@ function placeMarks(sight) {
   for (const batch of Object.values(marks)) batch.upload();
 }
 
-const kHidden = 0.28, kAnchorHidden = 0.75;  // anchors are inside of bodies
+const kHidden = 0.28, kAnchorHidden = 0.75;  // anchors are inside bodies
 
-/// Once where they are hidden, faintly, and once where they are not.
+/// Draws hidden parts faintly first, then visible ones.
 function drawMarks(sight) {
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);

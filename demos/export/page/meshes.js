@@ -1,5 +1,5 @@
-// Meshes as triangles with smooth or sharp edges: as render/solid_mesh.h says, those of a convex
-// one are seen from half a degree on, those of a surface from 30 degrees on.
+// Meshes as triangles with smooth or sharp edges. As in render/solid_mesh.h, edges of a convex mesh
+// are sharp from half a degree, those of a surface from 30 degrees.
 
 const bend = (degrees) => Math.cos(degrees * Math.PI / 180);
 
@@ -19,7 +19,7 @@ function trianglesAt({ vertices, corners }) {
   return around;
 }
 
-/// The mean normal of those that join a triangle smoothly.
+/// The mean normal of the triangles that join a triangle smoothly.
 function smoothNormal(own, normals, around, smooth) {
   let sum = [0, 0, 0];
   for (const other of around) if (dot(normals[other], own) >= smooth) sum = plus(sum, normals[other]);
@@ -31,7 +31,7 @@ function isSharp(triangle, from, to, around, normals, smooth) {
   return other !== undefined && dot(normals[other], normals[triangle]) < smooth;
 }
 
-/// Corner by corner, how far it is from the three edges: its own height, or 0 on an edge.
+/// For each corner the distances from the three edges: its own height, or 0 on an edge.
 function edgeDistances(triangle, mesh, around, normals, smooth) {
   const number = (k) => mesh.corners[3 * triangle + k % 3], point = (k) => mesh.vertices[number(k)];
   return [0, 1, 2].map((corner) => [0, 1, 2].map((edge) => {

@@ -1,13 +1,13 @@
-// Words over and under the picture: caption, legend, body, names, buttons.
+// Texts over and under the picture: caption, legend, body, names, buttons.
 
 const kLayerTexts = {
   contacts: ["Contacts", "points where bodies push each other (C)"],
-  normals: ["Normals", "of the contacts (N)"],
+  normals: ["Normals", "normals of the contacts (N)"],
   impulses: ["Impulses", "of the last step along the normals, N s (I)"],
   friction: ["Friction", "impulses across the normals, N s (K)"],
   joints: ["Joints", "anchors: dark on the first body, blue on the second (J)"],
-  trails: ["Trails", "ways of the last three seconds (T)"],
-  names: ["Names", "of the bodies (B)"],
+  trails: ["Trails", "paths of the last three seconds (T)"],
+  names: ["Names", "names of the bodies (B)"],
 };
 
 function showToggles() {
@@ -55,13 +55,13 @@ function showMarks() {
   }));
 }
 
-/// The largest of 1, 2 or 5 times a power of ten that is not above x.
+/// The largest number of 1, 2 or 5 times a power of ten that is not above x.
 function roundBelow(x) {
   const decade = 10 ** Math.floor(Math.log10(x * (1 + 1e-9)));
   return decade * ([5, 2].find((step) => step * decade <= x * (1 + 1e-9)) ?? 1);
 }
 
-/// An arrow as long as it would be where the camera looks.
+/// A sample arrow, as long as it would be at the point the camera looks at.
 function arrowSample(sight, name, label) {
   const { perUnit, peak } = arrowScale(), value = peak > 0 ? roundBelow(0.8 * peak) : 0;
   const pixels = value * perUnit / pixelAt(sight, sight.at), sample = make("i", { class: `arrow ${name}` });
@@ -94,7 +94,7 @@ function showInfo() {
     ...row("mass", body.mass > 0 ? `${short(body.mass, 4)} kg` : "not moved by forces")));
 }
 
-/// The nearest bodies' names, none over another.
+/// The nearest bodies' names, without overlaps.
 function showNames(sight) {
   const { clientWidth: width, clientHeight: height } = canvas, placed = [];
   const names = view.show.has("names") ? data.bodies.map((body, i) => [project(sight, poses[i].at, width, height), body]) : [];

@@ -1,6 +1,6 @@
-// Which body is under a point of the picture.
+// Finds the body at a point of the picture.
 
-/// m along the ray (unit) to a triangle seen from its front; Infinity where it is missed.
+/// m along the ray (unit) to a triangle seen from its front; Infinity if the ray misses it.
 /// (Moller and Trumbore 1997)
 function meet(eye, ray, a, b, c) {
   const ab = minus(b, a), ac = minus(c, a), p = cross(ray, ac), area = dot(ab, p);
@@ -10,7 +10,7 @@ function meet(eye, ray, a, b, c) {
   return u >= 0 && v >= 0 && u + v <= 1 && way > 0 ? way : Infinity;
 }
 
-/// m to the solid, the eye and the ray in its own axes.
+/// m to the solid; the eye and the ray are in the solid's axes.
 function meetSolid(numbers, eye, ray) {
   let nearest = Infinity;
   const point = (i) => [numbers[i], numbers[i + 1], numbers[i + 2]];

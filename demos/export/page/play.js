@@ -1,11 +1,11 @@
-// Time, and pictures when something has changed.
+// Time, and drawing when something has changed.
 
-let wanted = null, before = 0;  // what was asked for a picture; ms, of the last one
+let wanted = null, before = 0;  // the pending requests to draw; time of the last picture, ms
 
-/// A browser that shows nothing of the page gives no animation frames; a timer comes instead.
+/// A hidden page gets no animation frames; the timer draws instead.
 function changed() {
   wanted ??= { frame: requestAnimationFrame(show), timer: setTimeout(show, 120) };
-  if (!view.playing) delete document.body.dataset.ready;  // until what is shown is what was asked for
+  if (!view.playing) delete document.body.dataset.ready;  // until the picture is up to date
 }
 
 function advance(now) {
@@ -82,7 +82,7 @@ function show() {
 
 let linkTimer = 0;
 
-/// Browsers allow only so many changes of an address in a while.
+/// Browsers limit how often the address may change.
 function linkSoon() {
   clearTimeout(linkTimer);
   linkTimer = setTimeout(writeLink, 150);

@@ -1,6 +1,6 @@
 // Mouse and fingers on the picture: drag to orbit, with the right button or two fingers to pan.
 
-const held = new Map();  // pointers that are down: { x, y }
+const held = new Map();  // pressed pointers: { x, y }
 let moved = 0;           // CSS pixels since the first went down
 
 const kTurnAPixel = 0.006;  // rad
@@ -27,7 +27,7 @@ function dragged(event) {
   else orbit(-kTurnAPixel * x, kTurnAPixel * y);
 }
 
-/// The name of what is under the mouse.
+/// Shows the name of the body under the mouse.
 function hover(event) {
   const label = byId("hover"), body = event.pointerType === "touch" ? -1 : bodyAt(event.offsetX, event.offsetY);
   label.hidden = body < 0;

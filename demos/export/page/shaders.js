@@ -1,6 +1,6 @@
-// Light and ground as the film's renderer has them (render/shaders), without its occlusion.
-// Written again, not shared: GLSL ES 3.00 has neither #include nor the samples of a pixel that those
-// are about, and what would be left in common are the declarations.
+// Light and ground as in the film's renderer (render/shaders), without its occlusion. Not shared:
+// GLSL ES 3.00 has neither #include nor the samples of a pixel that those shaders use, so that little
+// more than declarations would be common.
 
 const kPlaced = `#version 300 es
 precision highp float;

@@ -1,8 +1,8 @@
-// Solids as triangles, in metres. A vertex: position, normal, and how far it is (m) from up to four
-// edges of its face, which the shader draws; kFar where there is none.
+// Solids as triangles, in metres. A vertex: position, normal, and its distances (m) from up to four
+// edges of its face, which the shader draws; kFar: no edge.
 
 const kFar = 1e3, kAround = 48;
-const kFloats = 10;  // a vertex
+const kFloats = 10;  // per vertex
 
 class Triangles {
   constructor() { this.numbers = []; }
@@ -32,7 +32,7 @@ function boxTriangles([hx, hy, hz]) {
 const kNoEdges = [kFar, kFar, kFar, kFar];
 const circle = (i) => [Math.cos(2 * Math.PI * i / kAround), -Math.sin(2 * Math.PI * i / kAround)];
 
-/// A ball, its halves `half` above and below the middle: a capsule's core.
+/// A ball with its halves moved `half` up and down; with half > 0 a capsule.
 function ballTriangles(radius, half) {
   const mesh = new Triangles(), rings = kAround / 2;
   const point = (ring, i) => {
@@ -48,7 +48,7 @@ function ballTriangles(radius, half) {
   return mesh.numbers;
 }
 
-/// A disc that looks up (side 1) or down (-1).
+/// A disc that faces up (side 1) or down (-1).
 function addDisc(mesh, radius, y, side) {
   const normal = [0, side, 0], middle = [[0, y, 0], normal, [radius, kFar, kFar, kFar]];
   const rim = (i) => {
@@ -73,7 +73,7 @@ function cylinderTriangles(radius, half) {
   return mesh.numbers;
 }
 
-/// The base half of `half` below the origin, the tip three halves above.
+/// The base is half / 2 below the origin, the tip 1.5 half above.
 function coneTriangles(radius, half) {
   const mesh = new Triangles(), slant = Math.hypot(radius, 2 * half);
   const normal = (i) => {

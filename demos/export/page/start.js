@@ -1,4 +1,4 @@
-// Everything is read, and the first picture drawn; what the link says, first.
+// Reads everything, applies the link and draws the first picture.
 
 function tell(trouble) {
   byId("trouble").textContent = trouble;
@@ -10,20 +10,20 @@ function listen() {
   listenToPointer();
   listenToCurves();
   document.addEventListener("keydown", onKey);
-  new ResizeObserver(show).observe(canvas);  // before it is seen at its new size
+  new ResizeObserver(show).observe(canvas);  // before the new size is visible
   darkly.addEventListener("change", changed);
   window.addEventListener("hashchange", () => {
     readLink();
     followed = null;
     changed();
   });
-  canvas.addEventListener("webglcontextlost", () => tell("The graphics driver gave up; load the page again."));
+  canvas.addEventListener("webglcontextlost", () => tell("The graphics context was lost; reload the page."));
 }
 
 async function start() {
   showFixedWords();
-  if (!gl) return tell("This browser has no WebGL 2, which draws the picture; a browser of 2021 or later has, where its graphics are on.");
-  if (typeof DecompressionStream === "undefined") return tell("This browser cannot unpack the run; one of 2023 or later can.");
+  if (!gl) return tell("This browser has no WebGL 2, which the page needs; browsers since 2021 have it if graphics acceleration is on.");
+  if (typeof DecompressionStream === "undefined") return tell("This browser cannot decompress the run; use one of 2023 or later.");
   await decode();
   makeKinds();
   makeLight();

@@ -1,4 +1,4 @@
-// What the page shows. Its link says it: #t=2.5&show=contacts,impulses&body=box3&follow=1&camera=...
+// The page's state, which is also in its link: #t=2.5&show=contacts,impulses&body=box3&follow=1&camera=...
 
 const data = JSON.parse(byId("data").textContent);
 
@@ -6,14 +6,14 @@ const kLayers = ["contacts", "normals", "impulses", "friction", "joints", "trail
 const kSpeeds = [0.25, 0.5, 1, 2];
 
 const view = {
-  time: 0,                    // frames, between two of them while it plays
+  time: 0,                    // frames; fractions while it plays
   playing: false,
   speed: 1,
   loop: true,
   show: new Set(data.show),   // of kLayers
   curves: true,
-  body: -1,                   // that was clicked at; -1: none
-  follow: false,              // the camera goes with that body
+  body: -1,                   // the chosen one; -1: none
+  follow: false,              // the camera follows that body
   camera: null,               // { from, at, fov }, m and degrees; null: the scene's own
 };
 
@@ -25,16 +25,16 @@ const clampFrame = (time) => Math.min(lastFrame, Math.max(0, time));
 const short = (value, digits = 3) => (value !== 0 && Math.abs(value) < 1e-3
   ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits))));
 
-/// A rounded zero has no sign.
+/// Without the sign of a rounded zero.
 const fixed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]+$)/, "");
 
-/// "1,2,3,..." of so many finite numbers; null where it is not that.
+/// "1,2,3,..." as `count` finite numbers; null for any other text.
 function numbersOf(text, count) {
   const numbers = (text ?? "").split(",").map(Number);
   return numbers.length === count && numbers.every(Number.isFinite) ? numbers : null;
 }
 
-/// null where it would see nothing: it has to look somewhere, and to open by an angle.
+/// null if it would see nothing: it needs a direction and an angle of view.
 function cameraOf(from, at, fov) {
   return fov > 0 && fov < 180 && norm(minus(from, at)) > 1e-6 ? { from, at, fov } : null;
 }

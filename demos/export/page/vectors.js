@@ -1,4 +1,4 @@
-// Vectors of three, rotations as x y z w, matrices of 16 by columns.
+// Vectors of three numbers, rotations as x y z w, matrices as 16 numbers by columns.
 
 const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -9,7 +9,7 @@ const norm = (a) => Math.hypot(a[0], a[1], a[2]);
 const unit = (a) => times(1 / Math.max(norm(a), 1e-30), a);
 const between = (a, b, share) => a.map((x, i) => x + share * (b[i] - x));
 
-/// Any unit vector across a unit vector.
+/// Any unit vector at right angles to a unit vector.
 const across = (a) => unit(cross(a, Math.abs(a[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0]));
 
 function turned(q, v) {
@@ -26,7 +26,7 @@ function product(a, b) {
     a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]];
 }
 
-/// Turns y to the unit vector d.
+/// The rotation that turns y to the unit vector d.
 function turnFromY(d) {
   if (d[1] < -0.99999) return [1, 0, 0, 0];
   const q = [d[2], 0, -d[0], 1 + d[1]], length = Math.hypot(...q);

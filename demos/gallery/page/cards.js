@@ -24,7 +24,7 @@ function factsOf(scene) {
     fact(shortNumber(scene.seconds), "s"), fact(String(scene.hz), "steps/s"));
 }
 
-/// "Stack: ten boxes stay where they are put": the scene's name is the command's word.
+/// The title is the scene's; its name is in the commands.
 function cardOf(scene, place) {
   const title = make("h3", {}, make("a", { href: `#${encodeURIComponent(cardId(scene.name))}` },
     scene.title || scene.name));

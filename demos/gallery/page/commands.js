@@ -1,10 +1,10 @@
-// What made a card, to be copied into a shell.
+// The commands of a card, to be copied into a shell.
 
-/// As a POSIX shell reads it as one word.
+/// Quoted so that a POSIX shell reads it as one word.
 const quoted = (word) =>
   (/^[\w./=,:+@%-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/// [what for, command] of a scene, with the options that the gallery was made with.
+/// [purpose, command] of a scene, with the options that the gallery was made with.
 function commandsOf(scene) {
   const command = (...words) => ["impulse", ...words].map(quoted).join(" ");
   const read = scene.file || scene.name, { run, picture } = gallery.options;

@@ -1,9 +1,9 @@
-// A card's picture: its poster, and over it the film, which is fetched when it is first asked for.
+// A card's picture: its poster, and over it the film, which is loaded when it is first played.
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 let playingNow = null;  // the screen whose film runs
 
-/// The film of a screen, made at its first use.
+/// The video of a screen, created at its first use.
 function filmOf(screen) {
   const known = screen.querySelector("video");
   if (known) return known;
@@ -39,7 +39,7 @@ async function play(screen) {
   try {
     await filmOf(screen).play();
   } catch (error) {
-    // A pointer that has left again ends a film before it begins; anything else is told.
+    // AbortError: the pointer left before the film began. Other errors are reported.
     if (error.name !== "AbortError" && playingNow === screen) {
       stop(screen);
       tell(`${screen.dataset.film} does not play here`);
@@ -47,7 +47,7 @@ async function play(screen) {
   }
 }
 
-/// Hover and focus play it, and leaving stops it; a tap does either. Who wants little motion taps.
+/// Hover and focus play it, leaving stops it, a tap toggles it; with reduced motion only a tap.
 function listenToScreen(screen) {
   let touched = false;
   screen.addEventListener("pointerenter", (event) => {

@@ -1,4 +1,4 @@
-// The search box: every word has to be somewhere in a card's texts.
+// The search box: a card's texts must contain every word.
 
 const textOfScene = (scene) =>
   [scene.name, scene.title, scene.purpose, groupName(scene)].join(" ").toLowerCase();

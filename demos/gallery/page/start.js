@@ -1,6 +1,6 @@
 // The page as a whole.
 
-/// Which group is at the top, in the row of groups.
+/// Marks the group at the top of the page in the row of groups.
 function watchGroups() {
   const links = [...byId("groups").children];
   const seen = new IntersectionObserver((entries) => {
@@ -31,7 +31,7 @@ function showNumbers() {
   byId("machine").textContent = [`impulse ${gallery.version}`, gallery.renderer].join(" \u00b7 ");
 }
 
-/// What is no text in percents ("100%") is taken as it stands.
+/// The link's text; as it is if it is not percent-encoded ("100%").
 function linkNow() {
   const link = location.hash.slice(1);
   try {

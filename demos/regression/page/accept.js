@@ -1,15 +1,15 @@
-// What is accepted, and the one command that accepts it: `impulse approve ...`.
+// The accepted items, and the command that accepts them: `impulse approve ...`.
 
-const accepted = new Set();  // names as `impulse approve` takes them, of single items
+const accepted = new Set();  // names of single items, as `impulse approve` takes them
 
 const physicsName = (scene) => `${scene.name}@physics`;
 
-/// Without a baseline, or with one of another size or rate of steps, there is no taking parts.
+/// Without a baseline, or with one of another size or step rate, parts cannot be accepted.
 const onlyWhole = (scene) => scene.physics.kind === "unknown" ||
   scene.settings.some((change) => ["world.hz", "snapshot.size"].includes(change.key));
 
-/// What of a scene can be accepted, as `impulse approve` takes it: its physics where they changed
-/// and every picture that has no equal. Nothing where an expectation failed: no baseline mends it.
+/// The names in a scene that can be accepted: the physics if it changed, and every picture that
+/// differs. Nothing if an expectation failed: a new baseline does not fix it.
 function acceptable(scene) {
   if (scene.state !== "failed" || scene.expectations.some((result) => !result.passed)) return [];
   if (scene.pictures.every((picture) => picture.actual === "")) return [];
@@ -26,7 +26,7 @@ const allAccepted = (scene) => {
   return names.length > 0 && names.every((name) => accepted.has(name));
 };
 
-/// The scene's own name where all of it is accepted: it takes the physics with the pictures.
+/// If everything in a scene is accepted, the scene's own name: it covers physics and pictures.
 function acceptedNames() {
   return report.scenes.flatMap((scene) =>
     allAccepted(scene) ? [scene.name] : acceptable(scene).filter((name) => accepted.has(name)));
@@ -47,7 +47,7 @@ function toggle(names) {
 
 const acceptScene = () => toggle(acceptable(sceneNow()));
 
-/// A part of the scene, or all of it where that is the least that can be accepted.
+/// Accepts a part of the scene, or the whole scene if parts cannot be accepted.
 const acceptPart = (part) => toggle(
   acceptable(sceneNow()).filter((name) => name === part || name === sceneNow().name));
 const acceptPhysics = () => acceptPart(physicsName(sceneNow()));
@@ -65,7 +65,7 @@ function showAccepted() {
   const open = report.scenes.filter((scene) => acceptable(scene).length > 0);
   byId("accepted").textContent = `${open.filter(allAccepted).length} of ${open.length} accepted`;
   const hint = open.length > 0
-    ? "A accepts the picture, Shift+A the scene: the command grows here" : "nothing to accept";
+    ? "A accepts the picture, Shift+A the scene; the command appears here" : "nothing to accept";
   code.textContent = command === "" ? hint : command;
   code.classList.toggle("idle", command === "");
   byId("copy").disabled = command === "";
@@ -75,7 +75,7 @@ function showAccepted() {
   writeLink();
 }
 
-/// The clipboard's own way where the browser allows it to a page from a file; else by selection.
+/// Uses the clipboard API if the browser allows it for a page from a file, else a selection.
 async function copyCommand() {
   try {
     await navigator.clipboard.writeText(approveCommand());

@@ -1,4 +1,4 @@
-// The scene's camera at the scrubber's time: its keys, its orbit, and what it follows.
+// The scene's camera at the scrubber's time: its keys, its orbit, and the body it follows.
 
 const minus = (a, b) => a.map((v, i) => v - b[i]);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -6,7 +6,7 @@ const cross = (a, b) =>
   [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unitOf = (a) => a.map((v) => v / (Math.hypot(...a) || 1));
 
-/// How far the body that the camera goes along with has come, m; the camera's lag is left out.
+/// The displacement of the body that the camera follows, m; the camera's lag is left out.
 function followed(film) {
   const course = film.actual ?? film.baseline;
   const body = course.bodies.find((one) => one.name === film.follow);
@@ -15,7 +15,7 @@ function followed(film) {
   return minus(now, poseAt(body, { from: 0, to: 0, share: 0 }, film.unit).position);
 }
 
-/// Where the camera is: straight on between two rows of one take, and never across a cut.
+/// The camera's view: interpolated linearly between two rows, but never across a cut.
 function viewNow(film) {
   let i = 0;
   while (i + 1 < film.views.length && film.views[i + 1][0] <= view.film + 1e-6) ++i;
@@ -25,7 +25,7 @@ function viewNow(film) {
   return { from: row.slice(2, 5), lookAt: row.slice(5, 8), fov: row[8] };
 }
 
-/// From world to canvas: x, y in CSS pixels and the depth in front of the camera, m.
+/// Maps world to canvas: x, y in CSS pixels and the depth in front of the camera, m.
 function projection(film, width, height) {
   const camera = viewNow(film);
   const ahead = unitOf(minus(camera.lookAt, camera.from));

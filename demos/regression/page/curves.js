@@ -17,7 +17,7 @@ function filmEnd(film) {
   return Math.max(...ends, 1e-6);
 }
 
-/// What is null was not finite.
+/// A null value was not finite.
 function rangeOf(film, curve) {
   const values = coursesOf(film).flatMap((course) => course[curve.key]).filter((v) => v !== null);
   const low = curve.fromZero ? 0 : Math.min(...values), high = Math.max(...values);
@@ -65,7 +65,7 @@ function drawMark(context, x, height, color, dash) {
   context.setLineDash([]);
 }
 
-/// A context in CSS pixels.
+/// Clears the canvas and returns a context in CSS pixels.
 function freshContext(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas, dense = devicePixelRatio;
   canvas.width = Math.round(width * dense);

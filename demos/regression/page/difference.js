@@ -1,6 +1,6 @@
-// Where two pictures differ, and by how much with its sign.
+// Where two pictures differ, and the signed difference.
 
-/// Red: beyond the gate's levels. Yellow: less. Behind it, faded, the actual picture.
+/// Red: beyond the gate's levels. Yellow: less. The background is the actual picture, faded.
 function drawDifference(out, a, b, levels) {
   for (let i = 0; i < out.length; i += 4) {
     const largest = Math.max(
@@ -15,7 +15,7 @@ function drawDifference(out, a, b, levels) {
   }
 }
 
-/// 128 + 16 (actual - baseline), by channel: gray is no difference, 8 levels are black or white.
+/// 128 + 16 (actual - baseline), per channel: gray is no difference, 8 levels are black or white.
 function drawSigned(out, a, b) {
   for (let i = 0; i < out.length; ++i)
     out[i] = i % 4 === 3 ? 255 : Math.max(0, Math.min(255, 128 + 16 * (b[i] - a[i])));

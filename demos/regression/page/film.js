@@ -3,7 +3,7 @@
 const playing = { request: 0, last: 0 };
 const filmNow = () => sceneNow()?.film ?? null;
 
-/// s; null: none that was recorded.
+/// Time in s; null: no recorded step differs.
 function firstDifference() {
   const film = filmNow(), physics = sceneNow()?.physics;
   const course = film?.actual ?? film?.baseline;
@@ -21,7 +21,7 @@ function rotationAt(body, at) {
   return [...q, Math.sqrt(Math.max(0, 1 - dot(q, q)))];
 }
 
-/// Between two moments straight on: few moments of many bodies are kept.
+/// Interpolates linearly between two moments: with many bodies only few moments are kept.
 function poseAt(body, between, unit) {
   const still = body.poses.length === 6;
   const from = still ? 0 : 6 * between.from, to = still ? 0 : 6 * between.to;
@@ -34,7 +34,7 @@ function poseAt(body, between, unit) {
   };
 }
 
-// Corner i of a box is + along an axis where the axis' bit of i is set; edges change one bit.
+// Corner i of a box is + along an axis if the axis' bit of i is set; along an edge one bit changes.
 const kEdges = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) =>
   [1, 2, 4].filter((bit) => (i & bit) === 0).map((bit) => [i, i | bit]));
 
@@ -52,7 +52,7 @@ function strokeBox(context, project, body, pose) {
   context.stroke();
 }
 
-/// The moments of poses before and after `time`, and how far it is from one to the other.
+/// The moments of poses before and after `time`, and the share of the way from one to the other.
 function momentsAt(course, time) {
   const steps = course.pose_steps, step = time * course.hz;
   let from = 0;
@@ -86,7 +86,7 @@ function drawFilm() {
 }
 
 function runWords(film) {
-  if (film.same) return "both runs are one, bit for bit";
+  if (film.same) return "both runs are the same, bit for bit";
   if (!film.baseline) return "there is no baseline";
   return film.actual ? "blue: baseline, orange: actual" : "there is no actual run";
 }
@@ -97,7 +97,7 @@ function filmWords(film) {
   if (body !== "") parts.push(`thick: ${body}`);
   const course = film.actual ?? film.baseline;
   if (course.bodies.length < course.all_bodies)
-    parts.push(`boxes about ${course.bodies.length} of ${course.all_bodies} bodies, those that ` +
+    parts.push(`boxes of ${course.bodies.length} of ${course.all_bodies} bodies: those that ` +
       "move farthest");
   return parts.join("; ") + ".";
 }
@@ -122,7 +122,7 @@ function seek(time) {
   writeLink();
 }
 
-/// By steps of the run.
+/// Moves by a number of steps of the run.
 function stepFilm(by) {
   const course = filmNow()?.actual ?? filmNow()?.baseline;
   if (course) seek((Math.round(view.film * course.hz) + by) / course.hz);

@@ -1,11 +1,11 @@
-// How visible each difference is when two pictures are flipped between, 0 to 1.
+// How visible each difference is when one flips between two pictures, 0 to 1.
 //
 // After FLIP: P. Andersson, J. Nilsson, T. Akenine-Moller, M. Oskarsson, K. Astrom,
 // M. D. Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM Comput. Graph.
 // Interact. Tech. 3(2), High-Performance Graphics 2020. Simplified here:
-//   - one small blur of linear light stands for their three contrast sensitivity functions, so no
+//   - one small blur of linear light replaces their three contrast sensitivity functions, so no
 //     distance to the display is assumed;
-//   - edges only, by Sobel's operator on L*; no detector of points.
+//   - edges only, by Sobel's operator on L*; no point detector.
 // As there: L*a*b* with the Hunt adjustment, the HyAB distance, the exponent 0.7, the two-piece
 // scale, and an exponent that edges lower: color^(1 - edges).
 
@@ -37,7 +37,7 @@ function blurredLight(bytes, channel, width, height) {
 
 const labCurve = (t) => (t > 216 / 24389 ? Math.cbrt(t) : (24389 / 27 * t + 16) / 116);
 
-/// L*, and a*, b* times L* / 100: colours of dark places count less (Hunt). White is D65.
+/// L*, and a*, b* times L* / 100: colours in dark areas count less (Hunt). White is D65.
 function huntLab(r, g, b) {
   const x = labCurve((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
   const y = labCurve(0.2126729 * r + 0.7151522 * g + 0.072175 * b);
@@ -49,7 +49,7 @@ function huntLab(r, g, b) {
 /// |dL| + sqrt(da^2 + db^2)
 const hyab = (p, q) => Math.abs(p[0] - q[0]) + Math.hypot(p[1] - q[1], p[2] - q[2]);
 
-/// The largest error there is: green to blue.
+/// The largest possible error: green to blue.
 const kLargestError = hyab(huntLab(0, 1, 0), huntLab(0, 0, 1)) ** kColorExponent;
 
 function colorError(p, q) {
@@ -72,7 +72,7 @@ function edgeAt(lab, width, height, x, y) {
   return Math.hypot(across, down) / 400;
 }
 
-/// By pixel, 0 to 1.
+/// One value per pixel, 0 to 1.
 function heatOf(a, b, width, height) {
   const labA = labPlanes(a, width, height), labB = labPlanes(b, width, height);
   const heat = new Float32Array(width * height);
@@ -86,7 +86,7 @@ function heatOf(a, b, width, height) {
   return heat;
 }
 
-// Dark violet over red to cream, rising in lightness all the way, as the magma map does.
+// From dark violet through red to cream with increasing lightness, like the magma map.
 const kHeatColors = [
   [0, 0, 4], [62, 16, 112], [160, 42, 124], [240, 92, 94], [254, 192, 134], [252, 253, 191],
 ];

@@ -1,8 +1,8 @@
-// The pictures, decoded when they are first looked at.
+// The pictures, decoded when they are first shown.
 
-const loading = new Map();  // place in report.images -> Promise of Picture
+const loading = new Map();  // index in report.images -> Promise of Picture
 
-/// Pixels are null where the browser does not give them: of linked pictures of a page from a file.
+/// Null where the browser denies access: for linked pictures of a page opened from a file.
 function pixelsOf(image) {
   const canvas = make("canvas", { width: image.naturalWidth, height: image.naturalHeight });
   const context = canvas.getContext("2d", { willReadFrequently: true });
@@ -14,7 +14,7 @@ function pixelsOf(image) {
   }
 }
 
-/// {image, width, height, pixels}, or null: there is none, or it cannot be read.
+/// {image, width, height, pixels}, or null if the picture is missing or cannot be read.
 function loadImage(place) {
   if (place < 0) return Promise.resolve(null);
   if (!loading.has(place)) {
@@ -32,7 +32,7 @@ function loadImage(place) {
 
 const blank = (width, height) => make("canvas", { width, height });
 
-/// A canvas of the size both have, drawn by paint(out, a, b): bytes of RGBA.
+/// A canvas of their common size, drawn by paint(out, a, b, width, height) from bytes of RGBA.
 function painted(a, b, paint) {
   const canvas = blank(a.width, a.height), context = canvas.getContext("2d");
   const out = context.createImageData(a.width, a.height);

@@ -1,17 +1,17 @@
-// The keyboard, and the page that says so.
+// The keys, and the help that lists them.
 
 const keyHelp = [
-  ["J K", "next, previous picture"], ["N Shift+N", "next, previous scene"],
+  ["J K", "next / previous picture"], ["N Shift+N", "next / previous scene"],
   ["1 ... 9", "side by side, slider, blink, overlay, difference, signed \u00d716, heat map, " +
     "baseline, actual"],
   ["B", "blink by hand"], ["[ ]", "move the slider, mix the overlay"],
-  ["W", "to the worst window, and back"], ["L", "loupe at the pointer"],
-  ["+ - 0", "zoom, all of the picture; also Ctrl and the wheel, drag, double click"],
+  ["W", "zoom to the worst window and back"], ["L", "loupe at the pointer"],
+  ["+ - 0", "zoom in / out, show the whole picture; also Ctrl and wheel, drag, double click"],
   ["A", "accept the picture"], ["P", "accept the physics only"],
-  ["Shift+A", "accept all of the scene"],
+  ["Shift+A", "accept the whole scene"],
   ["C", "copy the command"],
-  ["D", "film: to the first step that differs"], [", .", "film: a step back, forth"],
-  ["Space", "film: play, pause"], ["?", "this page"],
+  ["D", "film: go to the first step that differs"], [", .", "film: one step back / forward"],
+  ["Space", "film: play / pause"], ["?", "this help"],
 ];
 
 function mix(by) {
@@ -55,7 +55,7 @@ function showHelp() {
   help.showModal();
 }
 
-/// Letters without Shift are the same with Caps Lock.
+/// Ignores Caps Lock: a letter without Shift is lower case.
 function keyOf(event) {
   return /^[a-zA-Z]$/.test(event.key) && !event.shiftKey ? event.key.toLowerCase() : event.key;
 }
@@ -64,7 +64,7 @@ function onKey(event) {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
   const key = keyOf(event);
   if (byId("help").open && key !== "?") return;
-  if (key === " " && event.target.closest?.("button, summary")) return;  // that is pressed by it
+  if (key === " " && event.target.closest?.("button, summary")) return;  // Space presses it
   const action = modes[key] && key !== "0" ? () => setMode(Number(key)) : keyActions[key];
   if (!action || !sceneNow()) return;
   event.preventDefault();

@@ -1,4 +1,4 @@
-// Left: the scenes by what became of them; above: how many of each.
+// Left: the scenes, grouped by result; top: the number of scenes with each result.
 
 const hasPicture = (scene, ...kinds) => scene.pictures.some((p) => kinds.includes(p.kind));
 const withoutBaseline = (scene) =>
@@ -9,7 +9,7 @@ const physicsOnly = (scene) =>
 const differs = (scene) =>
   scene.physics.kind === "changed" || hasPicture(scene, "changed", "new", "broken");
 
-/// The first group that takes a scene has it.
+/// A scene belongs to the first group that takes it.
 const groups = [
   { title: "Changed", open: true,
     takes: (s) => s.state === "failed" && differs(s) && !physicsOnly(s) && !withoutBaseline(s) },
@@ -27,7 +27,7 @@ function groupOf(scene) {
   return groups.findIndex((group) => group.takes(scene));
 }
 
-/// Places in report.scenes, in the order of the list.
+/// Indices in report.scenes, in the order of the list.
 function listOrder() {
   return report.scenes.map((scene, i) => i)
     .sort((a, b) => groupOf(report.scenes[a]) - groupOf(report.scenes[b]) || a - b);
@@ -55,7 +55,7 @@ function sceneRow(place) {
       allAccepted(scene) ? "\u2713" : use > 0 ? useText(use) : ""));
   const what = whatDiffers(scene);
   if (what !== "") row.append(make("span"), make("span", { class: "what" }, what), make("span"));
-  if (use > 0) row.append(make("span"), bar(use, `${useText(use)} of what is allowed`));
+  if (use > 0) row.append(make("span"), bar(use, `${useText(use)} of the allowed difference`));
   return row;
 }
 

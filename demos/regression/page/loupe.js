@@ -1,4 +1,4 @@
-// The pixels under the pointer, large, and both their values.
+// The pixels under the pointer, enlarged, and their values in both pictures.
 
 const kLoupePixels = 11, kLoupeZoom = 12;
 
@@ -69,7 +69,7 @@ function drawLoupeText(context, top, width) {
   });
 }
 
-/// Beside the pixel, and on the stage.
+/// Next to the pixel, and within the stage.
 function placeLoupe(loupe, width, height) {
   const pane = panes()[0], [x, y] = placeOf(pane, view.at[0] + 0.5, view.at[1] + 0.5);
   const [stageWidth, stageHeight] = stageSize();

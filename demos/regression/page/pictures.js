@@ -1,4 +1,4 @@
-// One thumbnail per time, with its verdict and how much of the gate it uses.
+// One thumbnail per time, with its verdict and the share of the gate it uses.
 
 function thumbImage(picture) {
   const place = picture.actual_image >= 0 ? picture.actual_image : picture.baseline_image;
@@ -32,7 +32,7 @@ function thumb(scene, picture, place) {
     bar(pictureUse(scene, picture), gate));
 }
 
-/// Sideways only: scrollIntoView would move the page as well.
+/// Scrolls horizontally only: scrollIntoView would move the page as well.
 function keepInSight(strip, item) {
   if (!item) return;
   const left = item.offsetLeft - strip.offsetLeft;

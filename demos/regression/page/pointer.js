@@ -30,7 +30,7 @@ function showModes() {
     switchButton("Loupe", "L", view.loupe, toggleLoupe));
 }
 
-/// Two pictures by turns; started by the mode, flipped by hand with B.
+/// Alternates the two pictures in Blink mode; B flips them by hand.
 function setTimer() {
   clearInterval(mixed.timer);
   if (view.mode === 3)
@@ -91,7 +91,7 @@ function listenToPointer() {
   canvas.addEventListener("dblclick", (event) =>
     lens.fitted ? zoomAbout(8 / lens.zoom, ...onStage(event)) : (fit(), draw()));
   canvas.addEventListener("wheel", (event) => {
-    if (!event.ctrlKey) return;  // else the page could not be scrolled over the picture
+    if (!event.ctrlKey) return;  // without Ctrl the wheel scrolls the page
     event.preventDefault();
     zoomAbout(Math.exp(-event.deltaY / 300), ...onStage(event));
   }, { passive: false });

@@ -1,6 +1,6 @@
-// A scene and a picture are chosen; what the link says, first.
+// Chooses a scene and a picture; at first those in the link.
 
-/// Of this scene, and all that depends on it; the film comes to the picture's time.
+/// Shows a picture of a scene and all that depends on it; the film goes to the picture's time.
 function choose(scene, picture = firstPicture(report.scenes[scene])) {
   const other = scene !== view.scene;
   view.scene = scene;
@@ -33,7 +33,7 @@ async function showViewer() {
   const key = pair.key = picture.name;
   const [baseline, actual] = await Promise.all(
     [loadImage(picture.baseline_image), loadImage(picture.actual_image)]);
-  if (pair.key !== key) return;  // another was chosen meanwhile
+  if (pair.key !== key) return;  // another picture was chosen meanwhile
   Object.assign(pair, { baseline, actual, drawn: new Map() });
   lens.fitted = true;
   fit();

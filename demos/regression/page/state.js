@@ -1,13 +1,13 @@
-// What the page shows. Its link says it all: #scene=stack&t=2.5&mode=7&w=1&at=300,200&film=1.2
+// What the page shows. The link holds all of it: #scene=stack&t=2.5&mode=7&w=1&at=300,200&film=1.2
 
 const report = JSON.parse(document.getElementById("data").textContent);
 
 const view = {
-  scene: 0,           // place in report.scenes
-  picture: 0,         // place in the scene's pictures
+  scene: 0,           // index in report.scenes
+  picture: 0,         // index in the scene's pictures
   mode: 1,            // key of modes, viewer.js
   worst: false,       // whether the worst window's box is drawn
-  at: null,           // [x, y] of the pixel that is looked at; null: none
+  at: null,           // [x, y] of the pixel under the loupe; null: none
   loupe: false,
   film: 0,            // s
 };
@@ -15,7 +15,7 @@ const view = {
 const sceneNow = () => report.scenes[view.scene];
 const pictureNow = () => sceneNow()?.pictures[view.picture];
 
-/// "t=2.5" is the picture nearest to that time, so a link written by hand need not be exact.
+/// "t=2.5" selects the picture nearest to that time, so a link written by hand need not be exact.
 function nearestPicture(scene, time) {
   let best = 0;
   scene.pictures.forEach((picture, i) => {
@@ -59,7 +59,7 @@ function writeLink() {
   history.replaceState(null, "", "#" + link);
 }
 
-/// What differs comes before what does not.
+/// The first picture that differs, else the first.
 function firstPicture(scene) {
   return Math.max(0, scene.pictures.findIndex((p) => p.kind !== "same" && p.kind !== "within"));
 }

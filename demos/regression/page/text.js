@@ -4,13 +4,13 @@ const short = (value, digits = 3) => (value !== 0 && Math.abs(value) < 1e-3
   ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits))));
 const seconds = (time) => `${time} s`;
 const percent = (part) => `${Math.round(100 * part)} %`;
-/// Of an allowance: "34 %", and where it was not enough how many times it.
+/// The used share of a limit: "34 %", or a multiple of the limit beyond it, "2.5x".
 const useText = (use) => {
   if (use > 1000) return "> 1000x";
   return use > 1 ? `${short(use, use < 10 ? 2 : 3)}x` : percent(use);
 };
 
-/// The share of its allowance that something uses: 1 is all of it.
+/// The share of the gate's limits that a picture uses: 1 is all of it.
 function pictureUse(scene, picture) {
   const d = picture.difference, gate = scene.snapshot.gate;
   if (!d) return 0;
@@ -37,7 +37,7 @@ const stateWords = {
   passed: "passed", failed: "failed", new: "new", updated: "updated", error: "error",
 };
 
-/// As a POSIX shell reads it as one word.
+/// Quoted so that a POSIX shell reads it as one word.
 function shellWord(text) {
   return /^[A-Za-z0-9_@%+=:,.\/][A-Za-z0-9_@%+=:,.\/-]*$/.test(text)
     ? text : `'${text.replaceAll("'", "'\\''")}'`;

@@ -1,4 +1,4 @@
-// The scene in words, before any picture: what the physics did, what was expected, what was set.
+// The scene's results as text, above the pictures: physics, expectations, settings.
 
 function acceptButton(text, title, names, action) {
   const on = names.every((name) => accepted.has(name));
@@ -17,13 +17,13 @@ function showHead() {
   byId("head").replaceChildren(
     make("h2", {}, scene.name), make("span", { class: "title" }, scene.title),
     make("span", { class: `chip ${scene.state}` }, stateWords[scene.state] ?? scene.state),
-    scene.cached ? make("span", { class: "chip" }, "cached: not played") : "", right);
+    scene.cached ? make("span", { class: "chip" }, "cached: not run") : "", right);
 }
 
-/// What it says where the verdict has no lines of its own.
+/// Used if the verdict has no lines of its own.
 const physicsWords = {
   same: "Physics: the same in every step, bit for bit.",
-  bits: "Physics: other bits, within the tolerances.",
+  bits: "Physics: different bits, within the tolerances.",
   changed: "Physics: changed.",
   unknown: "Physics: there is no baseline to compare with.",
 };
@@ -46,13 +46,13 @@ function physicsCard(scene) {
 const plainCard = (level, text) =>
   make("div", { class: `card lines ${level}` }, make("div", { class: "first" }, text));
 
-/// What was not played, or has no pictures, has no physics to tell of.
+/// A scene that was not run, or has no pictures, has no physics to report.
 function outcomeCard(scene) {
   if (scene.state === "error") return null;
   if (scene.cached)
-    return plainCard("passed", "Nothing has changed since it passed: it was not played again.");
+    return plainCard("passed", "Nothing has changed since it passed, so it was not run again.");
   if (scene.pictures.length === 0 && scene.physics.kind === "unknown")
-    return plainCard(scene.state, "Only its expectations are tested: [snapshot] lists no times.");
+    return plainCard(scene.state, "Only expectations are tested: [snapshot] lists no times.");
   return physicsCard(scene);
 }
 
@@ -71,7 +71,7 @@ function expectationsCard(scene) {
   const all = scene.expectations, failed = all.filter((result) => !result.passed).length;
   if (all.length === 0) return null;
   const says = failed > 0
-    ? `${failed} of ${all.length} failed, which no baseline can mend: nothing can be accepted`
+    ? `${failed} of ${all.length} failed; a baseline cannot fix that, so nothing can be accepted`
     : `all ${all.length} passed`;
   return make("details", { class: "card", open: failed > 0, id: "expectations" },
     make("summary", {}, "Expectations ", make("span", {}, says)),

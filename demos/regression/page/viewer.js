@@ -1,4 +1,4 @@
-// The chosen picture in nine ways, all with one zoom and one place.
+// The chosen picture in nine modes, which share their zoom and position.
 
 const modes = {
   1: "Side by side", 2: "Slider", 3: "Blink", 4: "Overlay", 5: "Difference",
@@ -6,13 +6,13 @@ const modes = {
 };
 
 const pair = { baseline: null, actual: null, drawn: new Map(), key: "" };
-const lens = { zoom: 1, x: 0, y: 0, fitted: true };  // CSS pixels per pixel; the middle, pixels
+const lens = { zoom: 1, x: 0, y: 0, fitted: true };  // CSS pixels per pixel; the centre, pixels
 const mixed = { split: 0.5, share: 0.5, blinkActual: false, timer: 0 };
 
 const stageSize = () => [byId("stage").clientWidth, byId("stage").clientHeight];
 const pictureSize = () => pair.actual ?? pair.baseline;
 
-/// Each is [x, y, width, height] of the stage, CSS pixels.
+/// Each is [x, y, width, height] on the stage, CSS pixels.
 function panes() {
   const [width, height] = stageSize();
   if (view.mode !== 1) return [[0, 0, width, height]];
@@ -29,7 +29,7 @@ function fit() {
   });
 }
 
-/// About a place of the stage, which stays where it is.
+/// Zooms about a point of the stage, which keeps its position.
 function zoomAbout(factor, x, y) {
   const zoom = Math.min(48, Math.max(0.1, lens.zoom * factor)), at = pixelUnder(x, y);
   const pane = paneUnder(x);
@@ -41,14 +41,14 @@ function zoomAbout(factor, x, y) {
 
 const paneUnder = (x) => panes().find((pane) => x < pane[0] + pane[2]) ?? panes().at(-1);
 
-/// In pixels of the picture, not rounded.
+/// From the stage to pixels of the picture, not rounded.
 function pixelUnder(x, y) {
   const pane = paneUnder(x);
   return [lens.x + (x - pane[0] - pane[2] / 2) / lens.zoom,
     lens.y + (y - pane[1] - pane[3] / 2) / lens.zoom];
 }
 
-/// And back: its upper left corner on the stage.
+/// From a pixel of the picture to its upper left corner on the stage.
 function placeOf(pane, x, y) {
   return [pane[0] + pane[2] / 2 + (x - lens.x) * lens.zoom,
     pane[1] + pane[3] / 2 + (y - lens.y) * lens.zoom];
@@ -58,11 +58,11 @@ function whyNotComputed() {
   if (!pair.baseline) return "no baseline: nothing to compare with";
   if (!pair.actual) return "no actual picture: nothing to compare with";
   if (pair.baseline.width !== pair.actual.width || pair.baseline.height !== pair.actual.height)
-    return `two sizes: ${pair.baseline.width} x ${pair.baseline.height} and ` +
+    return `the sizes differ: ${pair.baseline.width} x ${pair.baseline.height} and ` +
       `${pair.actual.width} x ${pair.actual.height}`;
   if (!pair.baseline.pixels || !pair.actual.pixels)
-    return "linked, not embedded: the browser lets no page from a file compute with it; " +
-      "blink or slide";
+    return "linked, not embedded: a page opened from a file cannot read its pixels; " +
+      "use Blink or Slider";
   return "";
 }
 
@@ -77,7 +77,7 @@ function computed(mode) {
   return pair.drawn.get(mode);
 }
 
-/// What of the modes can be shown of what is there, and what to say where it is another.
+/// The mode that the available pictures allow, and a note if it is not the chosen one.
 function modeShown() {
   if (view.mode === 1 || view.mode >= 8) return [view.mode, ""];
   const why = whyNotComputed(), single = pair.actual ? 9 : 8;
@@ -182,7 +182,7 @@ function drawMode(context, mode) {
   else drawOne(context, first, mode === 8 ? "baseline" : "actual");
 }
 
-/// Black and white, so that it is seen on everything.
+/// Black and white, so that it is visible on any picture.
 function drawWorst(context) {
   const at = pictureNow()?.difference?.window_at;
   if (!at || !view.worst) return;
@@ -215,7 +215,7 @@ function draw() {
   document.body.dataset.drawn = `${mode} ${pictureNow()?.name ?? ""}`;
 }
 
-/// The lens on the worst window, and back to all of the picture.
+/// Zooms to the worst window, or back to the whole picture.
 function toggleWorst() {
   const at = pictureNow()?.difference?.window_at;
   if (!at) return;

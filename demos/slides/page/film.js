@@ -1,12 +1,12 @@
-// The film of a slide: frames are counted, and sought in their middle, where no rounding of a
-// browser's clock meets another frame.
+// The film of a slide. Frames are counted, and seeks go to the middle of a frame, so that rounding
+// of the browser's clock never reaches another frame.
 
 const fps = (film) => Number(film.dataset.fps);
 const frames = (film) => Number(film.dataset.frames);
 const frameOf = (film) => within(Math.floor(film.currentTime * fps(film) + 1e-4), 0, frames(film) - 1);
 const ended = (film) => film.ended || (film.paused && frameOf(film) === frames(film) - 1);
 
-/// s of the run that the film shows, which is not always as fast as the film.
+/// The run's time at a frame, s; it may pass faster or slower than the film's.
 const runTime = (film, frame) => Number(film.dataset.first) + frame * Number(film.dataset.step);
 
 function whereIs(film) {
@@ -14,7 +14,7 @@ function whereIs(film) {
   return `frame ${frame + 1} of ${frames(film)}, t = ${runTime(film, frame).toFixed(3)} s`;
 }
 
-/// Films of this slide and its neighbours are loaded, others give their decoders back.
+/// Loads the films of this slide and its neighbours; others release their decoders.
 function loadFilms() {
   leaves.forEach((leaf, i) => {
     const film = filmOf(leaf);
@@ -34,7 +34,7 @@ const waits = (film) => Boolean(film) && film.closest(".frame").classList.contai
 function play(film) {
   setWaiting(film, false);
   film.playbackRate = film.defaultPlaybackRate = view.speed;
-  film.play().catch((error) => {  // a browser that plays nothing unasked
+  film.play().catch((error) => {  // a browser that blocks autoplay
     if (error.name === "NotAllowedError") setWaiting(film, true);
   });
 }
@@ -43,7 +43,7 @@ function stopFilms() {
   for (const leaf of leaves) filmOf(leaf)?.pause();
 }
 
-/// From its first frame: at once, or when asked to.
+/// Shows the first frame; plays at once unless the film waits.
 function enterFilm() {
   const film = filmNow();
   if (!film) return;
@@ -106,7 +106,7 @@ function listenToFilms() {
     if (!film.paused) requestAnimationFrame(() => follow(film));
   };
   for (const film of leaves.map(filmOf).filter(Boolean)) {
-    film.muted = true;  // the attribute alone is not enough for every browser to play unasked
+    film.muted = true;  // for autoplay the attribute alone is not enough in every browser
     film.addEventListener("play", () => { follow(film); tellSpeaker(); });
     for (const event of ["pause", "seeked", "ended"]) film.addEventListener(event, () => { showRun(film); tellSpeaker(); });
     film.addEventListener("error", () => { if (film.src) film.classList.add("failed"); });

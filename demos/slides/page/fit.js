@@ -1,10 +1,10 @@
-// The stage in its window, and words in their places: what is too long is set smaller.
+// Fits the stage into its window and words into their places: what is too long is set smaller.
 
 const kStage = { width: 1280, height: 720 };
-const kSmallest = 0.5;  // of the size that words have where there is room
-const kWide = 0.72;     // a formula that would be set smaller beside a picture goes above it
-const kTight = 0.6;     // of code: what would be set smaller still is broken into lines,
-const kBroken = 0.8;    // which are set so large
+const kSmallest = 0.5;  // least share of the usual size of words
+const kWide = 0.72;     // a formula that would have to be smaller beside a picture goes above it
+const kTight = 0.6;     // code that would have to be smaller is broken into lines
+const kBroken = 0.8;    // of this size
 
 const scaleIn = (room) => Math.min(room.clientWidth / kStage.width, room.clientHeight / kStage.height);
 
@@ -15,16 +15,16 @@ function fitStage() {
     document.body.style.setProperty("--thumb", leaves[0].clientWidth / kStage.width);
 }
 
-/// Of the room that it has; 1: it fits. MathML has no offsetWidth, hence the stage's scale.
+/// The available width over the formula's; 1: it fits. MathML has no offsetWidth, hence `scale`.
 function shareOf(formula, scale) {
   const width = formula.getBoundingClientRect().width / scale;
   return width > 0 ? formula.closest(".formula, p, li, .text").clientWidth / width : 1;
 }
 
-/// In a paragraph without words, as if it were a formula of the slide's own.
+/// Whether a formula is alone in its paragraph, as if it were one of the slide's `formula`.
 const isAlone = (formula) => formula.parentElement.textContent.trim() === formula.textContent.trim();
 
-/// The smallest share of the formulas that have a place of their own, not of those in a text.
+/// Scales all formulas; returns the smallest share of the slide's `formula`, not of those in a text.
 function fitFormulas(slide, scale) {
   for (const formula of slide.querySelectorAll(".text p > math[display=block]"))
     formula.parentElement.classList.toggle("lone", isAlone(formula));
@@ -35,7 +35,7 @@ function fitFormulas(slide, scale) {
   return Math.min(1, ...shares.filter((_, i) => formulas[i].parentElement.matches(".formula")));
 }
 
-/// A line a block, so that what goes on below hangs from where its line began.
+/// Makes each line a block, so that its continuation is indented below its beginning.
 function breakLines(pre) {
   const code = pre.querySelector("code");
   const lines = code.textContent.replace(/\n$/, "").split("\n").map((text) => {
@@ -53,13 +53,13 @@ function fitCode(slide) {
   for (const pre of slide.querySelectorAll("pre:not(.broken)")) {
     pre.style.setProperty("--tight", 1);
     if (pre.scrollWidth <= pre.clientWidth) continue;
-    const share = 0.97 * pre.clientWidth / pre.scrollWidth;  // its padding on the right
+    const share = 0.97 * pre.clientWidth / pre.scrollWidth;  // 0.97: padding on the right
     pre.style.setProperty("--tight", share < kTight ? kBroken : share);
     if (share < kTight) breakLines(pre);
   }
 }
 
-/// Whether words leave a picture less than a third of the slide, and it wants more.
+/// Whether words leave a picture less than a third of the slide, and less than it needs.
 function isSqueezed(slide) {
   const pictures = slide.querySelector(".pictures");
   if (!pictures || !slide.querySelector(".below .words, .caption")) return false;
@@ -75,7 +75,7 @@ function overflows(slide) {
     wide.some((part) => part.scrollWidth > part.clientWidth + 1);
 }
 
-/// No size of words is small enough: who made the slide should see it, on paper too.
+/// Marks a slide that fits at no size, so that its author sees it, on paper too.
 function tellOverfull(slide) {
   const lost = slide.querySelector(".pictures")?.clientHeight < 60;
   const overfull = lost || overflows(slide);

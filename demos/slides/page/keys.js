@@ -1,18 +1,18 @@
-// Keys, and what they do.
+// The keys and their actions.
 
 const kKeys = [
-  [["Page Down", "click"], "go on: a film that waits plays, else the next slide"],
+  [["Page Down", "click"], "continue: start a waiting film, else next slide"],
   [["Right", "Down"], "next slide"],
-  [["Left", "Up", "Page Up"], "slide before"],
-  [["Home", "End"], "first, last slide"],
+  [["Left", "Up", "Page Up"], "previous slide"],
+  [["Home", "End"], "first / last slide"],
   [["5", "Enter"], "to slide 5"],
-  [["Space"], "play or hold the film; after its end, the next slide"],
-  [["k"], "play or hold the film"],
-  [[",", "."], "a frame back, forth"],
+  [["Space"], "play or pause the film; after its end, next slide"],
+  [["k"], "play or pause the film"],
+  [[",", "."], "one frame back / forward"],
   [["0"], "the film's first frame"],
-  [["[", "]"], "film slower, faster"],
-  [["n"], "notes; printed too while they are shown"],
-  [["s"], "a window for who speaks"],
+  [["[", "]"], "film slower / faster"],
+  [["n"], "notes; also printed while shown"],
+  [["s"], "a window for the speaker"],
   [["o"], "all slides"],
   [["f"], "full screen"],
   [["b"], "black"],
@@ -64,7 +64,7 @@ function enterDigits() {
   show(number - 1);
 }
 
-/// Whether the key means something here.
+/// Performs the key's action; returns whether it has one.
 function press(key, shift = false) {
   if (/^[0-9]$/.test(key)) { digit(key); return true; }
   if (key === "Enter" && view.digits) { enterDigits(); return true; }

@@ -1,11 +1,11 @@
-// Clicks and fingers: the left quarter goes back, the rest goes on.
+// Clicks and touch: the left quarter goes back, the rest goes on.
 
 const kSwipe = 50;  // pixels
 let touched = null;
 
 function onClick(event) {
   if (event.target.closest("a, button:not(.wait), dialog") || event.button !== 0) return;
-  if (!getSelection().isCollapsed) return;  // words are being marked
+  if (!getSelection().isCollapsed) return;  // text is being selected
   const leaf = event.target.closest("#stage > .leaf");
   if (document.body.classList.contains("overview")) {
     if (leaf) show(leaves.indexOf(leaf));
@@ -28,14 +28,14 @@ function onTouch(event) {
   const dx = finger.clientX - touched[0], dy = finger.clientY - touched[1];
   touched = null;
   if (Math.abs(dx) < kSwipe || Math.abs(dx) < Math.abs(dy)) return;
-  event.preventDefault();  // and is no click
+  event.preventDefault();  // no click follows
   const key = dx > 0 ? "PageUp" : "PageDown";
   if (speaks) tellTalk({ key });
   else press(key);
 }
 
 let rest = 0;
-/// The pointer goes when it has rested.
+/// Hides the pointer when it has not moved for a while.
 function onMove() {
   document.body.classList.remove("idle");
   clearTimeout(rest);

@@ -27,14 +27,14 @@ function enter() {
   if (speaks) showNext();
 }
 
-/// What a clicker, a click and the space bar do: a film that waits plays first.
+/// The action of a presenter's remote and of a click: starts a waiting film, else the next slide.
 function goOn() {
   const film = filmNow();
   if (waits(film)) return play(film);
   show(view.at + 1);
 }
 
-/// The space bar also holds a film that has not come to its end.
+/// The action of the space bar: plays or pauses a film that has not ended, else the next slide.
 function space() {
   const film = filmNow();
   if (film && !ended(film)) return toggleFilm();
@@ -53,7 +53,7 @@ function toggleNotes() {
   fitStage();
 }
 
-/// #5 is the fifth slide; written without a step in the browser's history.
+/// #5 is the fifth slide; writing it adds no entry to the browser's history.
 function writeLink() {
   const link = `#${view.at + 1}`;
   if (location.hash !== link) history.replaceState(null, "", link);
@@ -72,7 +72,7 @@ function toggleOverview() {
   else enter();
 }
 
-/// Slides in a row of the overview.
+/// The number of slides in a row of the overview.
 function columns() {
   const top = leaves[0].getBoundingClientRect().top;
   const next = leaves.findIndex((leaf) => leaf.getBoundingClientRect().top > top + 1);

@@ -1,7 +1,7 @@
-// A second window for who speaks: the same file, as #speaker. The two tell each other by
-// postMessage, which works between files on a disk too, where each is an origin of its own.
+// A second window for the speaker: the same file, as #speaker. The two windows communicate by
+// postMessage, which also works between files on a disk, each of which is its own origin.
 
-let speaker = null;           // in the talk's window
+let speaker = null;           // used in the talk's window
 const clock = { began: Date.now() };
 
 function openSpeaker() {
@@ -19,7 +19,7 @@ function tellSpeaker() {
 
 const tellTalk = (message) => window.opener?.postMessage({ impulse: "speaker", ...message }, "*");
 
-/// Only from the window that this one has opened, also where this one was loaded again since.
+/// Accepts messages only from the window that this one has opened, even if this one was reloaded.
 function hearSpeaker(event) {
   if (event.data?.impulse !== "speaker" || event.source?.opener !== window) return;
   speaker = event.source;
@@ -70,7 +70,7 @@ function becomeSpeaker() {
   window.addEventListener("message", hearTalk);
   document.title += " \u2013 speaker";
   showClock();
-  setInterval(() => { showClock(); tellTalk({}); }, 1000);  // also after the talk is loaded again
+  setInterval(() => { showClock(); tellTalk({}); }, 1000);  // reconnects after the talk is reloaded
   tellTalk({});
-  if (!window.opener) say("opened by itself: press s in the talk's window instead", 0);
+  if (!window.opener) say("opened without the talk: press s in the talk's window instead", 0);
 }

@@ -1,4 +1,4 @@
-// Letters first: words are fitted to the letters that they are set in.
+// Loads the font first: fitting the words depends on it.
 
 async function start() {
   document.body.classList.add("live");

@@ -1,4 +1,4 @@
-// The slides as they stand in the page, and which of them is seen.
+// The slides in the page, and which of them is shown.
 
 const leaves = [...document.querySelectorAll("#stage > .leaf")];
 const slideOf = (leaf) => leaf.querySelector(".slide");
@@ -12,7 +12,7 @@ const view = { at: 0, digits: "", speed: 1 };
 const within = (value, low, high) => Math.min(Math.max(value, low), high);
 
 let silence = 0;
-/// A line at the bottom, for so long (ms); 0: until the next one.
+/// Shows a line at the bottom for `time` ms; 0: until the next one.
 function say(text, time = 2500) {
   clearTimeout(silence);
   byId("says").textContent = text;

@@ -1,5 +1,5 @@
-// Nothing falls through a surface: bodies that ignore each other, dropped and shot at the corners, edges
-// and faces of meshes, 250 to a mesh, at 1 to 300 m/s. A thousand in tests/run; with IMPULSE_LONG in the
+// No body falls through a surface: bodies that ignore each other are dropped and shot at the corners, edges
+// and faces of meshes, 250 per mesh, at 1 to 300 m/s. A thousand in tests/run; with IMPULSE_LONG in the
 // environment (tests/run --long), a hundred thousand.
 #include <gtest/gtest.h>
 
@@ -16,11 +16,11 @@ namespace {
 using namespace engine;
 using support::Random;
 
-constexpr int kLines = 24;      // of the grid, each way
+constexpr int kLines = 24;      // of the grid, in each direction
 constexpr double kHalf = 8.0;   // m
 constexpr int kDrops = 250;
 
-/// A grid of triangles whose diagonals lie either way, flat or rough; its lines may be anywhere.
+/// A grid of triangles with diagonals in either direction, flat or rough, and uneven spacing.
 class Ground {
 public:
     Ground(Random& r, bool rough, bool irregular) {
@@ -95,7 +95,7 @@ Shape anyShape(Random& r, int kind, double s) {
     }
 }
 
-/// A corner of the ground, a place on an edge, or anywhere.
+/// A corner of the ground, a point on an edge, or any point.
 Vec3 target(Random& r, const Ground& ground, int where) {
     const int i = 2 + static_cast<int>(r.number(0, kLines - 5));
     const int j = 2 + static_cast<int>(r.number(0, kLines - 5));
@@ -150,7 +150,7 @@ TEST_P(Drops, NoneFallsThrough) {
         if (gone[i]) continue;
         ++held;
         const Vec3& at = world.pose({i}).position;
-        // The centre of a compound need not be in one of its parts.
+        // The centre of a compound may be outside all its parts.
         const double below = (i - 1) % 7 == 6 ? 0.05 : 1e-3;
         EXPECT_GT(at.y(), ground.height(at.x(), at.z()) - below)
             << "body " << i << " at " << world.def({i}).velocity.norm() << " m/s";

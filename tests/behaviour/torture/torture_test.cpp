@@ -1,5 +1,5 @@
-// Worlds that nobody would build: a minute each, in both presets. A world of every kind runs in
-// tests/run; with IMPULSE_LONG in the environment (tests/run --long), six of every kind.
+// Extreme worlds: a minute each, in both presets. One world of every kind runs in tests/run; with
+// IMPULSE_LONG in the environment (tests/run --long), six of every kind.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,14 +16,14 @@ constexpr int kSteps = 3600;  // a minute
 
 int cases() { return std::getenv("IMPULSE_LONG") ? 6 * kKinds : kKinds; }
 
-/// Of what the bodies could have fallen from a metre up, and what they have.
+/// An energy scale: that of a fall from a metre, plus what they have.
 double scaleOf(const Case& c) {
     double mass = 0.0;
     for (const engine::BodyId id : c.bodies) mass += c.world.mass(id);
     return std::abs(c.world.energy().total()) + mass * support::kGravity;
 }
 
-/// What is pressed out of each other, or drawn together, at the start rises.
+/// The share of it that bodies may gain when overlaps or torn joints are resolved at the start.
 double shareThatMayCome(Kind kind) {
     const bool torn = kind == Kind::overlaps || kind == Kind::torn || kind == Kind::loops;
     return torn ? 0.05 : 0.01;
@@ -43,7 +43,7 @@ void torment(int number, const Settings& settings) {
             ASSERT_EQ(incident.trouble, Trouble::velocityTooLarge) << c.name << ", step " << step;
         const double energy = c.ceiling > 0.0 ? c.world.energy().total() : 0.0;
         ASSERT_LE(energy, most) << c.name << ", step " << step;
-        expectHeld(c, 0.3, step);  // a blow may drive the centre of a sliver in
+        expectHeld(c, 0.3, step);  // a hit may push the centre of a sliver in
         if (testing::Test::HasFailure()) return;
     }
     expectHeld(c, 0.05, kSteps);

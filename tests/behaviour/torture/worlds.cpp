@@ -26,7 +26,7 @@ Shape hull(Random& r, double size, double aspect) {
     }
 }
 
-/// Any shape that moves, its longest side about `size` (m).
+/// A random shape for dynamic bodies, its longest side about `size` (m).
 Shape anyShape(Random& r, double size, double mostAspect) {
     const double aspect = logarithmic(r, 1, mostAspect);
     switch (count(r, 0, 6)) {
@@ -63,7 +63,7 @@ Vec3 anyPlace(Random& r, const Case& c, double low, double high) {
 
 void addBody(Case& c, const BodyDef& def) { c.bodies.push_back(c.world.add(def)); }
 
-/// Planes all round; `floor`: below as well.
+/// Planes on all sides; `floor`: also below.
 void addBox(Case& c, double half, bool floor) {
     c.half = half;
     if (floor) c.world.add(support::floorPlane());
@@ -118,7 +118,7 @@ void triangles(Case& c, Random& r) {
     addBox(c, 8, false);
     std::vector<Vec3> corners;
     std::vector<std::array<int, 3>> faces;
-    // A grid whose lines are anywhere: slivers and needles between them. It ends beyond the walls.
+    // A grid with random lines, so slivers and needles between them. It extends beyond the walls.
     const int lines = count(r, 6, 16);
     std::vector<double> x{-9.0}, z{-9.0};
     for (int i = 0; i < lines; ++i) {
@@ -149,7 +149,7 @@ void triangles(Case& c, Random& r) {
     }
 }
 
-/// What a joint leaves free gets limits, a motor or a spring, or nothing.
+/// Free coordinates of a joint get limits, a motor or a spring, or nothing.
 void drive(Random& r, JointDef& def, bool motors) {
     const auto freedom = [&](double reach) {
         Freedom f;
@@ -203,7 +203,7 @@ void join(Case& c, Random& r, BodyId a, BodyId b, const Vec3& at, JointType type
     c.world.add(def);
 }
 
-/// Bodies each joined to one before it; the first to the world now and then.
+/// Bodies, each joined to an earlier one; the first sometimes to the world.
 void limbs(Case& c, Random& r, double apart = 0.0) {
     addBox(c, 10, true);
     const bool motors = chance(r, 0.5);
@@ -330,7 +330,7 @@ void movers(Case& c, Random& r) {
     c.ceiling = 0.0;
 }
 
-/// Height of the field, m, at a place between its corners: no lower than the lowest of the four.
+/// Height of the field between its corners, m: not below the lowest of the four.
 double ground(const Case& c, const Vec3& at) {
     if (c.heights.empty()) return 0.0;
     const auto cell = [&](double x) {

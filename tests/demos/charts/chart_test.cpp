@@ -100,7 +100,7 @@ TEST(EndLabels, AreMovedApartAndKeepTheirOrder) {
                 EXPECT_LT(y[i], y[k]);
             }
         }
-    EXPECT_LT(y[0], y[1]);  // the same wish: as given
+    EXPECT_LT(y[0], y[1]);  // equal positions: in the order given
     for (const float place : y) EXPECT_TRUE(place >= 0.0f && place <= 100.0f) << place;
 }
 
@@ -136,7 +136,7 @@ TEST(Thinning, LeavesFewPointsAlone) {
     EXPECT_TRUE(thinned({}).empty());
 }
 
-/// A wave and its double, a second long.
+/// A wave and its double, one second long.
 Chart waves() {
     Chart chart;
     chart.title = "waves";
@@ -158,7 +158,7 @@ Chart single(std::vector<double> x, std::vector<double> y) {
     return chart;
 }
 
-/// Every tag is closed in its order, and no character is left that XML would not take.
+/// Every tag is closed in the right order, and no character is invalid in XML.
 testing::AssertionResult isWellFormed(const std::string& xml) {
     std::vector<std::string> open;
     const std::regex tag(R"(<(/?)([a-z]+)((?: [a-zA-Z-]+="[^"<&]*(?:&[a-z]+;[^"<&]*)*")*)(/?)>)");
@@ -317,7 +317,7 @@ int colored(const render::Image& image, const render::Color& color) {
     return found;
 }
 
-/// Leaving a primitive out must be seen in the pixels, as it is in the elements of the SVG.
+/// Leaving a primitive out must change the pixels, as it changes the elements of the SVG.
 TEST(Picture, DrawsEveryPrimitive) {
     const Drawing whole = drawingOf({waves()}, kPage, "print");
     const render::Image image = imageOf(whole);

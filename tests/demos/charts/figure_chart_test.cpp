@@ -1,4 +1,4 @@
-// Charts on paper: letters keep their size, so texts go to more lines and names below the plot.
+// Charts on paper: letters keep their size, so texts take more lines and names go below the plot.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ TEST(PaperChart, NoTextLosesAnything) {
     }
 }
 
-/// The rows of names make the page higher, not the plot lower.
+/// The legend's rows make the page higher and do not reduce the plot.
 TEST(PaperChart, IsHigherForItsLegendAndItsPlotIsNot) {
     const auto plotOf = [](const Chart& chart) {
         return pageOf({chart}, chartSize(std::vector{chart}, kColumn, std::nullopt), kColumn)
@@ -68,7 +68,7 @@ TEST(PaperChart, IsHigherForItsLegendAndItsPlotIsNot) {
     EXPECT_NEAR(plotOf(many).bottom - plotOf(many).top, plotOf(few).bottom - plotOf(few).top, 2.0f);
 }
 
-/// The axis's name is below it: a plot takes most of a column.
+/// The axis's title is below it, so a plot takes most of a column.
 TEST(PaperChart, LeavesLittleBesideItsPlot) {
     Chart chart = chartOf(1, "");
     chart.series.front().label.clear();
@@ -174,7 +174,7 @@ TEST(LogChart, LeavesOutWhatIsBelowItsLeast) {
     EXPECT_EQ(pageOf({chart}, {1280, 720}).plots[0].y.low, 1e-3);
 }
 
-/// All four lines end at one place: each label is led to.
+/// All four lines end at one point: each label has a leader.
 TEST(EndLabels, AllHaveLeaders) {
     Chart chart;
     for (const char* label : {"(a)", "(b)", "(c)", "(d)"})

@@ -1,4 +1,4 @@
-/// The texts of a drawn chart: what they say and the room they take.
+/// The texts of a drawn chart, and the boxes they occupy.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct Box {
     }
 };
 
-/// Of the letters, ascent and descent; a line's whole height includes room for accents.
+/// The box of the letters, ascent and descent; a line's whole height also includes accents.
 inline Box boxOf(const Label& label) {
     const float width = render::textWidth(label.text, label.pixels);
     const float left = label.at.x - (label.anchor == render::Anchor::start ? 0.0f
@@ -32,7 +32,7 @@ inline Box boxOf(const Label& label) {
             label.at.y + 0.2f * label.pixels};
 }
 
-/// Nothing over anything else or beyond the page. `what`: is reported with what does.
+/// No label overlaps another one or leaves the page. `what`: added to the message.
 inline void expectApart(const Drawing& drawing, const std::string& what) {
     for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
         const Box a = boxOf(drawing.labels[i]);

@@ -1,4 +1,4 @@
-// impulse render with a camera that moves, as a user's shell runs it.
+// impulse render with a moving camera, run as by a user.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 
 class CameraInAFilm : public SmallFilm {
 protected:
-    /// A second at 10 Hz, by file name.
+    /// One second at 10 frames/s, by file name.
     Files framesOf(const std::string& scene, const std::vector<std::string>& more) {
         write(folder / "ball.toml", scene);
         std::vector<std::string> words{"-o", "out", "--overwrite", "--clean"};
@@ -29,7 +29,7 @@ TEST_F(CameraInAFilm, BlurDoesNotSmearOverACut) {
                             {"--blur", "4", "--shutter", "1"});
     EXPECT_EQ(frames["frame_000003.png"], frames["frame_000004.png"]);
     EXPECT_NE(frames["frame_000004.png"], frames["frame_000005.png"]);
-    EXPECT_EQ(frames["frame_000005.png"], frames["frame_000006.png"]);  // all of it behind the cut
+    EXPECT_EQ(frames["frame_000005.png"], frames["frame_000006.png"]);  // both are after the cut
 }
 
 TEST_F(CameraInAFilm, WhatIsNotInFocusIsSoftInBlurredPictures) {
@@ -40,7 +40,7 @@ TEST_F(CameraInAFilm, WhatIsNotInFocusIsSoftInBlurredPictures) {
     EXPECT_NE(framesOf(scene + "0\n", blurred), framesOf(scene + "0.3\n", blurred));
 }
 
-// Behind by v dt q (1 - q^n) / (1 - q), q = exp(-dt / T), as the pictures are (camera_test.cpp).
+// The lag is v dt q (1 - q^n) / (1 - q), q = exp(-dt / T), as in the pictures (camera_test.cpp).
 TEST_F(CameraInAFilm, DataTellOfTheLagThatThePicturesShow) {
     framesOf(kStill +
                  "[[body]]\nname = 'runner'\nshape = { sphere = 0.2 }\nat = [0, 5, 0]\n"

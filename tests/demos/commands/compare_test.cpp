@@ -43,7 +43,7 @@ TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
     const render::Image last = picture("film/frame_000002.png");
     EXPECT_EQ(last.width, 320);
     EXPECT_EQ(last.height, 180);
-    // one panel's ball has fallen by then, the other's has not
+    // by then, one panel's ball has fallen and the other's has not
     int different = 0;
     for (int y = 0; y < 120; ++y)
         for (int x = 0; x < 150; ++x)
@@ -117,7 +117,7 @@ TEST_F(Compare, RefusesWhatCannotBeCompared) {
         {{"ball.toml", "--vary", "solver.sweeps=1,2,3,4,5"}, "give two to four"},
         {{"ball.toml", "--vary", "solver.sweeps"}, "KEY=VALUE"},
         {{"ball.toml", "--case", "a: b"}, "LABEL: KEY=VALUE"},
-        {{"clamping", "--vary", "solver.sweeps=1,2"}, "a comparison of its own"},
+        {{"clamping", "--vary", "solver.sweeps=1,2"}, "a built-in comparison"},
         {{"ball.toml", "--vary", "solver.sweeps=1,2", "--measure", "sped"}, "did you mean 'speed'"},
     };
     for (const auto& [arguments, text] : bad) {

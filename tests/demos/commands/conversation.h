@@ -1,10 +1,10 @@
-/// The real program, spoken with while it runs.
+/// The real program, with which a test exchanges messages while it runs.
 #pragma once
 #include "tests/demos/program.h"
 
 namespace demos::test {
 
-/// Both of its streams come through one pipe. It is killed with its owner.
+/// Both output streams come through one pipe. The program is killed with its owner.
 class Conversation {
 public:
     explicit Conversation(const Launch& launch) {
@@ -25,8 +25,8 @@ public:
     Conversation(const Conversation&) = delete;
     Conversation& operator=(const Conversation&) = delete;
 
-    /// What it says up to the end of the line with this text, since the last call; a failure where
-    /// it ends before, or says nothing for a minute.
+    /// The output since the last call, up to the end of the line with this text; a test failure if
+    /// the program ends before, or prints nothing for a minute.
     std::string until(const std::string& text) {
         constexpr int kPatience = 60'000;  // ms
         for (;;) {

@@ -1,4 +1,4 @@
-// Film strips, posters, films of a given size, streams: what is made of a scene to be shown.
+// Film strips, posters, films of a given size, streams: outputs for publishing a scene.
 #include <unistd.h>
 
 #include "render/encode/ffmpeg.h"
@@ -38,7 +38,7 @@ protected:
     TemporaryFolder folder;
 };
 
-/// One refusal: its code and a word of its only line.
+/// Expects a refusal: its code, and a word of its only line.
 void expectRefused(const Ended& ended, int code, const std::string& word) {
     EXPECT_EQ(ended.code, code) << ended.err;
     EXPECT_EQ(ended.errorLines(), 1) << ended.err;
@@ -69,7 +69,7 @@ TEST_F(Delivery, AStripIsTheFilmsFramesInARow) {
 TEST_F(Delivery, AStripTellsTheTimesBelow) {
     ASSERT_EQ(strip({"-n", "2", "-o", "with.png"}).code, 0);
     const render::Image labelled = pictureIn(contentOf(folder / "with.png"));
-    EXPECT_EQ(labelled.height, 2 + 54 + 15 + 2);  // 10 pixels of letters and half as much of room
+    EXPECT_EQ(labelled.height, 2 + 54 + 15 + 2);  // 10 pixels of text and 5 of space
     const std::uint8_t* paper = labelled.at(0, 0);
     int ink[2] = {0, 0};
     for (int y = 57; y < labelled.height; ++y)
@@ -99,7 +99,7 @@ TEST_F(Delivery, AStripThatCannotBeIsRefusedAtOnce) {
     expectRefused(strip({"-n", "0"}), 2, "1 to 100");
     expectRefused(strip({"-n", "11"}), 2, "the film has 10 frames");
     expectRefused(strip({"-n", "2", "--times", "0,1"}), 2, "--times");
-    expectRefused(strip({"--times", "1,0.5"}), 2, "must rise");
+    expectRefused(strip({"--times", "1,0.5"}), 2, "must increase");
     expectRefused(strip({"--times", "0.5,0.501"}), 2, "same step");
     expectRefused(strip({"--times", "soon"}), 2, "'soon'");
     expectRefused(strip({"--times", "nan"}), 2, "'nan'");
@@ -171,7 +171,7 @@ TEST_F(Delivery, SizesAreThousandsOfBytes) {
     EXPECT_EQ(filesLeft("a.gif") + filesLeft("output"), 0);
 }
 
-/// A signal while the film is being fitted: told, code 130, nothing left.
+/// A signal while the film is being fitted: it is reported, with code 130, and no file is left.
 TEST_F(Delivery, AnInterruptEndsTheFitting) {
     if (!render::haveFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     Launch slow =
@@ -179,7 +179,7 @@ TEST_F(Delivery, AnInterruptEndsTheFitting) {
     slow.awaited = "\"frame\":89,";  // the last one
     slow.signal = SIGINT;
     const Ended ended = run(slow);
-    EXPECT_TRUE(ended.code == 130 || ended.code == 4) << ended.code;  // 4: it had just not fitted
+    EXPECT_TRUE(ended.code == 130 || ended.code == 4) << ended.code;  // 4: it did not fit
     EXPECT_EQ(ended.errorLines(), 1) << ended.err;
     EXPECT_EQ(filesLeft("a.webm"), 0);
 }

@@ -1,4 +1,4 @@
-/// Every bad input: the documented code, one line per error, nothing written.
+/// Every invalid input gives the documented code and one line per error, and nothing is written.
 #include <sys/stat.h>
 
 #include "tests/demos/program.h"
@@ -108,8 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"OutputNoFiles",
          {"export", "stack", "--seconds", "1", "-o", "/proc/q.csv"},
          4,
-         "its folder takes no files"},
-        {"OutputNoPlace", {"render", "stack", "-o", "/proc/x/y"}, 4, "cannot make the folder"},
+         "no file can be created in its folder"},
+        {"OutputNoPlace", {"render", "stack", "-o", "/proc/x/y"}, 4, "cannot create the folder"},
         {"StillFilm", {"still", "stack", "-o", "a.mp4"}, 2, ".png"},
         {"StillFrameBroken", {"still", "stack", "-f", "1.5"}, 2, "whole number"},
         {"StillFrameOverflow", {"still", "stack", "-f", "99999999999"}, 2, "nine digits"},
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"FieldOfView", {"render", "stack", "--set", "camera.fov_deg=0"}, 3, "1 to 170"},
         {"StepsNone", {"render", "stack", "--set", "world.hz=0"}, 3, "10 to 100000"},
         {"Escapes", {"sim", "\x1b[31mred"}, 3, "\\x1b"},
-        {"SchemaOfAScene", {"list", "stack", "--schema"}, 2, "--schema stands alone"},
+        {"SchemaOfAScene", {"list", "stack", "--schema"}, 2, "--schema takes no scene"},
         {"SetOfNoValue", {"sim", "stack", "--set", "values.x=1"}, 3, "no value 'x'"},
         {"SetOfAnExpression", {"sim", "stack", "--set", "camera.fov_deg=1/0"}, 3, "a division by zero"},
         {"SetOfAnInclude", {"sim", "stack", "--set", "include=a"}, 3, "before --set"},

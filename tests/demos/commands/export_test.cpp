@@ -1,4 +1,4 @@
-/// 'impulse export': what is written where, and what is refused.
+/// 'impulse export': the files that are written, and what is refused.
 #include "tests/demos/export/glb_reading.h"
 #include "tests/demos/program.h"
 
@@ -48,12 +48,12 @@ TEST_F(Export, LessThanAFrameIsTold) {
     const Ended ended = exported({"--seconds", "0.001"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.out.find("(1 frame, 2 bodies)"), std::string::npos) << ended.out;
-    EXPECT_NE(ended.err.find("--seconds 0.001: less than the 0.0333 s of a frame"),
+    EXPECT_NE(ended.err.find("--seconds 0.001: less than one frame (0.0333 s)"),
               std::string::npos)
         << ended.err;
 }
 
-// With frames of their own rate all three files say what 'sim' says of those steps.
+// At any frame rate, all three files agree with 'sim' at those steps.
 TEST_F(Export, TablesAndEventsAreThoseOfSim) {
     const Ended ended = exported({"-o", "a.csv", "-o", "deep/a.json", "--fps", "20"});
     EXPECT_EQ(ended.code, 0) << ended.err;
@@ -150,7 +150,7 @@ TEST_F(Export, BadOptionsAreOneLineAndLeaveNothing) {
     }
 }
 
-// A link to the scene, a part of a model, a file that is included: none is written over.
+// A link to the scene, a part of a model and an included file are not overwritten.
 TEST_F(Export, SparesWhatTheSceneIsMadeOf) {
     fs::create_hard_link(folder / "ball.toml", folder / "a.csv");
     const Ended own = exported({"-o", "a.csv", "--overwrite"});

@@ -1,4 +1,4 @@
-// Figures for papers, as a user makes them: sizes, type, captions, refusals.
+// Figures for papers, made as by a user: sizes, type, captions, refusals.
 #include "render/encode/png_read.h"
 #include "tests/demos/program.h"
 
@@ -33,7 +33,7 @@ std::vector<std::string> small(std::vector<std::string> first,
     return first;
 }
 
-/// Pixels a metre as the file tells them, 0 where it does not.
+/// Pixels per metre as recorded in the file, 0 if it has none.
 std::uint32_t perMeter(const std::string& png) {
     const std::size_t at = png.find("pHYs");
     if (at == std::string::npos) return 0;
@@ -84,7 +84,7 @@ int inkHeight(const render::Image& image, int left, int right, int top, int bott
     return last - first + 1;
 }
 
-/// The digits of "t = 0.00 s" below a picture, and those below a chart's axis, whatever the width.
+/// The digits of "t = 0.00 s" below a picture and of a chart's axis have one size at any width.
 TEST_F(Figure, LettersOfAStripAndOfAChartAreOfOneSize) {
     for (const char* width : {"60mm", "120mm"}) {
         ASSERT_EQ(impulse({"strip", "ball.toml", "--times", "0", "--width", width, "--dpi", "300",
@@ -202,7 +202,7 @@ TEST_F(Figure, AComparisonNamesItsRuns) {
     EXPECT_GT(with.height, picture("b.png").height + 60);
 }
 
-/// A run that diverges is shown as it was last, and told.
+/// A run that diverges is shown in its last state, and reported.
 TEST_F(Figure, ADivergedRunIsTold) {
     const Ended ended = impulse(small({"compare", "ball.toml", "--seconds", "20", "--vary",
                                        "body.ball.velocity=[0,0,0],[9999,0,0]", "--set",
@@ -252,7 +252,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
         {{"still", "ball.toml", "--width", "85mm", "--dpi", "0"}, 2, "72 to 2400"},
         {{"still", "ball.toml", "--width", "85mm", "--dpi", "many"}, 2, "--dpi"},
         {{"still", "ball.toml", "--width", "2000mm", "--dpi", "300"}, 2, "use --dpi 208"},
-        {{"still", "ball.toml", "--width", "85mm", "--size", "1x99"}, 2, "at most 16384 a side"},
+        {{"still", "ball.toml", "--width", "85mm", "--size", "1x99"}, 2, "at most 16384 per side"},
         {{"still", "ball.toml", "--width", "85mm", "--caption", "-"}, 2, "needs a file"},
         {{"still", "ball.toml", "--width", "85mm", "-o", "a.png", "--caption", "./a.png"},
          2,
@@ -283,7 +283,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
          "--size 1000x353 or higher"},
         {{"still", "ball.toml", "--width", "85mm", "--size", "1000x10", "-o", "a.png"},
          2,
-         "at least, --size 1000x59"},
+         "at least 5 mm high: use --size 1000x59"},
         {compare({"--width", "85mm", "-o", "a.png", "--plot", "a.svg"}), 2, "another name"},
         {compare({"--width", "85mm", "-o", "a.png", "-t", "1e5", "--set", "world.hz=100000"}), 2,
          "steps away"},
@@ -301,7 +301,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
     }
 }
 
-/// Letters do not shrink, so statistics have no room in a small picture; that is reported.
+/// Type keeps its size, so statistics do not fit into a small picture; that is reported.
 TEST_F(Figure, WhatHasNoRoomIsTold) {
     const Ended ended = impulse(small({"still", "ball.toml", "--show", "stats", "-o", "a.png"}));
     EXPECT_EQ(ended.code, 0);
@@ -315,7 +315,7 @@ TEST_F(Figure, WhatHasNoRoomIsTold) {
     EXPECT_TRUE(wide.err.empty()) << wide.err;
 }
 
-/// It would cover what it explains; a wider picture, and one whose colours have names, has it.
+/// A legend would cover what it explains; wider pictures, and those with named colours, have it.
 TEST_F(Figure, ASmallPictureHasItsLegendInTheCaption) {
     const auto pixelsOf = [&](const char* width, const char* show) {
         const std::string file = std::string(width) + show + ".png";

@@ -1,10 +1,10 @@
-// What all commands that write a file hold themselves to.
+// Rules for all commands that write a file.
 #include "tests/demos/program.h"
 
 namespace demos::test {
 namespace {
 
-/// A command on ball.toml, whose last word is the file that it writes.
+/// A command on ball.toml; its last word is the file that it writes.
 class WritesAFile : public testing::TestWithParam<std::vector<std::string>> {
 protected:
     WritesAFile() { write(folder / "ball.toml", kBall); }
@@ -16,7 +16,7 @@ TEST_P(WritesAFile, AFullDiskIsCode4AndLeavesNoFile) {
     launch.folder = folder.path();
     launch.arguments = GetParam();
     launch.beforeExec = [] {
-        const rlimit limit{1000, 1000};  // bytes a file
+        const rlimit limit{1000, 1000};  // bytes per file
         setrlimit(RLIMIT_FSIZE, &limit);
     };
     const Ended ended = run(launch);
@@ -33,7 +33,7 @@ TEST_P(WritesAFile, NeverWritesThroughASymlink) {
     EXPECT_EQ(contentOf(folder / "victim"), "untouched");
 }
 
-// It goes away at once: the file is whole all the same.
+// The reader goes away at once; the file is complete nevertheless.
 TEST_P(WritesAFile, WithoutAReaderOfItsErrors) {
     Launch launch;
     launch.folder = folder.path();

@@ -1,4 +1,4 @@
-// impulse gallery: its files, what is kept, what is refused, one picture of all.
+// impulse gallery: files written, kept and refused; one picture of all scenes.
 #include "render/encode/png_read.h"
 #include "tests/demos/small_film.h"
 
@@ -137,7 +137,7 @@ TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
     EXPECT_FALSE(pageHas("comet") || isMade("comet.png") || isMade("comet.mp4"));
 }
 
-/// Neither a page that opens empty, nor pictures for a sheet that cannot be.
+/// Neither a page that would open empty, nor pictures for a sheet that cannot be made.
 TEST_F(Gallery, WithoutAScenePageAndSheetAreNotMade) {
     const Ended none = gallery({"nope"});
     EXPECT_EQ(none.code, 3) << none.err;
@@ -179,7 +179,7 @@ TEST_F(Gallery, OnePictureHoldsAPosterOfEachScene) {
     EXPECT_GE(image.width, 2 * 64);
     EXPECT_LT(image.width, 3 * 64);
     EXPECT_GE(image.height, 2 * 36);
-    // In the middle of the first tile is the sky, which the paper is not.
+    // The middle of the first tile shows the sky, not the paper.
     EXPECT_NE(std::vector<int>(image.at(34, 6), image.at(34, 6) + 3),
               std::vector<int>(image.at(0, 0), image.at(0, 0) + 3));
     EXPECT_FALSE(fs::exists(folder / "output"));

@@ -1,5 +1,5 @@
-/// What goes wrong while a film is drawn: kills, full and read-only disks, ffmpeg. What was whole
-/// stays whole, the same command goes on, the line and the code tell what happened.
+/// Failures while a film is drawn: kills, full and read-only disks, ffmpeg. Complete files stay
+/// complete, the same command resumes, and the message and the code say what happened.
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
@@ -44,8 +44,8 @@ int killsAsked() {
     return text ? std::atoi(text) : 6;
 }
 
-// After a number of frames that chance decides, and there in the middle of whatever comes next.
-// More of them: IMPULSE_KILLS=100 cli_tests --gtest_filter=Interruption.Killed*
+// Kills the run after a random number of frames, in the middle of whatever comes next.
+// For more kills: IMPULSE_KILLS=100 cli_tests --gtest_filter=Interruption.Killed*
 TEST_F(Interruption, KilledAtAnyMomentTheSameCommandGivesTheSameFiles) {
     constexpr int kLong = 70;  // the record is written after fifty
     const std::vector<std::string> calm = {"-o", "calm", "--seconds", "7"};
@@ -56,7 +56,7 @@ TEST_F(Interruption, KilledAtAnyMomentTheSameCommandGivesTheSameFiles) {
     int killed = 0;
     for (int round = 0; killed < killsAsked(); ++round) {
         const std::string name = "torn" + std::to_string(round);
-        // A run may be killed again while it goes on; every third is let end there.
+        // A resumed run may be killed again; every third one is allowed to finish.
         for (int again = 0; again < 3 && killed < killsAsked(); ++again) {
             Launch launch =
                 small(folder.path(), {"-o", name, "--seconds", "7", "--json", "--jobs", "2"});
@@ -66,7 +66,7 @@ TEST_F(Interruption, KilledAtAnyMomentTheSameCommandGivesTheSameFiles) {
             launch.signal = SIGKILL;
             const Ended ended = run(launch);
             killed += ended.signal == SIGKILL;
-            if (ended.code == 0) break;  // that frame was there already, or was the last
+            if (ended.code == 0) break;  // that frame existed already, or was the last
             ASSERT_EQ(ended.signal, SIGKILL) << ended.err;
             if (fs::exists(folder / name)) expectAllWhole(folder / name);
         }
@@ -83,7 +83,7 @@ TEST_F(Interruption, ASecondSignalEndsAtOnceAndTearsNothing) {
     Launch launch = small(folder.path(), {"-o", "out", "--seconds", "600", "--json"});
     launch.awaited = "\"frame\":4,";
     launch.awaitedCall = [](pid_t child) {
-        kill(child, SIGSTOP);  // so that both are there when it looks
+        kill(child, SIGSTOP);  // so that both signals are pending when it continues
         kill(child, SIGINT);
         kill(child, SIGTERM);
         kill(child, SIGCONT);
@@ -94,7 +94,7 @@ TEST_F(Interruption, ASecondSignalEndsAtOnceAndTearsNothing) {
     expectAllWhole(folder / "out");
 }
 
-/// In a child process: a namespace of its own, in which it may mount.
+/// For a child process: its own namespace, in which it may mount.
 bool ownMounts() {
     return unshare(CLONE_NEWNS) == 0 &&
            mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
@@ -108,7 +108,7 @@ bool mayMount() {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-// The run, and after it a look at the disk, happen where the small disk is mounted.
+// Both the run and the inspection of the disk happen where the small disk is mounted.
 TEST_F(Interruption, AFullDiskKeepsTheFramesBeforeWhole) {
     if (!mayMount()) GTEST_SKIP() << "this user may not mount a small disk";
     fs::create_directories(folder / "disk");
@@ -116,7 +116,7 @@ TEST_F(Interruption, AFullDiskKeepsTheFramesBeforeWhole) {
     Launch launch = small(folder.path(), {"-o", "disk/out", "--seconds", "600"});
     launch.beforeExec = [disk = (folder / "disk").string(), kept = (folder / "kept").string()] {
         if (!ownMounts() || mount("small", disk.c_str(), "tmpfs", 0, "size=64k") != 0) _exit(125);
-        const pid_t run = fork();  // goes on as the program; this process looks afterwards
+        const pid_t run = fork();  // becomes the program; this process inspects the disk afterwards
         if (run == 0) return;
         int status = 0;
         waitpid(run, &status, 0);
@@ -208,7 +208,7 @@ TEST_F(Interruption, AFilmThatAppearsMeanwhileIsKept) {
     launch.awaitedCall = [&](pid_t) { write(folder / "film.mp4", "another's"); };
     const Ended ended = run(launch);
     EXPECT_EQ(ended.code, 5) << ended.err;
-    EXPECT_NE(ended.err.find("'film.mp4' has appeared meanwhile"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("'film.mp4' was created in the meantime"), std::string::npos) << ended.err;
     EXPECT_EQ(fs::file_size(folder / "film.mp4"), 9u);
     EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{"ball.toml", "film.mp4"}));
 }
@@ -222,7 +222,7 @@ TEST_F(Interruption, AnFfmpegThatSaysMoreThanItWritesIsCode4) {
             replaceFfmpeg(launch, "[ \"$1\" = -version ] && exit 0\n" + counts + "; " + wrote);
             const Ended ended = run(launch);
             EXPECT_EQ(ended.code, 4) << film << ended.err;
-            EXPECT_NE(ended.err.find("left no whole film"), std::string::npos) << ended.err;
+            EXPECT_NE(ended.err.find("left no complete film"), std::string::npos) << ended.err;
             EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{"ball.toml", "bin"}));
         }
 }

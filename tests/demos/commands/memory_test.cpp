@@ -1,4 +1,4 @@
-/// What a film takes of the machine: not more the longer it is, and known before it is drawn.
+/// A film's memory: it does not grow with the film's length, and is predicted before drawing.
 #include "tests/demos/small_film.h"
 
 namespace demos::test {
@@ -48,8 +48,8 @@ long residentKiB(pid_t process) {
     return 0;
 }
 
-// Standard output is not read until nobody does anything any more. 400 frames are 8 MB; between
-// the drawing and the pipe there is room for a few.
+// Standard output is not read until all processes wait. 400 frames are 8 MB; between drawing and
+// pipe there is room for a few.
 TEST_F(Memory, WhereNothingIsTakenNothingMoreIsDrawn) {
     int out[2];
     ASSERT_EQ(pipe2(out, O_CLOEXEC), 0);
@@ -98,7 +98,7 @@ TEST_F(Memory, ADryRunTellsAndDrawsNothing) {
     EXPECT_TRUE(json.out.starts_with("{\"event\":\"plan\"")) << json.out;
 }
 
-// The figure is held against what the drawing process used, the largest of the run.
+// The prediction is compared with the memory of the drawing process, the largest of the run.
 TEST_F(Memory, IsForetold) {
     const std::vector<std::vector<std::string>> ways = {
         {"--samples", "1"}, {"--blur", "4"}, {"--pass", "normal,flow"}};

@@ -1,4 +1,4 @@
-// impulse render --pass, as a user's shell runs it.
+// impulse render --pass, run as by a user.
 #include <array>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 const std::string kAll = "depth,depth16,normal,id,flow,camera,poses,contacts,events";
 
-/// Everything below a folder but run.json, by path.
+/// All files below a folder except run.json, by path.
 std::map<std::string, std::string> filesIn(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
@@ -143,8 +143,8 @@ float floatAt(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-// The ball falls freely from (0, 3, 0): where its foremost point is in the picture, by the camera
-// file alone, agrees with depth and flow there.
+// The ball falls freely from (0, 3, 0). The camera file alone gives the pixel of its foremost
+// point; depth and flow agree there.
 TEST_F(PassOption, PosesCameraDepthAndFlowAgree) {
     ASSERT_EQ(film({"-o", "out", "--pass", "camera,poses,depth,flow", "--seconds", "0.3"}).code, 0);
     const auto seen = [this](int frame) {
@@ -169,7 +169,7 @@ TEST_F(PassOption, PosesCameraDepthAndFlowAgree) {
     const std::string pfm = contentOf(folder / "out/depth/frame_000001.pfm");
     const std::string flo = contentOf(folder / "out/flow/frame_000001.flo");
     const std::size_t fromBottom = static_cast<std::size_t>(kHeight - 1 - y) * kWidth + x;
-    EXPECT_NEAR(floatAt(pfm, 14 + 4 * fromBottom), now[2] - 0.5, 0.02);  // r before the middle
+    EXPECT_NEAR(floatAt(pfm, 14 + 4 * fromBottom), now[2] - 0.5, 0.02);  // r before the centre
     const std::size_t pixel = static_cast<std::size_t>(y) * kWidth + x;
     EXPECT_NEAR(floatAt(flo, 12 + 8 * pixel), next[0] - now[0], 0.05);
     EXPECT_NEAR(floatAt(flo, 16 + 8 * pixel), next[1] - now[1], 0.05);
@@ -208,7 +208,7 @@ TEST_F(PassOption, ContactImpulsesAreThoseOfSim) {
     EXPECT_EQ(events.front(), "begin");
     const auto begun = std::count(events.begin(), events.end(), "begin");
     const auto ended = std::count(events.begin(), events.end(), "end");
-    EXPECT_EQ(begun - ended, events.back() == "end" ? 0 : 1);  // one pair, that touches or not
+    EXPECT_EQ(begun - ended, events.back() == "end" ? 0 : 1);  // one pair, which touches or not
 }
 
 TEST_F(PassOption, EventsAreThoseOfTheSimulation) {

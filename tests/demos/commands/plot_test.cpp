@@ -128,7 +128,7 @@ TEST_F(Plot, InterruptedItWritesWhatItHas) {
     launch.beforeExec = [] {
         const pid_t plotting = getpid();
         if (fork() != 0) return;
-        sleep(1);  // s: nothing is said while it plays that could be waited for
+        sleep(1);  // s: it prints nothing during the run that a test could wait for
         kill(plotting, SIGINT);
         _exit(0);
     };

@@ -83,7 +83,7 @@ TEST_F(RenderCommand, OtherSettingsAreRefusedUntilOverwriteIsSaid) {
     EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
     EXPECT_EQ(framesIn(folder / "output/ball"), before);
     EXPECT_EQ(film({"--seconds", "0.5", "--overwrite"}).code, 0);
-    EXPECT_EQ(framesIn(folder / "output/ball").size(), 5u);  // none of the longer film's is left
+    EXPECT_EQ(framesIn(folder / "output/ball").size(), 5u);  // no frame of the longer film is left
 }
 
 TEST_F(RenderCommand, FramesOfUnknownOriginAreRefused) {
@@ -145,7 +145,8 @@ TEST_F(RenderCommand, AnInterruptFinishesTheFrameAndNamesTheCommandToGoOn) {
     const Ended ended = run(launch);
     EXPECT_EQ(ended.code, 130);
     EXPECT_EQ(ended.errorLines(), 1);
-    EXPECT_NE(ended.err.find("to go on: impulse render ball.toml"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("to resume: impulse render ball.toml"), std::string::npos)
+        << ended.err;
     for (const auto& [name, png] : framesIn(folder / "output/ball"))
         EXPECT_TRUE(isWhole(png)) << name;
     const Ended resumed = film({"--seconds", "20"});
@@ -161,7 +162,7 @@ TEST_F(RenderCommand, AnInterruptedFilmIsNotThereAndTheSameCommandMakesIt) {
         launch.signal = signal;
         const Ended ended = run(launch);
         EXPECT_EQ(ended.code, 130);
-        EXPECT_NE(ended.err.find("no film is written"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.err.find("no film was written"), std::string::npos) << ended.err;
         EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"ball.toml"});
     }
     EXPECT_EQ(film({"-o", "film.mp4"}).code, 0);

@@ -1,4 +1,4 @@
-// impulse test --self-test, as a user runs it.
+// impulse test --self-test, run as by a user.
 #include <sstream>
 
 #include "tests/demos/program.h"

@@ -1,5 +1,5 @@
-// A film in parts: any order, any number of times, killed between; joined it is the film of one
-// run.
+// A film in parts, drawn in any order, repeatedly, with kills in between: joined, it equals the
+// film of one run.
 #include "tests/demos/small_film.h"
 
 namespace demos::test {
@@ -58,7 +58,7 @@ TEST_F(Shards, APartThatIsThereIsNotDrawnAgain) {
     const auto time = fs::last_write_time(part);
     const Ended again = film({"-o", "film.mp4", "--shard", "1/2"});
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_NE(again.out.find("is there already, and whole"), std::string::npos) << again.out;
+    EXPECT_NE(again.out.find("is complete already"), std::string::npos) << again.out;
     EXPECT_EQ(fs::last_write_time(part), time);
     EXPECT_EQ(film({"-o", "film.mp4", "--shard", "1/2", "--theme", "dark"}).code, 5);
     EXPECT_EQ(film({"-o", "film.mp4", "--shard", "1/2", "--theme", "dark", "--overwrite"}).code, 0);
@@ -74,7 +74,7 @@ TEST_F(Shards, JoinNamesWhatIsMissingTornOrOfAnotherRun) {
     EXPECT_EQ(joined.code, 7);
     EXPECT_EQ(joined.errorLines(), 1);
     for (const char* said :
-         {"2 of 5 parts are whole", "missing: 3", "torn or not finished: 2", "of another run: 5"})
+         {"2 of 5 parts are complete", "missing: 3", "torn or not finished: 2", "of another run: 5"})
         EXPECT_NE(joined.err.find(said), std::string::npos) << joined.err;
     EXPECT_NE(joined.out.find("to do: impulse render ball.toml"), std::string::npos) << joined.out;
     EXPECT_NE(joined.out.find("--shard 3/5"), std::string::npos) << joined.out;

@@ -135,7 +135,7 @@ TEST_F(Sim, DivergenceIsCode6AndNamesStepAndBody) {
     EXPECT_EQ(ended.errorLines(), 1);
     EXPECT_NE(ended.err.find("ball: step "), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find("body 'ball': faster than"), std::string::npos) << ended.err;
-    EXPECT_TRUE(fs::exists(folder / "a.csv"));  // what was good stays readable
+    EXPECT_TRUE(fs::exists(folder / "a.csv"));  // the results so far are kept
 }
 
 TEST_F(Sim, WarnsOfBodiesThatBeginInsideEachOther) {
@@ -277,7 +277,7 @@ TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
     const Ended ended = run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.err,
-              "impulse: arm.xml:1:20: <light>: for MuJoCo's own window and readings; left out\n"
+              "impulse: arm.xml:1:20: <light>: for MuJoCo's viewer and sensors; left out\n"
               "impulse: arm.xml:1:54: <joint margin> is not available; left out\n");
     EXPECT_EQ(run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1", "--quiet"}).err, "");
     write(folder / "bad.xml", "<mujoco><worldbody><geom sise='1'/></worldbody></mujoco>");

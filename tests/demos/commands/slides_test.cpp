@@ -1,5 +1,5 @@
-/// 'impulse slides': what is written where, what is refused, and what becomes of a browser that is
-/// missing, hangs or prints too little.
+/// 'impulse slides': the files that are written, what is refused, and a browser that is missing,
+/// hangs or prints too little.
 #include <sys/syscall.h>
 
 #include "render/encode/program_path.h"
@@ -32,7 +32,7 @@ protected:
         arguments.insert(arguments.begin(), "slides");
         return run(folder.path(), std::move(arguments));
     }
-    /// With this as all of PATH's browsers: a shell script, or none where it is empty.
+    /// Makes this shell script the only browser in PATH; empty: no browser.
     Ended slidesWithBrowser(const std::string& script, std::vector<std::string> arguments) {
         const fs::path programs = folder / "programs";
         fs::create_directory(programs);
@@ -117,17 +117,17 @@ TEST_F(SlidesCommand, RefusesWhatCannotBeMeant) {
         {{"talk.toml", "-o", "a.pptx"}, "known are: .html .pdf and / of a folder"},
         {{"talk.toml", "-o", "a.html", "-o", "./a.html"}, "another --output goes there already"},
         {{"talk.toml", "-o", "a/", "-o", "a/../a//"}, "another --output goes there already"},
-        {{"talk.toml", "stack"}, "'talk.toml' is a deck, which is shown alone"},
-        {{"talk.toml", "--set", "world.hz=120"}, "--set belongs to scenes"},
-        {{"talk.toml", "--seconds", "1"}, "--seconds belongs to scenes"},
-        {{"stack", "talk.toml"}, "'talk.toml' is a deck, which is shown alone"},
+        {{"talk.toml", "stack"}, "'talk.toml' is a deck; it takes no other scene or deck"},
+        {{"talk.toml", "--set", "world.hz=120"}, "--set is for scenes"},
+        {{"talk.toml", "--seconds", "1"}, "--seconds is for scenes"},
+        {{"stack", "talk.toml"}, "'talk.toml' is a deck; it takes no other scene or deck"},
         {{"talk.toml", "-o", "fold.pdf"}, "a folder is there; write to another name"},
         {{"talk.toml", "-o", "fold.html"}, "a folder is there; write to another name"},
         {{"talk.toml", "--size", "63x10"}, "must be even, 64 to 8192 pixels"},
         {{"talk.toml", "--size", "1281x720"}, "must be even, 64 to 8192 pixels"},
         {{"talk.toml", "--size", "16384x720"}, "must be even, 64 to 8192 pixels"},
         {{"talk.toml", "--theme", "blue"}, "studio, dark, print\n"},
-        {{"stack", "--theme", "transparent"}, "slides have a ground"}};
+        {{"stack", "--theme", "transparent"}, "slides need a ground"}};
     fs::create_directory(folder / "fold.pdf");
     fs::create_directory(folder / "fold.html");
     for (const auto& [arguments, why] : cases) {
@@ -154,8 +154,8 @@ TEST_F(SlidesCommand, WithoutABrowserTheRestIsWritten) {
         "\nimpulse: chromium is needed for a PDF; install it (apt install chromium)\n"))
         << ended.err;
     EXPECT_TRUE(
-        ended.err.starts_with("no chromium, which prints PDFs: apt install chromium; "
-                              "'a.pdf' will not be made, all else is\n"))
+        ended.err.starts_with("no chromium to print PDFs (apt install chromium): "
+                              "'a.pdf' will not be made, all other outputs will\n"))
         << ended.err;
     EXPECT_TRUE(has(ended.out, "wrote a.html (3 slides"));
     EXPECT_FALSE(fs::exists(folder / "a.pdf"));
@@ -166,11 +166,11 @@ TEST_F(SlidesCommand, WithoutABrowserAPdfAloneIsToldBeforeAnythingIsPlayed) {
     EXPECT_EQ(ended.code, 4);
     EXPECT_EQ(ended.err,
               "impulse: chromium is needed for a PDF; install it (apt install chromium); "
-              "-o talk.html and -o talk/ are made without it\n");
+              "-o talk.html and -o talk/ work without it\n");
     EXPECT_EQ(ended.out, "");
 }
 
-/// Chromium is asked for its page by an address, in which % and # mean something.
+/// Chromium gets its page as a URL, in which % and # have a meaning.
 TEST_F(SlidesCommand, ABrowserFindsItsPageWhateverTheTemporaryFolderIsCalled) {
     const fs::path place = folder / "100 % of #1?";
     fs::create_directory(place);
@@ -194,7 +194,7 @@ TEST_F(SlidesCommand, ABrowserThatFailsIsToldAndLeavesNothing) {
         {"exit 0", "no 'a.pdf': chromium printed nothing"},
         {"for a; do case $a in --print-to-pdf=*) echo '/Type /Page' > ${a#*=};; esac; done",
          "no 'a.pdf': chromium printed 1 page of 3 slides"},
-        {"while :; do :; done", "no 'a.pdf': chromium took more than 0.3 s and was ended"}};
+        {"while :; do :; done", "no 'a.pdf': chromium took more than 0.3 s and was killed"}};
     for (const auto& [script, line] : cases) {
         const Ended ended = slidesWithBrowser(script, {"talk.toml", "-o", "a.pdf"});
         EXPECT_EQ(ended.code, 4);
@@ -204,7 +204,7 @@ TEST_F(SlidesCommand, ABrowserThatFailsIsToldAndLeavesNothing) {
     }
 }
 
-/// What a browser has started goes with it.
+/// Processes that a browser started end with it.
 TEST_F(SlidesCommand, AHangingBrowserIsEndedWithItsChildren) {
     const Ended ended = slidesWithBrowser("(while :; do :; done) & echo $! > child\nwait",
                                           {"talk.toml", "-o", "a.pdf"});

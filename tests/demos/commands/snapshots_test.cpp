@@ -1,4 +1,4 @@
-// impulse test and impulse approve, as a user has them.
+// impulse test and impulse approve, run as by a user.
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -41,7 +41,7 @@ class Snapshots : public testing::Test {
 protected:
     Snapshots() { write(folder / "ball.toml", kBallOnABox); }
 
-    /// Not as if in CI, wherever these tests run.
+    /// Runs as if not in CI, wherever these tests run.
     Ended impulse(std::vector<std::string> arguments, bool ci = false) {
         Launch launch;
         launch.folder = folder.path();
@@ -170,7 +170,7 @@ TEST_F(Snapshots, AreApprovedAsTheyWereSeen) {
     ASSERT_EQ(impulse({"approve", "ball@0.5"}).code, 0);
     EXPECT_EQ(baseline("t0.5.png"), shown);
     EXPECT_EQ(baseline("t0.png"), before);
-    EXPECT_EQ(test().code, 1);  // one picture and the physics are still to be accepted
+    EXPECT_EQ(test().code, 1);  // one picture and the physics are not accepted yet
     EXPECT_EQ(scene().at("pictures").at(1).at("kind"), "same");
     ASSERT_EQ(impulse({"approve", "ball@physics"}).code, 0);
     EXPECT_EQ(test().code, 1);
@@ -217,7 +217,7 @@ TEST_F(Snapshots, LeaveOutWhatHasNotChanged) {
     EXPECT_NE(test().out.find("ball  (as before)"), std::string::npos);
     EXPECT_EQ(test({"--no-cache"}).out.find("(as before)"), std::string::npos);
     fs::resize_file(folder / "ball.snapshots/t0.png", 100);
-    EXPECT_EQ(test().code, 1);  // a cache that hid this would be no help
+    EXPECT_EQ(test().code, 1);  // the cache must not hide this
 }
 
 TEST_F(Snapshots, ListAndPruneOrphans) {
@@ -227,9 +227,9 @@ TEST_F(Snapshots, ListAndPruneOrphans) {
     write(folder / "old.snapshots/notes.txt", "mine");
     const Ended ended = impulse({"test", "."});
     EXPECT_EQ(ended.code, 0) << ended.err;
-    EXPECT_NE(ended.out.find("t0.5.png is of a time that the scene does not list"),
+    EXPECT_NE(ended.out.find("t0.5.png belongs to a time that the scene does not list"),
               std::string::npos) << ended.out;
-    EXPECT_NE(ended.out.find("old.snapshots is of no scene"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("old.snapshots belongs to no scene"), std::string::npos) << ended.out;
     ASSERT_EQ(impulse({"approve", "--prune"}).code, 0);
     EXPECT_FALSE(has("ball.snapshots/t0.5.png"));
     EXPECT_TRUE(has("ball.snapshots/t0.png"));
@@ -264,7 +264,7 @@ TEST_F(Snapshots, AnEditedReportDeletesAndRunsNothing) {
     edited("ball.snapshots\"", "elsewhere\"");
     Ended ended = impulse({"approve", "--prune"});
     EXPECT_EQ(ended.code, 4);
-    EXPECT_NE(ended.err.find("it was edited"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("the report was edited"), std::string::npos) << ended.err;
     edited("\"orphans\": []", "\"orphans\": [\"keep.me\", \"../elsewhere/keep.png\", \"elsewhere\"]");
     EXPECT_EQ(impulse({"approve", "--prune"}).code, 0);
     EXPECT_TRUE(has("elsewhere/keep.me") && has("elsewhere/keep.png"));
@@ -296,7 +296,7 @@ TEST_F(Snapshots, SayWhatIsWrongWithABaseline) {
         EXPECT_NE(ended.err.find(what), std::string::npos) << what << "\n" << ended.err;
     };
     write(folder / "ball.snapshots/t0.png", png.substr(0, 200));
-    tells("t0.png is not the picture that baseline.json beside it is of");
+    tells("t0.png does not match baseline.json next to it");
     write(folder / "ball.snapshots/t0.png", "version https://git-lfs.github.com/spec/v1\noid");
     tells("t0.png is a pointer of Git LFS; fetch the file with git lfs pull");
     write(folder / "ball.snapshots/t0.png", png);
@@ -304,7 +304,7 @@ TEST_F(Snapshots, SayWhatIsWrongWithABaseline) {
     tells("baseline.json is damaged");
     write(folder / "ball.snapshots/baseline.json",
           std::regex_replace(json, std::regex("\"format\": 1"), "\"format\": 7"));
-    tells("baseline.json is of format 7, and this impulse reads 1; take a newer impulse");
+    tells("baseline.json has format 7, but this impulse reads 1; use a newer impulse");
     write(folder / "ball.snapshots/baseline.json",
           std::regex_replace(json, std::regex("\"seconds\": \"1\""), "\"seconds\": \"2\""));
     tells("baseline.json was edited");
@@ -336,11 +336,11 @@ TEST_F(Snapshots, GoOnAfterAnInterruption) {
     launch.signal = SIGINT;
     const Ended ended = run(launch);
     EXPECT_EQ(ended.code, 130);
-    EXPECT_NE(ended.err.find("; to go on: impulse test . -j 1"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("; to resume: impulse test . -j 1"), std::string::npos) << ended.err;
     EXPECT_NE(impulse({"test", "."}).out.find("a  (as before)"), std::string::npos);
 }
 
-// What failed is reported on standard error, one scene after the other; the report comes last.
+// Failures are reported on standard error, scene by scene; the report comes last.
 TEST_F(Snapshots, AreReportedWhoeverHasStoppedReading) {
     ASSERT_EQ(test().code, 0);
     change("at = [0.1, 2, 0]", "at = [0.2, 2, 0]");

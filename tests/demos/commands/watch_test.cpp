@@ -1,4 +1,4 @@
-// impulse watch: what is reported and drawn when a file is saved.
+// impulse watch: what it reports and draws when a file is saved.
 #include <nlohmann/json.hpp>
 
 #include "tests/demos/commands/conversation.h"
@@ -36,7 +36,7 @@ protected:
         launch.arguments.insert(launch.arguments.end(), more.begin(), more.end());
         return launch;
     }
-    /// As editors save: another file, renamed.
+    /// Saves as editors do: writes another file and renames it.
     void replace(const std::string& name, const std::string& text) const {
         write(folder / (name + "~"), text);
         fs::rename(folder / (name + "~"), folder / name);
@@ -58,7 +58,7 @@ Json draftIn(const std::string& lines) {
     return at == lines.npos ? Json() : Json::parse(lines.substr(at, lines.find('\n', at) - at));
 }
 
-constexpr int kDraftFrames = 30;  // 2 s of 15
+constexpr int kDraftFrames = 30;  // 2 s at 15 frames/s
 
 TEST_F(Watch, OneDraftIsAFilmAndAPicture) {
     const Ended ended = run(launch({"--once"}));
@@ -74,7 +74,7 @@ TEST_F(Watch, OneDraftIsAFilmAndAPicture) {
 TEST_F(Watch, DrawsAnewWhatASaveChangesAndNothingElse) {
     Conversation watching(launch({"--json"}));
     EXPECT_EQ(draftIn(watching.until("\"watching\""))["drawn"], kDraftFrames);
-    // A caption of the second section, seen from 1 s on: frames 15 to 29. The state is the same.
+    // A new caption of the second section, visible from 1 s on: frames 15 to 29. The state stays.
     write(folder / "my.toml",
           replaced(kFall, "\"late\"\ncaption = \"late\"", "\"late\"\ncaption = \"later\""));
     Json draft = draftIn(watching.until("\"draft\""));
@@ -83,8 +83,8 @@ TEST_F(Watch, DrawsAnewWhatASaveChangesAndNothingElse) {
               (Json::array({{{"first", 15}, {"last", 29}, {"sections", {"late"}}}})));
     EXPECT_TRUE(draft["first_step"].is_null()) << draft;
     EXPECT_EQ(draft["picture"], "output/my/draft.png");
-    // Gravity: the state of every step but the start's, so every frame but the first, which is as
-    // before in its picture but for the caption. Saved by renaming.
+    // New gravity changes the state of every step except the start, so every frame except the
+    // first, whose picture stays the same. Saved by renaming.
     replace("my.toml",
             replaced(kFall, "[[section]]", "[world]\ngravity = [0, -5, 0]\n[[section]]"));
     draft = draftIn(watching.until("\"draft\""));
@@ -188,7 +188,7 @@ TEST_F(Watch, WithoutFfmpegThereAreFramesAndAStrip) {
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }
 
-/// As `git checkout` does: a folder goes with what is in it, and comes again.
+/// As `git checkout` does: a folder disappears with its content and comes back.
 TEST_F(Watch, WhatIsGoneIsWaitedFor) {
     const std::string part =
         "format = 1\n[[body]]\nname = \"b\"\nshape = { sphere = 0.2 }\nat = [2, 1, 0]\n";
@@ -256,7 +256,7 @@ TEST_F(Watch, SaysWhatIsWrong) {
     EXPECT_EQ(ended({"watch", "stakc"}).code, 3);
     const Ended clear = ended({"watch", "my.toml", "--theme", "transparent"});
     EXPECT_EQ(clear.code, 2);
-    EXPECT_NE(clear.err.find("a draft holds no alpha"), std::string::npos) << clear.err;
+    EXPECT_NE(clear.err.find("a draft has no alpha"), std::string::npos) << clear.err;
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(Comparisons, AreReadyToBePlayed) {
     }
 }
 
-/// What the comparisons are there to show.
+/// What the comparisons should show.
 Summary played(const char* comparison, std::size_t number) {
     const Comparison& c = *comparisonCalled(comparison);
     SceneDescription scene = loadScene(c.scene, c.cases.at(number).settings);

@@ -1,4 +1,4 @@
-// Joints as bars that keep their numbers: where their ends are, and what is gone.
+// Joints as bars that keep their numbers: their ends, and bars that are gone.
 #include "demos/export/bars.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Bars, ARodGoesFromItsHookToItsBobInEveryFrame) {
     }
 }
 
-// It swings by half a turn in these frames, and its own sides stay where they were.
+// It swings by half a turn in these frames and does not turn about its own axis.
 TEST(Bars, ABarDoesNotTwist) {
     const Barred one(kPendulum);
     for (const engine::Pose& pose : one.bars[0].poses)
@@ -49,7 +49,7 @@ TEST(Bars, ASpringIsOneBar) {
     EXPECT_LT((endOf(one.bars[0], 0, -1.0) - Vec3(0, 4, 0)).norm(), 1e-5);
 }
 
-// It breaks at once; what is left of it is a bar without a size.
+// It breaks at once and leaves a bar of size 0.
 TEST(Bars, ABrokenOneIsGoneFromThenOn) {
     const Barred one(kPendulum + "break_at = 0.001\n");
     ASSERT_EQ(one.bars.size(), 1u);

@@ -1,4 +1,4 @@
-/// A .glb taken apart as another program would, by the bytes alone.
+/// Reads a .glb from its bytes alone, as another program would.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ struct Glb {
         return -1;
     }
 
-    /// The numbers of an accessor, `width` in a row; Number: as its component type is.
+    /// The numbers of an accessor, `width` per element; Number: its component type.
     template <class Number>
     std::vector<Number> numbers(int accessor, std::size_t width) const {
         const nlohmann::json& a = json["accessors"][accessor];
@@ -43,7 +43,7 @@ struct Glb {
         return values;
     }
 
-    /// What an animation says of a node's path; empty where it says nothing. `input`: its times.
+    /// The animation's values for a node's path; empty if it has none. `input`: its times.
     std::vector<float> motion(int node, const std::string& path,
                               std::vector<float>* input = nullptr) const {
         if (!json.contains("animations")) return {};
@@ -66,7 +66,7 @@ inline std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at)
     return value;
 }
 
-/// Checks the container on the way: magic, version, lengths, order, padding.
+/// Also checks the container: magic, version, lengths, order, padding.
 inline Glb readGlb(std::span<const std::uint8_t> bytes) {
     Glb glb;
     if (bytes.size() < 28 || bytes.size() != wordAt(bytes, 8)) {

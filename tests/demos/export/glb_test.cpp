@@ -1,4 +1,4 @@
-// A run as binary glTF, read back by the bytes and held to the engine that made it.
+// A run as binary glTF, read back from its bytes and compared with the engine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -234,7 +234,7 @@ TEST(Glb, PosesAreTheEnginesInEveryFrame) {
     EXPECT_GE(channels, 8);
 }
 
-// What a body has at time 0 is its node's own, for programs that do not animate.
+// A node has its body's pose at time 0, for programs that do not animate.
 TEST(Glb, NodesStandWhereTheRunBegins) {
     const Exported& one = exported();
     const Vec3 at = one.run.frames[0].bodies[one.bodyCalled("spinner")].pose.position;

@@ -1,5 +1,5 @@
-// The Khronos validator on .glb files: gltf_validator.cjs MODULE FILE... One line a file with an
-// issue of any kind; fails for errors and warnings.
+// Runs the Khronos validator on .glb files: gltf_validator.cjs MODULE FILE... Prints up to five
+// issues per file, of any kind; fails for errors and warnings.
 const fs = require("fs");
 const validator = require(process.argv[2]);
 

@@ -22,7 +22,7 @@ std::uint32_t numberAt(const Bytes& bytes, std::size_t at, int size) {
     return value;
 }
 
-/// Unpacks by the directory at the end, as unzip does; checks sums and the entries' own headers.
+/// Unpacks from the directory at the end, as unzip does; checks checksums and entry headers.
 std::map<std::string, Bytes> unzipped(const Bytes& zip) {
     std::map<std::string, Bytes> entries;
     const std::size_t end = zip.size() - 22;
@@ -64,7 +64,7 @@ TEST(Zip, HoldsItsEntries) {
 
 TEST(Zip, WithoutEntriesIsItsEnd) { EXPECT_TRUE(unzipped(zipOf({})).empty()); }
 
-/// What an array says of itself, and its numbers.
+/// An array's header and its numbers.
 struct Npy {
     std::string header;
     Bytes values;
@@ -88,7 +88,7 @@ Npy npyFrom(const Bytes& bytes) {
 class Npz : public testing::Test {
 protected:
     Npz() : arrays(unzipped(npzOf(one.run))) {}
-    /// With a name as only models of other making may have.
+    /// With a name that only imported models may have.
     static SceneDescription scene() {
         SceneDescription scene = read(kFloor + kBall +
                                       "[[body]]\nname = 'cage'\nat = [3, 0.495, 0]\n"

@@ -29,7 +29,7 @@ TEST(Recording, IsWhatAPlayerShowsFrameByFrame) {
     EXPECT_EQ(one.run.frames[150].contacts.size(), 1u);
 }
 
-// The ball is on the floor after 0.55 s, and frames are far apart: the step between them counts.
+// The ball is on the floor after 0.55 s, between two frames; the steps between them count.
 TEST(Recording, HearsOfEventsBetweenItsFrames) {
     const Recording run = Recorded(kFloor + kBall, 60, 60).run;
     ASSERT_EQ(run.frames.size(), 2u);
@@ -52,7 +52,7 @@ TEST(Recording, AColorThatChangesWithTheRunIsLeftOut) {
     EXPECT_NE(id.bodies[2].color.b, 0.0f);  // the palette's, not its own
 }
 
-/// Bars hang on bodies here and are found again for every picture there.
+/// Recorded bars are fixed to bodies; the renderer computes its own for every picture.
 TEST(Recording, BarsAreWhereTheRendererDrawsThem) {
     for (const char* name : {"chain", "ragdoll", "scissor-lift", "newtons-cradle"}) {
         const Recorded one(loadScene(name, {}), 2, 2);
@@ -69,7 +69,7 @@ TEST(Recording, BarsAreWhereTheRendererDrawsThem) {
     }
 }
 
-// Nothing stops the bob, which glides by 3 m: its rail is as long as all of that.
+// Nothing stops the bob, which slides by 3 m: its rail is as long as its way.
 TEST(Recording, ARailReachesAsFarAsTheRunGoes) {
     const Recorded one(
         "[world]\ngravity = [0, 0, 0]\n[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\n"
@@ -81,7 +81,7 @@ TEST(Recording, ARailReachesAsFarAsTheRunGoes) {
     EXPECT_NEAR(one.run.frames[0].bars[0].atB.x(), 0.1, 1e-9);
 }
 
-// What broke in between is in the pictures no more; the page shows it until then.
+// A joint that breaks is in the pictures only until then.
 TEST(Recording, ABrokenJointHasFramesUntilItBroke) {
     const Recorded one(kPendulum + "break_at = 0.001\n");
     ASSERT_EQ(one.run.bars.size(), 1u);

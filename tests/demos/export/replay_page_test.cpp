@@ -1,5 +1,5 @@
 // replay.html as text: its numbers, read as the page's script reads them, are the run's; nothing
-// breaks out of its data; what is too large is thinned, and said.
+// breaks out of its data; a large run is thinned, which is reported.
 #include "demos/export/replay_page.h"
 #include "demos/load/load_scene.h"
 
@@ -43,7 +43,7 @@ TEST(ReplayCodec, ARangeIsOffByHalfAWordAtMost) {
     EXPECT_EQ((WordRange{2.5, 0.0}.valueOf(WordRange{2.5, 0.0}.wordOf(2.5))), 2.5);
 }
 
-/// Half turns, which have a largest number of 0 and equal ones, and many between.
+/// Half turns, whose numbers are 0 or equal, and many rotations between.
 TEST(ReplayCodec, ARotationIsOffByAHundredthOfADegreeAtMost) {
     double worst = 0.0;
     for (int x = -4; x <= 4; ++x)
@@ -68,7 +68,7 @@ TEST(ReplayCodec, ADirectionIsOffByADegreeAtMost) {
     EXPECT_GT(least, std::cos(std::numbers::pi / 180.0));
 }
 
-/// What page/decode.js makes of a text of columns.
+/// Decodes a text of columns as page/decode.js does.
 std::vector<std::uint16_t> wordsIn(const std::string& text, std::size_t length) {
     const std::string packedText = fromBase64(text).value();
     const std::vector<std::uint8_t> bytes =
@@ -85,7 +85,7 @@ std::vector<std::uint16_t> wordsIn(const std::string& text, std::size_t length) 
 
 WordRange rangeIn(const Json& range) { return {range[0], range[1]}; }
 
-/// By how much a page's numbers are off, at worst.
+/// The largest errors of a page's numbers.
 struct Off {
     double meters = 0.0, degrees = 0.0, speed = 0.0;  // m/s
 
@@ -136,7 +136,7 @@ TEST(ReplayPage, HoldsWhereBodiesAreToHalfAMillimetreAndAHundredthOfADegree) {
     EXPECT_LT(off.speed, 1e-4);
 }
 
-/// What demos/export/README.md says of it.
+/// As demos/export/README.md says.
 TEST(ReplayPage, HoldsRagdollToATwentiethOfAMillimetre) {
     const SceneDescription scene = loadScene("ragdoll", {});
     const Off off = worstOf(test::Recorded(scene, std::lround(scene.seconds * scene.hz), 2).run);
@@ -233,7 +233,7 @@ TEST(ReplayPage, ALargeRunIsThinnedAndSaysSo) {
     EXPECT_NEAR(rangeIn(contacts["ranges"][3]).low, impulses[kept], 0.02);
 }
 
-/// In a symmetric scene many contacts push alike.
+/// In a symmetric scene many contacts have equal impulses.
 TEST(ReplayPage, OfEqualContactsAsManyStayAsAreTold) {
     Recording recording = plantedRecording(10, 120, 400);
     for (RecordedFrame& frame : recording.frames)

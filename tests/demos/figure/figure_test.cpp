@@ -50,7 +50,7 @@ TEST(Paper, IsForPrintUnlessSomethingElseIsAskedFor) {
     EXPECT_EQ(themeOf(scene, options), "studio");
 }
 
-/// An em of 8 pt is so many pixels, to the half that a whole number can be off.
+/// An em of 8 pt in pixels, rounded to a whole number.
 TEST(Type, IsInPointsOfTheEm) {
     for (const int dpi : {72, 150, 300, 600}) {
         const double em = kEmShare * letterPixels(kLabelPoints, dpi / 72.0);
@@ -58,7 +58,7 @@ TEST(Type, IsInPointsOfTheEm) {
     }
 }
 
-/// Whatever a frame says of a size for the composite.
+/// Whatever sizes a frame had before.
 TEST(Type, OfAFrameIsThatOfACharts) {
     render::Frame frame;
     frame.texts = {{"first line", render::Corner::topLeft, 18.0f},

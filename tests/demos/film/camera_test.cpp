@@ -1,4 +1,4 @@
-// The camera runs through its keys: closed forms at the ends, half way, and at cuts.
+// The camera moves through its keys: closed forms at the ends, half way and at cuts.
 
 #include "demos/snapshot/camera.h"
 

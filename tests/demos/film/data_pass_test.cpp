@@ -11,7 +11,7 @@ namespace {
 
 using test::sceneFrom;
 
-/// A ball that bounces on a floor: up from the first touch, after 0.45 s of falling.
+/// A ball that bounces on a floor; the first touch is after 0.45 s of falling.
 std::string bouncingFrom(double height) {
     return "format = 1\n[[material]]\nname = \"gum\"\nrestitution = 0.8\n"
            "[[body]]\nname = \"floor\"\nshape = { plane = [0, 1, 0] }\nfixed = true\n"
@@ -44,7 +44,7 @@ TEST(ContactLog, TellsWhenAPairBeginsToTouchAndWhenItParts) {
     std::size_t i = 0;
     for (; all.at(i).kind != ContactEvent::Kind::end; ++i) pushed += all[i].contact.impulse;
     EXPECT_EQ(all[i].contact.a.index + all[i].contact.b.index, 1);
-    // m v (1 + e), v = sqrt(2 g h): what turns the ball round; the rest is weight for a step or two
+    // m v (1 + e), v = sqrt(2 g h), reverses the ball; the rest is its weight over a step or two
     const double mass = player.stage().world.mass(player.stage().bodies[1]);
     EXPECT_NEAR(pushed, mass * 4.4294 * 1.8, 0.1 * mass);
 }

@@ -60,7 +60,7 @@ TEST(ForceTables, ReadEveryType) {
     EXPECT_EQ(kindOf<engine::NBodyGravity>("type = 'n-body-gravity'\n").constant, 6.6743e-11);
     const auto spring = kindOf<engine::SpringForce>(
         "type = 'spring'\na = 'world'\nb = 'ball'\nanchor_a = [0, 5, 0]\nstiffness = 40\n");
-    EXPECT_EQ(spring.length, 3.0);  // as they stand
+    EXPECT_EQ(spring.length, 3.0);  // their distance
     const auto thrust = kindOf<engine::ConstantForce>(
         "type = 'constant'\nforce = [0, 9, 0]\nat = [0, -0.5, 0]\nturn = true\n");
     EXPECT_TRUE(thrust.turns);
@@ -99,7 +99,7 @@ TEST(ForceTables, ASpringToTheWorldSwings) {
 
 const std::string kCart = "[[body]]\nname = 'cart'\nshape = { box = [1, 0.2, 1] }\n";
 
-/// How far the cart is from where `at` says, at each of some steps.
+/// The largest distance of the cart from `at`, over some steps.
 template <class Where>
 double worstMiss(const std::string& kinematic, int steps, Where at) {
     Stage stage(read(kCart + "kinematic = " + kinematic + "\n"));
@@ -156,7 +156,7 @@ TEST(KinematicPaths, SmoothLoopsHaveNoCorner) {
     EXPECT_GT(before.norm(), 1.0);
 }
 
-// p = c + r (cos w t, 0, -sin w t), and the body turns as the hand of a clock
+// p = c + r (cos w t, 0, -sin w t), and the body turns like the hand of a clock
 TEST(KinematicPaths, OrbitsGoRound) {
     EXPECT_LT(worstMiss("{ orbit = { centre = [1, 2, 0], axis = [0, 3, 0], deg_per_s = 90 } }\n"
                         "at = [4, 2, 0]",
@@ -200,7 +200,7 @@ TEST(Events, OfASensorAndAFloorAsJson) {
         stage.step();
         log.look(stage), last.look(stage);
     }
-    // Into the gate, where the ball stays; onto the floor.
+    // The ball touches the gate, in which it stays, and the floor.
     ASSERT_EQ(log.events().touches.size(), 2u);
     EXPECT_EQ(last.events().size(), 0u);
     const std::string json = eventsJson(log.events(), stage);

@@ -18,7 +18,7 @@ render::Frame frameOf(const Overlays& overlays, int steps = 0) {
     return player.frame(0.01 * steps);
 }
 
-/// Of the picture's width, from the left.
+/// The share of the picture's width, from the left.
 float placeOf(const render::Frame& frame, const render::Vec3& point, int width, int height) {
     const render::View view = render::makeView(
         frame.camera, static_cast<float>(width) / static_cast<float>(height));

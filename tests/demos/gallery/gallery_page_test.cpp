@@ -1,4 +1,4 @@
-// The gallery's page as text: nothing breaks out of its data, no address; pictures made smaller.
+// The gallery's page as text: nothing breaks out of its data, no web address; shrunk pictures.
 #include "demos/gallery/gallery_page.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(GalleryPage, HasNoAddressAndForbidsAllButItsOwn) {
     EXPECT_FALSE(std::regex_search(page, std::regex("@(style|script|data)@")));
 }
 
-/// What was asked for and nothing else, so that a card's command makes what the card shows.
+/// Only the options that were given, so that a card's command makes what the card shows.
 TEST(GalleryPage, KnowsTheOptionsOfItsCommand) {
     GalleryOptions options;
     EXPECT_TRUE(wordsOf(options).run.empty());

@@ -35,7 +35,7 @@ protected:
         return {};
     }
 
-    /// `main.toml:2:12: ` with its folder.
+    /// `main.toml:2:12: ` with the folder.
     std::string at(const std::string& place) { return (folder_ / place).string() + ": "; }
 
     support::TemporaryFolder folder_;
@@ -183,7 +183,7 @@ TEST_F(Include, SixtyFourFilesAndNoMore) {
 
 TEST_F(Include, IsForFilesOnly) {
     EXPECT_TRUE(tells(errorsOf("format = 1\ninclude = 'b.toml'\n" + kBall), "a.toml:2:11: ",
-                      "includes nothing; save it with 'impulse list NAME --print'"));
+                      "cannot include others; save it with 'impulse list NAME --print'"));
 }
 
 TEST_F(Include, BelongsToTheTextOfAScene) {

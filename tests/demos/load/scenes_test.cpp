@@ -1,4 +1,4 @@
-// The built-in scenes keep their own contracts.
+// The built-in scenes meet their own expectations.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ const std::vector<std::string> kGroups = {
 
 class BuiltinScenes : public testing::TestWithParam<std::string> {};
 
-/// What a scene does not keep at a rate, and why.
+/// A scene that does not meet its expectations at a rate, and why.
 struct Exception {
     const char* scene;
     int hz;
@@ -37,7 +37,7 @@ constexpr Exception kExceptions[] = {
     {"three-body", 60, "forces between bodies: the orbit's phase is of first order in the step"},
 };
 
-/// Scenes that take more than half a second at 240 Hz: with IMPULSE_LONG only.
+/// Scenes that take more than half a second at 240 Hz: tested with IMPULSE_LONG only.
 const std::set<std::string> kHeavy = {"ball-pit",      "galton",  "hanging-cloth", "jenga",
                                       "look-at",       "ragdoll", "rope-bridge",   "safety-net",
                                       "shapes",        "tumbler", "trampoline",    "wall",
@@ -49,7 +49,7 @@ const Exception* exceptionOf(const std::string& scene, int hz) {
     return nullptr;
 }
 
-/// What does not come true; `hz` 0: at the scene's own rate.
+/// The expectations that fail; `hz` 0: at the scene's own rate.
 std::string failures(const std::string& scene, int hz) {
     std::vector<std::string> overrides;
     if (hz != 0) overrides.push_back("world.hz=" + std::to_string(hz));

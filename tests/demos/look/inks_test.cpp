@@ -23,7 +23,7 @@ TEST(Inks, LinesAndLabelsStandOutOnEveryTheme) {
 
 using Matrix = double[3][3];
 
-/// CIE L*a*b* of a colour as an eye with this matrix sees it; matrices for linear light.
+/// CIE L*a*b* of a colour as seen by an eye with this matrix; matrices for linear light.
 std::array<double, 3> seenAs(const Matrix& m, const render::Color& color) {
     const auto linear = [](float channel) {
         const double c = static_cast<double>(channel);
@@ -57,7 +57,7 @@ TEST(Inks, SixLinesStayApartForColourBlindEyes) {
                 for (int k = 0; k < i; ++k) {
                     const auto a = seenAs(eye, lineColor(i, inksOf(theme)));
                     const auto b = seenAs(eye, lineColor(k, inksOf(theme)));
-                    // 2.3 is what can just be told apart side by side; a thin line needs more
+                    // 2.3 is just noticeable side by side; a thin line needs more
                     EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 12.0)
                         << theme << ": " << k << " and " << i;
                 }

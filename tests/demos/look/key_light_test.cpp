@@ -1,4 +1,4 @@
-// Where the sun stands, by the camera.
+// The sun's direction relative to the camera.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-/// deg, from above, of two directions; positive: the second is to the left.
+/// deg, the angle between two directions seen from above; positive: the second is to the left.
 double turnBetween(const engine::Vec3& a, const engine::Vec3& b) {
     const double cross = a.x() * b.z() - a.z() * b.x(), dot = a.x() * b.x() + a.z() * b.z();
     return degrees(std::atan2(cross, dot));

@@ -10,7 +10,7 @@
 namespace demos::test {
 namespace {
 
-/// A ball that falls 0.1 m, plays for `seconds`, and is recorded.
+/// Simulates and records a ball that falls 0.1 m, for `seconds`.
 struct Played {
     Stage stage;
     Recorder recorder;
@@ -73,7 +73,7 @@ TEST(Recorder, PointsOfOnePairAreNumbered) {
     Recorder recorder;
     for (int i = 0; i < 10; ++i) stage.step(), recorder.look(stage);
     const Chart chart = recorder.charts({"impulse"}).front();
-    ASSERT_EQ(chart.series.size(), 4u);  // a corner each
+    ASSERT_EQ(chart.series.size(), 4u);  // one per corner
     EXPECT_EQ(chart.series[0].label, "floor–box (1)");
     EXPECT_EQ(chart.series[3].label, "floor–box (4)");
 }

@@ -1,5 +1,5 @@
-// What is wrong with a MuJoCo model is reported with its place; what of it is not supported is a
-// note, never silence.
+// Errors of a MuJoCo model are reported with their place; unsupported features give a note, never
+// silence.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -63,12 +63,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "<worldbody><geom size='1'" + attributes(300) + "/></worldbody>", "2:2212",
                  "more than 256 attributes in one <geom>"},
         BadModel{"too deep", "<worldbody>" + deep(70) + "</worldbody>", "2:384",
-                 "elements more than 64 deep in each other; they should be less"},
+                 "elements nested more than 64 deep; nest them less deeply"},
         BadModel{"too many", "<worldbody>" + repeated("<geom/>", 200'001) + "</worldbody>",
                  "2:1399998", "more than 200000 elements"},
         BadModel{"too many bodies",
                  "<worldbody>" + repeated("<geom size='1'/>", 10'001) + "</worldbody>", "1:1",
-                 "more than 10000 bodies; a model should have less"},
+                 "more than 10000 bodies; a model should have fewer"},
         BadModel{"include of nothing", "<include/>", "2:1", "an <include> has no file"},
         BadModel{"include from anywhere", "<include file='/etc/passwd'/>", "2:10",
                  "file is '/etc/passwd'; it should be relative to the model's folder"},
@@ -119,15 +119,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"too few", "<worldbody><geom type='box' size='1 1'/></worldbody>", "2:29",
                  "size is '1 1'; it should be 3 numbers"},
         BadModel{"nothing", "<worldbody><geom size='0'/></worldbody>", "2:18",
-                 "size is '0'; it should be 0.00001 m at least, each"},
+                 "size is '0'; each should be at least 0.00001 m"},
         BadModel{"no size", "<worldbody><geom type='capsule'/></worldbody>", "2:12",
                  "a <geom> of type capsule has no size; write size=\"0.1 0.2\" (m; half lengths)"},
         BadModel{"type", "<worldbody><geom type='cube' size='1'/></worldbody>", "2:18",
                  "type is 'cube'; it should be"},
         BadModel{"one end", "<worldbody><geom type='capsule' size='1' fromto='1 1 1 1 1 1'/></worldbody>",
-                 "2:42", "the two ends are one point; move one of them"},
+                 "2:42", "the two ends are the same point; move one of them"},
         BadModel{"fromto of a sphere", "<worldbody><geom size='1' fromto='0 0 0 1 1 1'/></worldbody>",
-                 "2:27", "fromto of a sphere; give pos"},
+                 "2:27", "fromto is given for a sphere; give pos instead"},
         BadModel{"truth", "<compiler autolimits='yes'/>" + kGeom, "2:11",
                  "autolimits is 'yes'; it should be true or false"},
         BadModel{"global", "<compiler coordinate='global'/>" + kGeom, "2:11", "coordinate is 'global'"},
@@ -173,20 +173,20 @@ INSTANTIATE_TEST_SUITE_P(
                  "a plane in a <body> that moves; it should be in <worldbody>, or a box"},
         BadModel{"free inside", "<worldbody><body><joint/><geom size='1'/>\n<body><freejoint/>"
                                 "<geom size='1'/></body></body></worldbody>", "3:1",
-                 "a free joint beside others, or inside a moving <body>"},
+                 "a free joint with other joints, or in a moving <body>"},
         BadModel{"free twice", kFree + "<joint type='free'/><geom size='1'/>" + kEnd, "3:1",
-                 "a free joint beside others, or inside a moving <body>"},
+                 "a free joint with other joints, or in a moving <body>"},
         BadModel{"free twice by name", kFree + "<freejoint/><geom size='1'/>" + kEnd, "3:1",
-                 "a free joint beside others, or inside a moving <body>"},
+                 "a free joint with other joints, or in a moving <body>"},
         BadModel{"moments of no mass",
                  kFree + "<inertial pos='0 0 0' mass='1' diaginertia='1 1 9'/>" + kEnd, "3:50",
-                 "diaginertia is '1 1 9'; no two of the moments should be less than the third"},
+                 "diaginertia is '1 1 9'; no moment should be larger than the sum of the others"},
         BadModel{"negative moments",
                  kFree + "<inertial pos='0 0 0' mass='1' diaginertia='1 1 -1'/>" + kEnd, "3:50",
                  "diaginertia is '1 1 -1'; it should not be negative"},
         BadModel{"moments of no mass, turned",
                  kFree + "<inertial pos='0 0 0' mass='1' fullinertia='5 5 1 4 0 0'/>" + kEnd, "3:50",
-                 "fullinertia is '5 5 1 4 0 0'; no two of the moments should be less than the third"},
+                 "fullinertia is '5 5 1 4 0 0'; no moment should be larger than the sum of the others"},
         BadModel{"inertia not positive",
                  kFree + "<inertial pos='0 0 0' mass='1' fullinertia='1 1 1 2 0 0'/>" + kEnd, "3:50",
                  "fullinertia is '1 1 1 2 0 0'; it should be positive definite (xx yy zz xy xz yz)"},
@@ -202,20 +202,20 @@ INSTANTIATE_TEST_SUITE_P(
     Joints, BadModels,
     testing::Values(
         BadModel{"range", jointed("<joint range='20 10'/>"), "3:14",
-                 "a limited joint has no range; it should be two numbers, the lower one first"},
-        BadModel{"no range", jointed("<joint limited='true'/>"), "3:7", "a limited joint has no range"},
+                 "a limited joint has no valid range; it should be two numbers, the lower one first"},
+        BadModel{"no range", jointed("<joint limited='true'/>"), "3:7", "a limited joint has no valid range"},
         BadModel{"axis", jointed("<joint axis='0 0 0'/>"), "3:14",
                  "axis is 0 0 0; it should be a direction, like 0 0 1"},
         BadModel{"damping", jointed("<joint damping='-1'/>"), "3:14", "damping is '-1'"},
         BadModel{"hinges askew", jointed("<joint axis='1 0 0'/><joint axis='1 1 0'/>"), "3:7",
                  "the 2 joints of this <body> cannot be one joint here (axes that are not at right "
-                 "angles); put them in <body>s of their own, with some mass each"},
+                 "angles); put them in separate <body>s, each with some mass"},
         BadModel{"slide after hinge", jointed("<joint/><joint type='slide'/>"), "3:7",
                  "(a slide after a hinge)"},
         BadModel{"the same twice", jointed("<joint type='slide'/><joint type='slide'/>"), "3:7",
                  "(two along the same axis)"},
         BadModel{"balls", jointed("<joint type='ball'/><joint type='ball'/>"), "3:7",
-                 "(a ball beside a hinge)"},
+                 "(a ball with another ball or a hinge)"},
         BadModel{"connect without an anchor",
                  jointed("<joint/>") + "<equality><connect body1='world'/></equality>", "4:11",
                  "a <connect> has no anchor"}));
@@ -238,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
                               "refquat='0 0 0 0'/></asset>", "2:56", "refquat is 0 0 0 0"},
         BadModel{"fitted", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset>\n"
                            "<worldbody><geom type='box' mesh='m'/></worldbody>", "3:29",
-                 "mesh in a <geom> of type box, which would be fitted to it; write type=\"mesh\""}));
+                 "mesh in a <geom> of type box, which MuJoCo would fit to it; write type=\"mesh\""}));
 
 TEST(MujocoErrors, OfFilesNameTheFile) {
     const std::string text = "<mujoco><asset><mesh file='m.obj'/><mesh file='n.stl'/>"
@@ -247,7 +247,7 @@ TEST(MujocoErrors, OfFilesNameTheFile) {
         modelErrors(text, {{"m.obj", "v 1 2 3\nv 1 x 3\n"}, {"n.stl", "solid"}, {"o.msh", ""}});
     EXPECT_TRUE(tells(lines, "a.xml:1:22: ", "m.obj: line 2 should be 'v' and three numbers"));
     EXPECT_TRUE(tells(lines, "a.xml:1:42: ", "n.stl: its size is not that of a binary STL file"));
-    EXPECT_TRUE(tells(lines, "a.xml:1:62: ", "o.msh: its format is not read; OBJ and binary STL are"))
+    EXPECT_TRUE(tells(lines, "a.xml:1:62: ", "o.msh: its format is not supported; it should be OBJ or"))
         << listed(lines);
 }
 
@@ -265,7 +265,7 @@ TEST(MujocoErrors, AnIncludedFileHasItsOwnPlacesAndIsReadOnce) {
                     {{"b.xml", "<mujoco>\n<worldbody>\n<geom sise='1'/></worldbody></mujoco>"}});
     EXPECT_TRUE(tells(lines, "b.xml:3:7: ", "unknown attribute 'sise'") ||
                 tells(lines, "a.xml:3:10: ", "'b.xml' is included twice"));
-    EXPECT_TRUE(tells(lines, "a.xml:3:10: ", "'b.xml' is included twice; a model includes a file once"))
+    EXPECT_TRUE(tells(lines, "a.xml:3:10: ", "'b.xml' is included twice; include it only once"))
         << listed(lines);
     const std::vector<std::string> circle = modelErrors(
         "<mujoco><include file='b.xml'/></mujoco>", {{"b.xml", "<mujoco><include file='b.xml'/></mujoco>"}});
@@ -285,7 +285,7 @@ TEST(MujocoErrors, OfAPartAreNotToldAgainOfTheMass) {
         EXPECT_EQ(lines.size(), 1u) << part << "\n" << listed(lines);
         EXPECT_EQ(listed(lines).find("no mass to move"), std::string::npos) << part;
     }
-    // What is left out with a note is no error, and the mass is.
+    // A geom that is left out with a note is not an error, but the missing mass is.
     EXPECT_TRUE(tells(modelErrors("<mujoco>\n" + kFree + "<geom type='hfield'/>" + kEnd + "</mujoco>"),
                       "a.xml:3:1: ", "has no mass to move"));
 }
@@ -315,9 +315,9 @@ TEST(MujocoErrors, OfFoldersDoNotSpeakOfScenes) {
 
 TEST(MujocoErrors, AnotherRootIsTold) {
     EXPECT_TRUE(tells(modelErrors("<robot/>"), "a.xml:1:1: ",
-                      "the outermost element is <robot>; it should be <mujoco>"));
+                      "the root element is <robot>; it should be <mujoco>"));
     EXPECT_TRUE(tells(modelErrors(""), "a.xml:1:1: ", "this is not XML: "));
-    EXPECT_TRUE(tells(modelErrors("<mujoco/><mujoco/>"), "a.xml:1:1", "a second outermost element"));
+    EXPECT_TRUE(tells(modelErrors("<mujoco/><mujoco/>"), "a.xml:1:1", "a second root element"));
 }
 
 TEST(MujocoErrors, MoreThanThirtyTwoGroupsAreTold) {
@@ -343,7 +343,7 @@ TEST(MujocoNotes, NameWhatChangesTheMotionAndIsNotHad) {
         "a.xml:2:9: <option wind> is not available; left out",
         "a.xml:4:7: <geom solref> is not available; left out",
         "a.xml:4:42: <joint margin> is not available; left out",
-        "a.xml:6:16: friction against torsion is not supported; left out (2 places)",
+        "a.xml:6:16: torsional friction is not supported; left out (2 places)",
         "a.xml:7:7: a <geom> of type hfield is not available; left out",
         "a.xml:8:26: damping of a ball joint is not available; left out",
         "a.xml:8:38: range of a ball joint is not available; left out",
@@ -358,7 +358,7 @@ TEST(MujocoNotes, PutWhatIsForMujocosWindowInOne) {
     EXPECT_EQ(notesOf("<visual/><sensor/><custom/>\n<worldbody><light/><camera/><site/><light/>"
                       "<geom size='1'/></worldbody>"),
               std::vector<std::string>{"a.xml:2:1: <visual>, <sensor>, <custom>, <light>, <camera>: "
-                                       "for MuJoCo's own window and readings; left out"});
+                                       "for MuJoCo's viewer and sensors; left out"});
     EXPECT_EQ(notesOf("<size njmax='9'/><option solver='CG'/><asset/><tendon/>" + kGeom),
               std::vector<std::string>{});
 }
@@ -369,7 +369,7 @@ TEST(MujocoNotes, TellWhatIsApproximate) {
         return tells(notes, "a.xml:", text);
     };
     EXPECT_TRUE(said("<option timestep='0.003'/>" + kGeom,
-                     "timestep is 0.003 s; taken are 360 steps a second, a multiple of 60"));
+                     "timestep is 0.003 s; replaced by 360 steps a second, a multiple of 60"));
     EXPECT_TRUE(said("<worldbody><body><freejoint/><geom size='1'/><geom size='1' friction='2'/>" + kEnd,
                      "friction, condim or priority differ between the <geom>s of a body"));
     EXPECT_TRUE(said("<worldbody><body><freejoint/><geom size='1'/><geom size='1' contype='2'/>" + kEnd,
@@ -377,13 +377,13 @@ TEST(MujocoNotes, TellWhatIsApproximate) {
     EXPECT_TRUE(said(jointed("<joint axis='1 0 0' pos='0 0 1'/><joint axis='0 1 0'/>"),
                      "the hinges of a <body> are at different points, 1 m apart"));
     EXPECT_TRUE(said("<worldbody><geom type='ellipsoid' size='1 2 3'/></worldbody>",
-                     "an ellipsoid is taken as a convex hull of 120 corners"));
+                     "an ellipsoid is replaced by a convex hull of 120 corners"));
     EXPECT_TRUE(said("<worldbody><body name='a'><freejoint/><geom size='1'/></body></worldbody>"
                      "<equality><connect body1='a' anchor='0 0 3'/></equality>",
                      "bodies held by a <connect> are held rigidly"));
     EXPECT_TRUE(said("<worldbody><body name='a'><geom size='1'/></body></worldbody>"
                      "<equality><weld body1='a'/></equality>",
-                     "<weld> within one rigid body holds already; left out"));
+                     "<weld> within one rigid body has no effect; left out"));
     EXPECT_TRUE(said("<worldbody><geom size='1'/><body name='a'><freejoint/><geom size='1'/></body>"
                      "</worldbody><contact><exclude body1='a' body2='world'/></contact>",
                      "<exclude> with a <body> that stands still is not available; left out"));

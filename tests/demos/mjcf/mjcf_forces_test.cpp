@@ -1,4 +1,4 @@
-// MuJoCo's actuators, tendons, rotors and friction, beside their formulas.
+// MuJoCo's actuators, tendons, rotors and friction, compared with formulas.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -16,7 +16,7 @@ const std::string kCart =
     "<body pos='0 1 0'><joint name='turn' axis='0 1 0' ref='0.5'/><geom size='0.1' mass='4'/></body>"
     "</worldbody>";
 
-/// Where the two joints are, how fast, after so long.
+/// Positions and speeds of the two joints after some time.
 struct Ways {
     double way, turn, wayRate, turnRate;
 };
@@ -78,7 +78,7 @@ TEST(MujocoActuators, PositionsPullLikeSprings) {
     // Half a period after rest the cart is at twice its control: w^2 = kp / m.
     const Ways half = after(engine::kPi / 2.0, actuated("<position joint='way' kp='16'/>", "0.3"));
     EXPECT_NEAR(half.way, 0.6, 3e-3);
-    // With damping it comes to where MuJoCo's coordinate, which starts at ref, is the control.
+    // With damping it settles where MuJoCo's coordinate, which starts at ref, equals the control.
     const Ways held = after(3.0, actuated("<position joint='turn' kp='2' kv='0.2'/>", "0.8"));
     EXPECT_NEAR(held.turn, 0.3, 1e-4);
 }
@@ -138,16 +138,16 @@ TEST(MujocoForces, NoteWhatIsLeftOut) {
         return "<actuator>" + actuator + "</actuator>";
     };
     said(acting("<general joint='way' dyntype='filter'/>"),
-         "an actuator with an activation of its own (dyntype filter) is not available; left out");
+         "an actuator with activation dynamics (dyntype filter) is not available; left out");
     said(acting("<general joint='way' gaintype='muscle'/>"),
-         "gaintype muscle of an actuator is not available; taken as fixed");
+         "gaintype muscle of an actuator is not available; replaced by fixed");
     said(acting("<position joint='way' forcerange='-1 1'/>"),
-         "forcerange of an actuator whose force follows its joint is not available; left out");
-    said(acting("<position joint='way' kp='-1'/>"), "an actuator that pushes on what is already");
+         "forcerange of an actuator whose force is not constant is not available; left out");
+    said(acting("<position joint='way' kp='-1'/>"), "an actuator that makes stiffness or damping negative");
     said(acting("<motor site='s'/>"), "<motor site> is not available; left out");
     said("<keyframe><key qpos='1 2'/></keyframe>", "<key qpos> is not available; left out");
     said("<tendon><fixed stiffness='1'><joint joint='way'/><joint joint='turn'/></fixed></tendon>",
-         "a <fixed> tendon of several joints that has a spring");
+         "a <fixed> tendon of several joints with a spring");
     said("<tendon><fixed range='0 1'><joint joint='way'/></fixed></tendon>",
          "range of a <fixed> tendon is not available; left out");
     const std::vector<std::string> ball = readMujoco(

@@ -1,4 +1,4 @@
-// MuJoCo's models as they are drawn: what its window shows, meshes as their triangles.
+// How MuJoCo's models are drawn: as in its viewer, meshes as their triangles.
 #include <gtest/gtest.h>
 
 #include "engine/shapes/mesh.h"
@@ -24,7 +24,7 @@ TEST(MujocoLooks, AMeshIsDrawnAsItsTrianglesWhereItIs) {
     const engine::ShapePart& part = body.looks->front();
     ASSERT_EQ(part.shape.type, ShapeType::mesh);
     EXPECT_EQ(part.shape.mesh->triangles.size(), 4u);
-    // Its corners are where the model puts them: (1, 0, 5) is (1, 5, 0) here.
+    // Its corners have the model's positions: (1, 0, 5) is (1, 5, 0) here.
     const Vec3 corner = part.pose.toWorld(part.shape.mesh->corners.front());
     expectNear(body.def.pose.toWorld(corner), {1, 5, 0}, 1e-12);
     EXPECT_EQ(Stage(scene).drawn.at(0).size(), 1u);
@@ -37,7 +37,7 @@ TEST(MujocoLooks, HiddenHullsAreMetAndVisualOnesDrawn) {
                  "<geom type='sphere' size='0.3' contype='0' conaffinity='0' group='1'/>"
                  "<geom type='box' size='1 1 1' group='3' rgba='0 1 0 1'/></body></worldbody>");
     const BodyDescription& body = scene.bodies.at(0);
-    ASSERT_EQ(body.def.shape.type, ShapeType::compound);  // it weighs with all of them
+    ASSERT_EQ(body.def.shape.type, ShapeType::compound);  // all of them count for the mass
     ASSERT_EQ(body.def.shape.parts->size(), 1u);
     EXPECT_EQ(body.def.shape.parts->front().shape.type, ShapeType::box);
     ASSERT_TRUE(body.looks);

@@ -1,4 +1,4 @@
-// MuJoCo's models in motion, beside the formulas of their joints.
+// MuJoCo's models in motion, compared with formulas.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -16,7 +16,7 @@ std::string world(const std::string& inside) {
     return "<worldbody>" + inside + "</worldbody>";
 }
 
-/// s, between every second zero of the first joint's angle.
+/// s, between every second zero crossing of the first joint's angle.
 double periodOf(Stage& stage, double seconds) {
     std::vector<double> zeros;
     double before = stage.world.joint(stage.joints[0]).position;
@@ -144,7 +144,7 @@ TEST(MujocoMotion, ThreeHingesAreABallWhoseTurnsAreTold) {
 }
 
 TEST(MujocoMotion, BodiesHangOnTheWorldAndFallOnItsGeoms) {
-    // A jointed body meets the world's geoms, as MuJoCo has it, and not its own parent.
+    // A jointed body collides with the world's geoms, as in MuJoCo, but not with its own parent.
     Stage stage(readMujoco(world(
         "<geom type='plane' size='1 1 1'/><body pos='0 0 0.5'><joint axis='0 1 0' damping='1'/>"
         "<geom type='capsule' size='0.05' fromto='0 0 0 1 0 0'/>"

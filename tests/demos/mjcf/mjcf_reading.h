@@ -15,7 +15,7 @@ namespace demos::test {
 
 using Files = std::map<std::string, std::string>;  // text by path
 
-/// The model `a.xml` beside `files`.
+/// The model `a.xml` in the folder of `files`.
 inline SceneDescription readModelText(const std::string& text, const Files& files = {},
                                       const std::vector<std::string>& overrides = {}) {
     return mjcf::readModel(text, "a.xml", "a", overrides, [&](const std::filesystem::path& path) {
@@ -48,7 +48,7 @@ inline void expectNear(const Vec3& a, const Vec3& b, double within = 1e-12) {
     EXPECT_LE((a - b).norm(), within) << a.transpose() << " and " << b.transpose();
 }
 
-/// Steps for so many seconds.
+/// Simulates the given number of seconds.
 inline void playFor(double seconds, Stage& stage) {
     for (int i = 0; i < static_cast<int>(seconds * stage.scene.hz + 0.5); ++i)
         ASSERT_TRUE(stage.step());

@@ -1,4 +1,4 @@
-// MuJoCo's models: where things are put, what they weigh, and how they move.
+// MuJoCo's models: positions, masses, and how bodies can move.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,7 @@ using engine::ShapeType;
 
 const std::string kBob = "<geom type='sphere' size='0.01' mass='2'/>";
 
-/// Two turns are one if they move two directions alike.
+/// Two rotations are the same if they turn two directions alike.
 void expectSameTurn(const Quat& a, const Quat& b, double within = 1e-12) {
     expectNear(a * Vec3(1, 2, 3), b * Vec3(1, 2, 3), within);
     expectNear(a * Vec3(-3, 1, 0), b * Vec3(-3, 1, 0), within);
@@ -215,7 +215,7 @@ TEST(MujocoAssets, MeshesAreHullsFromTextObjAndStl) {
     EXPECT_NEAR(engine::volume(bodyCalled(scene, "o").def.shape), 36.0, 1e-9);
     expectNear(bodyCalled(scene, "o").def.pose.position, {10.5, 1.5, -1.5}, 1e-9);
     EXPECT_EQ(scene.files, (std::vector<std::string>{"parts/t.obj", "parts/t.stl"}));
-    EXPECT_TRUE(tells(scene.notes, "a.xml:2:", "a mesh is taken as its convex hull (3 places)"))
+    EXPECT_TRUE(tells(scene.notes, "a.xml:2:", "a mesh collides and weighs as its convex hull (3 places)"))
         << listed(scene.notes);
 }
 

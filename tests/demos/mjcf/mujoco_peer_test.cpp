@@ -1,5 +1,5 @@
-// MuJoCo's models as MuJoCo plays them and as they are played here: where all bodies are after a
-// second. What differs for a reason has its own tolerance, and the reason beside it.
+// MuJoCo's models, simulated by MuJoCo and here: the positions of all bodies after a second. Where
+// they differ for a reason, the model has its own tolerance and states the reason.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 Vec3 yUp(const mjtNum* v) { return {v[0], v[2], -v[1]}; }
 
-/// A model in MuJoCo's own hands.
+/// A model simulated by MuJoCo itself.
 class Theirs {
 public:
     explicit Theirs(const fs::path& file) {
@@ -35,7 +35,7 @@ public:
     }
 
     void playFor(double seconds) {
-        model_->opt.timestep = std::min<mjtNum>(model_->opt.timestep, 5e-4);  // its own error
+        model_->opt.timestep = std::min<mjtNum>(model_->opt.timestep, 5e-4);  // for its accuracy
         const int steps = static_cast<int>(seconds / model_->opt.timestep + 0.5);
         for (int i = 0; i < steps; ++i) mj_step(model_, data_);
         mj_forward(model_, data_);
@@ -49,7 +49,7 @@ public:
         return bodies;
     }
 
-    /// Of what is rigid together with the body: m, y up.
+    /// The centre of mass of the body and all that is rigidly attached: m, y up.
     Vec3 centreOf(int number) const {
         Vec3 sum = Vec3::Zero();
         double mass = 0.0;

@@ -1,4 +1,4 @@
-/// Small models that MuJoCo and this engine should move alike, with what they may differ by.
+/// Small models that should move alike in MuJoCo and in this engine, with tolerances.
 #pragma once
 #include <ostream>
 
@@ -6,10 +6,10 @@ namespace demos::test {
 
 struct MujocoSample {
     const char* name;
-    const char* text;  // the model; of MuJoCo's own its file
+    const char* text;  // the model, or the file of one of MuJoCo's own
     double seconds;
     double within;     // m, of every body's centre of mass
-    const char* why;   // of a tolerance beyond a millimetre
+    const char* why;   // the reason for a tolerance beyond a millimetre
 };
 
 inline void PrintTo(const MujocoSample& sample, std::ostream* out) { *out << sample.name; }
@@ -33,7 +33,7 @@ stiffness='40'/><geom size='0.05' mass='0.5'/></body></body>
     {"box_slides", R"(<mujoco><option timestep='0.0005'/><worldbody>
 <geom type='plane' size='9 9 1' condim='3' euler='0 10 0' friction='0.1'/>
 <body name='box' pos='0.01736 0 0.09848' euler='0 10 0'><freejoint/><geom type='box' size='0.1 0.1 0.1' condim='1'
-friction='0.12'/></body></worldbody></mujoco>)", 1.0, 5e-3, "friction is regularised there: what sticks creeps, what slides gains"},
+friction='0.12'/></body></worldbody></mujoco>)", 1.0, 5e-3, "MuJoCo regularises friction: a sticking body creeps, a sliding one gains speed"},
     {"box_without_friction", R"(<mujoco><option timestep='0.0005'/><worldbody>
 <geom type='plane' size='9 9 1' condim='1' euler='0 10 0' friction='0.5'/>
 <body name='box' pos='0.01736 0 0.09848' euler='0 10 0'><freejoint/><geom type='box' size='0.1 0.1 0.1' condim='1'/></body>
@@ -41,7 +41,7 @@ friction='0.12'/></body></worldbody></mujoco>)", 1.0, 5e-3, "friction is regular
     {"box_holds", R"(<mujoco><option timestep='0.0005'/><worldbody>
 <geom type='plane' size='9 9 1' condim='1' euler='0 10 0' friction='0.05'/>
 <body name='box' pos='0.01736 0 0.09848' euler='0 10 0'><freejoint/><geom type='box' size='0.1 0.1 0.1' friction='0.8'/></body>
-</worldbody></mujoco>)", 1.0, 2e-3, "friction is regularised there: what sticks creeps"},
+</worldbody></mujoco>)", 1.0, 2e-3, "MuJoCo regularises friction: a sticking body creeps"},
     {"box_of_priority", R"(<mujoco><option timestep='0.0005'/><worldbody>
 <geom type='plane' size='9 9 1' euler='0 10 0' friction='0.9'/>
 <body name='box' pos='0.01736 0 0.09848' euler='0 10 0'><freejoint/><geom type='box' size='0.1 0.1 0.1' friction='0.05'
@@ -72,18 +72,18 @@ biasprm='1 -6 -3' forcelimited='false'/></actuator>
 </worldbody><tendon><spatial limited='true' range='0 0.8'><site site='hook'/><site site='eye'/></spatial>
 <spatial stiffness='60' damping='2' springlength='0.3'><site site='nail'/><site site='ring'/></spatial>
 <fixed stiffness='20' damping='0.3' springlength='0.2'><joint joint='pin' coef='0.5'/></fixed></tendon>
-</mujoco>)", 1.0, 5e-3, "limits are soft there: the cord gives by some millimetres"},
+</mujoco>)", 1.0, 5e-3, "MuJoCo's limits are soft: the cord yields by some millimetres"},
 };
 
-/// By their files. What is not available of them is left out here.
+/// MuJoCo's own, by their files. Unsupported features are left out here.
 inline const MujocoSample kMujocoModels[] = {
     {"humanoid_in_the_air", "humanoid/humanoid.xml", 0.2, 1e-3, ""},
     {"humanoid", "humanoid/humanoid.xml", 1.0, 0.1,
-     "contacts and limits are soft there, and its hips are three hinges one after the other"},
+     "MuJoCo's contacts and limits are soft, and the hips are three hinges one after the other"},
     {"humanoid100", "humanoid100/humanoid100.xml", 0.3, 0.03,
-     "contacts are soft there, and ellipsoids are hulls here"},
-    {"mug", "mug/mug.xml", 1.0, 0.01, "contacts are soft there"},
-    {"arm26", "tendon_arm/arm26.xml", 1.0, 0.3, "its muscles and the way of their tendons are left out"},
+     "MuJoCo's contacts are soft, and ellipsoids are hulls here"},
+    {"mug", "mug/mug.xml", 1.0, 0.01, "MuJoCo's contacts are soft"},
+    {"arm26", "tendon_arm/arm26.xml", 1.0, 0.3, "its muscles and the paths of their tendons are left out"},
     {"slider_crank", "slider_crank/slider_crank.xml", 1.0, 0.15, "its slider cranks are left out"},
     {"active_adhesion", "adhesion/active_adhesion.xml", 1.0, 0.12,
      "adhesion, gears and a ring of balls are left out"},

@@ -23,7 +23,7 @@ const std::string kSpinning =
 const std::string kDropped =
     "format = 1\nseconds = 1\n[[body]]\nname = 'floor'\nshape = { plane = [0, 1, 0] }\nfixed = "
     "true\n[[body]]\nname = 'ball'\nshape = { sphere = 0.1 }\nat = [0, 1.1, 0]\n";
-const std::string kPressed =  // ten millimetres deep at the start
+const std::string kPressed =  // overlaps by 10 mm at the start
     "format = 1\nseconds = 0.2\n[[body]]\nname = 'floor'\nshape = { plane = [0, 1, 0] }\nfixed = "
     "true\n"
     "[[body]]\nname = 'box'\nshape = { box = [1, 1, 1] }\nat = [0, 0.49, 0]\n";
@@ -65,10 +65,10 @@ INSTANTIATE_TEST_SUITE_P(
         // v^2 = 2^2 + 9.81^2
         Case{"speed", kFalling, "what = 'speed'\nnear = 10.0118\nwithin = 0.001\n",
              "what = 'speed'\nbelow = 10\n", 10.0118, 1e-4},
-        // 9.81 / 2 m, and half a sub-step more of it
+        // a fall of 9.81 / 2 m, plus half a sub-step
         Case{"position", kFalling, "what = 'position'\nnear = [2, 4.095, 0]\nwithin = 0.03\n",
              "what = 'position'\nnear = [2, 4.095, 0]\nwithin = 0.01\n", 0.0204, 1e-3},
-        // a fall onto the floor, which takes all that it gave; free fall alone keeps it to round-off
+        // the floor takes all energy of the fall; free fall alone conserves it to round-off
         Case{"energy", kDropped, "what = 'energy'\nbelow = 1.2\n",
              "what = 'energy'\nbelow = 0.5\n", 1.086, 0.01},
         Case{"count", kFalling, "what = 'count'\nnear = 1\nwithin = 0\n",
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"angle", kSpinning,
              "what = 'angle_deg'\nof = ['top']\nnear = 57.29578\nwithin = 0.01\n",
              "what = 'angle_deg'\nof = ['top']\nbelow = 57\n", 57.29578, 1e-3},
-        // at rest on the floor: its radius, however high it began
+        // at rest on the floor: its radius, whatever its initial height
         Case{"height", kDropped, "what = 'height'\nabove = 0.09\n",
              "what = 'height'\nabove = 0.2\n", 0.1, 0.002},
         // one stays at 0 m, the other at 5 m
@@ -95,12 +95,12 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ExpectationWindow, OpensAndCloses) {
     // 2 m/s: 1 m at 0.5 s
     EXPECT_TRUE(check(kFalling, "what = 'drift'\nbelow = 1.2\nuntil = 0.5\n").passed);
-    // The overlap is gone after a while
+    // The overlap has disappeared by then
     EXPECT_TRUE(check(kPressed, "what = 'penetration'\nbelow = 0.009\nafter = 0.1\n").passed);
 }
 
 TEST(ExpectationWindow, ClosesBetweenTwoSteps) {
-    // 2 m/s along x: 1.01 m at 0.505 s, which is no step of 60 Hz; the fall is 9.81 t^2 / 2
+    // 2 m/s along x: 1.01 m at 0.505 s, which is not a step of 60 Hz; the fall is 9.81 t^2 / 2
     const ExpectationResult r =
         check(kFalling, "what = 'position'\nnear = [1.01, 7.749, 0]\n"
                         "within = 0.02\nuntil = 0.505\n");
@@ -109,7 +109,7 @@ TEST(ExpectationWindow, ClosesBetweenTwoSteps) {
 }
 
 TEST(ExpectationBound, HoldsForEveryBody) {
-    // The top turns, the other does not: "above" is about the least, "below" about the most.
+    // The top turns, the other does not: "above" applies to the least value, "below" to the largest.
     EXPECT_FALSE(check(kSpinning, "what = 'angle_deg'\nabove = 10\n").passed);
     EXPECT_FALSE(check(kSpinning, "what = 'angle_deg'\nbelow = 10\n").passed);
     EXPECT_TRUE(check(kSpinning, "what = 'angle_deg'\nabove = 10\nof = ['top']\n").passed);

@@ -31,7 +31,7 @@ TEST_P(LanesAndRows, GiveTheSameImpulsesToEveryContact) {
     scene.settings.lanes = false;
     Stage rows(scene);
     ASSERT_TRUE(lanes.step() &&
-                rows.step());  // later on rounding shares loads between points otherwise
+                rows.step());  // later, rounding distributes loads differently between points
     const ImpulsesOfContacts a = impulsesOf(lanes), b = impulsesOf(rows);
     ASSERT_FALSE(a.empty());
     ASSERT_EQ(a.size(), b.size());

@@ -1,4 +1,4 @@
-// NAME.snapshots: written, read back, refused when it is not what it was, accepted in parts.
+// NAME.snapshots: written, read back, refused if it was changed, accepted in parts.
 #include "demos/regression/baseline.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ render::Image grayPicture(std::uint8_t level) {
     return {8, 4, std::vector<std::uint8_t>(8 * 4 * 4, level)};
 }
 
-/// Two pictures; `y`: of its only body in the last of three steps.
+/// A result with two pictures; `y`: of its only body in the last of three steps.
 Actual actualWith(std::uint8_t level, double y) {
     Actual actual;
     Baseline& baseline = actual.baseline;
@@ -62,7 +62,7 @@ std::string textOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What is said of a baseline whose JSON has `from` replaced by `to`.
+/// The complaint about a baseline whose JSON has `from` replaced by `to`.
 std::string complaintAbout(const std::string& from, const std::string& to) {
     std::string text = jsonOf(actualWith(1, 1.0).baseline, {});
     const std::size_t at = text.find(from);
@@ -97,7 +97,7 @@ TEST(Baselines, SayWhenTheyWereEdited) {
     EXPECT_NE(complaintAbout("\"format\": 1", "\"format\": 2").find("newer impulse"),
               std::string::npos);
     EXPECT_NE(complaintAbout("{", "[").find("is damaged"), std::string::npos);
-    // Brackets in a string are none; of others there are at most 64 in each other.
+    // Brackets in strings do not count; others may be nested at most 64 deep.
     const std::string many(100'000, '[');
     EXPECT_EQ(jsonTrouble("[\"\\\"" + many + "\"]"), "");
     EXPECT_EQ(jsonTrouble(many.substr(0, kMostJsonDepth)), "");
@@ -105,7 +105,7 @@ TEST(Baselines, SayWhenTheyWereEdited) {
     const std::string member = "\"a\":[],", value = "[],";
     EXPECT_EQ(jsonTrouble("{" + support::repeated(member, 16'384) + "}"), "");
     EXPECT_EQ(jsonTrouble("{" + support::repeated(member, 16'385) + "}"),
-              "has an object of more members than 16384");
+              "has an object with more members than 16384");
     EXPECT_EQ(jsonTrouble("[" + support::repeated(value, 2'000'000) + "[]]"),
               "has more values than 4000000");
     EXPECT_NE(complaintAbout("{", "{\"a\":" + many + std::string(many.size(), ']') + ",")
@@ -242,7 +242,7 @@ TEST(ProcessPools, GiveEveryAnswerInOrder) {
     EXPECT_EQ(answers[6].size(), 100'000u);
 }
 
-/// The first one ends when the second one has been told of.
+/// The first process ends only after the end of the second one has been reported.
 TEST(ProcessPools, TellOfAnEndAtOnce) {
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
@@ -280,7 +280,7 @@ TEST(ProcessPools, OutliveWhatCrashes) {
     ASSERT_EQ(results.size(), 3u);
     EXPECT_TRUE(results[0].ended);
     EXPECT_FALSE(results[1].ended);
-    EXPECT_EQ(results[1].text.find("was ended by signal 9"), 0u) << results[1].text;
+    EXPECT_EQ(results[1].text.find("was killed by signal 9"), 0u) << results[1].text;
     EXPECT_TRUE(results[2].ended);
 }
 

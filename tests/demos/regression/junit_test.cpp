@@ -16,7 +16,7 @@ TestVerdict verdictOf(std::vector<SceneVerdict> scenes) {
     return verdict;
 }
 
-/// The document of a verdict; fails where it cannot be read.
+/// The document of a verdict; fails if it cannot be read.
 class TomlPosition {
 public:
     explicit TomlPosition(const TestVerdict& verdict) : text(junitXml(verdict)) {
@@ -67,7 +67,7 @@ PictureVerdict pictureVerdict(double time, PictureVerdict::Kind kind) {
     return picture;
 }
 
-/// Expectation, physics and pictures at 0, 1 and 2.5 s; everything is as it was.
+/// Expectation, physics and pictures at 0, 1 and 2.5 s; nothing differs.
 SceneVerdict passedScene() {
     SceneVerdict scene;
     scene.name = "stack";
@@ -158,10 +158,10 @@ TEST(JunitXml, TellsByHowMuchAPictureDiffers) {
     EXPECT_EQ(
         message,
         "345 pixels differ, by 90 of 255 at most; the worst 16x16 window, at 12,34, has 77 that "
-        "differ by more than 4 (8 may); least SSIM 0.500 (0.90 needed)");
+        "differ by more than 4 (8 allowed); lowest SSIM 0.500 (0.90 needed)");
     const std::string details = testCase.child("failure").text().get();
     EXPECT_NE(details.find("\nactual: output/test/a.snapshots/"), std::string::npos) << details;
-    EXPECT_NE(details.find("\nthe world is in another state"), std::string::npos) << details;
+    EXPECT_NE(details.find("\nthe state of the world differs"), std::string::npos) << details;
     EXPECT_STREQ(testCase.child("system-out").text().get(),
                  "[[ATTACHMENT|output/test/a.snapshots/2.500000.png]]");
 }
@@ -182,7 +182,7 @@ TEST(JunitXml, TellsWhyThereIsNothingToCompare) {
     EXPECT_EQ(said("stack@1"), "'1.png' is no PNG");
 }
 
-// One that cannot be used fails the physics and every picture, each with the reason.
+// An unusable baseline fails the physics and every picture, each with the reason.
 TEST(JunitXml, TellsWhatIsWrongWithTheWholeBaseline) {
     SceneVerdict scene = failedScene();
     scene.physics = {};
@@ -194,7 +194,7 @@ TEST(JunitXml, TellsWhatIsWrongWithTheWholeBaseline) {
         EXPECT_EQ(messageOf(written.testCase(name).child("failure")), scene.problem) << name;
 }
 
-// What the gates let pass is reported, and passes.
+// Differences within the gate are reported, but pass.
 TEST(JunitXml, ADifferenceWithinTheGatesPasses) {
     SceneVerdict scene = passedScene();
     scene.physics.kind = PhysicsVerdict::Kind::bits;
@@ -256,10 +256,10 @@ TEST(JunitXml, NamesOrphansInTheirSuite) {
     SceneVerdict scene = passedScene();
     scene.orphans = {"stack.snapshots/9.png"};
     EXPECT_STREQ(TomlPosition(scene).suite().child("system-out").text().get(),
-                 "no listed time asks for stack.snapshots/9.png");
+                 "no listed time uses stack.snapshots/9.png");
 }
 
-// Nothing of the file is what a text says it is, and every byte of it may stand in XML 1.0.
+// Texts cannot add markup to the file, and every byte of it is allowed in XML 1.0.
 TEST(JunitXml, StaysWellFormedWhateverTheTextsHold) {
     std::string bytes = "]]></failure><testcase name=\"forged\"/><!-- & &lt; '\" ";
     for (int byte = 0; byte < 256; ++byte) bytes += static_cast<char>(byte);

@@ -1,5 +1,5 @@
-// What each mutant does to a scene, and to which of its bodies; that they are caught is shown by
-// self_test_test.cpp, which draws.
+// What each mutant does to a scene, and to which of its bodies. self_test_test.cpp draws them and
+// tests that they are caught.
 #include "demos/regression/mutants.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace demos {
 namespace {
 
-/// Body 0 is one solid, body 1 two; the picture's right is z.
+/// Body 0 has one solid, body 1 has two; z is to the right of the picture.
 Specimen specimen() {
     Specimen one;
     for (const int id : {0, 1, 1}) {
@@ -97,7 +97,7 @@ TEST(Mutants, ChangeNothingWhereNothingMoves) {
     }
 }
 
-/// What the picture shows: surface 0 once, surface 1 twice, surface 2 three times, and sky.
+/// The picture shows surface 0 once, surface 1 twice, surface 2 three times, and sky.
 render::SurfaceMap map() {
     render::SurfaceMap map{4, 2, {}};
     for (const int surface : {0, 1, 1, 2, 2, 2})
@@ -123,7 +123,7 @@ TEST(MostSeenBody, IsTheMovingOneWithTheMostPixels) {
     EXPECT_EQ(seenOf(test::read(balls("fixed = true\n")), map()), 1);
     render::SurfaceMap sky = map();
     std::fill(sky.packed.begin(), sky.packed.end(), render::kNoSurface);
-    EXPECT_EQ(seenOf(test::read(balls("")), sky), 0);  // nothing is seen: the state can still tell
+    EXPECT_EQ(seenOf(test::read(balls("")), sky), 0);  // none is visible: the state can notice
     EXPECT_EQ(seenOf(test::read(test::kFloor), sky), -1);
 }
 

@@ -1,4 +1,4 @@
-// The report as text: nothing breaks out of its data, its size, which pictures and moments it
+// The report as text: nothing breaks out of its data; its size; which pictures and moments it
 // holds.
 #include "demos/regression/report_page.h"
 
@@ -98,7 +98,7 @@ TEST(ReportPage, SamePicturesAreThereOnceAndMissingOnesNot) {
     EXPECT_EQ(places(0).first, places(0).second);
     EXPECT_NE(places(1).first, places(1).second);
     EXPECT_EQ(places(2), std::make_pair(-1, -1));
-    EXPECT_EQ(places(3).first, -1);  // a folder is no picture
+    EXPECT_EQ(places(3).first, -1);  // a folder is not a picture
     EXPECT_GE(places(3).second, 0);
 }
 
@@ -146,7 +146,7 @@ TEST(ReportPage, ThirtyScenesStayBelowTenMegabytes) {
     }
     const std::string page = reportPage(verdict, trajectories, folder.path());
     EXPECT_LE(page.size(), 9'500'000u);
-    EXPECT_GT(page.size(), 9'300'000u);  // it is made use of
+    EXPECT_GT(page.size(), 9'300'000u);  // the limit is used
 }
 
 long numbersIn(const Json& json) {
@@ -168,7 +168,7 @@ Json filmOfBodies(int bodies, PhysicsVerdict::Kind kind) {
     trajectories.camera.follow = "body2";
     trajectories.camera.orbitDegreesPerSecond = 3.0;
     trajectories.baseline.moments[301].penetration =
-        0.004;  // alone, between two moments that are kept
+        0.004;  // only in one moment between two that are kept
     return dataOf(reportPage(verdict, {trajectories}, "x"))["scenes"][0]["film"];
 }
 
@@ -193,8 +193,8 @@ TEST(ReportFilm, KeepsItsNumbersTheStepAndTheBodyThatMatter) {
         EXPECT_EQ(bodiesIn(film["baseline"]), bodiesIn(film["actual"]));
     }
     const Json large = filmOfBodies(500, PhysicsVerdict::Kind::changed);
-    EXPECT_TRUE(bodiesIn(large["actual"]).contains("body499"));  // which moves farthest
-    EXPECT_TRUE(bodiesIn(large["actual"]).contains("body2"));    // whom the camera follows
+    EXPECT_TRUE(bodiesIn(large["actual"]).contains("body499"));  // moves farthest
+    EXPECT_TRUE(bodiesIn(large["actual"]).contains("body2"));    // the camera follows it
     EXPECT_FALSE(bodiesIn(large["actual"]).contains("body3"));
 }
 

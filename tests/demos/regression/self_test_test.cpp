@@ -1,4 +1,4 @@
-// The gate and the tolerances under fire: mutants of real scenes, drawn and caught.
+// Tests gate and tolerances with mutants of real scenes: all are drawn and caught.
 #include <gtest/gtest.h>
 
 #include "demos/load/load_scene.h"
@@ -23,7 +23,7 @@ std::vector<MutantSummary> tested(const SceneDescription& scene) {
     return summaries(selfTest(plan, renderer));
 }
 
-/// Blind to everything.
+/// A gate and tolerances that notice nothing.
 const std::vector<std::string> kLax = {
     "snapshot.gate={levels=255,window=256,ssim=-1,why='to miss'}",
     "snapshot.tolerance={position=1e5,angle_deg=180,why='to miss'}"};
@@ -45,7 +45,7 @@ TEST_P(SelfTest, CatchesEveryMutant) {
         EXPECT_FALSE(mutant.unchanged) << name;
         const bool ofState = name == "1 mm" || name == "1 cm" || name == "late";
         EXPECT_EQ(mutant.state, ofState ? 1 : 0) << name;
-        // The least damage may be less than a pixel is wide: the state tells.
+        // The smallest damage may be smaller than a pixel: then the state notices it.
         EXPECT_TRUE(mutant.picture == 1 || name == "1 mm") << name;
     }
 }

@@ -1,4 +1,4 @@
-// What a run did: written down, made small, and compared.
+// Trajectories: recorded, encoded, and compared.
 #include "demos/regression/trajectory.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ shape = { sphere = 0.2 }
 at = [4, 4, 0]
 )";
 
-/// `change`: what is done to the stage after 20 steps.
+/// `change`: is applied to the stage after 20 steps.
 Trajectory played(const std::function<void(Stage&)>& change = {}) {
     const SceneDescription scene = readScene(kPile, "pile.toml", "pile");
     Stage stage(scene);
@@ -86,7 +86,7 @@ TEST(Trajectory, KnowsWhatContactsAndJointsDid) {
         last[trajectory.constraints[impulse.constraint]] = impulse.value;
     ASSERT_EQ(last.count("contact floor-box0"), 1u);
     ASSERT_EQ(last.count("joint world-bob"), 1u);
-    // What lies on the floor weighs on it: four boxes of 1000 kg, g dt each step.
+    // The floor carries the weight of four boxes of 1000 kg: m g dt in each step.
     EXPECT_NEAR(last["contact floor-box0"], 4 * 1000 * 9.81 / 60, 0.05 * 4 * 1000 * 9.81 / 60);
 }
 
@@ -127,7 +127,7 @@ TEST(Trajectory, GivesUpMomentsForSpaceLateOnesFirst) {
     EXPECT_EQ(back->moments.back().step, 60);
     EXPECT_EQ(back->moments[1].step, 1);
     EXPECT_LT(back->moments.size(), 61u);
-    for (std::size_t k = 2; k + 1 < back->moments.size(); ++k)  // but for the very last
+    for (std::size_t k = 2; k + 1 < back->moments.size(); ++k)  // except the last
         EXPECT_GE(back->moments[k].step - back->moments[k - 1].step,
                   back->moments[k - 1].step - back->moments[k - 2].step);
 }
@@ -139,16 +139,16 @@ TEST(Trajectory, RefusesBytesThatAreNone) {
     EXPECT_FALSE(decodeTrajectory({}).has_value());
     for (std::size_t size = 0; size < good.size(); size += 97)
         EXPECT_FALSE(decodeTrajectory(std::span(good).first(size)).has_value()) << size;
-    for (std::size_t at = 0; at < good.size(); at += 31) {  // zlib's checksum sees each
+    for (std::size_t at = 0; at < good.size(); at += 31) {  // zlib's checksum detects each change
         std::vector<std::uint8_t> bad = good;
         bad[at] ^= 0x10;
         const std::optional<Trajectory> back = decodeTrajectory(bad);
-        // but for the bits that fill the last byte before it, which say nothing
+        // except in the unused bits of the last byte before it
         EXPECT_TRUE(!back || back->hashes == trajectory.hashes) << at;
     }
 }
 
-/// Past zlib's checksum: whoever writes a baseline by hand can have it right.
+/// Changes before compression: a forged baseline can have a correct zlib checksum.
 TEST(Trajectory, SurvivesBytesThatAreMadeUp) {
     const Trajectory trajectory = played();
     const auto good =

@@ -1,4 +1,4 @@
-// What nobody means and somebody sends: every one is a line that says what would be right.
+// Malformed and extreme input: each gives exactly one line, which states what would be right.
 
 #include <gtest/gtest.h>
 

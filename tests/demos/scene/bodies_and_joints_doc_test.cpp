@@ -1,4 +1,4 @@
-// demos/scene/bodies-and-joints.md tells what the reader takes, no more and no less.
+// demos/scene/bodies-and-joints.md lists exactly what the reader accepts.
 
 #include <gtest/gtest.h>
 

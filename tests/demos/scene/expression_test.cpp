@@ -1,4 +1,4 @@
-// What an expression is worth, and what it may not say.
+// The values of expressions, and the errors in them.
 
 #include "demos/scene/expression.h"
 
@@ -19,7 +19,7 @@ Turns oneRepeat(int i, int n) {
 
 struct Worth {
     const char* text;
-    double value;  // exact: these have no rounding that is not IEEE's own
+    double value;  // exact: no rounding beyond that of IEEE 754
 };
 
 class Worths : public testing::TestWithParam<Worth> {};
@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"exp(1)", "there is no function 'exp'"},
         Mistake{"radius(1)", "there is no function 'radius'"},
         Mistake{"sin", "sin is a function; write sin(x)"},
-        Mistake{"j + 1", "j is of a [[repeat]]; there are 1 around it, and it takes 2"},
-        Mistake{"nk", "takes 3"}, Mistake{"1, 2", "two numbers; it should be one"},
+        Mistake{"j + 1", "j is not defined at [[repeat]] depth 1; it needs depth 2"},
+        Mistake{"nk", "it needs depth 3"}, Mistake{"1, 2", "two numbers; it should be one"},
         Mistake{"1 +", "it ends too early"}, Mistake{"(1", "a '(' without its ')'"},
         Mistake{"1)", "')' is not expected at character 2"},
         Mistake{"3 4", "'4' is not expected at character 3"},
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"sin(1, 2)", "more arguments than sin() takes"},
         Mistake{"atan2(1)", "fewer arguments than atan2() takes"},
         Mistake{"min()", "fewer arguments than min() takes"},
-        Mistake{"sin(1e6)", "it should be at most 100000 rad"},
+        Mistake{"sin(1e6)", "it should be from -100000 to 100000 rad"},
         Mistake{"asin(2)", "asin(2); it should be from -1 to 1"},
         Mistake{"acos(-1.5)", "acos(-1.5); it should be from -1 to 1"},
         Mistake{"sqrt(-1)", "it should not be below 0"},

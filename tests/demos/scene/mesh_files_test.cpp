@@ -1,4 +1,4 @@
-// Shapes from files: OBJ, glTF and binary glTF, whole and broken.
+// Shapes from files: OBJ, glTF and binary glTF, valid and invalid.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ const std::string kTetrahedron =
     "# four faces, one given backwards\nmtllib none.mtl\no rock\nv 0 0 0\nv +1 0 0\nv 0 1. 0\n"
     "v 0 0 1e0 1.0\nvt 0 0\ns off\nf 1/1 3/1 2/1\r\nf 1 2 4\nf -3//1 -2//1 -1//1\nf 1 4 3";
 
-/// Three positions and three numbers as glTF has them, little-endian.
+/// Three positions and three indices as in glTF, little-endian.
 std::string triangleBytes() {
     std::string bytes;
     const float positions[] = {0, 0, 0, 0, 0, 2, 2, 0, 0};
@@ -74,7 +74,7 @@ protected:
         return readScene(text(shape, more), "a.toml", "a", {}, folder_.path());
     }
 
-    /// What is told of a file.
+    /// The error message about a file.
     std::string errorOf(const std::string& name, const std::string& bytes,
                         const std::string& key = "mesh") {
         write(name, bytes);
@@ -101,7 +101,7 @@ TEST_F(MeshFiles, AnObjIsAHullOrAMesh) {
     const engine::Shape mesh = read("mesh = 'rock.obj'").bodies[0].def.shape;
     ASSERT_EQ(mesh.mesh->triangles.size(), 4u);
     EXPECT_EQ(mesh.mesh->corners[3], Vec3(0, 0, 1));
-    Vec3 sum = Vec3::Zero();  // the faces of what is closed cancel: none is turned round
+    Vec3 sum = Vec3::Zero();  // the faces of a closed mesh cancel: none is reversed
     for (const engine::Mesh::Triangle& t : mesh.mesh->triangles)
         sum +=
             0.5 * (mesh.mesh->corners[t.corners[1]] - mesh.mesh->corners[t.corners[0]])
@@ -109,7 +109,7 @@ TEST_F(MeshFiles, AnObjIsAHullOrAMesh) {
     EXPECT_NEAR(sum.norm(), 0.0, 1e-15);
 }
 
-/// An L of six corners, which no fan from its first one fills.
+/// An L of six corners, which a fan from its first corner does not fill.
 TEST_F(MeshFiles, FacesAreCutIntoTriangles) {
     const TriangleMesh mesh =
         objMesh("v 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nv 2 0 0\nf 1 2 3 4 5 6\n");
@@ -136,7 +136,7 @@ TEST_F(MeshFiles, ABackslashContinuesALine) {
     EXPECT_EQ(mesh.corners[0], Vec3(0, 0, 0));
     ASSERT_EQ(mesh.triangles.size(), 2u);
     EXPECT_EQ(mesh.triangles[0], (std::array<int, 3>{0, 1, 2}));
-    // The place of what is wrong is where its line began.
+    // The error is at the first of the joined lines.
     EXPECT_NE(errorOf("bad.obj", "v 0 0 0\n\nv 1 \\\n2 \\\nx\nv 0 1 0\n").find("line 3: 'x' should be"),
               std::string::npos);
 }
@@ -150,7 +150,7 @@ TEST_F(MeshFiles, ManyBodiesShareAFile) {
         "a.toml", "a", {}, folder_.path());
     EXPECT_EQ(scene.bodies[0].def.shape.hull, scene.bodies[2].def.shape.hull);
     EXPECT_NE(scene.bodies[0].def.shape.hull, scene.bodies[3].def.shape.hull);
-    // So that a film is not resumed after a file was changed.
+    // Prevents resuming a film after a file was changed.
     const std::uint64_t before = read("hull = 'rock.obj'", "").contents;
     EXPECT_EQ(read("hull = 'rock.obj'", "").contents, before);
     write("rock.obj", "v 0 0 -1\n" + kTetrahedron);
@@ -183,7 +183,7 @@ TEST_F(MeshFiles, GltfInItsThreeForms) {
 
 TEST_F(MeshFiles, GltfNodesPlaceTheirMeshes) {
     Gltf file;
-    file.part = R"({"attributes":{"POSITION":0}})";  // without numbers: corner after corner
+    file.part = R"({"attributes":{"POSITION":0}})";  // without indices: corner after corner
     file.nodes = R"({"children":[2,1],"translation":[1,0,0]},{"mesh":0,"scale":[-1,1,1]},)"
                  R"({"mesh":0,"rotation":[0,1,0,0],"translation":[0,5,0]},)"
                  R"({"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,7,1]})";
@@ -193,10 +193,10 @@ TEST_F(MeshFiles, GltfNodesPlaceTheirMeshes) {
     EXPECT_NEAR((mesh.corners[2] - Vec3(-1, 5, 0)).norm(), 0.0, 1e-15);  // half a turn about y
     EXPECT_EQ(mesh.corners[5], Vec3(-1, 0, 0));
     EXPECT_EQ(mesh.corners[8], Vec3(2, 0, 7));
-    EXPECT_EQ(mesh.triangles[1], (std::array<int, 3>{3, 5, 4}));  // mirrored: turned round again
+    EXPECT_EQ(mesh.triangles[1], (std::array<int, 3>{3, 5, 4}));  // mirrored, so the order is reversed
 }
 
-/// What no output may take the place of: each file once, a buffer beside its glTF too.
+/// Outputs must not overwrite these files: each is listed once, also the buffer of a glTF file.
 TEST_F(MeshFiles, TheSceneNamesEveryFileThatItReads) {
     write("rock.obj", kTetrahedron);
     Gltf file;
@@ -255,7 +255,7 @@ TEST_F(MeshFiles, FilesThatAreNoneAreTold) {
     write("large.obj", "");
     std::filesystem::resize_file(folder_ / "large.obj", (64u << 20) + 1);
     EXPECT_EQ(error(""),
-              "a.toml:4:11: mesh is an empty name; it should be that of a file, like \"rock.obj\"");
+              "a.toml:4:11: mesh is an empty text; it should be a file name, like \"rock.obj\"");
     EXPECT_NE(error("large.obj").find("is 67108865 bytes; it should be at most 64 MiB"),
               std::string::npos);
 }
@@ -296,7 +296,7 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
          "accessor 0 should be SCALAR of unsigned"},
         {with(&Gltf::part, R"({"attributes":{"POSITION":"0"}})"), "a 'POSITION' should be a whole"},
         {with(&Gltf::positions, R"({"bufferView":0,"componentType":5126,"count":2,"type":"VEC3"})"),
-         "corner 2 of a primitive that has 2"},
+         "index 2 is not a corner of its primitive; it should be below 2"},
         {with(&Gltf::positions, R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})"),
          "accessor 0 reaches beyond the end of its buffer"},
         {with(&Gltf::positions,
@@ -308,7 +308,7 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
               R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":{}})"),
          "accessor 0 is sparse"},
         {with(&Gltf::numbers, R"({"bufferView":1,"componentType":5123,"count":2,"type":"SCALAR"})"),
-         "2 corner numbers make no triangles"},
+         "2 indices do not make triangles"},
         {with(&Gltf::views, R"({"buffer":0,"byteLength":36,"byteStride":4},{"buffer":0})"),
          "accessor 0 has a byteStride of 4; byteStride should be 12 or more"},
         {with(&Gltf::views, R"({"buffer":0,"byteOffset":40,"byteLength":36},{"buffer":0})"),
@@ -342,7 +342,7 @@ TEST_F(MeshFiles, BrokenBinaryGltfFilesAreTold) {
               std::string::npos);
     EXPECT_NE(errorOf("bad.glb", whole.substr(0, whole.size() - 1)).find("is cut off"),
               std::string::npos);
-    // However much of it is there, it is read or refused.
+    // Every truncated file is an error.
     for (std::size_t size = 0; size < whole.size(); ++size)
         EXPECT_NE(errorOf("bad.glb", whole.substr(0, size)), "nothing") << size;
 }

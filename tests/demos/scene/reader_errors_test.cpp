@@ -1,4 +1,4 @@
-// A scene file is read strictly: what is wrong is reported with its place, and what would be right.
+// A scene file is read strictly: errors are reported with their place and what would be right.
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{"a table that is none", kBall + "[camera]\n[world.hz]\n", "7:1",
                              "hz is a table; it should be a whole number from 10 to 100000"}));
 
-/// What the length decides is not held against the one of a scene that says none.
+/// If `seconds` is wrong, times are not checked against the default length as well.
 TEST(SceneLength, AMistakeIsToldOnce) {
     for (const std::string length : {"secnds = 7\n", "seconds = true\n"}) {
         const std::vector<std::string> lines =
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "no body is called 'bal'; did you mean 'ball'?"},
         BadScene{"no body fits", kWind + "on = 'box*'\n", "9:1", "no body is called 'box*'"},
         BadScene{"on what is fixed", kFloor + kWind + "on = 'floor'\n", "13:1",
-                 "nothing that 'floor' names can be moved"},
+                 "no body called 'floor' can be moved"},
         BadScene{"wind without", kForce + "type = 'wind'\n", "7:1",
                  "a wind has no velocity; write velocity = [3, 0, 0]"},
         BadScene{"density", kWind + "density = 0\n", "9:11",
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "within should be a box"},
         BadScene{"medium without", kForce + "type = 'medium'\n", "7:1",
                  "a force of type medium has no density; write density = 1000"},
-        BadScene{"drag of nothing", kForce + "type = 'drag'\n", "7:1", "a drag of nothing"},
+        BadScene{"drag of nothing", kForce + "type = 'drag'\n", "7:1", "a drag has neither"},
         BadScene{"no centre", kForce + "type = 'point-gravity'\nstrength = 1\n", "7:1",
                  "write at = [0, 0, 0]"},
         BadScene{"spring without end", kForce + "type = 'spring'\na = 'ball'\nstiffness = 1\n",
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                  kFloor + kForce + "type = 'spring'\na = 'floor'\nb = 'world'\nstiffness = 1\n",
                  "13:1", "neither end of the spring can be moved"},
         BadScene{"constant nothing", kForce + "type = 'constant'\n", "7:1",
-                 "a constant force of nothing"},
+                 "a constant force has neither force nor torque"},
         BadScene{"chord", kForce + "type = 'airfoil'\narea = 1\nnormal = [2, 0, 0]\n", "9:1",
                  "chord and normal should be two directions"},
         BadScene{"stall", kForce + "type = 'airfoil'\narea = 1\nstall_deg = 91\n", "9:13",
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
     Meetings, BadScenes,
     testing::Values(
         BadScene{"ignores nobody", kBall + "group = 'wheels'\nignores = 'whels'\n", "7:1",
-                 "no body is of the group 'whels'; did you mean 'wheels'?"},
+                 "no body is in the group 'whels'; did you mean 'wheels'?"},
         BadScene{"bad group", kBall + "group = 'a b'\n", "6:1", "group is 'a b'"},
         BadScene{"sensor", kBall + "sensor = 1\n", "6:10", "true or false"},
         BadScene{"path of one", kMover + "{ path = [[0, 1, 0]], times = [0] }\n", "5:15",
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"at", kMover + kPath + " }\nat = [0, 1, 0]\n", "6:1",
                  "leave it out: the path begins at its first point"},
         BadScene{"orbit", kMover + "{ orbit = { centre = [0, 1, 0] } }\n", "5:25",
-                 "an orbit should say about what and how fast"},
+                 "an orbit needs centre and deg_per_s"},
         BadScene{"velocity on a path", kMover + kPath + ", velocity = [1, 0, 0] }\n", "5:62",
                  "velocity of a body on a path; leave it out"}));
 
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"of whom", kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1\nof = ['box*']\n", "9:1",
                  "no body is called 'box*'"},
         BadScene{"window", kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1\nafter = 2\nuntil = 1\n",
-                 "10:1", "should not be before after, 2"}));
+                 "10:1", "should not be earlier than after, 2"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Cameras, BadScenes,
@@ -280,7 +280,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"overhead",
                  kBall + "[camera]\nfrom = [0, 9, 5]\nlook_at = [0, 0, 0]\n"
                          "keys = [{ at = 1, from = [0, 9, -5] }]\n",
-                 "9:11", "lead it round by a key in between"},
+                 "9:11", "lead it around with a key in between"},
         BadScene{"follow", kBall + "[camera]\nfollow = 'bll'\n", "7:1", "did you mean 'ball'?"},
         BadScene{"lag", kBall + "[camera]\nfollow = 'ball'\nfollow_lag = -1\n", "8:14",
                  "from 0 to 100 s"},
@@ -296,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadScene{"no count", "[[repeat]]\nbody = { name = 'a', shape = { sphere = 1 } }\n", "2:1",
                  "has no count"},
-        BadScene{"nothing", "[[repeat]]\ncount = 3\n", "2:1", "a [[repeat]] of nothing"},
+        BadScene{"nothing", "[[repeat]]\ncount = 3\n", "2:1", "an empty [[repeat]]"},
         BadScene{"one name",
                  "[[repeat]]\ncount = 3\nbody = { name = 'a', shape = { sphere = 1 } }\n", "4:8",
                  "in a [[repeat]] with {i}"},
@@ -310,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"four deep",
                  "[[repeat]]\ncount = 1\n[[repeat.repeat]]\ncount = 1\n[[repeat.repeat.repeat]]\n"
                  "count = 1\n[[repeat.repeat.repeat.repeat]]\ncount = 1\n",
-                 "8:24", "three [[repeat]]s in each other hold no fourth"},
+                 "8:24", "[[repeat]]s can be nested at most three deep"},
         BadScene{"turns of nothing",
                  "[[repeat]]\ncount = 10000\n[[repeat.repeat]]\ncount = 10000\n"
                  "[[repeat.repeat.repeat]]\ncount = '0 * i'\nbody = { name = 'a' }\n",
@@ -325,7 +325,7 @@ TEST(Reader, TellsSeveralErrorsInTheOrderOfTheFile) {
     EXPECT_TRUE(lines[2].starts_with("a.toml:9:11: "));
 }
 
-/// What follows from it is not told beside it.
+/// Consequences of an error are not reported as well.
 TEST(Reader, TellsOneCauseOnce) {
     const std::string cause[] = {
         "[[body]]\nname = 'a'\nshape = { plane = [0, 1, 0] }\n",

@@ -1,4 +1,4 @@
-// Every type of joint by a scene file: what is written reaches the engine, and holds there.
+// Every type of joint in a scene file: its values reach the engine, and it holds.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ JointDef defOf(const std::string& type, const std::string& keys) {
     return read(joint(type, keys)).joints.at(0).def;
 }
 
-/// A joint to the world of every type, that the box fulfils at the start.
+/// A joint of every type to the world, which the box satisfies at the start.
 struct Hung {
     const char* type;
     std::string keys;
@@ -159,7 +159,7 @@ TEST(ReaderJoints, DistancesHaveALengthOfTheirOwn) {
     EXPECT_EQ(rope.length, 2.5);
     EXPECT_EQ(rope.free[0].limits.high, 4.0);
     EXPECT_EQ(rope.spring.hz, 2.0);
-    // From nothing, as only a limited one may begin.
+    // A length of 0 at the start is allowed with limits only.
     EXPECT_EQ(defOf("distance", "anchor_a = [1, 2, 0]\nlimits = [0, 1]\n").length, 0.0);
 }
 
@@ -178,7 +178,7 @@ TEST(ReaderJoints, GearsAndPaths) {
     EXPECT_EQ(path.anchorB, Vec3(0.1, 0, 0));
 }
 
-/// Points of the world in a [[repeat]] are moved with it, those of a body are not.
+/// A [[repeat]] moves points of the world, but not those of a body.
 TEST(ReaderJoints, OfARepeatAreMoved) {
     const SceneDescription scene = read(
         "[[repeat]]\ncount = 2\nstep = [3, 0, 0]\nbody = { name = 'b{i}', shape = { sphere = 0.1 } "
@@ -187,7 +187,7 @@ TEST(ReaderJoints, OfARepeatAreMoved) {
     EXPECT_EQ(scene.joints.at(1).def.path.at(1), Vec3(4, 0, 0));
 }
 
-/// 72 kg hang from a weld that bears 2 kN; a ball that falls on them is too much for it.
+/// 72 kg hang from a weld that breaks at 2 kN; a ball that falls on them breaks it.
 TEST(ReaderJoints, ThatBreakAreTold) {
     Stage stage(read("[[body]]\nname = 'ball'\nshape = { sphere = 0.2 }\nat = [1, 4, 0]\n" +
                      joint("weld", kAt + "break_at = 2000\nname = 'hook'\n") + kFloor));
@@ -204,7 +204,7 @@ TEST(ReaderJoints, ThatBreakAreTold) {
     EXPECT_NEAR(event.time, steps / 60.0, 1e-12);
     EXPECT_GT(event.force.norm(), 2000.0);
     EXPECT_TRUE(stage.world.joint(stage.joints[0]).broken);
-    // The ball touched first, in the same step; what breaks comes after it.
+    // The ball touched first, in the same step; the break is listed after it.
     const std::string json = eventsJson(log.events(), stage);
     const std::size_t begin = json.find("{\"event\":\"begin\",\"step\":" + std::to_string(steps));
     const std::size_t broken = json.find("{\"event\":\"break\",\"step\":" + std::to_string(steps));
@@ -241,13 +241,13 @@ TEST(ReaderJoints, ComplainOfWhatIsWrong) {
         {"hinge", kAt + kAxis + "spring = { hz = 1, rest = 1 }\n",
          "unknown key 'rest' in a spring"},
         {"hinge", kAt + kAxis + "spring = { rest_deg = 1 }\n", "a spring has no frequency"},
-        {"ball", kAt + "swing_deg = 10\n", "twist and swing of which axis?"},
+        {"ball", kAt + "swing_deg = 10\n", "twist_deg and swing_deg need an axis"},
         {"ball", kAt + kAxis + "swing_deg = 200\n", "swing_deg is 200; it should be"},
         {"universal", kAt + kAxis + "axis2 = [0, 1, 1]\n",
          "axis2 of a universal joint should be at right angles to axis"},
         {"wheel", kAt + kAxis + "axis2 = [0, 0, 1]\n", "at right angles"},
         {"look-at", "anchor_a = [1, 2, 0]\n" + kAxis,
-         "the ends of a look-at joint are in one place"},
+         "the ends of a look-at joint are at the same point"},
         {"look-at", kAxis, "the world has no centre; give anchor_a"},
         {"distance", "anchor_a = [1, 2, 0]\nlimits = [0, 1]\nspring = { hz = 1 }\n",
          "the ends of a distance joint are 0 m apart"},
@@ -260,12 +260,12 @@ TEST(ReaderJoints, ComplainOfWhatIsWrong) {
         {"six-dof", kAt + kAxis + "x = 'locked'\n",
          "has axis (its x) and axis2 (its y), or neither"},
         {"six-dof", kAt + kAxis + "axis2 = [0, 0, 1]\nx = 'locked'\n",
-         "axis2 should be across axis"},
+         "axis2 should not be parallel to axis"},
         {"gear", kAxis + "ratio = 0\n", "ratio is 0; it should be from 0.0001"},
-        {"path", "points = [[0, 0, 0]]\n", "points are 1; a path should have 2 to 1000"},
+        {"path", "points = [[0, 0, 0]]\n", "number of points is 1; a path should have 2 to 1000"},
         {"path", "closed = true\npoints = [[0, 0, 0], [1, 0, 0]]\n", "should have 3 to 1000"},
         {"path", "points = [[0, 0, 0], [1, 0, 0], [1, 0, 0]]\n",
-         "point 2 of the path is where the one before it is"},
+         "point 2 of the path is at the same place as the one before"},
         {"path", "closed = true\npoints = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0]]\n",
          "leave the last one out"},
         {"weld", kAt + "break_torque = -1\n", "break_torque is -1; it should be"},

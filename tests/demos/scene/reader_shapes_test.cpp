@@ -1,4 +1,4 @@
-// Every shape by a scene file, and where its points come to lie.
+// Every shape in a scene file, and the positions of its points.
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(ReaderShapes, APathLeadsTheOriginOfThePoints) {
     for (int i = 0; i < 60; ++i) ASSERT_TRUE(stage.step());
     const engine::Pose& pose = stage.world.pose(stage.bodies[0]);
     const Vec3 origin = pose.toWorld(stage.scene.bodies[0].def.shape.origin);
-    EXPECT_NEAR((origin - Vec3(0, 4, 0)).norm(), 0.0, 1e-6);  // turns are good to 1e-7 rad
+    EXPECT_NEAR((origin - Vec3(0, 4, 0)).norm(), 0.0, 1e-6);  // rotations are accurate to 1e-7 rad
 }
 
 TEST(ReaderShapes, ACompoundWeighsItsPartsByTheirDensities) {
@@ -141,7 +141,7 @@ TEST(ReaderShapes, AllButPlanesAreDrawnByTheirParts) {
         {"capsule = { radius = 0.1, height = 1 }", 1},
         {"cylinder = { radius = 0.1, height = 1 }", 1},
         {"cone = { radius = 0.1, height = 1 }", 1},
-        {"plane = [0, 1, 0]", 0},  // a ground is drawn by itself
+        {"plane = [0, 1, 0]", 0},  // the ground is drawn separately
         {kCorners, 1},
         {kSquare, 1},
         {"compound = [{ shape = { sphere = 1 } }, { shape = { " + kCorners + " } }]", 2},
@@ -160,8 +160,8 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
     const BadShape bad[] = {
         {"cone = { radius = 1 }", "", "a cone has no height; write cone = { radius = 0.1"},
         {"cylinder = { radius = 0, height = 1 }", "", "radius is 0; it should be a number"},
-        {"box = [1, 1, 1], scale = 2", "", "scale of a shape that is a box; it should be left out"},
-        {"sphere = 1, turn_deg = [0, 0, 1]", "", "turn_deg of a shape that is a sphere"},
+        {"box = [1, 1, 1], scale = 2", "", "scale is given for a box; leave it out"},
+        {"sphere = 1, turn_deg = [0, 0, 1]", "", "turn_deg is given for a sphere"},
         {"spere = 1", "", "unknown key 'spere' in a shape; did you mean 'sphere'?"},
         {"", "",
          "an empty shape; give one of sphere, box, capsule, cylinder, cone, plane, hull, "
@@ -174,7 +174,7 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
         {kCorners + ", scale = 1e-4", "", "m across; it should be from 0.001 to 1000 m"},
         {kCorners + ", scale = 0", "", "scale is 0; it should be a number from"},
         {kCorners + ", scale = 1e6", "", "all should be within 100000 m: give a scale"},
-        {kSquare, "", "a mesh or height_field that can be moved; write fixed = true or kinematic"},
+        {kSquare, "", "a mesh or height_field cannot be dynamic; write fixed = true or kinematic"},
         {"mesh = { points = [[0, 0, 0]] }", fixed, "a mesh has no triangles; write mesh = {"},
         {"mesh = { points = [[0, 0, 0]], triangles = [] }", fixed, "mesh has no triangles"},
         {"mesh = { points = [[0, 0, 0]], triangles = [[0, 0, 0]] }", fixed,
@@ -186,10 +186,10 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
         {"height_field = { columns = 1, rows = 2, spacing = 1, heights = [] }", fixed,
          "columns is 1; it should be a whole number from 2 to 2000"},
         {"height_field = { columns = 2, rows = 2, spacing = 1, heights = [0] }", fixed,
-         "heights are 1; they should be 4, columns times rows"},
+         "the number of heights is 1; it should be 4, columns times rows"},
         {"height_field = { columns = 2, rows = 2, heights = [0] }", fixed,
          "a height_field has no spacing"},
-        {"compound = []", "", "compound is 0 parts; it should be 1 to 1000"},
+        {"compound = []", "", "compound has 0 parts; it should have 1 to 1000"},
         {"compound = 3", "", "compound is 3; it should be one or more tables"},
         {"compound = [{ at = [0, 0, 0] }]", "", "a part has no shape"},
         {"compound = [{ shape = { plane = [0, 1, 0] } }]", "", "a part that is a plane"},
@@ -200,7 +200,7 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
         {"compound = [{ shape = { sphere = 0.001 }, at = [-9e4, -9e4, 0] }, "
          "{ shape = { sphere = 0.001 }, at = [9e4, 9e4, 0] }]",
          "mass = 1\n", "its inertia is not positive definite"},
-        {"hull = 'rock.obj'", "", "'rock.obj' cannot be looked for, because the scene is no file"},
+        {"hull = 'rock.obj'", "", "'rock.obj' cannot be read, because the scene itself is not in"},
     };
     for (const BadShape& b : bad) {
         const auto lines = errorsOf("format = 1\n" + body(b.shape, b.more));
@@ -208,7 +208,7 @@ TEST(ReaderShapes, ComplainOfWhatIsWrong) {
     }
 }
 
-/// 257 points on a ball are all corners.
+/// 257 points on a sphere are all corners.
 TEST(ReaderShapes, ComplainOfAHullWithTooManyCorners) {
     std::string points;
     for (int i = 0; i < 257; ++i) {

@@ -1,4 +1,4 @@
-// What a scene file says, and what it leaves to its defaults.
+// The values of a scene file, and the defaults of those that are missing.
 
 #include "demos/scene/reader.h"
 #include "demos/load/load_scene.h"
@@ -32,7 +32,7 @@ TEST(Reader, FillsInDefaults) {
 TEST(Reader, TakesLettersBeyondAsciiInTextsAndComments) {
     EXPECT_EQ(read("title = '\u00e9' # \u03bb\n" + kBall).title, "\u00e9");
     EXPECT_EQ(read("title = \"\"\"a\\\n  \u00e9\"\"\"\n" + kBall).title, "a\u00e9");
-    // Up to two of the quotes that end a block are text.
+    // Up to two of the quotes at the end of a block belong to the text.
     EXPECT_EQ(read("title = '''\u00e9'''''\n" + kBall).title, "\u00e9''");
     EXPECT_EQ(readScene("\ufeffformat = 1\n" + kBall, "a.toml", "a").bodies.size(), 1u);
 }
@@ -208,7 +208,7 @@ TEST(Nearest, CountsSwapsAsOneEdit) {
     const std::vector<std::string> names = {"gravity", "hz"};
     EXPECT_EQ(nearest("gravty", names), "gravity");
     EXPECT_EQ(nearest("xyz", names), "");
-    EXPECT_EQ(nearest("h", names), "");  // one edit, but of its only letter
+    EXPECT_EQ(nearest("h", names), "");  // one edit, but of the only letter
     EXPECT_EQ(nearest("gz", names), "hz");
     EXPECT_EQ(nearest("", names), "");
 }

@@ -1,4 +1,4 @@
-// A scene file's bytes: what is no text, what would exhaust the parser, what is shown of it.
+// A scene file's bytes: not text, too much for the parser, and how they are shown in messages.
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(Reader, PrintsNoControlBytes) {
     EXPECT_EQ(shown(std::string(64, 'a')), std::string(64, 'a'));
     EXPECT_EQ(shown(std::string(63, 'a') + "\xc3\xa9"), std::string(63, 'a') + "...");
     EXPECT_EQ(printable("a\n\x7f\xc2\x9b\xff\xc3\xa9"), "a\\x0a\\x7f\\xc2\\x9b\\xff\xc3\xa9");
-    // A slash in two and three bytes, half of a pair, beyond the last character, U+FFFF.
+    // A slash in two and three bytes, a single surrogate, beyond the last character, U+FFFF.
     EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");
     EXPECT_EQ(printable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");
     EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");

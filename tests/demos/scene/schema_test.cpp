@@ -1,4 +1,4 @@
-// The JSON Schema says what the reader takes, no less and no more.
+// The JSON Schema accepts exactly what the reader accepts.
 
 #include "demos/scene/schema.h"
 
@@ -26,7 +26,7 @@ const Json& schema() {
     return json;
 }
 
-/// The words of draft 2020-12 that the schema uses; empty, or the first thing that is wrong.
+/// The keywords of draft 2020-12 that the schema uses. Empty, or the first error.
 class Validator {
 public:
     std::string wrong(const Value& value, const Json& rule, const std::string& path) const {

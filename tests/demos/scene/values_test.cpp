@@ -7,7 +7,7 @@
 namespace demos::test {
 namespace {
 
-/// A ball with one more line.
+/// A ball with an additional line.
 std::string ball(const std::string& line) { return kBall + line + "\n"; }
 
 TEST(Values, StandInAnyNumber) {
@@ -41,14 +41,14 @@ TEST(Values, AreOfEarlierOnesOnly) {
     const auto lines = errorsOf("format = 1\n[values]\na = 'b'\nb = 1\n" + ball("mass = 'a'"));
     ASSERT_EQ(lines.size(), 1u) << listed(lines);
     EXPECT_TRUE(tells(lines, "a.toml:3:5: ",
-                      "there is no value 'b' yet; it comes later in [values] and should come first"));
+                      "there is no value 'b' yet; define it earlier in [values]"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\na = 'a'\n" + kBall),
                       "a.toml:3:5: ", "there is no value 'a'; known are: pi"));
 }
 
 TEST(Values, HaveNamesOfTheirOwn) {
     EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\npi = 3\n" + kBall),
-                      "a.toml:3:1: ", "a value is called 'pi': so expressions call a constant"));
+                      "a.toml:3:1: ", "a value is called 'pi': this is a constant of expressions"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n[values]\nA = 3\n" + kBall),
                       "a.toml:3:1: ", "a value is called 'A': it should be 1 to 32 of a-z 0-9 _"));
     EXPECT_TRUE(tells(errorsOf("format = 1\nvalues = 3\n" + kBall),
@@ -126,11 +126,11 @@ TEST(RepeatExpressions, InNamesAreWhole) {
     };
     EXPECT_TRUE(tells(told("a{q}"), "a.toml:4:10: ", "{q} in a name: there is no value 'q'"));
     EXPECT_TRUE(tells(told("a{i}.{(i+1)/2}"), "a.toml:4:10: ",
-                      "{(i+1)/2} in a name is 0.5; it should be whole"));
+                      "{(i+1)/2} in a name is 0.5; it should be a whole number"));
     EXPECT_TRUE(tells(told("a{}"), "a.toml:4:10: ", "{} in a name: an empty expression"));
-    EXPECT_TRUE(tells(told("a{j}"), "a.toml:4:10: ", "{j} in a name: j is of a [[repeat]]"));
-    EXPECT_TRUE(tells(told("a{i+1e10}"), "a.toml:4:10: ", "should be at most 1e9 either way"));
-    // Outside of a [[repeat]] braces are letters like others.
+    EXPECT_TRUE(tells(told("a{j}"), "a.toml:4:10: ", "{j} in a name: j is not defined at"));
+    EXPECT_TRUE(tells(told("a{i+1e10}"), "a.toml:4:10: ", "should be from -1e9 to 1e9"));
+    // Outside a [[repeat]], braces are ordinary characters.
     EXPECT_EQ(read("[[body]]\nname = 'a{q}'\nshape = { sphere = 1 }\n").bodies[0].name, "a{q}");
 }
 
@@ -139,7 +139,7 @@ TEST(RepeatExpressions, InNamesOfOtherBodiesAreToldThere) {
     const auto joint = errorsOf(repeat + "joint = { type = 'ball', a = 'world', b = 'ball{(i+1)/4}', "
                                          "anchor = [0, 0, 0] }\n");
     ASSERT_EQ(joint.size(), 1u) << listed(joint);
-    EXPECT_TRUE(tells(joint, "a.toml:8:39: ", "{(i+1)/4} in a name is 0.25; it should be whole"))
+    EXPECT_TRUE(tells(joint, "a.toml:8:39: ", "{(i+1)/4} in a name is 0.25; it should be a whole"))
         << listed(joint);
     const auto force =
         errorsOf(repeat + "force = { type = 'wind', velocity = [1, 0, 0], on = 'b{x}*' }\n");

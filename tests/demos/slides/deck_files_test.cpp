@@ -1,4 +1,4 @@
-// Decks in files, beside the scenes that they name; and those made of scenes.
+// Decks in files next to the scenes that they name, and decks made from scenes.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Deck files: what is read, and what is told of those that are wrong.
+// Deck files: what is read, and the complaints about invalid ones.
 
 #include "demos/slides/deck.h"
 
@@ -27,7 +27,7 @@ List deckErrors(const std::string& slides) {
     return {};
 }
 
-/// Of the slide's keys, which begin at line 4; the first complaint.
+/// The first complaint about a slide's keys, which begin at line 4.
 std::string wrong(const std::string& keys) {
     const List lines = deckErrors("[[slide]]\n" + keys);
     return lines.empty() ? "" : lines.front();
@@ -145,23 +145,23 @@ TEST(Deck, RefusesWhatItDoesNotKnow) {
 TEST(Deck, RefusesWhatContradicts) {
     EXPECT_EQ(
         wrong("scene = 'stack'\nsection = 'impact'\nfrom = 1\n"),
-        "deck.toml:6:1: a section says from when to when, and of which scene; leave out from, "
+        "deck.toml:6:1: a section already gives its scene and times; leave out from, "
         "or section");
     EXPECT_EQ(wrong("compare = 'nudges'\nscene = 'stack'\n"),
-              "deck.toml:5:1: a comparison has a scene and cases of its own; leave out scene, or "
+              "deck.toml:5:1: a comparison has its own scene and cases; leave out scene, or "
               "compare");
     EXPECT_EQ(wrong("scene = 'stack'\nvary = 'solver.sweeps=1,2'\ncase = 'solver.sweeps=1'\n"),
               "deck.toml:6:1: vary and case cannot be given together; use one of them");
-    EXPECT_EQ(wrong("set = 'solver.sweeps=1'\n"), "deck.toml:4:1: set is of a run; name a scene");
+    EXPECT_EQ(wrong("set = 'solver.sweeps=1'\n"), "deck.toml:4:1: set needs a run; name a scene");
     EXPECT_EQ(wrong("plot = 'energy'\n"),
-              "deck.toml:4:1: plot is of a run; name a scene or compare");
+              "deck.toml:4:1: plot needs a run; name a scene or compare");
     EXPECT_EQ(wrong("scene = 'stack'\nat = 1\n"),
               "deck.toml:5:1: at is the time of a still; write picture = \"still\", or from and "
               "until for a film");
     EXPECT_EQ(wrong("scene = 'stack'\nmoments = 3\n"),
-              "deck.toml:5:1: moments are those of a strip; write picture = \"strip\"");
+              "deck.toml:5:1: moments needs a strip; write picture = \"strip\"");
     EXPECT_EQ(wrong("scene = 'stack'\npicture = 'still'\nloop = true\n"),
-              "deck.toml:6:1: loop is of a film, which is not shown here; leave it out");
+              "deck.toml:6:1: loop needs a film, and none is shown here; leave it out");
 }
 
 TEST(Deck, KnowsWhenARunEnds) {
@@ -297,7 +297,7 @@ TEST(Deck, TellsWhichNumbersItsRunsDoNotHave) {
     EXPECT_EQ(wrong(stack + "formula = 'v = @{penetraton}'\n"),
               "deck.toml:5:16: no number is called 'penetraton'; did you mean 'penetration'?");
     EXPECT_EQ(wrong("notes = '@{drift}'\n"),
-              "deck.toml:4:10: nothing is played here that has numbers; name a scene");
+              "deck.toml:4:10: there is no run here to take numbers from; name a scene");
     EXPECT_EQ(wrong(stack + "text = '$x = @{run.time}$ and $y$'\n"), "");
 }
 

@@ -1,4 +1,4 @@
-// LaTeX to MathML: what is drawn, what is refused and where, what must not break anything.
+// LaTeX to MathML: what is drawn, what is refused and where, and hostile input.
 
 #include "demos/slides/formula.h"
 
@@ -14,7 +14,7 @@ using support::repeated;
 
 const std::string kBegin = "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" ";
 
-/// "3: Double superscript", or "" where it is taken.
+/// "3: Double superscript", or "" if it is accepted.
 std::string refused(const std::string& tex) {
     try {
         mathMlOf(tex, true);
@@ -24,7 +24,7 @@ std::string refused(const std::string& tex) {
     return "";
 }
 
-/// What is between <math ...> and </math>.
+/// The content of <math ...>.
 std::string inside(const std::string& tex) {
     const std::string math = mathMlOf(tex, false);
     const std::size_t begin = math.find("\"><") + 2;
@@ -76,14 +76,14 @@ TEST(Formula, DrawsBoxesRulesAndArrowsByItself) {
               "stretchy=\"false\">\u2192</mo></mover></mrow>");
 }
 
-/// Whether that of `tex` has the text.
+/// Whether the MathML of `tex` has the text.
 testing::AssertionResult has(const std::string& tex, const std::string& part) {
     const std::string math = inside(tex);
     if (math.find(part) != std::string::npos) return testing::AssertionSuccess();
     return testing::AssertionFailure() << tex << " has no " << part << ": " << math;
 }
 
-// KaTeX wraps them into <mo>, in which browsers lay nothing out.
+// KaTeX wraps them in <mo>, whose children browsers do not lay out.
 TEST(Formula, StacksSignsAndNames) {
     EXPECT_EQ(inside("\\stackrel{!}{=}"),
               "<mrow><mover><mo>=</mo><mo stretchy=\"false\" lspace=\"0em\" "
@@ -174,7 +174,7 @@ TEST(Formula, RefusesWhatGrowsWithoutEndAndGoesOn) {
     EXPECT_EQ(inside("x"), "<mrow><mi>x</mi></mrow>");
 }
 
-// A macro of one formula is not known to the next.
+// A macro of one formula is not defined in the next.
 TEST(Formula, ForgetsWhatItDefined) {
     EXPECT_EQ(refused("\\gdef\\mine{x}\\mine"), "");
     EXPECT_EQ(refused("\\mine"), "0: Undefined control sequence: \\mine");

@@ -1,4 +1,4 @@
-// Decks played and drawn: films, stills, strips, charts, tables and numbers of slides.
+// Decks simulated and drawn: films, stills, strips, charts, tables and numbers of slides.
 #include "demos/slides/make_deck.h"
 
 #include <cmath>
@@ -123,7 +123,7 @@ TEST_F(MakeDeck, AFilmHasTheFramesOfItsTimesAtItsSpeed) {
     }
 }
 
-/// Far apart in colour: what moved, and not what the codec lost.
+/// Compares colours that differ much: finds motion, not losses of the codec.
 int differingPixels(const render::Image& a, const render::Image& b) {
     int count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
@@ -224,7 +224,7 @@ TEST_F(MakeDeck, SeveralRunsStandSideBySide) {
     const MadeSlide made = this->made();
     EXPECT_EQ(made.slide.text, "4.9\u00a0m/s and 0\u00a0m/s");  // g t
     const render::Image poster = render::decodePng(made.film->poster.png);
-    EXPECT_EQ(poster.width, 212);  // two thirds: words stand beside
+    EXPECT_EQ(poster.width, 212);  // two thirds: there are words beside it
     int different = 0;
     for (int y = 0; y < poster.height; ++y)
         for (int x = 0; x < 100; ++x)
@@ -246,7 +246,7 @@ TEST_F(MakeDeck, ASweepIsAGridAndAChart) {
     slide.runs.over = "world.hz=30,60,120,240";
     slide.plots = {"speed"};
     const MadeSlide made = this->made();
-    EXPECT_DOUBLE_EQ(made.film->secondsAFrame, 1.0 / 30);  // which divides all of them
+    EXPECT_DOUBLE_EQ(made.film->secondsAFrame, 1.0 / 30);  // divides the rates of all runs
     EXPECT_NE(made.pictures.front().svg.find("world.hz"), std::string::npos);
     EXPECT_EQ(made.pictures.front().size.width, render::decodePng(made.pictures.front().png).width);
 }
@@ -278,13 +278,13 @@ why = "nothing pushes it"
     ASSERT_EQ(tables[0].rows.size(), 1u);
     int speeds = 0;
     for (std::size_t i = 0; i < tables[0].head.size(); ++i) {
-        EXPECT_NE(tables[0].head[i], "ms");  // another every time
+        EXPECT_NE(tables[0].head[i], "ms");  // differs every time
         if (tables[0].head[i] != "speed (m/s)") continue;
         ++speeds;
         EXPECT_NEAR(std::stod(tables[0].rows[0][i]), 9.81 * 0.5, 2e-3);
     }
     EXPECT_EQ(speeds, 1);
-    const std::vector<std::string> head = {"what", "of", "asked", "came out", "ok"};
+    const std::vector<std::string> head = {"what", "of", "expected", "measured", "ok"};
     EXPECT_EQ(tables[1].head, head);
     const Ended sim = run(folder.path(), {"sim", "ball.toml"});
     const std::string said = sim.out + sim.err;
@@ -325,8 +325,8 @@ TEST_F(MakeDeck, MoreWordsThanFitAreTold) {
     for (int i = 0; i < 15; ++i) deck.slides[0].text += "\n\nA paragraph.";
     EXPECT_EQ(makeDeck(deck, making).remarks,
               std::vector<std::string>{
-                  "talk.toml:7: slide 1, 'Many words': about 43 lines of its smallest letters "
-                  "where 24 fit; leave some out, or make two slides"});
+                  "talk.toml:7: slide 1, 'Many words': about 43 lines of the smallest letters, "
+                  "but only 24 fit; leave some out, or make two slides"});
 }
 
 TEST_F(MakeDeck, AmongSeveralADivergedRunIsMarked) {
@@ -362,7 +362,7 @@ TEST_F(MakeDeck, ARunIsGoodUntilItDivergesOnWhicheverSlide) {
     EXPECT_NE(made.slides[1].tables.front().rows[0][0].find("(diverged)"), std::string::npos);
 }
 
-/// Also by what came while nothing asked, as between a page and its PDF.
+/// Also by a signal that comes while nothing checks for it, as between a page and its PDF.
 TEST_F(MakeDeck, AChildProgramEndsWithAnInterruption) {
     watchSignals();
     std::raise(SIGTERM);

@@ -138,7 +138,7 @@ TEST(Markup, IsLatex) {
     EXPECT_EQ(latexFormulaOf("a\n\n\n= b", true), "\\[a\n= b\\]");
 }
 
-/// Lists nest three deep in Beamer, and quotes and lists six deep in all.
+/// In Beamer lists nest at most three deep, quotes and lists together six deep.
 TEST(Markup, IsFlatEnoughForBeamer) {
     const std::string latex = latexOf("- a\n  - b\n    - c\n      - d\n        - e\n\n> > > > f\n");
     EXPECT_EQ(latex.find("\\item d"), std::string::npos) << latex;
@@ -190,7 +190,7 @@ TEST(Markup, SurvivesAnything) {
     }
 }
 
-// The letters that stand for formulas while cmark reads mean nothing when a text has them itself.
+// The letters that mark formulas while cmark reads have no meaning if a text contains them.
 TEST(Markup, TakesNoMarkOfItsOwnFromATextThatSpellsIt) {
     EXPECT_EQ(plainOf("\xee\x80\x80"
                       "0\xee\x80\x81 $x$"),

@@ -1,4 +1,4 @@
-// Numbers in slides: how they are written, and that they are those of the run.
+// Numbers in slides: how they are written, and that they come from the run.
 #include "demos/slides/number_values.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct TomlPosition {
     int digits = 3;
 };
 
-/// With the hyphen and the spaces of a keyboard in place of the signs that a text has.
+/// Replaces the minus and the no-break spaces of a text by those of a keyboard.
 std::string typed(std::string text) {
     const std::pair<std::string, std::string> signs[] = {{"\u2212", "-"}, {"\u00a0", " "}};
     for (const auto& [sign, key] : signs)
@@ -77,7 +77,7 @@ TEST(Quantity, HasTheDigitsThatAreAskedFor) {
               "(-0.32, 0, 3.00) m/s");
 }
 
-// What follows stays on the line, and a minus is none of the hyphens.
+// No line breaks in it, and the minus is not a hyphen.
 TEST(Quantity, IsOneWordOfALine) {
     EXPECT_EQ(quantityText(-0.0456, "N s", 3, kText), "\u221245.6\u00a0mN\u00a0s");
     EXPECT_EQ(vectorText({-1, 0.5, 2}, "m", 3, kText), "(\u22121,\u00a00.5,\u00a02)\u00a0m");
@@ -145,7 +145,7 @@ why = "nothing here is as fast"
 constexpr long kSteps = 31;
 constexpr int kHz = 60;
 
-/// The numbers of 31 steps, and a stage that was played as far without any of their code.
+/// The numbers after 31 steps, and a stage that was simulated as long without their code.
 class NumberValues : public testing::Test {
 protected:
     NumberValues() : scene(readScene(kBallOnARod, "rod.toml", "rod")), stage(scene) {
@@ -159,7 +159,7 @@ protected:
         return valueOf(name, {scene, played.summary, played.moment, runs.expectations("rod")},
                        setting);
     }
-    /// Nine digits of a number that needs no prefix.
+    /// A number without a prefix, with nine digits.
     double number(const std::string& group, const std::string& of, const std::string& field) {
         return std::strtod(text({1, group, of, field, 9}).c_str(), nullptr);
     }
@@ -191,7 +191,7 @@ TEST_F(NumberValues, AreThoseOfTheWorld) {
     EXPECT_NEAR(number("joint", "rod", "impulse"), force / kHz, near(force / kHz));
     double impulse = 0.0;
     for (const engine::ContactState& contact : stage.world.contacts()) impulse += contact.impulse;
-    EXPECT_NEAR(impulse, 2.0 * 9.81 / kHz, 1e-3);  // m g dt: it lies
+    EXPECT_NEAR(impulse, 2.0 * 9.81 / kHz, 1e-3);  // m g dt: it is at rest
     EXPECT_NEAR(number("contacts", "", "impulse"), impulse, near(impulse));
     const double energy = stage.world.energy().total();
     EXPECT_NEAR(number("run", "", "energy"), energy, near(energy));
@@ -263,7 +263,7 @@ TEST(SlideNumbers, AreFilledInEverywhere) {
     EXPECT_EQ(slide.notes, "none");
 }
 
-// CommonMark reads the text after they are in it.
+// CommonMark reads the text after the numbers are filled in.
 TEST(SlideNumbers, AreNothingButWords) {
     Slide slide;
     slide.text = "$v=$@{run.steps}\n\n@{run.steps}. Then [a]@{run.time} `@{run.steps}`";

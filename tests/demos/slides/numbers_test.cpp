@@ -1,4 +1,4 @@
-// @{...} in a slide's text: which number is asked for, and what is none.
+// @{...} in a slide's text: which number it names, and what is invalid.
 
 #include "demos/slides/numbers.h"
 
@@ -14,7 +14,7 @@ std::string asked(const std::string& text) {
            "' " + std::to_string(name.digits);
 }
 
-/// "byte: what", or "" where it is taken.
+/// "byte: what", or "" if it is accepted.
 std::string mistake(const std::string& text) {
     try {
         numberedText(text);

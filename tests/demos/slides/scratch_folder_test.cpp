@@ -1,4 +1,4 @@
-// Folders for what is not whole yet: those of killed runs go, others stay.
+// Temporary folders: those of killed runs are removed, others stay.
 #include "demos/slides/scratch_folder.h"
 
 #include <gtest/gtest.h>

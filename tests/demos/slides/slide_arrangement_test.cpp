@@ -1,4 +1,4 @@
-// Where the pictures of a slide stand, how large, and with what letters.
+// The places of a slide's pictures, their sizes, and the sizes of their letters.
 #include "demos/slides/slide_arrangement.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Arrangement, ATableThatCanBeBrokenStandsBesideItsCharts) {
     const Slide slide;
     const std::vector<double> charts = {1.6, 1.6};
     const MadeTable expectations{
-        {"what", "of", "asked", "came out", "ok"},
+        {"what", "of", "expected", "measured", "ok"},
         {{"drift", "box*", "below 0.00002 m, 0 s to 2.8 s", "8e-06 m", "yes"}}};
     EXPECT_EQ(layoutOf(slide, widthOf({expectations}), charts), SlideLayout::even);
     MadeTable measures{{}, {{}}};

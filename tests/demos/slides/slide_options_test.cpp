@@ -1,4 +1,4 @@
-// What a slide wishes as the options of a command: how large its pictures are, what draws them alone.
+// A slide's keys as the options of a command: the size of its pictures, the command that draws one.
 #include "demos/slides/slide_options.h"
 
 #include <gtest/gtest.h>

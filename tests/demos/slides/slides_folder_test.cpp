@@ -1,5 +1,5 @@
-// A talk as a folder: for LaTeX, for Marp, for programs; whole or not at all, and nobody else's
-// files are touched.
+// A talk as a folder: for LaTeX, for Marp, for programs; complete or not at all, and other files
+// are not touched.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,7 +128,7 @@ TEST_F(SlidesFolder, AListThatPointsOutsideIsNotFollowed) {
     for (const auto& entry : fs::directory_iterator(talk()))
         if (entry.path().filename() != "sections.json" && entry.path().filename() != "link")
             fs::remove_all(entry.path());
-    EXPECT_THROW(writeSlidesFolder(deck(), talk()), Stop);  // nobody's sections.json any more
+    EXPECT_THROW(writeSlidesFolder(deck(), talk()), Stop);  // sections.json is no longer recognized
     fs::remove(talk() / "sections.json");
     writeSlidesFolder(deck(), talk());
     EXPECT_EQ(textOf(folder_ / "deep/outside"), "mine");
@@ -138,7 +138,7 @@ TEST_F(SlidesFolder, AListThatPointsOutsideIsNotFollowed) {
     EXPECT_TRUE(listedFiles(talk()).empty());
 }
 
-/// Of the list's own files stay those of others, wherever it leads.
+/// Files outside of the folder are not removed, even if the list names them.
 TEST_F(SlidesFolder, WhatIsTakenAwayIsOfTheFolder) {
     writeSlidesFolder(deck(), talk());
     saved(folder_ / "deep/outside", std::string("mine"));
@@ -215,7 +215,7 @@ TEST_F(SlidesFolder, NotesAreReadInTheirOrder) {
               "stack\n\n## 3. It loops\n\n## 4. Words\n\nThe last.\n");
 }
 
-/// Slides are parted by rules, and nothing in a text is one.
+/// Rules separate slides, and no text contains a rule.
 TEST_F(SlidesFolder, MarpHasASlideForEach) {
     MadeDeck made = deck();
     made.slides[3].slide.text = "before\n\n---\n\n* * *\n\nafter";
@@ -240,7 +240,7 @@ TEST_F(SlidesFolder, MarpHasASlideForEach) {
     EXPECT_EQ(count(text, "| a\\_b & c | -0.4 mm |"), 1);
 }
 
-/// Raw HTML would act, and pictures from elsewhere ask the network.
+/// Raw HTML would be active, and external pictures would need the network.
 TEST_F(SlidesFolder, MarpShowsHtmlAsText) {
     const std::string hostile =
         "a <script>x</script> <img src=http://a.b/c> <!-- n --> "

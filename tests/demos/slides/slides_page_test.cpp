@@ -1,5 +1,5 @@
-// The page of a talk as text: it holds everything, asks nobody for anything, and nothing breaks out
-// of its place. How it behaves is in tests/pages.
+// The page of a talk as text: it holds everything, requests nothing, and nothing breaks out of its
+// place. tests/pages tests how it behaves.
 #include <gtest/gtest.h>
 
 #include "demos/slides/deck_files.h"
@@ -32,7 +32,7 @@ TEST_F(SlidesPage, HoldsEverySlideItsFilmsAndItsPictures) {
     EXPECT_EQ(count(page, "data:video/mp4;base64,bm90IGEgZmlsbSwgYnV0IGJ5dGVz"), 2);
     EXPECT_EQ(count(page, "data:image/png;base64," + toBase64(made.slides[1].film->poster.png)), 2);
     EXPECT_EQ(count(page, "src=\"data:image/svg+xml;base64,"), 1);
-    EXPECT_EQ(count(page, toBase64(made.slides[2].pictures[0].png)), 0);  // the lines are better
+    EXPECT_EQ(count(page, toBase64(made.slides[2].pictures[0].png)), 0);  // SVG is used instead
     EXPECT_EQ(count(page, "data-frames=\"24\" data-first=\"2\" data-step=\"0.01\""), 2);
     EXPECT_EQ(count(page, "<title>A talk</title>"), 1);
     EXPECT_EQ(count(page, "<code>impulse render stack</code>"), 1);

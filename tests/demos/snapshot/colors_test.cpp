@@ -10,7 +10,7 @@ namespace {
 
 using test::sceneFrom;
 
-/// A floor, two boxes on each other, one apart, and a ball that flies at 3 m/s.
+/// A floor, two stacked boxes, a separate box, and a ball that flies at 3 m/s.
 const std::string kFiveBodies = R"(format = 1
 [[material]]
 name = "ice"
@@ -102,7 +102,7 @@ TEST(Colors, TheScaleReachesTheLargestSoFarAndNeverShrinks) {
         return std::string("no scale");
     };
     EXPECT_EQ(endOf(), "5");
-    player.step(60);  // it has fallen 5 m and is 10 m/s fast
+    player.step(60);  // it has fallen 5 m and has a speed of 10 m/s
     EXPECT_EQ(endOf(), "20");
     player.step(240);
     EXPECT_EQ(endOf(), "20");

@@ -1,4 +1,4 @@
-// What is drawn of joints, and with --show joints.
+// The drawing of joints, without and with --show joints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +13,7 @@ namespace {
 
 using engine::JointType;
 
-/// A ball of 0.2 m that hangs 2 m below the origin by a joint of this type, which `change` makes
-/// its own.
+/// A ball of 0.2 m that hangs 2 m below the origin by a joint of this type, modified by `change`.
 template <class Change>
 Stage hanging(JointType type, Change change) {
     SceneDescription scene = test::read(
@@ -82,7 +81,7 @@ TEST(JointPicture, ATrackGoesThroughThePointsOfItsPath) {
 
 bool isAmber(const render::Line& line) { return line.color.r > 0.9f && line.color.b < 0.1f; }
 
-/// The farthest any line in amber goes round from straight down, in degrees.
+/// The largest angle of an amber line from straight down, in degrees.
 double widestAmber(const render::Frame& frame) {
     double widest = 0.0;
     for (const render::Line& line : frame.lines)
@@ -115,14 +114,14 @@ std::vector<render::Line> linesOf(const Stage& stage, Kind kind) {
     return found;
 }
 
-/// Whether one of the lines ends there; m.
+/// Whether one of the lines ends at this point; m.
 bool anyEndsAt(const std::vector<render::Line>& lines, const render::Vec3& at) {
     return std::any_of(lines.begin(), lines.end(), [&](const render::Line& line) {
-        return (line.to - at).norm() < 1e-4f;  // float, and a turn that was integrated
+        return (line.to - at).norm() < 1e-4f;  // float, and an integrated rotation
     });
 }
 
-/// Of the marks about the ball: 1.2 times its radius, and 0.8 of that for a fan.
+/// Sizes of the marks around the ball: 1.2 times its radius, and 0.8 of that for a fan.
 constexpr float kMarkSize = 1.2f * 0.2f, kFan = 0.8f * kMarkSize;
 const render::Vec3 kBallAt(0, -2, 0);
 
@@ -147,7 +146,7 @@ TEST(JointPicture, AFanStandsStillWhileTheHandOfACentredBodyTurns) {
     const double angle = stage.world.joint(stage.joints[0]).position;
     EXPECT_GT(angle, 0.3);
     const render::Vec3 from = handBefore[0].to - kBallAt, to = hand[0].to - kBallAt;
-    EXPECT_NEAR(std::atan2(from.cross(to).z(), from.dot(to)), angle, 1e-4);  // the same way round
+    EXPECT_NEAR(std::atan2(from.cross(to).z(), from.dot(to)), angle, 1e-4);  // same direction
 }
 
 TEST(JointPicture, AFanGoesRoundWithA) {
@@ -182,7 +181,7 @@ TEST(JointPicture, ASwingIsAConeAboutTheAxis) {
         spokes += line.from.norm() < 1e-6f ? 1 : 0;
     }
     EXPECT_EQ(spokes, 4);
-    EXPECT_TRUE(anyEndsAt(linesOf(stage, isBlue), {0, -kMarkSize, 0}));  // b's axis, at rest in it
+    EXPECT_TRUE(anyEndsAt(linesOf(stage, isBlue), {0, -kMarkSize, 0}));  // b's axis, at rest
 }
 
 TEST(JointPicture, NoConeIsDrawnWhereNoSwingIsTooMuch) {
@@ -216,15 +215,15 @@ TEST(JointPicture, AUniversalJointHasAFanForEachAngle) {
     const auto at = [](double x, double y, double z) {
         return render::Vec3(kBallAt + kFan * Vec3(x, y, z).cast<float>());
     };
-    // axis2 goes round x; b's first pin goes round z. Right-handed.
+    // axis2 turns about x; b's first pin turns about z. Right-handed.
     EXPECT_TRUE(anyEndsAt(fans, at(0, -std::sin(first), std::cos(first))));
     EXPECT_TRUE(anyEndsAt(fans, at(std::cos(second), std::sin(second), 0)));
     EXPECT_FALSE(anyEndsAt(fans, at(std::cos(second), -std::sin(second), 0)));
 }
 
 TEST(JointPicture, TheHandsOfAUniversalJointGoWithTheBody) {
-    // Turned by 0.4 about z from the pose it was made in: the second angle, and b's x axis is
-    // there.
+    // Turned by 0.4 about z from its initial pose: that is the second angle, and b's x axis has
+    // turned by it.
     Stage stage = hanging(JointType::universal, [](engine::JointDef& def) {
         def.anchorA = Vec3(0, -2, 0), def.axis = Vec3(1, 0, 0), def.axis2 = Vec3(0, 0, 1);
         def.free[1].limits = {-1.0, 1.0};

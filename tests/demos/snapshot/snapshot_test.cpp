@@ -223,7 +223,7 @@ TEST(Snapshot, TheStatisticsSplitEnergyIntoABar) {
     EXPECT_EQ(rowOf(frame, "time")->value, "0.333 s");
     EXPECT_EQ(rowOf(frame, "step")->value, "20");
     EXPECT_EQ(rowOf(frame, "solver")->value, "steady impulses");
-    ASSERT_EQ(frame.texts.size(), 1u);  // the caption; a first line would say the same
+    ASSERT_EQ(frame.texts.size(), 1u);  // the caption; the first line is omitted
     EXPECT_EQ(frame.texts[0].text, "test");
 }
 
@@ -240,7 +240,7 @@ TEST(Snapshot, TheLegendNamesWhatIsShown) {
 
 TEST(Snapshot, TrailsFollowTheSteps) {
     Player player(sceneFrom(kBall), {});
-    EXPECT_TRUE(player.frame(0.0).trails.empty());  // a point is no path yet
+    EXPECT_TRUE(player.frame(0.0).trails.empty());  // a single point is not a path
     player.step(5);
     ASSERT_EQ(player.frame(0.1).trails.size(), 1u);
     EXPECT_EQ(player.frame(0.1).trails[0].points.size(), 6u);

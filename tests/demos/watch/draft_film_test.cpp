@@ -1,5 +1,5 @@
 // What a draft's files show after drafts that were given up, in an earlier session's folder, and
-// where somebody has removed some.
+// after some were removed.
 #include "demos/watch/draft_film.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace demos;
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 96, kHeight = 54;  // pixels
-using Grays = std::vector<std::uint8_t>;  // a frame is of one gray, which is its sum too
+using Grays = std::vector<std::uint8_t>;  // a frame has one gray, which is also its sum
 
 render::Image pictureOf(std::uint8_t gray) { return support::flatImage(kWidth, kHeight, gray); }
 
@@ -77,7 +77,7 @@ TEST_F(DraftFrames, WhatAnAbandonedDraftWroteIsWrittenAgain) {
     EXPECT_EQ(strip(), first);
 }
 
-/// Its frames were all written before it was given up: the strip alone is older.
+/// All its frames were written before it was given up: only the strip is older.
 TEST_F(DraftFrames, TheStripShowsWhatTheFramesDo) {
     make({10, 20, 30});
     const std::vector<std::uint8_t> first = strip();

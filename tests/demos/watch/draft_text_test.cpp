@@ -1,4 +1,4 @@
-// What a draft says of what has changed.
+// What a draft reports about changes.
 #include "demos/watch/draft_text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Frames that would be drawn otherwise have other sums.
+// Frames that would be drawn differently have different sums.
 #include "demos/watch/frame_hash.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::shared_ptr<const SolidMesh> pyramid(float height) {
                     {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, true);
 }
 
-/// Something of everything.
+/// One of everything.
 Frame full() {
     Frame frame;
     frame.grounds.resize(1);

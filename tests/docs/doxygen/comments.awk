@@ -1,8 +1,8 @@
-# The project's comments as Doxygen wants them, line by line, so that its line numbers stay right.
-# - Units stand behind a member as `// m`, and go on in lines below it that hold nothing else: both
-#   become documentation of the member, and of all members that the line declares.
-# - A member that is called like its type (`Camera camera`, `std::vector<Rod> rods`) is explained there.
-# - Comparisons that are = default need no words.
+# Turns the project's comments into Doxygen's form, line by line, so that line numbers stay right.
+# - Units follow a member as `// m` and continue in comment lines below it: both document all
+#   members that the line declares.
+# - A member named like its type (`Camera camera`, `std::vector<Rod> rods`) refers to its type.
+# - Comparisons that are = default get a standard text.
 
 # The declarators of a line as `a /**< text */, b /**< text */;`: commas in brackets do not count.
 function documented(code, text,    i, c, depth, out) {
@@ -33,7 +33,7 @@ function isCalledLikeItsType(code,    words, type, name) {
     at = match($0, / +\/\/ /)
     code = substr($0, 1, at - 1)
     text = substr($0, at + RLENGTH)
-    # The last one by `///<`, which lines below may continue.
+    # The last one gets `///<`, which the lines below may continue.
     n = code ~ /;$/ && code !~ /\(/ ? split(documented(code, text), pieces, / \/\*\*< /) : 0
     if (n > 2) print documented(code, text)
     else print code "  ///< " text

@@ -7,7 +7,7 @@
 namespace engine {
 namespace {
 
-// The C library is accurate to better than 1 ulp; it is only not the same everywhere.
+// The C library is accurate to better than 1 ulp; it just differs between machines.
 TEST(Trigonometry, AgreesWithTheLibraryTo2e15) {
     for (int i = -4000; i <= 4000; ++i) {
         const double x = 0.0137 * i;

@@ -1,4 +1,4 @@
-// Threads share work: everything is done once, whoever does it, and all is done when the call returns.
+// Threads share work: every item is done once, by any thread, and all are done when the call returns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST(Progress, LetsNobodyPassBeforeItsTime) {
     workers.setCount(2);
     Progress progress;
     constexpr int kPlaces = 5000;
-    std::vector<int> log;  // the two take turns, so that no lock is needed
+    std::vector<int> log;  // the two alternate, so no lock is needed
     progress.reset(2);
     workers.run([&](int me) {
         for (int i = 0; i < kPlaces; ++i) {

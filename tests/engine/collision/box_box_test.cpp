@@ -57,7 +57,7 @@ TEST(BoxBox, EdgesThatCrossGiveOnePointBetween) {
 }
 
 TEST(BoxBox, ATurnedFaceKeepsFourPointsThatHoldTheCentre) {
-    const Quat turn = turnAbout(Vec3::UnitY(), radians(45));  // an octagon in common
+    const Quat turn = turnAbout(Vec3::UnitY(), radians(45));  // the overlap is an octagon
     const Manifold m = collide(kCube, at({0, 0, 0}), kCube, at({0, 1, 0}, turn), 0.02);
     ASSERT_EQ(m.count, 4);
     Vec3 middle = Vec3::Zero();
@@ -85,8 +85,8 @@ TEST(BoxBox, PointsStayOnTheBoxesHoweverTheyGrazeEachOther) {
     }
 }
 
-// Whatever the poses: the normal is unit and points from a to b, no point lies deeper than the
-// boxes reach, and the other way round gives the same depths.
+// For all poses: the normal is a unit vector from a to b, no point is deeper than the boxes reach, and
+// exchanging the boxes gives the same depths.
 TEST(BoxBox, IsSaneForRandomPoses) {
     support::Random random(6);
     int touching = 0;
@@ -112,7 +112,7 @@ TEST(BoxBox, IsSaneForRandomPoses) {
         for (int k = 0; k < back.count; ++k)
             deepestBack = smaller(
                 deepestBack, (back.points[k].onB - back.points[k].onA).dot(back.normal));
-        EXPECT_NEAR(deepest, deepestBack, 3e-3);  // the axes' bonuses may decide otherwise
+        EXPECT_NEAR(deepest, deepestBack, 3e-3);  // the bonuses of axes may change the choice
     }
     EXPECT_GT(touching, 1000);
 }

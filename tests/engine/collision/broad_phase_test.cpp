@@ -47,7 +47,7 @@ TEST(BroadPhase, MissesNoPairWhileBodiesMove) {
     }
 }
 
-// Of n bodies spread over a volume that grows with them, the pairs looked at grow like n.
+// For n bodies in a volume that grows with n, the number of pairs grows like n.
 TEST(BroadPhase, StaysBelowThePairsOfAll) {
     Bodies bodies = cloud(4000, 20.0, 2);
     BroadPhase broad;
@@ -75,7 +75,7 @@ TEST(BroadPhase, APlaneMeetsEverythingDynamicAndARemovedBodyNothing) {
         return std::count_if(broad.pairs().begin(), broad.pairs().end(),
                              [&](const PairKey& p) { return p.b == plane; });
     };
-    EXPECT_EQ(withPlane(), 17);  // 20 less the three fixed ones
+    EXPECT_EQ(withPlane(), 17);  // 20 without the three fixed ones
     bodies.present[1] = 0;
     broad.remove(1);
     broad.update(bodies, 0.02, support::kStep);

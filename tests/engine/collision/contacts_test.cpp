@@ -44,7 +44,7 @@ TEST(ContactCaching, ANewPlaceStartsFromNothing) {
     EXPECT_EQ(after.points[0].impulse, 0.0);
 }
 
-// sqrt(mu_a mu_b), and the bouncier of the two
+// sqrt(mu_a mu_b), and the larger restitution
 TEST(Contacts, MixMaterials) {
     Bodies bodies;
     BodyDef a = support::floorPlane(), b = support::body(Shape::sphere(0.5), {0, 0.5, 0});
@@ -59,7 +59,7 @@ TEST(Contacts, MixMaterials) {
     EXPECT_EQ(finder.contacts[0].restitution, 0.7);
 }
 
-/// Of a ball on a floor.
+/// The contact of a ball on a floor.
 Contact meeting(const Material& floor, const Material& ball) {
     Bodies bodies;
     BodyDef a = support::floorPlane(), b = support::body(Shape::sphere(0.5), {0, 0.5, 0});
@@ -107,7 +107,7 @@ TEST(Contacts, TheSurfaceOfHigherPrioritySaysAll) {
     EXPECT_EQ(meeting(ice, rubber).friction, 0.0);
 }
 
-/// A cube on another, seen once; then the upper one is moved and both are looked at again.
+/// A cube on another, with contacts found once; then the upper one is moved and they are found again.
 Contact afterMoving(double way) {
     Bodies bodies;
     addBody(bodies, support::body(Shape::box({1, 1, 1}), {0, 0.5, 0}), bodies.count());
@@ -153,7 +153,7 @@ TEST(Contacts, AFastPairIsSeenFromFartherAway) {
     addBody(bodies, ball, bodies.count());
     ContactFinder slow, fast;
     findContacts(bodies, slow, 0.02, support::kStep);
-    bodies.velocities[1].linear = {0, -18, 0};  // 30 cm a step
+    bodies.velocities[1].linear = {0, -18, 0};  // 30 cm per step
     findContacts(bodies, fast, 0.02, support::kStep);
     EXPECT_EQ(slow.contacts.size(), 0u);
     EXPECT_EQ(fast.contacts.size(), 1u);

@@ -1,5 +1,5 @@
-// Pairs of the general convex shapes against a measure of its own: the largest separation over many
-// directions, each climbed to its top.
+// Pairs of general convex shapes compared with an independent measure: the largest separation over many
+// directions, each improved to a local maximum.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -49,7 +49,7 @@ double separation(const Convex& a, const Convex& b, const Vec3& n) {
     return separationOfCores(a, b, n) - a.radius() - b.radius();
 }
 
-/// max over n of s(n): from the best of many directions by ever smaller steps to all sides.
+/// max over n of s(n): from the best of many directions, refined by ever smaller steps.
 double largestSeparation(const Convex& a, const Convex& b) {
     support::Random random(5);
     std::vector<std::pair<double, Vec3>> starts;
@@ -99,7 +99,7 @@ TEST_P(ConvexPairs, ClosestPointsAreApartByTheLargestSeparation) {
     EXPECT_GT(apart, 10);
 }
 
-/// Points that two shapes are pushed to just touch at, or to overlap a little: the manifold says so.
+/// Two shapes moved until they just touch or overlap a little: the manifold agrees.
 TEST_P(ConvexPairs, ManifoldsTellTheDepthOfTouchingPairs) {
     const Shape &shapeA = shapes()[GetParam().a], &shapeB = shapes()[GetParam().b];
     support::Random random(500 + 10 * GetParam().a + GetParam().b);
@@ -110,7 +110,7 @@ TEST_P(ConvexPairs, ManifoldsTellTheDepthOfTouchingPairs) {
             const ConvexGap far = gapOf({shapeA, poseA}, {shapeB, poseB});
             poseB.position -= (far.distance - wanted) * far.normal;
             const double gap = gapOf({shapeA, poseA}, {shapeB, poseB}).distance;
-            // On the way in the normal may turn, and the way out be shorter.
+            // On the way in the normal may turn, so the way out may be shorter.
             EXPECT_GE(gap, wanted - 5e-5);
             const Manifold m = collide(shapeA, poseA, shapeB, poseB, 0.02);
             ASSERT_GT(m.count, 0) << wanted << ' ' << i;
@@ -143,8 +143,8 @@ TEST(ConvexFaces, NoneIsBetterThanTheOneThatIsFound) {
         if (best > 0.02) {
             EXPECT_EQ(m.count, 0) << k;
         }
-        if (m.count < 2) continue;  // edges and corners go their own way
-        EXPECT_GE(separationOfCores(a, b, m.normal), best - 5.1e-4) << k;  // the second's are held back
+        if (m.count < 2) continue;  // edges and corners differ
+        EXPECT_GE(separationOfCores(a, b, m.normal), best - 5.1e-4) << k;  // b's faces have a handicap
         ++faces;
     }
     EXPECT_GT(faces, 100);

@@ -1,4 +1,4 @@
-// Every pair of shapes against a measure of its own: the smallest distance between sampled surfaces.
+// Every pair of shapes compared with an independent measure: the smallest distance between sampled surfaces.
 #include <gtest/gtest.h>
 
 #include "engine/base/trigonometry.h"
@@ -71,7 +71,7 @@ TEST_P(RoundPairs, TheDeepestPointIsTheGap) {
             deepest = smaller(deepest, between.dot(m.normal));
         }
         EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
-        if (!coreOutside) continue;  // inside, 'deepest' depends on the way out that is chosen
+        if (!coreOutside) continue;  // inside, 'deepest' depends on the direction chosen
         ++touching;
         EXPECT_NEAR(deepest, gap, 4e-3) << "sampling is 3.2 mm fine";
     }

@@ -83,7 +83,7 @@ TEST(RayCast, WaysAlongAxesAndThroughEndsAreNoSpecialCase) {
     EXPECT_FALSE(enterShape(box, pose, {0, 1.5, 0}, {0, 1.5, 9}));    // beside it
     EXPECT_FALSE(enterShape(box, pose, {0, 3, 0}, {0, 1.5, 0}));      // ends before
     EXPECT_FALSE(enterShape(box, pose, {0, 3, 0}, {0, 9, 0}));        // leads away
-    EXPECT_FALSE(enterShape(capsule, pose, {0, 3, 0}, {0, 3, 0}));    // no way at all
+    EXPECT_FALSE(enterShape(capsule, pose, {0, 3, 0}, {0, 3, 0}));    // zero length
     EXPECT_FALSE(enterShape(Shape::plane({0, 1, 0}), pose, {0, 1, 0}, {5, 1, 0}));
 }
 
@@ -114,7 +114,7 @@ TEST_F(Rays, FindTheFirstBody) {
     EXPECT_EQ(hit->body, high);
     EXPECT_NEAR((hit->point - Vec3(0, 4.5, 0)).norm(), 0.0, 1e-12);
     EXPECT_NEAR(hit->fraction, 0.275, 1e-12);
-    EXPECT_EQ(world.castRay({0, -5, 0}, {0, 9, 0})->body, low);  // the floor holds its beginning
+    EXPECT_EQ(world.castRay({0, -5, 0}, {0, 9, 0})->body, low);  // it begins inside the floor
     EXPECT_EQ(world.castRay({3, 10, 0}, {3, -10, 0})->body, floor);
     EXPECT_FALSE(world.castRay({3, 10, 0}, {3, 1, 0}));
     const auto filtered = world.castRay({0, 10, 0}, {0, -10, 0},
@@ -154,8 +154,7 @@ TEST_F(Rays, ChangeNothing) {
     EXPECT_EQ(world.hash(), before);
 }
 
-// The tree of bounds against every body by itself, while bodies fly, come, go and are put
-// elsewhere.
+// The tree of bounds compared with testing every body, while bodies fly, are added, removed and moved.
 TEST(RayCast, FindsTheFirstOfAllBodies) {
     support::Random random(5);
     World world;
@@ -193,7 +192,7 @@ TEST(RayCast, FindsTheFirstOfAllBodies) {
 
 TEST(RaysDeathTest, OfNoPlaceAreTheCallersBug) {
     const World world;
-    EXPECT_DEATH(world.castRay({std::nan(""), 0, 0}, {0, 1, 0}), "finite place");
+    EXPECT_DEATH(world.castRay({std::nan(""), 0, 0}, {0, 1, 0}), "must be finite");
 }
 
 /// Straight down on hills: the height of the triangle below.

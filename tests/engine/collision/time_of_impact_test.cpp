@@ -21,7 +21,8 @@ Motion moving(const Shape& shape, const Vec3& at, const Vec3& velocity,
     return motionOf(bodies, 0, kStep);
 }
 
-/// When the two first overlap by a tenth of a millimetre, by marching; more than a step: not in it.
+/// The time when the two first overlap by a tenth of a millimetre, by marching; more than a step: never
+/// within it.
 double firstOverlap(const Shape& sa, const Motion& a, const Shape& sb, const Motion& b) {
     for (int k = 0; k <= 2000; ++k) {
         const double t = k * kStep / 2000;
@@ -68,7 +69,7 @@ TEST(TimeOfImpact, OfASpinningRodIsWhenItsTipComesDown) {
     EXPECT_LE(impact.time, kPi / 6 / 60);
 }
 
-// Against marching in small steps: never later, and none overlooked.
+// Compared with marching in small steps: never later, and none missed.
 TEST(TimeOfImpact, IsNeverLateForAnyShapes) {
     support::Random random(7);
     const Shape shapes[] = {Shape::sphere(0.2), Shape::box({0.3, 0.5, 0.9}),
@@ -101,7 +102,7 @@ TEST(TimeOfImpact, OfALargeBodyThatTurnsIsNeverLate) {
         Motion a = moving(large, random.vector(0.2), random.vector(2), random.vector(i % 5 ? 4 : 20));
         a.start.rotation = random.rotation();
         const Vec3 at = a.start.position + 4.0 * random.vector(1.0).normalized();
-        // About as fast as the large body is there, and a little towards or away from it.
+        // About as fast as the large body at that point, and a little towards or away from it.
         const Vec3 with = a.velocity + a.spin.cross(at - a.start.position);
         Motion b = moving(other, at, with + random.vector(i % 3 ? 1.0 : 12.0), random.vector(10));
         b.start.rotation = random.rotation();
@@ -115,7 +116,7 @@ TEST(TimeOfImpact, OfALargeBodyThatTurnsIsNeverLate) {
         ++met;
     }
     EXPECT_GT(met, 60);
-    EXPECT_GT(slow, 60);  // what turns along with it does not count as fast
+    EXPECT_GT(slow, 60);  // bodies that turn with it do not count as fast
 }
 
 TEST(TimeOfImpact, WithinNearIsAsIfItWereExact) {
@@ -208,7 +209,7 @@ TEST(MovingContact, ABodyAboutToBeHitSeesItsNeighbour) {
     EXPECT_EQ(hit.contacts.back().b, 2);
 }
 
-// What turning adds: a rod's bounds hold it at any time of the step.
+// Rotation is included: a rod's bounds contain it at any time of the step.
 TEST(BroadPhase, SeesWhereASpinningRodWillBe) {
     Bodies bodies;
     BodyDef rod = support::body(Shape::box({2, 0.02, 0.02}), {0, 0, 0});

@@ -8,7 +8,7 @@
 namespace engine {
 namespace {
 
-/// A body at rest relative to nothing: pose and velocity, moved on by a time t to second order.
+/// A free body: pose and velocity, advanced by a time t to second order.
 struct Moving {
     Pose pose;
     Velocity v;
@@ -60,8 +60,8 @@ TEST(Contact, HasTheFourBlocks) {
     }
 }
 
-// A gap along n changes nothing: (r_a + s n) x n = r_a x n. So the engine may put both arms to the
-// middle between the surfaces.
+// A gap along n changes nothing: (r_a + s n) x n = r_a x n. So the engine may end both arms midway between
+// the surfaces.
 TEST(Contact, AGapAlongTheNormalDropsOutOfTheFullDerivative) {
     support::Random random(2);
     for (int i = 0; i < 100; ++i) {
@@ -80,12 +80,12 @@ ContactConstraint onePoint(double mu) {
     return makeContactConstraint(contact, &point, {}, {0.5, Mat3::Identity()});
 }
 
-// mission 18: lambda in [0, inf), and it is the total that is clamped
+// mission 18: lambda in [0, inf), and the total is clamped
 TEST(Contact, OnlyPushesInTotal) {
     double total = 0.0;
     EXPECT_EQ(pushOnly(total, 2.0, true), 2.0);
-    EXPECT_EQ(pushOnly(total, -0.5, true), -0.5);  // a correction may take some of it back
-    EXPECT_EQ(pushOnly(total, -5.0, true), -1.5);  // but no more than there is
+    EXPECT_EQ(pushOnly(total, -0.5, true), -0.5);  // a correction may reduce it
+    EXPECT_EQ(pushOnly(total, -5.0, true), -1.5);  // but not below zero
     EXPECT_EQ(total, 0.0);
 }
 
@@ -100,7 +100,7 @@ TEST(Friction, IsACone) {
         Correction correction;
         solveFriction(c, a, b, correction);
         EXPECT_NEAR(c.rows[0].friction.norm(), 0.5, 1e-14);
-        EXPECT_NEAR(b.linear.norm(), 3.0 - 0.5 * 0.5, 1e-14);  // straight back: mu lambda / m
+        EXPECT_NEAR(b.linear.norm(), 3.0 - 0.5 * 0.5, 1e-14);  // against the motion: mu lambda / m
         EXPECT_NEAR(b.linear.x() * std::sin(angle), b.linear.z() * std::cos(angle), 1e-14);
     }
 }

@@ -17,7 +17,7 @@ constexpr JointType kAll[] = {
     JointType::lookAt,   JointType::axis,             JointType::sixDof, JointType::gear,
     JointType::wheel};
 
-/// Two bodies on their way, and a joint that fits them nowhere near.
+/// Two moving bodies, and a joint far from satisfied.
 struct State {
     Joint joint;
     Pose a, b;
@@ -48,7 +48,7 @@ struct State {
     }
 };
 
-/// J v against the central difference of C; angles may jump by whole turns meanwhile.
+/// J v against the central difference of C; angles may jump by full turns in between.
 template <class At>
 void expectDerivative(const State& state, At at) {
     const double dt = 1e-5;
@@ -109,7 +109,7 @@ std::string nameOf(const testing::TestParamInfo<JointType>& one) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryJoint, testing::ValuesIn(kAll), nameOf);
 
-// On the curve; off it the rows are held while the nearest point moves on.
+// On the curve; off it, the rows are constant while the nearest point moves.
 TEST(PathJoint, JvIsTheDerivativeOfCOnTheCurve) {
     support::Random random(33);
     for (int i = 0; i < 100; ++i) {
@@ -162,7 +162,7 @@ TEST(DistanceJoint, IsTheDistanceLessTheLength) {
     EXPECT_LT((rows.j[0].linear - Vec3(0.6, 0.8, 0)).norm(), 1e-15);  // unit(p - p0)
 }
 
-// and with r = (0, -0.5, 0), I = 0.4, m = 2, v = (1, 2, 3), w = (0, 0, 1): the joint's own row
+// The same with r = (0, -0.5, 0), I = 0.4, m = 2, v = (1, 2, 3), w = (0, 0, 1), by the joint's row.
 TEST(DistanceJoint, GivesTheSeedsImpulseAtAnArm) {
     Joint joint;
     joint.def.type = JointType::distance;

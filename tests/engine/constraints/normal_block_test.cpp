@@ -40,7 +40,7 @@ TEST(NormalBlock, SharesAnEvenLoadEvenly) {
     support::Random random(2);
     const NormalBlock block = blockOf(4, random, true);
     const Vec4 lambda = solveNormalBlock(block, Vec4(Vec4::Constant(-1.0)));
-    EXPECT_NEAR(lambda.sum(), 1.0, 1e-3);  // m v; the raised diagonal takes a quarter per mille
+    EXPECT_NEAR(lambda.sum(), 1.0, 1e-3);  // m v; the raised diagonal costs a quarter per mille
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(lambda[i], lambda.sum() / 4, 1e-12);
 }
 

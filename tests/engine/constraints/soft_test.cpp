@@ -13,7 +13,7 @@ struct Oscillator {
     BodyId mass;
 };
 
-/// 3 kg on a soft rod along x, `stretch` longer than at rest.
+/// 3 kg on a soft rod along x, stretched by `stretch`.
 Oscillator oscillator(const Spring& spring, double stretch, const Settings& settings) {
     Oscillator o{World(settings), {}};
     o.world.setGravity(Vec3::Zero());
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, SoftConstraint,
                                          Method::direct));
 
 TEST(SoftConstraint, TakesAStiffnessAndAResistanceOfItsOwn) {
-    // k and c of the masses' own frequency and ratio: the same motion
+    // k and c that match the frequency and damping ratio give the same motion
     const double m = 3.0, w = 2.0 * M_PI * 2.0;
     Spring own;
     own.stiffness = m * w * w, own.resistance = 2.0 * m * 0.5 * w;
@@ -97,7 +97,7 @@ TEST(SoftConstraint, AnyStiffnessIsStable) {
     }
 }
 
-/// The largest stretch in the last `seconds` of `all` of them, of 0.3 m at first.
+/// The largest stretch in the last `seconds` of `all` seconds; it begins with 0.3 m.
 double amplitude(const Spring& spring, const Settings& settings, double all, double seconds) {
     Oscillator o = oscillator(spring, 0.3, settings);
     double largest = 0.0;
@@ -109,7 +109,7 @@ double amplitude(const Spring& spring, const Settings& settings, double all, dou
     return largest / 0.3;
 }
 
-// From 0.1 Hz to a twentieth of the steps a second.
+// From 0.1 Hz to a twentieth of the step rate.
 TEST(SoftConstraint, SwingsAHundredTimesWithoutDamping) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()})
         for (const double hz : {0.1, 0.7, 1.5, 3.0})
@@ -136,7 +136,7 @@ TEST(SoftConstraint, StaysBoundedAtAnyStiffness) {
                 EXPECT_LE(amplitude({hz, zeta}, settings, 2.0, 2.0), 1.01) << hz << ' ' << zeta;
 }
 
-/// A point joint's three rows solved as one meet J v = 0 in one sweep; row by row they do not.
+/// A point joint's three rows solved together satisfy J v = 0 in one sweep; row by row they do not.
 TEST(PointBlock, MeetsAPointInOneSweep) {
     const auto residualOfSecondSweep = [](bool block) {
         Settings settings = Settings::seed();

@@ -51,7 +51,7 @@ TEST(Momentum, IsKeptToTheLastBitsByTheFreeTurn) {
     EXPECT_LT((momentumOf(bodies).angular - before).norm(), 1e-11 * before.norm());
 }
 
-// mission 9: M^-1 of what no impulse moves is zero
+// mission 9: M^-1 of immovable bodies is zero
 TEST(InverseMass, OfAFixedOrKinematicBodyIsZero) {
     for (const BodyKind kind : {BodyKind::fixed, BodyKind::kinematic}) {
         BodyDef def = support::body(Shape::box({1, 2, 3}), Vec3::Zero(), 5.0);
@@ -63,7 +63,7 @@ TEST(InverseMass, OfAFixedOrKinematicBodyIsZero) {
     }
 }
 
-// Gravity does not turn anything, and a fixed or kinematic body feels no force.
+// Gravity does not rotate bodies, and forces do not affect fixed or kinematic bodies.
 TEST(Forces, ActOnDynamicBodiesOnly) {
     Bodies bodies;
     addBody(bodies, support::body(Shape::sphere(0.5), Vec3::Zero(), 2.0), bodies.count());

@@ -22,7 +22,7 @@ Vec3 forceAt(const Airfoil& airfoil, double degrees) {
     def.pose.rotation = turnAbout(Vec3::UnitZ(), radians(degrees));
     const BodyId wing = world.add(def);
     world.add(ForceDef{airfoil, {wing}});
-    constexpr double dt = 1e-6;  // s: the first sub-step alone knows no motion of its own
+    constexpr double dt = 1e-6;  // s: only in the first sub-step is the body at rest
     Settings once = Settings::steady();
     once.substeps = once.maxSubsteps = 1;
     world.setSettings(once);

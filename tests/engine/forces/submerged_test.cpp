@@ -1,4 +1,4 @@
-// How much of a body is under water, against closed forms, and where the middle of that is.
+// The submerged volume of a body and its centroid, compared with closed forms.
 #include "engine/forces/submerged.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Submerged, AnUprightBoxIsABox) {
 }
 
 // A cube on its edge, the surface through its middle: a prism of a right triangle, half the cube,
-// whose middle is a third of the half diagonal down.
+// whose centroid is a third of the half diagonal down.
 TEST(Submerged, ABoxOnItsEdgeIsAPrism) {
     const Quat turn = turnAbout(Vec3::UnitZ(), kPi / 4);
     const SubmergedPart part =
@@ -46,7 +46,7 @@ TEST(Submerged, ABoxOnItsEdgeIsAPrism) {
     EXPECT_LT((part.centre - Vec3(0, -std::sqrt(0.5) / 3, 0)).norm(), 1e-14);
 }
 
-// What is below one side of a plane and what is below its other side are the whole body.
+// The parts below a plane and below its reverse add up to the whole body.
 TEST(Submerged, TwoSidesOfASurfaceAreTheWholeBody) {
     support::Random random(7);
     const Vec3 corners[] = {{0, 0, 0}, {2, 0.1, 0}, {0.2, 1.8, 0.1}, {0.1, 0.2, 2}, {1.5, 1.4, 1}};
@@ -68,7 +68,7 @@ TEST(Submerged, TwoSidesOfASurfaceAreTheWholeBody) {
         }
 }
 
-// The cylinder between the balls' middles is lumped into balls: a few per cent half way in.
+// The cylinder between the ends is approximated by balls: a few per cent error half way in.
 TEST(Submerged, ALyingCapsuleIsHalfUnderAtItsMiddleAndAllOfItBelow) {
     const Shape capsule = Shape::capsule(0.3, 2.0);
     const Quat lying = turnAbout(Vec3::UnitZ(), kPi / 2);
@@ -79,7 +79,7 @@ TEST(Submerged, ALyingCapsuleIsHalfUnderAtItsMiddleAndAllOfItBelow) {
     EXPECT_EQ(submergedPart(capsule, at({0, 1.01, 0}), Vec3::UnitY(), 0.0).volume, 0.0);
 }
 
-// Of an upright cylinder and cone, at the same depth on every side: h / H, and 1 - (1 - h / H)^3.
+// The submerged share of an upright cylinder and cone: h / H, and 1 - (1 - h / H)^3.
 TEST(Submerged, AnUprightCylinderAndConeAreAsTheirSections) {
     const Shape cylinder = Shape::cylinder(0.5, 2.0), cone = Shape::cone(0.5, 2.0);
     EXPECT_NEAR(submergedPart(cylinder, at(Vec3::Zero()), Vec3::UnitY(), -0.4).volume,
@@ -88,7 +88,8 @@ TEST(Submerged, AnUprightCylinderAndConeAreAsTheirSections) {
                 (1.0 - 0.75 * 0.75 * 0.75) * volume(cone), 1e-12);
 }
 
-// A cylinder's shadow from the side is a rectangle, along its axis a disc; a cone's a triangle.
+// The projection of a cylinder is a rectangle from the side and a disc along its axis; of a cone, a
+// triangle.
 TEST(Submerged, ShadowsOfRoundThings) {
     const Quat upright = Quat::Identity();
     EXPECT_NEAR(shadowOf(Shape::cylinder(0.5, 2.0), upright, Vec3::UnitX()), 2.0, 0.02);

@@ -20,7 +20,7 @@ TEST(Hull, FacesInOnePlaneAreOneAndPointsInsideAreNone) {
     std::vector<Vec3> points = cubeCorners();
     points.push_back({0.5, 0.5, 0.5});   // inside
     points.push_back({0.5, 1.0, 0.25});  // on a face
-    points.push_back({1.0, 1.0, 1.0});   // a corner once more
+    points.push_back({1.0, 1.0, 1.0});   // a corner again
     const std::optional<Hull> hull = convexHull(points);
     ASSERT_TRUE(hull);
     EXPECT_EQ(hull->corners.size(), 8u);

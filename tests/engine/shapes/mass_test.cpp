@@ -46,7 +46,7 @@ TEST(Mass, VolumeAndInertiaAreTheIntegrals) {
         double v = 0.0;
         Mat3 inertia;
         sum(shape, reach, v, inertia);
-        EXPECT_NEAR(volume(shape), v, 4e-3 * v);  // cells at the surface are in or out as a whole
+        EXPECT_NEAR(volume(shape), v, 4e-3 * v);  // cells at the surface count as in or out
         EXPECT_LT((inertiaOf(shape, volume(shape)) - inertia).norm(), 8e-3 * inertia.norm());
     }
 }
@@ -64,7 +64,7 @@ TEST(Mass, PartsWeighAsTheyAreDense) {
     const double across = along + 3.0 * ball * 0.75 * 0.75 + ball * 2.25 * 2.25;
     const Vec3 expected(along, across, across);
     EXPECT_LT((inertiaOf(dumbbell, 4.0 * ball) - Mat3(expected.asDiagonal())).norm(), 1e-10);
-    // As a part it keeps what its own parts are.
+    // As a part of a compound it keeps its own parts.
     const ShapePart whole[] = {{dumbbell, {{0, 0, 0}, Quat::Identity()}, 2.0}};
     EXPECT_NEAR(massOf(Shape::compound(whole), 100.0), 4.0 * ball, 1e-10);
 }

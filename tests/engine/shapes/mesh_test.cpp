@@ -69,7 +69,7 @@ TEST(Mesh, CornersInOnePlaceAreOneAndTrianglesWithoutAreaAreNone) {
     int smooth = 0;
     for (const Mesh::Triangle& triangle : mesh.triangles)
         for (const bool sharp : triangle.sharp) smooth += sharp ? 0 : 1;
-    EXPECT_EQ(smooth, 2);  // the edge in common, once from either side
+    EXPECT_EQ(smooth, 2);  // the common edge, once from each side
 }
 
 TEST(Mesh, WrongCallsStopTheProgram) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kBoxes = 5;
 
-/// Five unit boxes of 2 kg, one on the other: four contact points a face, written by hand.
+/// A stack of five unit boxes of 2 kg: four hand-written contact points per face.
 struct Pile {
     Constraints constraints;
     std::vector<Velocity> v{kBoxes + 1};
@@ -44,7 +44,7 @@ struct Pile {
     }
 };
 
-// Reaction force = lambda / dt: 5 x 2 kg x 9.81 m/s^2 on the floor, a box less at every level.
+// Reaction force = lambda / dt: 5 x 2 kg x 9.81 m/s^2 on the floor, one box less at every level.
 TEST(BlackBox, FiveBoxesPressTheFloorWithTheirWeight) {
     Pile pile;
     for (int i = 0; i < 1000; ++i) pile.step();

@@ -1,4 +1,4 @@
-// mission 24: ten equal spheres stacked, bottom first, ten sweeps a step, the velocity problem alone.
+// mission 24: ten equal spheres stacked, bottom first, ten sweeps per step, only the velocity problem.
 #include <gtest/gtest.h>
 
 #include "engine/solver/impulses.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kSpheres = 10;
 
-/// One point per pair, on the common axis: nothing turns, every ball weighs 1 kg.
+/// One point per pair, on the common axis, without rotation; every ball has 1 kg.
 struct Tower {
     Constraints constraints;
     std::vector<Velocity> v{kSpheres + 1};
@@ -37,7 +37,7 @@ struct Tower {
         std::vector<SweepReport> report;
         solveImpulses(constraints, trees, v, settings, support::kStep, report);
     }
-    /// A contact's impulse against what the balls above it weigh in a step.
+    /// A contact's impulse relative to the weight of the balls above it in a step.
     double share(int contact) const {
         return constraints.contacts[contact].rows[0].lambda /
                ((kSpheres - contact) * support::kGravity * support::kStep);

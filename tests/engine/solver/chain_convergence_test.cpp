@@ -1,4 +1,4 @@
-// mission 29: a chain swept row by row learns its tensions slowly, and every sweep tells how far it is.
+// mission 29: a chain swept row by row converges slowly to its tensions, and every sweep reports its error.
 #include <gtest/gtest.h>
 
 #include "engine/solver/impulses.h"
@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kWeight = support::kGravity * support::kStep;  // N s: 1 kg in one step
 
-/// Balls of 1 kg hanging one below the other, a row along y for each link, the top one first. The
-/// exact impulse of a link is what hangs on it.
+/// Balls of 1 kg hanging one below the other, a row along y for each link, the top one first. The exact
+/// impulse of a link is the weight below it.
 struct HangingChain {
     Constraints constraints;
     std::vector<Velocity> v;
@@ -29,7 +29,7 @@ struct HangingChain {
         }
     }
     SweepReport sweepOnce() { return sweep(constraints, trees, v, Settings::seed()); }
-    /// The smallest share of its exact impulse that any link has.
+    /// The smallest impulse of any link, as a share of its exact impulse.
     double share() const {
         const int count = static_cast<int>(constraints.joints.size());
         double least = 1.0;
@@ -53,7 +53,7 @@ TEST(ChainConvergence, TakesMoreSweepsTheLongerItIs) {
     EXPECT_EQ(chainSweepsTo95Percent(5), 31);
 }
 
-// Two links, by hand: every sweep halves what is missing.
+// Two links, by hand: every sweep halves the error.
 TEST(ChainConvergence, TheReportIsTheLargestCorrectionAndTheSumOfImpulses) {
     HangingChain chain(2);
     const SweepReport first = chain.sweepOnce(), second = chain.sweepOnce();

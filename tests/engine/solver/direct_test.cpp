@@ -60,7 +60,7 @@ TEST(Direct, IsWhatManySweepsComeTo) {
         EXPECT_NEAR((exact.velocity({i}) - swept.velocity({i})).norm(), 0.0, 1e-9) << i;
 }
 
-/// A box pushed across the floor: the active set finds which corners press, friction how it slides.
+/// A box pushed across the floor: the active set finds which corners press and how friction slides.
 TEST(Direct, IsWhatManySweepsComeToWithFriction) {
     Settings sweeps = Settings::seed();
     sweeps.sweeps = sweeps.minSweeps = 20'000;
@@ -100,7 +100,7 @@ TEST(Direct, NamesRedundantJointsAndStaysFinite) {
     const BodyId hook = world.add(support::hook());
     const BodyId ball = world.add(support::body(Shape::sphere(0.1), {0, -1, 0}));
     support::join(world, JointType::ball, hook, ball, {0, 0, 0});
-    support::join(world, JointType::ball, hook, ball, {0, 0, 0});  // the same once more
+    support::join(world, JointType::ball, hook, ball, {0, 0, 0});  // the same joint again
     support::run(world, 60);
     const DirectReport& direct = world.report().direct;
     EXPECT_EQ(direct.rows, 6);
@@ -129,14 +129,14 @@ TEST(Direct, ContradictingJointsAreMetAsNearlyAsPossible) {
     }
     support::run(world, 300);
     EXPECT_TRUE(world.report().direct.contradiction);
-    EXPECT_NEAR(world.pose(point).position.x(), 0.0, 1e-6);  // half way: the least squares
+    EXPECT_NEAR(world.pose(point).position.x(), 0.0, 1e-6);  // half way: least squares
 }
 
 TEST(Direct, RefusesTooManyRowsInOneIsland) {
     World tall = support::stack(90, directly());  // 90 * 12 rows
     EXPECT_FALSE(tall.step(support::kStep));
     EXPECT_EQ(tall.report().trouble, Trouble::tooManyRows);
-    World apart(directly());  // as many, but every box for itself
+    World apart(directly());  // as many, but every box is an island
     apart.add(support::floorPlane());
     for (int i = 0; i < 90; ++i)
         apart.add(support::body(Shape::box({1, 1, 1}), {1.5 * i, 0.5, 0}));

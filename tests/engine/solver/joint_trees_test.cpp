@@ -29,7 +29,7 @@ struct Jointed {
             addBody(bodies, def, bodies.count());
         }
     }
-    /// The anchors meet; a rod is as long as it is.
+    /// The anchors coincide; a rod has its present length.
     Joint& connect(int a, int b, JointType type = JointType::ball) {
         Joint joint;
         joint.def.type = type;
@@ -67,7 +67,7 @@ struct Jointed {
         return rowsOf(joint.def.type, geometryOf(joint, bodies.poses[joint.def.a.index],
                                                  bodies.poses[joint.def.b.index]));
     }
-    /// Of the joints in trees, by the rows of engine/constraints.
+    /// For the joints in trees, by the rows of engine/constraints.
     double worst(bool ofError) const {
         double most = 0.0;
         for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -94,7 +94,7 @@ TEST_P(EveryType, OneSolveSatisfiesAllJoints) {
     EXPECT_TRUE(j.trees.exact());
     EXPECT_GT(j.worstVelocity(), 1.0);
     j.solve();
-    EXPECT_LT(j.worstVelocity(), 1e-8);  // welded, sixty bodies are one with arms of many metres
+    EXPECT_LT(j.worstVelocity(), 1e-8);  // sixty welded bodies are one, with arms of many metres
 }
 INSTANTIATE_TEST_SUITE_P(Types, EveryType,
                          testing::Values(JointType::ball, JointType::distance, JointType::hinge,
@@ -149,7 +149,7 @@ TEST(JointTrees, AgreeWithTheDenseSystem) {
             EXPECT_NEAR(joint.lambda[i], expected[r++], 1e-9);
 }
 
-// C = 0 to first order: what is left of a small error is its square.
+// C = 0 to first order: the rest of a small error is its square.
 TEST_P(EveryType, ANudgePutsAllErrorsRight) {
     Jointed j(30, 6);
     for (int i = 1; i < 30; ++i) j.connect(static_cast<int>(j.random.number(0, i)), i, GetParam());
@@ -170,7 +170,7 @@ TEST_P(EveryType, ANudgePutsAllErrorsRight) {
     }
 }
 
-// A ring of ten: the tenth joint is a forest of its own, and neither is whole.
+// A ring of ten: the tenth joint is in a second forest, and neither tree is whole.
 TEST(JointTrees, LeaveALoopsLastJointToASecondForest) {
     Jointed j(11, 3);
     for (int i = 1; i < 11; ++i) j.connect(i, i % 10 + 1);
@@ -206,14 +206,14 @@ TEST(JointTrees, AChainHoldsFixedEndsToo) {
     EXPECT_LT(j.worstVelocity(), 1e-10);
     const std::vector<ForestPlan> plans = planForests(j.list, j.bodies.inverseMasses);
     for (const ForestPlan::Place& place : plans.at(0).places) EXPECT_LE(place.later.size(), 1u);
-    // Eaten from both ends.
+    // Eliminated from both ends.
     EXPECT_EQ(plans[0].places[0].joint, 0);
     EXPECT_EQ(plans[0].places[1].joint, 39);
     EXPECT_EQ(plans[0].places[2].joint, 1);
 }
 
-// Parallel hinges between two fixed ends hold three directions twice, and ask for what cannot be. A
-// lone joint takes some 50 N s; those that give way by 1 % take at most a hundred times as much.
+// Parallel hinges between two fixed ends constrain three directions twice, with contradicting targets. A
+// single joint takes some 50 N s; those that yield by 1 % take at most a hundred times as much.
 TEST(JointTrees, ParallelHingesBetweenTwoBanksStayFinite) {
     for (const double askew : {0.0, 1e-9, 1e-6, 1e-4, 1e-2}) {
         Jointed j(20, 9);
@@ -233,7 +233,7 @@ TEST(JointTrees, ParallelHingesBetweenTwoBanksStayFinite) {
     }
 }
 
-// Twice the same joint: the second follows from the first. And two that contradict each other.
+// The same joint twice: the second depends on the first. And two joints that contradict each other.
 TEST(JointTrees, RedundantRowsGetNoImpulseAndContradictionsNoInfinity) {
     Jointed j(2, 5);
     j.connect(0, 1);
@@ -247,7 +247,7 @@ TEST(JointTrees, RedundantRowsGetNoImpulseAndContradictionsNoInfinity) {
     EXPECT_LT(j.bodies.velocities[1].linear.norm(), 100.0);
 }
 
-// And with nothing else in the world one sweep is all there is.
+// With nothing else in the world, there is only one sweep.
 TEST(JointTrees, GiveTheDirectSolutionInOneSweep) {
     Settings settings = Settings::steady();
     settings.compareExact = true;
@@ -267,7 +267,7 @@ TEST(JointTrees, GiveTheDirectSolutionInOneSweep) {
     }
 }
 
-// A field sees velocities that the joints allow, in every sub-step.
+// A force field gets velocities that satisfy the joints, in every sub-step.
 TEST(JointTrees, ProjectVelocitiesBeforeTheyAreSeen) {
     World world;
     const BodyId top = world.add(support::hook());

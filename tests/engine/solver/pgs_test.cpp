@@ -1,5 +1,5 @@
-// Projected Gauss-Seidel on forces, with A written out and in Catto's form, is sequential impulses:
-// lambda_impulses = h lambda_pgs after every sweep. (mission 23)
+// Projected Gauss-Seidel on forces, with an explicit A and in Catto's form, equals sequential
+// impulses: lambda_impulses = h lambda_pgs after every sweep. (mission 23)
 #include "engine/solver/pgs.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace engine {
 namespace {
 
-/// Numbers in [-1, 1] that are the same everywhere.
+/// Pseudo-random numbers in [-1, 1], the same on every machine.
 class Numbers {
 public:
     double next() {
@@ -74,7 +74,7 @@ struct Problem {
         ContactGeometry points[4];
         for (int i = 0; i < 4; ++i) {
             points[i] = {numbers.vector(), numbers.vector(), 0.002 * numbers.next()};
-            contact.points[i].impulse = 0.2 + 0.1 * numbers.next();  // from a step before
+            contact.points[i].impulse = 0.2 + 0.1 * numbers.next();  // from a previous step
             contact.points[i].friction = 0.02 * numbers.vector();
         }
         constraints.contacts.push_back(
@@ -120,7 +120,7 @@ TYPED_TEST(PgsForms, GiveTheImpulsesAfterEverySweep) {
             largest = larger(largest, std::abs(impulses[k]));
         }
     }
-    EXPECT_GT(largest, 0.1);  // there was something to solve
+    EXPECT_GT(largest, 0.1);  // the problem is not trivial
 }
 
 TYPED_TEST(PgsForms, GiveTheVelocities) {
@@ -150,7 +150,7 @@ TEST(Pgs, TheMatrixIsSymmetricWithKOnItsDiagonal) {
     for (int i = 0; i < rows.count(); ++i) EXPECT_NEAR(a(i, i), rows.rows[i].row.k, 1e-14);
 }
 
-/// The running world: a step by any method from the same state ends in the same velocities.
+/// A running world: a step from the same state by any method gives the same velocities.
 TEST(Pgs, AStackFallsAlikeByEveryMethod) {
     Settings settings = Settings::seed();
     settings.bounce = Bounce::bias;

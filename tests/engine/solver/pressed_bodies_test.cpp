@@ -18,7 +18,7 @@ Contact touching(int a, int b, const Bodies& bodies) {
     return contact;
 }
 
-/// A gram on the floor and a tonne on it, beside a gram on a tonne.
+/// A gram on the floor under a tonne, next to a gram on a tonne.
 struct Pressing {
     Bodies bodies;
     std::vector<Contact> contacts;
@@ -54,7 +54,7 @@ TEST(PressedBodies, WithAJointKeepTheirMass) {
     EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
 }
 
-// The heavy one has to touch: a contact ahead of touching does not press.
+// The heavy body must touch: a contact ahead of touching does not press.
 TEST(PressedBodies, AreNotThoseThatAHeavyOneComesNear) {
     Pressing pile;
     pile.bodies.poses[2].position.y() += 0.01;

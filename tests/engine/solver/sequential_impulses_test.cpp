@@ -35,7 +35,7 @@ struct CubeOnFloor {
     double sum() const { return lambda(0) + lambda(1) + lambda(2) + lambda(3); }
 };
 
-/// To the digits the mission prints.
+/// To the digits printed in the mission.
 constexpr double kNear = 5e-7;
 
 TEST(SequentialImpulses, ClampTheTotal) {

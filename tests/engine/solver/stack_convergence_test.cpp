@@ -7,11 +7,11 @@
 namespace engine {
 namespace {
 
-/// Spheres one on the other, a contact for each, the lowest first; they have fallen for one step.
+/// A stack of spheres, one contact each, the lowest first; they have fallen for one step.
 struct SphereStack {
     Constraints constraints;
     std::vector<Velocity> v{1};
-    std::vector<double> exact;  // N s: what lies on each contact
+    std::vector<double> exact;  // N s: load on each contact
 
     explicit SphereStack(const std::vector<double>& masses) {
         InverseMass below;
@@ -62,7 +62,7 @@ TEST(StackConvergence, TakesThreeSweepsMoreForEveryMassOfTheUpper) {
     }
 }
 
-// Light on heavy is no trouble: what the upper adds is a small part of the whole.
+// Light on heavy converges fast: the upper body adds only a small part of the load.
 TEST(StackConvergence, TakesAFewSweepsForLightOnHeavy) {
     EXPECT_LE(stackSweepsTo95Percent({10, 1}), 3);
 }
