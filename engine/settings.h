@@ -41,7 +41,7 @@ struct Settings {
     int maxSubsteps = 32;     // limit of substeps where joints or masses need more (solver/substeps.h)
     int sweeps = 20;          // velocity sweeps per sub-step, at most
     int minSweeps = 2;        // velocity sweeps per sub-step, at least
-    int movingSweeps = 4;     // velocity sweeps at most for a moving island (wide/groups.h); lanes only
+    int movingSweeps = 4;     // velocity sweeps at most for a moving island (wide/groups.h), if islands are solved one by one
     double tolerance = 1e-3;  // m/s: sweeps end when no correction is larger; 0 = all sweeps
     int nudges = 1;           // position sweeps per sub-step; 0 = off
     double nudgeFactor = 0.5; // beta: the share of the error C that one nudge removes
@@ -67,10 +67,12 @@ struct Settings {
     int threads = 1;          // share the contacts of large groups; the bits are the same
     bool compareExact = false; // report every sweep's distance to the direct solution; slow
 
-    /// Whether contacts are solved in lanes.
-    bool usesLanes() const {
-        return lanes && block && accumulate && method == Method::impulses && !compareExact;
+    /// Whether islands are solved one after the other, each until it is satisfied.
+    bool solvesByIsland() const {
+        return block && accumulate && method == Method::impulses && !compareExact;
     }
+    /// Whether contacts are solved in lanes.
+    bool usesLanes() const { return lanes && solvesByIsland(); }
 
     /// The default: the most stable settings with the best energy conservation in experiments.
     static Settings steady() { return {}; }

@@ -24,9 +24,9 @@ struct Constraints {
     bool ratesStale = true;  // velocities changed since the last solve (keepRates in drives.h)
 };
 
-/// One solve is enough: there are only trees.
+/// One solve is enough for the joints, if no contacts are on them: there are only trees.
 inline bool solvedAtOnce(const Constraints& c, const JointTrees& trees) {
-    return c.contacts.empty() && c.drives.empty() && !trees.empty() && trees.exact() &&
+    return c.drives.empty() && !trees.empty() && trees.exact() &&
            trees.order().size() == c.joints.size();
 }
 

@@ -169,18 +169,32 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
     }
 }
 
-SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
-                  const Settings& settings) {
+SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v) {
     Correction correction;
-    if (c.jointStride > 0) {
-        trees.solveVelocities(v, correction);
-        for (JointConstraint& joint : c.joints)
-            if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
-        sweepDrives(c, v, correction);
-    }
-    for (const int i : c.order)
+    if (c.jointStride == 0) return {};
+    trees.solveVelocities(v, correction);
+    for (JointConstraint& joint : c.joints)
+        if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
+    sweepDrives(c, v, correction);
+    return {correction.velocity, correction.impulse};
+}
+
+SweepReport sweepContacts(Constraints& c, std::span<const int> order, std::span<Velocity> v,
+                          const Settings& settings) {
+    Correction correction;
+    for (const int i : order)
         if (c.contacts[i].stride > 0) sweepContact(c.contacts[i], v, settings, correction);
     return {correction.velocity, correction.impulse};
+}
+
+SweepReport together(const SweepReport& a, const SweepReport& b) {
+    return {larger(a.residual, b.residual), a.delta + b.delta};
+}
+
+SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
+                  const Settings& settings) {
+    const SweepReport joints = sweepJoints(c, trees, v);
+    return together(joints, sweepContacts(c, c.order, v, settings));
 }
 
 void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& settings, double h) {
@@ -209,7 +223,7 @@ void solveImpulses(Constraints& c, JointTrees& trees, std::span<Velocity> v,
     if (c.jointStride > 0)
         trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (c.jointStride * h), v);
     Settings enough = settings;
-    if (solvedAtOnce(c, trees)) enough.sweeps = smaller(settings.sweeps, 1);
+    if (c.contacts.empty() && solvedAtOnce(c, trees)) enough.sweeps = smaller(settings.sweeps, 1);
     sweepUntilSatisfied(enough, report, [&] {
         SweepReport swept = sweep(c, trees, v, settings);
         swept.distance = exact.distance(v);

@@ -17,7 +17,15 @@ void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& sett
 /// v += M^-1 J^T lambda of the last step; without warm starting, the totals are set to 0 instead.
 void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings);
 
-/// One sweep over all constraints; trees of joints are solved exactly.
+/// One sweep over the joints, trees exactly; or over contacts in this order.
+SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v);
+SweepReport sweepContacts(Constraints& c, std::span<const int> order, std::span<Velocity> v,
+                          const Settings& settings);
+
+/// Both sweeps as one report.
+SweepReport together(const SweepReport& a, const SweepReport& b);
+
+/// One sweep over all constraints.
 SweepReport sweep(Constraints& c, JointTrees& trees, std::span<Velocity> v,
                   const Settings& settings);
 

@@ -30,6 +30,20 @@ void placePoints(const Contact& contact, const Pose& a, const Pose& b,
         points[i] = {frame.arm(i), frame.arm(i) + offset, frame.gap[i]};
 }
 
+/// Sorts the order by groups; within a group it stays.
+void arrangeByGroups(Solver& solver) {
+    const ContactGroups& groups = solver.groups;
+    std::vector<int>& first = solver.firstOfGroup;
+    first.assign(groups.count() + 1, 0);
+    for (const int i : solver.order) ++first[groups.of(i) + 1];
+    for (int g = 0; g < groups.count(); ++g) first[g + 1] += first[g];
+    std::vector<int>& order = solver.constraints.order;
+    order.resize(solver.order.size());
+    for (const int i : solver.order) order[first[groups.of(i)]++] = i;
+    first.insert(first.begin(), 0);
+    first.pop_back();
+}
+
 constexpr double kLayer = 1e-3;  // m: closer contacts form one layer, in the order of pairs
 constexpr double kStays = 0.02;  // m: a contact that has moved less keeps its place
 
@@ -63,12 +77,17 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     solver.posesAtStart = bodies.poses;
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
     solver.lanes = settings.usesLanes();
+    solver.byIsland = settings.solvesByIsland();
+    if (solver.byIsland) solver.groups.find(contacts, joints, bodies, solver.islands);
     if (solver.lanes) {
-        solver.wide.prepare(contacts, solver.order, joints, bodies, solver.islands, settings, solver.workers);
+        solver.wide.prepare(contacts, solver.order, solver.groups, bodies, settings, solver.workers);
         c.order.clear();
         return;
     }
-    c.order = solver.order;
+    if (solver.byIsland)
+        arrangeByGroups(solver);
+    else
+        c.order = solver.order;
     for (const Contact& contact : contacts) {
         ContactGeometry points[Contact::kMaxPoints];
         placePoints(contact, bodies.poses[contact.a], bodies.poses[contact.b], points);

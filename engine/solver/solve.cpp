@@ -14,83 +14,107 @@ void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& s
     report[i].delta += swept.delta;
 }
 
-/// The joints' part of a sweep; velocities are exchanged with the contacts before and after.
-SweepReport sweepJoints(Solver& s, std::span<Velocity> v, const Settings& settings) {
-    const std::span<const int> shared = s.wide.groups().jointedBodies();
-    s.wide.give(v, shared);
-    const SweepReport swept = sweep(s.constraints, s.trees, v, settings);
-    s.wide.take(v, shared);
+bool isJointed(const Solver& s, int group) { return group == 0 && s.groups.hasJoints(); }
+
+/// A group's contacts, if they are not in lanes.
+std::span<const int> rowsOf(const Solver& s, int group) {
+    const std::span<const int> order = s.constraints.order;
+    return order.subspan(s.firstOfGroup[group], s.firstOfGroup[group + 1] - s.firstOfGroup[group]);
+}
+
+/// The joints' part of a sweep; velocities are exchanged with lanes before and after.
+SweepReport sweepJoints(Solver& s, std::span<Velocity> v) {
+    const std::span<const int> shared = s.groups.jointedBodies();
+    if (s.lanes) s.wide.give(v, shared);
+    const SweepReport swept = sweepJoints(s.constraints, s.trees, v);
+    if (s.lanes) s.wide.take(v, shared);
     return swept;
 }
 
+SweepReport sweepContacts(Solver& s, int group, std::span<Velocity> v, const Settings& settings) {
+    return s.lanes ? s.wide.sweep(group)
+                   : sweepContacts(s.constraints, rowsOf(s, group), v, settings);
+}
+
 bool isTurnOf(const Solver& s, int group) {
-    const bool joints = group == 0 && s.wide.groups().hasJoints();
-    return joints ? s.constraints.jointStride > 0 : s.wide.acts(group);
+    if (isJointed(s, group)) return s.constraints.jointStride > 0;
+    if (s.lanes) return s.wide.acts(group);
+    const std::span<const int> rows = rowsOf(s, group);
+    return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
 }
 
 void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
-    const bool joints = group == 0 && s.wide.groups().hasJoints();
-    const bool atOnce = joints && solvedAtOnce(s);
-    const int most = atOnce ? smaller(settings.sweeps, 1)
-                     : s.wide.groups().moving(group)
-                         ? smaller(settings.movingSweeps, settings.sweeps)
-                         : settings.sweeps;
-    if (s.wide.isLarge(group)) {
+    const bool joints = isJointed(s, group), atOnce = joints && solvedAtOnce(s);
+    const int most = atOnce                   ? smaller(settings.sweeps, 1)
+                     : s.groups.moving(group) ? smaller(settings.movingSweeps, settings.sweeps)
+                                              : settings.sweeps;
+    if (s.lanes && s.wide.isLarge(group)) {
         std::size_t i = first;
         for (const SweepReport& swept :
              s.wide.solveLarge(group, {settings.minSweeps, most, settings.tolerance}))
             merge(report, i++, swept);
         return;
     }
-    s.wide.warmStart(group);
+    if (s.lanes) s.wide.warmStart(group);
     for (int i = 0; i < most; ++i) {
-        SweepReport swept = joints ? sweepJoints(s, v, settings) : SweepReport{};
-        const SweepReport contacts = s.wide.sweep(group);
-        swept.residual = larger(swept.residual, contacts.residual);
-        swept.delta += contacts.delta;
+        SweepReport swept = joints ? sweepJoints(s, v) : SweepReport{};
+        swept = together(swept, sweepContacts(s, group, v, settings));
         if (atOnce) swept.residual = 0.0;
         merge(report, first + i, swept);
         if (i + 1 >= settings.minSweeps && swept.residual < settings.tolerance) return;
     }
 }
 
-void beginJoints(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
-    if (s.constraints.jointStride == 0) return;
-    const std::span<const int> shared = s.wide.groups().jointedBodies();
-    s.wide.give(v, shared);
+/// Starts joints, and contacts that are not in lanes, from their last impulses.
+void begin(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
+    const int stride = s.constraints.jointStride;
+    if (s.lanes && stride == 0) return;
+    const std::span<const int> shared = s.groups.jointedBodies();
+    if (s.lanes) s.wide.give(v, shared);
     warmStart(s.constraints, v, settings);
-    s.trees.begin(settings.warmStart ? 1.0 : 0.0,
-                  settings.baumgarte / (s.constraints.jointStride * h), v);
-    s.wide.take(v, shared);
+    if (stride > 0)
+        s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (stride * h), v);
+    if (s.lanes) s.wide.take(v, shared);
 }
 
-void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
-                  std::vector<SweepReport>& report) {
-    if (s.constraints.joints.empty() && s.constraints.drives.empty() && s.wide.empty())
-        return;  // all are asleep or in free flight
-    beginSolving(s.constraints, v, settings, h);  // bounces, and biases of the joints
+/// Bounces, and biases of the rows.
+void beginRows(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
+    beginSolving(s.constraints, v, settings, h);
+    if (!s.lanes) return;
     s.wide.begin(v, settings);
     for (const ContactImpact& impact : s.constraints.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
             s.wide.setBounce(impact.number, i, impact.contact.rows[i].bounce);
+}
+
+void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
+                  std::vector<SweepReport>& report) {
+    const bool touching = s.lanes ? !s.wide.empty() : !s.constraints.contacts.empty();
+    if (s.constraints.joints.empty() && s.constraints.drives.empty() && !touching)
+        return;  // all are asleep or in free flight
+    beginRows(s, v, settings, h);
     const std::size_t first = report.size();
-    beginJoints(s, v, settings, h);
-    for (int group = 0; group < s.wide.groups().count(); ++group)
+    begin(s, v, settings, h);
+    for (int group = 0; group < s.groups.count(); ++group)
         if (isTurnOf(s, group)) solveGroup(s, group, v, settings, first, report);
-    s.wide.finish(v);
+    if (s.lanes)
+        s.wide.finish(v);
+    else
+        bookImpulses(s.constraints);
 }
 
 }  // namespace
 
 bool solvedAtOnce(const Solver& s) {
-    const bool touched = s.lanes && !s.wide.groups().jointedBodies().empty();
+    const bool touched =
+        s.byIsland ? !s.groups.jointedBodies().empty() : !s.constraints.contacts.empty();
     return !touched && solvedAtOnce(s.constraints, s.trees);
 }
 
 void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
                       StepReport& report) {
-    if (solver.lanes)
+    if (solver.byIsland)
         solveIslands(solver, v, settings, h, report.sweeps);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);

@@ -1,7 +1,8 @@
 /// Step 3 of the loop: impulses until the constraints hold. Contacts are solved eight at a time in single
 /// precision (wide/wide_contacts.h), joints in double, one island after the other. Each is swept until it is
-/// satisfied, so a resting heap needs no extra sweeps because of a falling one. Without lanes
-/// (Settings::usesLanes), rows are solved one by one (methods.h).
+/// satisfied, so a resting heap needs no extra sweeps because of a falling one. Without lanes the contacts
+/// are solved one by one in double (impulses.h); settings for which islands are not separate
+/// (Settings::solvesByIsland) are in methods.h.
 #pragma once
 #include "engine/solver/solver.h"
 

@@ -14,8 +14,11 @@ namespace engine {
 struct Solver {
     Constraints constraints;
     Workers workers;
-    WideContacts wide;               // the contacts, when solved in lanes
-    bool lanes = false;              // contacts are solved in lanes
+    bool byIsland = false;           // islands are solved one after the other, in groups
+    ContactGroups groups;            // if so
+    bool lanes = false;              // and their contacts in lanes:
+    WideContacts wide;
+    std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     JointTrees trees;
     PressedBodies pressed;
     DisjointSets islands;            // bodies connected by contacts and joints

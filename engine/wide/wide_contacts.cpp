@@ -62,16 +62,16 @@ void WideContacts::eachBody(const Work& work) {
 }
 
 void WideContacts::prepare(std::span<const Contact> contacts, std::span<const int> order,
-                           std::span<const Joint> joints, const Bodies& bodies,
-                           DisjointSets& islands, const Settings& settings, Workers& workers) {
+                           const ContactGroups& groups, const Bodies& bodies,
+                           const Settings& settings, Workers& workers) {
     kernels_ = &contactKernels(settings.instructions);
     workers_ = &workers;
-    groups_.find(contacts, joints, bodies, islands);
+    groups_ = &groups;
     arrange(contacts, order, bodies);
     start_ = bodies.poses;
     turned_.assign(start_.size(), 0);
     farTurn_.assign(start_.size(), kFarTurn);
-    for (const int i : groups_.jointedBodies()) farTurn_[i] = kFarTurnOfJointed;
+    for (const int i : groups_->jointedBodies()) farTurn_[i] = kFarTurnOfJointed;
     anyTurned_ = false;
     axes_.clear();
     for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
@@ -89,16 +89,16 @@ void WideContacts::arrange(std::span<const Contact> contacts, std::span<const in
     const auto moved = [&](int body) { return bodies.isDynamic(body) ? body : -1; };
     pairs_.clear();
     for (const Contact& c : contacts) pairs_.push_back({moved(c.a), moved(c.b)});
-    if (static_cast<int>(orders_.size()) < groups_.count()) orders_.resize(groups_.count());
+    if (static_cast<int>(orders_.size()) < groups_->count()) orders_.resize(groups_->count());
     for (std::vector<int>& list : orders_) list.clear();
-    for (const int contact : order) orders_[groups_.of(contact)].push_back(contact);
+    for (const int contact : order) orders_[groups_->of(contact)].push_back(contact);
     schedule_.begin(bodies.count());
     firstBatch_.assign(1, 0);
     middle_.clear();
     const auto batches = [&] { return static_cast<int>(schedule_.batches().size()); };
-    for (int g = 0; g < groups_.count(); ++g) {
+    for (int g = 0; g < groups_->count(); ++g) {
         const std::span<const int> all = orders_[g];
-        const bool jointed = g == 0 && groups_.hasJoints();
+        const bool jointed = g == 0 && groups_->hasJoints();
         const std::size_t upper = jointed ? all.size() : Overlap::sizeOfUpperHalf(all.size());
         schedule_.add(pairs_, all.first(upper));
         middle_.push_back(batches());
@@ -201,8 +201,8 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
 }
 
 void WideContacts::beginSubstep(const Bodies& bodies) {
-    spans_.assign(groups_.count(), 0.0);
-    for (int g = 0; g < groups_.count(); ++g) {
+    spans_.assign(groups_->count(), 0.0);
+    for (int g = 0; g < groups_->count(); ++g) {
         if (orders_[g].empty()) continue;  // joints only
         const int k = orders_[g].front(), batch = place_[k] / 8, lane = place_[k] % 8;
         const ContactBatch& c = batches_[batch];
@@ -326,7 +326,7 @@ std::span<const WideVelocity> WideContacts::nudge(const Settings& settings, doub
     step_.nudgeFactor = static_cast<float>(settings.nudgeFactor);
     const double speed = settings.depenetrationSpeed / settings.nudges;
     ways_.assign(ways_.size(), {});
-    for (int g = 0; g < groups_.count(); ++g) {
+    for (int g = 0; g < groups_->count(); ++g) {
         step_.mostNudge = static_cast<float>(smaller(most, speed * spans_[g]));
         for (int k = firstBatch_[g]; acts(g) && k < firstBatch_[g + 1]; ++k)
             kernels_->nudge(batches_[k], records_[k], ways_.data(), step_);

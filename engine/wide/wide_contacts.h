@@ -27,13 +27,12 @@ struct PointImpulses {
 class WideContacts {
 public:
     /// Makes the rows of all contacts at the present poses, once per step. `order` is the order of a sweep.
-    /// The workers are used during this step.
+    /// The groups and workers are used during this step.
     void prepare(std::span<const Contact> contacts, std::span<const int> order,
-                 std::span<const Joint> joints, const Bodies& bodies, DisjointSets& islands,
-                 const Settings& settings, Workers& workers);
+                 const ContactGroups& groups, const Bodies& bodies, const Settings& settings,
+                 Workers& workers);
 
     bool empty() const { return batches_.empty(); }
-    const ContactGroups& groups() const { return groups_; }
 
     /// Finds which groups act in this sub-step; the functions below skip the others.
     void beginSubstep(const Bodies& bodies);
@@ -89,7 +88,7 @@ private:
     void eachBody(const Work& work);
     const ContactKernels* kernels_ = nullptr;
     Workers* workers_ = nullptr;
-    ContactGroups groups_;
+    const ContactGroups* groups_ = nullptr;
     Schedule schedule_;
     std::vector<std::vector<int>> orders_;   // by group
     std::vector<int> firstBatch_;            // by group, and the end

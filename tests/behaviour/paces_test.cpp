@@ -63,19 +63,23 @@ Outcome pyramidBeside(Beside what, Settings settings, bool lanes) {
     return outcome;
 }
 
-// Only in lanes; row by row all contacts are one problem, swept until the worst is satisfied.
-TEST(Paces, TroubleElsewhereChangesNoBitOfAPyramid) {
+class PyramidInLanes : public testing::TestWithParam<bool> {};
+
+TEST_P(PyramidInLanes, IsTheSameToTheBitWhateverIsBesideIt) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
-        const Outcome alone = pyramidBeside(Beside::nothing, settings, true);
+        const Outcome alone = pyramidBeside(Beside::nothing, settings, GetParam());
         EXPECT_EQ(alone.mostSubsteps, settings.substeps);
         for (const Beside what :
              {Beside::heavyOnLight, Beside::column, Beside::fastWheel, Beside::motor}) {
-            const Outcome beside = pyramidBeside(what, settings, true);
+            const Outcome beside = pyramidBeside(what, settings, GetParam());
             EXPECT_GT(beside.mostSubsteps, settings.substeps) << static_cast<int>(what);
             EXPECT_EQ(beside.hash, alone.hash) << static_cast<int>(what);
         }
     }
 }
+INSTANTIATE_TEST_SUITE_P(Paces, PyramidInLanes, testing::Bool(), [](const auto& lanes) {
+    return lanes.param ? "lanes" : "rows";
+});
 
 /// Two rods that spin about each other and drift towards boxes in a row, without gravity.
 World rodsAndBoxes(bool lanes) {
