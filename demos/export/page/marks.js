@@ -10,7 +10,7 @@ const kTrailSeconds = 3, kLongest = 0.16;  // of the view's height: the largest 
 let marks = null;
 
 function makeMarks() {
-  const ball = ballTriangles(1, 0);
+  const ball = ballTriangles(1, 0, 12);  // a few pixels wide, and there are thousands
   marks = {
     shafts: new Batch(barTriangles()), heads: new Batch(coneTriangles(1, 1)), dots: new Batch(ball), anchors: new Batch(ball),
   };

@@ -30,20 +30,20 @@ function boxTriangles([hx, hy, hz]) {
 }
 
 const kNoEdges = [kFar, kFar, kFar, kFar];
-const circle = (i) => [Math.cos(2 * Math.PI * i / kAround), -Math.sin(2 * Math.PI * i / kAround)];
+const circle = (i, around = kAround) => [Math.cos(2 * Math.PI * i / around), -Math.sin(2 * Math.PI * i / around)];
 
 /// A ball with its halves moved `half` up and down; with half > 0 a capsule.
-function ballTriangles(radius, half) {
-  const mesh = new Triangles(), rings = kAround / 2;
+function ballTriangles(radius, half, around = kAround) {
+  const mesh = new Triangles(), rings = around / 2;
   const point = (ring, i) => {
     const below = ring <= rings / 2, angle = Math.PI * ((below ? ring : ring - 1) / rings - 0.5);
-    const [x, z] = circle(i), normal = [Math.cos(angle) * x, Math.sin(angle), Math.cos(angle) * z];
+    const [x, z] = circle(i, around), normal = [Math.cos(angle) * x, Math.sin(angle), Math.cos(angle) * z];
     const at = times(radius, normal);
     at[1] += below ? -half : half;
     return [at, normal, kNoEdges];
   };
   for (let ring = 0; ring <= rings; ++ring)
-    for (let i = 0; i < kAround; ++i)
+    for (let i = 0; i < around; ++i)
       mesh.quad(point(ring, i), point(ring, i + 1), point(ring + 1, i + 1), point(ring + 1, i));
   return mesh.numbers;
 }
