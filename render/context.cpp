@@ -73,6 +73,17 @@ ContextKind contextCalled(std::string_view name) {
     return ContextKind::automatic;
 }
 
+void preloadContext([[maybe_unused]] ContextKind kind) {
+#ifdef IMPULSE_HAVE_OSMESA
+    if (kind == ContextKind::egl) return;
+    try {
+        loadOsmesaLibrary();
+    } catch (const Error&) {
+        return;
+    }
+#endif
+}
+
 std::unique_ptr<Context> makeContext(const ContextSettings& settings) {
     checkSides(settings);
     prepareDriverEnvironment(settings);

@@ -32,6 +32,10 @@ public:
 /// exist at a time; the next may be of another kind. Throws Error.
 std::unique_ptr<Context> makeContext(const ContextSettings& settings);
 
+/// Loads the library of such a context ahead of time. Called before processes that draw are forked, so that
+/// they share its memory. Throws nothing: errors are left to makeContext().
+void preloadContext(ContextKind kind);
+
 /// The kinds this program was built with, in the order in which they are tried.
 const std::vector<ContextKind>& contextKinds();
 

@@ -30,7 +30,7 @@ void find(void* library, const char* name, Function& function) {
 
 Osmesa loadOsmesa() {
     Osmesa osmesa{};
-    osmesa.library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    osmesa.library = dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL);
     if (!osmesa.library)
         throw Error("OSMesa cannot be loaded (libOSMesa.so.8); is libosmesa6 installed?");
     find(osmesa.library, "OSMesaCreateContextAttribs", osmesa.create);
@@ -84,6 +84,8 @@ private:
 };
 
 }  // namespace
+
+void loadOsmesaLibrary() { osmesa(); }
 
 std::unique_ptr<Context> makeOsmesaContext() { return std::make_unique<OsmesaContext>(); }
 

@@ -12,6 +12,7 @@
 #include "demos/film/worker.h"
 #include "demos/processes/child_process.h"
 #include "demos/text/stop.h"
+#include "render/context.h"
 #include "render/encode/file.h"
 #include "render/error.h"
 
@@ -42,6 +43,7 @@ int workerCount(int jobs, int frames) {
 FrameSource::FrameSource(const FilmPlan& plan, int jobs, bool png, bool raw)
     : width_(plan.layout.width), height_(plan.layout.height) {
     workers_.reserve(static_cast<std::size_t>(jobs));
+    render::preloadContext(plan.picture.context);
     for (int i = 0; i < jobs; ++i) {
         int ends[2];
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
