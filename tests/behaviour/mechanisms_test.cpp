@@ -92,7 +92,7 @@ TEST(FourBars, KeepTheirEnergyInALoop) {
         for (int i = 0; i < 3; ++i) {
             const Vec3 along = corners[i + 1] - corners[i];
             BodyDef bar = body(Shape::box({along.norm(), 0.1, 0.08}), corners[i] + 0.5 * along);
-            bar.pose.rotation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+            bar.pose.rotation = support::turnInPlane(along);
             bar.collide = false;
             const BodyId next = world.add(bar);
             support::join(world, type, last, next, corners[i]);
@@ -109,7 +109,7 @@ TEST(FourBars, KeepTheirEnergyInALoop) {
 BodyId addBar(World& world, const Vec3& from, const Vec3& to) {
     const Vec3 along = to - from;
     BodyDef bar = body(Shape::box({along.norm(), 0.1, 0.08}), from + 0.5 * along);
-    bar.pose.rotation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+    bar.pose.rotation = support::turnInPlane(along);
     bar.collide = false;
     return world.add(bar);
 }

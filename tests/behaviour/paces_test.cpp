@@ -1,6 +1,8 @@
 // solver/paces.h: an island gets as many sub-steps as it needs, without affecting others.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "engine/base/hash.h"
 #include "tests/support/worlds.h"
 
@@ -26,7 +28,7 @@ void addBeside(World& world, Beside what) {
     if (what != Beside::fastWheel && what != Beside::motor) return;
     const BodyId axle = world.add(support::hook(at + Vec3(0, 3, 0)));
     BodyDef wheel = body(Shape::cylinder(1.0, 0.2), at + Vec3(0, 3, 0), 5.0);
-    wheel.pose.rotation = Quat::FromTwoVectors(Vec3::UnitY(), Vec3::UnitZ());
+    wheel.pose.rotation = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
     if (what == Beside::fastWheel) wheel.spin = {0, 0, 60};
     const JointId hinge = join(world, JointType::hinge, axle, world.add(wheel), at + Vec3(0, 3, 0));
     Freedom driven;

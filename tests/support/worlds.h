@@ -1,5 +1,6 @@
 /// Small worlds for tests, each made with one line.
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "engine/world.h"
@@ -41,6 +42,11 @@ inline BodyDef fixed(const Shape& shape, const Vec3& at = Vec3::Zero()) {
 }
 
 inline BodyDef floorPlane() { return fixed(Shape::plane(Vec3::UnitY())); }
+
+/// The turn about z that takes the x axis to a direction in the xy plane.
+inline Quat turnInPlane(const Vec3& way) {
+    return Quat(Eigen::AngleAxisd(std::atan2(way.y(), way.x()), Vec3::UnitZ()));
+}
 
 /// A point for joints to hang on; nothing collides with it.
 inline BodyDef hook(const Vec3& at = Vec3::Zero()) {

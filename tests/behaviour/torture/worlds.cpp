@@ -258,7 +258,7 @@ void loops(Case& c, Random& r) {
             const Vec3 way = at(i + 1) - at(i);
             BodyDef def = support::body(Shape::box({way.norm(), 0.1, 0.1}), 0.5 * (at(i) + at(i + 1)),
                                         mass * r.number(0.5, 2));
-            def.pose.rotation = Quat::FromTwoVectors(Vec3::UnitX(), way);
+            def.pose.rotation = support::turnInPlane(way);
             def.velocity = r.vector(2);
             addBody(c, def);
             ring.push_back(c.bodies.back());
