@@ -1,0 +1,138 @@
+#include "tests/pages/browser.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "demos/text/base64.h"
+#include "render/encode/png_read.h"
+#include "tests/pages/devtools.h"
+
+namespace support {
+namespace {
+
+using Json = DevTools::Json;
+
+constexpr int kWidth = 1400, kHeight = 900;  // pixels
+constexpr int kBudget = 20'000;              // ms that the page has, in its own virtual time
+
+/// The process that opens all pages; it ends with the tests.
+DevTools& browser() {
+    static const TemporaryFolder folder;
+    static DevTools tools(folder.path().string());
+    return tools;
+}
+
+/// A page in a context of its own, closed with it.
+class Page {
+public:
+    Page() {
+        context_ = tools_.call("", "Target.createBrowserContext").at("browserContextId");
+        const Json target{{"url", "about:blank"},
+                          {"browserContextId", context_},
+                          {"width", kWidth},
+                          {"height", kHeight}};
+        const std::string id = tools_.call("", "Target.createTarget", target).at("targetId");
+        session_ = tools_.call("", "Target.attachToTarget", {{"targetId", id}, {"flatten", true}})
+                       .at("sessionId");
+        for (const char* domain : {"Page", "Runtime", "Network", "Log"})
+            call(std::string(domain) + ".enable");
+    }
+    ~Page() { tools_.call("", "Target.disposeBrowserContext", {{"browserContextId", context_}}); }
+    Page(const Page&) = delete;
+    Page& operator=(const Page&) = delete;
+
+    Json call(const std::string& method, const Json& params = Json::object()) {
+        return tools_.call(session_, method, params);
+    }
+
+    /// Returns when the page has used up its virtual time, which begins with its load and goes on even
+    /// if the page always has something to do.
+    void go(const std::string& address) {
+        tools_.clear();
+        call("Emulation.setVirtualTimePolicy", {{"policy", "pause"}});
+        call("Page.navigate", {{"url", address}});
+        call("Emulation.setVirtualTimePolicy", {{"policy", "pauseIfNetworkFetchesPending"},
+                                                {"budget", kBudget},
+                                                {"maxVirtualTimeTaskStarvationCount", 9999}});
+        tools_.waitFor(session_, "Emulation.virtualTimeBudgetExpired");
+    }
+
+    std::string dom() {
+        return call("Runtime.evaluate", {{"expression", "document.documentElement.outerHTML"}})
+            .at("result")
+            .at("value");
+    }
+
+    render::Image screenshot() {
+        const std::string png =
+            demos::fromBase64(call("Page.captureScreenshot").at("data").get<std::string>()).value();
+        return render::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+    }
+
+    /// Without remarks of a graphics driver about speed.
+    std::vector<std::string> console() const {
+        std::vector<std::string> lines;
+        for (const Json& event : events()) {
+            const std::string method = event["method"];
+            const Json& params = event["params"];
+            std::string line;
+            if (method == "Log.entryAdded") line = params["entry"]["text"];
+            if (method == "Runtime.exceptionThrown") line = params["exceptionDetails"].dump();
+            if (method == "Runtime.consoleAPICalled")
+                for (const Json& argument : params["args"])
+                    line += argument.value("value", argument.value("description", Json())).dump();
+            if (!line.empty() && line.find("GL Driver Message (OpenGL, Performance") == line.npos)
+                lines.push_back(line);
+        }
+        return lines;
+    }
+
+    /// Without what the content policy has refused.
+    std::vector<std::string> requests() const {
+        std::set<std::string> refused;
+        for (const Json& event : events())
+            if (event["method"] == "Network.loadingFailed" &&
+                event["params"].value("blockedReason", "") == "csp")
+                refused.insert(event["params"]["requestId"]);
+        std::vector<std::string> addresses;
+        for (const Json& event : events()) {
+            if (event["method"] != "Network.requestWillBeSent") continue;
+            const std::string address = event["params"]["request"]["url"];
+            if (address.starts_with("http") && !refused.contains(event["params"]["requestId"]))
+                addresses.push_back(address);
+        }
+        return addresses;
+    }
+
+private:
+    std::vector<Json> events() const {
+        std::vector<Json> own;
+        std::ranges::copy_if(tools_.events(), std::back_inserter(own), [this](const Json& event) {
+            return event.value("sessionId", "") == session_;
+        });
+        return own;
+    }
+
+    DevTools& tools_ = browser();
+    std::string context_, session_;
+};
+
+}  // namespace
+
+std::string contentOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Opened Browser::open(std::string page, const std::string& hash, const std::string& driver) const {
+    page.insert(page.rfind("</body>"), "<script>" + driver + "</script>");
+    std::ofstream(folder_ / "page.html", std::ios::binary) << page;
+    std::ofstream(folder_ / "empty.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"/>)";
+    Page opened;
+    opened.go("file://" + (folder_ / "page.html").string() + "#" + hash);
+    return {opened.dom(), opened.console(), opened.requests(), opened.screenshot()};
+}
+
+}  // namespace support
