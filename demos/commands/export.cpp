@@ -68,6 +68,7 @@ public:
     }
 
     void play() {
+        player_.goOn();
         playThrough(
             player_, options_, [this](long step) { recorder_.look(player_, step); },
             [this] {
@@ -77,6 +78,7 @@ public:
         const Stage& stage = player_.stage();
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})",
                                stepsOf(stage.scene), hexText(stage.world.hash())));
+        player_.stopIfIncident();
     }
 
 private:

@@ -46,11 +46,13 @@ public:
 
     /// Writes the charts even if the run diverges: they help to find out why.
     Exit play() {
+        player_.goOn();
         playThrough(
             player_, options_, [this](long) { recorder_.look(player_.stage()); },
             [this] { writeAll(); });
         writeAll();
         talk_.say(fmt::format("next: impulse render {}", printable(shellWord(options_.scene()))));
+        player_.stopIfIncident();
         return Exit::ok;
     }
 

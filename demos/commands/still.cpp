@@ -72,6 +72,7 @@ Exit still(StillOptions options) {
     checkFigure({target}, options);
     checkNeeds(needsOf(plan, 1, {}), plan);
     Player player(plan.scene(), plan.panels.front().overlays);
+    player.goOn();
     const std::vector<render::Frame> seen = playTo(moment.time, moment.steps, plan, player);
     render::Renderer renderer(plan.picture);
     render::Image picture = exposed(seen, plan, renderer);
@@ -87,6 +88,7 @@ Exit still(StillOptions options) {
         fmt::format("wrote {} (t = {:.3f} s, state {})", printable(target), moment.time, hash));
     tellCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
+    player.stopIfIncident();
     return Exit::ok;
 }
 

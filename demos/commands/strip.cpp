@@ -71,13 +71,15 @@ void label(const StripLayout& layout, int moment, double time, const render::Col
 struct Strip {
     render::Image image;
     std::vector<PictureFacts> facts;
+    std::string incident;  // Player::incident
 };
 
 Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vector<int>& steps,
                 const Paper& paper) {
-    Strip strip{stripPaper(layout, plan), {}};
+    Strip strip{stripPaper(layout, plan), {}, {}};
     const render::Color ink = inksOf(plan.panels.front().overlays.theme).ink;
     Player player(plan.scene(), plan.panels.front().overlays);
+    player.goOn();
     render::Renderer renderer(plan.picture);
     int played = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -94,6 +96,7 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
             placeMoment(layout, moment, picture, time, plan, strip.image);
         }
     }
+    strip.incident = player.incident();
     return strip;
 }
 
@@ -116,6 +119,7 @@ Exit strip(const StripOptions& options) {
     tellCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {} -o film.mp4",
                          printable(shellWord(options.scene()))));
+    if (!strip.incident.empty()) throw Stop(Exit::diverged, strip.incident);
     return Exit::ok;
 }
 

@@ -91,6 +91,10 @@ Composite::Composite(const FilmPlan& plan) : plan_(plan) {
             new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}, {}}));
 }
 
+void Composite::goOn() {
+    for (const auto& show : shows_) show->player.goOn();
+}
+
 void Composite::advance(bool drawn) {
     ++frame_;
     for (const auto& show : shows_)
@@ -122,9 +126,10 @@ render::Image Composite::drawPanel(Show& show, double time, render::Renderer& re
 render::Frame Composite::frameOf(const Show& show, double time) const {
     render::Frame frame = show.player.frame(time);
     fitCamera(plan_.picture.width, plan_.picture.height, frame);
-    if (!show.trouble.empty())
-        frame.texts.push_back({"diverged: the last good state", render::Corner::topLeft, 22.0f,
-                               render::fromHex(0xc0392b)});
+    const bool hasIncident = shows_.size() > 1 && !show.player.incidents().empty();
+    if (!show.trouble.empty() || hasIncident)
+        frame.texts.push_back({show.trouble.empty() ? "diverged" : "diverged: the last good state",
+                               render::Corner::topLeft, 22.0f, render::fromHex(0xc0392b)});
     return frame;
 }
 

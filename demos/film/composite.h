@@ -18,6 +18,8 @@ public:
     /// `plan` must outlive this object.
     explicit Composite(const FilmPlan& plan);
 
+    /// From now on panels continue after an incident (Player::goOn).
+    void goOn();
     /// Advances by one frame. A single panel that diverges throws Stop; one of several shows its
     /// last good state and says so. `drawn`: draw() will follow.
     void advance(bool drawn);
@@ -31,6 +33,8 @@ public:
     void watchSteps(std::function<void(const Stage&)> watcher) { watcher_ = std::move(watcher); }
     /// The first panel's world reports touch events from now on.
     void watchTouches() { shows_.front()->player.watchTouches(); }
+    /// What happened to a single panel until now (Player::incident); several panels say so themselves.
+    std::string incident() const { return shows_.size() == 1 ? shows_.front()->player.incident() : ""; }
     /// A hash of all panels' states.
     std::uint64_t hash() const;
 

@@ -195,8 +195,8 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
                                               next, options.commandLine));
 }
 
-/// Frame by frame, until the last one or a signal.
-void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, const Talk& talk,
+/// Frame by frame, until the last one or a signal. Returns the simulation's incident, if any.
+std::string drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, const Talk& talk,
              Progress& progress) {
     DrawnFrame frame;
     while (source.next(frame)) {
@@ -209,6 +209,7 @@ void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, 
         writers.keepFrames(false);
         stopInterrupted(writers, options, fmt::format("interrupted after frame {}", frame.frame));
     }
+    return frame.incident;
 }
 
 /// The chosen frames that an output still needs.
@@ -291,8 +292,9 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
                           jsonString(plan.name), frames, frames - missing, plan.fps));
     source.order(wanted);
     Progress progress(options, frames, frames - missing);
+    std::string incident;
     try {
-        drawAll(source, writers, options, talk, progress);
+        incident = drawAll(source, writers, options, talk, progress);
         progress.finish();
         writers.close(true);
     } catch (const Stop& stop) {
@@ -309,6 +311,7 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
     writers.tell(plan, chosen, options, talk);
     talk.json(fmt::format(R"({{"event":"done","frames":{}}})", frames));
     tellNext(writers, outputs, options, talk);
+    if (!incident.empty()) throw Stop(Exit::diverged, incident);
 }
 
 }  // namespace demos

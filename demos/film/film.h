@@ -9,7 +9,8 @@ namespace demos {
 /// cannot write and for pictures that need more memory than there is.
 void checkFilmPlan(const FilmPlan& plan, const FilmOptions& options);
 
-/// Throws Stop and render::Error; files written until then stay and are complete.
+/// Throws Stop and render::Error; files written until then stay and are complete. A body that could
+/// not continue as it was is reported when all is written, as Stop (diverged).
 void makeFilm(const FilmPlan& plan, const FilmOptions& options);
 
 }  // namespace demos

@@ -113,6 +113,7 @@ bool FrameSource::next(DrawnFrame& frame) {
     frame.stateHash = message.stateHash;
     frame.png = std::move(message.first);
     frame.data = std::move(message.data);
+    frame.incident = std::move(message.incident);
     frame.image = {};
     if (!message.second.empty()) frame.image = {width_, height_, std::move(message.second)};
     return true;

@@ -20,6 +20,7 @@ struct DrawnFrame {
     std::vector<std::uint8_t> png;  // empty if not requested
     render::Image image;            // empty if not requested
     std::vector<std::vector<std::uint8_t>> data;  // a file for each of the plan's passes
+    std::string incident;  // of the simulation until then; "": none
 };
 
 class FrameSource {
@@ -38,7 +39,7 @@ public:
     void order(const std::vector<bool>& wanted);
 
     /// The next wanted frame; false: there are no more. Throws render::Error when a worker failed
-    /// or died, Stop (diverged) when the simulation diverged.
+    /// or died, Stop (diverged) when a step failed.
     bool next(DrawnFrame& frame);
 
 private:

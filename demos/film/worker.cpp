@@ -17,7 +17,9 @@ struct Desk {
     DataFiles data;
 
     Desk(const FilmPlan& plan, const render::RendererSettings& settings)
-        : renderer(settings), composite(plan), data(plan, composite) {}
+        : renderer(settings), composite(plan), data(plan, composite) {
+        composite.goOn();
+    }
 };
 
 Message drawnMessage(Desk& desk, int frame, const WorkerTask& task) {
@@ -26,6 +28,7 @@ Message drawnMessage(Desk& desk, int frame, const WorkerTask& task) {
     message.kind = MessageKind::frame;
     message.frame = frame;
     message.stateHash = desk.composite.hash();
+    message.incident = desk.composite.incident();
     if (task.png) message.first = render::encodePng(image);
     if (task.raw) message.second = std::move(image.pixels);
     message.data = desk.data.make(frame, desk.renderer);

@@ -118,6 +118,7 @@ double SummaryRecorder::largestMove(const Stage& stage) const {
 
 Summary summarize(const SceneDescription& scene) {
     Player player(scene, Overlays{.trails = false});
+    player.goOn();
     SummaryRecorder recorder(player.stage());
     const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
     for (long step = 1; step <= steps; ++step) {
@@ -129,7 +130,7 @@ Summary summarize(const SceneDescription& scene) {
         }
         if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
     }
-    return recorder.summary();
+    return recorder.summary(player.incident());
 }
 
 }  // namespace demos

@@ -21,6 +21,7 @@ struct Message {
     std::uint64_t stateHash = 0;
     std::vector<std::uint8_t> first, second;  // of a picture: PNG and raw RGBA; else a text, empty
     std::vector<std::vector<std::uint8_t>> data;  // of a picture: files of the data passes
+    std::string incident;  // of a picture: of the simulation until then (Player::incident)
 
     std::string text() const { return {first.begin(), first.end()}; }
     static Message ofText(MessageKind kind, const std::string& text);

@@ -80,6 +80,15 @@ void Player::look(const engine::Incident& incident) {
     incidents_.push_back(incidentText(stage_, incident));
 }
 
+std::string Player::incident() const {
+    if (incidents_.size() < 2) return incidents_.empty() ? "" : incidents_.front();
+    return fmt::format("{} (and {} more)", incidents_.front(), incidents_.size() - 1);
+}
+
+void Player::stopIfIncident() const {
+    if (!incidents_.empty()) throw Stop(Exit::diverged, incident());
+}
+
 void Player::step(int count) {
     for (int i = 0; i < count; ++i) step();
 }

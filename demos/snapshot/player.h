@@ -21,6 +21,10 @@ public:
     /// From now on the simulation continues without such bodies; incidents() has a line for each.
     void goOn() { goesOn_ = true; }
     const std::vector<std::string>& incidents() const { return incidents_; }
+    /// The first of them, and how many more there are; "" if there are none.
+    std::string incident() const;
+    /// Throws Stop (diverged) with incident(), if there is one.
+    void stopIfIncident() const;
     render::Frame frame(double time) const { return snapshot(stage_, overlays_, time, history_); }
     const Stage& stage() const { return stage_; }
     const History& history() const { return history_; }

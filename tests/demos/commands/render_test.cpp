@@ -225,14 +225,22 @@ TEST_F(RenderCommand, AFullDiskIsCode4AndNoFrameIsTorn) {
         EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
 }
 
-TEST_F(RenderCommand, DivergenceIsCode6AndKeepsTheGoodFrames) {
-    write(folder / "ball.toml", kBall + "velocity = [0, 9950, 0]\n");
-    const Ended ended = film({"--set", "world.gravity=[0,100,0]", "--set", "camera.follow=ball"});
-    EXPECT_EQ(ended.code, 6) << ended.err;
-    EXPECT_NE(ended.err.find("body 'ball'"), std::string::npos) << ended.err;
-    const Files frames = framesIn(folder / "output/ball");
-    EXPECT_GT(frames.size(), 0u);
-    EXPECT_LT(frames.size(), static_cast<std::size_t>(kFrames));
+/// A body that is too fast is slowed down, and one that is too far away removed; the film goes on.
+TEST_F(RenderCommand, AnIncidentIsCode6AndTheFilmIsWhole) {
+    const std::string far = "[[body]]\nname = \"far\"\nshape = { sphere = 0.5 }\n"
+                            "at = [99990, 5, 0]\nvelocity = [9000, 0, 0]\n";
+    for (const std::string& scene : {kBall + "velocity = [0, 9950, 0]\n", kBall + far}) {
+        write(folder / "ball.toml", scene);
+        const Ended ended = film({"--set", "world.gravity=[0,100,0]", "--overwrite"});
+        EXPECT_EQ(ended.code, 6) << ended.err;
+        EXPECT_NE(ended.err.find(scene.ends_with(far) ? "body 'far': farther" : "body 'ball': faster"),
+                  std::string::npos)
+            << ended.err;
+        EXPECT_EQ(framesIn(folder / "output/ball").size(), static_cast<std::size_t>(kFrames));
+    }
+    const Ended still = run(folder.path(), {"still", "ball.toml", "-o", "end.png"});
+    EXPECT_EQ(still.code, 6) << still.err;
+    EXPECT_TRUE(fs::exists(folder / "end.png"));
 }
 
 TEST_F(RenderCommand, NeverWritesThroughASymlink) {
