@@ -34,7 +34,7 @@ enum class Trouble {
     velocityNotFinite, // the same
     positionTooLarge,  // the same: farther than 1e5 m from the origin
     velocityTooLarge,  // the body was slowed down to 1e4 m/s or rad/s
-    energyJump,        // tenfold energy in one step, without a kinematic body that adds it
+    energyJump,        // tenfold energy in one step, with no force, motor or moving kinematic body
     tooManyRows        // more than the direct solver accepts (solver/direct.h): no step was done
 };
 

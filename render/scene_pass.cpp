@@ -38,7 +38,7 @@ Vec3 groundLight(const Frame& frame) {
 
 std::string featuresOf(const Lights& lights) {
     std::string features;
-    if (lights.sun) features += lights.soft ? " SOFT_SHADOWS" : " HARD_SHADOWS";
+    if (lights.sun) features += " SHADOWS";
     if (lights.openMap) features += " OCCLUSION";
     if (lights.corners) features += " LIT_CORNERS";
     return features;

@@ -13,7 +13,6 @@ namespace render {
 /// The light of a picture.
 struct Lights {
     const ShadowPass* sun = nullptr;  // null: nothing casts shadows
-    bool soft = true;                 // soft edges of shadows
     bool corners = false;             // light per vertex only: for drafts
     GLuint openMap = 0;               // visible share of the sky; 0: all of it everywhere
     PixelRect darkened;               // where openMap may be below its maximum

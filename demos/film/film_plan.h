@@ -60,8 +60,8 @@ SceneDescription sceneOf(const Options& options);
 /// be too long, or the picture too small for its parts.
 FilmPlan planFilm(const Options& options);
 
-/// The same for several panels on one clock: their scenes have the same length and step. Fills in
-/// their overlays. `strip`: leaves room for a plot.
+/// The same for several panels on one clock: their scenes have the same length, and each has its own
+/// steps per frame. Fills in their overlays. `strip`: leaves room for a plot.
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
 
 /// A hash of all that determines a picture's bits except the renderer: scene, program, settings.

@@ -1,11 +1,9 @@
 // The share of the sun's and of the sky's light that reaches a point; p: the point in the map.
 
-#if defined(SOFT_SHADOWS) || defined(HARD_SHADOWS)
+#ifdef SHADOWS
 uniform sampler2DShadow shadowMap;
 uniform float shadowSize;          // texels per side
-#endif
 
-#ifdef SOFT_SHADOWS
 // Sixteen texels from four gathers, weighted so that the kernel moves smoothly with the point.
 float sunlit(vec3 p) {
     vec2 t = p.xy - 0.5;
@@ -20,11 +18,6 @@ float sunlit(vec3 p) {
     float lower = (a.w * g.x + a.z + b.w + b.z * f.x) * g.y + (a.x * g.x + a.y + b.x + b.y * f.x);
     float upper = (c.w * g.x + c.z + d.w + d.z * f.x) + (c.x * g.x + c.y + d.x + d.y * f.x) * f.y;
     return (lower + upper) / 9.0;
-}
-#elif defined(HARD_SHADOWS)
-// For one of many sub-frames with different sun directions: their mean is soft.
-float sunlit(vec3 p) {
-    return texture(shadowMap, vec3(p.xy / shadowSize, p.z));
 }
 #else
 float sunlit(vec3 p) { return 1.0; }

@@ -1,5 +1,5 @@
 uniform vec3 toSun;             // unit
-#if defined(SOFT_SHADOWS) || defined(HARD_SHADOWS)
+#ifdef SHADOWS
 uniform mat4 worldToShadow;     // to texels; z to 0..1
 uniform float shadowTexel;      // m
 
