@@ -1,6 +1,7 @@
 #include "tests/pages/browser.h"
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -39,7 +40,13 @@ public:
         for (const char* domain : {"Page", "Runtime", "Network", "Log"})
             call(std::string(domain) + ".enable");
     }
-    ~Page() { tools_.call("", "Target.disposeBrowserContext", {{"browserContextId", context_}}); }
+    ~Page() {
+        try {
+            tools_.call("", "Target.disposeBrowserContext", {{"browserContextId", context_}});
+        } catch (const std::exception&) {
+            return;  // the browser has ended, which the test has reported
+        }
+    }
     Page(const Page&) = delete;
     Page& operator=(const Page&) = delete;
 
