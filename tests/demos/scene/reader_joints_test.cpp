@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "demos/film/event_log.h"
 #include "demos/play/stage.h"
 #include "demos/scene/joint_kinds.h"
 #include "tests/demos/reading.h"
@@ -185,33 +184,6 @@ TEST(ReaderJoints, OfARepeatAreMoved) {
         "}\n"
         "joint = { type = 'path', a = 'world', b = 'b{i}', points = [[0, 0, 0], [1, 0, 0]] }\n");
     EXPECT_EQ(scene.joints.at(1).def.path.at(1), Vec3(4, 0, 0));
-}
-
-/// 72 kg hang from a weld that breaks at 2 kN; a ball that falls on them breaks it.
-TEST(ReaderJoints, ThatBreakAreTold) {
-    Stage stage(read("[[body]]\nname = 'ball'\nshape = { sphere = 0.2 }\nat = [1, 4, 0]\n" +
-                     joint("weld", kAt + "break_at = 2000\nname = 'hook'\n") + kFloor));
-    stage.world.watchTouches(true);
-    EventLog log(0);
-    int steps = 0;
-    for (; log.events().breaks.empty() && steps < 120; ++steps) {
-        ASSERT_TRUE(stage.step());
-        log.look(stage);
-    }
-    ASSERT_EQ(log.events().breaks.size(), 1u);
-    const JointBreak& event = log.events().breaks[0];
-    EXPECT_EQ(event.step, steps);
-    EXPECT_NEAR(event.time, steps / 60.0, 1e-12);
-    EXPECT_GT(event.force.norm(), 2000.0);
-    EXPECT_TRUE(stage.world.joint(stage.joints[0]).broken);
-    // The ball touched first, in the same step; the break is listed after it.
-    const std::string json = eventsJson(log.events(), stage);
-    const std::size_t begin = json.find("{\"event\":\"begin\",\"step\":" + std::to_string(steps));
-    const std::size_t broken = json.find("{\"event\":\"break\",\"step\":" + std::to_string(steps));
-    ASSERT_NE(broken, std::string::npos) << json;
-    EXPECT_LT(begin, broken) << json;
-    EXPECT_NE(json.find(R"("joint":"hook","a":"world","b":"box","position":[)"), std::string::npos)
-        << json;
 }
 
 struct BadJoint {
