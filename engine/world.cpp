@@ -21,6 +21,16 @@ namespace {
 constexpr const char* kNoSuchBody = "there is no such body; it was removed or never added";
 constexpr const char* kNoSuchJoint = "there is no such joint; it was removed or never added";
 
+/// As if the caller had placed all bodies anew: what depends on their bounds is found again.
+void placeAll(WorldState& s) {
+    for (int i = 0; i < s.bodies.count(); ++i) {
+        if (!s.bodies.present[i]) continue;
+        s.bodies.placed[i] = 1;
+        activate(s.bodies, i);
+    }
+    s.contactsStale = true;
+}
+
 }  // namespace
 
 World::World(const Settings& settings) : state_(std::make_unique<WorldState>()) {
@@ -134,6 +144,7 @@ void World::setSettings(const Settings& settings) {
                  "use Baumgarte or nudges for one error, never both");
     ENGINE_CHECK(settings.sleepAfter > 0.0, "sleepAfter must be positive");
     ENGINE_CHECK(settings.threads >= 1, "a step needs at least one thread");
+    if (settings.speculativeMargin != state_->settings.speculativeMargin) placeAll(*state_);
     state_->settings = settings;
     state_->sleep.callAll(state_->bodies);
     state_->solver.workers.setCount(settings.threads);
@@ -228,6 +239,7 @@ void World::setPose(BodyId id, const Pose& pose) {
     WorldState& s = *state_;
     callAround(s, id.index);
     s.bodies.placed[id.index] = 1;
+    activate(s.bodies, id.index);
     s.bodies.poses[id.index] = pose;
     s.bodies.poses[id.index].rotation.normalize();
     updateInverseInertia(s.bodies, id.index);
@@ -248,6 +260,7 @@ void World::setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
 
 void World::applyForce(BodyId id, const Vec3& force, const Vec3& torque) {
     ENGINE_CHECK(has(id), kNoSuchBody);
+    if (def(id).kind == BodyKind::fixed) return;
     state_->sleep.call(state_->bodies, id.index);
     state_->bodies.loads[id.index].force += force;
     state_->bodies.loads[id.index].torque += torque;

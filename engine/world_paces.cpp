@@ -48,8 +48,9 @@ void scaleImpulses(WorldState& s) {
 void setSpans(WorldState& s, double dt) {
     const double h = dt / s.report.substeps;
     bool any = false;
-    s.scales.assign(s.bodies.count(), 1.0);
-    for (int i = 0; i < s.bodies.count(); ++i) {
+    s.scales.resize(s.bodies.count(), 1.0);
+    for (const int i : s.bodies.active) {
+        s.scales[i] = 1.0;
         if (!s.bodies.isMoving(i)) continue;
         setSpan(s.bodies, i, h * s.bodies.strides[i], s.scales[i]);
         any = any || s.scales[i] != 1.0;
@@ -95,7 +96,7 @@ void joinPaces(WorldState& s, double dt) {
 }
 
 void beginSubstep(WorldState& s, int i) {
-    for (int k = 0; k < s.bodies.count(); ++k) s.bodies.acts[k] = i % s.bodies.strides[k] == 0;
+    for (const int k : s.bodies.active) s.bodies.acts[k] = i % s.bodies.strides[k] == 0;
     const int joints = s.paces.ofJoints();
     s.solver.constraints.jointStride = i % joints == 0 ? joints : 0;
 }

@@ -59,7 +59,10 @@ void wakeCalled(WorldState& s) {
 
 void updateSleep(WorldState& s, double dt) {
     wakeTouched(s);
-    std::fill(s.bodies.placed.begin(), s.bodies.placed.end(), char{0});
+    for (const int i : s.bodies.active) {
+        s.bodies.activeShrinks = s.bodies.activeShrinks || (s.bodies.placed[i] && !s.bodies.isMoving(i));
+        s.bodies.placed[i] = 0;
+    }
     if (!s.settings.sleeping || s.field) return;
     wakeMotors(s);
     fallAsleep(s, dt);

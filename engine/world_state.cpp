@@ -49,7 +49,7 @@ bool limit(Vec3& v, double most) {
 
 void limitSpeeds(WorldState& s) {
     constexpr double kFastest = 1e4;  // m/s or rad/s
-    for (int i = 0; i < s.bodies.count(); ++i) {
+    for (const int i : s.bodies.active) {
         if (!s.bodies.isMoving(i)) continue;
         Velocity& v = s.bodies.velocities[i];
         const bool fast = limit(v.linear, kFastest), spins = limit(v.angular, kFastest);
@@ -59,7 +59,7 @@ void limitSpeeds(WorldState& s) {
 
 void removeTheFar(WorldState& s) {
     constexpr double kFarthest = 1e5;  // m
-    for (int i = 0; i < s.bodies.count(); ++i) {
+    for (const int i : s.bodies.active) {
         if (!s.bodies.isMoving(i)) continue;
         if (s.bodies.poses[i].position.cwiseAbs().maxCoeff() <= kFarthest) continue;
         s.report.incidents.push_back({Trouble::positionTooLarge, s.bodyId(i)});
@@ -73,7 +73,7 @@ void removeTheFar(WorldState& s) {
 bool energyJumped(const WorldState& s, const Energy& before, const Energy& after) {
     if (hasMotors(s)) return false;
     double mass = 0.0;
-    for (int i = 0; i < s.bodies.count(); ++i) {
+    for (const int i : s.bodies.active) {
         if (s.bodies.isMoving(i) && !s.bodies.isDynamic(i)) return false;
         if (!s.bodies.loads[i].force.isZero(0.0) || !s.bodies.loads[i].torque.isZero(0.0))
             return false;
@@ -121,11 +121,13 @@ void listStates(const WorldState& s, std::span<const Contact> awake, std::span<c
 }
 
 void goBack(WorldState& s) {
-    s.bodies.poses = s.posesBefore;
-    s.bodies.velocities = s.velocitiesBefore;
+    for (const int i : s.bodies.active) {
+        s.bodies.poses[i] = s.posesBefore[i];
+        s.bodies.velocities[i] = s.velocitiesBefore[i];
+    }
     s.listed = WorldState::Listed::none;  // the impulses belong to an undone step
     s.touches.events.clear();
-    for (int i = 0; i < s.bodies.count(); ++i)
+    for (const int i : s.bodies.active)
         if (s.bodies.present[i]) updateInverseInertia(s.bodies, i);
 }
 
@@ -164,6 +166,7 @@ void removeBody(WorldState& s, BodyId id) {
     s.bodySlots.remove(id.index);
     std::erase(s.untreed, id.index);
     s.bodies.present[id.index] = 0;
+    s.bodies.activeShrinks = true;
     s.bodies.velocities[id.index] = {};
     s.bodies.inverseMasses[id.index] = {};
     s.finder.broadPhase.remove(id.index);
@@ -185,14 +188,20 @@ bool beginStep(WorldState& s, double dt) {
     s.again = false;
     callForced(s, dt);
     wakeCalled(s);
+    leaveOutResting(s.bodies);
     if (s.jointsStale) listJointedPairs(s);
     if (s.contactsStale) findContacts(s, dt);
     updateSleep(s, dt);
     updateJoints(s, dt);
     choosePaces(s, dt);
-    s.posesBefore = s.bodies.poses;
-    s.velocitiesBefore = s.bodies.velocities;
+    s.posesBefore.resize(s.bodies.count());
+    s.velocitiesBefore.resize(s.bodies.count());
+    for (const int i : s.bodies.active) {
+        s.posesBefore[i] = s.bodies.poses[i];
+        s.velocitiesBefore[i] = s.bodies.velocities[i];
+    }
     s.solvedBefore.clear();
+    sumResting(s.bodies);
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
     s.report.direct = {};
@@ -242,7 +251,7 @@ void findContactsWithin(WorldState& s, int substep, double h) {
 
 bool staysFinite(WorldState& s) {
     std::vector<Incident> ended;
-    for (int i = 0; i < s.bodies.count(); ++i)
+    for (const int i : s.bodies.active)
         if (s.bodies.isMoving(i) && !isFinite(s.bodies, i))
             ended.push_back({notFinite(s.bodies.poses[i]), s.bodyId(i)});
     if (ended.empty()) return true;
@@ -271,7 +280,7 @@ bool endStep(WorldState& s, double dt) {
     followJoints(s);
     if (breakJoints(s)) listJointedPairs(s);
     s.listed = WorldState::Listed::solved;
-    for (Load& load : s.bodies.loads) load = {};
+    for (const int i : s.bodies.active) s.bodies.loads[i] = {};
     holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, dt);
     removeTheFar(s);

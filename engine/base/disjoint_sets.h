@@ -2,15 +2,22 @@
 /// not depend on the order of joining.
 #pragma once
 #include <numeric>
+#include <span>
 #include <vector>
 
 namespace engine {
 
 class DisjointSets {
 public:
+    /// Makes sets of one of all elements.
     void reset(int count) {
         leader_.resize(count);
         std::iota(leader_.begin(), leader_.end(), 0);
+    }
+    /// Makes sets of one of the elements `which`, and of those from the last count on.
+    void reset(int count, std::span<const int> which) {
+        for (int i = static_cast<int>(leader_.size()); i < count; ++i) leader_.push_back(i);
+        for (const int i : which) leader_[i] = i;
     }
     int leaderOf(int i) {
         while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];

@@ -44,14 +44,15 @@ Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
 
 void BroadPhase::update(const Bodies& bodies, double margin, double dt, Workers* workers) {
     proxies_.resize(bodies.count());
-    bool anyMoved = false;
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : moved_) proxies_[i].moved = false;
+    moved_.clear();
+    for (const int i : bodies.active) {
         Proxy& proxy = proxies_[i];
-        proxy.moved = false;
         if (!bodies.present[i] || !bodies.defs[i].collide || bodies.isAsleep(i)) continue;
         if (isPlane(bodies, i)) {  // has no leaf: `moved` only when it is new
-            proxy.moved = proxy.leaf == -1;
-            proxy.leaf = -2;
+            if (proxy.leaf != kNew) continue;
+            proxy.leaf = kPlane;
+            planes_.push_back(i);
         } else {
             proxy.tight = reachOf(bodies, i, 0.5 * margin, dt);
             if (proxy.leaf >= 0 && tree_.bounds(proxy.leaf).contains(proxy.tight)) continue;
@@ -59,26 +60,36 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt, Workers*
             // Enlarged by a tenth of its size: a slow body stays in its leaf for many steps.
             const double fat = 0.05 * (proxy.tight.high - proxy.tight.low).maxCoeff();
             proxy.leaf = tree_.insert(proxy.tight.grownBy(fat), i);
-            proxy.moved = true;
         }
-        anyMoved = anyMoved || proxy.moved;
+        proxy.moved = true;
+        moved_.push_back(i);
     }
-    if (!anyMoved) return;
+    if (moved_.empty()) return;
+    awakeStale_ = true;
     forgetPairsOfMoved();
     const std::size_t before = pairs_.size();
     found_.resize(workers ? workers->count() : 1);
     const auto look = [&](int first, int end, int part) {
-        for (int i = first; i < end; ++i) {
-            if (!bodies.present[i] || !bodies.defs[i].collide) continue;
-            if (isPlane(bodies, i))
-                findPairsOfPlane(bodies, i, found_[part]);
-            else if (proxies_[i].moved)
+        for (int k = first; k < end; ++k)
+            if (const int i = moved_[k]; proxies_[i].leaf >= 0)
                 findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf), found_[part]);
-        }
     };
-    workers ? workers->share(bodies.count(), kBodiesAThread, look) : look(0, bodies.count(), 0);
+    const int count = static_cast<int>(moved_.size());
+    workers ? workers->share(count, kBodiesAThread, look) : look(0, count, 0);
+    for (const int plane : planes_) findPairsOfPlane(bodies, plane, found_[0]);
     takeFound();
     sortPairs(before);
+}
+
+const std::vector<PairKey>& BroadPhase::awakePairs(const Bodies& bodies) {
+    if (!awakeStale_ && listedAt_ == bodies.activeChanges) return awakePairs_;
+    awakePairs_.clear();
+    const auto rests = [&](int i) { return !bodies.isMoving(i) && !bodies.placed[i]; };
+    for (const PairKey& pair : pairs_)
+        if (!rests(pair.a) || !rests(pair.b)) awakePairs_.push_back(pair);
+    awakeStale_ = false;
+    listedAt_ = bodies.activeChanges;
+    return awakePairs_;
 }
 
 void BroadPhase::takeFound() {
@@ -97,16 +108,19 @@ void BroadPhase::sortPairs(std::size_t first) {
     pairs_.swap(merged_);
 }
 
-void BroadPhase::lookFarther(const Bodies& bodies, const std::vector<double>& more, double least) {
+void BroadPhase::lookFarther(const Bodies& bodies, std::span<const int> which,
+                             std::span<const double> more, double least) {
     const std::size_t before = pairs_.size();
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : which) {
         if (more[i] <= least || proxies_[i].leaf < 0) continue;
         const Bounds farther = proxies_[i].tight.grownBy(more[i]);
         if (!tree_.bounds(proxies_[i].leaf).contains(farther))
             findPairsOf(bodies, i, farther, found_[0]);
     }
     takeFound();
-    if (pairs_.size() > before) sortPairs(before);
+    if (pairs_.size() == before) return;
+    sortPairs(before);
+    awakeStale_ = true;
 }
 
 void BroadPhase::forgetPairsOfMoved() {
@@ -124,17 +138,24 @@ void BroadPhase::findPairsOf(const Bodies& bodies, int i, const Bounds& within,
 }
 
 void BroadPhase::findPairsOfPlane(const Bodies& bodies, int plane, Found& found) const {
-    for (int j = 0; j < bodies.count(); ++j)
+    const auto look = [&](int j) {
         if (bodies.isDynamic(j) && bodies.defs[j].collide &&
-            heeds(bodies.defs[plane], bodies.defs[j]) &&
-            (proxies_[plane].moved || proxies_[j].moved))
+            heeds(bodies.defs[plane], bodies.defs[j]))
             found.pairs.push_back({std::min(plane, j), std::max(plane, j)});
+    };
+    if (proxies_[plane].moved)
+        for (int j = 0; j < bodies.count(); ++j) look(j);
+    else
+        std::ranges::for_each(moved_, look);
 }
 
 void BroadPhase::remove(int body) {
     if (body >= static_cast<int>(proxies_.size())) return;
     if (proxies_[body].leaf >= 0) tree_.remove(proxies_[body].leaf);
     proxies_[body] = {};
+    awakeStale_ = true;
+    std::erase(planes_, body);
+    std::erase(moved_, body);
     std::erase_if(pairs_, [&](const PairKey& p) { return p.a == body || p.b == body; });
 }
 

@@ -1,8 +1,9 @@
 /// Finds the pairs of bodies that may touch, with a dynamic tree of enlarged (fat) bounds. Only a body that
 /// has left its fat bounds is reinserted and searches for its neighbours; a resting heap costs one loop over
-/// its bodies. Planes are paired with every dynamic body.
+/// its active bodies. Planes are paired with every dynamic body.
 #pragma once
 #include <compare>
+#include <span>
 #include <vector>
 
 #include "engine/base/workers.h"
@@ -23,12 +24,15 @@ public:
     /// `workers`, if given, share the search for neighbours.
     void update(const Bodies& bodies, double margin, double dt, Workers* workers = nullptr);
     void remove(int body);
-    /// Adds the pairs of bodies that may move farther than their bounds allow: by `more` (m, indexed by
-    /// body), where that exceeds `least`.
-    void lookFarther(const Bodies& bodies, const std::vector<double>& more, double least);
+    /// Adds the pairs of those bodies in `which` that may move farther than their bounds allow: by `more`
+    /// (m, indexed by body), where that exceeds `least`.
+    void lookFarther(const Bodies& bodies, std::span<const int> which, std::span<const double> more,
+                     double least);
 
     /// Sorted and unique. At least one body of each pair is dynamic.
     const std::vector<PairKey>& pairs() const { return pairs_; }
+    /// Those with a body that is active; perhaps a few more.
+    const std::vector<PairKey>& awakePairs(const Bodies& bodies);
     /// The current bounds, with margin and motion.
     const Bounds& bounds(int body) const { return proxies_[body].tight; }
     /// Whether the bounds of a pair overlap; those up to `more` (m) farther apart count as well.
@@ -39,9 +43,10 @@ public:
     const BoundsTree& tree() const { return tree_; }
 
 private:
+    static constexpr int kNew = -1, kPlane = -2;  // in place of a leaf
     struct Proxy {
         Bounds tight;
-        int leaf = -1;
+        int leaf = kNew;
         bool moved = false;
     };
 
@@ -60,7 +65,11 @@ private:
 
     BoundsTree tree_;
     std::vector<Proxy> proxies_;
-    std::vector<PairKey> pairs_, merged_;
+    std::vector<int> moved_;   // bodies whose leaf is new
+    std::vector<int> planes_;
+    std::vector<PairKey> pairs_, merged_, awakePairs_;
+    bool awakeStale_ = true;
+    long long listedAt_ = -1;  // Bodies::activeChanges
     std::vector<Found> found_;
 };
 

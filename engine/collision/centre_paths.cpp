@@ -32,8 +32,8 @@ void hold(Bodies& bodies, int body, int mesh, std::span<const Pose> before) {
 
 }  // namespace
 
-void holdInFront(Bodies& bodies, const ContactFinder& finder, std::span<const Pose> before) {
-    for (const PairKey& pair : finder.broadPhase.pairs()) {
+void holdInFront(Bodies& bodies, ContactFinder& finder, std::span<const Pose> before) {
+    for (const PairKey& pair : finder.broadPhase.awakePairs(bodies)) {
         const bool meshA = bodies.defs[pair.a].shape.type == ShapeType::mesh;
         const int mesh = meshA ? pair.a : pair.b, body = meshA ? pair.b : pair.a;
         if (bodies.defs[mesh].shape.type != ShapeType::mesh || !bodies.isAwake(body)) continue;

@@ -11,6 +11,6 @@
 namespace engine {
 
 /// Moves back the bodies that have passed through since `before`, the poses at the last contact detection.
-void holdInFront(Bodies& bodies, const ContactFinder& finder, std::span<const Pose> before);
+void holdInFront(Bodies& bodies, ContactFinder& finder, std::span<const Pose> before);
 
 }  // namespace engine

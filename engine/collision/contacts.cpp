@@ -27,7 +27,7 @@ bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pa
 }
 
 bool anyStirs(const Bodies& bodies) {
-    for (int i = 0; i < bodies.count(); ++i)
+    for (const int i : bodies.active)
         if (bodies.stirs(i)) return true;
     return false;
 }
@@ -86,7 +86,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         old = std::lower_bound(previous.begin(), previous.end(), pairs.front(), isBefore) -
               previous.begin();
     for (const PairKey& pair : pairs) {
-        const double thrown = finder.moving.thrown(pair);
+        const double thrown = finder.moving.throwOf(pair);
         if (rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
@@ -140,7 +140,10 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     const int threads = finder.workers ? finder.workers->count() : 1;
     findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.workers,
                 finder.moving);
-    const std::vector<PairKey>& pairs = finder.broadPhase.pairs();
+    // A body that sleeps may be thrown against others.
+    const std::vector<PairKey>& pairs = finder.moving.thrown.empty()
+                                            ? finder.broadPhase.awakePairs(bodies)
+                                            : finder.broadPhase.pairs();
     finder.found.resize(threads);
     for (std::vector<Contact>& found : finder.found) found.clear();
     const auto look = [&](int first, int end, int part) {

@@ -113,28 +113,35 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
 
 /// Hits that would continue by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the masses.
 void hit(const Bodies& bodies, const PairKey& pair, double ontoA, double ontoB,
-         std::vector<double>& throws) {
+         MovingPairs& moving) {
     const double a = bodies.inverseMasses[pair.a].linear, b = bodies.inverseMasses[pair.b].linear;
     if (a + b <= 0.0) return;
     const double e =
         together(bodies.defs[pair.a].material, bodies.defs[pair.b].material).restitution;
-    throws[pair.a] = larger(throws[pair.a], (1.0 + e) * ontoA * a / (a + b));
-    throws[pair.b] = larger(throws[pair.b], (1.0 + e) * ontoB * b / (a + b));
+    const auto reach = [&](int body, double way) {
+        double& farthest = moving.throws[body];
+        if (farthest == 0.0 && way > 0.0) moving.thrown.push_back(body);
+        farthest = larger(farthest, way);
+    };
+    reach(pair.a, (1.0 + e) * ontoA * a / (a + b));
+    reach(pair.b, (1.0 + e) * ontoB * b / (a + b));
 }
 
 /// Finds the throws of the hits; kHops times, a body that is hit passes its throw on to the bodies it meets.
 void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
-    moving.throws.assign(bodies.count(), 0.0);
+    for (const int i : moving.thrown) moving.throws[i] = 0.0;
+    moving.thrown.clear();
+    moving.throws.resize(bodies.count(), 0.0);
     for (const MovingPairs::Entry& entry : moving.entries) {
         const double way = dt * entry.impact.closing;
-        if (entry.impact.meets) hit(bodies, entry.pair, way, way, moving.throws);
+        if (entry.impact.meets) hit(bodies, entry.pair, way, way, moving);
     }
-    for (int hop = 0; hop < kHops; ++hop) {
+    for (int hop = 0; hop < kHops && !moving.thrown.empty(); ++hop) {
         moving.throwsBefore = moving.throws;  // so that the order of pairs does not matter
         for (const MovingPairs::Entry& entry : moving.entries)
             if (entry.impact.meets)
                 hit(bodies, entry.pair, moving.throwsBefore[entry.pair.b],
-                    moving.throwsBefore[entry.pair.a], moving.throws);
+                    moving.throwsBefore[entry.pair.a], moving);
     }
 }
 
@@ -164,10 +171,10 @@ Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const Pai
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const std::vector<PairKey>& jointed, double margin, double dt,
                  Workers* workers, MovingPairs& moving) {
-    moving.motions.clear();
-    for (int i = 0; i < bodies.count(); ++i) moving.motions.push_back(motionOf(bodies, i, dt));
+    moving.motions.resize(bodies.count());
+    for (const int i : bodies.active) moving.motions[i] = motionOf(bodies, i, dt);
     moving.entries.clear();
-    for (const PairKey& key : broadPhase.pairs()) {
+    for (const PairKey& key : broadPhase.awakePairs(bodies)) {
         if (bodies.isAsleep(key.a) && bodies.isAsleep(key.b)) continue;
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
         if (wayOf(a, b, dt) <= margin || !broadPhase.boundsMeet(key)) continue;
@@ -190,7 +197,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     const int count = static_cast<int>(moving.entries.size());
     workers ? workers->share(count, kMovingPairsAThread, look) : look(0, count, 0);
     findThrows(bodies, dt, moving);
-    broadPhase.lookFarther(bodies, moving.throws, margin);
+    broadPhase.lookFarther(bodies, moving.thrown, moving.throws, margin);
 }
 
 int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {

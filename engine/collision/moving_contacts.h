@@ -39,9 +39,10 @@ struct MovingPairs {
     std::vector<std::vector<Close>> close;  // a list for each thread
     std::vector<double> throws;   // m, by body; all zero if nothing is hit
     std::vector<double> throwsBefore;
+    std::vector<int> thrown;      // bodies whose throw is not zero
 
     /// How much closer the hits of this step may bring the two, m.
-    double thrown(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
+    double throwOf(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
 };
 
 /// Finds impacts and throws of all pairs that move more than `margin` (m) within dt (s), and adds to the

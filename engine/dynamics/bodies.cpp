@@ -1,5 +1,7 @@
 #include "engine/dynamics/bodies.h"
 
+#include <algorithm>
+
 #include "engine/base/check.h"
 #include "engine/shapes/mass.h"
 
@@ -68,7 +70,26 @@ void addBody(Bodies& bodies, const BodyDef& def, int i) {
     bodies.asleep[i] = -1;
     bodies.placed[i] = 1;
     bodies.hasSensors = bodies.hasSensors || def.sensor;
+    activate(bodies, i);
     updateInverseInertia(bodies, i);
+}
+
+void activate(Bodies& bodies, int body) {
+    ++bodies.activeChanges;
+    const auto at = std::ranges::lower_bound(bodies.active, body);
+    if (at != bodies.active.end() && *at == body) return;
+    bodies.active.insert(at, body);
+    bodies.restStale = bodies.restStale || bodies.isDynamic(body);
+}
+
+void leaveOutResting(Bodies& bodies) {
+    if (!bodies.activeShrinks) return;
+    std::erase_if(bodies.active, [&](int i) {
+        return !bodies.present[i] || (!bodies.isMoving(i) && !bodies.placed[i]);
+    });
+    ++bodies.activeChanges;
+    bodies.activeShrinks = false;
+    bodies.restStale = true;
 }
 
 void setSpans(Bodies& bodies, double h) {
@@ -89,7 +110,7 @@ void updateInverseInertia(Bodies& bodies, int i) {
 }
 
 void updateInverseInertias(Bodies& bodies) {
-    for (int i = 0; i < bodies.count(); ++i)
+    for (const int i : bodies.active)
         if (bodies.isActing(i)) updateInverseInertia(bodies, i);
 }
 

@@ -48,6 +48,13 @@ struct Bodies {
     std::vector<char> present;                       // 0: removed
     std::vector<int> asleep;   // lowest body number of its sleeping island (sleep.h); -1: awake
     std::vector<char> placed;  // 1: placed by the caller since the last step
+    /// Sorted: all that move, and those that were placed or have stopped moving since the last step. A step
+    /// visits no others, so what sleeps or is fixed costs nothing.
+    std::vector<int> active;
+    bool activeShrinks = false;  // some of them may rest now
+    long long activeChanges = 0; // counted
+    bool restStale = false;      // whether `restMoment` has to be summed again
+    Vec3 restMoment = Vec3::Zero();  // kg m: sum of m x over the dynamic bodies that are not active
     bool hasSensors = false;
 
     int count() const { return static_cast<int>(defs.size()); }
@@ -78,6 +85,10 @@ struct Bodies {
 
 /// Puts a body into a free slot or the next one. Fills in values that the definition leaves open.
 void addBody(Bodies& bodies, const BodyDef& def, int slot);
+
+/// Adds a body to the active ones; or takes out all that rest, before a step.
+void activate(Bodies& bodies, int body);
+void leaveOutResting(Bodies& bodies);
 
 /// Makes all bodies act, with sub-steps of h (s).
 void setSpans(Bodies& bodies, double h);

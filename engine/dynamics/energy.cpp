@@ -11,9 +11,26 @@ Vec3 spinMomentum(const Bodies& bodies, int i) {
 
 }  // namespace
 
+Vec3 restMomentOf(const Bodies& bodies) {
+    Vec3 sum = Vec3::Zero();
+    auto active = bodies.active.begin();
+    for (int i = 0; i < bodies.count(); ++i) {
+        const bool isActive = active != bodies.active.end() && *active == i;
+        if (isActive) ++active;
+        if (!isActive && bodies.isDynamic(i)) sum += bodies.masses[i].mass * bodies.poses[i].position;
+    }
+    return sum;
+}
+
+void sumResting(Bodies& bodies) {
+    if (bodies.restStale) bodies.restMoment = restMomentOf(bodies);
+    bodies.restStale = false;
+}
+
 Energy energyOf(const Bodies& bodies, const Vec3& gravity) {
     Energy e;
-    for (int i = 0; i < bodies.count(); ++i) {
+    e.potential = -gravity.dot(bodies.restStale ? restMomentOf(bodies) : bodies.restMoment);
+    for (const int i : bodies.active) {
         if (!bodies.isDynamic(i)) continue;
         const double m = bodies.masses[i].mass;
         const Velocity& v = bodies.velocities[i];

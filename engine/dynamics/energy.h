@@ -9,6 +9,11 @@
 
 namespace engine {
 
+/// Sum of m x over the dynamic bodies that are not active, kg m: their part of the potential energy.
+Vec3 restMomentOf(const Bodies& bodies);
+/// Keeps that sum in Bodies::restMoment, if it has changed.
+void sumResting(Bodies& bodies);
+
 /// h: Bodies::spans, the sub-steps that produced the velocities.
 Energy energyOf(const Bodies& bodies, const Vec3& gravity);
 

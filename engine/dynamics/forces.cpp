@@ -3,7 +3,7 @@
 namespace engine {
 
 void applyForces(Bodies& bodies, const Vec3& gravity, std::span<const Load> field) {
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isActing(i)) continue;
         Load load = bodies.loads[i];
         if (!field.empty()) {

@@ -5,7 +5,7 @@
 namespace engine {
 
 void integrateVelocities(Bodies& bodies, Gyroscope gyroscope) {
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isActing(i)) continue;
         const double h = bodies.spans[i];
         Velocity& v = bodies.velocities[i];
@@ -25,7 +25,7 @@ void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotat
 }
 
 void integratePositions(Bodies& bodies, Gyroscope gyroscope) {
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isGoing(i)) continue;
         const double h = bodies.spans[i];
         Velocity& v = bodies.velocities[i];

@@ -27,12 +27,12 @@ void Sleep::add(const Bodies& bodies, int body) {
 bool Sleep::anyoneTired(const Bodies& bodies, double after, double dt) {
     fit(bodies);
     bool tired = false;
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isAwake(i)) continue;
         slowFor_[i] = isSlow(bodies, i) ? slowFor_[i] + dt : 0.0;
         tired = tired || slowFor_[i] >= after;
     }
-    if (tired) islands_.reset(bodies.count());
+    if (tired) islands_.reset(bodies.count(), bodies.active);
     return tired;
 }
 
@@ -45,15 +45,16 @@ void Sleep::connect(const Bodies& bodies, int a, int b) {
 
 bool Sleep::fallAsleep(Bodies& bodies, double after) {
     restless_.assign(bodies.count(), 0);
-    for (int i = 0; i < bodies.count(); ++i)
+    for (const int i : bodies.active)
         if (bodies.isAwake(i) && slowFor_[i] < after) restless_[islands_.leaderOf(i)] = 1;
     const int before = count_;
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isAwake(i) || restless_[islands_.leaderOf(i)]) continue;
         bodies.asleep[i] = islands_.leaderOf(i);
         bodies.velocities[i] = {};
         ++count_;
     }
+    bodies.activeShrinks = bodies.activeShrinks || count_ > before;
     return count_ > before;
 }
 
@@ -74,6 +75,7 @@ bool Sleep::wakeCalled(Bodies& bodies) {
     for (int i = 0; i < bodies.count(); ++i) {
         if (!bodies.isAsleep(i) || !called_[bodies.asleep[i]]) continue;
         bodies.asleep[i] = -1;
+        activate(bodies, i);
         slowFor_[i] = 0.0;
         --count_;
     }

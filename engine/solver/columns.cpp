@@ -11,7 +11,8 @@ constexpr int kAboveAll = 1 << 20;
 
 void Columns::number(std::span<const Contact> contacts, std::span<const int> order,
                      const Bodies& bodies) {
-    levels_.assign(bodies.count(), kAboveAll);
+    levels_.resize(bodies.count());
+    for (const int i : bodies.active) levels_[i] = kAboveAll;
     for (const Contact& c : contacts) {
         const bool a = bodies.isDynamic(c.a), b = bodies.isDynamic(c.b);
         if (!a || !b) levels_[a ? c.a : c.b] = 1;
@@ -32,8 +33,9 @@ void Columns::number(std::span<const Contact> contacts, std::span<const int> ord
 void Columns::measure(std::span<const Contact> contacts, std::span<const int> order,
                       const Bodies& bodies, DisjointSets& islands) {
     number(contacts, order, bodies);
-    islands_.assign(bodies.count(), {});
-    for (int i = 0; i < bodies.count(); ++i) {
+    islands_.resize(bodies.count());
+    for (const int i : bodies.active) islands_[i] = {};
+    for (const int i : bodies.active) {
         if (levels_[i] >= kAboveAll) continue;
         Island& island = islands_[islands.leaderOf(i)];
         ++island.bodies;

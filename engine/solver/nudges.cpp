@@ -66,8 +66,9 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     if (!s.wide.separate(bodies, settings.slop)) return false;
     const std::span<const WideVelocity> ways = s.wide.nudge(settings, kMostNudge);
     constexpr int kLeast = 512;  // bodies per thread
-    s.workers.share(bodies.count(), kLeast, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i)
+    const std::span<const int> active = bodies.active;
+    s.workers.share(static_cast<int>(active.size()), kLeast, [&](int first, int end, int) {
+        for (const int i : active.subspan(first, end - first))
             if (bodies.isActing(i)) move(i, ways[i], bodies);
     });
     return true;

@@ -13,9 +13,9 @@ int strideFor(int needed, int total, int aLook) {
 
 void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
              const Bodies& bodies, DisjointSets& islands) {
-    islands.reset(bodies.count());
+    islands.reset(bodies.count(), bodies.active);
     const auto join = [&](int a, int b) {
-        if (bodies.isDynamic(a) && bodies.isDynamic(b)) islands.join(a, b);
+        if (bodies.isAwake(a) && bodies.isAwake(b)) islands.join(a, b);
     };
     for (const Contact& contact : contacts) join(contact.a, contact.b);
     for (const Joint& joint : joints)
@@ -25,8 +25,9 @@ void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
 void Paces::choose(DisjointSets& islands, const Substeps& substeps,
                    std::span<const Contact> contacts, std::span<const Joint> joints,
                    std::span<const char> everyStep, int total, int aLook, Bodies& bodies) {
-    islands_.assign(bodies.count(), {});
-    for (int i = 0; i < bodies.count(); ++i) {
+    islands_.resize(bodies.count());
+    for (const int i : bodies.active) islands_[i] = {};
+    for (const int i : bodies.active) {
         if (!bodies.isAwake(i)) continue;
         Island& island = islands_[islands.leaderOf(i)];
         island.substeps = larger(island.substeps, substeps.of(i));
@@ -53,7 +54,7 @@ void Paces::choose(DisjointSets& islands, const Substeps& substeps,
     };
     ofJoints_ = strideOf(jointed);
     longest_ = 1;
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         bodies.strides[i] = 1;
         if (!bodies.isAwake(i)) continue;
         const Island& island = islands_[islands.leaderOf(i)];

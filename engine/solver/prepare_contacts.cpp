@@ -74,7 +74,8 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     c.contacts.clear();
     solver.pressed.unload(bodies);
     solver.pressed.load(contacts, joints, bodies);
-    solver.posesAtStart = bodies.poses;
+    solver.posesAtStart.resize(bodies.count());
+    for (const int i : bodies.active) solver.posesAtStart[i] = bodies.poses[i];
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
     solver.lanes = settings.usesLanes();
     solver.byIsland = settings.solvesByIsland();

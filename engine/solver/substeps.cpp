@@ -120,12 +120,13 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
                      const Settings& settings, double dt) {
     const int least = settings.substeps;
     chosen_.resize(bodies.count());
-    islands_.assign(bodies.count(), {});
+    islands_.resize(bodies.count());
+    for (const int i : bodies.active) islands_[i] = {};
     if (settings.maxSubsteps > least) {
         addJoints(islands, joints, bodies, solver, dt);
         addContacts(islands, contacts, bodies, solver);
     }
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isMoving(i)) continue;
         if (bodies.spans[i] == 0.0) chosen_[i] = {};  // a new body, perhaps with a reused number
         Island& island = islands_[islands.leaderOf(i)];
@@ -136,7 +137,8 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
         island.any = true;
     }
     int most = least;
-    for (Island& island : islands_) {
+    for (const int i : bodies.active) {
+        Island& island = islands_[i];
         if (!island.any) continue;
         Chosen& chosen = island.chosen;
         const int enough = numberFor(island.needed, settings);
@@ -147,7 +149,7 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
             chosen = {chosen.enough, least, 0.0};
         most = larger(most, chosen.current);
     }
-    for (int i = 0; i < bodies.count(); ++i)
+    for (const int i : bodies.active)
         if (bodies.isMoving(i)) chosen_[i] = islands_[islands.leaderOf(i)].chosen;
     return most;
 }

@@ -18,11 +18,13 @@ bool isFast(const Contact& contact, const Bodies& bodies) {
 
 void ContactGroups::find(std::span<const Contact> contacts, std::span<const Joint> joints,
                          const Bodies& bodies, DisjointSets& islands) {
-    islands_.assign(bodies.count(), {});
+    islands_.resize(bodies.count());
+    for (const int i : bodies.active) islands_[i] = {};
     jointed_ = false;
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
         const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
+        if (!bodies.isAwake(body)) continue;
         islands_[islands.leaderOf(body)].jointed = true;
         jointed_ = true;
     }
@@ -70,7 +72,7 @@ void ContactGroups::number(std::span<const Contact> contacts, const Bodies& bodi
     }
     jointedBodies_.clear();
     if (!jointed_) return;
-    for (int i = 0; i < bodies.count(); ++i) {
+    for (const int i : bodies.active) {
         if (!bodies.isDynamic(i)) continue;
         const Island& island = islands_[islands.leaderOf(i)];
         if (island.jointed && island.contacts > 0) jointedBodies_.push_back(i);

@@ -56,8 +56,8 @@ void WideContacts::eachBatch(const Work& work) {
 template <class Work>
 void WideContacts::eachBody(const Work& work) {
     constexpr int kLeast = 512;  // bodies per thread
-    workers_->share(static_cast<int>(start_.size()), kLeast, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) work(i);
+    workers_->share(static_cast<int>(active_.size()), kLeast, [&](int first, int end, int) {
+        for (int k = first; k < end; ++k) work(active_[k]);
     });
 }
 
@@ -68,20 +68,30 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     workers_ = &workers;
     groups_ = &groups;
     arrange(contacts, order, bodies);
-    start_ = bodies.poses;
-    turned_.assign(start_.size(), 0);
-    farTurn_.assign(start_.size(), kFarTurn);
-    for (const int i : groups_->jointedBodies()) farTurn_[i] = kFarTurnOfJointed;
-    anyTurned_ = false;
-    axes_.clear();
-    for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
+    prepareBodies(bodies);
     const int count = static_cast<int>(schedule_.batches().size());
     batches_.resize(count), records_.resize(count);
     place_.resize(contacts.size());
     batchSpans_.assign(count, 1.0f);  // all are filled
     eachBatch([&](int k) { fillBatch(k, contacts, bodies); });
+}
+
+void WideContacts::prepareBodies(const Bodies& bodies) {
+    active_ = bodies.active;
+    const std::size_t count = bodies.poses.size(), slots = wasteOf(bodies.count(), 2);
+    start_.resize(count), axes_.resize(count), turned_.resize(count), farTurn_.resize(count);
+    atStart_.resize(count);
     for (std::vector<WideVelocity>* v : {&now_, &before_, &motions_, &ways_})
-        v->resize(wasteOf(bodies.count(), 2));
+        if (v->size() != slots) v->assign(slots, {});  // other slots are waste now
+    for (const int i : active_) {
+        start_[i] = bodies.poses[i];
+        axes_[i] = start_[i].rotation.toRotationMatrix();
+        turned_[i] = 0;
+        farTurn_[i] = kFarTurn;
+        motions_[i] = {};
+    }
+    for (const int i : groups_->jointedBodies()) farTurn_[i] = kFarTurnOfJointed;
+    anyTurned_ = false;
 }
 
 void WideContacts::arrange(std::span<const Contact> contacts, std::span<const int> order,
@@ -220,15 +230,16 @@ void WideContacts::begin(std::span<const Velocity> v, const Settings& settings) 
     step_.bounceSpeed = static_cast<float>(settings.bounceSpeed);
     step_.bounceByBias = settings.bounce == Bounce::bias ? 1.0f : 0.0f;
     step_.keep = settings.warmStart ? 1.0f : 0.0f;
-    atStart_.assign(v.begin(), v.end());
-    eachBody([&](int i) { now_[i] = narrowed(v[i]); });
+    eachBody([&](int i) {
+        atStart_[i] = v[i];
+        now_[i] = narrowed(v[i]);
+    });
     eachBatch([&](int k) {
         WideStep step = step_;
         step.h = batchSpans_[k];
         kernels_->setBiases(batches_[k], records_[k], now_.data(), step);
     });
-    now_.assign(now_.size(), {});
-    before_ = now_;
+    eachBody([&](int i) { now_[i] = before_[i] = {}; });
 }
 
 void WideContacts::setBounce(int contact, int i, double impulse) {
@@ -325,7 +336,7 @@ bool WideContacts::hasTurned(int batch, int lane) const {
 std::span<const WideVelocity> WideContacts::nudge(const Settings& settings, double most) {
     step_.nudgeFactor = static_cast<float>(settings.nudgeFactor);
     const double speed = settings.depenetrationSpeed / settings.nudges;
-    ways_.assign(ways_.size(), {});
+    eachBody([&](int i) { ways_[i] = {}; });
     for (int g = 0; g < groups_->count(); ++g) {
         step_.mostNudge = static_cast<float>(smaller(most, speed * spans_[g]));
         for (int k = firstBatch_[g]; acts(g) && k < firstBatch_[g + 1]; ++k)

@@ -68,6 +68,7 @@ public:
 private:
     void arrange(std::span<const Contact> contacts, std::span<const int> order,
                  const Bodies& bodies);
+    void prepareBodies(const Bodies& bodies);
     void fillBatch(int batch, std::span<const Contact> contacts, const Bodies& bodies);
     void fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies);
     void fillEmptyLane(int batch, int lane);
@@ -102,6 +103,7 @@ private:
     std::vector<BodyPair> pairs_;
     // By body; then a slot of zeros that empty lanes read, and one per half for unused results.
     std::vector<WideVelocity> now_, before_, motions_, ways_;
+    std::vector<int> active_;                // of Bodies: nothing changes of the others
     std::vector<Velocity> atStart_;          // velocities before solving the sub-step
     std::vector<Pose> start_;                // where the rows were made
     std::vector<Mat3> axes_;                 // their rotations

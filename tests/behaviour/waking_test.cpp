@@ -183,5 +183,44 @@ TEST(Waking, AKinematicBodyThatComesByPushes) {
     EXPECT_NEAR(world.pose({1}).position.x(), world.pose(ram).position.x() + 1.0, 0.01);
 }
 
+// Of a body that rolls over a cube, and is then replaced by a fixed plank under the cube.
+TEST(ReusedNumber, BringsNoMotionOfTheRemovedBody) {
+    World world(sleepy());
+    world.add(support::floorPlane());
+    BodyDef ball = body(Shape::box({0.8, 0.5, 0.5}), {-0.7, 1.3, 0}, kMass);
+    ball.velocity = {3, 0, 0}, ball.spin = {0, 0, -9};
+    const BodyId removed = world.add(ball), cube = world.add(body(kCube, {0, 0.5, 0}, kMass));
+    run(world, 20);
+    ASSERT_GT(world.velocity(removed).norm(), 0.5);
+    world.remove(removed);
+    run(world, 2);
+    BodyDef plank = body(Shape::box({4, 0.2, 4}), {0, 2.1, 0});
+    plank.kind = BodyKind::fixed;
+    const BodyId below = world.add(plank);
+    ASSERT_EQ(below.index, removed.index);
+    world.setPose(cube, {{0.3, 2.7, 0}, Quat::Identity()});
+    world.setVelocity(cube, Vec3::Zero(), Vec3::Zero());
+    run(world, 60);
+    EXPECT_NEAR(world.pose(cube).position.x(), 0.3, 1e-5);
+    EXPECT_NEAR(world.pose(cube).position.y(), 2.7, 1e-3);
+    EXPECT_NEAR(world.pose(cube).rotation.angularDistance(Quat::Identity()), 0.0, 1e-5);
+}
+
+// A floor of tiles that are put under a cube one after the other, while it sleeps.
+TEST(Waking, ATileThatIsTakenAwayAndPutBackIsSeen) {
+    World world(sleepy());
+    BodyDef tile = body(Shape::box({2, 0.2, 2}), {0, -0.1, 0});
+    tile.kind = BodyKind::fixed;
+    const BodyId floor = world.add(tile), cube = world.add(body(kCube, {0, 0.5, 0}, kMass));
+    run(world, 120);
+    ASSERT_TRUE(world.isAsleep(cube));
+    world.setPose(floor, {{0, -3.1, 0}, Quat::Identity()});
+    run(world, 30);
+    EXPECT_NEAR(height(world, cube), 0.5 - 0.5 * kGravity * 0.25, 0.1);
+    run(world, 120);
+    ASSERT_TRUE(world.isAsleep(cube));
+    EXPECT_NEAR(height(world, cube), -2.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace engine
