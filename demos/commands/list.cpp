@@ -6,6 +6,7 @@
 #include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
 #include "demos/load/builtin.h"
+#include "demos/scene/explain.h"
 #include "demos/scene/reader.h"
 #include "demos/scene/schema.h"
 #include "demos/text/complaints.h"
@@ -17,6 +18,7 @@ namespace {
 struct ListOptions : Options {
     bool print = false;   // the scene file itself
     bool schema = false;  // the JSON Schema of scene files
+    std::string explain;  // a key of scene files; empty: none
 };
 
 SceneDescription described(const BuiltinScene& scene) {
@@ -78,14 +80,22 @@ void sayOne(const SceneDescription& scene) {
     fmt::print("next: impulse render {}\n", scene.name);
 }
 
+/// Prints what scene files may hold, if that is asked for.
+bool sayFormat(const ListOptions& options) {
+    if (!options.schema && options.explain.empty()) return false;
+    const bool both = options.schema && !options.explain.empty();
+    if (!options.scenes.empty() || options.print || options.json || both)
+        throw Stop(Exit::usage,
+                   options.schema
+                       ? "--schema takes no scene and no other option: 'impulse list --schema'"
+                       : "--explain takes a key and no other option: 'impulse list --explain "
+                         "solver.sweeps'");
+    fmt::print("{}", options.schema ? sceneSchema() : explanationOf(options.explain));
+    return true;
+}
+
 Exit listScenes(const ListOptions& options) {
-    if (options.schema) {
-        if (!options.scenes.empty() || options.print || options.json)
-            throw Stop(Exit::usage,
-                       "--schema takes no scene and no other option: 'impulse list --schema'");
-        fmt::print("{}", sceneSchema());
-        return Exit::ok;
-    }
+    if (sayFormat(options)) return Exit::ok;
     if (options.scenes.size() > 1)
         throw Stop(Exit::usage,
                    "several scenes: list describes one; impulse gallery draws several");
@@ -115,6 +125,10 @@ Run addList(CLI::App& app) {
     app.add_flag("--print", options.print, "print the scene file itself; default: off");
     app.add_flag("--schema", options.schema,
                  "print the JSON Schema of scene files, for editors; default: off");
+    app.add_option("--explain", options.explain,
+                   "what a key of a scene file does: its type, unit, default and range; scene: all "
+                   "tables; default: none")
+        ->type_name("KEY");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
         return listScenes(settled(*asked, commandLine));
@@ -126,7 +140,8 @@ Run addList(CLI::App& app) {
 Command listCommand() {
     return {"list",
             "the built-in scenes",
-            {"impulse list", "impulse list stack --print > my.toml", "impulse list --schema"},
+            {"impulse list", "impulse list stack --print > my.toml",
+             "impulse list --explain solver.sweeps"},
             addList};
 }
 

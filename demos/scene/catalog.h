@@ -31,7 +31,11 @@ struct Form {
     Range range{0.0, 0.0};                // of numbers
     std::vector<std::string> words = {};  // of a word
     std::string table = {};  // name of the table or tables; empty: that of the key
+    std::string units = {};  // of all its ranges: "m/s or rad/s"
 };
+
+/// The units of all forms: "m/s or rad/s"; empty if there is none.
+std::string unitsOf(const std::vector<Form>& forms);
 
 struct AskedKey {
     std::string name;
@@ -45,6 +49,9 @@ struct AskedTable {
     std::vector<Form> others;  // forms of any other key: [values]
 };
 
+/// "a key of the camera" -> "key-of-the-camera", "an [[expect]]" -> "expect"
+std::string definitionName(std::string_view table);
+
 class Catalog {
 public:
     AskedKey& ask(const std::string& table, std::string_view key, bool given);
@@ -52,8 +59,10 @@ public:
     void ask(const std::string& table, std::string_view key, const Form& form, bool given);
     void askOthers(const std::string& table, const Form& form);
 
-    /// In the order in which they were first asked.
+    /// In the order in which they were first asked; the first is the file itself.
     const std::vector<AskedTable>& tables() const { return tables_; }
+    /// The table that a key holds, alone or in a list; null if it holds none.
+    const AskedTable* heldBy(const AskedKey& key) const;
 
 private:
     AskedTable& tableOf(const std::string& name);

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "demos/scene/catalog.h"
 #include "demos/scene/every_key.h"
 #include "demos/scene/reader.h"
-#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {
@@ -15,19 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDraft = "https://json-schema.org/draft/2020-12/schema";
-
-/// "a key of the camera" -> "key-of-the-camera", "an [[expect]]" -> "expect"
-std::string definitionName(std::string_view table) {
-    for (const std::string_view article : {"a ", "an "})
-        if (table.starts_with(article)) {
-            table.remove_prefix(article.size());
-            break;
-        }
-    std::string name;
-    for (const char c : table)
-        if (c != '[' && c != ']') name += c == ' ' ? '-' : c;
-    return name;
-}
 
 Json reference(std::string_view definition) {
     return {{"$ref", "#/$defs/" + std::string(definition)}};
@@ -50,9 +37,7 @@ Json numberSchema(const Range& range, const char* type) {
     Json number{{"type", type}};
     if (range.low > -kSaysNothing) number["minimum"] = bound(range.low);
     if (range.high < kSaysNothing) number["maximum"] = bound(range.high);
-    Json schema = anyOne({number, reference("expression")});
-    if (*range.unit) schema["description"] = range.unit;
-    return schema;
+    return anyOne({number, reference("expression")});
 }
 
 Json listOf(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
@@ -61,6 +46,12 @@ Json vectorSchema(const Range& range) {
     Json schema = listOf(numberSchema(range, "number"));
     schema["minItems"] = schema["maxItems"] = 3;
     return schema;
+}
+
+/// For the editor's hint at a key.
+std::string descriptionOf(const KeyText& text, const std::string& units) {
+    return text.sentence + (units.empty() ? "" : " Unit: " + units + ".") +
+           " Default: " + text.usual + ".";
 }
 
 /// Of a key; `name`: its own.
@@ -97,16 +88,22 @@ Json schemaOf(const Form& form, const std::string& name) {
 }
 
 /// Several forms: any of them; no form: anything.
-Json schemaOf(const std::vector<Form>& forms, const std::string& name) {
+Json schemaOf(const std::vector<Form>& forms, const std::string& name, const KeyText* text) {
     std::vector<Json> list;
     for (const Form& form : forms) list.push_back(schemaOf(form, name));
-    return list.empty() ? Json(true) : anyOne(std::move(list));
+    if (list.empty()) return true;
+    Json schema = anyOne(std::move(list));
+    if (text) schema["description"] = descriptionOf(*text, unitsOf(forms));
+    return schema;
 }
 
 Json schemaOf(const AskedTable& table) {
+    const auto textOf = [&](const std::string& key) { return textOn(table.name, key); };
     Json properties = Json::object();
-    for (const AskedKey& key : table.keys) properties[key.name] = schemaOf(key.forms, key.name);
-    const Json others = table.others.empty() ? Json(false) : schemaOf(table.others, "");
+    for (const AskedKey& key : table.keys)
+        properties[key.name] = schemaOf(key.forms, key.name, textOf(key.name));
+    const Json others =
+        table.others.empty() ? Json(false) : schemaOf(table.others, "", textOf("*"));
     return {{"type", "object"}, {"properties", properties}, {"additionalProperties", others}};
 }
 

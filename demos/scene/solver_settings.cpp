@@ -49,6 +49,12 @@ SettingList solverSettings(const engine::Settings& s) {
     return out;
 }
 
+std::string settingOf(const engine::Settings& settings, const std::string& key) {
+    for (const auto& [name, value] : allSettings(settings))
+        if (name == key) return value;
+    return {};
+}
+
 std::string besidePreset(const engine::Settings& settings, const std::string& preset) {
     const SettingList own = allSettings(settings), usual = allSettings(presetCalled(preset));
     std::string text;

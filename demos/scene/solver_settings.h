@@ -16,6 +16,9 @@ engine::Settings presetCalled(const std::string& name);
 /// The settings that affect a run's results: "solver.substeps", "4".
 SettingList solverSettings(const engine::Settings& settings);
 
+/// One of them, or of those that only a figure lists: "solver.lanes". Empty if there is none.
+std::string settingOf(const engine::Settings& settings, const std::string& key);
+
 /// "substeps=8 sweeps=1": the settings that differ from the preset's; empty: none.
 std::string besidePreset(const engine::Settings& settings, const std::string& preset);
 

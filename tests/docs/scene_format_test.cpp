@@ -1,6 +1,7 @@
 // demos/scene/README.md agrees with the reader; the schema has every key of the reader's source.
 #include <gtest/gtest.h>
 
+#include "demos/scene/every_key.h"
 #include "tests/docs/texts.h"
 #include "tests/support/temporary_folder.h"
 
@@ -67,7 +68,50 @@ TEST(SceneSchema, KnowsEveryKeyThatTheReaderAsksFor) {
     EXPECT_GE(keys.size(), 90u);
     for (const std::string& key : keys)
         EXPECT_NE(schema.find("\"" + key + "\": "), std::string::npos)
-            << key << ": give it in demos/scene/every_key.cpp";
+            << key << ": give it in demos/scene/every_key_*.cpp";
+}
+
+/// Every key of these tables of the format; "*" is none.
+std::set<std::string> keysOf(const std::set<std::string>& tables) {
+    std::set<std::string> keys;
+    for (const demos::TableTexts& texts : demos::everyText())
+        if (tables.contains(texts.table))
+            for (const demos::KeyText& text : texts.keys)
+                if (text.key != std::string("*")) keys.insert(text.key);
+    return keys;
+}
+
+/// The pages in words have every key of the sentences, and no other in their tables of keys.
+TEST(ScenePages, HaveEveryKeyAndNoOther) {
+    struct Page {
+        fs::path file;
+        std::string begin, end;
+        std::set<std::string> tables;
+    };
+    const Page pages[] = {
+        {kSceneFolder / "bodies-and-joints.md", "## Joints", "\n```toml",
+         {"a [[joint]]", "a motor", "a spring", "a coordinate"}},
+        {kSceneFolder / "bodies-and-joints.md", "## Shapes", "\n**The origin.**",
+         {"a shape", "a part", "a mesh", "a height_field", "a capsule"}},
+        {demosFolder(""), "## The camera", "\n## ", {"[camera]", "a key of the camera"}},
+    };
+    for (const Page& page : pages) {
+        const std::string all =
+            textOf(fs::is_directory(page.file) ? page.file / "README.md" : page.file);
+        const std::size_t begin = all.find(page.begin);
+        ASSERT_NE(begin, std::string::npos) << page.begin;
+        const std::string text = all.substr(begin, all.find(page.end, begin) - begin);
+        const std::set<std::string> keys = keysOf(page.tables);
+        for (const std::string& key : keys)
+            EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + key + "\\b"))) << key;
+        std::set<std::string> listed;
+        for (std::size_t at = text.find("| key |"); at != std::string::npos;
+             at = text.find("| key |", at + 1))
+            listed.merge(firstCells(text.substr(at, text.find("\n\n", at) - at)));
+        EXPECT_GE(listed.size(), 8u) << page.begin;
+        for (const std::string& key : listed)
+            EXPECT_TRUE(keys.contains(key)) << key << " in " << page.begin;
+    }
 }
 
 }  // namespace

@@ -130,6 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
 struct BadScene {
     const char* name;
     std::string text;
+        {"ExplainNothing", {"list", "--explain", "solver.swee"}, 2, "'solver.sweeps'"},
+        {"ExplainAScene", {"list", "stack", "--explain", "solver"}, 2, "takes a key and no other"},
     const char* part;
 };
 void PrintTo(const BadScene& bad, std::ostream* out) { *out << bad.name; }

@@ -47,6 +47,14 @@ TEST(List, ShowsEveryGroupOnceWithItsScenesBelow) {
     }
 }
 
+TEST(List, ExplainsAKey) {
+    const TemporaryFolder folder;
+    const Ended ended = run(folder.path(), {"list", "--explain", "body.ball.mass"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(linesOf(ended.out).size(), 5u);
+    EXPECT_TRUE(ended.out.starts_with("body.mass: The mass, ")) << ended.out;
+}
+
 TEST(List, SaysWhatIsWrong) {
     const TemporaryFolder folder;
     const auto errorOf = [&](const std::vector<std::string>& arguments) {

@@ -159,10 +159,29 @@ TEST(Schema, HasNoKeyThatNoSceneMayHave) {
     for (const AskedTable& table : catalog.tables())
         for (const AskedKey& key : table.keys) {
             EXPECT_TRUE(key.given)
-                << key.name << " in " << table.name << ": give it in demos/scene/every_key.cpp";
+                << key.name << " in " << table.name << ": give it in demos/scene/every_key_*.cpp";
             EXPECT_FALSE(key.forms.empty())
                 << key.name << " in " << table.name << " may be anything";
         }
+}
+
+TEST(Schema, DescribesEveryKey) {
+    int keys = 0;
+    const auto check = [&](const std::string& table, const Json& properties) {
+        for (const auto& [name, rule] : properties.items()) {
+            const std::string text = rule.value("description", "");
+            EXPECT_NE(text.find(". Default: "), std::string::npos) << table << " " << name;
+            ++keys;
+        }
+    };
+    check("the file", schema()["properties"]);
+    for (const auto& [name, definition] : schema()["$defs"].items())
+        if (definition.contains("properties")) check(name, definition["properties"]);
+    EXPECT_GE(keys, 200);
+    EXPECT_NE(schema()["$defs"]["body"]["properties"]["mass"]["description"]
+                  .get<std::string>()
+                  .find(" Unit: kg. Default: density times volume."),
+              std::string::npos);
 }
 
 /// Puts an unknown key into every table of the document, one after the other.
