@@ -22,8 +22,8 @@ int stepsPerFrame(int hz, int fps) {
     if (hz % fps != 0)
         throw Stop(Exit::usage,
                    fmt::format("--fps {}: the scene steps {} times a second, which must be a "
-                               "multiple; good: {}",
-                               fps, hz, goodRates(hz, fps)));
+                               "multiple; good: {}, or --set world.hz={}",
+                               fps, hz, goodRates(hz, fps), goodSteps(hz, fps)));
     return hz / fps;
 }
 
@@ -72,6 +72,14 @@ std::string goodRates(int hz, int wanted) {
     rates.resize(std::min<std::size_t>(rates.size(), 6));
     std::sort(rates.begin(), rates.end());
     return fmt::format("{}", fmt::join(rates, " "));
+}
+
+int goodSteps(int hz, int fps) {
+    constexpr int kFewest = 10, kMost = 100'000;  // steps a second that a scene may have
+    int perFrame = std::max((hz + fps / 2) / fps, 1);
+    while (perFrame * fps < kFewest) ++perFrame;
+    while (perFrame * fps > kMost) --perFrame;
+    return perFrame * fps;
 }
 
 int stepAt(double time, const FilmPlan& plan, const char* option) {

@@ -48,6 +48,9 @@ struct FilmPlan {
 /// The frame rates that divide a scene's steps a second, the six nearest to `wanted`: "20 30 60".
 std::string goodRates(int hz, int wanted);
 
+/// The steps a second nearest to `hz` that a frame rate divides, for `world.hz`.
+int goodSteps(int hz, int fps);
+
 /// The step nearest to `time` (s). Throws Stop (usage), which names `option`, if it is too far away
 /// to simulate.
 int stepAt(double time, const FilmPlan& plan, const char* option);

@@ -270,9 +270,10 @@ private:
             return keys_.complainOf(
                 keys_.has("scene") ? "scene" : "compare",
                 fmt::format("fps of the deck is {}: '{}' steps {} times a second, which must be a "
-                            "multiple; good: {}",
+                            "multiple; good: {}, or set = \"world.hz={}\"",
                             *reading_.fps, scene.name, scene.hz,
-                            goodRates(scene.hz, *reading_.fps)));
+                            goodRates(scene.hz, *reading_.fps),
+                            goodSteps(scene.hz, *reading_.fps)));
         }
     }
 

@@ -41,7 +41,17 @@ INSTANTIATE_TEST_SUITE_P(
         {"UnknownListed", {"list", "stakc"}, 2, "did you mean 'stack'"},
         {"NoNumber", {"render", "stack", "--fps", "many"}, 2, "must be a whole number"},
         {"NoFrameRate", {"render", "stack", "--fps", "0"}, 2, "1 to 1000"},
-        {"OddFrameRate", {"render", "stack", "--fps", "7"}, 2, "good: "},
+        {"OddFrameRate", {"render", "stack", "--fps", "7"}, 2,
+         "good: 2 3 4 5 6 10, or --set world.hz=63"},
+        {"FrameRateAboveSteps", {"render", "stack", "--fps", "1000"}, 2, "world.hz=1000"},
+        {"FrameRateOfFewSteps",
+         {"render", "stack", "--set", "world.hz=10", "--fps", "7"},
+         2,
+         "good: 1 2 5 10, or --set world.hz=14"},
+        {"FrameRateOfManySteps",
+         {"render", "stack", "--set", "world.hz=100000", "--fps", "991"},
+         2,
+         "or --set world.hz=99100"},
         {"NoWidth", {"render", "stack", "--size", "0x9"}, 2, "1 to 16384"},
         {"WideWidth", {"render", "stack", "--size", "16385x9"}, 2, "1 to 16384"},
         {"NoSize", {"render", "stack", "--size", "big"}, 2, "1280x720"},
@@ -129,6 +139,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 struct BadScene {
     const char* name;
+/// The rates that the message names are taken.
+TEST(FrameRate, OfTheMessageIsTaken) {
+    const TemporaryFolder folder;
+    const auto plan = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> words{"render", "stack", "--dry-run", "--fps"};
+        words.insert(words.end(), options.begin(), options.end());
+        return run(folder.path(), words);
+    };
+    const Ended refused = plan({"25"});
+    ASSERT_NE(refused.err.find("30, or --set world.hz=50\n"), std::string::npos) << refused.err;
+    EXPECT_EQ(plan({"30"}).code, 0);
+    EXPECT_EQ(plan({"25", "--set", "world.hz=50"}).code, 0);
+}
+
     std::string text;
         {"ExplainNothing", {"list", "--explain", "solver.swee"}, 2, "'solver.sweeps'"},
         {"ExplainAScene", {"list", "stack", "--explain", "solver"}, 2, "takes a key and no other"},

@@ -192,7 +192,8 @@ TEST(Deck, RefusesNonsenseSizesAndRates) {
     EXPECT_EQ(
         deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\n"),
         List{"deck.toml:5:9: fps of the deck is 25: 'stack' steps 60 times a second, which must "
-             "be a multiple; good: 6 10 12 15 20 30"});
+             "be a multiple; good: 6 10 12 15 20 30, or set = \"world.hz=50\""});
+    EXPECT_EQ(deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\nset = 'world.hz=50'\n"), List{});
     EXPECT_EQ(deckErrors("fps = 25\n[[slide]]\nscene = 'stack'\npicture = 'still'\n"), List{});
     EXPECT_EQ(deckErrors("fps = 0\n" + kSlide),
               List{"deck.toml:3:7: fps is 0; it should be a whole number from 1 to 240 frames a "
