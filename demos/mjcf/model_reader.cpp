@@ -52,7 +52,8 @@ void applyOptions(const std::vector<std::string>& overrides, const std::string& 
     complaints.addFile(fileName);
     Value document;
     document.place = {1, 1};
-    applyOverrides(overrides, document, complaints);
+    for (const ItemOverride& change : applyOverrides(overrides, document, complaints))
+        complaints.add(change.place, "unknown key '" + change.list + "' in a model");
     BodyNumbers numbers;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         numbers[scene.bodies[i].name] = static_cast<int>(i);

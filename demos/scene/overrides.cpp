@@ -1,30 +1,17 @@
 #include "demos/scene/overrides.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cctype>
 #include <optional>
 #include <utility>
 
 #include "demos/text/nearest.h"
+#include "demos/text/plural.h"
 
 namespace demos {
 namespace {
 
 constexpr std::size_t kLongestKeyPath = 16;
-
-std::vector<std::string> parts(std::string_view path) {
-    std::vector<std::string> list(1);
-    bool quoted = false;
-    for (const char c : path) {
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == '.' && !quoted)
-            list.emplace_back();
-        else if (c != ' ')
-            list.back() += c;
-    }
-    return list;
-}
 
 bool isCalled(const Value& table, const std::string& name) {
     const Value* own = table.find("name");
@@ -43,17 +30,9 @@ bool holdsCalled(const Value& item, const std::string& name) {
     return false;
 }
 
-std::optional<std::size_t> numberOf(const std::string& part) {
-    std::size_t number = 0;
-    const char* end = part.data() + part.size();
-    const std::from_chars_result read = std::from_chars(part.data(), end, number);
-    if (read.ec == std::errc() && read.ptr == end) return number;
-    return std::nullopt;
-}
-
 /// The item of a list with this number or name; null if there is none.
 Value* listItem(Value& list, const std::string& part) {
-    if (const std::optional<std::size_t> number = numberOf(part))
+    if (const std::optional<std::size_t> number = countedNumber(part))
         return *number < list.items.size() ? &list.items[*number] : nullptr;
     for (Value& item : list.items)
         if (holdsCalled(item, part)) return &item;
@@ -100,7 +79,7 @@ Setting settingAt(const std::vector<std::string>& path, Place place, Value& docu
             at.value = listItem(around, *part);
         } else if (around.kind == Value::Kind::table) {
             const bool known = around.find(*part) != nullptr;
-            if (!known) missing = std::find_if(part, path.end(), numberOf);
+            if (!known) missing = std::find_if(part, path.end(), countedNumber);
             if (known || missing == path.end()) {
                 at.value = memberOf(around, *part, place);
                 at.key = &around.keys[static_cast<std::size_t>(at.value - around.items.data())];
@@ -115,31 +94,119 @@ Setting settingAt(const std::vector<std::string>& path, Place place, Value& docu
     return at;
 }
 
-void apply(const std::string& text, Place place, Value& document, Complaints& complaints) {
+void put(const std::string& value, const std::vector<std::string>& path, Place place,
+         Value& document, Complaints& complaints) {
+    const Setting setting = settingAt(path, place, document, complaints);
+    if (!setting.value) return;
+    *setting.value = parseTomlValue(value, place);
+    if (setting.key) setting.key->place = place;
+}
+
+/// body[3].mass -> body.3.mass
+std::vector<std::string> withItemsApart(const std::vector<std::string>& path) {
+    std::vector<std::string> apart;
+    for (const std::string& part : path)
+        if (const auto indexed = indexedPart(part))
+            apart.insert(apart.end(), {indexed->name, std::to_string(indexed->index)});
+        else
+            apart.push_back(part);
+    return apart;
+}
+
+/// body.box[3].mass
+bool hasToWait(const std::vector<std::string>& path) {
+    return (path[0] == "body" || path[0] == "joint" || path[0] == "force") && path.size() > 2 &&
+           indexedPart(path[1]);
+}
+
+/// One of --set; those that have to wait are added to `later`.
+void apply(const std::string& text, Place place, Value& document, std::vector<ItemOverride>& later,
+           Complaints& complaints) {
     const std::size_t equals = text.find('=');
-    const std::vector<std::string> path = parts(std::string_view(text).substr(0, equals));
+    const std::vector<std::string> path = keyParts(std::string_view(text).substr(0, equals));
     bool good = equals != std::string::npos && path.size() <= kLongestKeyPath;
     for (const std::string& part : path) good = good && !part.empty();
     if (!good) {
         complaints.add(place, "should be KEY=VALUE, like world.hz=240");
         return;
     }
-    if (const std::string wrong = whyNot(path, document); !wrong.empty()) {
+    const std::string value = text.substr(equals + 1);
+    if (hasToWait(path))
+        later.push_back(
+            {path[0], *indexedPart(path[1]), {path.begin() + 2, path.end()}, value, place});
+    else if (const std::string wrong = whyNot(path, document); !wrong.empty())
         complaints.add(place, wrong);
-        return;
+    else
+        put(value, withItemsApart(path), place, document, complaints);
+}
+
+/// The name of a body, joint or force; of a joint without one that of its bodies, "a-b".
+std::string nameOfItem(const Instance& instance) {
+    std::string ignored;
+    const auto text = [&](const char* key) {
+        const Value* value = instance.table->find(key);
+        return value ? instance.named(value->text, ignored) : std::string();
+    };
+    const std::string name = text("name");
+    return name.empty() && instance.table->find("a") ? text("a") + "-" + text("b") : name;
+}
+
+/// Whether the name begins with these whole words: box3 with box, boxing not.
+bool beginsWith(const std::string& name, const std::string& words) {
+    const auto isLetterAt = [&name](std::size_t i) {
+        return i < name.size() && std::isalpha(static_cast<unsigned char>(name[i]));
+    };
+    const std::size_t size = words.size();
+    return name.starts_with(words) && !(isLetterAt(size - 1) && isLetterAt(size));
+}
+
+/// Null, with an error, if there is none.
+Instance* itemMeant(const ItemOverride& change, std::vector<Instance>& list,
+                    Complaints& complaints) {
+    const std::string& words = change.item.name;
+    const std::string& kind = change.list;
+    std::vector<std::string> names;
+    std::size_t found = 0;
+    for (Instance& instance : list) {
+        names.push_back(nameOfItem(instance));
+        if (!beginsWith(names.back(), words)) continue;
+        if (found++ == change.item.index) return &instance;
     }
-    const Setting setting = settingAt(path, place, document, complaints);
-    if (!setting.value) return;
-    *setting.value = parseTomlValue(std::string_view(text).substr(equals + 1), place);
-    if (setting.key) setting.key->place = place;
+    if (found == 0)
+        complaints.add(change.place, "no " + kind + " has a name that begins with '" +
+                                         shown(words) + "'" + suggestion(words, names));
+    else
+        complaints.add(
+            change.place,
+            "the names of " +
+                plural(found, kind.c_str(), kind == "body" ? "bodies" : (kind + "s").c_str()) +
+                " begin with '" + shown(words) +
+                "'; the index counts from 0 and should be at most " + std::to_string(found - 1));
+    return nullptr;
 }
 
 }  // namespace
 
-void applyOverrides(const std::vector<std::string>& overrides, Value& document,
-                    Complaints& complaints) {
+std::vector<ItemOverride> applyOverrides(const std::vector<std::string>& overrides, Value& document,
+                                         Complaints& complaints) {
+    std::vector<ItemOverride> later;
     for (std::size_t i = 0; i < overrides.size(); ++i)
-        apply(overrides[i], {0, static_cast<int>(i) + 1}, document, complaints);
+        apply(overrides[i], {0, static_cast<int>(i) + 1}, document, later, complaints);
+    return later;
+}
+
+void applyToItems(const std::vector<ItemOverride>& overrides, Instances& instances,
+                  std::deque<Value>& own, Complaints& complaints) {
+    for (const ItemOverride& change : overrides) {
+        std::vector<Instance>& list = change.list == "body"    ? instances.bodies
+                                      : change.list == "joint" ? instances.joints
+                                                               : instances.forces;
+        Instance* item = itemMeant(change, list, complaints);
+        if (!item) continue;
+        own.push_back(*item->table);
+        put(change.value, change.path, change.place, own.back(), complaints);
+        item->table = &own.back();
+    }
 }
 
 }  // namespace demos

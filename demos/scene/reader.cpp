@@ -1,5 +1,6 @@
 #include "demos/scene/reader.h"
 
+#include <deque>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -40,9 +41,9 @@ void readTop(Keys& top, SceneDescription& scene) {
     scene.seconds = top.number("seconds", lengths).value_or(scene.seconds);
 }
 
-SceneDescription describeScene(const Value& document, const std::string& sceneName,
-                               const std::optional<fs::path>& folder, const Scope& scope,
-                               Complaints& complaints) {
+SceneDescription describeScene(const Value& document, const std::vector<ItemOverride>& overrides,
+                               const std::string& sceneName, const std::optional<fs::path>& folder,
+                               const Scope& scope, Complaints& complaints) {
     SceneDescription scene;
     scene.name = sceneName;
     scene.folder = folder;
@@ -55,7 +56,9 @@ SceneDescription describeScene(const Value& document, const std::string& sceneNa
     const Materials materials = readMaterials(top, complaints);
     const Repeatable tables{top.tables("body"), top.tables("joint"), top.tables("force"),
                             top.tables("repeat")};
-    const Instances instances = unroll(tables, scene.seed, scope, complaints);
+    Instances instances = unroll(tables, scene.seed, scope, complaints);
+    std::deque<Value> changed;
+    applyToItems(overrides, instances, changed, complaints);
     const BodyNumbers numbers = readBodies(instances.bodies, materials, scene, complaints);
     numberGroups(scene, complaints);
     readJoints(instances.joints, numbers, scene, complaints);
@@ -90,10 +93,12 @@ SceneDescription readScene(std::string_view text, const std::string& fileName,
     if (text.size() > kMostSceneBytes) fail(fileName + ": larger than 8 MiB");
     Document document = readDocument(text, fileName, pathOf(fileName, folder), complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
-    applyOverrides(overrides, document.table, complaints);
+    const std::vector<ItemOverride> later =
+        applyOverrides(overrides, document.table, complaints);
     Expressions expressions;
     const Scope scope{&expressions, {}, nullptr};
-    SceneDescription scene = describeScene(document.table, sceneName, folder, scope, complaints);
+    SceneDescription scene =
+        describeScene(document.table, later, sceneName, folder, scope, complaints);
     if (complaints.count() > 0) throw SceneError(complaints.lines());
     scene.files.insert(scene.files.begin(), document.files.begin(), document.files.end());
     for (Section& section : scene.sections) section.file = complaints.fileOf(section.place);
@@ -105,7 +110,7 @@ std::vector<std::string> catalogScene(std::string_view text, const std::string& 
     Complaints complaints;
     const Document document = readDocument(text, name, std::nullopt, complaints);
     Expressions expressions;
-    describeScene(document.table, name, std::nullopt, {&expressions, {}, &catalog}, complaints);
+    describeScene(document.table, {}, name, std::nullopt, {&expressions, {}, &catalog}, complaints);
     return complaints.lines();
 }
 

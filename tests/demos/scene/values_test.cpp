@@ -178,5 +178,70 @@ TEST(SetOption, ReachesIntoRepeatsByNumberAndByName) {
                       "--set include=", "files are included before --set"));
 }
 
+const std::string kSixBoxes =
+    "[[repeat]]\ncount = 4\nstep = [0, 1, 0]\nbody = { name = 'box{i}', shape = { sphere = 0.1 } }\n"
+    "[[body]]\nname = 'boxing'\nshape = { sphere = 0.1 }\n"
+    "[[body]]\nname = 'box-a'\nshape = { sphere = 0.1 }\n"
+    "[[body]]\nname = 'box.b'\nshape = { sphere = 0.1 }\n"
+    "[[repeat]]\ncount = 3\n"
+    "joint = { type = 'ball', a = 'box{i}', b = 'box{i+1}', anchor = [0, 'i', 0] }\n";
+
+/// Bodies of kSixBoxes that this option gives 5 kg.
+std::vector<std::string> heavyBodies(const std::string& option) {
+    std::vector<std::string> names;
+    for (const BodyDescription& body : read(kSixBoxes, {option}).bodies)
+        if (body.def.mass == 5.0) names.push_back(body.name);
+    return names;
+}
+
+TEST(SetOption, ReachesOneOfManyBodies) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(heavyBodies("body.box[0].mass=5"), Names{"box0"});
+    EXPECT_EQ(heavyBodies("body.box[3].mass=5"), Names{"box3"});
+    EXPECT_EQ(heavyBodies("body.box[4].mass=5"), Names{"box-a"});
+    EXPECT_EQ(heavyBodies("body.box[5].mass=5"), Names{"box.b"});
+    EXPECT_EQ(heavyBodies("body.boxing[0].mass=5"), Names{"boxing"});
+    EXPECT_EQ(heavyBodies("body.\"box.\"[0].mass=5"), Names{"box.b"});
+    EXPECT_EQ(heavyBodies("body[0].mass=5"), Names{"boxing"});
+    EXPECT_EQ(heavyBodies("body.1.mass=5"), Names{"box-a"});
+    EXPECT_EQ(heavyBodies("repeat[0].body.mass=5").size(), 4u);
+}
+
+TEST(SetOption, MovesAndNamesOneTurnOfARepeat) {
+    const SceneDescription scene =
+        read(kSixBoxes, {"body.box[2].at=[1, 'i', 0]", "body.box[2].mass=i + 1",
+                         "body.box[2].shape.sphere=0.2", "joint.box[1].break_at=7"});
+    EXPECT_EQ(scene.bodies[2].def.pose.position, Vec3(1, 4, 0));
+    EXPECT_EQ(scene.bodies[2].def.mass, 3.0);
+    EXPECT_EQ(scene.bodies[2].def.shape.radius, 0.2);
+    EXPECT_EQ(scene.bodies[1].def.shape.radius, 0.1);
+    EXPECT_EQ(scene.bodies[3].def.pose.position, Vec3(0, 3, 0));
+    EXPECT_EQ(scene.joints[1].def.breakForce, 7.0);
+    EXPECT_EQ(scene.joints[2].def.breakForce, engine::kUnlimited);
+}
+
+TEST(SetOption, SaysHowManyThereAre) {
+    const auto refusal = [](const std::string& option) {
+        const auto lines = errorsOf("format = 1\n" + kSixBoxes, {option});
+        return lines.size() == 1 ? lines[0] : listed(lines);
+    };
+    EXPECT_EQ(refusal("body.box[6].mass=5"),
+              "--set body.box[6].mass=5: the names of 6 bodies begin with 'box'; the index counts "
+              "from 0 and should be at most 5");
+    EXPECT_EQ(refusal("body.boxing[1].mass=5"),
+              "--set body.boxing[1].mass=5: the names of 1 body begin with 'boxing'; the index "
+              "counts from 0 and should be at most 0");
+    EXPECT_EQ(refusal("body.boxin[1].mass=5"),
+              "--set body.boxin[1].mass=5: no body has a name that begins with 'boxin'; did you "
+              "mean 'boxing'?");
+    EXPECT_EQ(refusal("body.box[1].mas=5"),
+              "--set body.box[1].mas=5: unknown key 'mas' in a [[body]]; did you mean 'mass'?");
+    EXPECT_NE(refusal("force.wind[0].drag=1").find("no force has a name"), std::string::npos);
+    for (const char* option :
+         {"body.box[1]=5", "body.box[-1].mass=5", "body.box[].mass=5", "body.[1].mass=5",
+          "body.box[99999999999999999999].mass=5", "body.box[1][1].mass=5", "body[9].mass=5"})
+        EXPECT_EQ(refusal(option).find('\n'), std::string::npos) << option << refusal(option);
+}
+
 }  // namespace
 }  // namespace demos::test
