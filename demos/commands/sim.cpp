@@ -179,6 +179,27 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
     return allPassed;
 }
 
+/// A run in a few numbers, for a scene that expects nothing.
+class RunInBrief {
+public:
+    /// To be called at time 0 and after every step.
+    void look(const Stage& stage, long step) {
+        if (step == 0) startEnergy_ = stage.world.energy().total();
+        penetration_ = std::max(penetration_, stage.world.errors().penetration);
+    }
+
+    void say(const Stage& stage, const Talk& talk) const {
+        talk.say(fmt::format("bodies       {}", stage.bodies.size()));
+        talk.say(fmt::format("energy       {:.6g} J at the start, {:.6g} J at the end",
+                             startEnergy_, stage.world.energy().total()));
+        talk.say(fmt::format("penetration  {:.3g} m at most", penetration_));
+        talk.say(fmt::format("state        {}", hexText(stage.world.hash())));
+    }
+
+private:
+    double startEnergy_ = 0.0, penetration_ = 0.0;  // J, m
+};
+
 /// One run from time 0 to the end of the film.
 class Simulation {
 public:
@@ -209,6 +230,7 @@ private:
         const Stage& stage = player_.stage();
         if (options_.expect) checker_.look(stage);
         direct_.look(stage);
+        if (isBrief()) brief_.look(stage, step);
         if (step > 0) events_.look(stage);
         if (step % options_.every == 0) addRows(stage, step, tables_);
         if (!options_.plot.empty()) recorder_.look(stage);
@@ -217,6 +239,8 @@ private:
         if ((last && (options_.hash || options_.hashEvery > 0)) || (every && step > 0))
             sayHash(stage, step, options_, dataOnStdout_);
     }
+
+    bool isBrief() const { return player_.stage().scene.expectations.empty(); }
 
     void writeResults() const {
         writeAll(tables_, talk_);
@@ -248,6 +272,7 @@ private:
         }
         talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
                               static_cast<double>(steps_) / stage.scene.hz));
+        if (isBrief()) brief_.say(stage, talk_);
         talk_.say(fmt::format("next: impulse render {}", printable(shellWord(options_.scene()))));
         if (!player_.incidents().empty()) return Exit::diverged;
         return passed ? Exit::ok : Exit::failed;
@@ -262,6 +287,7 @@ private:
     DirectNote direct_;
     PlotChoice choice_;
     Recorder recorder_;
+    RunInBrief brief_;
     EventLog events_{0};
     long steps_;
 };

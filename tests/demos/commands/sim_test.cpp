@@ -49,6 +49,33 @@ TEST_F(Sim, WritesARowAStepAndOneForTimeZero) {
     EXPECT_NE(ended.out.find("next: impulse render ball.toml"), std::string::npos) << ended.out;
 }
 
+TEST_F(Sim, SaysARunInBriefIfNothingIsExpected) {
+    const std::string hash = sim({"--hash", "--quiet"}).out;
+    const Ended ended = sim({"--csv", "a.csv"});
+    const auto rows = rowsOf(contentOf(folder / "a.csv"));
+    double deepest = 0.0;
+    for (std::size_t i = 1; i < rows.size(); ++i) deepest = std::max(deepest, number(rows[i][5]));
+    std::istringstream out(ended.out.substr(ended.out.find("ball: 60 steps, 1 s\n")));
+    std::string word, line;
+    double start = 0.0, end = 0.0, penetration = 0.0;
+    std::getline(out, line);
+    std::getline(out, line);
+    EXPECT_EQ(line, "bodies       2");
+    out >> word >> start >> word >> word >> word >> word >> end >> line;
+    std::getline(out, line);
+    out >> word >> penetration;
+    std::getline(out, line);
+    EXPECT_NEAR(start, number(rows[1][1]), 1e-5 * std::abs(start)) << ended.out;
+    EXPECT_NEAR(end, number(rows.back()[1]), 1e-5 * std::abs(end)) << ended.out;
+    EXPECT_NEAR(penetration, deepest, 1e-2 * deepest) << ended.out;
+    std::getline(out, line);
+    ASSERT_TRUE(line.starts_with("state        ")) << ended.out;
+    EXPECT_TRUE(hash.ends_with("state " + line.substr(13) + "\n")) << hash << line;
+    EXPECT_EQ(run(folder.path(), {"sim", "stack", "--seconds", "0.1", "--no-expect"})
+                  .out.find("penetration"),
+              std::string::npos);
+}
+
 TEST_F(Sim, TheBallFallsAsTheFormulaSays) {
     const Ended ended = sim({"--bodies", "-", "--seconds", "0.5"});
     const auto rows = rowsOf(ended.out);
