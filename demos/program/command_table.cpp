@@ -2,6 +2,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/program/completion.h"
+#include "demos/program/manual.h"
 
 namespace demos {
 
@@ -10,7 +11,7 @@ std::span<const Command> commandTable() {
         renderCommand(), joinCommand(),   farmCommand(),    stillCommand(),      stripCommand(),
         simCommand(),    plotCommand(),   compareCommand(), sweepCommand(),      exportCommand(),
         slidesCommand(), watchCommand(),  galleryCommand(), testCommand(),       approveCommand(),
-        listCommand(),   doctorCommand(), benchCommand(),   completionCommand(),
+        listCommand(),   doctorCommand(), benchCommand(),   completionCommand(),  manCommand(),
     };
     return commands;
 }

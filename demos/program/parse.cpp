@@ -27,7 +27,7 @@ std::string examplesOf(const char* const (&examples)[3], const char* purpose) {
 struct Parser {
     CLI::App app{examplesOf({"impulse render stack -o stack.mp4", "impulse sim chain --csv -",
                              "impulse list"},
-                            "impulse: sequential-impulse rigid bodies, filmed without a display"),
+                            (std::string("impulse: ") + kProgramPurpose).c_str()),
                  "impulse"};
     Run run;
 
@@ -37,11 +37,7 @@ struct Parser {
                           "this page; 'impulse COMMAND --help' for a command's options");
         app.require_subcommand(1);
         app.get_formatter()->column_width(26);
-        app.footer(
-            "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
-            "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would "
-            "overwrite, "
-            "6 diverged, 7 parts are missing, 130 interrupted.");
+        app.footer(closingWords());
         for (const Command& command : commandTable()) {
             CLI::App* sub = app.add_subcommand(command.name, command.purpose);
             sub->set_help_flag("-h,--help", "this page");
@@ -50,13 +46,23 @@ struct Parser {
     }
 };
 
+std::vector<std::string> namesOf(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
 std::vector<std::string> namesOf(const CLI::App& app) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    }
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : namesOf(*option)) names.push_back(name);
     return names;
+}
+
+OptionWords wordsOf(const CLI::Option& option) {
+    const bool takesNone = option.get_items_expected_max() == 0;
+    return {namesOf(option), takesNone ? "" : option.get_type_name(), option.get_description()};
 }
 
 void checkCommand(int argc, const char* const* argv) {
@@ -167,10 +173,21 @@ std::optional<std::function<Exit()>> parse(int argc, const char* const* argv) {
 
 std::vector<CommandWords> commandWords() {
     const Parser parser;
-    std::vector<CommandWords> words;
-    for (const Command& command : commandTable())
-        words.push_back({command.name, namesOf(*parser.app.get_subcommand(command.name))});
-    return words;
+    std::vector<CommandWords> all;
+    for (const Command& command : commandTable()) {
+        CommandWords words{command.name, command.purpose, {}, {}};
+        for (const char* example : command.examples) words.examples.emplace_back(example);
+        for (const CLI::Option* option : parser.app.get_subcommand(command.name)->get_options())
+            words.options.push_back(wordsOf(*option));
+        all.push_back(std::move(words));
+    }
+    return all;
+}
+
+std::string closingWords() {
+    return "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
+           "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would "
+           "overwrite, 6 diverged, 7 parts are missing, 130 interrupted.";
 }
 
 }  // namespace demos

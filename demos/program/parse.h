@@ -13,11 +13,23 @@ namespace demos {
 /// Throws Stop (usage).
 std::optional<std::function<Exit()>> parse(int argc, const char* const* argv);
 
-/// A command's name and its options, for completion in a shell.
+inline constexpr const char* kProgramPurpose =
+    "sequential-impulse rigid bodies, filmed without a display";
+
+/// What --help says, for completion in a shell and the manual page.
+struct OptionWords {
+    std::vector<std::string> names;  // "-o", "--output"; none: an argument without a name
+    std::string value;               // "FILE"; empty: it takes none
+    std::string text;
+};
 struct CommandWords {
-    std::string name;
-    std::vector<std::string> options;
+    std::string name, purpose;
+    std::vector<std::string> examples;
+    std::vector<OptionWords> options;
 };
 std::vector<CommandWords> commandWords();
+
+/// The last lines of the program's --help.
+std::string closingWords();
 
 }  // namespace demos

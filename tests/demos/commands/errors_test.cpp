@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"TwiceOnePlace", {"render", "stack", "-o", "a", "-o", "a"}, 2, "another --output"},
         {"RawAndJson", {"render", "stack", "-o", "-", "--json"}, 2, "standard output"},
         {"TwoTables", {"sim", "stack", "--csv", "-", "--bodies", "-"}, 2, "two tables"},
-        {"Shell", {"completion", "zsh"}, 2, "known are: bash"},
+        {"Shell", {"completion", "powershell"}, 2, "known are: bash, zsh, fish"},
         {"SizeBelowZero", {"render", "stack", "--size", "-5x10"}, 2, "1 to 16384"},
         {"SizeOverflow", {"render", "stack", "--size", "99999999999x9"}, 2, "1280x720"},
         {"SizeEmpty",
@@ -130,6 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"FieldOfView", {"render", "stack", "--set", "camera.fov_deg=0"}, 3, "1 to 170"},
         {"StepsNone", {"render", "stack", "--set", "world.hz=0"}, 3, "10 to 100000"},
         {"Escapes", {"sim", "\x1b[31mred"}, 3, "\\x1b"},
+        {"ExplainNothing", {"list", "--explain", "solver.swee"}, 2, "'solver.sweeps'"},
+        {"ExplainAScene", {"list", "stack", "--explain", "solver"}, 2, "takes a key and no other"},
         {"SchemaOfAScene", {"list", "stack", "--schema"}, 2, "--schema takes no scene"},
         {"SetOfNoValue", {"sim", "stack", "--set", "values.x=1"}, 3, "no value 'x'"},
         {"SetOfAnExpression", {"sim", "stack", "--set", "camera.fov_deg=1/0"}, 3, "a division by zero"},
@@ -137,8 +139,6 @@ INSTANTIATE_TEST_SUITE_P(
     }),
     [](const testing::TestParamInfo<Bad>& row) { return std::string(row.param.name); });
 
-struct BadScene {
-    const char* name;
 /// The rates that the message names are taken.
 TEST(FrameRate, OfTheMessageIsTaken) {
     const TemporaryFolder folder;
@@ -153,9 +153,9 @@ TEST(FrameRate, OfTheMessageIsTaken) {
     EXPECT_EQ(plan({"25", "--set", "world.hz=50"}).code, 0);
 }
 
+struct BadScene {
+    const char* name;
     std::string text;
-        {"ExplainNothing", {"list", "--explain", "solver.swee"}, 2, "'solver.sweeps'"},
-        {"ExplainAScene", {"list", "stack", "--explain", "solver"}, 2, "takes a key and no other"},
     const char* part;
 };
 void PrintTo(const BadScene& bad, std::ostream* out) { *out << bad.name; }
@@ -265,7 +265,7 @@ TEST(Errors, NoEscapeBytesReachTheTerminal) {
 
 TEST(Help, ShowsThreeExamplesFirst) {
     for (const char* command :
-         {"render", "still", "sim", "list", "doctor", "bench", "completion"}) {
+         {"render", "still", "sim", "list", "doctor", "bench", "completion", "man"}) {
         const Ended ended = run(fs::temp_directory_path(), {command, "--help"});
         EXPECT_EQ(ended.code, 0);
         EXPECT_TRUE(ended.out.starts_with("Examples:\n  ")) << ended.out;
@@ -287,14 +287,6 @@ TEST(List, PrintsSceneFilesThatPlay) {
     EXPECT_EQ(own.code, 0) << own.err;
     EXPECT_EQ(own.out, builtin.out);
     EXPECT_FALSE(own.out.empty());
-}
-
-TEST(Completion, IsBashThatKnowsCommandsOptionsAndScenes) {
-    const Ended ended = run(fs::temp_directory_path(), {"completion", "bash"});
-    EXPECT_EQ(ended.code, 0);
-    for (const char* word :
-         {"complete -o default -F _impulse impulse", "doctor", "--hash-every", "pendulum"})
-        EXPECT_NE(ended.out.find(word), std::string::npos) << word;
 }
 
 }  // namespace
