@@ -32,8 +32,8 @@ void addSceneChoice(CLI::App& app, Options& options, OptionTexts& texts) {
         ->required();
     takesAgain(
         app.add_option("--set", options.overrides,
-                       "change a scene value, e.g. world.hz=240 or solver.sweeps=10; may be given "
-                       "again")
+                       "change a scene value, e.g. world.hz=240 or 'body.box[3].mass=5'; may be "
+                       "given again; 'impulse list --explain scene' lists the keys")
             ->type_name("KEY=VALUE"));
     app.add_option("--solver", texts.solver,
                    "the same as --set solver.type=NAME; default: the scene's")

@@ -166,9 +166,9 @@ TableTexts toleranceTexts() {
     return {"a tolerance",
             {
                 {"position", inToml(Tolerance{}.position),
-                 "The distance from its saved place from which a body counts as moved."},
+                 "The distance from its saved place above which a body counts as moved."},
                 {"angle_deg", inToml(Tolerance{}.angleDegrees),
-                 "The rotation away from its saved one from which a body counts as turned."},
+                 "The rotation away from its saved one above which a body counts as turned."},
                 {"why", "required",
                  "The reason for other tolerances than the defaults, which reports repeat."},
             }};
@@ -178,7 +178,7 @@ TableTexts gateTexts() {
     return {"a gate",
             {
                 {"levels", inToml(PictureGate{}.levels),
-                 "The difference of a colour from which a pixel counts as changed."},
+                 "The difference of a colour above which a pixel counts as changed."},
                 {"window", inToml(PictureGate{}.windowPixels),
                  "The changed pixels that any window of 16x16 may have."},
                 {"ssim", inToml(PictureGate{}.ssim),
@@ -232,7 +232,7 @@ TableTexts expectTexts() {
              "energy."},
             {"of", inToml(Expectation{}.of),
              "The bodies or joints that are measured, by name or with *; each of them has to meet "
-             "the bound."},
+             "the bound, while count and spread are those of all."},
             {"below", "none", "The bound under which the measure has to stay."},
             {"above", "none", "The bound over which the measure has to be."},
             {"near", "required for position, else none",

@@ -161,7 +161,7 @@ TableTexts forceTexts() {
              "a real wing has less."},
             {"stall_deg", stallText(),
              "The angle of attack beyond which the flow breaks away and lift collapses; 0 makes it "
-             "a flat plate that never flies."},
+             "a flat plate, stalled at every angle."},
             {"plate_drag", inToml(engine::Airfoil{}.plateDrag),
              "The pressure coefficient across the plate once the flow has broken away; 2 is a flat "
              "plate."},
