@@ -166,7 +166,7 @@ void removeBody(WorldState& s, BodyId id) {
     s.bodySlots.remove(id.index);
     std::erase(s.untreed, id.index);
     s.bodies.present[id.index] = 0;
-    s.bodies.activeShrinks = true;
+    s.bodies.activeShrinks = s.bodies.restStale = true;
     s.bodies.velocities[id.index] = {};
     s.bodies.inverseMasses[id.index] = {};
     s.finder.broadPhase.remove(id.index);

@@ -222,5 +222,20 @@ TEST(Waking, ATileThatIsTakenAwayAndPutBackIsSeen) {
     EXPECT_NEAR(height(world, cube), -2.5, 1e-3);
 }
 
+// Its potential energy goes with it at once, and the others keep theirs.
+TEST(Sleeping, WhoIsRemovedAsleepTakesItsEnergyAlong) {
+    World world = sleepingStack(1);
+    const BodyId far = world.add(body(kCube, {5, 0.5, 0}, kMass));
+    run(world, 180);
+    ASSERT_EQ(sleepers(world), 2);
+    run(world, 2);  // no body is active
+    const double each = kMass * kGravity * 0.5;
+    EXPECT_NEAR(world.energy().potential, 2 * each, 0.01 * each);
+    world.remove(far);
+    EXPECT_NEAR(world.energy().potential, each, 0.01 * each);
+    run(world, 1);
+    EXPECT_NEAR(world.energy().potential, each, 0.01 * each);
+}
+
 }  // namespace
 }  // namespace engine
