@@ -1,5 +1,6 @@
 #include "demos/play/stage.h"
 
+#include <algorithm>
 #include <map>
 
 namespace demos {
@@ -92,6 +93,7 @@ bool Stage::step() {
 void Stage::followPaths() {
     const double next = static_cast<double>(steps_ + 1) / scene.hz;
     for (const int i : onPaths_) {
+        if (!world.has(bodies[i])) continue;  // it went too far
         const BodyDescription& body = scene.bodies[i];
         const Vec3& origin = body.def.shape.origin;  // the point that the path moves
         const engine::Pose &centre = body.def.pose, start{centre.toWorld(origin), centre.rotation};
@@ -100,6 +102,12 @@ void Stage::followPaths() {
         const Twist twist = twistBetween(world.pose(bodies[i]), target, dt());
         world.setVelocity(bodies[i], twist.velocity, twist.spin);
     }
+}
+
+int Stage::bodiesNow() const {
+    return static_cast<int>(std::count_if(bodies.begin(), bodies.end(), [this](engine::BodyId id) {
+        return world.has(id);
+    }));
 }
 
 const std::string& Stage::nameOf(engine::BodyId id) const {

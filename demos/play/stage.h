@@ -24,6 +24,8 @@ struct Stage {
     /// world.report() has the reason.
     bool step();
     const std::string& nameOf(engine::BodyId id) const;
+    /// The number of the scene's bodies that have not been removed after an incident.
+    int bodiesNow() const;
 
 private:
     void followPaths();

@@ -64,6 +64,7 @@ void addBodies(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
     const std::vector<render::Color> colors = bodyColors(stage, moment.overlays, moment.history);
     for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        if (!stage.world.has(stage.bodies[i])) continue;  // it was removed after an incident
         const engine::Shape& shape = stage.world.def(stage.bodies[i]).shape;
         const engine::Pose& pose = stage.world.pose(stage.bodies[i]);
         if (shape.type == engine::ShapeType::plane)

@@ -46,6 +46,7 @@ void addBodyMarks(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
     const Overlays& show = moment.overlays;
     for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        if (!stage.world.has(stage.bodies[i])) continue;
         const engine::Shape& shape = stage.world.def(stage.bodies[i]).shape;
         const engine::Pose& pose = stage.world.pose(stage.bodies[i]);
         if (shape.type == engine::ShapeType::plane) continue;

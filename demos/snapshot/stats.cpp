@@ -49,7 +49,7 @@ void addStats(const Moment& moment, render::Frame& frame) {
     };
     row("time", fmt::format("{:.3f} s", moment.time));
     row("step", fmt::format("{}", report.step));
-    row("bodies", fmt::format("{}", stage.bodies.size()));
+    row("bodies", fmt::format("{}", stage.bodiesNow()));
     if (settings.sleeping) row("asleep", fmt::format("{}", report.asleep));
     row("contacts", fmt::format("{}", errors.contacts));
     row("solver", fmt::format("{} {}", stage.scene.preset, wordOf(settings.method)));

@@ -18,7 +18,7 @@ std::string captionAt(const SceneDescription& scene, double time) {
 
 void addTexts(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
-    const int bodies = static_cast<int>(stage.bodies.size());
+    const int bodies = stage.bodiesNow();
     const int substeps = stage.world.settings().substeps;
     // Statistics have the same; on paper they may have no room.
     const bool said = moment.overlays.stats && moment.overlays.pixelsPerPoint <= 0.0;
