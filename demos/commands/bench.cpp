@@ -100,7 +100,8 @@ void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
     std::fflush(stdout);
 }
 
-void benchScene(const SceneDescription& scene, const EarlierRun& earlier,
+/// Returns the run's incident, if any.
+std::string benchScene(const SceneDescription& scene, const EarlierRun& earlier,
                 const BenchOptions& options) {
     const Timing timing = timeScene(scene);
     PhaseTimes phases{};
@@ -109,6 +110,7 @@ void benchScene(const SceneDescription& scene, const EarlierRun& earlier,
     const Earlier* before = found == earlier.end() ? nullptr : &found->second;
     const auto say = options.json ? sayTimingJson : sayRow;
     say(timing, options.phases ? &phases : nullptr, before);
+    return timing.incident;
 }
 
 void sayFilmJson(const FilmPlan& plan, const FilmTiming& t) {
@@ -136,11 +138,12 @@ void sayFilmHeader() {
     fmt::print(" {:>8} {:>6} {:>9} {:>8}\n", "drawing", "kB", "frames/s", "of goal");
 }
 
-void benchFilm(const BenchOptions& options) {
+std::string benchFilm(const BenchOptions& options) {
     const FilmPlan plan = planFilm(options);
     const FilmTiming timing = timeFilm(plan, options.jobs);
     (options.json ? sayFilmJson : sayFilm)(plan, timing);
     std::fflush(stdout);
+    return timing.incident;
 }
 
 Exit bench(const BenchOptions& options) {
@@ -154,17 +157,19 @@ Exit bench(const BenchOptions& options) {
     if (!options.film && !options.json && !options.quiet)
         fmt::print("{:18} {:>6} {:>6} {:>8}  {:>8} {:>8} {:>8}  {:>8}  {}\n", "scene", "bodies",
                    "joints", "contacts", "ms/step", "min", "max", "ns/point", "state");
+    const Talk talk(options, false);
+    Exit code = Exit::ok;
     for (const std::string& name : scenes) {
         BenchOptions one = options;
         one.scenes = {name};
-        if (options.film)
-            benchFilm(one);
-        else
-            benchScene(sceneOf(one), earlier, options);
+        const std::string incident =
+            options.film ? benchFilm(one) : benchScene(sceneOf(one), earlier, options);
+        if (incident.empty()) continue;
+        talk.complain("impulse: " + printable(incident));
+        code = Exit::diverged;
     }
-    const Talk talk(options, false);
     talk.say(fmt::format("next: impulse bench {} --json", printable(shellWord(scenes.front()))));
-    return Exit::ok;
+    return code;
 }
 
 Run addBench(CLI::App& app) {

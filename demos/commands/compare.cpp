@@ -102,6 +102,7 @@ Exit compare(const CompareOptions& options) {
     if (!plan.point.empty()) talk.say(fmt::format("{}: {}", plan.name, plan.point));
     if (!options.json) fmt::print(raw ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
+    if (const std::string line = incidentLine(runs); !line.empty()) talk.mention(printable(line));
     const Chart chart = historyChart(runs, plottedMeasure(plan), "");
     figure.write(lettered(chart), {chart}, talk);
     if (!film) return Exit::ok;

@@ -68,7 +68,6 @@ public:
     }
 
     void play() {
-        player_.goOn();
         playThrough(
             player_, options_, [this](long step) { recorder_.look(player_, step); },
             [this] {

@@ -23,6 +23,9 @@ struct FarmOptions {
     std::vector<std::string> words;  // of impulse render
 };
 
+/// After a part's command: it is complete too if it ended with 6, which the join reports again.
+constexpr const char* kOrIncident = "|| [ $? -eq 6 ]";
+
 /// The parts of a job file; the commands are quoted for a shell.
 struct Job {
     std::string name;    // of the scene
@@ -36,7 +39,8 @@ std::string slurmText(const Job& job) {
         "#!/bin/sh\n"
         "# Draws {3} parts, then joins them into one film. Run this file with sh. Finished parts\n"
         "# are not drawn again: run it again for what is missing. The join runs after all parts,\n"
-        "# however they ended, and reports what is missing (exit code 7).\n"
+        "# however they ended, and reports what is missing (exit code 7). A part that ended with 6\n"
+        "# is complete.\n"
         "set -eu\n"
         "draw=$(sbatch --parsable --requeue --array=1-{3} --job-name={0} <<'END'\n"
         "#!/bin/sh\n"
@@ -55,9 +59,11 @@ std::string parallelText(const Job& job) {
         "#!/bin/sh\n"
         "# Run this file with sh. To use other machines, add --sshlogin or --sshloginfile to\n"
         "# parallel; this folder must be on all of them.\n"
-        "seq {3} | parallel --retries 3 --joblog {0}.joblog {1} --shard '{{}}/{3}'\n"
-        "{2}\n",
-        shellWord(job.name), job.render, job.join, job.shards);
+        "seq {2} | parallel --retries 3 --joblog {0}.joblog {1}\n"
+        "{3}\n",
+        shellWord(job.name),
+        shellWord(fmt::format("{} --shard {{}}/{} {}", job.render, job.shards, kOrIncident)),
+        job.shards, job.join);
 }
 
 /// A command, escaped for a makefile's recipe.
@@ -75,14 +81,14 @@ std::string makeText(const Job& job) {
         "film: $(parts)\n"
         "\t{1}\n"
         "$(parts):\n"
-        "\t{0} --shard $(@:part-%=%)/{2}\n",
-        recipe(job.render), recipe(job.join), job.shards);
+        "\t{0} --shard $(@:part-%=%)/{2} {3}\n",
+        recipe(job.render), recipe(job.join), job.shards, recipe(kOrIncident));
 }
 
 std::string commandsText(const Job& job) {
     std::string text;
     for (int number = 1; number <= job.shards; ++number)
-        text += fmt::format("{} --shard {}/{}\n", job.render, number, job.shards);
+        text += fmt::format("{} --shard {}/{} {}\n", job.render, number, job.shards, kOrIncident);
     return text + job.join + "\n";
 }
 
@@ -114,7 +120,8 @@ std::string openJobText(const Job& job) {
         "    actions:\n"
         "      onRun: {{command: sh, args: [\"-c\", {2}]}}\n",
         quoted(job.name),
-        quoted(fmt::format("{} --shard {{{{Task.Param.Part}}}}/{}", job.render, job.shards)),
+        quoted(fmt::format("{} --shard {{{{Task.Param.Part}}}}/{} {}", job.render, job.shards,
+                           kOrIncident)),
         quoted(job.join), job.shards);
 }
 

@@ -50,7 +50,7 @@ std::string targetOf(const Parts& parts, const JoinOptions& options) {
     return target;
 }
 
-Exit joinFilm(const Parts& parts, const JoinOptions& options, const Talk& talk) {
+void joinFilm(const Parts& parts, const JoinOptions& options, const Talk& talk) {
     const std::string target = targetOf(parts, options);
     const int frames = static_cast<int>(parts.whole.frames.size());
     if (!render::haveFfmpeg())
@@ -62,11 +62,10 @@ Exit joinFilm(const Parts& parts, const JoinOptions& options, const Talk& talk) 
                          plural(parts.count, "part")));
     talk.json(
         fmt::format(R"({{"event":"done","file":{},"frames":{}}})", jsonString(target), frames));
-    return Exit::ok;
 }
 
 /// The frames are in place already; only the record of the whole film is missing.
-Exit joinFrames(const Parts& parts, const JoinOptions& options, const Talk& talk) {
+void joinFrames(const Parts& parts, const JoinOptions& options, const Talk& talk) {
     if (!options.outputs.empty())
         refuse("--output: parts of PNG frames stay where they are; leave it out");
     RunRecord whole = parts.whole;
@@ -79,7 +78,6 @@ Exit joinFrames(const Parts& parts, const JoinOptions& options, const Talk& talk
                          plural(parts.count, "part")));
     talk.json(fmt::format(R"({{"event":"done","file":{},"frames":{}}})", jsonString(file.string()),
                           frames));
-    return Exit::ok;
 }
 
 Exit join(const JoinOptions& options) {
@@ -90,7 +88,10 @@ Exit join(const JoinOptions& options) {
     const Talk talk(options, false);
     const Parts parts = partsIn(options.folder);
     if (!parts.wanted.empty()) refuseIncomplete(parts, options, talk);
-    return parts.films ? joinFilm(parts, options, talk) : joinFrames(parts, options, talk);
+    if (parts.films) joinFilm(parts, options, talk);
+    else joinFrames(parts, options, talk);
+    if (!parts.whole.incident.empty()) throw Stop(Exit::diverged, parts.whole.incident);
+    return Exit::ok;
 }
 
 Run addJoin(CLI::App& app) {

@@ -46,7 +46,6 @@ public:
 
     /// Writes the charts even if the run diverges: they help to find out why.
     Exit play() {
-        player_.goOn();
         playThrough(
             player_, options_, [this](long) { recorder_.look(player_.stage()); },
             [this] { writeAll(); });

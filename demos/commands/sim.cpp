@@ -217,7 +217,6 @@ public:
     }
 
     Exit play() {
-        player_.goOn();
         for (const std::string& line : overlapsAtStart(player_.stage()))
             talk_.mention("warning: " + printable(line));
         playThrough(
@@ -266,9 +265,10 @@ private:
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));
         for (const std::string& line : direct_.lines()) talk_.say(printable(line));
-        for (const std::string& line : player_.incidents()) {
-            talk_.json(fmt::format(R"({{"event":"incident","text":{}}})", jsonString(line)));
-            talk_.complain("impulse: " + printable(line));
+        for (const PlayedIncident& incident : player_.incidents()) {
+            talk_.json(
+                fmt::format(R"({{"event":"incident","text":{}}})", jsonString(incident.line)));
+            talk_.complain("impulse: " + printable(incident.line));
         }
         talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
                               static_cast<double>(steps_) / stage.scene.hz));

@@ -194,6 +194,8 @@ Exit slides(const SlidesOptions& options) {
     if (writer.troubles().empty() || !isPdf(outputs.front())) talk.say(nextOf(outputs.front()));
     if (!writer.troubles().empty())
         throw render::Error(fmt::format("{}", fmt::join(writer.troubles(), "; ")));
+    if (!made.incident.empty()) throw Stop(Exit::diverged, made.incident);
+    if (!made.compared.empty()) talk.mention(printable(made.compared));
     return Exit::ok;
 }
 

@@ -72,7 +72,6 @@ Exit still(StillOptions options) {
     checkFigure({target}, options);
     checkNeeds(needsOf(plan, 1, {}), plan);
     Player player(plan.scene(), plan.panels.front().overlays);
-    player.goOn();
     const std::vector<render::Frame> seen = playTo(moment.time, moment.steps, plan, player);
     render::Renderer renderer(plan.picture);
     render::Image picture = exposed(seen, plan, renderer);

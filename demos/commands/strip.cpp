@@ -79,7 +79,6 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
     Strip strip{stripPaper(layout, plan), {}, {}};
     const render::Color ink = inksOf(plan.panels.front().overlays.theme).ink;
     Player player(plan.scene(), plan.panels.front().overlays);
-    player.goOn();
     render::Renderer renderer(plan.picture);
     int played = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {

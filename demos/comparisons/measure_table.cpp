@@ -9,6 +9,7 @@
 
 #include "demos/film/progress.h"
 #include "demos/text/complaints.h"
+#include "demos/text/plural.h"
 
 namespace demos {
 namespace {
@@ -115,6 +116,19 @@ std::string tableText(const std::vector<Measured>& runs) {
         if (!runs[i].summary.diverged.empty()) text += "  diverged";
     }
     return text;
+}
+
+std::string incidentLine(const std::vector<Measured>& runs) {
+    std::string text;
+    std::size_t others = 0;
+    for (const Measured& run : runs) {
+        if (run.summary.diverged.empty()) continue;
+        if (text.empty())
+            text = run.variant.label + ": " + run.summary.diverged;
+        else
+            ++others;
+    }
+    return others == 0 ? text : fmt::format("{}; also {}", text, plural(others, "other run"));
 }
 
 std::string jsonLine(const Measured& run) {

@@ -25,6 +25,10 @@ MeasureCells cellsOf(const std::vector<Measured>& runs);
 /// A line per run; measures that are 0 in all runs are left out.
 std::string tableText(const std::vector<Measured>& runs);
 
+/// "LABEL: LINE" of the first run that diverged or had an incident, and how many others did; "" if
+/// none did.
+std::string incidentLine(const std::vector<Measured>& runs);
+
 /// A JSON object on one line: label, settings, measures, how it diverged or null.
 std::string jsonLine(const Measured& run);
 

@@ -15,7 +15,6 @@
 #include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
-#include "render/palette.h"
 
 namespace demos {
 namespace {
@@ -57,34 +56,48 @@ PictureSize ratioOf(const Options& options) {
     return options.size.value_or(PictureSize{quality.width, quality.height});
 }
 
+/// In the figure's size of letters.
+render::Text markOf(const std::string& what) {
+    render::Text mark = incidentMark(what);
+    mark.size = render::Plate{}.size;
+    return mark;
+}
+
 /// The last good state, marked as such.
 std::vector<render::Frame> lastGood(const FilmPlan& plan, const Player& player, double time) {
     render::Frame frame = player.frame(time);
     fitCamera(plan.picture.width, plan.picture.height, frame);
-    frame.texts.push_back({"diverged: the last good state", render::Corner::topLeft,
-                           render::Plate{}.size, render::fromHex(0xc0392b)});
+    frame.texts.push_back(markOf("the last good state"));
     return {frame};
+}
+
+/// The run up to the figure's time. `failed`: empty, or the line of the step that failed before.
+std::vector<render::Frame> seenOf(const PanelFigure& figure, const FilmPlan& plan, Player& player,
+                                  std::string& failed) try {
+    const double time = figure.time;
+    std::vector<render::Frame> seen = playTo(time, stepAt(time, plan, "--time"), plan, player);
+    if (!player.incidents().empty())
+        for (render::Frame& frame : seen)
+            frame.texts.push_back(markOf(bodyAndStep(player.incidents().front())));
+    return seen;
+} catch (const Stop& stop) {
+    if (stop.code() != Exit::diverged) throw;
+    failed = stop.what();
+    return lastGood(plan, player, figure.time);
 }
 
 void drawPanel(const PanelFigure& figure, std::size_t i, render::Renderer& renderer,
                DrawnPanels& drawn) {
     const FilmPlan& plan = figure.plans[i];
     const Overlays& overlays = plan.panels.front().overlays;
-    const double time = figure.time;
     Player player(plan.scene(), overlays);
-    std::vector<render::Frame> seen;
-    drawn.diverged.emplace_back();
-    try {
-        seen = playTo(time, stepAt(time, plan, "--time"), plan, player);
-    } catch (const Stop& stop) {
-        if (stop.code() != Exit::diverged) throw;
-        drawn.diverged.back() = stop.what();
-        seen = lastGood(plan, player, time);
-    }
+    std::string failed;
+    const std::vector<render::Frame> seen = seenOf(figure, plan, player, failed);
+    drawn.diverged.push_back(failed.empty() ? player.incident() : failed);
     drawn.facts.push_back(factsOf(player, plan, seen.back(), figure.paper));
-    const bool whole = drawn.diverged.back().empty();
     placePicture(figure.layout, static_cast<int>(i),
-                 whole ? exposed(seen, plan, renderer) : renderer.draw(seen.back()), drawn.image);
+                 failed.empty() ? exposed(seen, plan, renderer) : renderer.draw(seen.back()),
+                 drawn.image);
     placeLines(figure.layout, static_cast<int>(i), figure.labels[i], render::Anchor::middle,
                inksOf(overlays.theme).ink, drawn.image);
 }

@@ -31,9 +31,10 @@ PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart
 struct DrawnPanels {
     render::Image image;
     std::vector<PictureFacts> facts;    // one per run
-    std::vector<std::string> diverged;  // likewise; empty = it did not
+    std::vector<std::string> diverged;  // likewise: an incident, or the step that failed; or empty
 };
-/// Throws Stop (interrupted), render::Error. A run that diverges is shown in its last good state.
+/// Throws Stop (interrupted), render::Error. A run with an incident is marked; one whose step fails
+/// is shown in its last good state.
 DrawnPanels drawPanels(const PanelFigure& figure, const std::vector<Chart>& charts);
 
 }  // namespace demos

@@ -9,7 +9,6 @@
 #include "demos/text/stop.h"
 #include "engine/base/hash.h"
 #include "render/canvas.h"
-#include "render/palette.h"
 
 namespace demos {
 namespace {
@@ -91,10 +90,6 @@ Composite::Composite(const FilmPlan& plan) : plan_(plan) {
             new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}, {}}));
 }
 
-void Composite::goOn() {
-    for (const auto& show : shows_) show->player.goOn();
-}
-
 void Composite::advance(bool drawn) {
     ++frame_;
     for (const auto& show : shows_)
@@ -126,11 +121,32 @@ render::Image Composite::drawPanel(Show& show, double time, render::Renderer& re
 render::Frame Composite::frameOf(const Show& show, double time) const {
     render::Frame frame = show.player.frame(time);
     fitCamera(plan_.picture.width, plan_.picture.height, frame);
-    const bool hasIncident = shows_.size() > 1 && !show.player.incidents().empty();
-    if (!show.trouble.empty() || hasIncident)
-        frame.texts.push_back({show.trouble.empty() ? "diverged" : "diverged: the last good state",
-                               render::Corner::topLeft, 22.0f, render::fromHex(0xc0392b)});
+    if (!show.trouble.empty())
+        frame.texts.push_back(incidentMark("the last good state"));
+    else if (shows_.size() > 1 && !show.player.incidents().empty())
+        frame.texts.push_back(incidentMark(bodyAndStep(show.player.incidents().front())));
     return frame;
+}
+
+std::string Composite::incident() const {
+    for (const auto& show : shows_) {
+        const std::string& line =
+            show->trouble.empty() ? show->player.incident() : show->trouble;
+        if (line.empty()) continue;
+        return shows_.size() == 1 ? line : show->player.stage().scene.title + ": " + line;
+    }
+    return {};
+}
+
+std::string Composite::incidentAtEnd() try {
+    for (const auto& show : shows_) {
+        const Stage& stage = show->player.stage();
+        const long end = std::lround(stage.scene.seconds * stage.scene.hz);
+        while (show->trouble.empty() && stage.world.report().step < end) show->player.step();
+    }
+    return incident();
+} catch (const Stop& stop) {  // a step failed; every frame has been drawn
+    return stop.what();
 }
 
 render::Image Composite::draw(int frame, render::Renderer& renderer) {

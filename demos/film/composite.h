@@ -18,9 +18,7 @@ public:
     /// `plan` must outlive this object.
     explicit Composite(const FilmPlan& plan);
 
-    /// From now on panels continue after an incident (Player::goOn).
-    void goOn();
-    /// Advances by one frame. A single panel that diverges throws Stop; one of several shows its
+    /// Advances by one frame. A single panel whose step fails throws Stop; one of several shows its
     /// last good state and says so. `drawn`: draw() will follow.
     void advance(bool drawn);
     render::Image draw(int frame, render::Renderer& renderer);
@@ -33,8 +31,11 @@ public:
     void watchSteps(std::function<void(const Stage&)> watcher) { watcher_ = std::move(watcher); }
     /// The first panel's world reports touch events from now on.
     void watchTouches() { shows_.front()->player.watchTouches(); }
-    /// What happened to a single panel until now (Player::incident); several panels say so themselves.
-    std::string incident() const { return shows_.size() == 1 ? shows_.front()->player.incident() : ""; }
+    /// What happened until now (Player::incident) in the first panel that has an incident; of
+    /// several panels, with its title. "": nothing.
+    std::string incident() const;
+    /// The same, after what is left of the scene, which no frame shows. Call it last.
+    std::string incidentAtEnd();
     /// A hash of all panels' states.
     std::uint64_t hash() const;
 

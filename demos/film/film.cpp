@@ -57,6 +57,10 @@ render::Fit fitOf(const FilmOptions& options, const Talk& talk) {
             [&talk](const std::string& line) { talk.mention(line); }};
 }
 
+int lastOf(const std::vector<bool>& chosen) {
+    return static_cast<int>(chosen.rend() - std::find(chosen.rbegin(), chosen.rend(), true)) - 1;
+}
+
 /// All that one run writes.
 class Writers {
 public:
@@ -90,10 +94,13 @@ public:
     }
 
     void add(const DrawnFrame& frame) {
+        incident_ = frame.incident;
         for (const auto& files : files_) files->add(frame);
         for (Film& film : films_) {
             film.writer->add(frame.image);
-            if (film.part) film.part->frames[frame.frame] = {true, frame.stateHash, 0, 0};
+            if (!film.part) continue;
+            film.part->frames[frame.frame] = {true, frame.stateHash, 0, 0};
+            film.part->addIncident(frame.incident, frame.frame);
         }
         if (raw_) writeRaw(frame.image);
         poster_.add(frame);
@@ -127,9 +134,7 @@ public:
         const int count = static_cast<int>(std::count(chosen.begin(), chosen.end(), true));
         const int first =
             static_cast<int>(std::find(chosen.begin(), chosen.end(), true) - chosen.begin());
-        const int last = plan.frames - 1 -
-                         static_cast<int>(std::find(chosen.rbegin(), chosen.rend(), true) -
-                                          chosen.rbegin());
+        const int last = lastOf(chosen);
         for (const auto& files : files_)
             talk.say(fmt::format("wrote {} ... {} ({}{})", printable(files->nameOf(first).string()),
                                  printable(files->nameOf(last).filename().string()),
@@ -149,6 +154,16 @@ public:
         poster_.tell(plan, talk);
     }
 
+    /// The simulation's incident up to the last chosen frame, drawn now or kept; "": none.
+    std::string incident(const std::vector<bool>& chosen) const {
+        std::string longest = incident_;  // counts the most
+        for (const auto& files : files_) {
+            const std::string line = files->record().incidentUntil(lastOf(chosen));
+            if (line.size() > longest.size()) longest = line;
+        }
+        return longest;
+    }
+
     bool hasFilms() const { return !films_.empty(); }
     bool hasFolders() const { return !files_.empty(); }
 
@@ -158,6 +173,7 @@ private:
     Poster poster_;
     render::Existing existing_;
     bool raw_ = false;
+    std::string incident_;  // until the last frame that was added
 };
 
 RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::string& renderer) {
@@ -195,8 +211,8 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
                                               next, options.commandLine));
 }
 
-/// Frame by frame, until the last one or a signal. Returns the simulation's incident, if any.
-std::string drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, const Talk& talk,
+/// Frame by frame, until the last one or a signal.
+void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, const Talk& talk,
              Progress& progress) {
     DrawnFrame frame;
     while (source.next(frame)) {
@@ -209,7 +225,6 @@ std::string drawAll(FrameSource& source, Writers& writers, const FilmOptions& op
         writers.keepFrames(false);
         stopInterrupted(writers, options, fmt::format("interrupted after frame {}", frame.frame));
     }
-    return frame.incident;
 }
 
 /// The chosen frames that an output still needs.
@@ -229,7 +244,7 @@ bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const F
             const Talk& talk) {
     const Output& output = outputs.front();
     if (!output.part) return false;
-    const PartState state = stateOfPart(output.path, record);
+    const auto [state, incident] = stateOfPart(output.path, record);
     if (state == PartState::another && !options.overwrite)
         refuseToReplace(output.path,
                         "is a part of another run (other settings, scene or program); --overwrite "
@@ -237,6 +252,7 @@ bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const F
     if (state != PartState::done) return false;
     talk.say(fmt::format("{} is complete already", printable(output.path.string())));
     talk.json(R"({"event":"done","frames":0})");
+    if (!incident.empty()) throw Stop(Exit::diverged, incident);
     return true;
 }
 
@@ -292,9 +308,8 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
                           jsonString(plan.name), frames, frames - missing, plan.fps));
     source.order(wanted);
     Progress progress(options, frames, frames - missing);
-    std::string incident;
     try {
-        incident = drawAll(source, writers, options, talk, progress);
+        drawAll(source, writers, options, talk, progress);
         progress.finish();
         writers.close(true);
     } catch (const Stop& stop) {
@@ -311,7 +326,9 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
     writers.tell(plan, chosen, options, talk);
     talk.json(fmt::format(R"({{"event":"done","frames":{}}})", frames));
     tellNext(writers, outputs, options, talk);
-    if (!incident.empty()) throw Stop(Exit::diverged, incident);
+    const std::string incident = writers.incident(chosen);
+    // Several panels say so themselves.
+    if (!incident.empty() && plan.panels.size() == 1) throw Stop(Exit::diverged, incident);
 }
 
 }  // namespace demos

@@ -47,7 +47,6 @@ double framesASecond(const FilmPlan& plan, int workers, const TemporaryFolder& f
     const double start = seconds(CLOCK_MONOTONIC);
     source.order(std::vector<bool>(static_cast<std::size_t>(plan.frames), true));
     for (DrawnFrame frame; source.next(frame);) {
-        if (!frame.incident.empty()) throw Stop(Exit::diverged, frame.incident);
         render::writeFrameFile(folder.file(frame.frame), frame.png);
         checkInterrupted();
     }
@@ -105,6 +104,7 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, FilmTiming&
     }
     clock.medians(timing);
     timing.pngBytes = medianOf(bytes);
+    timing.incident = composite.incidentAtEnd();
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct FilmTiming {
     int frames = 0;
     int workers = 0;
     double framesASecond = 0.0;  // of the whole film as PNG files, wall-clock time
+    std::string incident;        // Player::incident; empty: none
 
     /// ms of drawing a frame: from the depths to the picture in memory.
     double drawing() const;
@@ -25,7 +26,8 @@ struct FilmTiming {
 };
 
 /// Makes the film twice, in a temporary folder that is removed: by `jobs` workers (0: one per
-/// core), then in this process with a clock. Throws Stop (diverged, interrupted) and render::Error.
+/// core), then in this process with a clock. Throws Stop (interrupted; diverged if a step fails)
+/// and render::Error.
 FilmTiming timeFilm(const FilmPlan& plan, int jobs);
 
 }  // namespace demos

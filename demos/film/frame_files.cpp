@@ -102,6 +102,7 @@ void FrameFiles::takeUp(const RunRecord& old) {
         record_.frames[i] = old.frames[i];
         ++kept_;
     }
+    record_.addIncident(old.incident, old.incidentFrame);
 }
 
 /// Frames without a record may be someone else's.
@@ -183,6 +184,7 @@ void FrameFiles::add(const DrawnFrame& frame) {
     const std::uint64_t data = addData(frame);
     render::writeFrameFile(nameOf(frame.frame), frame.png);
     record_.frames[frame.frame] = {true, frame.stateHash, hashOf(frame.png), data};
+    record_.addIncident(frame.incident, frame.frame);
     // Seldom enough that a long film's record costs little, often enough that little is redrawn.
     if (++unrecorded_ >= std::max(50, plan_.frames / 64)) close(false);
 }

@@ -27,6 +27,7 @@ public:
     bool has(int frame) const { return record_.frames[frame].written; }
     bool hasAll() const;
     int kept() const { return kept_; }
+    const RunRecord& record() const { return record_; }
     /// Writes the frame, and from time to time the record.
     void add(const DrawnFrame& frame);
     /// Writes the record.

@@ -112,6 +112,7 @@ void addPart(const Found& found, Parts& parts) {
         parts.whole = *found.record;
         parts.whole.frames.assign(static_cast<std::size_t>(frames), {});
     }
+    parts.whole.addIncident(found.record->incident, found.record->incidentFrame);
     for (int frame = found.shard.first(frames); frame < found.shard.end(frames); ++frame)
         parts.whole.frames[static_cast<std::size_t>(frame)] =
             found.record->frames[static_cast<std::size_t>(frame)];
@@ -120,11 +121,12 @@ void addPart(const Found& found, Parts& parts) {
 
 }  // namespace
 
-PartState stateOfPart(const fs::path& film, const RunRecord& record) {
+FoundPart stateOfPart(const fs::path& film, const RunRecord& record) {
     const std::optional<RunRecord> old = recordAt(fs::path(film).replace_extension(".json"));
-    if (!old) return PartState::missing;
-    if (old->fingerprint != record.fingerprint) return PartState::another;
-    return old->finished && hashOf(film) == old->film ? PartState::done : PartState::torn;
+    if (!old) return {};
+    if (old->fingerprint != record.fingerprint) return {PartState::another, {}};
+    if (!old->finished || hashOf(film) != old->film) return {PartState::torn, {}};
+    return {PartState::done, old->incident};
 }
 
 void writePartRecord(const fs::path& film, RunRecord record) {

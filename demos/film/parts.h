@@ -13,8 +13,13 @@ namespace demos {
 
 enum class PartState { missing, another, torn, done };
 
+struct FoundPart {
+    PartState state = PartState::missing;
+    std::string incident;  // of its simulation, if it is done
+};
+
 /// The state of a film's part, for a run that would write `record`.
-PartState stateOfPart(const std::filesystem::path& film, const RunRecord& record);
+FoundPart stateOfPart(const std::filesystem::path& film, const RunRecord& record);
 
 /// Written next to the part's film when that is complete. Throws render::Error.
 void writePartRecord(const std::filesystem::path& film, RunRecord record);

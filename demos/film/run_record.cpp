@@ -1,5 +1,6 @@
 #include "demos/film/run_record.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "demos/film/film_plan.h"
@@ -12,6 +13,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 }  // namespace
+
+void RunRecord::addIncident(const std::string& line, int frame) {
+    if (line.empty()) return;
+    incidentFrame = incident.empty() ? frame : std::min(incidentFrame, frame);
+    if (line.size() > incident.size()) incident = line;  // a later one counts more incidents
+}
+
+std::string RunRecord::incidentUntil(int frame) const {
+    return frame >= incidentFrame ? incident : "";
+}
 
 std::string jsonOf(const RunRecord& record) {
     Json json;
@@ -34,6 +45,10 @@ std::string jsonOf(const RunRecord& record) {
     if (!record.passes.empty()) json["passes"] = record.passes;
     if (!record.shard.empty()) json["shard"] = record.shard;
     if (record.film != 0) json["film"] = hexText(record.film);
+    if (!record.incident.empty()) {
+        json["incident"] = record.incident;
+        json["incident_frame"] = record.incidentFrame;
+    }
     json["finished"] = record.finished;
     Json& frames = json["frames"] = Json::array();
     for (const FrameRecord& frame : record.frames) {
@@ -69,6 +84,8 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     record.fps = json.value("fps", 0);
     record.hz = json.value("hz", 0);
     record.shard = json.value("shard", "");
+    record.incident = json.value("incident", "");
+    record.incidentFrame = json.value("incident_frame", 0);
     if (json.contains("film"))
         record.film = fromHex(json["film"].get<std::string>()).value();
     if (json.contains("passes")) record.passes = json["passes"].get<std::vector<std::string>>();

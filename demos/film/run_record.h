@@ -28,6 +28,13 @@ struct RunRecord {
     std::uint64_t film = 0;  // TextHash of a part's film; 0: PNG frames
     bool finished = false;
     std::vector<FrameRecord> frames;
+    std::string incident;    // of the simulation (Player::incident); empty: none
+    int incidentFrame = 0;   // the first recorded frame after it
+
+    /// Takes up what is known after a frame, or from another record of the same run.
+    void addIncident(const std::string& line, int frame);
+    /// The incident if it happened before this frame was drawn, else "".
+    std::string incidentUntil(int frame) const;
 };
 
 std::string jsonOf(const RunRecord& record);

@@ -17,9 +17,7 @@ struct Desk {
     DataFiles data;
 
     Desk(const FilmPlan& plan, const render::RendererSettings& settings)
-        : renderer(settings), composite(plan), data(plan, composite) {
-        composite.goOn();
-    }
+        : renderer(settings), composite(plan), data(plan, composite) {}
 };
 
 Message drawnMessage(Desk& desk, int frame, const WorkerTask& task) {
@@ -48,7 +46,9 @@ void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
         const bool mine = orders.first[frame] && ordinal++ % task.count == task.index;
         if (frame > 0) desk.data.advance(mine);
         if (!mine) continue;
-        if (!channel.send(drawnMessage(desk, frame, task))) return;
+        Message message = drawnMessage(desk, frame, task);
+        if (frame == plan.frames - 1) message.incident = desk.composite.incidentAtEnd();
+        if (!channel.send(message)) return;
     }
 }
 

@@ -163,7 +163,9 @@ private:
         own.quiet = true;  // its notes have been reported
         const GalleryEntry entry = drawScene(planFilm(own), record_.posterFile(choice.name),
                                              films_ ? record_.filmFile(choice.name) : fs::path());
-        return jsonText({{"poster", hexText(entry.poster)}, {"film", hexText(entry.film)}});
+        return jsonText({{"poster", hexText(entry.poster)},
+                         {"film", hexText(entry.film)},
+                         {"incident", entry.incident}});
     }
 
     /// Recorded as soon as it is drawn, so that an interrupted run does not draw it again.
@@ -171,7 +173,8 @@ private:
         const auto number = [&made](const char* key) {
             return std::stoull(made.at(key).get<std::string>(), nullptr, 16);
         };
-        record_.add(name, {cardCalled(name).fingerprint, number("poster"), number("film")});
+        record_.add(name, {cardCalled(name).fingerprint, number("poster"), number("film"),
+                           made.at("incident").get<std::string>()});
         record_.write();
     }
 
@@ -199,6 +202,8 @@ private:
                                     galleryPage(cards_, renderer_, wordsOf(options_)));
         record_.command = options_.commandLine;
         record_.write();
+        for (const GalleryCard& card : cards_)
+            troubles_.tellIncident(card.name, record_.incidentOf(card.name));
         const std::string page = record_.pageFile().string();
         talk_.json(jsonText({{"event", "done"},
                              {"page", page},

@@ -39,12 +39,12 @@ std::unique_ptr<render::VideoWriter> openFilm(const FilmPlan& plan,
 
 }  // namespace
 
-render::Image drawPoster(const FilmPlan& plan) {
+DrawnPoster drawPoster(const FilmPlan& plan) {
     const int poster = posterFrame(plan);
     Composite composite(plan);
     render::Renderer renderer(ownThread(plan));
     for (int frame = 0; frame < poster; ++frame) composite.advance(false);
-    return posterOf(composite, plan, poster, renderer);
+    return {posterOf(composite, plan, poster, renderer), composite.incident()};
 }
 
 GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster,
@@ -62,7 +62,8 @@ GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster
     }
     if (writer) writer->close();
     render::writeFileAtomically(poster, png);
-    return {0, hashOfFile(poster), film.empty() ? 0 : hashOfFile(film)};
+    if (film.empty()) return {0, hashOfFile(poster), 0, composite.incident()};
+    return {0, hashOfFile(poster), hashOfFile(film), composite.incidentAtEnd()};
 }
 
 }  // namespace demos

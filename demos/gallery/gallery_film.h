@@ -7,8 +7,14 @@
 
 namespace demos {
 
-/// The frame that represents the scene, without its text. Throws Stop (diverged), render::Error.
-render::Image drawPoster(const FilmPlan& plan);
+struct DrawnPoster {
+    render::Image image;
+    std::string incident;  // until then (Player::incident)
+};
+
+/// The frame that represents the scene, without its text. Throws Stop (diverged) if a step fails,
+/// render::Error.
+DrawnPoster drawPoster(const FilmPlan& plan);
 
 /// Draws a scene's poster and, if `film` is a name, its film, in this process. Leaves no incomplete
 /// files. Throws likewise.

@@ -36,7 +36,7 @@ GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(f
         std::map<std::string, GalleryEntry> entries;
         for (const auto& [name, entry] : json.at("scenes").items())
             entries[name] = {numberOf(entry, "fingerprint"), numberOf(entry, "poster"),
-                             numberOf(entry, "film")};
+                             numberOf(entry, "film"), entry.value("incident", "")};
         sheet = numberOf(json, "sheet");
         entries_ = std::move(entries);
         found_ = true;
@@ -71,13 +71,20 @@ std::uint64_t GalleryRecord::posterOf(const std::string& name) const {
     return found == entries_.end() ? 0 : found->second.poster;
 }
 
+std::string GalleryRecord::incidentOf(const std::string& name) const {
+    const auto found = entries_.find(name);
+    return found == entries_.end() ? "" : found->second.incident;
+}
+
 void GalleryRecord::write() const {
     Json json{{"impulse", kVersion}, {"command", command}, {"sheet", hexText(sheet)}};
     json["scenes"] = Json::object();
-    for (const auto& [name, entry] : entries_)
+    for (const auto& [name, entry] : entries_) {
         json["scenes"][name] = {{"fingerprint", hexText(entry.fingerprint)},
                                 {"poster", hexText(entry.poster)},
                                 {"film", hexText(entry.film)}};
+        if (!entry.incident.empty()) json["scenes"][name]["incident"] = entry.incident;
+    }
     render::writeFileAtomically(folder_ / "gallery.json",
                                 json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }

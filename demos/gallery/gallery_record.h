@@ -13,6 +13,7 @@ namespace demos {
 struct GalleryEntry {
     std::uint64_t fingerprint = 0;       // GalleryCard's
     std::uint64_t poster = 0, film = 0;  // TextHash of the files; 0: not made
+    std::string incident;                // of its simulation (Player::incident); empty: none
 };
 
 /// Keeps scenes that a later command leaves out, and their files.
@@ -32,6 +33,7 @@ public:
 
     void add(const std::string& name, const GalleryEntry& entry) { entries_[name] = entry; }
     std::uint64_t posterOf(const std::string& name) const;
+    std::string incidentOf(const std::string& name) const;
     /// Hash of the sheet's inputs; 0: there is no sheet.
     std::uint64_t sheet = 0;
     std::string command;  // the last that wrote it

@@ -71,13 +71,17 @@ std::vector<NamedPoster> postersOf(GalleryOptions options, GalleryTroubles& trou
     const auto draw = [&](int i) {
         return attempted([&] {
             const GalleryOptions own = optionsOfFilm(choices[i], options);
-            const auto png = render::encodePng(drawPoster(planFilm(own)));
-            return std::string(png.begin(), png.end());
+            const DrawnPoster poster = drawPoster(planFilm(own));
+            const auto png = render::encodePng(poster.image);
+            return printable(poster.incident) + "\n" + std::string(png.begin(), png.end());
         });
     };
     const auto take = [&](int i, const PoolResult& result) {
         std::string png;
         if (!troubles.take(choices[i], result, png)) return;
+        const std::size_t end = png.find('\n');  // of the incident's line
+        troubles.tellIncident(choices[i].name, png.substr(0, end));
+        png.erase(0, end + 1);
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(png.data());
         posters.push_back({choices[i].name, render::decodePng({bytes, png.size()})});
     };

@@ -16,6 +16,12 @@ std::string failure(Exit code, const std::vector<std::string>& lines) {
     return "-" + json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// A line about a file begins with the file, all others with the scene.
+void putLine(const std::string& name, const std::string& line, bool ofFile) {
+    const bool named = ofFile || line.starts_with(name + ":");
+    putError((named ? "" : printable(name) + ": ") + printable(line));
+}
+
 }  // namespace
 
 std::string attempted(const std::function<std::string()>& work) noexcept {
@@ -53,16 +59,21 @@ bool GalleryTroubles::take(const GalleryChoice& choice, const PoolResult& result
     return false;
 }
 
-/// Reports with --quiet too. A line about a file begins with the file, all others with the scene.
+void GalleryTroubles::tellIncident(const std::string& name, const std::string& line) {
+    if (line.empty()) return;
+    if (code_ == Exit::ok) code_ = Exit::diverged;
+    const Json json{{"event", "incident"}, {"scene", name}, {"text", line}};
+    talk_.json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    putLine(name, line, false);
+}
+
+/// Reports with --quiet too.
 void GalleryTroubles::tell(const std::string& name, const std::vector<std::string>& lines,
                            Exit code) {
     if (++count_ == 1) code_ = code;
     Json json{{"event", "failed"}, {"scene", name}, {"lines", lines}};
     talk_.json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-    for (const std::string& line : lines) {
-        const bool named = code == Exit::scene || line.starts_with(name + ":");
-        putError((named ? "" : printable(name) + ": ") + printable(line));
-    }
+    for (const std::string& line : lines) putLine(name, line, code == Exit::scene);
 }
 
 }  // namespace demos

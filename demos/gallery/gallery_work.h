@@ -25,8 +25,10 @@ public:
     /// Sets `text` to what `work` returned; false: it failed, which take() reports. Throws Stop
     /// (usage) if the command line is wrong.
     bool take(const GalleryChoice& choice, const PoolResult& result, std::string& text);
+    /// Reports what happened in the simulation of a scene that was drawn; "": nothing.
+    void tellIncident(const std::string& name, const std::string& line);
     int count() const { return count_; }
-    /// Of the first failure; ok if there is none.
+    /// Of the first failure; diverged if there were only incidents; else ok.
     Exit code() const { return code_; }
 
 private:

@@ -118,7 +118,6 @@ double SummaryRecorder::largestMove(const Stage& stage) const {
 
 Summary summarize(const SceneDescription& scene) {
     Player player(scene, Overlays{.trails = false});
-    player.goOn();
     SummaryRecorder recorder(player.stage());
     const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
     for (long step = 1; step <= steps; ++step) {

@@ -69,6 +69,7 @@ Timing timeScene(const SceneDescription& scene) {
     timing.contacts = player.stage().world.errors().contacts;
     timing.steps = static_cast<int>(timing.ms.size());
     timing.hash = player.stage().world.hash();
+    timing.incident = player.incident();
     return timing;
 }
 

@@ -18,12 +18,13 @@ struct Timing {
     std::vector<double> ms;  // per step
     double points = 0.0;     // contact points, added up over the timed steps
     std::uint64_t hash = 0;
+    std::string incident;    // Player::incident; empty: none
 
     double median() const;  // ms
     double nanosecondsAPoint() const;
 };
 
-/// Throws Stop (diverged, interrupted).
+/// Throws Stop (interrupted; diverged if a step fails).
 Timing timeScene(const SceneDescription& scene);
 
 /// The phases of the loop; "prepare" is the time before the first.

@@ -187,7 +187,7 @@ std::vector<CommandWords> commandWords() {
 std::string closingWords() {
     return "SCENE is a name of 'impulse list' or a path to a scene file. Exit codes: 0 ok, "
            "1 expectation or snapshot failed,\n2 usage, 3 scene file, 4 environment, 5 would "
-           "overwrite, 6 diverged, 7 parts are missing, 130 interrupted.";
+           "overwrite, 6 incident, 7 parts are missing, 130 interrupted.";
 }
 
 }  // namespace demos

@@ -37,6 +37,14 @@ Json picturesJson(const Baseline& baseline) {
     return pictures;
 }
 
+Json incidentsJson(const Baseline& baseline) {
+    Json incidents = Json::array();
+    for (const BaselineIncident& incident : baseline.incidents)
+        incidents.push_back(
+            {{"step", incident.step}, {"body", incident.body}, {"trouble", incident.trouble}});
+    return incidents;
+}
+
 std::string trajectoryText(const Baseline& baseline, const Tolerance& tolerance) {
     if (!baseline.trajectoryText.empty()) return baseline.trajectoryText;
     const Trajectory& trajectory = baseline.trajectory;
@@ -69,6 +77,10 @@ Baseline baselineOf(const Json& json) {
                                      fromHex(picture.at("png").get<std::string>()).value()});
     json.at("course").get_to(baseline.trajectoryText);
     baseline.trajectory = trajectoryFrom(baseline.trajectoryText);
+    for (const Json& incident : json.value("incidents", Json::array()))
+        baseline.incidents.push_back({incident.at("step").get<long long>(),
+                                      incident.at("body").get<std::string>(),
+                                      incident.at("trouble").get<std::string>()});
     return baseline;
 }
 
@@ -84,6 +96,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
     for (const auto& [key, value] : baseline.settings) settings[key] = value;
     json["pictures"] = picturesJson(baseline);
     json["course"] = trajectoryText(baseline, tolerance);
+    if (!baseline.incidents.empty()) json["incidents"] = incidentsJson(baseline);
     json["seal"] = hexText(hashOf(jsonText(json)));
     return jsonText(json) + "\n";
 }

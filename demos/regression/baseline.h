@@ -22,6 +22,13 @@ struct BaselinePicture {
     std::uint64_t png = 0;     // TextHash of the file
 };
 
+/// A body that could not continue as it was, or an energy jump (snapshot/player.h).
+struct BaselineIncident {
+    long long step = 0;
+    std::string body;     // empty: no single body
+    std::string trouble;  // "too fast"
+};
+
 struct Baseline {
     std::string scene;             // its name
     std::string version;           // of the program
@@ -31,6 +38,7 @@ struct Baseline {
     std::vector<BaselinePicture> pictures;  // by time
     Trajectory trajectory;
     std::string trajectoryText;  // as it was read, so that writing it does not round it again
+    std::vector<BaselineIncident> incidents;  // in the order of the steps
 };
 
 /// A baseline cannot be used; the message is one line.

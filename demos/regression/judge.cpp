@@ -59,6 +59,31 @@ void judgePictures(const TestRun& played, const Actual& actual, const Baseline& 
     }
 }
 
+/// The first of the incidents and how many more there are.
+std::string incidentLine(const char* head, const std::vector<std::string>& texts) {
+    return fmt::format("{}: {}{}", head, texts.front(),
+                       texts.size() > 1 ? fmt::format(" (and {} more)", texts.size() - 1) : "");
+}
+
+/// An incident that is not in the baseline fails the test, even if no pose tells; its step may
+/// differ, as far as the poses stay within the tolerances. `baseline`: null if there is none yet.
+void judgeIncidents(const std::vector<PlayedIncident>& incidents,
+                    const std::vector<BaselineIncident>* baseline, PhysicsVerdict& physics) {
+    std::vector<std::string> added, known;
+    for (const PlayedIncident& incident : incidents) {
+        const auto isSame = [&](const BaselineIncident& kept) {
+            return kept.body == incident.body && kept.trouble == troubleWord(incident.trouble);
+        };
+        const bool kept = baseline && std::any_of(baseline->begin(), baseline->end(), isSame);
+        (kept ? known : added).push_back(incident.line);
+    }
+    if (!known.empty())
+        physics.lines.push_back(incidentLine("an incident, as in the baseline", known));
+    if (added.empty()) return;
+    physics.lines.insert(physics.lines.begin(), incidentLine("a new incident", added));
+    if (baseline) physics.kind = PhysicsVerdict::Kind::changed;
+}
+
 SceneVerdict::State stateOf(const SceneVerdict& verdict) {
     const bool seen = std::all_of(verdict.pictures.begin(), verdict.pictures.end(),
                                   [](const PictureVerdict& picture) { return picture.passes(); });
@@ -80,6 +105,8 @@ Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& 
     baseline.height = plan.picture.height;
     baseline.settings = settingsOf(plan, scene, played.renderer);
     baseline.trajectory = played.trajectory;
+    for (const PlayedIncident& incident : played.incidents)
+        baseline.incidents.push_back({incident.step, incident.body, troubleWord(incident.trouble)});
     for (const TestPicture& picture : played.pictures) {
         const auto& png = actual.png.emplace_back(render::encodePng(picture.image));
         baseline.pictures.push_back({picture.time, picture.state, hashOf(png)});
@@ -120,6 +147,7 @@ void judge(const TestRun& played, const Actual& actual, const fs::path& folder,
         const std::optional<Baseline> baseline = readBaseline(folder);
         if (!baseline) {
             verdict.state = SceneVerdict::State::added;
+            judgeIncidents(played.incidents, nullptr, verdict.physics);
             return;
         }
         verdict.settings = changesOf(baseline->settings, actual.baseline.settings);
@@ -128,6 +156,7 @@ void judge(const TestRun& played, const Actual& actual, const fs::path& folder,
         if (problem.empty()) {
             verdict.physics = diverge(baseline->trajectory, actual.baseline.trajectory,
                                       verdict.snapshot.tolerance);
+            judgeIncidents(played.incidents, &baseline->incidents, verdict.physics);
             judgePictures(played, actual, *baseline, folder, verdict);
         }
     } catch (const BaselineError& error) {

@@ -69,6 +69,10 @@ void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
     if (played.pictures.empty()) {  // only expectations
         verdict.expectations = played.expectations;
         verdict.state = verdict.keepsContract() ? State::passed : State::failed;
+        if (!played.incidents.empty())
+            throw Stop(Exit::diverged,
+                       played.incidents.front().line +
+                           "; only the baseline of a scene with [snapshot] times can record it");
         return;
     }
     const Actual actual = actualOf(played, plan, chosen.scene);

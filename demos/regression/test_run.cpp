@@ -5,7 +5,6 @@
 
 #include "demos/film/exposure.h"
 #include "demos/regression/trajectory_recorder.h"
-#include "demos/snapshot/player.h"
 #include "render/renderer.h"
 
 namespace demos {
@@ -51,6 +50,7 @@ TestRun runForTest(const FilmPlan& plan) {
     }
     played.trajectory = recorder.trajectory();
     played.expectations = checker.results();
+    played.incidents = player.incidents();
     return played;
 }
 

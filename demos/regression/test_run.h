@@ -6,6 +6,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/play/expect.h"
 #include "demos/regression/trajectory.h"
+#include "demos/snapshot/player.h"
 #include "render/image.h"
 
 namespace demos {
@@ -20,11 +21,12 @@ struct TestRun {
     Trajectory trajectory;
     std::vector<ExpectationResult> expectations;
     std::vector<TestPicture> pictures;
+    std::vector<PlayedIncident> incidents;
     std::string renderer;  // its name; empty where nothing was drawn
 };
 
-/// Simulates the whole scene and draws it at its [snapshot] times. Throws Stop (diverged),
-/// render::Error.
+/// Simulates the whole scene and draws it at its [snapshot] times. Throws Stop (diverged) if a step
+/// fails, render::Error.
 TestRun runForTest(const FilmPlan& plan);
 
 }  // namespace demos

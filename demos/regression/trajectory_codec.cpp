@@ -44,7 +44,8 @@ std::vector<std::int64_t> restsOf(Trajectory& trajectory, double step, const Col
     Guess guess(straight);
     std::vector<std::int64_t> rests;
     for (TrajectoryMoment& moment : trajectory.moments) {
-        const double number = std::clamp(column(moment) / step, -kFarthest, kFarthest);
+        const double exact = column(moment) / step;
+        const double number = std::isnan(exact) ? 0.0 : std::clamp(exact, -kFarthest, kFarthest);
         const auto far = number - static_cast<double>(guess.next());
         rests.push_back(std::abs(far) <= 1.0 ? 0 : std::llround(far));
         guess.see(guess.next() + rests.back());
@@ -227,10 +228,12 @@ bool readHead(ByteReader& in, Trajectory& trajectory) {
 
 TrajectoryResolution resolutionOf(const Trajectory& trajectory, const Tolerance& tolerance) {
     constexpr double kFiner = 0.1, kShare = 1e-4, kRadians = 0.017453292519943295;
+    constexpr double kMost = 1e300;  // the start of a body that is slowed down may overflow
     double impulse = 0.0, energy = 0.0;
     for (const TrajectoryMoment& moment : trajectory.moments) {
-        energy = std::max(energy, std::abs(moment.energy));
-        for (const TrajectoryImpulse& one : moment.impulses) impulse = std::max(impulse, one.value);
+        energy = std::max(energy, std::min(std::abs(moment.energy), kMost));
+        for (const TrajectoryImpulse& one : moment.impulses)
+            impulse = std::max(impulse, std::min(one.value, kMost));
     }
     // A turn by an angle changes the quaternion's numbers by up to half of it.
     return {kFiner * tolerance.position, kFiner * tolerance.angleDegrees * kRadians / 2,

@@ -28,18 +28,19 @@ struct Watch {
         recorder.look(player.stage());
         checker.look(player.stage());
     }
-    /// False if it diverged; `how` then says how.
-    bool step(std::string& how) try {
+    /// False if the step failed; `why` then says why.
+    bool step(std::string& why) try {
         summary.step(player);
         look();
         return true;
     } catch (const Stop& stop) {
         if (stop.code() != Exit::diverged) throw;
-        how = stop.what();
+        why = stop.what();
         return false;
     }
-    PlayedMoment now(const std::string& diverged) const {
-        return {summary.summary(diverged), recorder, momentOf(player.stage())};
+    PlayedMoment now(const std::string& failed) const {
+        return {summary.summary(failed.empty() ? player.incident() : failed), recorder,
+                momentOf(player.stage()), failed};
     }
 };
 
@@ -71,14 +72,15 @@ void DeckRuns::askExpectations(const std::string& key, const SceneDescription& s
 void DeckRuns::play(Run& run) {
     Watch watch(run.scene);
     const long last = run.lastStep();
-    for (long step = 0; step <= last && run.diverged.empty(); ++step) {
-        if (step > 0 && !watch.step(run.diverged)) break;
+    for (long step = 0; step <= last; ++step) {
+        if (step > 0 && !watch.step(run.failed)) break;
         if (const auto asked = run.moments.find(step); asked != run.moments.end())
             asked->second = watch.now({});
         if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
     }
     for (auto& [step, moment] : run.moments)
-        if (!moment) moment = watch.now(run.diverged);
+        if (!moment) moment = watch.now(run.failed);
+    run.incident = run.failed.empty() ? watch.player.incident() : run.failed;
     run.expectations = watch.checker.results();
     run.played = true;
 }
@@ -104,6 +106,8 @@ const std::vector<ExpectationResult>& DeckRuns::expectations(const std::string& 
     return playedRun(key).expectations;
 }
 
-const std::string& DeckRuns::diverged(const std::string& key) { return playedRun(key).diverged; }
+const std::string& DeckRuns::failed(const std::string& key) { return playedRun(key).failed; }
+
+const std::string& DeckRuns::incident(const std::string& key) { return playedRun(key).incident; }
 
 }  // namespace demos

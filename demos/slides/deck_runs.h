@@ -17,7 +17,8 @@ namespace demos {
 struct PlayedMoment {
     Summary summary;
     Recorder recorder;
-    RunMoment moment;  // if the run diverged before: its last good state
+    RunMoment moment;    // if a step failed before: the last good state
+    std::string failed;  // then why; else empty
 };
 
 class DeckRuns {
@@ -32,8 +33,10 @@ public:
     /// (interrupted).
     const PlayedMoment& moment(const std::string& key, double until);
     const std::vector<ExpectationResult>& expectations(const std::string& key);
-    /// Empty, or a line that says how the run diverged before its last requested moment.
-    const std::string& diverged(const std::string& key);
+    /// Empty, or why a step failed before the last requested moment.
+    const std::string& failed(const std::string& key);
+    /// What happened until the last requested moment (Player::incident), or why a step failed.
+    const std::string& incident(const std::string& key);
 
     int played() const { return played_; }  // runs
 
@@ -42,7 +45,7 @@ private:
         SceneDescription scene;
         std::map<long, std::optional<PlayedMoment>> moments;  // by step
         bool toEnd = false, played = false;
-        std::string diverged;
+        std::string failed, incident;
         std::vector<ExpectationResult> expectations;
 
         long lastStep() const;

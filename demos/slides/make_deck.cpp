@@ -23,6 +23,7 @@ struct Act {
     std::optional<SlidePlan> plan;
     std::optional<SlideFacts> facts;
     MadeSlide made;
+    std::string incident;  // of its runs, as far as the slide shows them
 };
 
 [[noreturn]] void stopAt(const Slide& slide, const Stop& stop, const DeckMaking& making) {
@@ -89,7 +90,10 @@ public:
             throw;
         }
         progress.finish();
-        for (Act& act : acts_) made_.slides.push_back(std::move(act.made));
+        for (Act& act : acts_) {
+            keepIncident(act);
+            made_.slides.push_back(std::move(act.made));
+        }
         return std::move(made_);
     }
 
@@ -112,11 +116,20 @@ private:
         std::optional<double> exhibit;
         if (act.plan) exhibit = act.plan->aspect();
         act.facts->fill(act.made, deck_.theme, exhibit, !making_.options.reproducible);
+        act.incident = act.facts->incident();
+    }
+
+    /// Keeps the deck's first incident.
+    void keepIncident(const Act& act) {
+        std::string& kept = act.loaded.several ? made_.compared : made_.incident;
+        if (kept.empty() && !act.incident.empty())
+            kept = fmt::format("slide '{}': {}", printable(act.made.slide.id), act.incident);
     }
 
     void draw(Act& act, Progress& progress) {
         if (!act.plan) return;
-        const Studio studio{making_.options.jobs, progress};
+        std::string incident;
+        const Studio studio{making_.options.jobs, progress, incident};
         const std::string& id = act.made.slide.id;
         std::vector<MadePicture>& pictures = act.made.pictures;
         if (act.made.slide.exhibit == Exhibit::film)
@@ -128,6 +141,7 @@ private:
                                                   ? madeStill(*act.plan, studio)
                                                   : madeStrip(*act.plan, studio));
         act.plan.reset();  // its scenes may be large
+        if (act.incident.empty()) act.incident = incident;
         Talk(making_.options, false)
             .json(fmt::format(R"({{"event":"slide","slide":{}}})", jsonString(id)));
     }

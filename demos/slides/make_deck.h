@@ -15,7 +15,8 @@ struct DeckMaking {
     Options options;               // jobs, samples, reproducible, context, quiet, json
 };
 
-/// `deck` has been checked by its reader. Throws Stop (diverged, interrupted), render::Error.
+/// `deck` has been checked by its reader. Throws Stop (interrupted; diverged if a step fails),
+/// render::Error.
 /// Without ffmpeg posters replace films, with a remark; remarks are printed before anything is
 /// simulated.
 MadeDeck makeDeck(const Deck& deck, const DeckMaking& making);

@@ -11,8 +11,8 @@
 namespace demos {
 namespace {
 
-void stopAt(const std::string& diverged) {
-    if (!diverged.empty()) throw Stop(Exit::diverged, diverged);
+void stopAt(const std::string& failed) {
+    if (!failed.empty()) throw Stop(Exit::diverged, failed);
 }
 
 }  // namespace
@@ -46,9 +46,21 @@ const PlayedMoment& SlideFacts::momentOf(std::size_t run) const {
     return runs_.moment(keyOf(run), untilOf(slide_, loaded_.variants[run]));
 }
 
-void SlideFacts::checkDiverged(std::size_t run, bool toEnd) const {
-    if (toEnd) stopAt(runs_.diverged(keyOf(run)));
-    if (asked_.count(run) > 0) stopAt(momentOf(run).summary.diverged);
+void SlideFacts::checkFailed(std::size_t run, bool toEnd) const {
+    if (toEnd) stopAt(runs_.failed(keyOf(run)));
+    if (asked_.count(run) > 0) stopAt(momentOf(run).failed);
+}
+
+std::string SlideFacts::incident() const {
+    for (std::size_t run = 0; run < loaded_.variants.size(); ++run) {
+        const bool asked = asked_.count(run) > 0;
+        if (!asked && !slide_.expectations) continue;
+        const std::string& line =
+            slide_.expectations ? runs_.incident(keyOf(run)) : momentOf(run).summary.diverged;
+        if (line.empty()) continue;
+        return loaded_.several ? loaded_.variants[run].label + ": " + line : line;
+    }
+    return {};
 }
 
 std::string SlideFacts::valueOf(const NumberName& name, NumberSetting setting) const {
@@ -56,7 +68,7 @@ std::string SlideFacts::valueOf(const NumberName& name, NumberSetting setting) c
     const auto run = static_cast<std::size_t>(name.run - 1);
     const PlayedMoment& played = momentOf(run);
     const bool expects = name.group == "expect";
-    checkDiverged(run, expects);
+    checkFailed(run, expects);
     return demos::valueOf(name,
                           {loaded_.variants[run].scene, played.summary, played.moment,
                            expects ? runs_.expectations(keyOf(run)) : kNone},
@@ -82,7 +94,7 @@ void SlideFacts::addTables(MadeSlide& made, const std::vector<Measured>& all, bo
 
 void SlideFacts::fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
                       bool timing) {
-    if (!loaded_.several && !loaded_.variants.empty()) checkDiverged(0, slide_.expectations);
+    if (!loaded_.several && !loaded_.variants.empty()) checkFailed(0, slide_.expectations);
     fillNumbers(made.slide, [&](const NumberName& name, NumberSetting setting) {
         return valueOf(name, setting);
     });

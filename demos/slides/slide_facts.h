@@ -21,10 +21,13 @@ public:
 
     /// Simulates the runs if necessary, and fills in the slide. `exhibit`: width over height of the
     /// picture next to the charts. `timing`: with processor times, which differ every time. Throws
-    /// Stop: scene (valueOf), interrupted, and diverged if the slide's only run or the run of a
-    /// number diverged.
+    /// Stop: scene (valueOf), interrupted, and diverged if a step of the slide's only run or of the
+    /// run of a number failed.
     void fill(MadeSlide& made, const std::string& theme, std::optional<double> exhibit,
               bool timing);
+    /// After fill(): what happened in the first of the simulated runs that has an incident, of
+    /// several with its label; "": nothing.
+    std::string incident() const;
 
 private:
     void addTables(MadeSlide& made, const std::vector<Measured>& all, bool timing);
@@ -34,9 +37,9 @@ private:
     std::string keyOf(std::size_t run) const { return runKey(slide_, loaded_.variants[run]); }
     const PlayedMoment& momentOf(std::size_t run) const;
     std::vector<Measured> measured() const;
-    /// Throws if the run diverged before the slide's moment or, with `toEnd`, its end; another
-    /// slide may use more of the run.
-    void checkDiverged(std::size_t run, bool toEnd) const;
+    /// Throws if a step failed before the slide's moment or, with `toEnd`, its end; another slide
+    /// may use more of the run.
+    void checkFailed(std::size_t run, bool toEnd) const;
     std::string valueOf(const NumberName& name, NumberSetting setting) const;
 
     const Slide& slide_;

@@ -32,7 +32,7 @@ void drawFrames(const SlidePlan& plan, const Studio& studio, const std::function
     source.order(wanted);
     DrawnFrame drawn;
     while (source.next(drawn)) {
-        if (!drawn.incident.empty()) throw Stop(Exit::diverged, drawn.incident);
+        studio.incident = drawn.incident;
         take(drawn);
         studio.progress.advance();
         if (interrupted()) throw Stop(Exit::interrupted, "interrupted");

@@ -10,12 +10,14 @@ namespace demos {
 
 /// The settings of all drawing.
 struct Studio {
-    int jobs = 0;        // maximum of drawing processes; 0: one per core
-    Progress& progress;  // advances with every frame
+    int jobs = 0;           // maximum of drawing processes; 0: one per core
+    Progress& progress;     // advances with every frame
+    std::string& incident;  // set to what happened until the last frame (Composite::incident)
 };
 
 /// Writes the film to `file`, complete or not at all; with an empty `file` draws only the poster,
-/// which otherwise comes from the same pass. Throws Stop (diverged, interrupted), render::Error.
+/// which otherwise comes from the same pass. Throws Stop (interrupted; diverged if a step
+/// fails), render::Error.
 MadeFilm madeFilm(const SlidePlan& plan, const std::filesystem::path& file, const Studio& studio);
 
 /// A still, or a strip of all the plan's frames with their times. Throws the same.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "demos/text/stop.h"
+#include "render/palette.h"
 
 namespace demos {
 namespace {
@@ -42,6 +43,36 @@ std::string incidentText(const Stage& stage, const engine::Incident& incident) {
                        what(incident.trouble));
 }
 
+const char* troubleWord(engine::Trouble trouble) {
+    switch (trouble) {
+        case engine::Trouble::none:
+            return "none";
+        case engine::Trouble::positionNotFinite:
+            return "position not finite";
+        case engine::Trouble::velocityNotFinite:
+            return "velocity not finite";
+        case engine::Trouble::positionTooLarge:
+            return "too far";
+        case engine::Trouble::velocityTooLarge:
+            return "too fast";
+        case engine::Trouble::tooManyRows:
+            return "too many rows";
+        case engine::Trouble::energyJump:
+            break;
+    }
+    return "energy jump";
+}
+
+std::string bodyAndStep(const PlayedIncident& incident) {
+    return fmt::format("{}, step {}",
+                       incident.body.empty() ? "energy" : fmt::format("'{}'", incident.body),
+                       incident.step);
+}
+
+render::Text incidentMark(const std::string& what) {
+    return {"diverged: " + what, render::Corner::topLeft, 22.0f, render::fromHex(0xc0392b)};
+}
+
 Player::Player(const SceneDescription& scene, const Overlays& overlays)
     : stage_(scene), overlays_(overlays) {
     if (overlays_.nudges) watchNudges();
@@ -71,18 +102,18 @@ void Player::step() {
 }
 
 void Player::look(const engine::Incident& incident) {
-    if (!goesOn_) throw Stop(Exit::diverged, incidentText(stage_, incident));
-    const auto isSame = [&](const engine::Incident& known) {
-        return known.body == incident.body && known.trouble == incident.trouble;
+    const std::string body = incident.body.index >= 0 ? stage_.nameOf(incident.body) : "";
+    const auto isSame = [&](const PlayedIncident& known) {
+        return known.body == body && known.trouble == incident.trouble;
     };
-    if (std::ranges::any_of(known_, isSame)) return;  // a body that is too fast may be so in every step
-    known_.push_back(incident);
-    incidents_.push_back(incidentText(stage_, incident));
+    if (std::ranges::any_of(incidents_, isSame)) return;  // a body may be too fast in every step
+    incidents_.push_back({incident.trouble, body, stage_.world.report().step,
+                          incidentText(stage_, incident)});
 }
 
 std::string Player::incident() const {
-    if (incidents_.size() < 2) return incidents_.empty() ? "" : incidents_.front();
-    return fmt::format("{} (and {} more)", incidents_.front(), incidents_.size() - 1);
+    if (incidents_.size() < 2) return incidents_.empty() ? "" : incidents_.front().line;
+    return fmt::format("{} (and {} more)", incidents_.front().line, incidents_.size() - 1);
 }
 
 void Player::stopIfIncident() const {

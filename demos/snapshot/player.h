@@ -8,20 +8,27 @@
 
 namespace demos {
 
+/// A body that could not continue as it was, or an energy jump.
+struct PlayedIncident {
+    engine::Trouble trouble = engine::Trouble::none;
+    std::string body;    // its name; empty: no single body is concerned
+    long long step = 0;
+    std::string line;    // "scene: step 31 (t = 0.517 s): body 'ball': ..."
+};
+
 class Player {
 public:
     Player(const SceneDescription& scene, const Overlays& overlays);
     Player(const Player&) = delete;  // the world's observer points to this object
     Player& operator=(const Player&) = delete;
 
-    /// One step. Throws Stop (diverged) with `scene: step 1234 (t = 5.142 s): body 'box7': ...` if
-    /// the step failed, or if a body could not continue as it was.
+    /// One step. After an incident the simulation continues without the body, or with a slower one.
+    /// Throws Stop (diverged) with a line like an incident's if the step failed.
     void step();
     void step(int count);
-    /// From now on the simulation continues without such bodies; incidents() has a line for each.
-    void goOn() { goesOn_ = true; }
-    const std::vector<std::string>& incidents() const { return incidents_; }
-    /// The first of them, and how many more there are; "" if there are none.
+    /// What has happened until now, each trouble of a body once.
+    const std::vector<PlayedIncident>& incidents() const { return incidents_; }
+    /// The line of the first of them, and how many more there are; "" if there are none.
     std::string incident() const;
     /// Throws Stop (diverged) with incident(), if there is one.
     void stopIfIncident() const;
@@ -43,13 +50,20 @@ private:
     Stage stage_;
     Overlays overlays_;
     History history_;
-    bool goesOn_ = false;
-    std::vector<engine::Incident> known_;
-    std::vector<std::string> incidents_;
+    std::vector<PlayedIncident> incidents_;
     std::vector<Vec3> before_;  // m, positions of the bodies before the nudges
 };
 
 /// The line for an incident of the last step.
 std::string incidentText(const Stage& stage, const engine::Incident& incident);
+
+/// "too fast", for files.
+const char* troubleWord(engine::Trouble trouble);
+
+/// "'ball', step 31", for a picture.
+std::string bodyAndStep(const PlayedIncident& incident);
+
+/// "diverged: WHAT" in the corner of a picture; the renderer breaks and cuts it to fit.
+render::Text incidentMark(const std::string& what);
 
 }  // namespace demos

@@ -12,7 +12,8 @@ enum class Exit {
     scene = 3,           // the scene file
     environment = 4,     // no OpenGL, no ffmpeg, disk full
     wouldOverwrite = 5,  // without --overwrite
-    diverged = 6,        // the simulation: a body that could not continue, or energy from nowhere
+    diverged = 6,        // an incident: a body that could not continue, or energy from nowhere;
+                         // or a step that failed
     incomplete = 7,      // parts of a film are missing or do not belong together
     interrupted = 130    // SIGINT, SIGTERM, SIGHUP
 };

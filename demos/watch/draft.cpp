@@ -46,7 +46,7 @@ public:
         look();
     }
 
-    /// False: it diverged.
+    /// False: a step failed.
     bool step(int count) {
         try {
             for (int i = 0; i < count; ++i) {
@@ -55,9 +55,9 @@ public:
             }
         } catch (const Stop& stop) {
             if (stop.code() != Exit::diverged) throw;
-            trouble_ = stop.what();
+            failure_ = stop.what();
         }
-        return trouble_.empty();
+        return failure_.empty();
     }
 
     render::Frame frame(int frame) const {
@@ -75,10 +75,12 @@ public:
     }
     const FilmPlan& plan() const { return plan_; }
     const std::vector<std::uint64_t>& states() const { return states_; }
-    const std::string& trouble() const { return trouble_; }
+    bool failed() const { return !failure_.empty(); }
+    /// Why a step failed, or an incident; empty: neither.
+    std::string trouble() const { return failed() ? failure_ : player_.incident(); }
 
     /// The failed expectations; `cut`: the run was cut short, so only those that were measured.
-    std::vector<ExpectationResult> failed(bool cut) const {
+    std::vector<ExpectationResult> failures(bool cut) const {
         std::vector<ExpectationResult> results = checker_.results();
         std::erase_if(results, [cut](const ExpectationResult& result) {
             return result.passed || (cut && !std::isfinite(result.value));
@@ -98,7 +100,7 @@ private:
     FrameHasher hasher_;
     std::uint64_t planSum_;
     std::vector<std::uint64_t> states_;
-    std::string trouble_;
+    std::string failure_;
 };
 
 void DraftMaker::prepare(const FilmPlan& plan) {
@@ -152,7 +154,7 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
         addFrame(frame, run, film, draft);
     }
     const long steps = std::max(std::lround(plan.scene().seconds * plan.scene().hz), 1L);
-    if (run.trouble().empty())
+    if (!run.failed())
         run.step(static_cast<int>(steps - static_cast<long>(run.states().size()) + 1));
     finish(run, film, options, draft);
     return draft;
@@ -178,7 +180,7 @@ void DraftMaker::finish(Run& run, DraftFilm& film, const Options& options, Draft
         std::mismatch(states.begin(), states.end(), states_.begin(), states_.end());
     if (draft.framesBefore > 0 && here != states.end() && there != states_.end())
         draft.firstStep = here - states.begin();
-    draft.failed = run.failed(options.seconds.has_value());
+    draft.failed = run.failures(options.seconds.has_value());
     draft.trouble = run.trouble();
     told_.assign(stored_.begin(), stored_.begin() + draft.frames);
     states_ = states;

@@ -28,7 +28,7 @@ struct Draft {
     bool written = false;            // the film or the frames, since the last whole one
     int pictured = -1;               // the frame of draft.png; -1: it was not written
     std::vector<ExpectationResult> failed;
-    std::string trouble;  // how the run diverged; empty: it did not
+    std::string trouble;  // an incident (Player::incident), or the step that failed; or empty
 };
 
 class DraftMaker {

@@ -14,7 +14,7 @@ std::string changeText(const Draft& draft, const FilmPlan& plan);
 std::vector<std::string> draftLines(const Draft& draft, const FilmPlan& plan,
                                     const DraftPlaces& places);
 
-/// The failures: expectations that failed, and a run that diverged.
+/// The failures: expectations that failed, and an incident of the run.
 std::vector<std::string> failureLines(const Draft& draft, const FilmPlan& plan);
 
 /// {"event":"draft",...}

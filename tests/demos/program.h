@@ -141,4 +141,15 @@ shape = { sphere = 0.5 }
 at = [0, 3, 0]
 )";
 
+/// The ball is too fast after its first step.
+inline const std::string kFastBall =
+    kBall + "velocity = [0, 9999, 0]\n[world]\ngravity = [0, 100, 0]\n";
+
+/// A stack with 1320 rows, too many for the direct solver: the first step fails.
+inline const std::string kTooTall =
+    kBall +
+    "[[repeat]]\ncount = 110\nstep = [0, 1, 0]\n"
+    "body = { name = 'box{i}', shape = { box = [1, 1, 1] }, at = [9, 0.5, 0] }\n"
+    "[solver]\ntype = 'direct'\n";
+
 }  // namespace demos::test

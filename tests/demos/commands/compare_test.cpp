@@ -33,6 +33,17 @@ std::vector<std::string> with(std::vector<std::string> first,
     return first;
 }
 
+/// Of the mark of an incident, in the half of the picture that begins at `left`.
+int redPixels(const render::Image& image, int left) {
+    int count = 0;
+    for (int y = 0; y < image.height / 2; ++y)
+        for (int x = left; x < left + image.width / 2; ++x) {
+            const std::uint8_t* pixel = image.at(x, y);
+            count += pixel[0] > 170 && pixel[1] < 90 && pixel[2] < 80;
+        }
+    return count;
+}
+
 TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
     const Ended ended = compare(
         with({"ball.toml", "--vary", "world.gravity=[0,-9.81,0],[0,0,0]", "-o", "film"}, kFilm));
@@ -102,6 +113,18 @@ TEST_F(Compare, ADivergedPanelStaysAndIsSaid) {
                       "body.ball.mass=1", "-o", "film"},
                      kFilm));
     EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.err.find(": step "), std::string::npos) << ended.err;
+    const Ended fast =
+        compare(with({"ball.toml", "--vary", "body.ball.velocity=[0,0,0],[9999,0,0]", "--set",
+                      "world.gravity=[100,0,0]", "--no-strip", "-o", "fast"},
+                     kFilm));
+    EXPECT_EQ(fast.code, 0) << fast.err;
+    EXPECT_NE(fast.err.find("velocity=[9999,0,0]: ball: step 1 (t = 0.017 s): body 'ball': "),
+              std::string::npos)
+        << fast.err;
+    const render::Image marked = picture("fast/frame_000002.png");
+    EXPECT_EQ(redPixels(marked, 0), 0);
+    EXPECT_GT(redPixels(marked, marked.width / 2), 20);
     const Ended far =
         compare({"ball.toml", "--no-film", "--seconds", "60", "--vary",
                  "body.ball.velocity=[0,0,0],[9999,0,0]", "--set", "world.gravity=[0,0,0]"});

@@ -128,13 +128,24 @@ TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
     EXPECT_NE(ended.err.find("impulse: broken.toml:2:1: "), std::string::npos) << ended.err;
     EXPECT_TRUE(pageHas("ball"));
     EXPECT_FALSE(pageHas("broken"));
+}
+
+/// A scene with an incident is made as well, and reported whenever it is there.
+TEST_F(Gallery, AnIncidentIsToldAgainAndItsSceneIsMade) {
     write(folder / "comet.toml",
           kBall + "velocity = [9995, 0, 0]\n[world]\ngravity = [100, 0, 0]\n");
-    const Ended diverged = gallery({"comet.toml", "other.toml"});
-    EXPECT_EQ(diverged.code, 6) << diverged.err;
-    EXPECT_NE(diverged.err.find("impulse: comet: step "), std::string::npos) << diverged.err;
-    EXPECT_TRUE(pageHas("other"));
-    EXPECT_FALSE(pageHas("comet") || isMade("comet.png") || isMade("comet.mp4"));
+    for (const char* kept : {"0 kept", "2 kept"}) {
+        const Ended ended = gallery({"comet.toml", "other.toml"});
+        EXPECT_EQ(ended.code, 6) << ended.err;
+        EXPECT_TRUE(told(ended, kept)) << ended.out;
+        EXPECT_NE(ended.err.find("impulse: comet: step "), std::string::npos) << ended.err;
+        EXPECT_EQ(ended.err.find("impulse: other"), std::string::npos) << ended.err;
+        EXPECT_TRUE(pageHas("other") && pageHas("comet") && isMade("comet.png"));
+    }
+    EXPECT_EQ(gallery({"other.toml"}).code, 0);
+    const Ended sheet = gallery({"comet.toml", "-o", "sheet.png"});
+    EXPECT_EQ(sheet.code, 6) << sheet.err;
+    EXPECT_TRUE(fs::exists(folder / "sheet.png"));
 }
 
 /// Neither a page that would open empty, nor pictures for a sheet that cannot be made.

@@ -237,10 +237,39 @@ TEST_F(RenderCommand, AnIncidentIsCode6AndTheFilmIsWhole) {
                   std::string::npos)
             << ended.err;
         EXPECT_EQ(framesIn(folder / "output/ball").size(), static_cast<std::size_t>(kFrames));
+        const Ended again = film({"--set", "world.gravity=[0,100,0]"});
+        EXPECT_NE(again.out.find("10 kept"), std::string::npos) << again.out;
+        EXPECT_EQ(again.code, 6);
+        EXPECT_EQ(again.err, ended.err.substr(ended.err.find("impulse: ")));
     }
     const Ended still = run(folder.path(), {"still", "ball.toml", "-o", "end.png"});
     EXPECT_EQ(still.code, 6) << still.err;
     EXPECT_TRUE(fs::exists(folder / "end.png"));
+}
+
+/// The last frame is drawn at 0.9 s; the ball is too fast from 0.95 s on.
+TEST_F(RenderCommand, AnIncidentAfterTheLastFrameIsReported) {
+    write(folder / "ball.toml", kBall + "velocity = [0, 9905.2, 0]\n");
+    const std::vector<std::string> faster = {"--set", "world.gravity=[0,100,0]"};
+    const auto render = [&](std::vector<std::string> more) {
+        more.insert(more.end(), faster.begin(), faster.end());
+        return film(more);
+    };
+    EXPECT_EQ(render({"--frames", "0..8"}).code, 0);
+    for (int twice = 0; twice < 2; ++twice) {
+        const Ended ended = render({});
+        EXPECT_EQ(ended.code, 6);
+        EXPECT_NE(ended.err.find("ball: step 57 (t = 0.950 s): body 'ball': faster"),
+                  std::string::npos)
+            << ended.err;
+    }
+    EXPECT_EQ(render({"--frames", "0..8"}).code, 0) << "it comes later";
+}
+
+/// A record of before, or of a run without an incident, has no such entry.
+TEST_F(RenderCommand, ARecordWithoutAnIncidentHasNoEntryOfIt) {
+    ASSERT_EQ(film({}).code, 0);
+    EXPECT_EQ(contentOf(folder / "output/ball/run.json").find("incident"), std::string::npos);
 }
 
 TEST_F(RenderCommand, NeverWritesThroughASymlink) {

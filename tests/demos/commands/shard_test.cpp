@@ -150,6 +150,61 @@ TEST_F(Shards, AJobFileDrawsTheFilm) {
     }
 }
 
+/// Parts with an incident end with 6 and are complete: nothing stops, and the join repeats it.
+TEST_F(Shards, AnIncidentStopsNoJobFileAndIsJoined) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    write(folder / "ball.toml", kFastBall);
+    fs::create_directories(folder / "bin");
+    fs::create_symlink(IMPULSE_BINARY, folder / "bin/impulse");
+    // As GNU parallel, one after the other: the last of its words is a command with {} in it.
+    write(folder / "bin/parallel",
+          "#!/bin/sh\nfor word; do :; done\nwhile read n; do\n"
+          "  sh -c \"$(echo \"$word\" | sed \"s/{}/$n/g\")\" || exit 1\ndone\n");
+    fs::permissions(folder / "bin/parallel", fs::perms::owner_all);
+    const std::pair<const char*, const char*> engines[] = {
+        {"commands", "sh -e job"}, {"make", "make -s -f job"}, {"parallel", "sh -e job"}};
+    for (const auto& [engine, start] : engines) {
+        const Ended job =
+            run(folder.path(), {"farm", engine, "ball.toml", "-o", "film.mp4", "--size", "96x54",
+                                "--fps", "10", "--samples", "1", "--shards", "2"});
+        ASSERT_EQ(job.code, 0) << job.err;
+        write(folder / "job", job.out);
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && PATH=\"$PWD/bin:$PATH\" " + start + " > log 2>&1";
+        const int code = WEXITSTATUS(std::system(command.c_str()));
+        EXPECT_EQ(code, std::string(engine) == "make" ? 2 : 6) << contentOf(folder / "log");
+        EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames) << engine;
+        const Ended joined = join({"film.parts", "--overwrite"});
+        EXPECT_EQ(joined.code, 6) << engine;
+        EXPECT_EQ(joined.errorLines(), 1) << joined.err;
+        EXPECT_NE(joined.err.find("ball: step 1 "), std::string::npos) << joined.err;
+        EXPECT_EQ(film({"-o", "film.mp4", "--shard", "2/2"}).code, 6) << "is complete already";
+        fs::remove_all(folder / "film.parts");
+        fs::remove(folder / "film.mp4");
+    }
+}
+
+/// The record of the whole, too, keeps an incident that only the last part has seen.
+TEST_F(Shards, AnIncidentOfTheLastPartIsThatOfTheWhole) {
+    write(folder / "ball.toml", kBall + "velocity = [0, 9950, 0]\n");
+    const std::vector<std::string> faster = {"--set", "world.gravity=[0,100,0]", "-o", "parts"};
+    const auto part = [&](std::vector<std::string> more) {
+        more.insert(more.end(), faster.begin(), faster.end());
+        return film(more);
+    };
+    EXPECT_EQ(part({"--shard", "1/2"}).code, 0);
+    const Ended last = part({"--shard", "2/2"});
+    EXPECT_EQ(last.code, 6);
+    const std::string line = last.err.substr(last.err.find("impulse: "));
+    const Ended joined = join({"parts"});
+    EXPECT_EQ(joined.code, 6);
+    EXPECT_EQ(joined.err, line);
+    const Ended whole = part({});
+    EXPECT_NE(whole.out.find("10 kept"), std::string::npos) << whole.out;
+    EXPECT_EQ(whole.code, 6);
+    EXPECT_EQ(whole.err.substr(whole.err.find("impulse: ")), line);
+}
+
 TEST_F(Shards, AJobFileIsRefusedAsRenderWould) {
     const auto farm = [&](std::vector<std::string> more) {
         more.insert(more.begin(), "farm");

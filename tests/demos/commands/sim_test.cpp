@@ -220,6 +220,19 @@ TEST_F(Sim, BenchSaysItsFieldsAsJson) {
         EXPECT_NE(ended.out.find("\"" + std::string(field) + "\":"), std::string::npos) << field;
 }
 
+TEST_F(Sim, BenchGoesOnAfterAnIncident) {
+    write(folder / "fast.toml", kFastBall);
+    const Ended steps = run(folder.path(), {"bench", "fast.toml", "ball.toml"});
+    const Ended film = run(folder.path(), {"bench", "fast.toml", "--film", "--size", "96x54"});
+    for (const Ended& ended : {steps, film}) {
+        EXPECT_EQ(ended.code, 6) << ended.err;
+        EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+        EXPECT_NE(ended.err.find("fast: step 1 "), std::string::npos) << ended.err;
+        EXPECT_NE(ended.out.find("\nfast "), std::string::npos) << ended.out;
+    }
+    EXPECT_NE(steps.out.find("\nball "), std::string::npos) << steps.out;
+}
+
 TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
     const Ended first = run(folder.path(), {"bench", "ball.toml", "--json", "--quiet"});
     write(folder / "before.json", first.out);

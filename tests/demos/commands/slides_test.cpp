@@ -240,5 +240,14 @@ TEST_F(SlidesCommand, PrintsAPageASlide) {
     EXPECT_TRUE(contentOf(folder / "deep/a.pdf").starts_with("%PDF-"));
 }
 
+TEST_F(SlidesCommand, AnIncidentIsCode6AndTheDeckIsWhole) {
+    write(folder / "ball.toml", kFastBall);
+    const Ended ended = slides({"talk.toml", "-o", "talk.html"});
+    EXPECT_EQ(ended.code, 6) << ended.err;
+    EXPECT_TRUE(has(ended.err, "impulse: slide '02-it-falls': ball: step 1 (t = 0.017 s): body"))
+        << ended.err;
+    EXPECT_TRUE(has(ended.out, "wrote talk.html (3 slides")) << ended.out;
+}
+
 }  // namespace
 }  // namespace demos::test

@@ -394,5 +394,48 @@ TEST_F(Snapshots, RefuseWhatCannotBeMeant) {
     refused({"approve", "ball"}, 4, "is not a report of impulse test");
 }
 
+/// The dart is slowed down so little that no tolerance notices.
+TEST_F(Snapshots, AnIncidentIsKeptAndANewOneFails) {
+    change("[camera]",
+           "[[body]]\nname = 'dart'\nshape = { sphere = 0.1 }\nmass = 1\nat = [0, 9, -50]\n"
+           "velocity = [9999.5, 0, 0]\n[[force]]\ntype = 'constant'\non = ['dart']\n"
+           "force = [0.12, 0, 0]\n[camera]");
+    change("size = [160, 90]",
+           "size = [160, 90]\ntolerance = { position = 1, angle_deg = 1, why = 'fast' }");
+    ASSERT_EQ(test().code, 0);
+    EXPECT_EQ(baseline("baseline.json").find("incidents"), std::string::npos);
+    change("velocity = [9999.5, 0, 0]", "velocity = [9999.999, 0, 0]");
+    const Ended added = test();
+    EXPECT_EQ(added.code, 1);
+    EXPECT_NE(added.err.find("a new incident: ball: step 1 (t = 0.017 s): body 'dart': faster"),
+              std::string::npos)
+        << added.err;
+    EXPECT_EQ(scene().at("physics").at("kind"), "changed");
+    ASSERT_EQ(impulse({"approve", "ball"}).code, 0);
+    EXPECT_NE(baseline("baseline.json").find("\"trouble\": \"too fast\""), std::string::npos);
+    const Ended kept = test();
+    EXPECT_EQ(kept.code, 0) << kept.err;
+    EXPECT_NE(kept.out.find("an incident, as in the baseline: ball: step 1 "), std::string::npos)
+        << kept.out;
+    change("velocity = [9999.999, 0, 0]", "velocity = [9999.5, 0, 0]");
+    const Ended gone = test();
+    EXPECT_EQ(gone.code, 0) << gone.err;
+}
+
+TEST_F(Snapshots, ANewBaselineTellsItsIncident) {
+    change("at = [0.1, 2, 0]", "at = [0.1, 2, 0]\nspin = [0, 9999, 0]\n[[force]]\n"
+                               "type = 'constant'\non = ['ball']\ntorque = [0, 1e6, 0]");
+    const Ended first = test();
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_NE(first.out.find("a new incident: ball: step 1 "), std::string::npos) << first.out;
+    EXPECT_EQ(test().code, 0);
+    change("times = [0.0, 0.5]\n", "");
+    const Ended unkept = test();
+    EXPECT_EQ(unkept.code, 1);
+    EXPECT_NE(unkept.err.find("only the baseline of a scene with [snapshot] times"),
+              std::string::npos)
+        << unkept.err;
+}
+
 }  // namespace
 }  // namespace demos::test

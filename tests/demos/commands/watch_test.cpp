@@ -259,5 +259,14 @@ TEST_F(Watch, SaysWhatIsWrong) {
     EXPECT_NE(clear.err.find("a draft has no alpha"), std::string::npos) << clear.err;
 }
 
+TEST_F(Watch, ADraftWithAnIncidentIsWhole) {
+    write(folder / "my.toml", kFastBall);
+    const Ended ended = run(launch({"--once", "--json"}));
+    EXPECT_EQ(ended.code, 6) << ended.err;
+    EXPECT_EQ(draftIn(ended.out).at("frames"), 15);
+    EXPECT_NE(ended.err.find("my: step 1 (t = 0.017 s): body 'ball': faster"), std::string::npos)
+        << ended.err;
+}
+
 }  // namespace
 }  // namespace demos::test

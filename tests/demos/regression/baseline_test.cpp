@@ -89,6 +89,18 @@ TEST(Baselines, ComeBackAsTheyWere) {
     EXPECT_EQ(jsonOf(back, {}), text);  // nothing is rounded twice
 }
 
+TEST(Baselines, KeepIncidentsAndNothingOfThemWithoutOne) {
+    Baseline baseline = actualWith(1, 1.0).baseline;
+    EXPECT_EQ(jsonOf(baseline, {}).find("incident"), std::string::npos);
+    baseline.incidents = {{31, "ball", "too fast"}, {40, "", "energy jump"}};
+    const Baseline back = baselineFrom(jsonOf(baseline, {}), "b.json");
+    ASSERT_EQ(back.incidents.size(), 2u);
+    EXPECT_EQ(back.incidents[0].step, 31);
+    EXPECT_EQ(back.incidents[0].body, "ball");
+    EXPECT_EQ(back.incidents[0].trouble, "too fast");
+    EXPECT_EQ(back.incidents[1].body, "");
+}
+
 TEST(Baselines, SayWhenTheyWereEdited) {
     EXPECT_NE(complaintAbout("\"world.hz\": \"60\"", "\"world.hz\": \"61\"").find("was edited"),
               std::string::npos);

@@ -299,7 +299,7 @@ why = "nothing pushes it"
     EXPECT_EQ(tables[1].rows[1].back(), "no");
 }
 
-TEST_F(MakeDeck, ARunThatDivergesIsToldWithItsSlide) {
+TEST_F(MakeDeck, AnIncidentIsToldWithItsSlideAndTheDeckIsWhole) {
     making.films = false;
     add(Exhibit::none).text = "words";
     for (const Exhibit exhibit : {Exhibit::none, Exhibit::film}) {
@@ -308,11 +308,20 @@ TEST_F(MakeDeck, ARunThatDivergesIsToldWithItsSlide) {
         slide.runs.settings = {"body.ball.velocity=[9999,0,0]", "world.gravity=[0,0,0]"};
         slide.measures = exhibit == Exhibit::none;
         slide.until = 12.0;  // 100 km are passed at 10 s
-        const Stop stop = stopped();
-        EXPECT_EQ(stop.code(), Exit::diverged);
-        EXPECT_TRUE(std::string(stop.what()).starts_with("slide '02-ball': ball: step 60"))
-            << stop.what();
+        const MadeDeck made = makeDeck(deck, making);
+        EXPECT_TRUE(made.incident.starts_with("slide '02-ball': ball: step 60")) << made.incident;
+        EXPECT_EQ(made.compared, "");
+        EXPECT_EQ(made.slides[1].tables.size(), exhibit == Exhibit::none ? 1u : 0u);
+        EXPECT_EQ(made.slides[1].film.has_value(), exhibit == Exhibit::film);
     }
+}
+
+TEST_F(MakeDeck, AStepThatFailsIsToldWithItsSlide) {
+    write(folder / "ball.toml", kTooTall);
+    add(Exhibit::none).measures = true;
+    EXPECT_EQ(stopped().code(), Exit::diverged);
+    EXPECT_TRUE(std::string(stopped().what()).starts_with("slide '01-ball': ball: step "))
+        << stopped().what();
 }
 
 TEST_F(MakeDeck, MoreWordsThanFitAreTold) {
@@ -335,13 +344,18 @@ TEST_F(MakeDeck, AmongSeveralADivergedRunIsMarked) {
     slide.runs.vary = {"body.ball.velocity=[0,0,0],[9999,0,0]"};
     slide.until = 12.0;
     slide.measures = true;
-    const MadeTable table = made().tables.front();
+    const MadeDeck compared = makeDeck(deck, making);
+    EXPECT_EQ(compared.incident, "");
+    EXPECT_TRUE(compared.compared.starts_with("slide '01-ball': ")) << compared.compared;
+    EXPECT_NE(compared.compared.find("[9999,0,0]: ball: step 60"), std::string::npos)
+        << compared.compared;
+    const MadeTable& table = compared.slides.front().tables.front();
     EXPECT_EQ(table.rows[0][0].find("(diverged)"), std::string::npos);
     EXPECT_NE(table.rows[1][0].find("(diverged)"), std::string::npos);
     deck.slides.front().text = "@{1.speed}";
     EXPECT_EQ(made().slide.text, "0\u00a0m/s");
     deck.slides.front().text = "@{2.speed}";
-    EXPECT_EQ(stopped().code(), Exit::diverged);
+    EXPECT_EQ(made().slide.text, "10\u00a0km/s");
     deck.slides.front().text = "@{3.speed}";
     EXPECT_NE(std::string(stopped().what()).find("run 3; the slide has 2 runs"), std::string::npos);
 }
@@ -384,7 +398,8 @@ TEST_F(MakeDeck, AnInterruptedFilmLeavesNothing) {
     watchSignals();
     std::raise(SIGTERM);
     try {
-        madeFilm(*plan, folder / "film.mp4", {1, progress});
+        std::string incident;
+        madeFilm(*plan, folder / "film.mp4", {1, progress, incident});
         ADD_FAILURE() << "it was not interrupted";
     } catch (const Stop& stop) {
         EXPECT_EQ(stop.code(), Exit::interrupted);

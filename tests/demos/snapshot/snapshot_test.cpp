@@ -266,5 +266,31 @@ TEST(Snapshot, ThemesChangeTheInkOfPlainTextAndPlates) {
     EXPECT_LT(dark.look.skyTop.r, studio.look.skyTop.r);
 }
 
+TEST(Snapshot, ARemovedBodyIsNeitherDrawnNorCounted) {
+    const std::string far = "[[body]]\nname = 'far'\nshape = { sphere = 0.5 }\n"
+                            "at = [99990, 5, 0]\nvelocity = [9000, 0, 0]\n";
+    Overlays overlays;
+    overlays.ids = true;
+    Player player(sceneFrom(kBall + far), overlays);
+    EXPECT_EQ(player.frame(0.0).solids.size(), 2u);
+    player.step();
+    const render::Frame frame = player.frame(1.0 / 60);
+    EXPECT_EQ(frame.solids.size(), 1u);
+    EXPECT_EQ(frame.labels.size(), 1u);
+    EXPECT_NE(frame.texts.front().text.find("2 bodies"), std::string::npos);
+    ASSERT_EQ(player.incidents().size(), 1u);
+    EXPECT_EQ(bodyAndStep(player.incidents().front()), "'far', step 1");
+}
+
+/// Its path would be followed with a body that is no longer there.
+TEST(Snapshot, AKinematicBodyMayGoTooFar) {
+    Player player(sceneFrom("format = 1\n[[body]]\nname = 'cart'\nshape = { sphere = 0.5 }\n"
+                            "at = [99990, 0, 0]\nkinematic = { velocity = [9000, 0, 0] }\n"),
+                  Overlays{});
+    player.step(3);
+    EXPECT_EQ(player.stage().bodiesNow(), 0);
+    EXPECT_EQ(player.incidents().size(), 1u);
+}
+
 }  // namespace
 }  // namespace demos
