@@ -110,6 +110,45 @@ TEST(DemosReadme, NamesEveryOverlayAndNoOther) {
     EXPECT_GE(named.size(), 15u);
 }
 
+const std::string kDemosText = readmeOf(fs::path(IMPULSE_SOURCE_DIR) / "demos");
+
+TEST(DemosReadme, ItsExitCodesAreThoseOfTheHelp) {
+    const std::string help = outputOf("--help");
+    const std::size_t at = help.find("Exit codes:");
+    ASSERT_NE(at, std::string::npos);
+    const std::set<std::string> codes = matches(help.substr(at), R"((?:: |,\s)(\d+) [a-z])");
+    EXPECT_EQ(matches(kDemosText, R"(\n\| (\d+) \|)"), codes);
+    EXPECT_EQ(codes.size(), 9u);
+}
+
+TEST(DemosReadme, NamesTheCommandsThatReportAnIncident) {
+    const std::set<std::string> simulating = firstCells(sectionOf(kDemosText, "Incidents"));
+    EXPECT_EQ(simulating.size(), 14u);
+    for (const std::string& command : simulating)
+        EXPECT_NE(outputOf(command + " --help").find("impulse " + command), std::string::npos)
+            << command;
+}
+
+/// Three balls that fall with 9995 m/s are faster than 10 km/s in step 31.
+TEST(DemosReadme, ShowsAnIncidentAsItIsReported) {
+    const support::TemporaryFolder folder;
+    std::ofstream(folder / "ball.toml")
+        << "format = 1\nseconds = 1\n[[repeat]]\ncount = 3\nstep = [9, 0, 0]\n"
+           "body = { name = \"ball{i}\", shape = { sphere = 0.5 }, "
+           "velocity = [0, -9995.013, 0] }\n";
+    const std::string said = outputOf("plot '" + (folder / "ball.toml").string() + "' -o '" +
+                                      (folder / "ball.svg").string() + "'");
+    const std::size_t at = said.find("impulse: ");
+    ASSERT_NE(at, std::string::npos) << said;
+    const std::string line = std::regex_replace(said.substr(at, said.find('\n', at) - at),
+                                                std::regex("ball\\d"), "ball");
+    EXPECT_NE(kDemosText.find("\n" + line + "\n"), std::string::npos) << line;
+    const std::string alone = line.substr(9, line.find(" (and") - 9);
+    EXPECT_NE(readmeOf(demosFolder("regression")).find("a new incident: " + alone + "\n"),
+              std::string::npos)
+        << alone;
+}
+
 TEST(Readme, ItsLinksLeadSomewhere) {
     for (const char* file :
          {"README.md", "engine/README.md", "render/README.md", "demos/README.md",
