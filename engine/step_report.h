@@ -27,7 +27,7 @@ struct DirectReport {
     bool found = true;                 // false: found no consistent set of contacts; used sweeps
 };
 
-/// What went wrong in a step. Except for tooManyRows, the rest of the world continues.
+/// What went wrong in a step. Except for tooManyRows and tooManyContacts, the rest of the world continues.
 enum class Trouble {
     none,              // the step went well
     positionNotFinite, // the body was removed from the world, as by World::remove
@@ -35,7 +35,8 @@ enum class Trouble {
     positionTooLarge,  // the same: farther than 1e5 m from the origin
     velocityTooLarge,  // the body was slowed down to 1e4 m/s or rad/s
     energyJump,        // tenfold energy in one step, with no force, motor or moving kinematic body
-    tooManyRows        // more than the direct solver accepts (solver/direct.h): no step was done
+    tooManyRows,       // more than the direct solver accepts (solver/direct.h): no step was done
+    tooManyContacts    // more than 200 000, or too many pairs of bodies near each other: the same
 };
 
 /// Trouble with one body.

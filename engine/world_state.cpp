@@ -191,6 +191,10 @@ bool beginStep(WorldState& s, double dt) {
     leaveOutResting(s.bodies);
     if (s.jointsStale) listJointedPairs(s);
     if (s.contactsStale) findContacts(s, dt);
+    if (s.finder.tooMany) {
+        s.report.trouble = Trouble::tooManyContacts;
+        return false;
+    }
     updateSleep(s, dt);
     updateJoints(s, dt);
     choosePaces(s, dt);
@@ -245,6 +249,7 @@ void findContactsWithin(WorldState& s, int substep, double h) {
     storeImpulses(s.solver, s.finder.contacts);
     holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, s.substepsALook * h);
+    if (s.finder.tooMany) s.report.trouble = Trouble::tooManyContacts;  // endStep undoes the step
     joinPaces(s, s.report.substeps * h);
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.settings, s.solver);
 }

@@ -27,6 +27,9 @@ const char* what(engine::Trouble trouble) {
         case engine::Trouble::tooManyRows:
             return "more than 1000 rows, the limit of the direct solver; use solver.type = "
                    "\"impulses\"";
+        case engine::Trouble::tooManyContacts:
+            return "more than 200000 contacts, or millions of pairs of bodies near each other; "
+                   "move them apart";
         case engine::Trouble::energyJump:
             return "energy grew tenfold in one step without a cause";
     }
@@ -57,6 +60,8 @@ const char* troubleWord(engine::Trouble trouble) {
             return "too fast";
         case engine::Trouble::tooManyRows:
             return "too many rows";
+        case engine::Trouble::tooManyContacts:
+            return "too many contacts";
         case engine::Trouble::energyJump:
             break;
     }

@@ -9,6 +9,7 @@ namespace engine {
 namespace {
 
 constexpr int kBodiesAThread = 128;  // at least
+constexpr std::size_t kMostPairs = 4'000'000;  // found in one step, some of them twice: 32 MB
 
 bool isPlane(const Bodies& bodies, int i) {
     return bodies.defs[i].shape.type == ShapeType::plane;
@@ -46,39 +47,46 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt, Workers*
     proxies_.resize(bodies.count());
     for (const int i : moved_) proxies_[i].moved = false;
     moved_.clear();
-    for (const int i : bodies.active) {
-        Proxy& proxy = proxies_[i];
-        if (!bodies.present[i] || !bodies.defs[i].collide || bodies.isAsleep(i)) continue;
-        if (isPlane(bodies, i)) {  // has no leaf: `moved` only when it is new
-            if (proxy.leaf != kNew) continue;
-            proxy.leaf = kPlane;
-            planes_.push_back(i);
-        } else {
-            proxy.tight = reachOf(bodies, i, 0.5 * margin, dt);
-            if (proxy.leaf >= 0 && tree_.bounds(proxy.leaf).contains(proxy.tight)) continue;
-            if (proxy.leaf >= 0) tree_.remove(proxy.leaf);
-            // Enlarged by a tenth of its size: a slow body stays in its leaf for many steps.
-            const double fat = 0.05 * (proxy.tight.high - proxy.tight.low).maxCoeff();
-            proxy.leaf = tree_.insert(proxy.tight.grownBy(fat), i);
-        }
-        proxy.moved = true;
-        moved_.push_back(i);
-    }
+    if (crowded_)
+        for (int i = 0; i < bodies.count(); ++i) renew(bodies, i, margin, dt);
+    else
+        for (const int i : bodies.active)
+            if (!bodies.isAsleep(i)) renew(bodies, i, margin, dt);
     if (moved_.empty()) return;
     awakeStale_ = true;
     forgetPairsOfMoved();
     const std::size_t before = pairs_.size();
     found_.resize(workers ? workers->count() : 1);
     const auto look = [&](int first, int end, int part) {
-        for (int k = first; k < end; ++k)
+        for (int k = first; k < end && found_[part].pairs.size() <= kMostPairs; ++k)
             if (const int i = moved_[k]; proxies_[i].leaf >= 0)
                 findPairsOf(bodies, i, tree_.bounds(proxies_[i].leaf), found_[part]);
     };
     const int count = static_cast<int>(moved_.size());
     workers ? workers->share(count, kBodiesAThread, look) : look(0, count, 0);
-    for (const int plane : planes_) findPairsOfPlane(bodies, plane, found_[0]);
+    for (const int plane : planes_)
+        if (found_[0].pairs.size() <= kMostPairs) findPairsOfPlane(bodies, plane, found_[0]);
     takeFound();
     sortPairs(before);
+}
+
+void BroadPhase::renew(const Bodies& bodies, int i, double margin, double dt) {
+    if (!bodies.present[i] || !bodies.defs[i].collide) return;
+    Proxy& proxy = proxies_[i];
+    if (isPlane(bodies, i)) {  // has no leaf: `moved` only when it is new
+        if (proxy.leaf == kPlane && !crowded_) return;
+        if (proxy.leaf == kNew) planes_.push_back(i);
+        proxy.leaf = kPlane;
+    } else {
+        proxy.tight = reachOf(bodies, i, 0.5 * margin, dt);
+        if (proxy.leaf >= 0 && !crowded_ && tree_.bounds(proxy.leaf).contains(proxy.tight)) return;
+        if (proxy.leaf >= 0) tree_.remove(proxy.leaf);
+        // Enlarged by a tenth of its size: a slow body stays in its leaf for many steps.
+        const double fat = 0.05 * (proxy.tight.high - proxy.tight.low).maxCoeff();
+        proxy.leaf = tree_.insert(proxy.tight.grownBy(fat), i);
+    }
+    proxy.moved = true;
+    moved_.push_back(i);
 }
 
 const std::vector<PairKey>& BroadPhase::awakePairs(const Bodies& bodies) {
@@ -93,8 +101,11 @@ const std::vector<PairKey>& BroadPhase::awakePairs(const Bodies& bodies) {
 }
 
 void BroadPhase::takeFound() {
+    std::size_t all = pairs_.size();
+    for (const Found& found : found_) all += found.pairs.size();
+    crowded_ = all > kMostPairs;
     for (Found& found : found_) {
-        pairs_.insert(pairs_.end(), found.pairs.begin(), found.pairs.end());
+        if (!crowded_) pairs_.insert(pairs_.end(), found.pairs.begin(), found.pairs.end());
         found.pairs.clear();
     }
 }
@@ -114,7 +125,8 @@ void BroadPhase::lookFarther(const Bodies& bodies, std::span<const int> which,
     for (const int i : which) {
         if (more[i] <= least || proxies_[i].leaf < 0) continue;
         const Bounds farther = proxies_[i].tight.grownBy(more[i]);
-        if (!tree_.bounds(proxies_[i].leaf).contains(farther))
+        if (found_[0].pairs.size() <= kMostPairs &&
+            !tree_.bounds(proxies_[i].leaf).contains(farther))
             findPairsOf(bodies, i, farther, found_[0]);
     }
     takeFound();

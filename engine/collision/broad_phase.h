@@ -29,6 +29,9 @@ public:
     void lookFarther(const Bodies& bodies, std::span<const int> which, std::span<const double> more,
                      double least);
 
+    /// More pairs than can be handled, whatever the number of threads: they are incomplete, and all are
+    /// searched again in the next update.
+    bool isCrowded() const { return crowded_; }
     /// Sorted and unique. At least one body of each pair is dynamic.
     const std::vector<PairKey>& pairs() const { return pairs_; }
     /// Those with a body that is active; perhaps a few more.
@@ -50,6 +53,8 @@ private:
         bool moved = false;
     };
 
+    /// Puts a body that has left its leaf, or has none, into a new one; all of them if crowded.
+    void renew(const Bodies& bodies, int body, double margin, double dt);
     /// Merges the new pairs, from `first` on, into the sorted ones before them.
     void sortPairs(std::size_t first);
     void forgetPairsOfMoved();
@@ -71,6 +76,7 @@ private:
     bool awakeStale_ = true;
     long long listedAt_ = -1;  // Bodies::activeChanges
     std::vector<Found> found_;
+    bool crowded_ = false;
 };
 
 }  // namespace engine

@@ -86,6 +86,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         old = std::lower_bound(previous.begin(), previous.end(), pairs.front(), isBefore) -
               previous.begin();
     for (const PairKey& pair : pairs) {
+        if (found.size() > kMostContacts) return;
         const double thrown = finder.moving.throwOf(pair);
         if (rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
@@ -134,12 +135,17 @@ void carryImpulses(const Contact& from, Contact& to) {
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt) {
     finder.contacts.swap(finder.previous);
     finder.contacts.clear();
+    finder.tooMany = false;
     if (!anyStirs(bodies)) return;
     finder.broadPhase.update(bodies, margin, dt, finder.workers);
+    finder.tooMany = finder.broadPhase.isCrowded();
+    if (finder.tooMany) return;
     if (bodies.hasSensors) findSensed(bodies, finder.broadPhase, finder.sensed);
     const int threads = finder.workers ? finder.workers->count() : 1;
     findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.workers,
                 finder.moving);
+    finder.tooMany = finder.broadPhase.isCrowded();
+    if (finder.tooMany) return;
     // A body that sleeps may be thrown against others.
     const std::vector<PairKey>& pairs = finder.moving.thrown.empty()
                                             ? finder.broadPhase.awakePairs(bodies)
@@ -152,6 +158,10 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     };
     const int count = static_cast<int>(pairs.size());
     finder.workers ? finder.workers->share(count, kPairsAThread, look) : look(0, count, 0);
+    std::size_t all = 0;
+    for (const std::vector<Contact>& found : finder.found) all += found.size();
+    finder.tooMany = all > kMostContacts;
+    if (finder.tooMany) return;
     finder.contacts.swap(finder.found[0]);
     for (int i = 1; i < threads; ++i)
         finder.contacts.insert(finder.contacts.end(), finder.found[i].begin(), finder.found[i].end());

@@ -5,6 +5,7 @@
 #include <libqhull_r/qhull_ra.h>
 
 #include <algorithm>
+#include <string>
 
 #include "engine/base/trigonometry.h"
 #include "engine/shape.h"
@@ -13,6 +14,9 @@ namespace engine {
 namespace {
 
 constexpr double kFlat = 1e-4;  // of the extent
+// Qhull adds the farthest points first. A hull that has so many corners on the way does not end with
+// kMostCorners; to find them all may take a minute.
+constexpr int kMostOnTheWay = 4 * Shape::kMostCorners;
 
 template <class Distance>
 int farthest(std::span<const Vec3> points, Distance distance) {
@@ -32,9 +36,9 @@ Loops facesByQhull(std::span<const Vec3> points) {
     qhT memory;
     qhT* qh = &memory;
     qh_zero(qh, nullptr);
-    char options[] = "qhull";
+    std::string options = "qhull TA" + std::to_string(kMostOnTheWay);
     const int failed = qh_new_qhull(qh, 3, static_cast<int>(points.size()), coordinates.data(),
-                                    False, options, nullptr, nullptr);
+                                    False, options.data(), nullptr, nullptr);
     if (failed == 0)
         for (const facetT* face = qh->facet_list; face && face->next; face = face->next) {
             faces.emplace_back();

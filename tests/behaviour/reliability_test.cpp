@@ -50,6 +50,37 @@ TEST(Trouble, AForceFieldWithoutANumberTakesWhatItSpoiled) {
     EXPECT_LT((world.pose({2}).position - Vec3(0, 1.5, 0)).norm(), 2e-3);
 }
 
+/// Every two bodies touch: the contacts grow with the square of the number.
+World heapAtAPoint(int bodies, int threads) {
+    Settings settings;
+    settings.threads = threads;
+    World world(settings);
+    for (int i = 0; i < bodies; ++i) world.add(body(Shape::sphere(0.5), {0.001 * i, 0, 0}));
+    return world;
+}
+
+TEST(Trouble, TooManyContactsAreNotBegun) {
+    for (const int bodies : {700, 5000})  // too many contacts; too many pairs
+        for (const int threads : {1, 2}) {
+            World world = heapAtAPoint(bodies, threads);
+            EXPECT_FALSE(world.step(kStep)) << bodies;
+            EXPECT_EQ(world.report().trouble, Trouble::tooManyContacts);
+            EXPECT_EQ(world.report().step, 0);
+            EXPECT_EQ(world.pose({1}).position, Vec3(0.001, 0, 0));
+            EXPECT_TRUE(world.contacts().empty());
+        }
+}
+
+// Bodies that are taken out before the first step are no trouble.
+TEST(Trouble, ACrowdThatIsGoneIsNone) {
+    World world = heapAtAPoint(5000, 1);
+    world.findContacts();
+    EXPECT_TRUE(world.contacts().empty());
+    for (int i = 2; i < 5000; ++i) world.remove(BodyId{i});
+    EXPECT_TRUE(world.step(kStep));
+    EXPECT_EQ(world.errors().contacts, 1);
+}
+
 TEST(Trouble, ABodyThatIsTooFastIsSlowedDownAndNamed) {
     World world;
     world.add(body(Shape::sphere(1), Vec3::Zero()));
