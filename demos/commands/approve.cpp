@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "demos/commands/commands.h"
 #include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
 #include "demos/processes/folder_lock.h"
 #include "demos/regression/accept.h"
+#include "demos/regression/approved_places.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/verdict_json.h"
 #include "demos/text/complaints.h"
@@ -22,6 +22,7 @@ namespace {
 
 struct ApproveOptions : Options {
     std::string results = "output/test";  // folder of the test's report
+    std::string baselines;                // a folder; empty = next to the scenes
     bool all = false, prune = false;
 };
 
@@ -35,35 +36,15 @@ struct Wish {
     double time = 0.0;  // s
 };
 
-/// A report may come from another machine. Its folders must be named like baselines of its scenes,
-/// or the report is refused.
-void checkPlaces(const SceneVerdict& scene) {
-    const fs::path name(scene.name), folder(scene.folder);
-    if (name.filename() == name && folder.filename() == scene.name + kSnapshotsEnding) return;
-    throw Stop(Exit::environment,
-               fmt::format("the report has the baselines of '{}' in '{}', but they must be in a "
-                           "folder NAME{}; the report was edited: run impulse test again",
-                           printable(scene.name), printable(scene.folder), kSnapshotsEnding));
-}
-
-/// The command to run next; without its options where a shell could run more than impulse test.
-std::string nextCommand(const std::string& command) {
-    const bool plain = command.starts_with("impulse test") &&
-                       command.find_first_of(";|&`$<>\n\r") == std::string::npos;
-    return plain ? printable(command) : "impulse test";
-}
-
 TestVerdict reportIn(const fs::path& results) {
     const fs::path file = results / "report.json";
-    const std::vector<std::uint8_t> bytes = contentOf(file, kMostJsonBytes);
+    const std::vector<std::uint8_t> bytes = contentOf(file, kReportJson.bytes);
     if (bytes.empty())
         throw Stop(Exit::environment,
                    fmt::format("there is no '{}'; run impulse test first, or name its folder with "
                                "--results",
                                printable(file.string())));
-    TestVerdict verdict = testVerdictFrom({bytes.begin(), bytes.end()}, file.string());
-    for (const SceneVerdict& scene : verdict.scenes) checkPlaces(scene);
-    return verdict;
+    return testVerdictFrom({bytes.begin(), bytes.end()}, file.string());
 }
 
 bool differs(const SceneVerdict& scene) {
@@ -105,13 +86,15 @@ public:
                        "approve what? name scenes or pictures (stack, stack@2.5), or "
                        "give --all or --prune");
         verdict_ = reportIn(results_);
+        places_ = approvedPlaces(verdict_, options_.baselines);
         const FolderLock lock(results_);
         for (const Wish& wish : wishes()) accept(wish);
         if (options_.prune) prune();
         talk_.json(
             fmt::format(R"({{"event":"done","accepted":{},"pruned":{}}})", accepted_, pruned_));
-        talk_.say(fmt::format("accepted {}, removed {}; next: {}", accepted_, pruned_,
-                              nextCommand(verdict_.command)));
+        // The report's own command may come from elsewhere, and be anything.
+        talk_.say(fmt::format("accepted {}, removed {}; next: impulse test, as the last time",
+                              accepted_, pruned_));
         return Exit::ok;
     }
 
@@ -158,7 +141,7 @@ private:
 
     void accept(const Wish& wish) try {
         const fs::path shown = results_ / (wish.scene->name + kSnapshotsEnding);
-        const fs::path folder = wish.scene->folder;
+        const fs::path& folder = placeOf(*wish.scene);
         if (wish.what == Wish::What::all) acceptAll(shown, folder);
         if (wish.what == Wish::What::physics) acceptPhysics(shown, folder);
         if (wish.what == Wish::What::picture) acceptPicture(shown, folder, wish.time);
@@ -172,10 +155,14 @@ private:
         throw Stop(Exit::environment, error.what());
     }
 
+    const fs::path& placeOf(const SceneVerdict& scene) const {
+        return places_.scenes[static_cast<std::size_t>(&scene - verdict_.scenes.data())];
+    }
+
     void prune() {
         for (const SceneVerdict& scene : verdict_.scenes)
-            prunePictures(scene.folder, scene.orphans);
-        for (const std::string& orphan : verdict_.orphans) pruneFolder(orphan);
+            prunePictures(placeOf(scene), scene.orphans);
+        for (const fs::path& orphan : places_.orphans) pruneFolder(orphan);
     }
 
     /// Removes pictures only, and only from a folder of baselines.
@@ -187,9 +174,7 @@ private:
 
     /// Removes a baseline's files only; the folder stays if it holds other files.
     void pruneFolder(const fs::path& folder) {
-        if (fs::is_symlink(folder) || folder.extension() != kSnapshotsEnding ||
-            !fs::exists(folder / kBaselineFile))
-            return;
+        if (fs::is_symlink(folder) || !fs::exists(folder / kBaselineFile)) return;
         for (const std::string& picture : orphansOf(folder, {})) remove(folder / picture);
         remove(folder / kBaselineFile);
         std::error_code ignored;
@@ -207,6 +192,7 @@ private:
     Talk talk_;
     fs::path results_;
     TestVerdict verdict_;
+    ApprovedPlaces places_;
     int accepted_ = 0, pruned_ = 0;
 };
 
@@ -225,6 +211,10 @@ Run addApprove(CLI::App& app) {
                  "remove baselines that no scene uses any more; default: off");
     app.add_option("--results", options.results,
                    "the folder that impulse test wrote; default: output/test")
+        ->type_name("DIR");
+    app.add_option("--baselines", options.baselines,
+                   "the folder of all NAME.snapshots, as impulse test had it; default: next to "
+                   "each scene file in this folder, and snapshots/ for built-in scenes")
         ->type_name("DIR");
     addFeedback(app, options);
     return

@@ -37,7 +37,7 @@ struct Earlier {
 using EarlierRun = std::map<std::string, Earlier>;
 
 std::string earlierText(const std::string& path) try {
-    return readSceneFile(path, "what 'impulse bench --json' has written", kMostJsonBytes);
+    return readSceneFile(path, "what 'impulse bench --json' has written", kBenchJson.bytes);
 } catch (const SceneError& error) {
     throw render::Error(fmt::format("--against {}", error.what()));
 }
@@ -49,8 +49,9 @@ EarlierRun readEarlier(const std::string& path) {
     int number = 0;
     for (std::string line; std::getline(file, line);) {
         ++number;
-        const nlohmann::json object =
-            jsonTrouble(line).empty() ? nlohmann::json::parse(line, nullptr, false) : nullptr;
+        const nlohmann::json object = jsonTrouble(line, kBenchJson).empty()
+                                          ? nlohmann::json::parse(line, nullptr, false)
+                                          : nullptr;
         const bool good = object.is_object() && object.contains("scene") &&
                           object["scene"].is_string() && object.contains("ms_per_step_median") &&
                           object["ms_per_step_median"].is_number() && object.contains("hash") &&

@@ -28,7 +28,7 @@ struct JoinOptions : Options {
                                    const Talk& talk) {
     for (const int number : parts.wanted) {
         const std::string command = commandOf(parts, number);
-        if (!command.empty()) talk.say("to do: " + command);
+        if (!command.empty()) talk.say("to do: " + printable(command));
         talk.json(fmt::format(R"({{"event":"wanted","shard":{},"command":{}}})", number,
                               jsonString(command)));
     }

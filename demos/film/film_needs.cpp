@@ -1,6 +1,7 @@
 #include "demos/film/film_needs.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -116,6 +117,23 @@ double groupMemory() {
     return limit;
 }
 
+/// The address space of one process, as `ulimit -v` sets it; 0 = no limit.
+double processMemory() {
+    rlimit limit{};
+    const bool known = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return known ? static_cast<double>(limit.rlim_cur) : 0.0;
+}
+
+/// Refuses what one process could not allocate.
+void checkProcess(const FilmNeeds& needs, const FilmPlan& plan) {
+    const double most = processMemory(), needed = std::max(needs.worker, needs.program);
+    if (most <= 0.0 || needed <= most) return;
+    throw Stop(Exit::environment,
+               fmt::format("a drawing process at {} needs {} of memory; a process may have {} here "
+                           "(ulimit -v); a smaller --size fits",
+                           pictureText(plan), bytesText(needed), bytesText(most)));
+}
+
 std::string targetText(const FilmPlan& plan, const Output& output) {
     if (output.kind == OutputKind::raw) return "standard output, raw RGBA";
     if (output.kind == OutputKind::film) return output.path.string();
@@ -148,6 +166,7 @@ double machineMemory() {
 }
 
 void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan) {
+    checkProcess(needs, plan);
     const double have = machineMemory();
     if (have <= 0.0 || needs.memory() <= kShare * have) return;
     const double room = kShare * have - needs.program - needs.encoders;

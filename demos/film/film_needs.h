@@ -23,7 +23,8 @@ FilmNeeds needsOf(const FilmPlan& plan, int workers, const std::vector<Output>& 
 /// Memory of this machine, or of the container that the program runs in; 0 = unknown.
 double machineMemory();
 
-/// Throws Stop (environment) if the film needs over 80 % of the memory; says what would fit.
+/// Throws Stop (environment) if the film needs over 80 % of the memory, or a process more than the
+/// limit of its address space; says what would fit.
 void checkNeeds(const FilmNeeds& needs, const FilmPlan& plan);
 
 /// What --dry-run prints: several lines, or one JSON object.

@@ -52,7 +52,7 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     render::makeFolder(folder_);
     if (!isPart()) lock_.emplace(folder_);
     if (!isPart()) render::sweepTemporaries(recordName());
-    const std::vector<std::uint8_t> bytes = contentOf(recordName(), kMostJsonBytes);
+    const std::vector<std::uint8_t> bytes = contentOf(recordName(), kRunJson.bytes);
     const auto old = recordFromJson({bytes.begin(), bytes.end()});
     const bool same = old && old->pattern == record_.pattern;
     if (same && !isPart()) sweepTemporaries();

@@ -12,6 +12,7 @@
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
 #include "demos/text/json_limits.h"
+#include "demos/text/shell_word.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 #include "render/encode/file.h"
@@ -30,7 +31,7 @@ std::uint64_t hashOf(const fs::path& file) {
 }
 
 std::optional<RunRecord> recordAt(const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = contentOf(file, kMostJsonBytes);
+    const std::vector<std::uint8_t> bytes = contentOf(file, kRunJson.bytes);
     return bytes.empty() ? std::nullopt : recordFromJson({bytes.begin(), bytes.end()});
 }
 
@@ -81,10 +82,13 @@ bool isWhole(const Found& found, const fs::path& folder) {
     return record.film == 0 || hashOf(found.film) == record.film;
 }
 
-using Kind = std::tuple<std::uint64_t, std::string, std::string>;  // run, program, pixels
+/// Run and its number of frames, program, pixels.
+using Kind = std::tuple<std::pair<std::uint64_t, std::size_t>, std::string, std::string>;
 
 Kind kindOf(const RunRecord& record) {
-    return {record.fingerprint, record.version + " " + record.renderer, record.pixels};
+    return {{record.fingerprint, record.frames.size()},
+            record.version + " " + record.renderer,
+            record.pixels};
 }
 
 /// The kind of most parts.
@@ -176,6 +180,8 @@ Parts partsIn(const fs::path& folder) {
 
 std::string commandOf(const Parts& parts, int number) {
     std::string command = parts.whole.command;
+    // Records may come from other machines, and their commands are run.
+    if (!command.starts_with("impulse render ") || !arePlainWords(command)) return {};
     const std::string option = "--shard";
     const std::size_t at = command.find(option);
     if (at == std::string::npos) return {};

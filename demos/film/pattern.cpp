@@ -62,7 +62,8 @@ std::string printfHole(const std::string& pattern, std::size_t at, std::size_t e
 }  // namespace
 
 void refuseOutput(const std::string& output, const std::string& what) {
-    throw Stop(Exit::usage, fmt::format("--output '{}': {}", printable(output), what));
+    throw Stop(Exit::usage,
+               fmt::format("--output '{}': {}", printable(shown(output, kLongestMessage)), what));
 }
 
 std::string expandPattern(const std::string& pattern, const PatternValues& values) {

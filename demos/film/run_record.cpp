@@ -63,7 +63,7 @@ std::string jsonOf(const RunRecord& record) {
 }
 
 std::optional<RunRecord> recordFromJson(const std::string& text) try {
-    checkJson(text);
+    checkJson(text, kRunJson);
     const Json json = Json::parse(text);
     RunRecord record;
     record.version = json.at("impulse").get<std::string>();

@@ -241,7 +241,9 @@ private:
             return false;
         GallerySheet sheet(static_cast<int>(cards_.size()), options_.columns, tileSize());
         for (const GalleryCard& card : cards_)
-            sheet.add(render::decodePng(contentOf(record_.posterFile(card.name))), card.name);
+            sheet.add(render::decodePng(contentOf(record_.posterFile(card.name)), card.width,
+                                        card.height),
+                      card.name);
         render::writeFileAtomically(record_.sheetFile(), render::encodePng(sheet.paper()));
         record_.sheet = inputs.value();
         return true;

@@ -30,8 +30,9 @@ std::uint64_t hashOfFile(const std::filesystem::path& file) {
 
 GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(folder)) {
     try {
-        const std::vector<std::uint8_t> bytes = contentOf(folder_ / "gallery.json", kMostJsonBytes);
-        checkJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const std::vector<std::uint8_t> bytes =
+            contentOf(folder_ / "gallery.json", kGalleryJson.bytes);
+        checkJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, kGalleryJson);
         const Json json = Json::parse(bytes.begin(), bytes.end());
         std::map<std::string, GalleryEntry> entries;
         for (const auto& [name, entry] : json.at("scenes").items())

@@ -81,14 +81,16 @@ private:
                               "a <mesh> should have vertex, or a file in the model's folder");
             return {};
         }
+        std::string wrong;
         try {
             const fs::path path = (folder_ / rules_.meshFolder / file).lexically_normal();
             MeshCorners mesh = readMeshFile(file, read_(path));
             if (mesh.wrong.empty()) return mesh;
-            attributes_.wrong("file", file + ": " + mesh.wrong);
+            wrong = shown(file) + ": " + mesh.wrong;
         } catch (const SceneError& error) {
-            attributes_.wrong("file", error.what());
+            wrong = error.what();
         }
+        attributes_.wrong("file", wrong);
         return {};
     }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "demos/scene/reader.h"
+
 namespace demos::mjcf {
 namespace {
 
@@ -19,6 +21,7 @@ void Diagnostics::wrong(const Spot& spot, const std::string& what) {
     Place place = spot.place;
     place.file = spot.file;
     complaints_.add(place, what);
+    if (complaints_.count() >= kEnoughComplaints) throw SceneError(errorLines());
 }
 
 void Diagnostics::note(const Spot& spot, const std::string& what) {
@@ -41,7 +44,7 @@ void Diagnostics::unseen(const Spot& spot, const std::string& element) {
 std::string Diagnostics::lineOf(const Spot& spot, const std::string& what) const {
     return printable(names_[static_cast<std::size_t>(spot.file)] + ":" +
                      std::to_string(spot.place.line) + ":" + std::to_string(spot.place.column) +
-                     ": " + what);
+                     ": " + shown(what, kLongestMessage));
 }
 
 std::vector<std::string> Diagnostics::noteLines() const {

@@ -19,7 +19,8 @@ public:
     /// Gives the file's number. The first file is the model's own.
     int addFile(const std::string& name);
 
-    /// An error; `what`: what is wrong, its value, what would be right.
+    /// An error; `what`: what is wrong, its value, what would be right. Throws SceneError with all
+    /// of them once they are kEnoughComplaints.
     void wrong(const Spot& spot, const std::string& what);
     /// The model can still be used. The same text for several places is reported once, with the
     /// first place.

@@ -80,9 +80,13 @@ SceneDescription readModel(const std::string& text, const std::string& fileName,
                            const FileReader& read) {
     SceneDescription scene;
     scene.name = scene.title = sceneName;
+    std::uintmax_t bytes = text.size();
     const FileReader noted = [&](const fs::path& path) {
         scene.files.push_back(path.string());
-        return read(path);
+        std::string content = read(path);
+        if ((bytes += content.size()) > kMostModelBytesInAll)
+            throw SceneError({"with it, more than 128 MiB are read; use fewer files"});
+        return content;
     };
     Diagnostics diagnostics;
     const Element root = readTree(text, fileName, noted, diagnostics);
@@ -99,7 +103,9 @@ SceneDescription readModel(const std::string& text, const std::string& fileName,
 SceneDescription loadModel(const fs::path& path, const std::vector<std::string>& overrides) {
     return readModel(
         readSceneFile(path), path.string(), sceneNameOf(path), overrides,
-        [](const fs::path& file) { return readSceneFile(file, "a file of the model"); });
+        [](const fs::path& file) {
+            return readSceneFile(file, "a file of the model", kMostModelBytes);
+        });
 }
 
 }  // namespace demos::mjcf

@@ -10,11 +10,6 @@
 namespace demos::mjcf {
 namespace {
 
-constexpr int kDeepest = 64;
-constexpr int kMostElements = 200'000;
-constexpr std::size_t kMostAttributes = 256;  // of an element; MuJoCo has fewer in all
-constexpr std::size_t kMostFiles = 64;
-
 /// Line and column of a text's bytes.
 class Lines {
 public:
@@ -91,10 +86,10 @@ Element TreeReader::convert(const pugi::xml_node& node, const File& file, int de
     element.spot = file.spotOf(node.offset_debug() - 1);  // at its bracket
     if (++elements_ == kMostElements + 1)
         diagnostics_.wrong(element.spot, "more than 200000 elements; a model should have fewer");
-    if (depth == kDeepest + 1)
+    if (depth == kDeepestElement + 1)
         diagnostics_.wrong(element.spot,
                            "elements nested more than 64 deep; nest them less deeply");
-    if (elements_ > kMostElements || depth > kDeepest) return element;
+    if (elements_ > kMostElements || depth > kDeepestElement) return element;
     addAttributes(node, file, element);
     addChildren(node, file, depth, element);
     return element;
@@ -136,7 +131,7 @@ void TreeReader::include(const Element& element, int depth, std::vector<Element>
     if (std::find(included_.begin(), included_.end(), name->value) != included_.end())
         return diagnostics_.wrong(
             name->spot, "'" + name->value + "' is included twice; include it only once");
-    if (included_.size() == kMostFiles)
+    if (included_.size() == kMostModelFiles)
         return diagnostics_.wrong(
             name->spot, "'" + name->value + "' is the 65th file; a model should have at most 64");
     included_.push_back(name->value);
@@ -145,6 +140,7 @@ void TreeReader::include(const Element& element, int depth, std::vector<Element>
         Element root = readFile(read_(path), path, depth);
         for (Element& child : root.children) children.push_back(std::move(child));
     } catch (const SceneError& error) {
+        if (diagnostics_.errors() >= kEnoughComplaints) throw;
         diagnostics_.wrong(name->spot, error.what());
     }
 }

@@ -1,6 +1,7 @@
 /// A model's XML as plain data, each element and attribute with its place, <include> expanded.
 /// (Only xml_tree.cpp uses pugixml.)
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -10,6 +11,13 @@
 #include "demos/mjcf/diagnostics.h"
 
 namespace demos::mjcf {
+
+inline constexpr std::uintmax_t kMostModelBytes = 8u << 20;         // of a file
+inline constexpr std::uintmax_t kMostModelBytesInAll = 128u << 20;  // a mesh may be read often
+inline constexpr int kDeepestElement = 64;
+inline constexpr int kMostElements = 200'000;
+inline constexpr std::size_t kMostAttributes = 256;  // of an element; MuJoCo has fewer in all
+inline constexpr std::size_t kMostModelFiles = 64;
 
 struct Attribute {
     std::string name, value;

@@ -15,6 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A symbolic link in a checkout, or in a folder of results, may point anywhere.
+void checkFolder(const fs::path& folder) {
+    std::error_code ignored;
+    if (fs::is_symlink(folder, ignored))
+        throw BaselineError(printable(folder.string()) +
+                            " is a symbolic link, and baselines are kept in folders only; "
+                            "remove it");
+}
+
 Baseline baselineIn(const fs::path& folder, const char* otherwise) {
     std::optional<Baseline> baseline = readBaseline(folder);
     if (!baseline) throw BaselineError(printable(folder.string()) + otherwise);
@@ -22,21 +31,13 @@ Baseline baselineIn(const fs::path& folder, const char* otherwise) {
 }
 
 Baseline shownIn(const fs::path& folder) {
+    checkFolder(folder);
     return baselineIn(folder, " holds nothing to accept; run impulse test again");
 }
 
 void writeBaselineFile(const Baseline& baseline, const fs::path& folder) {
     // The trajectory is already encoded, so no tolerance is needed.
     render::writeFileAtomically(folder / kBaselineFile, jsonOf(baseline, {}));
-}
-
-/// A symbolic link in a checkout may point anywhere.
-void checkFolder(const fs::path& folder) {
-    std::error_code ignored;
-    if (fs::is_symlink(folder, ignored))
-        throw BaselineError(printable(folder.string()) +
-                            " is a symbolic link, and baselines are written into folders only; "
-                            "remove it");
 }
 
 void checkLike(const Baseline& shown, const Baseline& kept) {
@@ -52,12 +53,13 @@ void checkLike(const Baseline& shown, const Baseline& kept) {
 void acceptAll(const fs::path& shown, const fs::path& baseline) {
     checkFolder(baseline);
     const Baseline now = shownIn(shown);
-    std::vector<std::vector<std::uint8_t>> files;  // all of them are read before one is written
-    for (const BaselinePicture& picture : now.pictures) files.push_back(readPicture(shown, picture));
+    // All are checked before one is written. They are read twice, as all may not fit into memory.
+    for (const BaselinePicture& picture : now.pictures) readPicture(shown, picture);
     const std::vector<std::uint8_t> json = contentOf(shown / kBaselineFile);
     render::makeFolder(baseline);
-    for (std::size_t i = 0; i < files.size(); ++i)
-        render::writeFileAtomically(baseline / pictureFile(now.pictures[i].time), files[i]);
+    for (const BaselinePicture& picture : now.pictures)
+        render::writeFileAtomically(baseline / pictureFile(picture.time),
+                                    readPicture(shown, picture));
     render::writeFileAtomically(baseline / kBaselineFile, json);
 }
 

@@ -102,7 +102,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
 }
 
 Baseline baselineFrom(const std::string& text, const std::string& name) try {
-    checkJson(text);
+    checkJson(text, kBaselineJson);
     Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kBaselineFormat)
         throw BaselineError(fmt::format(
@@ -123,14 +123,13 @@ std::optional<Baseline> readBaseline(const fs::path& folder) {
     const fs::path file = folder / kBaselineFile;
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(file, ignored))) return std::nullopt;
-    const std::vector<std::uint8_t> bytes = contentOf(file, kMostJsonBytes);
+    const std::vector<std::uint8_t> bytes = contentOf(file, kBaselineJson.bytes);
     return baselineFrom({bytes.begin(), bytes.end()}, printable(file.string()));
 }
 
 std::vector<std::uint8_t> readPicture(const fs::path& folder, const BaselinePicture& picture) {
     const fs::path file = folder / pictureFile(picture.time);
-    constexpr std::uintmax_t kMostBytes = 256u << 20;
-    std::vector<std::uint8_t> bytes = contentOf(file, kMostBytes);
+    std::vector<std::uint8_t> bytes = contentOf(file, kMostPictureBytes);
     if (bytes.empty())
         throw BaselineError(printable(file.string()) + " is missing, empty or above 256 MiB" +
                             kAgain);

@@ -47,6 +47,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+inline constexpr std::uintmax_t kMostPictureBytes = 256u << 20;
 inline constexpr const char* kBaselineFile = "baseline.json";
 inline constexpr const char* kSnapshotsEnding = ".snapshots";
 

@@ -12,9 +12,9 @@ namespace demos {
 using SortedJson = nlohmann::json;
 
 PassCache::PassCache(std::filesystem::path file) : file_(std::move(file)) {
-    const std::vector<std::uint8_t> bytes = contentOf(file_, kMostJsonBytes);
+    const std::vector<std::uint8_t> bytes = contentOf(file_, kPassedJson.bytes);
     const std::string text(bytes.begin(), bytes.end());
-    if (!jsonTrouble(text).empty()) return;
+    if (!jsonTrouble(text, kPassedJson).empty()) return;
     const SortedJson json = SortedJson::parse(text, nullptr, false);
     if (!json.is_object()) return;
     for (const auto& [scene, value] : json.items()) {

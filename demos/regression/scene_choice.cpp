@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder that holds a scene's NAME.snapshots.
-fs::path homeOf(const std::string& scene, const TestOptions& options) {
-    if (!options.baselines.empty()) return options.baselines;
-    return isBuiltin(scene) ? fs::path("snapshots") : fs::path(scene).parent_path();
-}
-
 std::vector<fs::path> sorted(const fs::path& folder, const char* ending) {
     std::vector<fs::path> paths;
     std::error_code ignored;
@@ -88,7 +82,7 @@ private:
                        fmt::format("'{}' and '{}' are both called '{}'; test them separately, each "
                                    "with its own folders of results (-o) and baselines",
                                    printable(known->second), printable(scene), printable(name)));
-        const fs::path home = homeOf(scene, options_);
+        const fs::path home = homeOf(scene, options_.baselines);
         homes_.insert(home);
         choice_.scenes.push_back({scene, name, home / (name + kSnapshotsEnding)});
     }
@@ -113,6 +107,11 @@ private:
 };
 
 }  // namespace
+
+fs::path homeOf(const std::string& scene, const std::string& baselines) {
+    if (!baselines.empty()) return baselines;
+    return isBuiltin(scene) ? fs::path("snapshots") : fs::path(scene).parent_path();
+}
 
 SceneChoice chooseScenes(const TestOptions& options) { return Chooser(options).choose(); }
 

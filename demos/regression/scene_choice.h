@@ -20,6 +20,9 @@ struct SceneChoice {
     std::vector<std::string> notes;    // files that were skipped, a line each
 };
 
+/// The folder that holds a scene's NAME.snapshots; `baselines`: the option; empty: not given.
+std::filesystem::path homeOf(const std::string& scene, const std::string& baselines);
+
 /// Throws SceneError for a word that is not a scene, Stop (usage) if two scenes have the same name
 /// or a folder has no scene.
 SceneChoice chooseScenes(const TestOptions& options);

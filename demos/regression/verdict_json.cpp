@@ -209,7 +209,7 @@ std::string jsonOf(const TestVerdict& verdict) {
 }
 
 TestVerdict testVerdictFrom(const std::string& text, const std::string& name) try {
-    checkJson(text);
+    checkJson(text, kReportJson);
     const Json json = Json::parse(text);
     if (const int format = json.at("format").get<int>(); format != kVerdictFormat)
         throw Stop(Exit::environment,

@@ -97,6 +97,8 @@ struct Section {
     Place place = {};
 };
 
+inline constexpr int kMostExpectations = 1000;  // of a scene
+
 /// A line of the scene's physics contract.
 struct Expectation {
     enum class What {

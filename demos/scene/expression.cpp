@@ -13,8 +13,6 @@
 namespace demos {
 namespace {
 
-constexpr std::size_t kLongest = 200;
-constexpr int kMostEvaluated = 300'000;  // two seconds of evaluating
 constexpr std::size_t kLongestName = 32;
 constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 constexpr const char* kTurnNames[] = {"i", "j", "k", "ni", "nj", "nk", "n"};
@@ -240,7 +238,7 @@ Evaluated Expressions::computed(const std::string& text) {
 
 Evaluated Expressions::evaluate(std::string_view text, const Turns& turns) {
     if (++evaluated_ > kMostEvaluated) return {{}, "more than 300000 expressions in a scene"};
-    if (text.size() > kLongest)
+    if (text.size() > kLongestExpression)
         return {{}, std::to_string(text.size()) + " characters; it should be at most 200"};
     if (text.find_first_not_of(' ') == std::string_view::npos) return {{}, "an empty expression"};
     const std::string wrong = checkWords(text, turns);

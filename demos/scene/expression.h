@@ -13,6 +13,8 @@
 namespace demos {
 
 constexpr int kDeepestRepeat = 3;
+constexpr std::size_t kLongestExpression = 200;
+constexpr int kMostEvaluated = 300'000;  // of a scene: two seconds of evaluating
 
 /// The turn of each [[repeat]] around a table: the indices i, j, k and the numbers of turns.
 struct Turns {

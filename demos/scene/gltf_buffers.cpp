@@ -1,6 +1,7 @@
 // Every offset, length and count is checked against the actual data before it is used.
 #include "demos/scene/gltf_buffers.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string_view>
@@ -8,10 +9,12 @@
 
 #include "demos/scene/mesh_file.h"
 #include "demos/text/base64.h"
+#include "demos/text/complaints.h"
 
 namespace demos {
 namespace {
 
+constexpr std::size_t kLongestUri = 1000;  // bytes
 constexpr std::size_t kUnsigned8 = 5121, kUnsigned16 = 5123, kUnsigned32 = 5125, kFloat = 5126;
 
 std::size_t sizeOf(std::size_t componentType) {
@@ -31,6 +34,15 @@ std::string unescaped(const std::string& uri) {
         if (escaped) i += 2;
     }
     return name;
+}
+
+/// glTF files come from elsewhere: they read no files but those that came with them.
+void checkBufferName(const std::string& name) {
+    const std::filesystem::path path(name);
+    if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+        throw MeshFileError("is outside the glTF file's folder; it should be in it, or below it");
+    if (name.empty() || name.find('\0') != std::string::npos || name.size() > kLongestUri)
+        throw MeshFileError("is not a file name of 1 to 1000 bytes");
 }
 
 std::uint32_t littleEndian(const unsigned char* bytes, std::size_t size) {
@@ -84,10 +96,11 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) {
     if (!text.starts_with("data:")) {
         const std::string name = unescaped(text);
         try {
+            checkBufferName(name);
             paths_.push_back((folder_ / name).string());
             return readWholeFile(folder_ / name);
         } catch (const MeshFileError& error) {
-            throw MeshFileError("its buffer " + name + ": " + error.what());
+            throw MeshFileError("its buffer " + printable(shown(name)) + ": " + error.what());
         }
     }
     constexpr std::string_view kBase64 = ";base64,";
@@ -101,9 +114,8 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) {
 
 /// Limits the sum: a small file may name a large one a thousand times.
 void GltfBuffers::keep(std::size_t number, std::string bytes) {
-    constexpr std::size_t kMostBytes = 64u << 20;
     bytes_ += bytes.size();
-    if (bytes_ > kMostBytes)
+    if (bytes_ > kMostMeshBytes)
         throw MeshFileError("its buffers have more than 64 MiB together; simplify the mesh");
     loaded_[number] = std::move(bytes);
 }

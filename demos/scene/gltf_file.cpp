@@ -108,6 +108,8 @@ private:
     void takePart(const GltfJson& part, const Affine& place) {
         constexpr std::size_t kTriangles = 4;
         if (!part.is_object()) throw MeshFileError("a primitive should be a table");
+        // A node is one of many that may show a mesh of many primitives.
+        if (++parts_ > kMostTriangles) throw MeshFileError("more than a million primitives");
         const std::size_t mode = wholeOf(part, "mode", kTriangles);
         if (mode != kTriangles)
             throw MeshFileError("a primitive of mode " + std::to_string(mode) +
@@ -133,7 +135,7 @@ private:
             throw MeshFileError(std::to_string(numbers.size()) +
                                 " indices do not make triangles; a triangle should have three");
         if (mesh_.triangles.size() + numbers.size() / 3 > kMostTriangles ||
-            mesh_.corners.size() + points.size() > 3 * kMostTriangles)
+            mesh_.corners.size() + points.size() > kMostMeshCorners)
             throw MeshFileError("more than a million triangles");
         const int first = static_cast<int>(mesh_.corners.size());
         for (const Vec3& point : points)
@@ -157,6 +159,7 @@ private:
     const GltfJson& file_;
     GltfBuffers buffers_;
     std::vector<std::pair<std::size_t, Affine>> waiting_;
+    std::size_t parts_ = 0;
     TriangleMesh mesh_;
 };
 
@@ -179,9 +182,15 @@ std::optional<std::string> chunkAt(const std::string& bytes, std::size_t at, std
     return bytes.substr(at + 8, length);
 }
 
+/// An extension in a message. Only a text is a name; anything else may be long and deep.
+std::string extensionName(const GltfJson& extension) {
+    if (!extension.is_string()) return std::string("that is ") + extension.type_name();
+    return "'" + shown(extension.get_ref<const std::string&>()) + "'";
+}
+
 TriangleMesh meshOf(const std::string& text, const std::filesystem::path& folder,
                     std::optional<std::string> chunk) {
-    if (const std::string trouble = jsonTrouble(text); !trouble.empty())
+    if (const std::string trouble = jsonTrouble(text, kGltfJson); !trouble.empty())
         throw MeshFileError(trouble);
     const GltfJson file = GltfJson::parse(text, nullptr, false);
     if (!file.is_object()) throw MeshFileError("is not JSON; it should be glTF 2.0");
@@ -191,7 +200,7 @@ TriangleMesh meshOf(const std::string& text, const std::filesystem::path& folder
     if (!second) throw MeshFileError("is not of version 2.0; it should be glTF 2.0");
     if (const auto needs = file.find("extensionsRequired");
         needs != file.end() && needs->is_array() && !needs->empty())
-        throw MeshFileError("needs the extension " + (*needs)[0].dump() +
+        throw MeshFileError("needs the extension " + extensionName((*needs)[0]) +
                             ", which is not supported; it should need none");
     return GltfScene(file, GltfBuffers(file, folder, std::move(chunk))).read();
 }

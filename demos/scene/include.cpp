@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDeepestInclude = 8;
-constexpr std::size_t kMostFiles = 64;
 constexpr std::size_t kLongestPath = 1000;
 
 bool isList(std::string_view key) {
@@ -130,9 +128,11 @@ public:
         if (inside_.size() > 1 && own.count() == 0) checkFormat(table, own);
         Value merged;
         if (const Value* list = table.find("include")) {
-            for (const Value* item : itemsOf(*list, own))
+            for (const Value* item : itemsOf(*list, own)) {
+                if (own.count() >= kEnoughComplaints) break;
                 if (std::optional<Value> part = included(*item, path, own))
                     merge(merged, std::move(*part));
+            }
         }
         const int number = complaints_.addFile(name);
         complaints_.addAll(own, number);
@@ -210,7 +210,7 @@ private:
                    " characters; it should be at most " + std::to_string(kLongestPath);
         if (inside_.size() > kDeepestInclude)
             return "files include each other more than 8 deep";
-        if (known_.size() >= kMostFiles) return "more than 64 files in a scene";
+        if (known_.size() >= kMostSceneFiles) return "more than 64 files in a scene";
         return "";
     }
 

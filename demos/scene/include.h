@@ -15,6 +15,8 @@
 namespace demos {
 
 constexpr std::uintmax_t kMostSceneBytes = 8u << 20;  // of all files of a scene
+constexpr std::size_t kDeepestInclude = 8;
+constexpr std::size_t kMostSceneFiles = 64;
 
 struct Document {
     Value table;

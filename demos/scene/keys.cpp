@@ -194,6 +194,13 @@ std::optional<std::vector<std::string>> Keys::texts(std::string_view key) {
     const Value* value = ask(key, {Form::Kind::texts, {}});
     if (!value) return std::nullopt;
     if (value->kind == Value::Kind::text) return std::vector<std::string>{value->text};
+    constexpr std::size_t kMostTexts = 1000;
+    if (value->items.size() > kMostTexts) {
+        complaints_.add(value->place, std::string(key) + " is " + describe(*value) +
+                                          " texts; it should have at most " +
+                                          std::to_string(kMostTexts));
+        return std::nullopt;
+    }
     std::vector<std::string> list;
     const Value* bad = value->kind == Value::Kind::array ? nullptr : value;
     for (const Value& item : value->items) {
@@ -263,7 +270,7 @@ std::vector<const Value*> Keys::tables(std::string_view key) {
 bool Keys::isMisspelt(std::string_view key) const {
     return !has(key) &&
            std::any_of(table_.keys.begin(), table_.keys.end(),
-                       [key](const Key& given) { return editDistance(given.name, key) <= 2; });
+                       [key](const Key& given) { return editDistance(given.name, key, 3) <= 2; });
 }
 
 void Keys::later(std::initializer_list<std::string_view> keys) {

@@ -30,6 +30,8 @@ public:
     bool isMisspelt(std::string_view key) const;
     Place placeOf(std::string_view key) const;
     Place place() const { return table_.place; }
+    /// Of the whole scene so far.
+    int complaintCount() const { return complaints_.count(); }
 
     std::optional<double> number(std::string_view key, Range range);
     std::optional<int> whole(std::string_view key, Range range);

@@ -11,7 +11,6 @@ namespace demos {
 namespace fs = std::filesystem;
 
 std::string readWholeFile(const fs::path& path) {
-    constexpr std::uintmax_t kMostBytes = 64u << 20;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) throw MeshFileError("there is no such file");
@@ -20,7 +19,7 @@ std::string readWholeFile(const fs::path& path) {
         throw MeshFileError("is not a regular file; it should be one");
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) throw MeshFileError("cannot be read: " + error.message());
-    if (size > kMostBytes)
+    if (size > kMostMeshBytes)
         throw MeshFileError("is " + std::to_string(size) + " bytes; it should be at most 64 MiB");
     std::ifstream file(path, std::ios::binary);
     std::string bytes(static_cast<std::size_t>(size), '\0');
@@ -35,7 +34,8 @@ TriangleMesh readMeshFile(const fs::path& path) {
     if (ending == ".obj") return objMesh(readWholeFile(path));
     if (ending == ".gltf") return gltfMesh(readWholeFile(path), path.parent_path());
     if (ending == ".glb") return glbMesh(readWholeFile(path), path.parent_path());
-    throw MeshFileError("its name ends in '" + ending + "'; it should end in .obj, .gltf or .glb");
+    throw MeshFileError("its name ends in '" + shown(ending) +
+                        "'; it should end in .obj, .gltf or .glb");
 }
 
 namespace {
@@ -71,7 +71,7 @@ std::optional<engine::Shape> readShapeFile(
     const std::optional<std::string> file = keys.text(key);
     if (!file) return std::nullopt;
     if (!files.folder) {
-        keys.complain(key, "'" + *file +
+        keys.complain(key, "'" + shown(*file) +
                                "' cannot be read, because the scene itself is not in a "
                                "file; write the points instead");
         return std::nullopt;
@@ -85,6 +85,11 @@ std::optional<engine::Shape> readShapeFile(
     const std::string name = nameOf(key, path, placing);
     if (const auto known = files.known.find(name); known != files.known.end()) return known->second;
     try {
+        std::error_code ignored;
+        const std::uintmax_t size = fs::file_size(path, ignored);
+        if (!ignored && (files.bytes += size) > kMostShapeBytes)
+            throw MeshFileError("with it, more than 256 MiB of shapes are read; use fewer files "
+                                "and scales");
         TriangleMesh mesh = readMeshFile(path);
         files.contents.add(bytesOf(mesh.corners));
         files.contents.add(bytesOf(mesh.triangles));
@@ -94,7 +99,7 @@ std::optional<engine::Shape> readShapeFile(
         if (shape) files.known.emplace(name, *shape);
         return shape;
     } catch (const MeshFileError& error) {
-        keys.complain(key, *file + ": " + error.what());
+        keys.complain(key, shown(*file) + ": " + error.what());
         return std::nullopt;
     }
 }

@@ -1,6 +1,7 @@
 /// Triangles from files that a scene names: Wavefront OBJ and glTF 2.0.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
@@ -12,6 +13,9 @@
 namespace demos {
 
 inline constexpr std::size_t kMostTriangles = 1'000'000;
+inline constexpr std::size_t kMostMeshCorners = 3 * kMostTriangles;
+/// Of a file, and of all buffers of a glTF file.
+inline constexpr std::uintmax_t kMostMeshBytes = 64u << 20;
 
 struct TriangleMesh {
     std::vector<engine::Vec3> corners;          // in the file's order

@@ -53,8 +53,9 @@ private:
     }
 
     void take(std::string_view line) {
-        std::vector<std::string_view> words;
-        for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
+        std::vector<std::string_view> words;  // no more than the longest face has
+        for (std::size_t at = line.find_first_not_of(" \t");
+             at < line.size() && words.size() < kMostSides + 2;) {
             const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
             words.push_back(line.substr(at, end - at));
             at = line.find_first_not_of(" \t", end);
@@ -70,7 +71,7 @@ private:
         const char* end = digits.data() + digits.size();
         const auto read = std::from_chars(digits.data(), end, value);
         if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
-            fail(number_, "'" + std::string(word) + "' should be a finite number");
+            fail(number_, "'" + shown(word) + "' should be a finite number");
         return value;
     }
 
@@ -87,6 +88,7 @@ private:
         }
         text_ += '\n';
         corners_.push_back(corner);
+        if (corners_.size() > kMostMeshCorners) fail(number_, "more than three million corners");
     }
 
     /// "7", "7/1", "7//3", "-1": a corner's number from 1, or back from the last one so far.
@@ -95,7 +97,7 @@ private:
         const char* end = word.data() + word.size();
         const auto read = std::from_chars(word.data(), end, number);
         if (read.ec != std::errc() || (read.ptr != end && *read.ptr != '/') || number == 0)
-            fail(number_, "'" + std::string(word) +
+            fail(number_, "'" + shown(word) +
                               "' should be a corner's number: from 1, or backwards from -1");
         const int known = static_cast<int>(corners_.size());
         if (number < -known)
@@ -107,12 +109,15 @@ private:
     void takeFace(const std::vector<std::string_view>& words) {
         const std::size_t sides = words.size() - 1;
         if (sides < 3 || sides > kMostSides)
-            fail(number_, "a face of " + std::to_string(sides) + " corners; it should have 3 to " +
-                              std::to_string(kMostSides));
+            fail(number_, "a face of " +
+                              (sides < 3 ? std::to_string(sides)
+                                         : "more than " + std::to_string(kMostSides)) +
+                              " corners; it should have 3 to " + std::to_string(kMostSides));
         Face face{number_, {}};
         for (std::size_t i = 1; i < words.size(); ++i) face.corners.push_back(reference(words[i]));
         faces_.push_back(std::move(face));
         triangles_ += sides - 2;
+        if (triangles_ > kMostTriangles) fail(number_, "more than a million triangles");
     }
 
     void write(const Face& face) {

@@ -3,6 +3,7 @@
 namespace demos {
 
 bool matches(std::string_view pattern, std::string_view name) {
+    if (pattern.size() > kLongestPattern) return false;
     // Greedy with backtracking: on a mismatch the last star takes one more character.
     std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
     while (n < name.size()) {

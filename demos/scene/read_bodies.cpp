@@ -317,6 +317,7 @@ BodyNumbers readBodies(const std::vector<Instance>& instances, const Materials& 
                                (instance.isRepeated() ? ", in a [[repeat]] with {i}" : ""));
         if (complaints.count() > before) complainedOf = instance.table;
         scene.bodies.push_back(std::move(body));
+        if (complaints.count() >= kEnoughComplaints) break;
     }
     scene.contents = files.contents.value();
     scene.files = std::move(files.paths);

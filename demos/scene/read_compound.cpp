@@ -11,7 +11,21 @@ using engine::Shape;
 using engine::ShapePart;
 using engine::ShapeType;
 
-constexpr std::size_t kMostParts = 1000;
+std::size_t solidsIn(const Value& compound);
+
+std::size_t solidsOfPart(const Value& part) {
+    const Value* shape = part.find("shape");
+    const Value* inner = shape ? shape->find("compound") : nullptr;
+    return inner ? solidsIn(*inner) : 1;
+}
+
+/// With those of the compounds in it, before any of them is built.
+std::size_t solidsIn(const Value& compound) {
+    if (compound.kind != Value::Kind::array) return solidsOfPart(compound);
+    std::size_t count = 0;
+    for (const Value& part : compound.items) count += solidsOfPart(part);
+    return count;
+}
 
 /// `at` is the position of the part's own origin, from that of the compound.
 std::optional<ShapePart> readPart(Keys keys, ShapeReading& reading) {
@@ -39,11 +53,14 @@ std::optional<ShapePart> readPart(Keys keys, ShapeReading& reading) {
 
 std::optional<Shape> readCompound(Keys& keys, ShapeReading& reading) {
     const std::vector<const Value*> tables = keys.tables("compound");
-    const bool list = keys.any("compound")->kind == Value::Kind::array;
-    if (list && (tables.empty() || tables.size() > kMostParts))
-        keys.complain("compound", "compound has " + std::to_string(tables.size()) +
+    const Value& value = *keys.any("compound");
+    const std::size_t solids = solidsIn(value);
+    const bool none = value.kind == Value::Kind::array && tables.empty();
+    if (none || solids > kMostParts) {
+        keys.complain("compound", "compound has " + std::to_string(solids) +
                                       " parts; it should have 1 to " + std::to_string(kMostParts));
-    if (tables.size() > kMostParts) return std::nullopt;
+        return std::nullopt;
+    }
     std::vector<ShapePart> parts;
     for (const Value* table : tables)
         if (const auto part = readPart(keys.inner(*table, "a part"), reading))

@@ -13,6 +13,9 @@ namespace {
 
 using What = Expectation::What;
 
+constexpr double kMostWatched = 1e6;  // bodies or joints, of all expectations: 80 MB
+constexpr double kMostSwings = 1e7;   // steps in which a period follows a body: 240 MB
+
 const std::vector<std::pair<std::string, What>>& kinds() {
     static const std::vector<std::pair<std::string, What>> list = {
         {"drift", What::drift},   {"penetration", What::penetration},
@@ -24,10 +27,19 @@ const std::vector<std::pair<std::string, What>>& kinds() {
     return list;
 }
 
+/// What all expectations of a scene keep while it runs: a line of 30 characters may watch ten
+/// thousand bodies in every step.
+struct WatchedSoFar {
+    double bodies = 0.0, swings = 0.0;
+    bool tooMany() const {
+        return bodies > kMostWatched || swings > kMostSwings;
+    }
+};
+
 class ExpectationReader {
 public:
-    ExpectationReader(Keys keys, const SceneDescription& scene)
-        : scene_(scene), keys_(std::move(keys)) {
+    ExpectationReader(Keys keys, const SceneDescription& scene, WatchedSoFar& watched)
+        : scene_(scene), watched_(watched), keys_(std::move(keys)) {
         e_.place = keys_.place();
     }
 
@@ -36,6 +48,7 @@ public:
         readOf();
         readBounds();
         readWindow();
+        countWatched();
         e_.why = keys_.text("why").value_or("");
         keys_.done();
         return e_;
@@ -55,23 +68,34 @@ private:
 
     void readOf() {
         const auto patterns = keys_.texts("of");
-        if (!patterns || !known_) return;
-        if (e_.what == What::penetration || e_.what == What::energy) {
+        if (!known_) return;
+        const bool world = e_.what == What::penetration || e_.what == What::energy;
+        if (patterns && world)
             keys_.complain("of", "penetration and energy are for the whole world; leave `of` out");
-            return;
-        }
+        if (world) return;
         const bool joints = e_.what == What::separation;
+        chosen_ = static_cast<int>(joints ? scene_.joints.size() : scene_.bodies.size());
+        if (!patterns) return;
         const std::vector<std::string> names = joints ? jointNames(scene_) : bodyNames(scene_);
+        readPatterns(*patterns, names, joints ? "no joint" : "no body");
+    }
+
+    void readPatterns(const std::vector<std::string>& patterns,
+                      const std::vector<std::string>& names, const std::string& none) {
         e_.of.clear();
-        for (const std::string& pattern : *patterns) {
+        if (patterns.size() > kMostPatterns)
+            return keys_.complain("of", std::to_string(patterns.size()) +
+                                            " names; they should be at most " +
+                                            std::to_string(kMostPatterns));
+        for (const std::string& pattern : patterns) {
             e_.of += (e_.of.empty() ? "" : ",") + pattern;
-            const bool found = std::any_of(names.begin(), names.end(), [&](const auto& name) {
-                return matches(pattern, name);
-            });
-            if (!found)
-                keys_.complain("of", std::string(joints ? "no joint" : "no body") + " is called '" +
-                                         pattern + "'" + suggestion(pattern, names));
+            const auto fits = [&](const auto& name) { return matches(pattern, name); };
+            if (std::ranges::none_of(names, fits))
+                keys_.complain("of", none + " is called '" + shown(pattern) + "'" +
+                                         suggestion(pattern, names));
         }
+        chosen_ = static_cast<int>(std::ranges::count_if(
+            names, [&](const auto& name) { return matchesAny(e_.of, name); }));
     }
 
     void readBounds() {
@@ -110,8 +134,24 @@ private:
                                         numberText(e_.after));
     }
 
+    /// Complains once.
+    void countWatched() {
+        if (watched_.tooMany()) return;
+        const double steps = (e_.until.value_or(scene_.seconds) - e_.after) * scene_.hz;
+        watched_.bodies += chosen_;
+        if (e_.what == What::period) watched_.swings += chosen_ * std::max(steps, 0.0);
+        if (watched_.tooMany())
+            keys_.complain("of", "the [[expect]]s up to this one watch too much: " +
+                                     numberText(watched_.bodies) + " bodies and joints, and " +
+                                     numberText(watched_.swings) +
+                                     " steps of periods; they should be at most a million and "
+                                     "ten million: name fewer");
+    }
+
     const SceneDescription& scene_;
+    WatchedSoFar& watched_;
     Keys keys_;
+    int chosen_ = 1;  // bodies or joints
     Expectation e_;
     bool known_ = false;
 };
@@ -119,9 +159,17 @@ private:
 }  // namespace
 
 void readExpectations(Keys& top, SceneDescription& scene) {
-    for (const Value* table : top.tables("expect"))
+    const std::vector<const Value*> tables = top.tables("expect");
+    if (tables.size() > static_cast<std::size_t>(kMostExpectations))
+        return top.complain("expect", std::to_string(tables.size()) +
+                                          " [[expect]]s; a scene should have at most " +
+                                          std::to_string(kMostExpectations));
+    WatchedSoFar watched;
+    for (const Value* table : tables) {
+        if (top.complaintCount() >= kEnoughComplaints) return;
         scene.expectations.push_back(
-            ExpectationReader(top.inner(*table, "an [[expect]]"), scene).read());
+            ExpectationReader(top.inner(*table, "an [[expect]]"), scene, watched).read());
+    }
 }
 
 }  // namespace demos

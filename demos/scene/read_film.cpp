@@ -93,12 +93,17 @@ void readLook(Keys& top, SceneDescription& scene) {
     set(scene.look.colorMax, keys.number("colour_max", kScale));
     set(scene.look.ghostEvery, keys.number("ghost_every", {1e-3, 1e5, "s"}));
     set(scene.look.plot, keys.word("plot", measureNames()));
-    for (const std::string& pattern : keys.texts("trails").value_or(std::vector<std::string>{})) {
+    const auto trails = keys.texts("trails").value_or(std::vector<std::string>{});
+    if (trails.size() > kMostPatterns)
+        return keys.complain("trails", std::to_string(trails.size()) +
+                                           " names; they should be at most " +
+                                           std::to_string(kMostPatterns));
+    for (const std::string& pattern : trails) {
         const std::size_t before = scene.look.trails.size();
         for (const BodyDescription& body : scene.bodies)
             if (matches(pattern, body.name)) scene.look.trails.push_back(body.name);
         if (scene.look.trails.size() == before)
-            keys.complain("trails", "no body is called '" + pattern + "'" +
+            keys.complain("trails", "no body is called '" + shown(pattern) + "'" +
                                         suggestion(pattern, bodyNames(scene)));
     }
     keys.done();

@@ -15,6 +15,7 @@ constexpr Range kMediumDensity{1e-6, 1e6, "kg/m^3"};
 constexpr Range kCoefficient{0.0, 100.0};
 constexpr Range kNewtons{-1e12, 1e12, "N"};
 constexpr std::size_t kMostAttracting = 2000;
+constexpr std::size_t kMostActed = 1'000'000;  // bodies, of all forces: 8 MB
 
 const std::vector<std::string> kTypes{"wind",           "drag",   "medium",   "point-gravity",
                                       "n-body-gravity", "spring", "constant", "airfoil"};
@@ -88,6 +89,10 @@ private:
         std::vector<std::string> patterns{"*"};
         if (const auto given = keys_.texts("on")) patterns = *given;
         const int before = complaints_.count();
+        if (patterns.size() > kMostPatterns)
+            return keys_.complain("on", std::to_string(patterns.size()) +
+                                            " names; they should be at most " +
+                                            std::to_string(kMostPatterns));
         for (std::string& pattern : patterns) pattern = instance_.named(pattern, keys_, "on");
         if (complaints_.count() > before) return;
         for (const std::string& pattern : patterns) checkPattern(pattern);
@@ -109,11 +114,11 @@ private:
             known = true;
         }
         if (known)
-            keys_.complain("on", "no body called '" + pattern +
+            keys_.complain("on", "no body called '" + shown(pattern) +
                                      "' can be moved; a force should act on bodies that are "
                                      "neither fixed nor kinematic");
         else
-            keys_.complain("on", "no body is called '" + pattern + "'" +
+            keys_.complain("on", "no body is called '" + shown(pattern) + "'" +
                                      suggestion(pattern, bodyNames(scene_)));
     }
 
@@ -299,11 +304,18 @@ private:
 void readForces(const std::vector<Instance>& instances, const BodyNumbers& numbers,
                 SceneDescription& scene, Complaints& complaints) {
     const Value* complainedOf = nullptr;  // one message for all turns of a [[repeat]]
+    std::size_t acted = 0;
     for (const Instance& instance : instances) {
         if (instance.table == complainedOf) continue;
         const int before = complaints.count();
         scene.forces.push_back(ForceReader(instance, numbers, scene, complaints).read());
+        acted += scene.forces.back().def.on.size();
         if (complaints.count() > before) complainedOf = instance.table;
+        if (complaints.count() >= kEnoughComplaints) return;
+        if (acted <= kMostActed) continue;
+        return complaints.add(instance.table->place,
+                              "the forces up to this one act on more than a million bodies in "
+                              "all; name fewer in on");
     }
 }
 

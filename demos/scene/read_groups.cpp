@@ -13,6 +13,7 @@ constexpr std::size_t kMostGroups = 32;
 void collect(const BodyDescription& body, std::vector<std::string>& known,
              Complaints& complaints) {
     for (const std::string& name : body.groups) {
+        if (known.size() > kMostGroups) return;
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         known.push_back(name);
         if (known.size() == kMostGroups + 1)

@@ -313,6 +313,7 @@ void readJoints(const std::vector<Instance>& instances, const BodyNumbers& numbe
             complaints.add(joint.place, "two joints are called '" + joint.name + "'; rename one");
         if (complaints.count() > before) complainedOf = instance.table;
         scene.joints.push_back(std::move(joint));
+        if (complaints.count() >= kEnoughComplaints) return;
     }
 }
 

@@ -1,5 +1,6 @@
 /// The readers of single shapes, for read_shape.cpp.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -12,12 +13,16 @@
 
 namespace demos {
 
+inline constexpr std::size_t kMostParts = 1000;  // solids of a compound, at any depth
+/// Bytes of all files with shapes: one is read again for every scale.
+inline constexpr std::uintmax_t kMostShapeBytes = 256u << 20;
 /// Shapes from files. A shape is built once, however many bodies use it.
 struct ShapeFiles {
     std::optional<std::filesystem::path> folder;  // they are relative to it; none: no files
     std::map<std::string, engine::Shape> known;   // by file, use, scale and rotation
     TextHash contents = {};                       // of the points and triangles read
     std::vector<std::string> paths = {};          // files that were read
+    std::uintmax_t bytes = 0;                     // of these files, up to kMostShapeBytes
 };
 
 /// What reading a shape needs besides the shape's own keys.

@@ -8,6 +8,9 @@
 namespace demos {
 namespace {
 
+constexpr std::size_t kMostSnapshots = 100;
+constexpr double kMostSnapshotPixels = 134'217'728.0;  // 512 MB of RGBA
+
 /// Numbers other than the defaults need a reason, which reports repeat.
 void readReason(Keys& keys, const char* of, std::string& why) {
     set(why, keys.text("why"));
@@ -46,6 +49,21 @@ void readSize(Keys& keys, Snapshot& snapshot) {
     snapshot.height = static_cast<int>((*size)[1]);
 }
 
+/// All pictures of a test are kept until the last is compared.
+void checkPictures(Keys& keys, const Snapshot& snapshot) {
+    const double pixels = static_cast<double>(snapshot.times.size()) * snapshot.width *
+                          snapshot.height;
+    if (snapshot.times.size() > kMostSnapshots)
+        keys.complain("times", std::to_string(snapshot.times.size()) +
+                                   " times; a snapshot should have at most " +
+                                   std::to_string(kMostSnapshots));
+    else if (pixels > kMostSnapshotPixels)
+        keys.complain("times", std::to_string(snapshot.times.size()) + " pictures of " +
+                                   std::to_string(snapshot.width) + "x" +
+                                   std::to_string(snapshot.height) +
+                                   "; they should have at most 134217728 pixels in all");
+}
+
 /// Pictures are identified by their times, so no two may have the same.
 void readTimes(Keys& keys, const SceneDescription& scene, std::vector<double>& times) {
     set(times, keys.numbers("times", {0.0, scene.seconds, "s"}));
@@ -61,6 +79,7 @@ void readSnapshot(Keys& top, SceneDescription& scene) {
     Keys keys = top.inner(*table, "[snapshot]");
     readTimes(keys, scene, scene.snapshot.times);
     readSize(keys, scene.snapshot);
+    checkPictures(keys, scene.snapshot);
     readTolerance(keys, scene.snapshot.tolerance);
     readGate(keys, scene.snapshot.gate);
     keys.done();

@@ -57,6 +57,7 @@ SceneDescription describeScene(const Value& document, const std::vector<ItemOver
     const Repeatable tables{top.tables("body"), top.tables("joint"), top.tables("force"),
                             top.tables("repeat")};
     Instances instances = unroll(tables, scene.seed, scope, complaints);
+    if (instances.incomplete) return scene;  // to read what there is may take a minute
     std::deque<Value> changed;
     applyToItems(overrides, instances, changed, complaints);
     const BodyNumbers numbers = readBodies(instances.bodies, materials, scene, complaints);

@@ -63,6 +63,12 @@ Repeat readRepeat(const Value& table, const Scope& scope, Complaints& complaints
     return r;
 }
 
+std::size_t valuesIn(const Value& value) {
+    std::size_t count = 1;
+    for (const Value& item : value.items) count += valuesIn(item);
+    return count;
+}
+
 /// Collects the instances and stops at the limits: a file of two lines can request 10^8 bodies.
 class Unrolling {
 public:
@@ -120,14 +126,17 @@ private:
     }
 
     void add(std::vector<Instance>& list, const Instance& instance, int most, const char* what) {
-        if (static_cast<int>(list.size()) < most)
+        const bool hasRoom = static_cast<int>(list.size()) < most;
+        values_ += valuesIn(*instance.table);
+        if (hasRoom && values_ <= kMostUnrolledValues)
             list.push_back(instance);
         else if (!full_)
-            stop(*instance.table, what);
+            stop(*instance.table,
+                 hasRoom ? "2000000 values in all bodies, joints and forces" : what);
     }
 
     void stop(const Value& table, const char* what) {
-        full_ = true;
+        full_ = out_.incomplete = true;
         complaints_.add(table.place,
                         std::string("more than ") + what + "; make the scene or a count smaller");
     }
@@ -136,6 +145,7 @@ private:
     SplitMix64 random_;
     Complaints& complaints_;
     int turns_ = 0;
+    std::size_t values_ = 0;
     bool full_ = false;
 };
 

@@ -13,6 +13,8 @@ namespace demos {
 constexpr int kMostBodies = 10'000;
 constexpr int kMostJoints = 20'000;
 constexpr int kMostForces = 10'000;
+/// Values in the tables of all of these: a [[repeat]] multiplies large shapes and paths.
+constexpr std::size_t kMostUnrolledValues = 2'000'000;
 
 /// One level of repetition: a rotation about `about` (default: about itself), then a translation.
 struct Motion {
@@ -48,6 +50,7 @@ struct Instance {
 
 struct Instances {
     std::vector<Instance> bodies, joints, forces;
+    bool incomplete = false;  // after an error: a limit was reached
 };
 
 /// The tables of a scene that may be in a [[repeat]], and the [[repeat]]s.

@@ -5,8 +5,6 @@
 namespace demos {
 namespace {
 
-constexpr int kMostValues = 1'000'000;
-
 class Scan {
 public:
     explicit Scan(std::string_view text) : text_(text) {}
@@ -29,7 +27,7 @@ public:
                 return beyond("a character beyond ASCII; put it in quotes or in a comment");
             if (depth_ > kDeepestNesting) return beyond("nested deeper than 32 tables and arrays");
             if (dots_ >= kDeepestNesting) return beyond("a key of more than 32 parts");
-            if (values_ > kMostValues) return beyond("more than a million values");
+            if (values_ > kMostTomlValues) return beyond("more than a million values");
             ++at_;
         }
         return std::nullopt;

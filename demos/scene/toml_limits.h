@@ -10,6 +10,7 @@
 namespace demos {
 
 inline constexpr int kDeepestNesting = 32;  // of tables and arrays, and parts of a key
+inline constexpr int kMostTomlValues = 1'000'000;
 
 struct BeyondLimit {
     Place place;

@@ -12,7 +12,6 @@ namespace demos {
 namespace {
 
 constexpr int kMostRuns = 1000;  // of a sweep
-constexpr int kMostExpectations = 1000;
 constexpr int kMostDigits = 9;
 constexpr std::size_t kShortest = 3;  // letters of a beginning that is completed
 

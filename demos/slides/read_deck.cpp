@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostSlides = 200;
 constexpr int kMostFps = 240;
 
 void readFormat(Keys& top) {

@@ -11,6 +11,8 @@
 
 namespace demos {
 
+inline constexpr std::size_t kMostSlides = 200;
+
 /// Whether the word is a path to a TOML file that has [[slide]] or otherwise looks like a deck;
 /// false for names of scenes and for files that cannot be read.
 bool isDeckFile(const std::string& nameOrPath);

@@ -52,9 +52,10 @@ std::string sectionsJson(const MadeDeck& made, const std::vector<std::filesystem
 }
 
 std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& folder) {
-    const std::vector<std::uint8_t> bytes = contentOf(folder / "sections.json", kMostJsonBytes);
+    const std::vector<std::uint8_t> bytes =
+        contentOf(folder / "sections.json", kSectionsJson.bytes);
     const std::string text(bytes.begin(), bytes.end());
-    if (!jsonTrouble(text).empty()) return {};
+    if (!jsonTrouble(text, kSectionsJson).empty()) return {};
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object() || json.value("made_by", Json()) != kMadeBy) return {};
     std::vector<std::filesystem::path> files;

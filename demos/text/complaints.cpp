@@ -55,8 +55,8 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-std::string shown(std::string_view text) {
-    std::size_t length = 64;
+std::string shown(std::string_view text, std::size_t most) {
+    std::size_t length = most;
     if (text.size() <= length) return std::string(text);
     // Go back to the start of a character, so that none is cut in half.
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) --length;
@@ -97,12 +97,13 @@ void Complaints::addAll(const Complaints& of, int file) {
 
 std::string Complaints::lineOf(const Complaint& complaint) const {
     const Place& place = complaint.place;
+    const std::string what = shown(complaint.what, kLongestMessage);
     if (place.line > 0)
         return printable(files_[static_cast<std::size_t>(place.file)] + ":" +
                          std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
-                         complaint.what);
+                         what);
     const std::size_t option = static_cast<std::size_t>(place.column) - 1;
-    return printable("--set " + shown(options_[option]) + ": " + complaint.what);
+    return printable("--set " + shown(options_[option]) + ": " + what);
 }
 
 std::vector<std::string> Complaints::lines() const {

@@ -11,11 +11,17 @@ namespace demos {
 /// Text that is safe for a terminal: control bytes and invalid UTF-8 are written as \x1b.
 std::string printable(std::string_view text);
 
-/// The user's text in a message: its first 64 bytes, followed by "..." if there are more.
-std::string shown(std::string_view text);
+/// The user's text in a message: its first `most` bytes, followed by "..." if there are more.
+std::string shown(std::string_view text, std::size_t most = 64);
+
+/// A message with texts that nobody has cut.
+inline constexpr std::size_t kLongestMessage = 2000;  // bytes
 
 /// The shortest text that reads back to the same number.
 std::string numberText(double value);
+
+/// Readers of long lists stop here: to find what each unknown name may have meant takes time.
+inline constexpr int kEnoughComplaints = 100;
 
 class Complaints {
 public:

@@ -6,7 +6,7 @@
 namespace demos {
 namespace {
 
-std::string beyond(const char* what, long limit) { return what + std::to_string(limit); }
+std::string beyond(const char* what, std::size_t limit) { return what + std::to_string(limit); }
 
 /// The end of a string that begins at `i`.
 std::size_t endOfString(std::string_view json, std::size_t i) {
@@ -17,8 +17,8 @@ std::size_t endOfString(std::string_view json, std::size_t i) {
 
 }  // namespace
 
-std::string jsonTrouble(std::string_view json) {
-    if (json.size() > kMostJsonBytes) return beyond("has more bytes than ", kMostJsonBytes);
+std::string jsonTrouble(std::string_view json, const JsonLimits& limits) {
+    if (json.size() > limits.bytes) return beyond("has more bytes than ", limits.bytes);
     std::array<int, kMostJsonDepth + 1> members{};  // of the open objects, by depth
     int depth = 0, values = 0;
     for (std::size_t i = 0; i < json.size(); ++i) {
@@ -30,14 +30,14 @@ std::string jsonTrouble(std::string_view json) {
         if ((c == ']' || c == '}') && depth > 0) --depth;
         if (c == ':' && ++members[static_cast<std::size_t>(depth)] > kMostJsonMembers)
             return beyond("has an object with more members than ", kMostJsonMembers);
-        if ((c == ',' || c == '[' || c == '{') && ++values > kMostJsonValues)
-            return beyond("has more values than ", kMostJsonValues);
+        if ((c == ',' || c == '[' || c == '{') && ++values > limits.values)
+            return beyond("has more values than ", static_cast<std::size_t>(limits.values));
     }
     return {};
 }
 
-void checkJson(std::string_view json) {
-    const std::string trouble = jsonTrouble(json);
+void checkJson(std::string_view json, const JsonLimits& limits) {
+    const std::string trouble = jsonTrouble(json, limits);
     if (!trouble.empty()) throw std::invalid_argument(trouble);
 }
 

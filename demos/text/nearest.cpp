@@ -1,23 +1,28 @@
 #include "demos/text/nearest.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace demos {
 
-int editDistance(std::string_view a, std::string_view b) {
-    const std::size_t rows = a.size() + 1, columns = b.size() + 1;
-    std::vector<int> d(rows * columns);  // d(i, j): from the first i letters of a to j of b
-    const auto at = [&](std::size_t i, std::size_t j) -> int& { return d[i * columns + j]; };
-    for (std::size_t i = 0; i < rows; ++i) at(i, 0) = static_cast<int>(i);
-    for (std::size_t j = 0; j < columns; ++j) at(0, j) = static_cast<int>(j);
-    for (std::size_t i = 1; i < rows; ++i)
-        for (std::size_t j = 1; j < columns; ++j) {
+int editDistance(std::string_view a, std::string_view b, int most) {
+    const int rows = static_cast<int>(a.size()) + 1, columns = static_cast<int>(b.size()) + 1;
+    if (std::abs(rows - columns) >= most) return most;
+    std::vector<int> d(static_cast<std::size_t>(rows) * columns, most);
+    // d(i, j): from the first i letters of a to j of b. It is `most` far from the diagonal.
+    const auto at = [&](int i, int j) -> int& {
+        return d[static_cast<std::size_t>(i) * columns + j];
+    };
+    for (int i = 0; i < rows; ++i) at(i, 0) = i;
+    for (int j = 0; j < columns; ++j) at(0, j) = j;
+    for (int i = 1; i < rows; ++i)
+        for (int j = std::max(1, i - most); j < std::min<long>(columns, long{i} + most); ++j) {
             const int changed = a[i - 1] == b[j - 1] ? 0 : 1;
             at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + changed});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
         }
-    return at(rows - 1, columns - 1);
+    return std::min(at(rows - 1, columns - 1), most);
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> names) {
@@ -27,7 +32,7 @@ std::string nearest(std::string_view word, std::span<const std::string> names) {
     int best = std::min(word.size() <= 3 ? 2 : 3, static_cast<int>(word.size()));
     std::string name;
     for (const std::string& candidate : names) {
-        const int distance = editDistance(word, candidate);
+        const int distance = editDistance(word, candidate, best);
         if (distance < best) best = distance, name = candidate;
     }
     return name;

@@ -8,8 +8,8 @@
 namespace demos {
 
 /// Insertions, deletions, substitutions and swaps of neighbours that lead from a to b
-/// (Damerau-Levenshtein, each letter edited once).
-int editDistance(std::string_view a, std::string_view b);
+/// (Damerau-Levenshtein, each letter edited once); `most` if there are that many or more.
+int editDistance(std::string_view a, std::string_view b, int most);
 
 /// The first of the names closest to `word` within two edits (one for words of two or three
 /// letters, none for one letter); empty if there is none.

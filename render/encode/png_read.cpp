@@ -30,9 +30,13 @@ namespace {
     throw Error("the PNG cannot be read: " + why + "; write the file again");
 }
 
+std::string sidesText(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 }  // namespace
 
-Image decodePng(std::span<const std::uint8_t> bytes) {
+Image decodePng(std::span<const std::uint8_t> bytes, int width, int height) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         refuse(std::to_string(bytes.size()) + " bytes are more than 2 GiB");
     }
@@ -43,8 +47,11 @@ Image decodePng(std::span<const std::uint8_t> bytes) {
         refuse("no PNG header");
     }
     if (image.width > kLargestSide || image.height > kLargestSide) {
-        refuse(std::to_string(image.width) + "x" + std::to_string(image.height) +
-               " has a side of more than 16384 pixels");
+        refuse(sidesText(image.width, image.height) + " has a side of more than 16384 pixels");
+    }
+    if ((width > 0 && image.width != width) || (height > 0 && image.height != height)) {
+        refuse("it is " + sidesText(image.width, image.height) + ", not " +
+               sidesText(width, height));
     }
     // stb does not check checksums and accepts some truncated files
     if (!pngIsWhole(bytes, image.width, image.height)) refuse("it is truncated or damaged");

@@ -101,6 +101,22 @@ TEST(Png, TornFilesAreSeen) {
     EXPECT_FALSE(render::pngIsWhole(oneMore, 61, 47));
 }
 
+TEST(Png, AnotherSizeIsRefusedBeforeThereIsRoomForIt) {
+    const Bytes png = render::encodePng(gradient(61, 47));
+    EXPECT_EQ(render::decodePng(png, 61, 47).width, 61);
+    EXPECT_THROW(render::decodePng(png, 47, 61), render::Error);
+    // Only a head: without the check of the size, it is truncated.
+    Bytes head = render::encodePng(gradient(16384, 1));
+    head.resize(40);
+    try {
+        render::decodePng(head, 160, 90);
+        ADD_FAILURE() << "was read";
+    } catch (const render::Error& error) {
+        EXPECT_NE(std::string(error.what()).find("it is 16384x1, not 160x90"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Png, EveryFlippedByteIsSeen) {
     const Bytes png = render::encodePng(gradient(31, 17));
     for (std::size_t i = 0; i < png.size(); ++i) {

@@ -57,7 +57,9 @@ function approveCommand() {
   const names = acceptedNames();
   if (names.length === 0) return "";
   const results = report.results === "" ? "" : ` --results ${shellWord(report.results)}`;
-  return `impulse approve${results} ${names.map(shellWord).join(" ")}`;
+  const baselines =
+    report.baselines === "" ? "" : ` --baselines ${shellWord(report.baselines)}`;
+  return `impulse approve${results}${baselines} ${names.map(shellWord).join(" ")}`;
 }
 
 function showAccepted() {

@@ -130,5 +130,22 @@ TEST_F(Memory, TooMuchOfItIsRefusedBeforeAnythingIsDrawn) {
     EXPECT_FALSE(fs::exists(folder / "output"));
 }
 
+TEST_F(Memory, OfAStillIsRefusedBeyondTheLimitOfAProcess) {
+    Launch launch;
+    launch.folder = folder.path();
+    launch.arguments = {"still", "ball.toml", "--size", "16384x16384"};
+    launch.beforeExec = [] {
+        const rlimit limit{rlim_t{4} << 30, rlim_t{4} << 30};
+        setrlimit(RLIMIT_AS, &limit);
+    };
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+    EXPECT_NE(ended.err.find("a process may have 4.3 GB here (ulimit -v); a smaller --size fits"),
+              std::string::npos)
+        << ended.err;
+    EXPECT_LT(ended.peakKiB, 200 * 1024);
+}
+
 }  // namespace
 }  // namespace demos::test

@@ -111,15 +111,22 @@ TEST(Baselines, SayWhenTheyWereEdited) {
     EXPECT_NE(complaintAbout("{", "[").find("is damaged"), std::string::npos);
     // Brackets in strings do not count; others may be nested at most 64 deep.
     const std::string many(100'000, '[');
-    EXPECT_EQ(jsonTrouble("[\"\\\"" + many + "\"]"), "");
-    EXPECT_EQ(jsonTrouble(many.substr(0, kMostJsonDepth)), "");
-    EXPECT_EQ(jsonTrouble(many.substr(0, kMostJsonDepth + 1)), "is nested deeper than 64");
+    const auto trouble = [](const std::string& json) { return jsonTrouble(json, kRunJson); };
+    EXPECT_EQ(trouble("[\"\\\"" + many + "\"]"), "");
+    EXPECT_EQ(trouble(many.substr(0, kMostJsonDepth)), "");
+    EXPECT_EQ(trouble(many.substr(0, kMostJsonDepth + 1)), "is nested deeper than 64");
     const std::string member = "\"a\":[],", value = "[],";
-    EXPECT_EQ(jsonTrouble("{" + support::repeated(member, 16'384) + "}"), "");
-    EXPECT_EQ(jsonTrouble("{" + support::repeated(member, 16'385) + "}"),
+    EXPECT_EQ(trouble("{" + support::repeated(member, 16'384) + "}"), "");
+    EXPECT_EQ(trouble("{" + support::repeated(member, 16'385) + "}"),
               "has an object with more members than 16384");
-    EXPECT_EQ(jsonTrouble("[" + support::repeated(value, 2'000'000) + "[]]"),
+    EXPECT_EQ(trouble("[" + support::repeated(value, 2'000'000) + "[]]"),
               "has more values than 4000000");
+    // Each reader has limits of its own.
+    const std::string some = "[" + support::repeated(value, 60'000) + "[]]";
+    EXPECT_EQ(jsonTrouble(some, kRunJson), "");
+    EXPECT_EQ(jsonTrouble(some, kBaselineJson), "has more values than 100000");
+    EXPECT_EQ(jsonTrouble(std::string(2u << 20, ' '), kPassedJson),
+              "has more bytes than 1048576");
     EXPECT_NE(complaintAbout("{", "{\"a\":" + many + std::string(many.size(), ']') + ",")
                   .find("is damaged"),
               std::string::npos);

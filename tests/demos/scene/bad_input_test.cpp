@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/demos/reading.h"
+#include "tests/support/text.h"
 
 namespace demos::test {
 namespace {
@@ -11,7 +12,7 @@ struct BadInput {
     const char* what;
     std::string text;  // the whole file
     const char* place;
-    const char* message;
+    std::string message;
 };
 
 std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.what; }
@@ -67,9 +68,52 @@ INSTANTIATE_TEST_SUITE_P(
                  kOneBall + "mass = '" + std::string(5000, '(') + "'\n", "6:8",
                  "5000 characters; it should be at most 200"}));
 
+/// `count` parts, each of which is `part`.
+std::string compoundOf(int count, const std::string& part) {
+    std::string list;
+    for (int i = 0; i < count; ++i) list += "{ shape = " + part + " },";
+    return "{ compound = [" + list + "] }";
+}
+
+std::string bodyOf(const std::string& shape) {
+    return kFormat + "[[body]]\nname = 'a'\nshape = " + shape + "\n";
+}
+
+std::string expectations(int count, const std::string& keys) {
+    std::string text = kOneBall;
+    for (int i = 0; i < count; ++i) text += "[[expect]]\n" + keys;
+    return text;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Limits, BadInputs,
-    testing::Values(BadInput{"joints",
+    testing::Values(BadInput{"parts of parts",
+                             bodyOf(compoundOf(40, compoundOf(30, "{ sphere = 1 }"))), "4:11",
+                             "compound has 1200 parts; it should have 1 to 1000"},
+                    BadInput{"values of all bodies",
+                             kFormat + "[[repeat]]\ncount = 4000\nbody = { name = 'a{i}', shape = " +
+                                 compoundOf(200, "{ sphere = 1 }") + " }\n",
+                             "4:8", "more than 2000000 values in all bodies, joints and forces"},
+                    BadInput{"expectations",
+                             expectations(1001, "what = 'speed'\nbelow = 1\n"), "6:3",
+                             "1001 [[expect]]s; a scene should have at most 1000"},
+                    BadInput{"names of an expectation",
+                             expectations(1, "what = 'speed'\nbelow = 1\nof = [" +
+                                                 support::repeated("'ball',", 101) + "]\n"),
+                             "9:1", "101 names; they should be at most 100"},
+                    BadInput{"a long name of an expectation",
+                             expectations(1, "what = 'speed'\nbelow = 1\nof = '" +
+                                                 std::string(1000, '*') + "'\n"),
+                             "9:1", "no body is called '" + std::string(64, '*') + "...'"},
+                    BadInput{"what expectations watch",
+                             "seconds = 1e5\n" + kFormat + "[[repeat]]\ncount = 100\nbody = { name = "
+                             "'a{i}', shape = { sphere = 1 } }\n[[expect]]\nwhat = 'period'\n"
+                             "below = 1\n",
+                             "6:1", "600000000 steps of periods"},
+                    BadInput{"pictures of a snapshot",
+                             kOneBall + "[snapshot]\nsize = [9000, 9000]\ntimes = [0, 1]\n", "8:1",
+                             "2 pictures of 9000x9000; they should have at most 134217728 pixels"},
+                    BadInput{"joints",
                              tenThousand("joint = [" + kWeld + ", " + kWeld + ", " + kWeld + "]"),
                              "8:138", "more than 20000 joints; make the scene or a count smaller"},
                     BadInput{"forces", tenThousand("force = [" + kPush + ", " + kPush + "]"),

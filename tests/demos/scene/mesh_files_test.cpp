@@ -275,7 +275,9 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
          "is nested deeper than 64"},
         {with(&Gltf::more, R"("asset":{"version":"1.0"})"), "is not of version 2.0"},
         {with(&Gltf::more, asset + R"("extensionsRequired":["KHR_draco_mesh_compression"])"),
-         "needs the extension \"KHR_draco_mesh_compression\", which is not supported"},
+         "needs the extension 'KHR_draco_mesh_compression', which is not supported"},
+        {with(&Gltf::more, asset + R"("extensionsRequired":[{"a":[1,2,3]}])"),
+         "needs the extension that is object, which is not supported"},
         {with(&Gltf::more, R"("asset":{"version":"2.0"})"), "there is no scenes 0; it has 0"},
         {with(&Gltf::more, asset + R"("scenes":[{"nodes":[1]}])"), "there is no nodes 1; it has 1"},
         {with(&Gltf::more, asset + R"("scenes":[{"nodes":[-1]}])"), "should be numbers of nodes"},
@@ -329,6 +331,53 @@ TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
         EXPECT_NE(errorOf("bad.gltf", text).find(message), std::string::npos)
             << text << "\n"
             << errorOf("bad.gltf", text) << "\nnot: " << message;
+}
+
+TEST_F(MeshFiles, AGltfFileReadsOnlyWhatIsBesideIt) {
+    std::filesystem::create_directory(folder_ / "sub");
+    write("outside.bin", triangleBytes());
+    const std::string outside = (folder_ / "outside.bin").string();
+    for (const char* uri : {outside.c_str(), "../outside.bin", "%2e%2e/outside.bin", "/dev/zero",
+                            "sub/../../outside.bin"}) {
+        Gltf file;
+        file.buffer = R"({"uri":")" + std::string(uri) + R"(","byteLength":42})";
+        EXPECT_NE(errorOf("sub/bad.gltf", file.text()).find("is outside the glTF file's folder"),
+                  std::string::npos)
+            << errorOf("sub/bad.gltf", file.text());
+    }
+    Gltf file;
+    file.buffer = R"({"uri":"file.bin%00","byteLength":42})";
+    EXPECT_NE(errorOf("bad.gltf", file.text()).find("is not a file name"), std::string::npos);
+}
+
+TEST_F(MeshFiles, LongValuesAreCut) {
+    const std::string many(3'000'000, '7');
+    Gltf needy;
+    needy.more = R"("asset":{"version":"2.0"},"extensionsRequired":[")" + many + "\"]";
+    Gltf far;
+    far.buffer = R"({"uri":")" + many + R"(","byteLength":42})";
+    for (const std::string& error :
+         {errorOf("bad.gltf", needy.text()), errorOf("bad.gltf", far.text()),
+          errorOf("bad.obj", "v 1 2 x" + many), errorOf("bad.obj", "v 0 0 0\nf 1 1 " + many),
+          errorsOf("format = 1\n[[body]]\nname = 'b'\nshape = { mesh = '" + many + ".obj' }\n")
+              .front()}) {
+        EXPECT_NE(error, "nothing");
+        EXPECT_LT(error.size(), 300u) << error.substr(0, 300);
+    }
+}
+
+TEST_F(MeshFiles, ManyScalesOfAFileAreTooMuchToRead) {
+    write("large.obj", kTetrahedron + "\n#" + std::string(10u << 20, ' '));
+    write("a.toml", "format = 1\n[[repeat]]\ncount = 40\nbody = { name = 'b{i}', "
+                    "shape = { hull = 'large.obj', scale = '1 + i' } }\n");
+    try {
+        loadScene((folder_ / "a.toml").string());
+        ADD_FAILURE() << "was read";
+    } catch (const SceneError& error) {
+        ASSERT_EQ(error.lines().size(), 1u);
+        EXPECT_NE(error.lines()[0].find("more than 256 MiB of shapes are read"), std::string::npos)
+            << error.lines()[0];
+    }
 }
 
 TEST_F(MeshFiles, BrokenBinaryGltfFilesAreTold) {

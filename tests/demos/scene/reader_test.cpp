@@ -202,9 +202,13 @@ TEST(Files, UnknownNamesListTheNearest) {
 }
 
 TEST(Nearest, CountsSwapsAsOneEdit) {
-    EXPECT_EQ(editDistance("sweesp", "sweeps"), 1);
-    EXPECT_EQ(editDistance("", "ab"), 2);
-    EXPECT_EQ(editDistance("kitten", "sitting"), 3);
+    EXPECT_EQ(editDistance("sweesp", "sweeps", 9), 1);
+    EXPECT_EQ(editDistance("", "ab", 9), 2);
+    EXPECT_EQ(editDistance("kitten", "sitting", 9), 3);
+    EXPECT_EQ(editDistance("kitten", "sitting", 4), 3);
+    EXPECT_EQ(editDistance("kitten", "sitting", 3), 3);
+    EXPECT_EQ(editDistance("kitten", "sitting", 2), 2);
+    EXPECT_EQ(editDistance("abcdefgh", "badcfehg", 5), 4);  // four swaps
     const std::vector<std::string> names = {"gravity", "hz"};
     EXPECT_EQ(nearest("gravty", names), "gravity");
     EXPECT_EQ(nearest("xyz", names), "");
