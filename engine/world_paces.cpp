@@ -77,7 +77,7 @@ void chooseStrides(WorldState& s) {
 void choosePaces(WorldState& s, double dt) {
     arrangeContacts(s);
     const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies,
-                                         s.solver, s.settings, dt);
+                                         s.solver, s.gravity, s.settings, dt);
     const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
     s.lookedAt = 0;
     s.substepsALook = (needed + looks - 1) / looks;

@@ -85,6 +85,14 @@ bool isFar(const JointDrive& drive, const DriveRow& row, std::span<const Velocit
     return row.error > kClear + h * std::abs(rate) && span - row.error > kClear + h * std::abs(rate);
 }
 
+/// A limit so far away that only a hard impact brings the coordinate there within h (s), which is stopped
+/// without the projection. `rate`: of the coordinate now.
+bool hardlyActs(const DriveRow& row, double rate, double h) {
+    constexpr double kWide = 0.3;  // m, rad
+    return row.kind == DriveKind::limit && row.lambda == 0.0 && !isHeld(row) &&
+           row.error > kWide + 8.0 * h * std::abs(rate);
+}
+
 }  // namespace
 
 JointDrive makeDrive(const Joint& joint, int number) {
@@ -104,13 +112,24 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
         Joint& joint = joints[drive.joint];
         const Pose &a = bodies.poses[drive.a], &b = bodies.poses[drive.b];
         const JointRows free = followCoordinates(joint, a, b);
+        bool far = true;
+        for (DriveRow& row : std::span(drive.rows).first(drive.count)) {
+            place(row, free.error[row.coordinate]);
+            const double rate = velocityAlong(free.j[row.coordinate], bodies.velocities[drive.a],
+                                              bodies.velocities[drive.b]);
+            const double h = bodies.spans[bodies.movable(drive.a, drive.b)];
+            far = far && hardlyActs(row, rate, h);
+        }
+        const InverseMass &massA = bodies.inverseMasses[drive.a], &massB = bodies.inverseMasses[drive.b];
+        if (far) {
+            for (int i = 0; i < free.count; ++i) drive.along[i] = makeRow(free.j[i], massA, massB);
+            continue;
+        }
         const HeldRows held(joint, bodies, drive.a, drive.b);
         for (int i = 0; i < drive.count; ++i) {
             DriveRow& row = drive.rows[i];
-            place(row, free.error[row.coordinate]);
             drive.along[row.coordinate] =
-                freeRow(held, free.j[row.coordinate], bodies.inverseMasses[drive.a],
-                        bodies.inverseMasses[drive.b]);
+                freeRow(held, free.j[row.coordinate], massA, massB);
         }
     }
 }

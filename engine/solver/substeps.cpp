@@ -5,8 +5,9 @@ namespace {
 
 constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
+constexpr double kTurnInTouch = 0.3;      // rad, with contacts
 constexpr double kHeavy = 10.0;           // ratio of masses
-constexpr double kHeavySubsteps = 8.0;
+constexpr double kSubstepsARatio = 8.0 / 50.0, kLeastHeavy = 4.0, kMostHeavy = 8.0;
 constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
 constexpr double kCalm = 1.0;             // s
 constexpr double kCalmOfJoints = 10.0;    // s
@@ -43,19 +44,28 @@ void addRod(const Joint& joint, const Bodies& bodies, double force, double& swin
                               (bodies.inverseMasses[a].linear + bodies.inverseMasses[b].linear));
 }
 
-/// The number of sub-steps that one joint of a tree needs.
-double stepsFor(const JointConstraint& c, const Joint& joint, const Bodies& bodies, double dt) {
+/// What one joint of a tree needs: the rate of its swing under tension, and how fast it turns, rad/s.
+struct JointRates {
+    double swing = 0.0, turn = 0.0;
+};
+
+JointRates ratesOf(const JointConstraint& c, const Joint& joint, const Bodies& bodies) {
     const double force = joint.force.norm();
     double swing = larger(
         swingSquared(bodies.inverseMasses[c.a], bodies.poses[c.a].rotation * joint.def.anchorA, force),
         swingSquared(bodies.inverseMasses[c.b], bodies.poses[c.b].rotation * joint.def.anchorB, force));
     double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
     if (joint.def.type == JointType::distance) addRod(joint, bodies, force, swing, turn);
-    return dt * larger(std::sqrt(swing) / kSwingPerSubstep, turn / kTurnPerSubstep);
+    return {std::sqrt(swing), turn};
 }
 
-/// The mass ratio of two movable bodies; otherwise 0.
-double massRatio(double a, double b) { return a > 0.0 && b > 0.0 ? larger(a / b, b / a) : 0.0; }
+/// How many times as heavy a body is as the one it rests on; 0 if one of the two is immovable.
+double loadRatio(const Contact& c, const Bodies& bodies, const Vec3& gravity) {
+    const double a = bodies.masses[c.a].mass, b = bodies.masses[c.b].mass;
+    if (a <= 0.0 || b <= 0.0) return 0.0;
+    const double below = gravity.dot(c.normal);  // positive: a is above b
+    return larger(below >= 0.0 ? a / b : 0.0, below <= 0.0 ? b / a : 0.0);
+}
 
 /// 4, 8, 12, 16, 24, 32: a power of two times the least, or 1.5 times that; all are multiples of the least.
 int nextNumber(int number, int least) {
@@ -97,19 +107,32 @@ void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, c
         const JointConstraint& c = solver.constraints.joints[i];
         Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
         island.jointed = true;
-        island.needed = larger(island.needed, stepsFor(c, joints[c.joint], bodies, dt));
+        const JointRates rates = ratesOf(c, joints[c.joint], bodies);
+        island.needed = larger(island.needed, dt * rates.swing / kSwingPerSubstep);
+        island.turn = larger(island.turn, rates.turn);
+    }
+}
+
+void Substeps::addTurns(const Bodies& bodies, double dt) {
+    for (const int i : bodies.active) {
+        Island& island = islands_[i];
+        const double most = island.touching ? kTurnInTouch : kTurnPerSubstep;
+        island.needed = larger(island.needed, dt * island.turn / most);
     }
 }
 
 void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> contacts,
-                           const Bodies& bodies, const Solver& solver) {
+                           const Bodies& bodies, const Vec3& gravity, const Solver& solver) {
     columns_.measure(contacts, solver.order, bodies, islands);
     for (const Contact& c : contacts) {
         const int leader = islands.leaderOf(bodies.movable(c.a, c.b));
         Island& island = islands_[leader];
+        island.touching = true;
         island.needed = larger(island.needed, columns_.substeps(leader));
-        const double ratio = massRatio(bodies.masses[c.a].mass, bodies.masses[c.b].mass);
-        if (ratio > kHeavy) island.needed = larger(island.needed, kHeavySubsteps);
+        const double ratio = loadRatio(c, bodies, gravity);
+        if (ratio > kHeavy)
+            island.needed = larger(island.needed,
+                                   clamped(kSubstepsARatio * ratio, kLeastHeavy, kMostHeavy));
         if (ratio > kVeryHeavy)
             island.needed = larger(island.needed, kSubstepsALevel * columns_.levels(leader));
     }
@@ -117,14 +140,15 @@ void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> conta
 
 int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
                      std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
-                     const Settings& settings, double dt) {
+                     const Vec3& gravity, const Settings& settings, double dt) {
     const int least = settings.substeps;
     chosen_.resize(bodies.count());
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     if (settings.maxSubsteps > least) {
         addJoints(islands, joints, bodies, solver, dt);
-        addContacts(islands, contacts, bodies, solver);
+        addContacts(islands, contacts, bodies, gravity, solver);
+        addTurns(bodies, dt);
     }
     for (const int i : bodies.active) {
         if (!bodies.isMoving(i)) continue;
@@ -145,7 +169,7 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
         chosen.enough = larger(chosen.enough, enough);
         chosen.calm += dt;
         if (enough >= chosen.current) chosen = {enough, least, 0.0};
-        if (chosen.calm > (island.jointed ? kCalmOfJoints : kCalm))
+        if (chosen.calm > (island.jointed && !island.touching ? kCalmOfJoints : kCalm))
             chosen = {chosen.enough, least, 0.0};
         most = larger(most, chosen.current);
     }

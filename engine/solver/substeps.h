@@ -4,14 +4,15 @@
 ///                           keeps its energy while h omega < 1 (1000 kg swung on 1 kg links: joints
 ///                           separate by 0.2 mm; at 1.2 by 2 mm, at 1.4 by 30 mm, and energy
 ///                           grows)
-///   fast joints             h |w| < 0.1: the rotation of the arms in a sub-step is nearly linear
+///   fast joints             h |w| < 0.1: the rotation of the arms in a sub-step is nearly linear; 0.3 in an
+///                           island with contacts, which lose energy in any case
 ///   columns and walls       more for taller ones (columns.h)
-///   heavy on light          eight if one body of a contact has ten times the mass of the other; if it has a
-///                           hundred times, 3.2 for every level of the column (1000:1 on four: 16)
+///   heavy on light          four if a body rests on one of a tenth of its mass, eight on a fiftieth; on a
+///                           hundredth, 3.2 for every level of the column (1000:1 on four: 16)
 /// The number is 4, 8, 12, 16, 24 or 32 (with 4 `substeps`), never above `maxSubsteps`. It rises at once, and
-/// falls only after a second in which fewer would have been enough; with joints, after ten seconds, because a
-/// symplectic integrator conserves energy only while its step is constant (five links lose 10 % in two
-/// minutes with one second, 0.4 % with ten).
+/// falls only after a second in which fewer would have been enough; with joints and no contacts, after ten
+/// seconds, because a symplectic integrator conserves energy only while its step is constant (five links lose
+/// 10 % in two minutes with one second, 0.4 % with ten).
 #pragma once
 #include "engine/solver/columns.h"
 #include "engine/solver/solver.h"
@@ -24,7 +25,7 @@ public:
     /// bodies. Returns the largest.
     int choose(DisjointSets& islands, std::span<const Contact> contacts,
                std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
-               const Settings& settings, double dt);
+               const Vec3& gravity, const Settings& settings, double dt);
     int of(int body) const { return chosen_[body].current; }
 
 private:
@@ -36,13 +37,15 @@ private:
     struct Island {
         Chosen chosen;
         double needed = 0.0;
-        bool jointed = false, any = false;
+        double turn = 0.0;  // rad/s, of the fastest joint
+        bool jointed = false, touching = false, any = false;
     };
 
     void addJoints(DisjointSets& islands, std::span<const Joint> joints, const Bodies& bodies,
                    const Solver& solver, double dt);
+    void addTurns(const Bodies& bodies, double dt);
     void addContacts(DisjointSets& islands, std::span<const Contact> contacts,
-                     const Bodies& bodies, const Solver& solver);
+                     const Bodies& bodies, const Vec3& gravity, const Solver& solver);
 
     Columns columns_;
     std::vector<Chosen> chosen_;   // by body

@@ -156,5 +156,39 @@ TEST(Paces, ALiftCarriesItsPileBesideAFastWheel) {
     EXPECT_NEAR(world.pose({4}).position.y() - world.pose({0}).position.y(), 3.6, 5e-3);
 }
 
+int substepsOfTwo(double below, double above) {
+    World world(Settings::fast());
+    world.add(support::floorPlane());
+    world.add(body(Shape::box({1, 1, 1}), {0, 0.5, 0}, below));
+    world.add(body(Shape::box({1, 1, 1}), {0, 1.5, 0}, above));
+    run(world, 2);
+    return world.report().substeps;
+}
+
+TEST(LoadRatio, CountsIfTheHeavyOneIsAbove) {
+    EXPECT_EQ(substepsOfTwo(1, 9), 2);
+    EXPECT_EQ(substepsOfTwo(1, 20), 4);
+    EXPECT_EQ(substepsOfTwo(1, 60), 8);
+    EXPECT_EQ(substepsOfTwo(20, 1), 2);
+    EXPECT_EQ(substepsOfTwo(1000, 1), 2);
+}
+
+/// A box with a wheel that turns at 30 rad/s.
+int substepsOfWheel(double height) {
+    World world(Settings::fast());
+    world.add(support::floorPlane());
+    const BodyId box = world.add(body(Shape::box({2, 1, 2}), {0, height + 0.5, 0}, 5.0));
+    BodyDef wheel = body(Shape::cylinder(0.5, 0.2), {0, height + 2, 0});
+    wheel.spin = {0, 30, 0};
+    join(world, JointType::hinge, box, world.add(wheel), {0, height + 1, 0}, Vec3::UnitY());
+    run(world, 2);
+    return world.report().substeps;
+}
+
+TEST(Turns, NeedFewerSubstepsInAnIslandThatTouches) {
+    EXPECT_EQ(substepsOfWheel(10), 6);
+    EXPECT_EQ(substepsOfWheel(0), 2);
+}
+
 }  // namespace
 }  // namespace engine

@@ -19,6 +19,8 @@ struct BodyState {
 class Engine {
 public:
     virtual ~Engine() = default;
+    /// False: its driver cannot build this scene.
+    virtual bool supports(const Scene&) const { return true; }
     /// Called once, before anything else; the scene outlives the engine.
     virtual void build(const Scene& scene) = 0;
     /// False: the engine gave up; the bodies stay where they are.

@@ -29,12 +29,41 @@ constexpr Preset kPresets[] = {{"steady", Settings::steady},
                                {"seed", Settings::seed},
                                {"sleeping", sleeping}};
 
-BodyDef bodyDef(const Body& body, double friction) {
+engine::Shape drum(const std::vector<Plate>& plates) {
+    std::vector<engine::ShapePart> parts;
+    for (const Plate& plate : plates) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < 8; ++i)
+            corners.push_back(plate.halfSize.cwiseProduct(
+                Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+        parts.push_back({*engine::Shape::hullOf(corners), plate.pose});
+    }
+    return engine::Shape::compound(parts);
+}
+
+engine::Shape shapeOf(const Body& body) {
+    switch (body.kind) {
+        case Kind::sphere: return engine::Shape::sphere(body.radius);
+        case Kind::capsule:
+            return engine::Shape::capsule(body.radius, 2.0 * (body.radius + body.halfSize.y()));
+        case Kind::hull: return *engine::Shape::hullOf(body.corners);
+        case Kind::drum: return drum(body.plates);
+        case Kind::mesh: return engine::Shape::meshOf(body.corners, body.triangles);
+        default: return engine::Shape::box(2.0 * body.halfSize);
+    }
+}
+
+BodyDef bodyDef(const Body& body, const Scene& scene) {
     BodyDef def;
-    def.kind = body.dynamic ? BodyKind::dynamic : BodyKind::fixed;
-    def.shape =
-        body.isBox ? engine::Shape::box(2.0 * body.halfSize) : engine::Shape::sphere(body.radius);
-    def.material = {.density = body.density, .friction = friction, .restitution = 0.0};
+    def.kind = body.dynamic ? BodyKind::dynamic
+                            : body.turns() ? BodyKind::kinematic : BodyKind::fixed;
+    def.shape = shapeOf(body);
+    def.material = {.density = body.density, .friction = scene.friction,
+                    .restitution = scene.restitution};
+    if (body.kind == Kind::hull) {  // as for the other engines
+        def.mass = body.mass();
+        def.inertia = body.inertia().asDiagonal();
+    }
     def.pose = body.pose;
     def.velocity = body.velocity, def.spin = body.spin;
     def.collide = body.collide;
@@ -48,6 +77,11 @@ JointDef jointDef(const Joint& joint, const World& world) {
     def.anchorA = world.pose(def.a).toLocal(joint.at);
     def.anchorB = world.pose(def.b).toLocal(joint.at);
     def.axis = joint.axis;
+    if (joint.isLimited() && joint.isHinge) def.free[0].limits = {-joint.most, joint.most};
+    if (joint.isLimited() && !joint.isHinge) {
+        def.free[0].limits = {-joint.twist, joint.twist};
+        def.free[1].limits.high = joint.most;
+    }
     return def;
 }
 
@@ -57,7 +91,10 @@ public:
 
     void build(const Scene& scene) override {
         world_.setGravity(scene.gravity);
-        for (const Body& body : scene.bodies) world_.add(bodyDef(body, scene.friction));
+        Settings settings = world_.settings();
+        settings.sleeping = settings.sleeping || scene.sleeps;
+        world_.setSettings(settings);
+        for (const Body& body : scene.bodies) world_.add(bodyDef(body, scene));
         for (const Joint& joint : scene.joints) world_.add(jointDef(joint, world_));
     }
 

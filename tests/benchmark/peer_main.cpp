@@ -112,6 +112,11 @@ void runAll(const Options& options) {
             throw std::runtime_error("no scene '" + name + "'; there are " +
                                      joined(sceneNames(), ", "));
         if (options.seconds > 0.0) scene->seconds = options.seconds;
+        if (!makeEngine(options.preset, options.threads)->supports(*scene)) {
+            std::fprintf(stderr, "%s: left out, %s's driver has no such shapes or joints\n",
+                         name.c_str(), engineName().c_str());
+            continue;
+        }
         const Result result = run(*scene, options);
         std::printf("%s\n", (options.table ? tableLine(result) : json(result)).c_str());
         std::fflush(stdout);

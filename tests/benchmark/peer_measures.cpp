@@ -18,6 +18,17 @@ Vec3 carried(const Vec3& axis, const Pose& start, const Pose& now) {
     return now.rotation * Vec3(start.rotation.conjugate() * axis);
 }
 
+/// The points of a body that may be its lowest, about which it is round by the radius returned.
+double lowPoints(const Body& body, std::vector<Vec3>& points) {
+    points = body.corners;
+    if (body.kind == Kind::sphere) points = {Vec3::Zero()};
+    if (body.kind == Kind::capsule) points = {body.halfSize, -body.halfSize};
+    for (int i = 0; body.kind == Kind::box && i < 8; ++i)
+        points.push_back(body.halfSize.cwiseProduct(
+            Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    return body.kind == Kind::sphere || body.kind == Kind::capsule ? body.radius : 0.0;
+}
+
 /// sum of f(body, state) over the dynamic bodies
 template <class Value, class F>
 Value sumOverDynamic(const Scene& scene, States states, Value sum, F f) {
@@ -86,6 +97,20 @@ int lostBodies(const Scene& scene, States states) {
     return sumOverDynamic(scene, states, 0, [&](const Body&, const BodyState& s) {
         return s.pose.position.y() < *scene.lostBelow ? 1 : 0;
     });
+}
+
+double sunk(const Scene& scene, States states) {
+    double deepest = 0.0;
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; scene.ground && i < states.size(); ++i) {
+        if (!scene.bodies[i].dynamic) continue;
+        const double radius = lowPoints(scene.bodies[i], points);
+        for (const Vec3& point : points) {
+            const Vec3 at = states[i].pose.toWorld(point);
+            deepest = std::max(deepest, scene.ground(at.x(), at.z()) - (at.y() - radius));
+        }
+    }
+    return deepest;
 }
 
 bool finite(States states) {

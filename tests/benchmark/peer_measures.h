@@ -28,6 +28,8 @@ double energy(const Scene& scene, States states);         // J, kinetic and pote
 Vec3 angularMomentum(const Scene& scene, States states);  // kg m^2/s, of the spins
 double fastest(const Scene& scene, States states);        // m/s
 int lostBodies(const Scene& scene, States states);
+/// m: how far the lowest point of a body is below the ground, for the deepest; 0 without a ground.
+double sunk(const Scene& scene, States states);
 bool finite(States states);
 /// A hash of all poses, bit for bit (FNV-1a).
 std::uint64_t hash(States states);

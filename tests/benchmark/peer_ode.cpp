@@ -46,7 +46,17 @@ public:
         dCloseODE();
     }
 
+    bool supports(const Scene& scene) const override {
+        for (const Body& body : scene.bodies)
+            if (body.turns() || (body.kind != Kind::box && body.kind != Kind::sphere)) return false;
+        for (const Joint& joint : scene.joints)
+            if (joint.isLimited()) return false;
+        return true;
+    }
+
     void build(const Scene& scene) override {
+        if (scene.sleeps) dWorldSetAutoDisableFlag(world_, 1);
+        restitution_ = scene.restitution;
         friction_ = scene.friction;
         scene_ = &scene;
         dWorldSetGravity(world_, scene.gravity.x(), scene.gravity.y(), scene.gravity.z());
@@ -86,7 +96,7 @@ private:
         const dBodyID b = dBodyCreate(world_);
         dMass mass;
         const Vec3 size = 2.0 * body.halfSize, &at = body.pose.position;
-        if (body.isBox)
+        if (body.kind == Kind::box)
             dMassSetBox(&mass, body.density, size.x(), size.y(), size.z());
         else
             dMassSetSphere(&mass, body.density, body.radius);
@@ -100,7 +110,7 @@ private:
 
     void addShape(const Body& body, dBodyID b) {
         const Vec3 size = 2.0 * body.halfSize, &at = body.pose.position;
-        const dGeomID shape = body.isBox ? dCreateBox(space_, size.x(), size.y(), size.z())
+        const dGeomID shape = body.kind == Kind::box ? dCreateBox(space_, size.x(), size.y(), size.z())
                                          : dCreateSphere(space_, body.radius);
         if (b) return dGeomSetBody(shape, b);
         dGeomSetPosition(shape, at.x(), at.y(), at.z());
@@ -127,6 +137,8 @@ private:
         const int count = dCollide(shapeA, shapeB, kMostPoints, &points[0].geom, sizeof(dContact));
         for (int i = 0; i < count; ++i) {
             points[i].surface.mode = dContactApprox1;  // a friction pyramid, mu times the force
+            if (ode.restitution_ > 0.0) points[i].surface.mode |= dContactBounce;
+            points[i].surface.bounce = ode.restitution_;
             points[i].surface.mu = ode.friction_;
             dJointAttach(dJointCreateContact(ode.world_, ode.contacts_, &points[i]), a, b);
         }
@@ -137,7 +149,7 @@ private:
     dWorldID world_;
     dSpaceID space_;
     dJointGroupID contacts_;
-    double friction_ = 0.0;
+    double friction_ = 0.0, restitution_ = 0.0;
     const Scene* scene_ = nullptr;
     std::vector<dBodyID> bodies_;  // null: fixed
     int points_ = 0;

@@ -95,9 +95,10 @@ std::array<Cell, 27> cellsAround(const Cell& cell) {
 double penetration(const Body& a, const Pose& poseA, const Body& b, const Pose& poseB) {
     const Vec3 between = poseB.position - poseA.position;
     if (between.norm() > a.reach() + b.reach()) return a.reach() + b.reach() - between.norm();
-    if (a.isBox && b.isBox) return boxInBox({a, poseA}, {b, poseB});
-    if (a.isBox) return sphereInBox(a, poseA, b, poseB.position);
-    if (b.isBox) return sphereInBox(b, poseB, a, poseA.position);
+    const bool boxA = a.kind == Kind::box, boxB = b.kind == Kind::box;
+    if (boxA && boxB) return boxInBox({a, poseA}, {b, poseB});
+    if (boxA) return sphereInBox(a, poseA, b, poseB.position);
+    if (boxB) return sphereInBox(b, poseB, a, poseA.position);
     return a.radius + b.radius - between.norm();
 }
 

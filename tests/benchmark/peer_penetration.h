@@ -32,7 +32,7 @@ private:
     std::vector<int> small_, large_;  // bodies that collide; large: larger than a cell
 };
 
-/// m; zero or negative: apart.
+/// m; zero or negative: apart. For boxes and spheres.
 double penetration(const Body& a, const Pose& poseA, const Body& b, const Pose& poseB);
 
 }  // namespace peers

@@ -100,6 +100,7 @@ Quality Watcher::finish() {
     quality_.drift = drift(scene_, states_);
     quality_.fastest = fastest(scene_, states_);
     quality_.lost = lostBodies(scene_, states_);
+    quality_.sunk = sunk(scene_, states_);
     return quality_;
 }
 
@@ -127,6 +128,7 @@ std::vector<std::string> ofStanding(const Scene& scene, const Quality& q) {
 std::vector<std::string> ofErrors(const Scene& scene, const Quality& q) {
     std::vector<std::string> parts;
     if (!scene.joints.empty()) parts.push_back("joints apart " + length(q.worstSeparation));
+    if (scene.ground) parts.push_back("below the ground " + length(q.sunk));
     if (scene.watchEnergy)
         parts.push_back("energy " + percent(q.energyLow) + " to " + percent(q.energyHigh));
     if (scene.watchMomentum)

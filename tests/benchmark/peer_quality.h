@@ -15,6 +15,7 @@ struct Quality {
     Drift drift;               // at the end
     double fastest = 0.0;      // m/s, at the end
     int lost = 0;              // bodies, at the end
+    double sunk = 0.0;         // m, into the ground, at the end
     std::uint64_t hash = 0;    // at the end
 
     Penetration penetration;        // at the end

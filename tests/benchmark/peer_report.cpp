@@ -38,6 +38,7 @@ void addRun(JsonLine& json, const Scene& scene, const Quality& q) {
     json.add("drift_vertical", q.drift.vertical);
     json.add("fastest", q.fastest);
     json.add("lost", q.lost);
+    if (scene.ground) json.add("sunk", q.sunk);
     json.add("hash", text("%016llx", static_cast<unsigned long long>(q.hash)));
 }
 

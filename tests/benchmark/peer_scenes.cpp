@@ -1,80 +1,11 @@
-#include "tests/benchmark/peer_scenes.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <numbers>
+
+#include "tests/benchmark/peer_parts.h"
 
 namespace peers {
 
 namespace {
-
-constexpr double kGravity = 9.81;  // m/s^2
-constexpr double kPi = std::numbers::pi;
-
-/// Numbers without a library: the same on every machine (Knuth's multiplier; the upper 31 bits).
-class Lcg {
-public:
-    /// Uniform in [low, high).
-    double number(double low, double high) {
-        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
-        const double share = static_cast<double>((state_ >> 33) & 0x7fffffff) / 2147483648.0;
-        return low + (high - low) * share;
-    }
-
-private:
-    std::uint64_t state_ = 12345;
-};
-
-Body box(const Vec3& halfSize, const Vec3& at, double density = 1000.0) {
-    Body body;
-    body.halfSize = halfSize, body.pose.position = at, body.density = density;
-    return body;
-}
-
-Body sphere(double radius, const Vec3& at, double density = 1000.0) {
-    Body body;
-    body.isBox = false;
-    body.radius = radius, body.pose.position = at, body.density = density;
-    return body;
-}
-
-Body cube(const Vec3& at, double density = 1000.0) { return box({.5, .5, .5}, at, density); }
-
-Body fixed(Body body) {
-    body.dynamic = false;
-    return body;
-}
-
-Body ghost(Body body) {
-    body.collide = false;
-    return body;
-}
-
-Quat turn(const Vec3& axis, double angle) {
-    const double x = axis.x(), y = axis.y(), z = axis.z();
-    const double s = std::sin(angle / 2) / std::sqrt(x * x + y * y + z * z);
-    return Quat(std::cos(angle / 2), x * s, y * s, z * s);
-}
-
-int add(Scene& scene, const Body& body) {
-    scene.bodies.push_back(body);
-    return static_cast<int>(scene.bodies.size()) - 1;
-}
-
-void addBall(Scene& scene, int a, int b, const Vec3& at) {
-    scene.joints.push_back({false, a, b, at});
-}
-
-void addHinge(Scene& scene, int a, int b, const Vec3& at) {
-    scene.joints.push_back({true, a, b, at, {0, 0, 1}});
-}
-
-/// Its top is y = 0.
-void addFloor(Scene& scene) {
-    add(scene, fixed(box({100, 1, 100}, {0, -1, 0})));
-    scene.lostBelow = -5.0;
-}
 
 /// Joints only: nothing collides, so there is nothing to penetrate.
 Scene jointScene() {
@@ -83,27 +14,12 @@ Scene jointScene() {
     return scene;
 }
 
-/// Twenty cubes: does a tower stand when the solver has too few sweeps for its height?
-Scene stack() {
+/// A tower: does it stand when the solver has too few sweeps for its height?
+Scene stack(int cubes) {
     Scene scene;
     scene.shouldStand = true;
     addFloor(scene);
-    for (int i = 0; i < 20; ++i) add(scene, cube({0, i + 0.5, 0}));
-    return scene;
-}
-
-/// Touching cubes, `base` at the bottom and one at the top: weight on many paths, and the
-/// cost of many contacts. The layout of Box3D's CreateLargePyramid.
-Scene pyramid(int base) {
-    Scene scene;
-    scene.shouldStand = true;
-    addFloor(scene);
-    const double h = 0.5;
-    for (int row = 0; row < base; ++row)
-        for (int i = row; i < base; ++i) {
-            const double x = (row + 1.0) * h + 2.0 * (i - row) * h - h * base;
-            add(scene, cube({x, (2.0 * row + 1) * h, 0}));
-        }
+    for (int i = 0; i < cubes; ++i) add(scene, cube({0, i + 0.5, 0}));
     return scene;
 }
 
@@ -122,24 +38,6 @@ Scene wall() {
             add(scene, box({.25, .5, .5}, {9.75, y, 0}));
         }
     }
-    return scene;
-}
-
-/// A chain of 100 links, released level: joints that carry each other's weight.
-Scene chain() {
-    Scene scene = jointScene();
-    scene.watchEnergy = true;
-    const int links = 100;
-    const double length = 0.5;
-    int previous = add(scene, ghost(fixed(sphere(0.05, {0, 0, 0}))));
-    double mass = 0.0;
-    for (int i = 0; i < links; ++i) {
-        const int link = add(scene, ghost(box({.25, .1, .1}, {length * (i + 0.5), 0, 0})));
-        mass += scene.bodies[link].mass();
-        addBall(scene, previous, link, {length * i, 0, 0});
-        previous = link;
-    }
-    scene.energyScale = mass * kGravity * 0.5 * links * length;
     return scene;
 }
 
@@ -223,7 +121,7 @@ Scene pile() {
                 const double z = (k - 4.5) * 1.2 + random.number(-.08, .08);
                 const Vec3 at{x, 1.0 + layer * 1.2, z};
                 Body body = (i + k + layer) % 2 == 1 ? sphere(.5, at) : box({.45, .45, .45}, at);
-                if (body.isBox) {
+                if (body.kind == Kind::box) {
                     const double angle = random.number(0, 0.6);
                     const double u = random.number(-1, 1), v = random.number(-1, 1);
                     body.pose.rotation = turn({u, v, random.number(.1, 1)}, angle);
@@ -233,11 +131,10 @@ Scene pile() {
     return scene;
 }
 
-/// A cloth of 50 x 50 spheres, held at one edge: loops of joints.
-Scene grid() {
+/// A cloth of n x n spheres, held at one edge: loops of joints.
+Scene grid(int n) {
     Scene scene = jointScene();
     scene.watchEnergy = true;
-    const int n = 50;
     double mass = 0.0;
     for (int k = 0; k < n; ++k)
         for (int i = 0; i < n; ++i) {
@@ -287,6 +184,27 @@ Scene freeSpin() {
     return scene;
 }
 
+/// A pendulum that begins 10 degrees from the top.
+Scene highPendulum() {
+    const double angle = 170 * kPi / 180;
+    Scene scene = pendulum(sphere(.05, {std::sin(angle), -std::cos(angle), 0}));
+    scene.energyScale = scene.bodies[1].mass() * kGravity * (1.0 - std::cos(angle));
+    return scene;
+}
+
+/// A ball that keeps its energy at every bounce, for 30 s.
+Scene bouncingBall() {
+    Scene scene;
+    addFloor(scene);
+    scene.watchEnergy = true;
+    scene.restitution = 1.0;
+    scene.seconds = 30;
+    const double radius = 0.25, height = 2.0;
+    add(scene, sphere(radius, {0, radius + height, 0}));
+    scene.energyScale = scene.bodies[1].mass() * kGravity * height;
+    return scene;
+}
+
 /// A cube on a slope. 30 degrees: tan = .577 < mu, it must stick. 32 degrees: tan = .625 > mu, it
 /// must slide with a = g (sin - mu cos).
 Scene incline(int degrees) {
@@ -330,25 +248,43 @@ struct Entry {
 };
 
 constexpr Entry kScenes[] = {
-    {"S1", stack},
-    {"S1p", [] { return perturbed(stack()); }},
+    {"S1", [] { return stack(20); }},
+    {"S1p", [] { return perturbed(stack(20)); }},
+    {"S1h", [] { return lasting(120, perturbed(stack(30))); }},
     {"S2", [] { return pyramid(20); }},
     {"S3", [] { return pyramid(60); }},
     {"S3L", [] { return lasting(40, pyramid(60)); }},
     {"S4", wall},
-    {"S5", chain},
+    {"S4p", [] { return perturbed(wall()); }},
+    {"S5", [] { return chain(100); }},
+    {"S5c", [] { return lasting(120, chain(10)); }},
     {"S6v", [] { return heavyBall(false); }},
     {"S6h", [] { return heavyBall(true); }},
     {"S7", bridge},
     {"S8", pile},
-    {"S9", grid},
+    {"S9", [] { return grid(50); }},
     {"S10", [] { return pendulum(sphere(.05, {1, 0, 0})); }},
     {"S10b", [] { return pendulum(box({.5, .05, .05}, {.5, 0, 0})); }},
+    {"S10h", highPendulum},
     {"S11", heavyOnTop},
     {"S11p", [] { return perturbed(heavyOnTop()); }},
     {"S12", freeSpin},
     {"S13a", [] { return incline(30); }},
     {"S13b", [] { return incline(32); }},
+    {"S14", bouncingBall},
+    {"S15", thrownRods},
+    {"C1", ragdolls},
+    {"C2", meshCrowd},
+    {"C3", hullPile},
+    {"C4", turningDrum},
+    {"C5", manyPyramids},
+    {"C6", [] { return grid(40); }},
+    {"C7", [] { return spacedCubes(100, true); }},
+    {"C7f", [] { return spacedCubes(100, false); }},
+    {"C8", [] { return spacedCubes(224, true); }},
+    {"C8f", [] { return spacedCubes(224, false); }},
+    {"C9", asleep},
+    {"C10", wheelBesidePyramid},
     {"P20", [] { return pyramid(20); }},
     {"P40", [] { return pyramid(40); }},
     {"P60", [] { return pyramid(60); }},
@@ -357,20 +293,37 @@ constexpr Entry kScenes[] = {
 
 }  // namespace
 
-double Body::mass() const {
-    if (!isBox) return density * 4.0 / 3 * kPi * radius * radius * radius;
-    return density * 8 * halfSize.x() * halfSize.y() * halfSize.z();
+/// Touching cubes, `base` at the bottom and one at the top: weight on many paths, and the
+/// cost of many contacts. The layout of Box3D's CreateLargePyramid.
+Scene pyramid(int base) {
+    Scene scene;
+    scene.shouldStand = true;
+    addFloor(scene);
+    const double h = 0.5;
+    for (int row = 0; row < base; ++row)
+        for (int i = row; i < base; ++i) {
+            const double x = (row + 1.0) * h + 2.0 * (i - row) * h - h * base;
+            add(scene, cube({x, (2.0 * row + 1) * h, 0}));
+        }
+    return scene;
 }
 
-Vec3 Body::inertia() const {
-    const double m = mass();
-    if (!isBox) return Vec3::Constant(0.4 * m * radius * radius);
-    const double xx = halfSize.x() * halfSize.x(), yy = halfSize.y() * halfSize.y(),
-                 zz = halfSize.z() * halfSize.z();
-    return {m / 3 * (yy + zz), m / 3 * (xx + zz), m / 3 * (xx + yy)};
+Scene chain(int links) {
+    Scene scene;
+    scene.watchPenetration = false;
+    scene.watchEnergy = true;
+    const double length = 0.5;
+    int previous = add(scene, ghost(fixed(sphere(0.05, {0, 0, 0}))));
+    double mass = 0.0;
+    for (int i = 0; i < links; ++i) {
+        const int link = add(scene, ghost(box({.25, .1, .1}, {length * (i + 0.5), 0, 0})));
+        mass += scene.bodies[link].mass();
+        addBall(scene, previous, link, {length * i, 0, 0});
+        previous = link;
+    }
+    scene.energyScale = mass * kGravity * 0.5 * links * length;
+    return scene;
 }
-
-double Body::reach() const { return isBox ? halfSize.norm() : radius; }
 
 int Scene::stepCount() const { return static_cast<int>(std::lround(seconds / step)); }
 

@@ -171,7 +171,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"stack", goldenStack, 300, 0x0316abca93544d1a},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
         {"chain", goldenChain, 300, 0x367fe6a2f3964c80},
-        {"pyramid", goldenPyramid, 60, 0x59c1ff4e6ad22efa},
+        {"pyramid", goldenPyramid, 60, 0xdd09f31fad8c50c6},
         {"forces", goldenForces, 300, 0x78cd3556c226e295},
         {"machine", goldenMachine, 300, 0x21daa461b70e233c},
         {"shapes", goldenShapes, 180, 0xfd5b2a26dde05ff9},
