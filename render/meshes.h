@@ -14,7 +14,7 @@ inline constexpr std::array<int, 6> kBallCorners = {12, 16, 20, 28, 44, 64};
 inline constexpr std::array<int, 3> kBarCorners = {6, 10, 20};
 using ByCorners = std::array<std::vector<Instance>, kBallCorners.size()>;
 
-/// The detail of round shapes: as the picture needs it, or one step coarser for the shadow map and
+/// The detail of round shapes: as the picture needs it, or one step coarser for
 /// the depths of ambient occlusion, where an error of two thirds of a pixel is not visible.
 enum class Detail { fine, coarse };
 

@@ -30,7 +30,7 @@ struct RendererSettings {
     ContextKind context = ContextKind::automatic;  // kind of the OpenGL context
 };
 
-/// Texels per side of a picture's shadow map: a fifth more than its longer side, 512 to 4096.
+/// Texels per side of a picture's shadow map: 8/5 of its longer side, 512 to 4096.
 int shadowTexels(const RendererSettings& settings);
 
 /// The stages of drawing a picture, in this order.

@@ -47,7 +47,7 @@ float inSteps(float length) {
 
 int shadowTexels(const RendererSettings& settings) {
     if (settings.shadowSize > 0) return settings.shadowSize;
-    const int wanted = 6 * std::max(settings.width, settings.height) / 5;
+    const int wanted = 8 * std::max(settings.width, settings.height) / 5;
     return std::clamp((wanted + 255) / 256 * 256, 512, 4096);
 }
 
@@ -118,7 +118,7 @@ void ShadowPass::draw(const Frame& frame, const Vec3& toLight, const Meshes& mes
     toClip(1, 1) = 1.0f / half_.y();
     toClip(2, 2) = -1.0f / depth_;
     glCullFace(GL_FRONT);  // the picture's rows go down, the map's go up
-    meshes.drawWith(program_, toClip * worldToLight_, Detail::coarse);
+    meshes.drawWith(program_, toClip * worldToLight_, Detail::fine);
     glCullFace(GL_BACK);
 }
 

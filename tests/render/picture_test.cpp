@@ -96,8 +96,8 @@ void expectGolden(const std::string& name, const Frame& frame) {
 TEST(ShadowMap, GrowsWithThePictureWithinBounds) {
     const auto texels = [](int width, int height) { return shadowTexels(small(width, height)); };
     EXPECT_EQ(texels(192, 108), 512);
-    EXPECT_EQ(texels(1280, 720), 1536);
-    EXPECT_EQ(texels(720, 1280), 1536);
+    EXPECT_EQ(texels(1280, 720), 2048);
+    EXPECT_EQ(texels(720, 1280), 2048);
     EXPECT_EQ(texels(3840, 2160), 4096);
     RendererSettings own = small();
     own.shadowSize = 700;
