@@ -45,14 +45,14 @@ class Contexts : public testing::Test {
 protected:
     /// The PNG from a separate process: the driver reads its environment once. Empty: it failed.
     std::vector<std::uint8_t> drawn(
-        ContextKind kind, bool reproducible, void (*before)() = [] {}) {
+        ContextKind kind, bool reproducible, void (*before)() = [] {}, int threads = 0) {
         const std::filesystem::path file = folder_ / std::to_string(++drawn_);
         const pid_t child = fork();
         if (child == 0) {
             before();
             try {
                 RendererSettings s;
-                s.width = 320, s.height = 180, s.threads = 0;
+                s.width = 320, s.height = 180, s.threads = threads;
                 s.reproducible = reproducible, s.context = kind;
                 Renderer renderer(s);
                 writeFileAtomically(file, encodePng(renderer.draw(stillLife())));
@@ -126,6 +126,15 @@ TEST_F(Contexts, TheUsersEnvironmentDoesNotReachTheDriver) {
             EXPECT_TRUE(drawn(kind, reproducible, hostile) == calm)
                 << nameOf(kind) << (reproducible ? ", reproducible" : "");
         }
+}
+
+TEST_F(Contexts, ThreadsDoNotChangePixels) {
+    const auto drawnBy = [&](int threads) {
+        return drawn(ContextKind::automatic, true, [] {}, threads);
+    };
+    const auto alone = drawnBy(0);
+    ASSERT_FALSE(alone.empty());
+    EXPECT_EQ(drawnBy(2), alone);
 }
 
 TEST_F(Contexts, AutoTakesTheFirst) {

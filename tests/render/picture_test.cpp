@@ -1,8 +1,6 @@
 // Golden frames: small pictures stored in tests/golden, drawn in the reproducible class of pixels.
 // IMPULSE_UPDATE_GOLDEN=1 writes them again; check them before you commit them.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -77,11 +75,8 @@ Image golden(const std::string& name, const Image& actual) {
 }
 
 /// There is one renderer: the first one in a process decides the class of pixels.
-bool rendererMade = false;
-
 Renderer& renderer() {
     static Renderer one(small());
-    rendererMade = true;
     return one;
 }
 
@@ -135,32 +130,6 @@ TEST(Renderer, DrawsTheSameFrameTwiceToTheByte) {
 }
 
 // A second renderer in its own process with another number of threads draws the same pixels.
-TEST(Renderer, ThreadsDoNotChangePixels) {
-    if (rendererMade) GTEST_SKIP() << "the driver's threads do not survive a fork; run it alone";
-    const auto drawnWith = [](int threads) {
-        const std::string name =
-            testing::TempDir() + "threads" + std::to_string(::getpid()) + std::to_string(threads);
-        const pid_t child = fork();
-        if (child == 0) {
-            RendererSettings s = small();
-            s.threads = threads;
-            Renderer r(s);
-            writeFileAtomically(name, encodePng(r.draw(still())));
-            _exit(0);
-        }
-        int status = 0;
-        waitpid(child, &status, 0);
-        EXPECT_EQ(status, 0);
-        std::ifstream file(name, std::ios::binary);
-        std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
-        std::filesystem::remove(name);
-        return bytes;
-    };
-    const std::vector<char> alone = drawnWith(0);
-    EXPECT_FALSE(alone.empty());
-    EXPECT_EQ(drawnWith(2), alone);
-}
-
 TEST(Renderer, RefusesSizesItCannotDraw) {
     for (const auto& [w, h] : {std::pair{0, 10}, {10, 16385}, {-1, 10}}) {
         try {
