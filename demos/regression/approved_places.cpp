@@ -63,17 +63,6 @@ fs::path placeOf(const SceneVerdict& scene, const std::string& baselines) {
     return place;
 }
 
-/// Whether a folder NAME.snapshots belongs to a scene after all.
-bool hasScene(const fs::path& folder, const std::string& baselines) {
-    if (!baselines.empty()) return false;  // the scenes may be anywhere
-    std::error_code ignored;
-    const std::string name = folder.stem().string();
-    const fs::path home = folder.parent_path();
-    return (isBuiltin(name) && realPath(home) == realPath(homeOf(name, ""))) ||
-           fs::exists(home / (name + ".toml"), ignored) ||
-           fs::exists(home / (name + ".xml"), ignored);
-}
-
 /// Orphans are found where scenes have their baselines, nowhere else. `scenes`: real paths.
 fs::path orphanAt(const std::string& orphan, const std::string& baselines,
                   const std::vector<fs::path>& scenes) {
@@ -81,7 +70,7 @@ fs::path orphanAt(const std::string& orphan, const std::string& baselines,
     const bool beside = std::ranges::any_of(
         scenes, [&](const fs::path& scene) { return scene.parent_path() == real.parent_path(); });
     if (folder.extension() == kSnapshotsEnding && orphan.find('\0') == std::string::npos &&
-        beside && std::ranges::find(scenes, real) == scenes.end() && !hasScene(folder, baselines))
+        beside && std::ranges::find(scenes, real) == scenes.end() && isOrphan(folder, baselines))
         return folder;
     refusePlace("calls " + quoted(orphan) + " a baseline without a scene, which it is not");
 }

@@ -64,6 +64,7 @@ Trajectory trajectoryFrom(const std::string& text) {
 Baseline baselineOf(const Json& json) {
     Baseline baseline;
     json.at("scene").get_to(baseline.scene);
+    baseline.home = json.value("home", "");
     json.at("impulse").get_to(baseline.version);
     json.at("renderer").get_to(baseline.renderer);
     json.at("pixels").get_to(baseline.pixels);
@@ -92,6 +93,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
     Json json{{"format", kBaselineFormat}, {"impulse", baseline.version},
               {"scene", baseline.scene},   {"renderer", baseline.renderer},
               {"pixels", baseline.pixels}, {"size", {baseline.width, baseline.height}}};
+    if (!baseline.home.empty()) json["home"] = baseline.home;
     Json& settings = json["settings"] = Json::object();
     for (const auto& [key, value] : baseline.settings) settings[key] = value;
     json["pictures"] = picturesJson(baseline);

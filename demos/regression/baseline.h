@@ -31,6 +31,8 @@ struct BaselineIncident {
 
 struct Baseline {
     std::string scene;             // its name
+    std::string home;              // the folder of the scene's file, from NAME.snapshots;
+                                   // kBuiltinHome; empty: not known
     std::string version;           // of the program
     std::string renderer, pixels;  // as in run.json
     int width = 0, height = 0;     // pixels
@@ -48,6 +50,7 @@ public:
 };
 
 inline constexpr std::uintmax_t kMostPictureBytes = 256u << 20;
+inline constexpr const char* kBuiltinHome = "built-in";
 inline constexpr const char* kBaselineFile = "baseline.json";
 inline constexpr const char* kSnapshotsEnding = ".snapshots";
 

@@ -7,6 +7,7 @@
 #include "demos/film/outputs.h"
 #include "demos/regression/divergence.h"
 #include "demos/regression/run_settings.h"
+#include "demos/regression/scene_choice.h"
 #include "demos/text/complaints.h"
 #include "demos/text/text_hash.h"
 #include "demos/text/version.h"
@@ -94,10 +95,12 @@ SceneVerdict::State stateOf(const SceneVerdict& verdict) {
 
 }  // namespace
 
-Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene) {
+Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene,
+                const fs::path& folder) {
     Actual actual;
     Baseline& baseline = actual.baseline;
     baseline.scene = plan.name;
+    baseline.home = homeSeenFrom(folder, scene);
     baseline.version = kVersion;
     baseline.renderer = played.renderer;
     baseline.pixels = render::pixelClass(plan.picture.reproducible);

@@ -14,7 +14,9 @@ struct Actual {
     std::vector<std::vector<std::uint8_t>> png;  // by index in baseline.pictures
 };
 
-Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene);
+/// `scene`: as given on the command line; `folder`: of the baseline.
+Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene,
+                const std::filesystem::path& folder);
 
 /// Fills in physics, pictures, settings, expectations and the resulting state. `folder`: of the
 /// baseline. Problems with the baseline are reported in the verdict, not thrown.

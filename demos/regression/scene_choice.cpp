@@ -94,7 +94,8 @@ private:
             for (const fs::path& folder : sorted(home.empty() ? "." : home, kSnapshotsEnding)) {
                 std::error_code ignored;
                 if (!names_.count(folder.stem().string()) &&
-                    fs::exists(folder / kBaselineFile, ignored))
+                    fs::exists(folder / kBaselineFile, ignored) &&
+                    isOrphan(folder, options_.baselines))
                     choice_.orphans.push_back(folder.string());
             }
     }
@@ -106,11 +107,41 @@ private:
     bool whole_ = true;
 };
 
+/// Empty if the baseline cannot be read.
+std::string homeIn(const fs::path& folder) try {
+    const std::optional<Baseline> baseline = readBaseline(folder);
+    return baseline ? baseline->home : "";
+} catch (const BaselineError&) {
+    return "";
+}
+
+bool hasSceneFile(const fs::path& home, const std::string& name) {
+    std::error_code ignored;
+    return fs::exists(home / (name + ".toml"), ignored) ||
+           fs::exists(home / (name + ".xml"), ignored);
+}
+
 }  // namespace
 
 fs::path homeOf(const std::string& scene, const std::string& baselines) {
     if (!baselines.empty()) return baselines;
     return isBuiltin(scene) ? fs::path("snapshots") : fs::path(scene).parent_path();
+}
+
+std::string homeSeenFrom(const fs::path& folder, const std::string& scene) {
+    if (isBuiltin(scene)) return kBuiltinHome;
+    std::error_code ignored;
+    const fs::path home = fs::absolute(fs::path(scene), ignored).parent_path();
+    return fs::relative(home, fs::absolute(folder, ignored), ignored).string();
+}
+
+bool isOrphan(const fs::path& folder, const std::string& baselines) {
+    const std::string home = homeIn(folder), name = folder.stem().string();
+    if (home == kBuiltinHome) return !isBuiltin(name);
+    if (!home.empty()) return !hasSceneFile(folder / home, name);
+    const fs::path here = folder.parent_path();
+    return baselines.empty() && !hasSceneFile(here, name) &&
+           !(isBuiltin(name) && here.filename() == homeOf(name, ""));
 }
 
 SceneChoice chooseScenes(const TestOptions& options) { return Chooser(options).choose(); }

@@ -16,12 +16,20 @@ struct ChosenScene {
 
 struct SceneChoice {
     std::vector<ChosenScene> scenes;
-    std::vector<std::string> orphans;  // folders NAME.snapshots without a scene NAME, sorted
+    std::vector<std::string> orphans;  // folders NAME.snapshots whose scenes are gone, sorted
     std::vector<std::string> notes;    // files that were skipped, a line each
 };
 
 /// The folder that holds a scene's NAME.snapshots; `baselines`: the option; empty: not given.
 std::filesystem::path homeOf(const std::string& scene, const std::string& baselines);
+
+/// What a baseline in `folder` keeps of where its scene is: Baseline::home.
+std::string homeSeenFrom(const std::filesystem::path& folder, const std::string& scene);
+
+/// Whether a folder NAME.snapshots has lost its scene: there is no scene NAME where its own was. A
+/// baseline that does not tell is compared with the scenes next to it; in the folder `baselines` it
+/// is no orphan, as its scene may be anywhere.
+bool isOrphan(const std::filesystem::path& folder, const std::string& baselines);
 
 /// Throws SceneError for a word that is not a scene, Stop (usage) if two scenes have the same name
 /// or a folder has no scene.

@@ -56,6 +56,29 @@ TEST_F(Approvals, PruneOrphans) {
     EXPECT_TRUE(has("old.snapshots/notes.txt"));
 }
 
+/// Two folders of scenes keep their baselines in one place, and are tested one after the other.
+TEST_F(Approvals, PruneNoBaselineWhoseSceneIsInAnotherFolder) {
+    for (const char* file : {"a/ball.toml", "b/box.toml", "b/gone.toml"}) {
+        fs::create_directories((folder / file).parent_path());
+        write(folder / file, kBallOnABox);
+    }
+    const auto testOf = [&](const char* scenes) {
+        return impulse({"test", scenes, "--baselines", "kept"});
+    };
+    ASSERT_EQ(testOf("a").code, 0);
+    ASSERT_EQ(testOf("b").code, 0);
+    EXPECT_EQ(testOf("a").out.find("belongs to no scene"), std::string::npos);
+    ASSERT_EQ(impulse({"approve", "--prune", "--baselines", "kept"}).code, 0);
+    EXPECT_TRUE(has("kept/box.snapshots/baseline.json"));
+    fs::remove(folder / "b/gone.toml");
+    const std::string said = testOf("a").out;
+    EXPECT_NE(said.find("gone.snapshots belongs to no scene"), std::string::npos) << said;
+    ASSERT_EQ(impulse({"approve", "--prune", "--baselines", "kept"}).code, 0);
+    EXPECT_FALSE(has("kept/gone.snapshots"));
+    EXPECT_TRUE(has("kept/box.snapshots/baseline.json"));
+    EXPECT_TRUE(has("kept/ball.snapshots/baseline.json"));
+}
+
 class EditedReport : public Snapshots {
 protected:
     EditedReport() {
