@@ -63,7 +63,9 @@ public:
           choice_(chooseScenes(options)),
           results_(options.outputs.empty() ? "output/test" : options.outputs.front()),
           cache_(results_ / "passed.json"),
-          run_{options, results_, updateOf(options), {}, options.cache ? &cache_ : nullptr} {
+          run_{options, results_, updateOf(options), {}, nullptr} {
+        // What passes within tolerances may still be written again.
+        if (options.cache && run_.update != Update::all) run_.cache = &cache_;
         checkApart(choice_, results_);
     }
 

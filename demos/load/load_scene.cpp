@@ -62,6 +62,14 @@ SceneDescription loadScene(const std::string& nameOrPath,
                      path.parent_path());
 }
 
+SceneValues valuesOf(const std::string& nameOrPath, const std::vector<std::string>& overrides) {
+    if (const BuiltinScene* scene = findBuiltin(nameOrPath))
+        return sceneValues(scene->text, nameOrPath + ".toml", overrides, std::nullopt);
+    const fs::path path(nameOrPath);
+    if (path.extension() == ".xml") return sceneValues("", nameOrPath, overrides, std::nullopt);
+    return sceneValues(readSceneFile(path), nameOrPath, overrides, path.parent_path());
+}
+
 std::string sceneText(const std::string& nameOrPath) {
     if (const BuiltinScene* scene = findBuiltin(nameOrPath)) return std::string(scene->text);
     if (fs::path(nameOrPath).extension() == ".xml") return readSceneFile(nameOrPath);

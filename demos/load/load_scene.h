@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "demos/scene/description.h"
+#include "demos/scene/scene_values.h"
 
 namespace demos {
 
@@ -11,6 +12,9 @@ namespace demos {
 /// nearest.
 SceneDescription loadScene(const std::string& nameOrPath,
                            const std::vector<std::string>& overrides = {});
+
+/// A valid scene's values, to compare two versions of it. A MuJoCo model has none but --set.
+SceneValues valuesOf(const std::string& nameOrPath, const std::vector<std::string>& overrides);
 
 /// The text of a valid scene, with that of all files it includes.
 std::string sceneText(const std::string& nameOrPath);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "demos/regression/scene_inputs.h"
 #include "demos/regression/trajectory_codec.h"
 #include "demos/text/base64.h"
 #include "demos/text/complaints.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kBaselineFormat = 1;
+constexpr int kBaselineFormat = 2, kOldestBaseline = 1;
 constexpr std::size_t kMostTrajectory = 32 * 1024,
                       kMostBody = 200;  // bytes per trajectory, and more per body
 constexpr const char* kAgain = "; accept the scene again with impulse test --update changed";
@@ -76,6 +77,8 @@ Baseline baselineOf(const Json& json) {
         baseline.pictures.push_back({picture.at("time").get<double>(),
                                      fromHex(picture.at("state").get<std::string>()).value(),
                                      fromHex(picture.at("png").get<std::string>()).value()});
+    if (json.contains("inputs"))
+        baseline.inputs = unpackedInputs(json["inputs"].get<std::string>());
     json.at("course").get_to(baseline.trajectoryText);
     baseline.trajectory = trajectoryFrom(baseline.trajectoryText);
     for (const Json& incident : json.value("incidents", Json::array()))
@@ -96,6 +99,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
     if (!baseline.home.empty()) json["home"] = baseline.home;
     Json& settings = json["settings"] = Json::object();
     for (const auto& [key, value] : baseline.settings) settings[key] = value;
+    if (!baseline.inputs.empty()) json["inputs"] = packedInputs(baseline.inputs);
     json["pictures"] = picturesJson(baseline);
     json["course"] = trajectoryText(baseline, tolerance);
     if (!baseline.incidents.empty()) json["incidents"] = incidentsJson(baseline);
@@ -106,7 +110,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
 Baseline baselineFrom(const std::string& text, const std::string& name) try {
     checkJson(text, kBaselineJson);
     Json json = Json::parse(text);
-    if (const int format = json.at("format").get<int>(); format != kBaselineFormat)
+    if (const int format = json.at("format").get<int>(); format < kOldestBaseline || format > kBaselineFormat)
         throw BaselineError(fmt::format(
             "{} has format {}, but this impulse reads {}; {}", name, format, kBaselineFormat,
             format > kBaselineFormat ? "use a newer impulse" : "accept the scene again"));

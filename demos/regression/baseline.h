@@ -37,6 +37,7 @@ struct Baseline {
     std::string renderer, pixels;  // as in run.json
     int width = 0, height = 0;     // pixels
     Settings settings;             // that may make another run differ
+    Settings inputs;               // the scene's values (scene_inputs.h); none: not known
     std::vector<BaselinePicture> pictures;  // by time
     Trajectory trajectory;
     std::string trajectoryText;  // as it was read, so that writing it does not round it again

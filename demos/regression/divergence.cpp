@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
+#include "demos/regression/loads.h"
+#include "demos/regression/trajectory_codec.h"
 #include "demos/text/complaints.h"
 
 namespace demos {
@@ -92,6 +95,8 @@ public:
         result_.firstBits = firstDifferent(baseline_, actual_);
         compareBodies();
         if (result_.firstBits != kNone) compareMoments();
+        if (result_.kind != PhysicsVerdict::Kind::changed) compareLoads();
+        tellMasses();
         if (result_.kind != PhysicsVerdict::Kind::changed)
             result_.kind = result_.firstBits == kNone ? PhysicsVerdict::Kind::same
                                                       : PhysicsVerdict::Kind::bits;
@@ -107,9 +112,9 @@ private:
             const auto first = std::find(places.begin(), places.end(), kNone);
             if (missing == 0) return;
             result_.kind = PhysicsVerdict::Kind::changed;
-            result_.lines.push_back(fmt::format(
-                "body {} is {}{}", printable(names[first - places.begin()]), what,
-                missing > 1 ? fmt::format(", and {} others", missing - 1) : ""));
+            result_.lines.push_back(
+                fmt::format("body {} is {}{}", printable(names[first - places.begin()]), what,
+                            missing > 1 ? fmt::format(", and {} others", missing - 1) : ""));
         };
         tell(baseline_.bodies, places_, "gone");
         tell(actual_.bodies, placesOf(actual_.bodies, baseline_.bodies), "new");
@@ -123,7 +128,9 @@ private:
             while (actual != actual_.moments.end() && actual->step < moment.step) ++actual;
             if (actual == actual_.moments.end()) break;
             if (actual->step != moment.step) continue;
-            const Apart worst = worstOf(moment, *actual);
+            const Apart worst = worstOf(moment, *actual, tolerance_);
+            if (apartFrom_ == Trajectory::kAll && worstOf(moment, *actual, {}).used > 1.0)
+                apartFrom_ = moment.step;
             if (result_.step == kNone) result_.every = moment.step - before;
             if (worst.used > 1.0 && result_.step == kNone) tellFirst(worst, moment, *actual);
             before = moment.step;
@@ -137,11 +144,44 @@ private:
                             fieldDifference(farthest.field, farthest.difference)));
     }
 
-    Apart worstOf(const TrajectoryMoment& baseline, const TrajectoryMoment& actual) const {
+    /// Only while the bodies are where they were: a pile that falls otherwise has other loads.
+    void compareLoads() {
+        const std::optional<LoadChange> change =
+            changedLoad(baseline_, actual_, places_, apartFrom_, tolerance_.load);
+        if (!change) return;
+        result_.kind = PhysicsVerdict::Kind::changed;
+        result_.step = change->first;
+        result_.body = baseline_.bodies[change->body];
+        result_.field = "load";
+        result_.difference = change->after - change->before;
+        result_.used = change->used;
+        result_.lines.push_back(fmt::format(
+            "step {} ({}): the load of {} differs: {:.4g} -> {:.4g} N, mean until step {}",
+            change->first, timeText(change->first), printable(result_.body), change->before,
+            change->after, change->last));
+    }
+
+    void tellMasses() {
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < baseline_.masses.size(); ++i) {
+            if (places_[i] == kNone || actual_.masses.empty()) continue;
+            const double was = baseline_.masses[i], is = actual_.masses[places_[i]];
+            if (std::abs(is - was) > 1e-9 * was)
+                texts.push_back(fmt::format("the mass of {} differs: {:.6g} -> {:.6g} kg",
+                                            printable(baseline_.bodies[i]), was, is));
+        }
+        if (texts.empty()) return;
+        const std::string more =
+            texts.size() > 1 ? fmt::format(" (and {} more)", texts.size() - 1) : "";
+        result_.lines.push_back(texts.front() + more);
+    }
+
+    Apart worstOf(const TrajectoryMoment& baseline, const TrajectoryMoment& actual,
+                  const Tolerance& tolerance) const {
         Apart worst;
         for (std::size_t i = 0; i < baseline.poses.size(); ++i) {
             if (places_[i] == kNone) continue;
-            Apart own = apart(baseline.poses[i], actual.poses[places_[i]], tolerance_);
+            Apart own = apart(baseline.poses[i], actual.poses[places_[i]], tolerance);
             own.body = static_cast<int>(i);
             if (own.used > worst.used) worst = own;
         }
@@ -172,9 +212,10 @@ private:
             result_.lines.push_back(fmt::format("the bits differ from step {} on ({})",
                                                 result_.firstBits, timeText(result_.firstBits)));
         if (result_.every > 1)
-            result_.lines.push_back(fmt::format("the baseline keeps one step in {} here, so the "
-                                                "difference may begin up to {} steps earlier",
-                                                result_.every, result_.every - 1));
+            result_.lines.push_back(
+                fmt::format("the baseline keeps one step in {} here, so the "
+                            "difference may begin up to {} steps earlier",
+                            result_.every, result_.every - 1));
     }
 
     /// Finds the constraint whose impulse differs most in this step.
@@ -194,22 +235,21 @@ private:
     }
 
     void tellBits() {
-        result_.lines.push_back(
-            fmt::format("the bits differ from step {} on ({}), within the tolerances of {} and "
-                        "{:.3g} deg: {:.2g} % of them used",
-                        result_.firstBits, timeText(result_.firstBits),
-                        lengthText(tolerance_.position), tolerance_.angleDegrees,
-                        100.0 * result_.used));
+        result_.lines.push_back(fmt::format(
+            "the bits differ from step {} on ({}), within the tolerances of {} and "
+            "{:.3g} deg: {:.2g} % of them used",
+            result_.firstBits, timeText(result_.firstBits), lengthText(tolerance_.position),
+            tolerance_.angleDegrees, 100.0 * result_.used));
     }
 
     std::string nameOf(const Apart& worst) const { return printable(baseline_.bodies[worst.body]); }
-    std::string timeText(int step) const {
-        return fmt::format("{:.4g} s", baseline_.timeOf(step));
-    }
+    std::string timeText(int step) const { return fmt::format("{:.4g} s", baseline_.timeOf(step)); }
 
     const Trajectory& baseline_;
     const Trajectory& actual_;
     const Tolerance& tolerance_;
+    int apartFrom_ =
+        Trajectory::kAll;      // first step in which a pose is beyond the default tolerance
     std::vector<int> places_;  // index in the actual run of each of the baseline's bodies
     PhysicsVerdict result_;
 };
@@ -218,6 +258,12 @@ private:
 
 PhysicsVerdict diverge(const Trajectory& baseline, const Trajectory& actual,
                        const Tolerance& tolerance) {
+    // A moment has the impulses since the one before, so both runs need the same moments.
+    const int dense = std::min(baseline.dense, actual.dense);
+    if (actual.dense != dense)
+        return Comparison(baseline, thinned(actual, dense), tolerance).verdict();
+    if (baseline.dense != dense)
+        return Comparison(thinned(baseline, dense), actual, tolerance).verdict();
     return Comparison(baseline, actual, tolerance).verdict();
 }
 

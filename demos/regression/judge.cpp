@@ -7,7 +7,7 @@
 #include "demos/film/outputs.h"
 #include "demos/regression/divergence.h"
 #include "demos/regression/run_settings.h"
-#include "demos/regression/scene_choice.h"
+#include "demos/regression/scene_inputs.h"
 #include "demos/text/complaints.h"
 #include "demos/text/text_hash.h"
 #include "demos/text/version.h"
@@ -31,9 +31,10 @@ std::string obstacle(const Baseline& baseline, const Actual& actual) {
             "it with impulse test --update changed",
             baseline.trajectory.hz, now.trajectory.hz);
     if (baseline.width != now.width || baseline.height != now.height)
-        return fmt::format("the baseline's pictures are {}x{}, those of the scene {}x{}; accept it "
-                           "with impulse test --update changed",
-                           baseline.width, baseline.height, now.width, now.height);
+        return fmt::format(
+            "the baseline's pictures are {}x{}, those of the scene {}x{}; accept it "
+            "with impulse test --update changed",
+            baseline.width, baseline.height, now.width, now.height);
     return {};
 }
 
@@ -95,18 +96,19 @@ SceneVerdict::State stateOf(const SceneVerdict& verdict) {
 
 }  // namespace
 
-Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene,
-                const fs::path& folder) {
+Actual actualOf(const TestRun& played, const FilmPlan& plan, const ChosenScene& chosen,
+                const std::vector<std::string>& overrides) {
     Actual actual;
     Baseline& baseline = actual.baseline;
     baseline.scene = plan.name;
-    baseline.home = homeSeenFrom(folder, scene);
+    baseline.home = homeSeenFrom(chosen.folder, chosen.scene);
     baseline.version = kVersion;
     baseline.renderer = played.renderer;
     baseline.pixels = render::pixelClass(plan.picture.reproducible);
     baseline.width = plan.picture.width;
     baseline.height = plan.picture.height;
-    baseline.settings = settingsOf(plan, scene, played.renderer);
+    baseline.settings = settingsOf(plan, played.renderer);
+    baseline.inputs = inputsOf(plan.scene(), chosen.scene, overrides);
     baseline.trajectory = played.trajectory;
     for (const PlayedIncident& incident : played.incidents)
         baseline.incidents.push_back({incident.step, incident.body, troubleWord(incident.trouble)});
@@ -127,8 +129,8 @@ void judgePicture(const render::Image& actual, const std::vector<std::uint8_t>& 
     verdict.difference.sameSize = true;
     verdict.kind = PictureVerdict::Kind::same;
     if (png == baseline) return;
-    verdict.difference = render::compare(
-        render::decodePng(baseline, actual.width, actual.height), actual, gate.levels);
+    verdict.difference = render::compare(render::decodePng(baseline, actual.width, actual.height),
+                                         actual, gate.levels);
     if (verdict.difference.differing == 0) return;
     verdict.kind = letsPass(gate, verdict.difference) ? PictureVerdict::Kind::within
                                                       : PictureVerdict::Kind::changed;
@@ -140,8 +142,8 @@ void judge(const TestRun& played, const Actual& actual, const fs::path& folder,
            SceneVerdict& verdict) {
     verdict.expectations = played.expectations;
     for (const BaselinePicture& picture : actual.baseline.pictures)
-        verdict.pictures.push_back({picture.time, PictureVerdict::Kind::added, 0, picture.state, {},
-                                    {}, {}, {}});
+        verdict.pictures.push_back(
+            {picture.time, PictureVerdict::Kind::added, 0, picture.state, {}, {}, {}, {}});
     std::vector<double> times;
     for (const BaselinePicture& picture : actual.baseline.pictures) times.push_back(picture.time);
     verdict.orphans = orphansOf(folder, times);
@@ -152,7 +154,7 @@ void judge(const TestRun& played, const Actual& actual, const fs::path& folder,
             judgeIncidents(played.incidents, nullptr, verdict.physics);
             return;
         }
-        verdict.settings = changesOf(baseline->settings, actual.baseline.settings);
+        verdict.settings = changesBetween(*baseline, actual.baseline);
         const std::string problem = obstacle(*baseline, actual);
         if (!problem.empty()) breakAll(problem, verdict);
         if (problem.empty()) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "demos/regression/baseline.h"
+#include "demos/regression/scene_choice.h"
 #include "demos/regression/test_run.h"
 #include "demos/regression/verdict.h"
 
@@ -10,13 +11,13 @@ namespace demos {
 
 /// The results of a run, with pictures as bytes of PNG files: what is compared, kept and approved.
 struct Actual {
-    Baseline baseline;  // as it would be kept
+    Baseline baseline;                           // as it would be kept
     std::vector<std::vector<std::uint8_t>> png;  // by index in baseline.pictures
 };
 
-/// `scene`: as given on the command line; `folder`: of the baseline.
-Actual actualOf(const TestRun& played, const FilmPlan& plan, const std::string& scene,
-                const std::filesystem::path& folder);
+/// `overrides`: those of --set.
+Actual actualOf(const TestRun& played, const FilmPlan& plan, const ChosenScene& chosen,
+                const std::vector<std::string>& overrides);
 
 /// Fills in physics, pictures, settings, expectations and the resulting state. `folder`: of the
 /// baseline. Problems with the baseline are reported in the verdict, not thrown.

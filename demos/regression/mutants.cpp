@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "demos/film/framing.h"
 #include "demos/regression/divergence.h"
 #include "demos/regression/judge.h"
+#include "demos/regression/trajectory_recorder.h"
 #include "demos/snapshot/player.h"
 #include "render/surface_map.h"
 
@@ -19,6 +21,7 @@ constexpr float kColorShift = 0.05f;  // of 1: 13 levels of a body's own colour
 // Changes a value by at most 5 levels: not visible in a single picture. A real mistake, such as a
 // second sRGB curve, changes ten times as much.
 constexpr double kGamma = 1.05;
+constexpr double kMoon = 1.62 / 9.81;
 
 template <class Change>
 void changeBody(const Specimen& specimen, render::Frame& frame, Change change) {
@@ -79,6 +82,17 @@ Sight brighter(const Specimen& specimen) {
     return sight;
 }
 
+void doubleMasses(const Stage& stage, SceneDescription& scene) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (stage.world.mass(stage.bodies[i]) == 0.0) continue;
+        const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
+        scene.bodies[i].def.mass = 2.0 * *def.mass;
+        scene.bodies[i].def.inertia = 2.0 * *def.inertia;
+    }
+}
+
+void useMoonGravity(const Stage&, SceneDescription& scene) { scene.gravity *= kMoon; }
+
 constexpr Mutant kMutants[] = {
     {"1 mm", "the moving body that covers most of the picture is 1 mm to the right", movedLittle},
     {"1 cm", "the same body is 1 cm to the right", movedMore},
@@ -88,6 +102,8 @@ constexpr Mutant kMutants[] = {
     {"no shadow", "the sun casts no shadows", withoutShadow},
     {"late", "the world is one step ahead", late},
     {"gamma", "the whole picture is brighter by a gamma of 1.05", brighter},
+    {"mass x2", "every body has twice its mass", nullptr, doubleMasses},
+    {"gravity", "gravity is that of the Moon, 0.165 of the Earth's", nullptr, useMoonGravity},
 };
 
 Sight sightOf(const Player& player, const FilmPlan& plan, double time) {
@@ -98,16 +114,60 @@ Sight sightOf(const Player& player, const FilmPlan& plan, double time) {
     return sight;
 }
 
+/// A scene that is simulated and recorded.
+class RecordedPlayer {
+public:
+    RecordedPlayer(const SceneDescription& scene, const FilmPlan& plan)
+        : player(scene, plan.panels.front().overlays),
+          recorder_(player.stage(), static_cast<int>(std::lround(scene.seconds * scene.hz))) {
+        recorder_.look(player.stage());
+    }
+
+    void playTo(int step) {
+        for (; step_ < step; ++step_) {
+            player.step();
+            recorder_.look(player.stage());
+        }
+    }
+    int step() const { return step_; }
+    const Trajectory& trajectory() const { return recorder_.trajectory(); }
+
+    Player player;
+
+private:
+    TrajectoryRecorder recorder_;
+    int step_ = 0;
+};
+
+/// The run of a scene that a mutant has changed.
+struct ChangedRun {
+    const Mutant* mutant;
+    std::unique_ptr<RecordedPlayer> run;
+};
+
+std::vector<ChangedRun> changedRuns(const Stage& stage, const FilmPlan& plan) {
+    std::vector<ChangedRun> runs;
+    for (const Mutant& mutant : mutants()) {
+        if (!mutant.changed) continue;
+        SceneDescription scene = plan.scene();
+        mutant.changed(stage, scene);
+        runs.push_back({&mutant, std::make_unique<RecordedPlayer>(scene, plan)});
+    }
+    return runs;
+}
+
 /// Advances the player by one step. The late sight keeps the camera and the texts: only the world
 /// has advanced.
-Specimen specimenAt(double time, const FilmPlan& plan, Player& player, render::Renderer& renderer) {
+Specimen specimenAt(double time, const FilmPlan& plan, RecordedPlayer& truth,
+                    render::Renderer& renderer) {
+    const Player& player = truth.player;
     Specimen specimen;
     specimen.now = sightOf(player, plan, time);
     const render::Frame& frame = specimen.now.frame;
     specimen.body = mostSeenBody(player.stage(), frame, renderer.surfaces(frame));
     const render::Camera& camera = frame.camera;
     specimen.across = (camera.lookAt - camera.from).cross(camera.up).normalized().cast<double>();
-    player.step();
+    truth.playTo(truth.step() + 1);
     specimen.late = sightOf(player, plan, time);
     return specimen;
 }
@@ -160,6 +220,35 @@ MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const rende
     return verdict;
 }
 
+bool sameImpulses(const Trajectory& a, const Trajectory& b) {
+    const std::size_t moments = std::min(a.moments.size(), b.moments.size());
+    for (std::size_t k = 0; k < moments; ++k)
+        if (!std::ranges::equal(a.moments[k].impulses, b.moments[k].impulses,
+                                [](const TrajectoryImpulse& x, const TrajectoryImpulse& y) {
+                                    return x.constraint == y.constraint && x.value == y.value;
+                                }))
+            return false;
+    return true;
+}
+
+/// Compares the runs until now. `truth` is one step ahead.
+MutantVerdict judged(const ChangedRun& changed, const RecordedPlayer& truth,
+                     const Specimen& specimen, const render::Image& image, double time,
+                     const FilmPlan& plan, render::Renderer& renderer) {
+    const Snapshot& snapshot = plan.scene().snapshot;
+    const Sight sight = sightOf(changed.run->player, plan, time);
+    const Trajectory& was = truth.trajectory();
+    const Trajectory& is = changed.run->trajectory();
+    MutantVerdict verdict;
+    verdict.mutant = changed.mutant;
+    verdict.difference = render::compare(image, drawn(sight, renderer), snapshot.gate.levels);
+    verdict.unchanged = samePoses(specimen.now, sight) && sameImpulses(was, is) &&
+                        verdict.difference.differing == 0;
+    verdict.state = diverge(was, is, snapshot.tolerance).kind == PhysicsVerdict::Kind::changed;
+    verdict.picture = !letsPass(snapshot.gate, verdict.difference);
+    return verdict;
+}
+
 }  // namespace
 
 std::span<const Mutant> mutants() { return kMutants; }
@@ -180,20 +269,24 @@ int mostSeenBody(const Stage& stage, const render::Frame& frame, const render::S
 }
 
 std::vector<MutantVerdict> selfTest(const FilmPlan& plan, render::Renderer& renderer) {
-    Player player(plan.scene(), plan.panels.front().overlays);
+    RecordedPlayer player(plan.scene(), plan);
+    const std::vector<ChangedRun> changed = changedRuns(player.player.stage(), plan);
     std::vector<MutantVerdict> verdicts;
-    int played = 0;
+    std::size_t timed = 0;
     for (const double time : plan.scene().snapshot.times) {
         const int steps = static_cast<int>(std::lround(time * plan.scene().hz));
-        if (steps < played) continue;  // two times round to the same step
-        player.step(steps - played);
-        played = steps + 1;
+        if (steps < player.step()) continue;  // two times round to the same step
+        player.playTo(steps);
         const Specimen specimen = specimenAt(time, plan, player, renderer);
         const render::Image truth = renderer.draw(specimen.now.frame);
-        for (const Mutant& mutant : mutants()) {
-            verdicts.push_back(judged(mutant, specimen, truth, plan.scene(), renderer));
-            verdicts.back().time = time;
+        for (const Mutant& mutant : mutants())
+            if (mutant.damaged)
+                verdicts.push_back(judged(mutant, specimen, truth, plan.scene(), renderer));
+        for (const ChangedRun& run : changed) {
+            run.run->playTo(steps);
+            verdicts.push_back(judged(run, player, specimen, truth, time, plan, renderer));
         }
+        for (; timed < verdicts.size(); ++timed) verdicts[timed].time = time;
     }
     return verdicts;
 }

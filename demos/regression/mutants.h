@@ -29,7 +29,8 @@ struct Specimen {
 struct Mutant {
     const char* name;
     const char* what;  // what it changes
-    Sight (*damaged)(const Specimen& specimen);
+    Sight (*damaged)(const Specimen& specimen);  // a picture; null: what is simulated
+    void (*changed)(const Stage& stage, SceneDescription& scene) = nullptr;  // `stage`: unchanged
 };
 
 /// In the order in which they are tried.
@@ -39,8 +40,8 @@ std::span<const Mutant> mutants();
 struct MutantVerdict {
     const Mutant* mutant = nullptr;
     double time = 0.0;              // s, as [snapshot] lists it
-    bool unchanged = false;         // the same poses and pixels: there is nothing to notice
-    bool state = false;             // a body is beyond the scene's tolerance
+    bool unchanged = false;         // the same poses, loads and pixels: there is nothing to notice
+    bool state = false;             // a body or its load is beyond the scene's tolerance
     bool picture = false;           // the scene's gate rejects the picture
     render::Difference difference;  // from the undamaged picture
 

@@ -1,39 +1,20 @@
 #include "demos/regression/run_settings.h"
-#include "demos/load/load_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "demos/scene/reader.h"
 #include "demos/scene/solver_settings.h"
 #include "demos/text/complaints.h"
-#include "demos/text/hex_text.h"
-#include "demos/text/text_hash.h"
 #include "demos/text/version.h"
 #include "render/driver_environment.h"
 
 namespace demos {
-namespace {
-
-/// A hash of the contents of the scene file and of all files it reads.
-std::string fileHash(const SceneDescription& scene, const std::string& name) {
-    TextHash hash;
-    hash.add(sceneText(name));
-    for (const std::string& file : scene.files)
-        hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));
-    hash.add(std::to_string(scene.contents));
-    return hexText(hash.value());
-}
-
-}  // namespace
-
-Settings settingsOf(const FilmPlan& plan, const std::string& scene, const std::string& renderer) {
+Settings settingsOf(const FilmPlan& plan, const std::string& renderer) {
     const SceneDescription& s = plan.scene();
     const Overlays& overlays = plan.panels.front().overlays;
     Settings out;
     out.emplace_back("impulse", kVersion);
-    out.emplace_back("scene file", fileHash(s, scene));
     out.emplace_back("world.hz", std::to_string(s.hz));
     out.emplace_back("world.gravity",
                      fmt::format("{} {} {}", numberText(s.gravity.x()), numberText(s.gravity.y()),
@@ -42,6 +23,9 @@ Settings settingsOf(const FilmPlan& plan, const std::string& scene, const std::s
     out.emplace_back("seconds", numberText(s.seconds));
     out.emplace_back("solver.preset", s.preset);
     for (const auto& setting : solverSettings(s.settings)) out.push_back(setting);
+    for (const char* key :
+         {"solver.max_substeps", "solver.depenetration_speed", "solver.sleep_after"})
+        out.emplace_back(key, settingOf(s.settings, key));
     out.emplace_back("snapshot.size",
                      fmt::format("{}x{}", plan.picture.width, plan.picture.height));
     out.emplace_back("samples", std::to_string(plan.picture.samples));

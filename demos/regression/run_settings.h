@@ -7,8 +7,8 @@
 
 namespace demos {
 
-/// `scene`: as given on the command line; `renderer`: its name.
-Settings settingsOf(const FilmPlan& plan, const std::string& scene, const std::string& renderer);
+/// With the defaults filled in. `renderer`: its name.
+Settings settingsOf(const FilmPlan& plan, const std::string& renderer);
 
 /// The settings that differ, in the order of `actual`, then those that only `baseline` has.
 std::vector<SettingChange> changesOf(const Settings& baseline, const Settings& actual);

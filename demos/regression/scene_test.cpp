@@ -75,7 +75,7 @@ void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
                            "; only the baseline of a scene with [snapshot] times can record it");
         return;
     }
-    const Actual actual = actualOf(played, plan, chosen.scene, chosen.folder);
+    const Actual actual = actualOf(played, plan, chosen, run.options.overrides);
     judge(played, actual, chosen.folder, verdict);
     const fs::path shown = run.results / (chosen.name + kSnapshotsEnding);
     if (verdict.state == State::passed && verdict.isAsItWas()) return;

@@ -1,5 +1,6 @@
 /// What a run did, step by step. Two runs are compared by it, and a baseline keeps it.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace demos {
 
-/// What a contact or a joint did to its bodies in one step.
+/// What a contact or a joint did to its bodies since the moment before: mostly in one step.
 struct TrajectoryImpulse {
     int constraint = 0;   // index in Trajectory::constraints
     double value = 0.0;   // N s: of a contact along its normals, all points; of a joint |force| dt
@@ -39,7 +40,10 @@ struct Trajectory {
                                            // it every 2nd has, up to four times it every 4th, ...
     std::vector<std::string> bodies;       // names, by index in the scene
     std::vector<engine::Vec3> extents;     // m, half sides of each body's box, in its axes; 0: none
+    std::vector<double> masses;            // kg, 0 unless dynamic; none at all: not known
+    double gravity = 0.0;                  // m/s^2, its magnitude
     std::vector<std::string> constraints;  // "contact box8-box9", "joint hook", by first occurrence
+    std::vector<std::array<int, 2>> ends;  // of each constraint: indices of its bodies; -1: the world
     std::vector<std::uint32_t> hashes;     // of the state, half of its bits, by step from 0
     std::vector<TrajectoryMoment> moments;  // by step, with step 0 and the last step
     TrajectoryResolution resolution;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "demos/text/byte_stream.h"
 #include "demos/text/deflate.h"
@@ -10,7 +11,7 @@
 namespace demos {
 namespace {
 
-constexpr std::int64_t kTrajectoryVersion = 1;
+constexpr std::int64_t kTrajectoryVersion = 2;
 constexpr std::size_t kMostSteps = 100'000'000, kMostNames = 1'000'000, kMostName = 200;
 constexpr std::size_t kMostBytes = 256u << 20;  // unpacked
 constexpr double kFarthest = 4e15;              // resolutions: an exact double
@@ -56,7 +57,8 @@ std::vector<std::int64_t> restsOf(Trajectory& trajectory, double step, const Col
 void writeColumn(ByteWriter& out, Trajectory& trajectory, double step, const Column& column) {
     const auto cost = [](const std::vector<std::int64_t>& rests) {
         double bits = 0.0;
-        for (const std::int64_t rest : rests) bits += std::log2(1.0 + std::abs(static_cast<double>(rest)));
+        for (const std::int64_t rest : rests)
+            bits += std::log2(1.0 + std::abs(static_cast<double>(rest)));
         return bits;
     };
     const std::vector<std::int64_t> still = restsOf(trajectory, step, column, false);
@@ -155,6 +157,26 @@ std::vector<std::string> readNames(ByteReader& in) {
     return names;
 }
 
+/// A trajectory without masses has zeros, which are not compared.
+void writeMasses(ByteWriter& out, const Trajectory& trajectory) {
+    for (std::size_t i = 0; i < trajectory.bodies.size(); ++i)
+        out.number(i < trajectory.masses.size() ? trajectory.masses[i] : 0.0);
+    out.number(trajectory.gravity);
+    for (std::size_t i = 0; i < trajectory.constraints.size(); ++i)
+        for (int side = 0; side < 2; ++side)
+            out.whole(i < trajectory.ends.size() ? trajectory.ends[i][side] + 1 : 0);
+}
+
+bool readMasses(ByteReader& in, Trajectory& trajectory) {
+    trajectory.masses.resize(trajectory.bodies.size());
+    for (double& mass : trajectory.masses) mass = in.number();
+    trajectory.gravity = in.number();
+    trajectory.ends.resize(trajectory.constraints.size());
+    for (std::array<int, 2>& ends : trajectory.ends)
+        for (int& body : ends) body = static_cast<int>(in.count(trajectory.bodies.size())) - 1;
+    return in.good();
+}
+
 /// Each rotation keeps the sign of the one before, so that its numbers do not jump.
 void keepSigns(Trajectory& trajectory) {
     for (std::size_t k = 1; k < trajectory.moments.size(); ++k)
@@ -176,9 +198,10 @@ std::vector<std::uint8_t> bytesOf(Trajectory trajectory, const TrajectoryResolut
     writeNames(out, trajectory.constraints);
     for (const Vec3& extent : trajectory.extents)
         for (int i = 0; i < 3; ++i) out.whole(std::llround(extent[i] / kExtentStep));
+    writeMasses(out, trajectory);
     for (const std::uint32_t hash : trajectory.hashes) out.bits32(hash);
-    for (const double step : {resolution.position, resolution.rotation, resolution.impulse,
-                              resolution.energy})
+    for (const double step :
+         {resolution.position, resolution.rotation, resolution.impulse, resolution.energy})
         out.number(step);
     visitColumns(trajectory.bodies.size(), resolution, [&](double step, const Column& column) {
         writeColumn(out, trajectory, step, column);
@@ -208,7 +231,8 @@ bool momentsFit(const Trajectory& trajectory, std::size_t bytes) {
 }
 
 bool readHead(ByteReader& in, Trajectory& trajectory) {
-    if (in.count(kTrajectoryVersion) != kTrajectoryVersion) return false;
+    const std::size_t version = in.count(kTrajectoryVersion);
+    if (version == 0) return false;
     trajectory.hz = static_cast<int>(in.count(100'000));
     trajectory.dense = static_cast<int>(in.count(Trajectory::kAll));
     trajectory.hashes.resize(in.count(std::min(kMostSteps, in.left())));
@@ -217,6 +241,7 @@ bool readHead(ByteReader& in, Trajectory& trajectory) {
     trajectory.extents.resize(trajectory.bodies.size());
     for (Vec3& extent : trajectory.extents)
         for (int i = 0; i < 3; ++i) extent[i] = static_cast<double>(in.whole()) * kExtentStep;
+    if (version > 1 && !readMasses(in, trajectory)) return false;
     for (std::uint32_t& hash : trajectory.hashes) hash = in.bits32();
     for (double* step : {&trajectory.resolution.position, &trajectory.resolution.rotation,
                          &trajectory.resolution.impulse, &trajectory.resolution.energy})
@@ -250,9 +275,16 @@ Trajectory thinned(const Trajectory& trajectory, int dense) {
     Trajectory out = trajectory;
     out.dense = dense;
     out.moments.clear();
-    for (const TrajectoryMoment& moment : trajectory.moments)
-        if (hasMoment(moment.step, dense) || moment.step == trajectory.lastStep())
-            out.moments.push_back(moment);
+    std::map<int, double> sums;  // since the moment before
+    for (const TrajectoryMoment& moment : trajectory.moments) {
+        for (const TrajectoryImpulse& impulse : moment.impulses)
+            sums[impulse.constraint] += impulse.value;
+        if (!hasMoment(moment.step, dense) && moment.step != trajectory.lastStep()) continue;
+        TrajectoryMoment& kept = out.moments.emplace_back(moment);
+        kept.impulses.clear();
+        for (const auto& [constraint, value] : sums) kept.impulses.push_back({constraint, value});
+        sums.clear();
+    }
     return out;
 }
 

@@ -17,8 +17,8 @@ namespace demos {
 /// largest value.
 TrajectoryResolution resolutionOf(const Trajectory& trajectory, const Tolerance& tolerance);
 
-/// The same trajectory with fewer moments; it keeps the hashes of all steps. `dense`: at most that
-/// of `trajectory`.
+/// The same trajectory with fewer moments; it keeps the hashes of all steps, and a moment has the
+/// impulses of those before it that were left out. `dense`: at most that of `trajectory`.
 Trajectory thinned(const Trajectory& trajectory, int dense);
 
 /// Leaves out moments to reach at most `most` bytes, if that is possible.
@@ -26,6 +26,7 @@ std::vector<std::uint8_t> encodeTrajectory(const Trajectory& trajectory,
                                            const TrajectoryResolution& resolution,
                                            std::size_t most);
 
+/// An older trajectory comes without masses, and with the impulses of its moments' own steps only.
 /// Nothing if the bytes are not a trajectory: every length is checked before it is used.
 std::optional<Trajectory> decodeTrajectory(std::span<const std::uint8_t> bytes);
 

@@ -23,7 +23,10 @@ TrajectoryRecorder::TrajectoryRecorder(const Stage& stage, int steps) : steps_(s
     trajectory_.hz = stage.scene.hz;
     trajectory_.dense = std::max(static_cast<int>(kMostPoses / (stage.bodies.size() + 1)), 1);
     if (trajectory_.dense >= steps) trajectory_.dense = Trajectory::kAll;
+    trajectory_.gravity = stage.scene.gravity.norm();
     for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
+        numbers_.emplace(stage.bodies[i], static_cast<int>(i));
+        trajectory_.masses.push_back(stage.world.mass(stage.bodies[i]));
         trajectory_.bodies.push_back(stage.scene.bodies[i].name);
         trajectory_.extents.push_back(extentOf(stage.world.def(stage.bodies[i]).shape));
     }
@@ -32,6 +35,10 @@ TrajectoryRecorder::TrajectoryRecorder(const Stage& stage, int steps) : steps_(s
 void TrajectoryRecorder::look(const Stage& stage) {
     const std::uint64_t hash = stage.world.hash();
     trajectory_.hashes.push_back(static_cast<std::uint32_t>(hash ^ hash >> 32));
+    if (step_ > 0) {  // before, nothing has been solved
+        addContacts(stage);
+        addJoints(stage);
+    }
     if (hasMoment(step_, trajectory_.dense) || step_ == steps_)
         trajectory_.moments.push_back(momentOf(stage));
     ++step_;
@@ -45,38 +52,40 @@ TrajectoryMoment TrajectoryRecorder::momentOf(const Stage& stage) {
     moment.energy = measures.energy.total();
     moment.penetration = measures.penetration;
     moment.separation = measures.separation;
-    if (step_ == 0) return moment;  // nothing has been solved yet
-    addContacts(stage, moment.impulses);
-    addJoints(stage, moment.impulses);
-    std::sort(moment.impulses.begin(), moment.impulses.end(),
-              [](const TrajectoryImpulse& a, const TrajectoryImpulse& b) {
-                  return a.constraint < b.constraint;
-              });
+    for (const auto& [constraint, value] : sums_) moment.impulses.push_back({constraint, value});
+    sums_.clear();
     return moment;
 }
 
 /// Adds up the points of a pair: which of its corners carries the load does not matter here.
-void TrajectoryRecorder::addContacts(const Stage& stage, std::vector<TrajectoryImpulse>& impulses) {
-    std::map<int, double> sums;
+void TrajectoryRecorder::addContacts(const Stage& stage) {
+    const auto numberOf = [this](engine::BodyId id) {
+        const auto found = numbers_.find(id);
+        return found == numbers_.end() ? -1 : found->second;
+    };
     for (const engine::ContactState& contact : stage.world.contacts())
         if (contact.impulse != 0.0)
-            sums[constraintCalled("contact " + stage.nameOf(contact.a) + "-" +
-                                  stage.nameOf(contact.b))] += contact.impulse;
-    for (const auto& [constraint, value] : sums) impulses.push_back({constraint, value});
+            sums_[constraintCalled(
+                "contact " + stage.nameOf(contact.a) + "-" + stage.nameOf(contact.b),
+                numberOf(contact.a), numberOf(contact.b))] += contact.impulse;
 }
 
-void TrajectoryRecorder::addJoints(const Stage& stage, std::vector<TrajectoryImpulse>& impulses) {
+void TrajectoryRecorder::addJoints(const Stage& stage) {
     for (std::size_t i = 0; i < stage.joints.size(); ++i) {
         const double value = stage.world.joint(stage.joints[i]).force.norm() * stage.dt();
+        const JointDescription& joint = stage.scene.joints[i];
         if (value != 0.0)
-            impulses.push_back({constraintCalled("joint " + stage.scene.joints[i].name), value});
+            sums_[constraintCalled("joint " + joint.name, joint.def.a.index, joint.def.b.index)] +=
+                value;
     }
 }
 
-int TrajectoryRecorder::constraintCalled(const std::string& name) {
+int TrajectoryRecorder::constraintCalled(const std::string& name, int a, int b) {
     const auto [found, added] =
         constraints_.emplace(name, static_cast<int>(trajectory_.constraints.size()));
-    if (added) trajectory_.constraints.push_back(name);
+    if (!added) return found->second;
+    trajectory_.constraints.push_back(name);
+    trajectory_.ends.push_back({a, b});
     return found->second;
 }
 

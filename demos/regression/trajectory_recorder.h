@@ -18,12 +18,14 @@ public:
 
 private:
     TrajectoryMoment momentOf(const Stage& stage);
-    void addContacts(const Stage& stage, std::vector<TrajectoryImpulse>& impulses);
-    void addJoints(const Stage& stage, std::vector<TrajectoryImpulse>& impulses);
-    int constraintCalled(const std::string& name);
+    void addContacts(const Stage& stage);
+    void addJoints(const Stage& stage);
+    int constraintCalled(const std::string& name, int a, int b);
 
     Trajectory trajectory_;
     std::map<std::string, int> constraints_;
+    std::map<engine::BodyId, int> numbers_;  // in the scene
+    std::map<int, double> sums_;             // N s since the moment before, by constraint
     int steps_, step_ = 0;
 };
 

@@ -12,10 +12,19 @@ bool SceneVerdict::keepsContract() const {
 }
 
 bool SceneVerdict::isAsItWas() const {
-    return physics.kind == PhysicsVerdict::Kind::same &&
+    return physics.kind == PhysicsVerdict::Kind::same && changedScene().empty() &&
            std::all_of(pictures.begin(), pictures.end(), [](const PictureVerdict& picture) {
                return picture.kind == PictureVerdict::Kind::same;
            });
+}
+
+std::vector<SettingChange> SceneVerdict::changedScene() const {
+    std::vector<SettingChange> changes = settings;
+    std::erase_if(changes, [](const SettingChange& change) {
+        return change.key == "impulse" || change.key == "renderer" || change.key == "pixels" ||
+               change.key == "samples";
+    });
+    return changes;
 }
 
 bool SceneVerdict::onlyAddsPictures() const {

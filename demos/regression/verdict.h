@@ -32,15 +32,15 @@ struct PhysicsVerdict {
         changed   // beyond the tolerances
     };
     Kind kind = Kind::unknown;
-    int firstBits = -1;         // first step whose bits differ; -1: none
-    int step = -1;              // first recorded step beyond a tolerance; -1: none
-    int every = 1;              // number of steps since the recorded step before it
-    std::string body, field;    // farthest beyond in that step: "box9", "y" or "turn"
-    double difference = 0.0;    // actual - baseline, m; of a turn: deg
-    std::string constraint;     // whose impulse differs most in that step; empty: none
-    double before = 0.0, after = 0.0;  // N s along its normal in one step, baseline and actual
-    double used = 0.0;          // largest difference of all as a share of its tolerance
-    std::vector<std::string> lines;  // the same as text for people, empty if `same`
+    int firstBits = -1;       // first step whose bits differ; -1: none
+    int step = -1;            // first recorded step beyond a tolerance; -1: none
+    int every = 1;            // number of steps since the recorded step before it
+    std::string body, field;  // farthest beyond in that step: "box9", "y", "turn" or "load"
+    double difference = 0.0;  // actual - baseline, m; of a turn: deg, of a load: N
+    std::string constraint;   // whose impulse differs most in that step; empty: none
+    double before = 0.0, after = 0.0;  // N s since the recorded step before, baseline and actual
+    double used = 0.0;                 // largest difference of all as a share of its tolerance
+    std::vector<std::string> lines;    // the same as text for people, empty if `same`
 
     bool passes() const { return kind == Kind::same || kind == Kind::bits; }
 };
@@ -73,14 +73,14 @@ struct SceneVerdict {
         updated,  // the baseline was replaced
         error     // the scene could not be tested: `problem` says why
     };
-    std::string name;       // of its baseline, also for `impulse approve`
-    std::string scene;      // as given on the command line: a built-in name or a file
+    std::string name;   // of its baseline, also for `impulse approve`
+    std::string scene;  // as given on the command line: a built-in name or a file
     std::string title;
     State state = State::passed;
-    bool cached = false;    // nothing has changed since it passed: it was not run
+    bool cached = false;  // nothing has changed since it passed: it was not run
     std::string problem;
-    std::string folder;     // of its baseline
-    Snapshot snapshot;      // the tolerances and gate used
+    std::string folder;  // of its baseline
+    Snapshot snapshot;   // the tolerances and gate used
     std::vector<ExpectationResult> expectations;
     PhysicsVerdict physics;
     std::vector<PictureVerdict> pictures;  // by time
@@ -89,8 +89,10 @@ struct SceneVerdict {
 
     /// Whether every expectation passed.
     bool keepsContract() const;
-    /// The same bits and the same pixels.
+    /// The same bits, the same pixels, and the same scene.
     bool isAsItWas() const;
+    /// The settings that differ and belong to the scene, not to the program or the renderer.
+    std::vector<SettingChange> changedScene() const;
     /// Whether everything passes except pictures at times that were added to the scene's list.
     bool onlyAddsPictures() const;
 };

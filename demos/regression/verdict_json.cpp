@@ -128,6 +128,7 @@ Json jsonOf(const Snapshot& snapshot) {
             {"tolerance",
              {{"position", snapshot.tolerance.position},
               {"angle_deg", snapshot.tolerance.angleDegrees},
+              {"load", snapshot.tolerance.load},
               {"why", snapshot.tolerance.why}}},
             {"gate",
              {{"levels", snapshot.gate.levels},
@@ -143,6 +144,7 @@ Snapshot snapshotFrom(const Json& json) {
     const Json& tolerance = json.at("tolerance");
     tolerance.at("position").get_to(snapshot.tolerance.position);
     tolerance.at("angle_deg").get_to(snapshot.tolerance.angleDegrees);
+    tolerance.at("load").get_to(snapshot.tolerance.load);
     tolerance.at("why").get_to(snapshot.tolerance.why);
     const Json& gate = json.at("gate");
     gate.at("levels").get_to(snapshot.gate.levels);

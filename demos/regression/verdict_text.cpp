@@ -47,11 +47,21 @@ void addExpectations(const SceneVerdict& scene, std::vector<std::string>& lines)
                                         result.why.empty() ? "" : " (" + result.why + ")"));
 }
 
+/// What was changed on purpose, perhaps: with a difference its cause, or else without an effect.
 void addSettings(const SceneVerdict& scene, std::vector<std::string>& lines) {
-    if (scene.settings.empty()) return;
+    constexpr std::size_t kMost = 8;
+    const bool wrong = scene.state == State::failed || scene.state == State::updated;
+    if (!wrong && scene.state != State::passed) return;
+    const std::vector<SettingChange> changes = wrong ? scene.settings : scene.changedScene();
+    if (changes.empty()) return;
     std::vector<std::string> texts;
-    for (const SettingChange& change : scene.settings) texts.push_back(settingText(change));
-    lines.push_back(fmt::format("made with other settings: {}", fmt::join(texts, ", ")));
+    for (std::size_t i = 0; i < std::min(changes.size(), kMost); ++i)
+        texts.push_back(settingText(changes[i]));
+    const char* head = wrong ? "made with other settings"
+                             : "changed, but no motion, force or picture beyond the tolerances";
+    const std::string more =
+        changes.size() > kMost ? fmt::format(" (and {} more)", changes.size() - kMost) : "";
+    lines.push_back(fmt::format("{}: {}{}", head, fmt::join(texts, ", "), more));
 }
 
 /// Whether accepting something would make the scene pass.
@@ -70,8 +80,7 @@ std::string differenceText(const render::Difference& d, const PictureGate& gate)
 }
 
 std::string settingText(const SettingChange& change) {
-    // The hash means nothing to people.
-    if (change.key == "scene file") return "the scene file";
+    if (change.baseline.empty() && change.actual.empty()) return change.key;
     const auto shownValue = [](const std::string& value) { return value.empty() ? "-" : value; };
     return fmt::format("{} {} -> {}", change.key, shownValue(change.baseline),
                        shownValue(change.actual));
@@ -90,11 +99,10 @@ std::string headline(const SceneVerdict& scene) {
 std::vector<std::string> detailsOf(const SceneVerdict& scene) {
     std::vector<std::string> lines;
     if (!scene.problem.empty()) lines.push_back(scene.problem);
-    const bool wrong = scene.state == State::failed || scene.state == State::updated;
     lines.insert(lines.end(), scene.physics.lines.begin(), scene.physics.lines.end());
     for (const PictureVerdict& picture : scene.pictures) addPicture(scene, picture, lines);
     addExpectations(scene, lines);
-    if (wrong) addSettings(scene, lines);
+    addSettings(scene, lines);
     for (const std::string& orphan : scene.orphans)
         lines.push_back(orphan +
                         " belongs to a time that the scene does not list; impulse approve "

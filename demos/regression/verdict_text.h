@@ -9,7 +9,7 @@ namespace demos {
 
 /// By how much a picture differs, and how much it may.
 std::string differenceText(const render::Difference& difference, const PictureGate& gate);
-/// "solver.sweeps 10 -> 12", baseline first; "-": none.
+/// "solver.sweeps 10 -> 12", baseline first; "-": none; "body.box is gone".
 std::string settingText(const SettingChange& change);
 
 /// "ok       stack  3 pictures, 2 expectations"

@@ -129,6 +129,7 @@ struct Expectation {
 struct Tolerance {
     double position = 1e-4;      // m
     double angleDegrees = 0.01;  // deg
+    double load = 0.1;           // of a body's load: the impulses of its contacts and joints
     std::string why;             // the reason for other numbers than these
 };
 

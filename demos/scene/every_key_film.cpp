@@ -32,7 +32,7 @@ trails = ["ball"]
 [snapshot]
 times = [0, 1]
 size = [64, 36]
-tolerance = { position = 0.001, angle_deg = 0.1, why = "w" }
+tolerance = { position = 0.001, angle_deg = 0.1, load = 0.2, why = "w" }
 gate = { levels = 3, window = 8, ssim = 0.9, why = "w" }
 )"},
     {"section", R"(
@@ -169,6 +169,9 @@ TableTexts toleranceTexts() {
                  "The distance from its saved place above which a body counts as moved."},
                 {"angle_deg", inToml(Tolerance{}.angleDegrees),
                  "The rotation away from its saved one above which a body counts as turned."},
+                {"load", inToml(Tolerance{}.load),
+                 "The share by which the load of a body, the impulses of its contacts and joints, "
+                 "may differ."},
                 {"why", "required",
                  "The reason for other tolerances than the defaults, which reports repeat."},
             }};

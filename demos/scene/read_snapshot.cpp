@@ -25,6 +25,7 @@ void readTolerance(Keys& snapshot, Tolerance& tolerance) {
     Keys keys = snapshot.inner(*table, "a tolerance");
     set(tolerance.position, keys.number("position", {1e-9, 1e5, "m"}));
     set(tolerance.angleDegrees, keys.number("angle_deg", {1e-6, 180.0, "deg"}));
+    set(tolerance.load, keys.number("load", {1e-3, 1e9}));
     readReason(keys, "tolerance", tolerance.why);
 }
 

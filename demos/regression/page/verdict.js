@@ -38,7 +38,7 @@ function physicsCard(scene) {
   if (physics.kind === "same" || physics.kind === "unknown") return card;
   const limits = scene.snapshot.tolerance;
   const words = `${useText(physics.used)} of the tolerances (${limits.position} m, ` +
-    `${limits.angle_deg} deg)${limits.why === "" ? "" : `: ${limits.why}`}`;
+    `${limits.angle_deg} deg, ${100 * limits.load} % of a load)${limits.why === "" ? "" : `: ${limits.why}`}`;
   card.append(make("div", { class: "budget" }, bar(physics.used, "largest difference"), words));
   return card;
 }
@@ -79,6 +79,8 @@ function expectationsCard(scene) {
 }
 
 function settingRow(change) {
+  if (change.baseline === "" && change.actual === "")  // a table that is new or gone
+    return make("tr", {}, make("td", { colspan: 3 }, make("code", {}, change.key)));
   const cell = (text, kind) =>
     make("td", { class: "wide" }, make("code", { class: kind }, text === "" ? "not set" : text));
   return make("tr", {}, make("td", {}, make("code", {}, change.key)),

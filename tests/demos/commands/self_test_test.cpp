@@ -25,9 +25,10 @@ TEST_F(SelfTestCommand, PrintsATableAndHowManyWereCaught) {
     EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
     EXPECT_NE(ended.out.find("ball: 320x180 at 0, 0.5 s;"), std::string::npos) << ended.out;
     for (const char* mutant :
-         {"1 mm", "1 cm", "hidden", "color", "light", "no shadow", "late", "gamma"})
+         {"1 mm", "1 cm", "hidden", "color", "light", "no shadow", "late", "gamma",
+          "mass x2", "gravity"})
         EXPECT_NE(ended.out.find(std::string("  ") + mutant + " "), std::string::npos) << mutant;
-    EXPECT_NE(ended.out.find("8 of 8 mutants caught\n"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("9 of 9 mutants caught\n"), std::string::npos) << ended.out;
     EXPECT_FALSE(fs::exists(folder / "ball.snapshots"));  // it makes no baseline
     EXPECT_FALSE(fs::exists(folder / "output"));
 }
@@ -38,7 +39,7 @@ TEST_F(SelfTestCommand, FailsWhereOneIsMissed) {
     const Ended ended = selfTest(arguments);
     EXPECT_EQ(ended.code, 1) << ended.out;
     EXPECT_NE(ended.out.find("MISSED: the same body is not drawn"), std::string::npos) << ended.out;
-    EXPECT_NE(ended.err.find("0 of 8 mutants caught\n"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("0 of 9 mutants caught\n"), std::string::npos) << ended.err;
 }
 
 TEST_F(SelfTestCommand, FailsWhereThereIsNothingToDamage) {
@@ -54,7 +55,7 @@ TEST_F(SelfTestCommand, AProblemOfOneSceneDoesNotEndTheOthers) {
     const Ended ended = selfTest({"tall.toml", "ball.toml"});
     EXPECT_EQ(ended.code, 1);
     EXPECT_NE(ended.err.find("impulse: tall: tall: step "), std::string::npos) << ended.err;
-    EXPECT_NE(ended.out.find("8 of 8 mutants caught\n"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("9 of 9 mutants caught\n"), std::string::npos) << ended.out;
 }
 
 TEST_F(SelfTestCommand, SaysInJsonWhatEveryTimeHasShown) {
@@ -63,12 +64,12 @@ TEST_F(SelfTestCommand, SaysInJsonWhatEveryTimeHasShown) {
     std::istringstream lines(ended.out);
     std::vector<std::string> all;
     for (std::string line; std::getline(lines, line);) all.push_back(line);
-    ASSERT_EQ(all.size(), 2u * 8u + 1u) << ended.out;
+    ASSERT_EQ(all.size(), 2u * 10u + 1u) << ended.out;
     EXPECT_EQ(all.front().find(R"({"event":"mutant","scene":"ball","time":0,"mutant":"1 mm",)"
                                R"("unchanged":false,"state":true,)"),
               0u)
         << all.front();
-    EXPECT_EQ(all.back(), R"({"event":"done","caught":8,"missed":0,"problems":0})");
+    EXPECT_EQ(all.back(), R"({"event":"done","caught":9,"missed":0,"problems":0})");
 }
 
 }  // namespace

@@ -65,6 +65,39 @@ TEST_F(Snapshots, ReportPhysicsThatNoPictureShows) {
     EXPECT_EQ(scene().at("physics").at("body"), "far");
 }
 
+/// The loads tell a mass that neither poses nor pictures show.
+TEST_F(Snapshots, ReportForcesThatNoPoseShows) {
+    change("at = [0.1, 2, 0]", "at = [5, 0.5, 0]\ndensity = 500");
+    ASSERT_EQ(test().code, 0);
+    change("density = 500", "density = 750");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(scene().at("physics").at("field"), "load");
+    EXPECT_NE(ended.err.find("the load of ball differs: 2566 -> 3852 N"), std::string::npos)
+        << ended.err;
+    EXPECT_NE(ended.err.find("made with other settings: body.ball.density 500 -> 750"),
+              std::string::npos)
+        << ended.err;
+}
+
+TEST_F(Snapshots, NameWhatWasEditedAndDoesNotMatter) {
+    change("at = [0.1, 2, 0]", "at = [5, 0.5, 0]\ndensity = 500");
+    ASSERT_EQ(test().code, 0);
+    change("density = 500", "density = 510  # light");
+    change("below = 0.05", "below = 0.06");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("changed, but no motion, force or picture beyond the tolerances: "
+                             "body.ball.density 500 -> 510, expect.penetration of all.below "
+                             "0.05 -> 0.06"),
+              std::string::npos)
+        << ended.out;
+    ASSERT_EQ(test({"--update", "all"}).code, 0);
+    EXPECT_EQ(test({"--no-cache"}).out.find("changed"), std::string::npos);
+    change("# light", "# heavy");
+    EXPECT_EQ(test().out.find("changed"), std::string::npos);
+}
+
 TEST_F(Snapshots, LetAHarmlessChangeOfBitsPass) {
     ASSERT_EQ(test().code, 0);
     change("at = [0.1, 2, 0]", "at = [0.1, 2.00000001, 0]");
@@ -164,8 +197,8 @@ TEST_F(Snapshots, SayWhatIsWrongWithABaseline) {
     write(folder / "ball.snapshots/baseline.json", json.substr(0, 300));
     tells("baseline.json is damaged");
     write(folder / "ball.snapshots/baseline.json",
-          std::regex_replace(json, std::regex("\"format\": 1"), "\"format\": 7"));
-    tells("baseline.json has format 7, but this impulse reads 1; use a newer impulse");
+          std::regex_replace(json, std::regex("\"format\": 2"), "\"format\": 7"));
+    tells("baseline.json has format 7, but this impulse reads 2; use a newer impulse");
     write(folder / "ball.snapshots/baseline.json",
           std::regex_replace(json, std::regex("\"seconds\": \"1\""), "\"seconds\": \"2\""));
     tells("baseline.json was edited");

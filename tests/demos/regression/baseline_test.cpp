@@ -12,6 +12,8 @@
 #include "demos/regression/judge.h"
 #include "demos/regression/pass_cache.h"
 #include "demos/regression/run_settings.h"
+#include "demos/regression/scene_inputs.h"
+#include "demos/regression/verdict_text.h"
 #include "demos/text/json_limits.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
@@ -40,6 +42,8 @@ Actual actualWith(std::uint8_t level, double y) {
     baseline.width = 8;
     baseline.height = 4;
     baseline.settings = {{"world.hz", "60"}, {"seconds", "0.05"}};
+    baseline.home = "..";
+    baseline.inputs = {{"body.ball", "[[body]]"}, {"body.ball.at", "[0, 1, 0]"}};
     Trajectory& trajectory = baseline.trajectory;
     trajectory.bodies = {"ball"};
     trajectory.extents = {Vec3(1, 1, 1)};
@@ -82,6 +86,8 @@ TEST(Baselines, ComeBackAsTheyWere) {
     const Baseline back = baselineFrom(text, "b.json");
     EXPECT_EQ(back.scene, "ball");
     EXPECT_EQ(back.settings, baseline.settings);
+    EXPECT_EQ(back.home, "..");
+    EXPECT_EQ(back.inputs, baseline.inputs);
     ASSERT_EQ(back.pictures.size(), 2u);
     EXPECT_EQ(back.pictures[1].time, 0.05);
     EXPECT_EQ(back.pictures[1].png, baseline.pictures[1].png);
@@ -106,7 +112,7 @@ TEST(Baselines, SayWhenTheyWereEdited) {
               std::string::npos);
     EXPECT_NE(complaintAbout("llvmpipe", "softpipe").find("was edited"), std::string::npos);
     EXPECT_NE(complaintAbout("\"seal\"", "\"sale\"").find("is damaged"), std::string::npos);
-    EXPECT_NE(complaintAbout("\"format\": 1", "\"format\": 2").find("newer impulse"),
+    EXPECT_NE(complaintAbout("\"format\": 2", "\"format\": 3").find("newer impulse"),
               std::string::npos);
     EXPECT_NE(complaintAbout("{", "[").find("is damaged"), std::string::npos);
     // Brackets in strings do not count; others may be nested at most 64 deep.
@@ -230,6 +236,60 @@ TEST(RunSettings, AreComparedKeyByKey) {
     EXPECT_EQ(changes[1].key, "d");
     EXPECT_EQ(changes[2].key, "b");
     EXPECT_EQ(changes[2].actual, "");
+}
+
+/// "key baseline -> actual" of each change.
+std::vector<std::string> changedTexts(const Settings& baseline, const Settings& actual) {
+    std::vector<std::string> texts;
+    for (const SettingChange& change : changedInputs(baseline, actual))
+        texts.push_back(settingText(change));
+    return texts;
+}
+
+TEST(SceneInputs, AreComparedValueByValue) {
+    const Settings before = {{"body.box", "[[body]]"},     {"body.box.at", "[1, 2, 0]"},
+                             {"body.box.mass", "5"},       {"expect.drift of box", "[[expect]]"},
+                             {"expect.drift of box.below", "0.1"}, {"material.wood.friction", "0.6"},
+                             {"snapshot.times", "[0, 1, 2]"}};
+    EXPECT_TRUE(changedTexts(before, before).empty());
+    const Settings after = {{"body.ball", "[[body]]"},
+                            {"body.ball.at", "[0, 0, 0]"},
+                            {"body.box", "[[body]]"},
+                            {"body.box.at", "[1.002, 2, 0]"},
+                            {"material.wood.friction", "0.55"},
+                            {"snapshot.times", "[0, 2]"}};
+    EXPECT_EQ(changedTexts(before, after),
+              (std::vector<std::string>{"body.ball is new", "body.box.at[0] 1 -> 1.002",
+                                        "body.box.mass 5 -> -", "expect.drift of box is gone",
+                                        "material.wood.friction 0.6 -> 0.55",
+                                        "snapshot.times [0, 1, 2] -> [0, 2]"}));
+}
+
+TEST(SceneInputs, ListAtMostAHundred) {
+    Settings before, after;
+    for (int i = 100; i < 350; ++i) before.emplace_back("values.v" + std::to_string(i), "1");
+    after = before;
+    for (auto& [key, value] : after) value = "2";
+    const std::vector<std::string> texts = changedTexts(before, after);
+    ASSERT_EQ(texts.size(), 101u);
+    EXPECT_EQ(texts.back(), "150 more values");
+}
+
+TEST(SceneInputs, AreRefusedIfTheyAreNone) {
+    const Settings inputs = {{"title", "a ball"}, {"values.v", ""}};
+    EXPECT_EQ(unpackedInputs(packedInputs(inputs)), inputs);
+    for (const char* bad : {"", "!", "AAAA"})
+        EXPECT_THROW(unpackedInputs(bad), std::invalid_argument) << bad;
+}
+
+TEST(SceneInputs, OfAnOldBaselineAreNotCompared) {
+    Baseline old = actualWith(1, 1.0).baseline, now = old;
+    old.settings.emplace_back("scene file", "0123456789abcdef");
+    old.inputs.clear();
+    const std::vector<SettingChange> changes = changesBetween(old, now);
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_NE(settingText(changes[0]).find("impulse test --update all renews it"),
+              std::string::npos);
 }
 
 TEST(PassCaches, KeepWhatPassed) {
