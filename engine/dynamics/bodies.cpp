@@ -1,12 +1,26 @@
 #include "engine/dynamics/bodies.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/check.h"
 #include "engine/shapes/mass.h"
 
 namespace engine {
 namespace {
+
+constexpr double kSameMoment = 1e-12;  // of the moments about two axes, relative
+
+/// The axis of a symmetric top (a capsule, a cylinder, a square bar), one of the body's; -1: there is none.
+int topAxisOf(const Mat3& inertia) {
+    if (!inertia.isDiagonal(0.0)) return -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double a = inertia((axis + 1) % 3, (axis + 1) % 3);
+        const double b = inertia((axis + 2) % 3, (axis + 2) % 3);
+        if (std::abs(a - b) <= kSameMoment * a) return axis;
+    }
+    return -1;
+}
 
 BodyMass massOf(const BodyDef& def) {
     if (def.kind != BodyKind::dynamic) return {};
@@ -22,6 +36,7 @@ BodyMass massOf(const BodyDef& def) {
     m.inverseInertia = factor.solve(Mat3::Identity());
     m.isRound = m.inertia == m.inertia(0, 0) * Mat3::Identity();
     if (m.isRound) m.inverseInertia = Mat3::Identity() / m.inertia(0, 0);
+    if (!m.isRound) m.topAxis = topAxisOf(m.inertia);
     return m;
 }
 

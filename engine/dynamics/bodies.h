@@ -26,6 +26,7 @@ struct BodyMass {
     Mat3 inertia = Mat3::Zero();              // kg m^2
     Mat3 inverseInertia = Mat3::Zero();
     bool isRound = false;                     // equal about every axis: a ball, a cube
+    int topAxis = -1;                         // of a symmetric top: equal about the other two
 };
 
 /// m/s^2 and rad/s^2

@@ -87,6 +87,17 @@ private:
     double share_;
 };
 
+void turnTop(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
+    const Vec3 axis = Vec3::Unit(mass.topAxis);
+    const double about = mass.inertia(mass.topAxis, mass.topAxis);
+    const int other = (mass.topAxis + 1) % 3;
+    const Vec3 before = rotation * axis;
+    const double own = (1.0 - about / mass.inertia(other, other)) * before.dot(spin);
+    const Vec3 precession = spin - own * before;
+    rotation = turnedBy(h * precession, turnedBy(h * own * before, rotation));
+    spin = precession + own * (rotation * axis);
+}
+
 }  // namespace
 
 Quat turnedBy(const Vec3& turn, const Quat& q) {
@@ -123,6 +134,7 @@ void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& s
         rotation = turnedBy(h * spin, rotation);
         return;
     }
+    if (mass.topAxis >= 0) return turnTop(mass, h, rotation, spin);
     const Vec3 momentum = rotation * Vec3(mass.inertia * Vec3(rotation.conjugate() * spin));
     if (!momentum.allFinite()) return;  // the step will be undone
     double left = 1.0;

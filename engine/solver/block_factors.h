@@ -108,9 +108,10 @@ public:
     /// Computes D_k^-1 and W_ik from A.
     void factor();
 
-    /// x = A^-1 x; calls `give(k, x_k)` for every place, from last to first.
+    /// x = A^-1 x for the places from `first` up to `end`, which are not linked to others; calls
+    /// `give(k, x_k)` for each of them, from last to first.
     template <class Give>
-    void solve(std::vector<Rows>& x, Give give) const;
+    void solve(std::vector<Rows>& x, int first, int end, Give give) const;
 
 private:
     struct Node {
@@ -217,8 +218,8 @@ void BlockFactors<N>::factor() {
 
 template <int N>
 template <class Give>
-void BlockFactors<N>::solve(std::vector<Rows>& x, Give give) const {
-    for (int k = 0; k < count(); ++k) {
+void BlockFactors<N>::solve(std::vector<Rows>& x, int first, int end, Give give) const {
+    for (int k = first; k < end; ++k) {
         const Node& node = nodes_[k];
         const Rows xk = x[k];
         for (int i = 0; i < node.linkCount; ++i) {
@@ -226,7 +227,7 @@ void BlockFactors<N>::solve(std::vector<Rows>& x, Give give) const {
             x[link.place] = lessProduct<N>(x[link.place], link.block, xk);
         }
     }
-    for (int k = count() - 1; k >= 0; --k) {
+    for (int k = end - 1; k >= first; --k) {
         const Node& node = nodes_[k];
         Rows z = -lessProduct<N>(Rows::Zero(), node.inverse, x[k]);
         for (int i = 0; i < node.linkCount; ++i) {

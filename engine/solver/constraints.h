@@ -8,6 +8,7 @@
 #include "engine/constraints/drive.h"
 #include "engine/constraints/joint_constraint.h"
 #include "engine/settings.h"
+#include "engine/base/by_group.h"
 #include "engine/solver/impacts.h"
 #include "engine/solver/joint_trees.h"
 #include "engine/step_report.h"
@@ -19,6 +20,8 @@ struct Constraints {
     std::vector<JointConstraint> joints;
     std::vector<JointDrive> drives;  // of joints with limits, motors, springs or rotors
     std::vector<int> order;  // order of the contacts in a sweep
+    ByGroup jointsOutside;   // joints outside the trees, by group (wide/groups.h)
+    ByGroup drivesByGroup;
     Impacts impacts;         // of contacts with restitution
     int jointStride = 1;     // joints advance by this many of the world's sub-steps; 0: they wait
     bool ratesStale = true;  // velocities changed since the last solve (keepRates in drives.h)

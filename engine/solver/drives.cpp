@@ -159,16 +159,15 @@ void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v) {
         }
 }
 
-void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction) {
-    for (JointDrive& drive : c.drives)
-        for (int i = 0; i < drive.count; ++i) {
-            DriveRow& row = drive.rows[i];
-            const Row& along = drive.along[row.coordinate];
-            Velocity &a = v[drive.a], &b = v[drive.b];
-            const double lambda = pushWithin(along, row, a, b);
-            push(drive, row, lambda, a, b);
-            correction.add((along.k + row.softness) * lambda, lambda);
-        }
+void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction) {
+    for (int i = 0; i < drive.count; ++i) {
+        DriveRow& row = drive.rows[i];
+        const Row& along = drive.along[row.coordinate];
+        Velocity &a = v[drive.a], &b = v[drive.b];
+        const double lambda = pushWithin(along, row, a, b);
+        push(drive, row, lambda, a, b);
+        correction.add((along.k + row.softness) * lambda, lambda);
+    }
 }
 
 void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,

@@ -19,7 +19,7 @@ void keepRates(Constraints& c, std::span<const Velocity> v);
 
 void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v);
 
-void sweepDrives(Constraints& c, std::span<Velocity> v, Correction& correction);
+void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction);
 
 /// Nudges coordinates beyond a limit once, in a sub-step of length h (s):  lambda_n = -beta C / K, C < 0
 void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,

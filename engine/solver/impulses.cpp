@@ -175,7 +175,16 @@ SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v
     trees.solveVelocities(v, correction);
     for (JointConstraint& joint : c.joints)
         if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
-    sweepDrives(c, v, correction);
+    for (JointDrive& drive : c.drives) sweepDrive(drive, v, correction);
+    return {correction.velocity, correction.impulse};
+}
+
+SweepReport sweepJoints(Constraints& c, JointTrees& trees, int group, std::span<Velocity> v) {
+    Correction correction;
+    trees.solveVelocities(group, v, correction);
+    for (const int i : c.jointsOutside.of(group))
+        sweepJoint(c.joints[i], v[c.joints[i].a], v[c.joints[i].b], correction);
+    for (const int i : c.drivesByGroup.of(group)) sweepDrive(c.drives[i], v, correction);
     return {correction.velocity, correction.impulse};
 }
 

@@ -17,8 +17,9 @@ void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& sett
 /// v += M^-1 J^T lambda of the last step; without warm starting, the totals are set to 0 instead.
 void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings);
 
-/// One sweep over the joints, trees exactly; or over contacts in this order.
+/// One sweep over the joints, trees exactly, of all or of a group; or over contacts in this order.
 SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v);
+SweepReport sweepJoints(Constraints& c, JointTrees& trees, int group, std::span<Velocity> v);
 SweepReport sweepContacts(Constraints& c, std::span<const int> order, std::span<Velocity> v,
                           const Settings& settings);
 

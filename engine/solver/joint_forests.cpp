@@ -1,6 +1,7 @@
 #include "engine/solver/joint_forests.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -168,6 +169,21 @@ void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
     }
 }
 
+/// Trees do not depend on each other: in this order, each is solved on its own.
+void sortByTree(ForestPlan& plan) {
+    const int count = static_cast<int>(plan.places.size());
+    std::vector<int> order(count), now(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](int k) { return plan.places[k].tree; });
+    for (int k = 0; k < count; ++k) now[order[k]] = k;
+    std::vector<ForestPlan::Place> sorted;
+    for (const int k : order) {
+        sorted.push_back(std::move(plan.places[k]));
+        for (ForestPlan::Link& link : sorted.back().later) link.place = now[link.place];
+    }
+    plan.places = std::move(sorted);
+}
+
 /// A tree is not whole if a rigid joint outside it acts on it.
 void findWhole(Joints joints, Masses masses, Trees& trees, ForestPlan& plan) {
     std::vector<char> pulled(masses.size(), 0), inPlan(joints.size(), 0);
@@ -196,6 +212,7 @@ std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
         for (ForestPlan::Place& place : plan.places) place.closes = closes[place.joint];
         addTrees(joints, trees, static_cast<int>(masses.size()), plan);
         findWhole(joints, masses, trees, plan);
+        sortByTree(plan);
     }
     return plans;
 }

@@ -32,7 +32,7 @@ struct ForestPlan {
         int rows = 0;       // of the joint with most rows
         bool whole = true;  // no rigid joint outside it acts on it: solved exactly
     };
-    std::vector<Place> places;  // in order of elimination
+    std::vector<Place> places;  // one tree after the other, each in order of elimination
     std::vector<Tree> trees;
 };
 

@@ -45,14 +45,21 @@ void JointTrees::begin(double keep, double biasRate, std::span<Velocity> v) {
 void JointTrees::solveVelocities(std::span<Velocity> v, Correction& correction) {
     Correction own;
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.solveVelocities(biasRate_, false, v, own); });
+        forest.each([&](auto& part) { part.solveVelocities(part.all(), biasRate_, v, own); });
+    correction.add(exact() ? 0.0 : own.velocity, own.impulse);
+}
+
+void JointTrees::solveVelocities(int group, std::span<Velocity> v, Correction& correction) {
+    Correction own;
+    for (Forest& forest : forests_)
+        forest.each([&](auto& part) { part.solveVelocities(part.of(group), biasRate_, v, own); });
     correction.add(exact() ? 0.0 : own.velocity, own.impulse);
 }
 
 void JointTrees::projectVelocities(std::span<Velocity> v) {
     if (empty()) return;
     Correction unused;
-    forests_[0].each([&](auto& part) { part.solveVelocities(0.0, true, v, unused); });
+    forests_[0].each([&](auto& part) { part.solveVelocities(part.whole(), 0.0, v, unused); });
 }
 
 void JointTrees::keepStart(std::span<const Velocity> v) {

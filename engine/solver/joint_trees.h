@@ -28,9 +28,16 @@ public:
     /// Called before the sweeps of a sub-step. The first forest is solved exactly and does not need its
     /// previous impulses; the others start from theirs. biasRate: Baumgarte's beta / h, 1/s.
     void begin(double keep, double biasRate, std::span<Velocity> v);
-    /// Solves J v + b = 0 in one forest after the other, accumulating and applying lambda. The corrections of
-    /// an exact solve do not count as residual, because no error is left.
+    /// Sorts the trees into groups that are solved on their own; `groupOf(a, b)`: that of a joint's bodies.
+    template <class GroupOf>
+    void sortInto(int groups, const GroupOf& groupOf) {
+        for (Forest& forest : forests_)
+            forest.each([&](auto& part) { part.sortInto(groups, groupOf); });
+    }
+    /// Solves J v + b = 0 in one forest after the other, accumulating and applying lambda; of all trees or of
+    /// a group. The corrections of an exact solve do not count as residual, because no error is left.
     void solveVelocities(std::span<Velocity> v, Correction& correction);
+    void solveVelocities(int group, std::span<Velocity> v, Correction& correction);
     /// Solves J v = 0 once more, for the trees that no other joint acts on.
     void projectVelocities(std::span<Velocity> v);
     /// After the last sweep: stores the velocities with which the bodies will move.

@@ -4,6 +4,7 @@
 
 #include "engine/constraints/manifold_frame.h"
 #include "engine/dynamics/rotation.h"
+#include "engine/solver/prepare_joints.h"
 
 namespace engine {
 namespace {
@@ -79,7 +80,10 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
     solver.lanes = settings.usesLanes();
     solver.byIsland = settings.solvesByIsland();
-    if (solver.byIsland) solver.groups.find(contacts, joints, bodies, solver.islands);
+    if (solver.byIsland) {
+        solver.groups.find(contacts, joints, bodies, solver.islands);
+        groupJoints(bodies, solver);
+    }
     if (solver.lanes) {
         solver.wide.prepare(contacts, solver.order, solver.groups, bodies, settings, solver.workers);
         c.order.clear();

@@ -51,6 +51,20 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
     prepareDrives(joints, bodies, solver.constraints);
 }
 
+void groupJoints(const Bodies& bodies, Solver& solver) {
+    Constraints& c = solver.constraints;
+    const int groups = solver.groups.count();
+    const auto groupOf = [&](int a, int b) {
+        return solver.groups.ofJoint(a, b, bodies, solver.islands);
+    };
+    solver.trees.sortInto(groups, groupOf);
+    c.jointsOutside.sort(static_cast<int>(c.joints.size()), groups, [&](int i) {
+        return c.joints[i].inTree ? -1 : groupOf(c.joints[i].a, c.joints[i].b);
+    });
+    c.drivesByGroup.sort(static_cast<int>(c.drives.size()), groups,
+                         [&](int i) { return groupOf(c.drives[i].a, c.drives[i].b); });
+}
+
 double elasticEnergy(const Joint& joint, const Bodies& bodies) {
     const double h = bodies.spans[bodies.movable(joint.def.a.index, joint.def.b.index)];
     double energy = joint.acts ? driveEnergy(joint, bodies, h) : 0.0;

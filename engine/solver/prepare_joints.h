@@ -18,6 +18,9 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
 void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver);
 
+/// Sorts trees, joints outside them and drives into the groups of their islands.
+void groupJoints(const Bodies& bodies, Solver& solver);
+
 /// The energy stored in a soft joint, J: k C^2 / 2 of its rows, with the stiffness for their masses, plus
 /// that of the springs along its coordinates; at the time of the velocities, half a sub-step ago, like
 /// energyOf.

@@ -14,7 +14,12 @@ void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& s
     report[i].delta += swept.delta;
 }
 
-bool isJointed(const Solver& s, int group) { return group == 0 && s.groups.hasJoints(); }
+/// One solve is enough: there are only trees, and no contacts are on them.
+bool solvedAtOnce(const Solver& s, int group) {
+    return s.groups.hasJoints(group) && !s.groups.isTouched(group) && s.trees.exact() &&
+           s.constraints.jointsOutside.of(group).empty() &&
+           s.constraints.drivesByGroup.of(group).empty();
+}
 
 /// A group's contacts, if they are not in lanes.
 std::span<const int> rowsOf(const Solver& s, int group) {
@@ -23,10 +28,10 @@ std::span<const int> rowsOf(const Solver& s, int group) {
 }
 
 /// The joints' part of a sweep; velocities are exchanged with lanes before and after.
-SweepReport sweepJoints(Solver& s, std::span<Velocity> v) {
-    const std::span<const int> shared = s.groups.jointedBodies();
+SweepReport sweepJoints(Solver& s, int group, std::span<Velocity> v) {
+    const std::span<const int> shared = s.groups.jointedBodies(group);
     if (s.lanes) s.wide.give(v, shared);
-    const SweepReport swept = sweepJoints(s.constraints, s.trees, v);
+    const SweepReport swept = sweepJoints(s.constraints, s.trees, group, v);
     if (s.lanes) s.wide.take(v, shared);
     return swept;
 }
@@ -37,7 +42,7 @@ SweepReport sweepContacts(Solver& s, int group, std::span<Velocity> v, const Set
 }
 
 bool isTurnOf(const Solver& s, int group) {
-    if (isJointed(s, group)) return s.constraints.jointStride > 0;
+    if (s.groups.hasJoints(group)) return s.constraints.jointStride > 0;
     if (s.lanes) return s.wide.acts(group);
     const std::span<const int> rows = rowsOf(s, group);
     return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
@@ -45,7 +50,7 @@ bool isTurnOf(const Solver& s, int group) {
 
 void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
-    const bool joints = isJointed(s, group), atOnce = joints && solvedAtOnce(s);
+    const bool joints = s.groups.hasJoints(group), atOnce = solvedAtOnce(s, group);
     const int most = atOnce                   ? smaller(settings.sweeps, 1)
                      : s.groups.moving(group) ? smaller(settings.movingSweeps, settings.sweeps)
                                               : settings.sweeps;
@@ -58,7 +63,7 @@ void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& set
     }
     if (s.lanes) s.wide.warmStart(group);
     for (int i = 0; i < most; ++i) {
-        SweepReport swept = joints ? sweepJoints(s, v) : SweepReport{};
+        SweepReport swept = joints ? sweepJoints(s, group, v) : SweepReport{};
         swept = together(swept, sweepContacts(s, group, v, settings));
         if (atOnce) swept.residual = 0.0;
         merge(report, first + i, swept);

@@ -55,10 +55,10 @@ void addPlay(const TreeJoint<N>& joint, TreeBlock<N>& k) {
 }  // namespace
 
 template <int N>
-int TreePart<N>::own(int body, int tree, std::vector<int>& places) {
+int TreePart<N>::own(int body, std::vector<int>& places) {
     if (places[body] < 0) {
         places[body] = static_cast<int>(members_.size());
-        members_.push_back({body, tree});
+        members_.push_back({body});
     }
     return places[body];
 }
@@ -83,9 +83,17 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
         const JointConstraint& c = list[place.joint];
         TreeJoint<N>& joint = joints_.emplace_back(treeJoint<N>(place, c, joints[c.joint]));
         joint.tree = place.tree;
-        joint.ownA = own(c.a, place.tree, ownPlaces);
-        joint.ownB = own(c.b, place.tree, ownPlaces);
-        anyWhole_ = anyWhole_ || trees_[place.tree].whole;
+        Tree& tree = trees_[place.tree];
+        if (tree.end == 0) {
+            tree.first = static_cast<int>(joints_.size()) - 1;
+            tree.firstMember = static_cast<int>(members_.size());
+            here_.push_back(place.tree);
+            if (tree.whole) whole_.push_back(place.tree);
+        }
+        joint.ownA = own(c.a, ownPlaces);
+        joint.ownB = own(c.b, ownPlaces);
+        tree.end = static_cast<int>(joints_.size());
+        tree.endMember = static_cast<int>(members_.size());
         std::vector<typename BlockFactors<N>::Link> later;
         for (const ForestPlan::Link& link : place.later)
             later.push_back({placeHere[link.place], link.body, TreeBlock<N>::Zero()});
@@ -146,31 +154,32 @@ void TreePart<N>::warmStart(double keep, std::span<Velocity> v) {
 }
 
 template <int N>
-void TreePart<N>::solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity> v,
+void TreePart<N>::solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                                   Correction& correction) {
-    if (wholeOnly && !anyWhole_) return;
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-        const TreeJoint<N>& joint = joints_[k];
-        x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error;
-        if (wholeOnly && !isWhole(joint)) x_[k].setZero();
-        correction.add(x_[k].cwiseAbs().maxCoeff(), 0.0);
+    for (const int number : trees) {
+        const Tree& tree = trees_[number];
+        for (int k = tree.first; k < tree.end; ++k) {
+            const TreeJoint<N>& joint = joints_[k];
+            x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error;
+            correction.add(x_[k].cwiseAbs().maxCoeff(), 0.0);
+        }
+        factors_.solve(x_, tree.first, tree.end, [&](int k, const TreeRows<N>& lambda) {
+            TreeJoint<N>& joint = joints_[k];
+            book(joint, lambda, 1.0);
+            apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
+            correction.add(0.0, lambda.cwiseAbs().sum());
+        });
     }
-    factors_.solve(x_, [&](int k, const TreeRows<N>& lambda) {
-        TreeJoint<N>& joint = joints_[k];
-        book(joint, lambda, 1.0);
-        apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
-        correction.add(0.0, lambda.cwiseAbs().sum());
-    });
 }
 
 template <int N>
-void TreePart<N>::evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses) {
-    for (Tree& tree : trees_) tree.worst = tree.ratio = tree.sum = 0.0;
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
+void TreePart<N>::evaluateErrors(Tree& tree, std::span<const Joint> joints,
+                                 std::span<const Pose> poses) {
+    tree.worst = tree.ratio = tree.sum = 0.0;
+    for (int k = tree.first; k < tree.end; ++k) {
         const TreeJoint<N>& joint = joints_[k];
         x_[k] = -errorAlong(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
         const double worst = x_[k].cwiseAbs().maxCoeff();
-        Tree& tree = trees_[joint.tree];
         tree.worst = larger(tree.worst, worst);
         tree.sum += worst;
         tree.ratio = larger(tree.ratio, worst / joint.reach);
@@ -186,15 +195,14 @@ void TreePart<N>::keepStart(std::span<const Velocity> v) {
 }
 
 template <int N>
-void TreePart<N>::chooseGains(const TreeNudge& nudge, const Bodies& bodies) {
-    for (Tree& tree : trees_) {
-        const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
-        tree.gain = share > 0.0 ? share / nudge.h : 0.0;
-        tree.anew = share == 1.0;
-        if (nudge.pushed) tree.before = -1.0;
-    }
-    for (Member& member : members_) {
-        if (!trees_[member.tree].anew) continue;
+void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies) {
+    const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
+    tree.gain = share > 0.0 ? share / nudge.h : 0.0;
+    tree.anew = share == 1.0;
+    if (nudge.pushed) tree.before = -1.0;
+    if (!tree.anew) return;
+    for (int i = tree.firstMember; i < tree.endMember; ++i) {
+        Member& member = members_[i];
         member.end = member.start;
         Vec3 spin = member.spin;
         turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
@@ -202,95 +210,87 @@ void TreePart<N>::chooseGains(const TreeNudge& nudge, const Bodies& bodies) {
 }
 
 template <int N>
-void TreePart<N>::takeBackFeedback(const TreeNudge& nudge, Bodies& bodies) {
-    const auto fails = [](const Tree& tree) {
-        return tree.anew && tree.ratio > (tree.closed ? kSmall : kMet) &&
-               !(tree.sum < kGain * tree.before);
-    };
-    for (Tree& tree : trees_)  // no step removes the error of a loop that does not quite fit
-        tree.again = fails(tree) || ((tree.anew || (tree.whole && nudge.h == 0.0)) &&
-                                     tree.sum < kGain * tree.before);
-    if (std::none_of(trees_.begin(), trees_.end(), fails)) return;
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-        Member& member = members_[i];
-        if (!fails(trees_[member.tree]) || masses_[i].linear == 0.0) continue;
+void TreePart<N>::takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& bodies) {
+    for (int i = tree.firstMember; i < tree.endMember; ++i) {
+        const Member& member = members_[i];
+        if (masses_[i].linear == 0.0) continue;
         Quat unused = member.start;
         bodies.velocities[member.body] = member.kept;
         turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, unused,
                    bodies.velocities[member.body].angular);
     }
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-        if (fails(trees_[joints_[k].tree])) book(joints_[k], fed_[k], -1.0);
-    for (Tree& tree : trees_)
-        if (fails(tree)) tree.anew = tree.again = false;
+    for (int k = tree.first; k < tree.end; ++k) book(joints_[k], fed_[k], -1.0);
+    tree.anew = false;
 }
 
 template <int N>
-bool TreePart<N>::isMet() const {
-    for (const Tree& tree : trees_)
-        if (tree.again && tree.ratio > kMet) return false;
-    return true;
+bool TreePart<N>::goesOn(Tree& tree, const TreeNudge& nudge, Bodies& bodies) {
+    const bool better = tree.sum < kGain * tree.before;
+    // No step removes the error of a loop that does not quite fit.
+    if (tree.anew && !better && tree.ratio > (tree.closed ? kSmall : kMet)) {
+        takeBackFeedback(tree, nudge, bodies);
+        return false;
+    }
+    return better && tree.ratio > kMet && (tree.anew || (tree.whole && nudge.h == 0.0));
 }
 
 template <int N>
 void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
-    evaluateErrors(joints, bodies.poses);
-    chooseGains(nudge, bodies);
-    for (TreeRows<N>& fed : fed_) fed.setZero();
-    nudgeOnce(nudge, false, bodies);
-    for (int i = 1; i < kMostNudges; ++i) {
-        evaluateErrors(joints, bodies.poses);
-        takeBackFeedback(nudge, bodies);
-        if (isMet()) return;
-        nudgeOnce(nudge, true, bodies);
+    for (const int number : here_) {
+        Tree& tree = trees_[number];
+        evaluateErrors(tree, joints, bodies.poses);
+        chooseGain(tree, nudge, bodies);
+        for (int k = tree.first; k < tree.end; ++k) fed_[k].setZero();
+        nudgeOnce(tree, nudge, bodies);
+        for (int i = 1; i < kMostNudges; ++i) {
+            evaluateErrors(tree, joints, bodies.poses);
+            if (!goesOn(tree, nudge, bodies)) break;
+            nudgeOnce(tree, nudge, bodies);
+        }
     }
 }
 
 template <int N>
-void TreePart<N>::nudgeOnce(const TreeNudge& nudge, bool more, Bodies& bodies) {
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-        const Tree& tree = trees_[joints_[k].tree];
-        if (tree.worst > nudge.most) x_[k] *= nudge.most / tree.worst;
-        if (isInVain(tree) || (more && !tree.again)) x_[k].setZero();
-    }
-    for (Velocity& moved : moved_) moved = {};
-    factors_.solve(x_, [&](int k, const TreeRows<N>& lambda) {
+void TreePart<N>::nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies) {
+    const double share = isInVain(tree)            ? 0.0
+                         : tree.worst > nudge.most ? nudge.most / tree.worst
+                                                   : 1.0;
+    for (int k = tree.first; k < tree.end; ++k)
+        if (share != 1.0) x_[k] *= share;
+    for (int i = tree.firstMember; i < tree.endMember; ++i) moved_[i] = {};
+    factors_.solve(x_, tree.first, tree.end, [&](int k, const TreeRows<N>& lambda) {
         const TreeJoint<N>& joint = joints_[k];
         apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], moved_[joint.ownA],
               moved_[joint.ownB]);
     });
-    limitMoves();
-    for (Tree& tree : trees_) tree.before = tree.sum;
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-        const double gain = trees_[joints_[k].tree].gain;
-        book(joints_[k], x_[k], gain);
-        fed_[k] += gain * x_[k];
+    limitMoves(tree);
+    tree.before = tree.sum;
+    for (int k = tree.first; k < tree.end; ++k) {
+        book(joints_[k], x_[k], tree.gain);
+        fed_[k] += tree.gain * x_[k];
     }
-    move(nudge, bodies);
+    move(tree, nudge, bodies);
 }
 
 template <int N>
-void TreePart<N>::limitMoves() {
+void TreePart<N>::limitMoves(Tree& tree) {
     constexpr double kFar = 4.0;  // times the sum of a tree's errors
-    for (Tree& tree : trees_) tree.farthest = 0.0;
+    if (!tree.closed) return;
     const auto wayOf = [&](int member, const Vec3& arm) {
         const Velocity& moved = moved_[member];
         return masses_[member].linear > 0.0 ? moved.linear.norm() + moved.angular.norm() * arm.norm()
                                             : 0.0;
     };
-    for (const TreeJoint<N>& joint : joints_) {
-        Tree& tree = trees_[joint.tree];
-        tree.farthest = larger(tree.farthest, larger(wayOf(joint.ownA, joint.now.armA),
-                                                     wayOf(joint.ownB, joint.now.armB)));
+    double farthest = 0.0;
+    for (int k = tree.first; k < tree.end; ++k) {
+        const TreeJoint<N>& joint = joints_[k];
+        farthest = larger(farthest, larger(wayOf(joint.ownA, joint.now.armA),
+                                           wayOf(joint.ownB, joint.now.armB)));
     }
-    for (Tree& tree : trees_) {
-        const bool far = tree.closed && tree.farthest > kFar * tree.sum;
-        tree.share = far ? kFar * tree.sum / tree.farthest : 1.0;
-        if (far) tree.gain = 0.0, tree.anew = false;
-    }
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-        const double share = trees_[members_[i].tree].share;
-        if (share == 1.0) continue;
+    if (!(farthest > kFar * tree.sum)) return;
+    tree.gain = 0.0, tree.anew = false;
+    const double share = kFar * tree.sum / farthest;
+    for (int i = tree.firstMember; i < tree.endMember; ++i) {
         moved_[i].linear *= share;
         moved_[i].angular *= share;
     }
@@ -311,11 +311,10 @@ void TreePart<N>::moveAnew(Member& member, const Vec3& turn, const TreeNudge& nu
 }
 
 template <int N>
-void TreePart<N>::move(const TreeNudge& nudge, Bodies& bodies) {
-    for (std::size_t i = 0; i < members_.size(); ++i) {
+void TreePart<N>::move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies) {
+    for (int i = tree.firstMember; i < tree.endMember; ++i) {
         if (masses_[i].linear == 0.0) continue;
         Member& member = members_[i];
-        const Tree& tree = trees_[member.tree];
         Pose& pose = bodies.poses[member.body];
         pose.position += moved_[i].linear;
         bodies.velocities[member.body].linear += tree.gain * moved_[i].linear;

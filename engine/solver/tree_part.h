@@ -6,6 +6,7 @@
 #include "engine/constraints/contact_constraint.h"
 #include "engine/settings.h"
 #include "engine/solver/block_factors.h"
+#include "engine/base/by_group.h"
 #include "engine/solver/joint_forests.h"
 #include "engine/solver/tree_joint.h"
 
@@ -33,8 +34,8 @@ public:
 
     /// Applies the share `keep` of the impulses of the last step; 0 only discards them.
     void warmStart(double keep, std::span<Velocity> v);
-    /// Solves J v + biasRate C = 0; if `wholeOnly`, for whole trees only.
-    void solveVelocities(double biasRate, bool wholeOnly, std::span<Velocity> v,
+    /// Solves J v + biasRate C = 0 in these trees.
+    void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
     /// Stores the velocities with which the bodies will move from the poses of place().
     void keepStart(std::span<const Velocity> v);
@@ -42,14 +43,29 @@ public:
     /// motion from the start with another velocity, which becomes v.
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
+    /// Numbers of the trees with joints here: all; whole ones; those of a group.
+    std::span<const int> all() const { return here_; }
+    std::span<const int> whole() const { return whole_; }
+    std::span<const int> of(int group) const { return byGroup_.of(group); }
+    /// Sorts the trees into groups by their bodies; -1: into none.
+    template <class GroupOf>
+    void sortInto(int groups, const GroupOf& groupOf) {
+        byGroup_.sort(static_cast<int>(trees_.size()), groups, [&](int number) {
+            const Tree& tree = trees_[number];
+            if (tree.end == 0) return -1;  // its joints are in another part
+            return groupOf(joints_[tree.first].a, joints_[tree.first].b);
+        });
+    }
+
     bool empty() const { return joints_.empty(); }
     std::vector<TreeJoint<N>>& joints() { return joints_; }
     const std::vector<TreeJoint<N>>& joints() const { return joints_; }
-    bool isWhole(const TreeJoint<N>& joint) const { return trees_[joint.tree].whole; }
 
 private:
     struct Tree {
         bool whole = true;   // no other joint acts on it
+        int first = 0, end = 0;  // of its joints
+        int firstMember = 0, endMember = 0;
         double worst = 0.0;     // largest |C|, m or rad
         double ratio = 0.0;     // largest |C| / lever arm
         double sum = 0.0;       // of the largest |C| of each joint
@@ -57,46 +73,43 @@ private:
         bool closed = false;    // held twice
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
-        bool again = false;     // Newton's method continues
-        double farthest = 0.0;  // m, largest displacement by its nudge
-        double share = 1.0;     // of the displacement that is applied
     };
     struct Member {
         int body = -1;
-        int tree = -1;
         Quat start = Quat::Identity();  // of the sub-step, and its end with the spin
         Quat end = Quat::Identity();
         Velocity kept = {};             // at the start, before any feedback
         Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
 
-    int own(int body, int tree, std::vector<int>& places);
-    void evaluateErrors(std::span<const Joint> joints, std::span<const Pose> poses);
+    int own(int body, std::vector<int>& places);
+    void evaluateErrors(Tree& tree, std::span<const Joint> joints, std::span<const Pose> poses);
     /// A chain pulled straight between two posts can hardly correct errors along it: the linear solution for
     /// them is huge. It is limited to a plausible size.
-    void limitMoves();
+    void limitMoves(Tree& tree);
     /// The previous nudge, with the same J, did not reduce the errors of a closed tree.
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
-    void chooseGains(const TreeNudge& nudge, const Bodies& bodies);
-    /// One Newton step of all trees, or if `more`, only of those where it still helps.
-    void nudgeOnce(const TreeNudge& nudge, bool more, Bodies& bodies);
-    /// Undoes the feedback of trees where Newton's method does not converge: their errors are too large, or
-    /// the sub-step is too long for their tension.
-    void takeBackFeedback(const TreeNudge& nudge, Bodies& bodies);
-    bool isMet() const;
-    void move(const TreeNudge& nudge, Bodies& bodies);
+    void chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies);
+    /// One Newton step.
+    void nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
+    /// Whether another step helps. Undoes the feedback of a tree where Newton's method does not converge: its
+    /// errors are too large, or the sub-step is too long for its tension.
+    bool goesOn(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
+    void takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
+    void move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     void moveAnew(Member& member, const Vec3& turn, const TreeNudge& nudge, Bodies& bodies) const;
 
-    std::vector<TreeJoint<N>> joints_;  // in order of elimination
+    std::vector<TreeJoint<N>> joints_;  // one tree after the other, each in order of elimination
     BlockFactors<N> factors_;
     std::vector<Tree> trees_;
+    std::vector<int> here_, whole_;     // trees with joints here; whole ones among them
+    ByGroup byGroup_;
     std::vector<Member> members_;
     std::vector<InverseMass> masses_;  // by member
     std::vector<Velocity> moved_;      // by member: motion in this nudge, m, rad
     std::vector<TreeRows<N>> x_, fed_;  // fed_: impulses added by the nudges of this sub-step
-    bool anyWhole_ = false;
 };
 
 extern template class TreePart<3>;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kFast = 0.5;         // m/s
 constexpr int kFewContacts = 64;      // islands with fewer share a group
+constexpr int kFewOfJointed = 16;     // the same for those with joints
 
 bool isFast(const Contact& contact, const Bodies& bodies) {
     const Vec3 passing =
@@ -20,16 +21,26 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
                          const Bodies& bodies, DisjointSets& islands) {
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
-    jointed_ = false;
+    count(contacts, bodies, islands);
+    moving_.clear(), touched_.clear(), open_.clear();
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
         const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
         if (!bodies.isAwake(body)) continue;
-        islands_[islands.leaderOf(body)].jointed = true;
-        jointed_ = true;
+        Island& island = islands_[islands.leaderOf(body)];
+        island.jointed = true;
+        if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
     }
-    count(contacts, bodies, islands);
-    number(contacts, bodies, islands);
+    jointed_ = count();
+    open_.clear();
+    ofContact_.clear();
+    for (const Contact& contact : contacts) {
+        const int body = bodies.movable(contact.a, contact.b);
+        Island& island = islands_[islands.leaderOf(body)];
+        if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
+        ofContact_.push_back(island.group);
+    }
+    findJointedBodies(bodies, islands);
 }
 
 void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodies,
@@ -41,42 +52,48 @@ void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodie
     }
 }
 
+int ContactGroups::addGroup(bool moving, bool touched) {
+    moving_.push_back(moving);
+    touched_.push_back(touched);
+    return count() - 1;
+}
+
 int ContactGroups::groupFor(const Island& island, double span) {
-    if (island.jointed) return 0;
-    const bool small = island.contacts < kFewContacts;
-    if (!small) {
-        moving_.push_back(50 * island.fast > island.contacts);
-        return count() - 1;
-    }
-    const auto same = [&](const Open& open) { return open.span == span; };
+    const bool touched = island.contacts > 0;
+    const int few = island.jointed ? kFewOfJointed : kFewContacts;
+    if (island.contacts >= few)
+        return addGroup(!island.jointed && 50 * island.fast > island.contacts, touched);
+    const auto same = [&](const Open& open) {
+        return open.span == span && touched_[open.group] == touched;
+    };
     auto open = std::ranges::find_if(open_, same);
-    if (open == open_.end()) open = open_.insert(open_.end(), {span, -1, 0});
-    if (open->room <= 0) {
-        *open = {span, count(), kFewContacts};
-        moving_.push_back(0);
-    }
+    if (open == open_.end())
+        open = open_.insert(open_.end(), {span, addGroup(false, touched), few});
+    else if (open->room <= 0)
+        *open = {span, addGroup(false, touched), few};
     open->room -= island.contacts;
     return open->group;
 }
 
-void ContactGroups::number(std::span<const Contact> contacts, const Bodies& bodies,
-                           DisjointSets& islands) {
-    moving_.assign(jointed_ ? 1 : 0, 0);
-    ofContact_.clear();
-    open_.clear();
-    for (const Contact& contact : contacts) {
-        const int body = bodies.movable(contact.a, contact.b);
-        Island& island = islands_[islands.leaderOf(body)];
-        if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
-        ofContact_.push_back(island.group);
+void ContactGroups::findJointedBodies(const Bodies& bodies, DisjointSets& islands) {
+    candidates_.clear(), jointedBodies_.clear();
+    const auto islandOf = [&](int body) { return islands_[islands.leaderOf(body)]; };
+    if (jointed_ > 0)
+        for (const int i : bodies.active)
+            if (bodies.isDynamic(i) && islandOf(i).jointed && islandOf(i).contacts > 0)
+                candidates_.push_back(i);
+    byGroup_.sort(static_cast<int>(candidates_.size()), jointed_,
+                  [&](int k) { return islandOf(candidates_[k]).group; });
+    firstBody_.assign(1, 0);
+    for (int g = 0; g < jointed_; ++g) {
+        for (const int k : byGroup_.of(g)) jointedBodies_.push_back(candidates_[k]);
+        firstBody_.push_back(static_cast<int>(jointedBodies_.size()));
     }
-    jointedBodies_.clear();
-    if (!jointed_) return;
-    for (const int i : bodies.active) {
-        if (!bodies.isDynamic(i)) continue;
-        const Island& island = islands_[islands.leaderOf(i)];
-        if (island.jointed && island.contacts > 0) jointedBodies_.push_back(i);
-    }
+}
+
+int ContactGroups::ofJoint(int a, int b, const Bodies& bodies, DisjointSets& islands) const {
+    const int body = bodies.movable(a, b);
+    return bodies.isAwake(body) ? islands_[islands.leaderOf(body)].group : -1;
 }
 
 }  // namespace engine

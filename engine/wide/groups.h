@@ -1,6 +1,6 @@
 /// Islands: bodies not connected by contacts and joints are independent problems, and each is swept as often
-/// as it needs. Small islands with equal sub-steps (Bodies::spans) share a group, to fill the lanes. All
-/// islands with joints are in the first group, because their trees are solved together.
+/// as it needs. Small islands with equal sub-steps (Bodies::spans) share a group, to fill the lanes. Islands with
+/// joints are in groups of their own, the first ones; those that nothing touches share one.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,6 +9,7 @@
 #include "engine/constraints/contact.h"
 #include "engine/constraints/joint_constraint.h"
 #include "engine/dynamics/bodies.h"
+#include "engine/base/by_group.h"
 
 namespace engine {
 
@@ -19,13 +20,19 @@ public:
               const Bodies& bodies, DisjointSets& islands);
 
     int count() const { return static_cast<int>(moving_.size()); }
-    bool hasJoints() const { return jointed_; }  // in group 0
+    bool hasJoints(int group) const { return group < jointed_; }
+    bool isTouched(int group) const { return touched_[group] != 0; }
     int of(int contact) const { return ofContact_[contact]; }
+    /// That of a joint between two bodies; -1 if they are asleep or cannot move.
+    int ofJoint(int a, int b, const Bodies& bodies, DisjointSets& islands) const;
     /// A large island where more than one in fifty contacts is between bodies that pass each other at more
     /// than 0.5 m/s: it does not need the sweeps that keep a heap at rest.
     bool moving(int group) const { return moving_[group] != 0; }
-    /// Bodies of group 0 that contacts may move.
+    /// Bodies with joints, directly or not, that contacts may move; all or those of a group.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
+    std::span<const int> jointedBodies(int group) const {
+        return jointedBodies().subspan(firstBody_[group], firstBody_[group + 1] - firstBody_[group]);
+    }
 
 private:
     struct Island {
@@ -36,18 +43,22 @@ private:
     /// A group that takes further small islands.
     struct Open {
         double span = 0.0;  // s, of its bodies
-        int group = -1, room = 0;
+        int group = -1;
+        int room = 0;       // contacts
     };
 
     void count(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
-    void number(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
     int groupFor(const Island& island, double span);
+    int addGroup(bool moving, bool touched);
+    void findJointedBodies(const Bodies& bodies, DisjointSets& islands);
 
     std::vector<Open> open_;
-    std::vector<int> ofContact_, jointedBodies_;
+    std::vector<int> ofContact_;
+    std::vector<int> candidates_, jointedBodies_, firstBody_;  // the latter by group, and the end
+    ByGroup byGroup_;
     std::vector<Island> islands_;  // by leader
-    std::vector<char> moving_;
-    bool jointed_ = false;
+    std::vector<char> moving_, touched_;  // by group
+    int jointed_ = 0;                     // groups
 };
 
 }  // namespace engine

@@ -108,8 +108,7 @@ void WideContacts::arrange(std::span<const Contact> contacts, std::span<const in
     const auto batches = [&] { return static_cast<int>(schedule_.batches().size()); };
     for (int g = 0; g < groups_->count(); ++g) {
         const std::span<const int> all = orders_[g];
-        const bool jointed = g == 0 && groups_->hasJoints();
-        const std::size_t upper = jointed ? all.size() : Overlap::sizeOfUpperHalf(all.size());
+        const std::size_t upper = groups_->hasJoints(g) ? all.size() : Overlap::sizeOfUpperHalf(all.size());
         schedule_.add(pairs_, all.first(upper));
         middle_.push_back(batches());
         schedule_.add(pairs_, all.subspan(upper));

@@ -2,6 +2,9 @@
 // the same results as rows in double precision.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "engine/solver/paces.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/wide/contact_kernels.h"
 #include "engine/wide/schedule.h"
@@ -150,6 +153,53 @@ TEST(Lanes, AnIslandAtRestPaysNothingForOneThatMoves) {
         return world.pose({78}).position;
     };
     EXPECT_LT((topOf(true) - topOf(false)).norm(), 1e-12);
+}
+
+/// Pairs 1-2, 3-4, 5-6 and 7-8 are joined; 1 and 3 lie on the floor with twenty contacts, 9 with three.
+struct JointedPairs {
+    Bodies bodies;
+    std::vector<Contact> contacts;
+    std::vector<Joint> joints;
+    DisjointSets islands;
+    ContactGroups groups;
+
+    JointedPairs() {
+        for (int i = 0; i < 10; ++i) {
+            BodyDef def = body(Shape::sphere(0.5), Vec3(3.0 * i, 0.5, 0), 1.0);
+            if (i == 0) def.kind = BodyKind::fixed;
+            addBody(bodies, def, i);
+        }
+        setSpans(bodies, kStep);
+        for (int i = 1; i < 9; i += 2) {
+            Joint joint;
+            joint.def.a = {i}, joint.def.b = {i + 1};
+            joints.push_back(joint);
+        }
+        for (const auto& [body, count] : {std::pair{1, 20}, {3, 20}, {9, 3}})
+            for (int k = 0; k < count; ++k) {
+                Contact contact;
+                contact.a = 0, contact.b = body;
+                contacts.push_back(contact);
+            }
+        connect(contacts, joints, bodies, islands);
+        groups.find(contacts, joints, bodies, islands);
+    }
+    int ofPair(int a) { return groups.ofJoint(a, a + 1, bodies, islands); }
+};
+
+TEST(ContactGroups, HoldIslandsWithJointsApartFromOthersAndFromEachOther) {
+    JointedPairs s;
+    EXPECT_EQ(s.ofPair(1), s.groups.of(0));
+    EXPECT_EQ(s.ofPair(3), s.groups.of(20));
+    EXPECT_NE(s.ofPair(1), s.ofPair(3));
+    EXPECT_EQ(s.ofPair(5), s.ofPair(7));  // nothing touches them: one solve for all
+    for (const int pair : {1, 3, 5}) EXPECT_TRUE(s.groups.hasJoints(s.ofPair(pair)));
+    EXPECT_FALSE(s.groups.hasJoints(s.groups.of(40)));
+    EXPECT_TRUE(s.groups.isTouched(s.ofPair(3)));
+    EXPECT_FALSE(s.groups.isTouched(s.ofPair(5)));
+    EXPECT_TRUE(std::ranges::equal(s.groups.jointedBodies(s.ofPair(3)), std::vector{3, 4}));
+    EXPECT_TRUE(s.groups.jointedBodies(s.ofPair(5)).empty());
+    EXPECT_EQ(s.groups.jointedBodies().size(), 4u);
 }
 
 }  // namespace

@@ -170,12 +170,12 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
         {"stack", goldenStack, 300, 0x0316abca93544d1a},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
-        {"chain", goldenChain, 300, 0x367fe6a2f3964c80},
+        {"chain", goldenChain, 300, 0x3223cafa0540bc05},
         {"pyramid", goldenPyramid, 60, 0xdd09f31fad8c50c6},
-        {"forces", goldenForces, 300, 0x78cd3556c226e295},
-        {"machine", goldenMachine, 300, 0x21daa461b70e233c},
-        {"shapes", goldenShapes, 180, 0xfd5b2a26dde05ff9},
-        {"rolling", goldenRolling, 300, 0x1a99cecec7263854},
+        {"forces", goldenForces, 300, 0x5a5595a34dfae3fc},
+        {"machine", goldenMachine, 300, 0x85af806abb39a49b},
+        {"shapes", goldenShapes, 180, 0x31fc239e3772c62b},
+        {"rolling", goldenRolling, 300, 0x35b119b4d95493ca},
     }};
     return worlds;
 }

@@ -51,6 +51,27 @@ TEST(Momentum, IsKeptToTheLastBitsByTheFreeTurn) {
     EXPECT_LT((momentumOf(bodies).angular - before).norm(), 1e-11 * before.norm());
 }
 
+/// The spin and rotation of a symmetric top after a time, by closed form and by the series of any other body.
+TEST(SymmetricTop, TurnsAsTheSeriesOfABodyThatIsNearlyOne) {
+    for (const Shape& shape : {Shape::capsule(0.05, 1.0), Shape::cylinder(1.0, 0.02),
+                               Shape::box({0.05, 2.0, 0.05}), Shape::box({3.0, 0.1, 0.1})}) {
+        BodyDef def = support::body(shape, Vec3::Zero(), 2.0);
+        def.spin = {3.0, 15.0, -7.0};
+        Bodies bodies;
+        addBody(bodies, def, 0);
+        def.inertia = bodies.masses[0].inertia;
+        (*def.inertia)(0, 0) *= 1.0 + 1e-11;
+        (*def.inertia)(1, 1) *= 1.0 - 1e-11;
+        addBody(bodies, def, 1);
+        ASSERT_GE(bodies.masses[0].topAxis, 0);
+        ASSERT_LT(bodies.masses[1].topAxis, 0);
+        setSpans(bodies, 1.0 / 60);
+        for (int i = 0; i < 120; ++i) integratePositions(bodies, Gyroscope::momentum);
+        EXPECT_LT(bodies.poses[0].rotation.angularDistance(bodies.poses[1].rotation), 1e-6);
+        EXPECT_LT((bodies.velocities[0].angular - bodies.velocities[1].angular).norm(), 1e-6);
+    }
+}
+
 // mission 9: M^-1 of immovable bodies is zero
 TEST(InverseMass, OfAFixedOrKinematicBodyIsZero) {
     for (const BodyKind kind : {BodyKind::fixed, BodyKind::kinematic}) {
