@@ -44,7 +44,7 @@ void completeBash() {
 _impulse() {{
     local word="${{COMP_WORDS[COMP_CWORD]}}" words=""
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "{} --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "{} --help --version --licenses" -- "$word"))
         return
     fi
     case "${{COMP_WORDS[1]}}" in

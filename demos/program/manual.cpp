@@ -33,12 +33,15 @@ std::string optionHead(const OptionWords& option) {
     return head;
 }
 
+std::string optionPart(const OptionWords& option) {
+    return ".TP\n" + optionHead(option) + "\n" + roff(option.text) + "\n";
+}
+
 std::string commandPart(const CommandWords& command) {
     std::string text = ".SS " + roff(command.name) + "\n" + roff(command.purpose) + "\n.PP\n.nf\n";
     for (const std::string& example : command.examples) text += roff(example) + "\n";
     text += ".fi\n";
-    for (const OptionWords& option : command.options)
-        text += ".TP\n" + optionHead(option) + "\n" + roff(option.text) + "\n";
+    for (const OptionWords& option : command.options) text += optionPart(option);
     return text;
 }
 
@@ -46,7 +49,9 @@ Exit manual() {
     fmt::print(".TH IMPULSE 1 \"\" \"impulse {}\" \"User Commands\"\n", kVersion);
     fmt::print(".SH NAME\nimpulse \\- {}\n", roff(kProgramPurpose));
     fmt::print(".SH SYNOPSIS\n\\fBimpulse\\fR \\fICOMMAND\\fR [\\fIOPTION\\fR ...]\n");
-    fmt::print(".SH DESCRIPTION\n{}\n.SH COMMANDS\n", roff(closingWords()));
+    fmt::print(".SH DESCRIPTION\n{}\n.SH OPTIONS\n", roff(closingWords()));
+    for (const OptionWords& option : programOptions()) fmt::print("{}", optionPart(option));
+    fmt::print(".SH COMMANDS\n");
     for (const CommandWords& command : commandWords()) fmt::print("{}", commandPart(command));
     return Exit::ok;
 }

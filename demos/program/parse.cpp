@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "demos/program/command_table.h"
+#include "demos/program/licenses.h"
 #include "demos/text/complaints.h"
 #include "demos/text/nearest.h"
 #include "demos/text/shell_word.h"
@@ -33,6 +34,9 @@ struct Parser {
 
     Parser() {
         app.set_version_flag("--version", std::string("impulse ") + kVersion, "the version");
+        app.add_flag_callback(
+            "--licenses", [] { throw CLI::CallForVersion(std::string(licenses()), 0); },
+            "the notices of what is built in");
         app.set_help_flag("-h,--help",
                           "this page; 'impulse COMMAND --help' for a command's options");
         app.require_subcommand(1);
@@ -181,6 +185,13 @@ std::vector<CommandWords> commandWords() {
             words.options.push_back(wordsOf(*option));
         all.push_back(std::move(words));
     }
+    return all;
+}
+
+std::vector<OptionWords> programOptions() {
+    const Parser parser;
+    std::vector<OptionWords> all;
+    for (const CLI::Option* option : parser.app.get_options()) all.push_back(wordsOf(*option));
     return all;
 }
 

@@ -29,6 +29,9 @@ struct CommandWords {
 };
 std::vector<CommandWords> commandWords();
 
+/// The options without a command, such as --version.
+std::vector<OptionWords> programOptions();
+
 /// The last lines of the program's --help.
 std::string closingWords();
 

@@ -6,7 +6,7 @@ namespace demos {
 #ifdef IMPULSE_VERSION
 inline constexpr const char* kVersion = IMPULSE_VERSION;
 #else
-inline constexpr const char* kVersion = "0.1.0";
+inline constexpr const char* kVersion = "0.2";
 #endif
 
 }  // namespace demos
