@@ -1,6 +1,6 @@
 /// Islands: bodies not connected by contacts and joints are independent problems, and each is swept as often
-/// as it needs. Small islands with equal sub-steps (Bodies::spans) share a group, to fill the lanes. Islands with
-/// joints are in groups of their own, the first ones; those that nothing touches share one.
+/// as it needs. Small islands with equal sub-steps (Bodies::spans) share a group, to fill the lanes. Islands
+/// with joints are in groups of their own, the first ones; those that nothing touches share one.
 #pragma once
 #include <span>
 #include <vector>

@@ -200,6 +200,15 @@ TEST(Signposts, FromTheStepToTheArithmeticItIsThreeCalls) {
     }
 }
 
+TEST(Layering, TheTopLevelIsAsItsOwnerHasFixedIt) {
+    const std::set<std::string> fixed{"CMakeLists.txt", "engine", "render",   "demos",
+                                      "tests",          "output", "README.md"};
+    for (const auto& entry : fs::directory_iterator(IMPULSE_SOURCE_DIR)) {
+        const std::string name = entry.path().filename();
+        EXPECT_TRUE(startsWith(name, ".") || startsWith(name, "build") || fixed.contains(name)) << name;
+    }
+}
+
 TEST(Layering, RenderKnowsNoPhysics) {
     for (const Include& i : includesOf("render"))
         EXPECT_FALSE(startsWith(i.header, "engine/") || startsWith(i.header, "demos/"))
