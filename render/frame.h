@@ -23,6 +23,9 @@ struct SolidMesh;  // solid_mesh.h
 /// The shape of a solid; Solid::halfSize gives its size.
 enum class SolidShape { box, sphere, capsule, cylinder, cone, mesh };
 
+/// The surface of a solid: its pattern, and how it reflects light (material.h).
+enum class Material { plastic, wood, brick, steel, rubber, stone, paper, felt, glass };
+
 /// A body's picture.
 struct Solid {
     SolidShape shape = SolidShape::box;
@@ -34,6 +37,7 @@ struct Solid {
                                       // halfSize.y / 2 below it, the tip 1.5 halfSize.y above
     Quat rotation = Quat::Identity(); // round shapes have their axis along local y
     Color color;
+    Material material = Material::plastic;
     int id = 0;                       // 0..65534, for data passes (data_images.h)
     std::shared_ptr<const SolidMesh> mesh{};  // for a mesh; if null, nothing is drawn
 };
@@ -159,6 +163,8 @@ struct Look {
     bool edges = true;             // lines along the edges of bodies
     bool transparent = false;  // no sky and no ground: alpha is 0 where there is no body
     float lineStrength = 1.0f;  // of edges and of the grid
+    float grain = 0.2f;  // m: the size of the patterns of materials
+    float gridReach = 0.0f;  // m from lookAt, where a quarter of the grid is left; 0: all everywhere
     float unit = 0.0f;  // pixels for 1 pixel of 1280x720, for text (which then never shrinks),
                         // marks and lines; 0: by the picture's area
     float edgePixels = 0.0f;  // width of bodies' edges and the ground's lines; 0: by the height

@@ -15,14 +15,17 @@ void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, G
     glVertexAttribDivisor(index, divisor);
 }
 
-/// The attributes per instance, read from the buffer that is bound.
-void instanceAttributes() {
-    attribute(3, 3, sizeof(Instance), offsetof(Instance, position), 1);
-    attribute(4, 4, sizeof(Instance), offsetof(Instance, rotation), 1);
-    attribute(5, 3, sizeof(Instance), offsetof(Instance, scale), 1);
-    attribute(6, 1, sizeof(Instance), offsetof(Instance, stretch), 1);
-    attribute(7, 3, sizeof(Instance), offsetof(Instance, color), 1);
-    attribute(8, 1, sizeof(Instance), offsetof(Instance, surface), 1);
+/// The attributes per instance, read from the buffer that is bound, from instance `first` on.
+void instanceAttributes(int first) {
+    const auto each = [first](GLuint index, int size, std::size_t offset) {
+        attribute(index, size, sizeof(Instance), first * sizeof(Instance) + offset, 1);
+    };
+    each(3, 3, offsetof(Instance, position));
+    each(4, 4, offsetof(Instance, rotation));
+    each(5, 3, offsetof(Instance, scale));
+    each(6, 1, offsetof(Instance, stretch));
+    each(7, 3, offsetof(Instance, color));
+    each(8, 1, offsetof(Instance, surface));
 }
 
 /// The distinct corners, compared by their bytes, and the triangles as indices of corners.
@@ -84,18 +87,29 @@ InstancedMesh::InstancedMesh(const std::vector<FacetVertex>& mesh)
 
 void InstanceList::set(const std::vector<Instance>& instances) {
     count_ = static_cast<int>(instances.size());
+    ranges_ = {};
+    for (int i = 0; i < count_; ++i) {
+        InstanceRange& range = ranges_[indexOf(instances[i].material)];
+        if (range.count++ == 0) range.first = i;
+    }
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
                  instances.data(), GL_STREAM_DRAW);
 }
 
-void InstancedMesh::draw(const InstanceList& instances) const {
-    if (instances.count_ == 0) return;
+std::bitset<kMaterials> InstanceList::materials() const {
+    std::bitset<kMaterials> result;
+    for (std::size_t i = 0; i < kMaterials; ++i) result[i] = ranges_[i].count > 0;
+    return result;
+}
+
+void InstancedMesh::draw(const InstanceList& instances, std::optional<Material> material) const {
+    const InstanceRange range = instances.of(material);
+    if (range.count == 0) return;
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, instances.buffer_);
-    instanceAttributes();
-    glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr,
-                            instances.count_);
+    instanceAttributes(range.first);
+    glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr, range.count);
 }
 
 }  // namespace render

@@ -27,10 +27,12 @@ std::size_t levelOf(float pixels, const std::array<int, Count>& corners) {
     return level;
 }
 
-/// Nearest first, by the square of the distance from the eye.
-void sortByDistance(std::vector<Instance>& instances, const Vec3& eye) {
+/// By material, then nearest first, so that what is hidden is not shaded; glass farthest first.
+void sort(std::vector<Instance>& instances, const Vec3& eye) {
     std::stable_sort(instances.begin(), instances.end(), [&](const Instance& a, const Instance& b) {
-        return (a.position - eye).squaredNorm() < (b.position - eye).squaredNorm();
+        if (a.material != b.material) return a.material < b.material;
+        const float nearA = (a.position - eye).squaredNorm(), nearB = (b.position - eye).squaredNorm();
+        return a.material == Material::glass ? nearA > nearB : nearA < nearB;
     });
 }
 
@@ -39,7 +41,7 @@ Instance barOf(const Rod& rod, float radius, float surface) {
     const float length = along.norm();
     const Quat q = shortestTurn<float>(Vec3::UnitY(), along);
     return {0.5f * (rod.from + rod.to), q.coeffs(), {radius, 0.5f * length, radius}, 0.0f,
-            linear(rod.color), surface};
+            linear(rod.color), surface, Material::plastic};
 }
 
 }  // namespace
@@ -59,7 +61,7 @@ public:
 
     void add(const Solid& s, float number) {
         Instance one{s.position, s.rotation.normalized().coeffs(), s.halfSize, 0.0f,
-                     linear(s.color), number};
+                     linear(s.color), number, s.material};
         switch (s.shape) {
             case SolidShape::box: result.boxes.push_back(one); return;
             case SolidShape::cylinder: round(result.cylinders, one); return;
@@ -110,18 +112,24 @@ Instances instancesOf(const Frame& frame, float pixelsAMeter) {
     float surface = 0.0f;
     for (const Solid& s : frame.solids) sorted.add(s, surface++);
     for (const Rod& rod : frame.rods) sorted.add(rod, surface++);
-    sortByDistance(result.boxes, eye);
-    for (std::vector<Instance>& bars : result.bars) sortByDistance(bars, eye);
+    sort(result.boxes, eye);
+    for (std::vector<Instance>& bars : result.bars) sort(bars, eye);
     for (ByCorners* levels : {&result.balls, &result.cylinders, &result.cones})
-        for (std::vector<Instance>& instances : *levels) sortByDistance(instances, eye);
-    for (Instances::OfMesh& mesh : result.meshes) sortByDistance(mesh.instances, eye);
+        for (std::vector<Instance>& instances : *levels) sort(instances, eye);
+    for (Instances::OfMesh& mesh : result.meshes) sort(mesh.instances, eye);
     return std::move(result);
 }
 
 /// Coarse: uses the mesh of the level below, if there is one.
-void Meshes::Levels::draw(Detail detail) const {
+void Meshes::Levels::draw(Detail detail, std::optional<Material> only) const {
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        meshes[detail == Detail::coarse && i > 0 ? i - 1 : i].draw(instances[i]);
+        meshes[detail == Detail::coarse && i > 0 ? i - 1 : i].draw(instances[i], only);
+}
+
+std::bitset<kMaterials> Meshes::Levels::materials() const {
+    std::bitset<kMaterials> result;
+    for (const InstanceList& list : instances) result |= list.materials();
+    return result;
 }
 
 Meshes::Meshes() : box_(boxMesh()) {
@@ -139,16 +147,16 @@ void Meshes::set(const Instances& instances) {
     boxes_.set(instances.boxes);
     for (std::size_t i = 0; i < instances.bars.size(); ++i)
         bars_.instances[i].set(instances.bars[i]);
-    facets_ = false;
-    for (const Instances::OfMesh& one : instances.meshes)
-        facets_ = facets_ || one.mesh->anyCrisp;
     for (std::size_t i = 0; i < kBallCorners.size(); ++i) {
         balls_.instances[i].set(instances.balls[i]);
         cylinders_.instances[i].set(instances.cylinders[i]);
         cones_.instances[i].set(instances.cones[i]);
-        facets_ = facets_ || !instances.cylinders[i].empty() || !instances.cones[i].empty();
     }
     setMeshes(instances.meshes);
+    round_ = balls_.materials() | bars_.materials();
+    facets_ = cylinders_.materials() | cones_.materials();
+    for (const Uploaded& one : meshes_)
+        (one.mesh->anyCrisp ? facets_ : round_) |= one.instances.materials();
 }
 
 /// Meshes of the last frame are not uploaded again; those this frame does not use are freed.
@@ -167,32 +175,32 @@ void Meshes::setMeshes(const std::vector<Instances::OfMesh>& meshes) {
     meshes_ = std::move(now);
 }
 
-void Meshes::drawRound(Detail detail) const {
-    balls_.draw(detail);
-    bars_.draw(detail);
+void Meshes::drawRound(Detail detail, std::optional<Material> only) const {
+    balls_.draw(detail, only);
+    bars_.draw(detail, only);
     for (const Uploaded& one : meshes_)
-        if (!one.mesh->anyCrisp) one.drawn.draw(one.instances);
+        if (!one.mesh->anyCrisp) one.drawn.draw(one.instances, only);
 }
 
-void Meshes::drawFacets(GLuint program, Detail detail) const {
+void Meshes::drawFacets(GLuint program, Detail detail, std::optional<Material> only) const {
     setUniform(program, "thinnestOfUnit", 1.0f);
-    cylinders_.draw(detail);
-    cones_.draw(detail);
+    cylinders_.draw(detail, only);
+    cones_.draw(detail, only);
     for (const Uploaded& one : meshes_) {
         if (!one.mesh->anyCrisp) continue;
         setUniform(program, "thinnestOfUnit", one.mesh->thinnest);
-        one.drawn.draw(one.instances);
+        one.drawn.draw(one.instances, only);
     }
 }
 
-void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip,
-                      Detail detail) const {
+void Meshes::drawWith(GLuint program, const Eigen::Matrix4f& worldToClip, Detail detail,
+                      std::optional<Material> only) const {
     glUseProgram(program);
     setUniform(program, "worldToClip", worldToClip);
     glEnable(GL_CULL_FACE);
-    drawBoxes();
-    drawRound(detail);
-    drawFacets(program, detail);
+    drawBoxes(only);
+    drawRound(detail, only);
+    drawFacets(program, detail, only);
     glDisable(GL_CULL_FACE);
 }
 

@@ -41,14 +41,19 @@ class Meshes {
 public:
     Meshes();
     void set(const Instances& instances);
-    void drawBoxes() const { box_.draw(boxes_); }
+    /// Boxes of one material, or all that are not glass; so also the following.
+    void drawBoxes(std::optional<Material> only = {}) const { box_.draw(boxes_, only); }
     /// Also meshes without a crisp edge.
-    void drawRound(Detail detail) const;
+    void drawRound(Detail detail, std::optional<Material> only = {}) const;
     /// Cylinders, cones and meshes with crisp edges; the program has the uniform `thinnestOfUnit`.
-    void drawFacets(GLuint program, Detail detail) const;
-    bool anyFacets() const { return facets_; }
-    /// All of them, front faces only, with a program that has the uniform `worldToClip`.
-    void drawWith(GLuint program, const Eigen::Matrix4f& worldToClip, Detail detail) const;
+    void drawFacets(GLuint program, Detail detail, std::optional<Material> only = {}) const;
+    /// Front faces with a program that has the uniform `worldToClip`.
+    void drawWith(GLuint program, const Eigen::Matrix4f& worldToClip, Detail detail,
+                  std::optional<Material> only = {}) const;
+    /// Those of any instance.
+    std::bitset<kMaterials> materials() const { return boxes_.materials() | round_ | facets_; }
+    /// Those of instances that drawFacets() draws.
+    std::bitset<kMaterials> facetMaterials() const { return facets_; }
 
 private:
     void setMeshes(const std::vector<Instances::OfMesh>& meshes);
@@ -62,13 +67,14 @@ private:
     struct Levels {
         std::vector<InstancedMesh> meshes;
         std::vector<InstanceList> instances;
-        void draw(Detail detail) const;
+        void draw(Detail detail, std::optional<Material> only) const;
+        std::bitset<kMaterials> materials() const;
     };
     InstancedMesh box_;
     InstanceList boxes_;
     Levels bars_, balls_, cylinders_, cones_;
     std::vector<Uploaded> meshes_;                          // those of the last frame
-    bool facets_ = false;
+    std::bitset<kMaterials> round_, facets_;
 };
 
 }  // namespace render

@@ -67,6 +67,29 @@ void drawInto(int buffers) {
     glDrawBuffers(buffers, kBuffers);
 }
 
+/// By alpha; a picture that is not transparent stays exactly opaque.
+void blendOver(const Look& look) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, look.transparent ? GL_ONE : GL_ZERO,
+                        look.transparent ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+}
+
+/// The macros of a material's program.
+std::string patternOf(Material material) {
+    if (material == Material::plastic) return "";
+    std::string name(valuesOf(material).name);
+    for (char& letter : name) letter = static_cast<char>(letter - 'a' + 'A');
+    return " PATTERN " + name;
+}
+
+/// Of bodies' edges.
+void setLines(GLuint program, const Look& look, int height) {
+    const float byHeight = 1.3f * static_cast<float>(height) / 720.0f * std::sqrt(look.lineStrength);
+    setUniform(program, "lineWidth",
+               std::max(1.0f, look.edgePixels > 0.0f ? look.edgePixels : byHeight));
+    setUniform(program, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));
+}
+
 /// Colours and numbers need clearing only if ground and sky do not cover the picture.
 void clear(const Look& look, bool numbered) {
     constexpr float kNothing[] = {0, 0, 0, 0};
@@ -90,6 +113,11 @@ std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
 }
 
 }  // namespace
+
+float gridCell(const Camera& camera) {
+    const float decade = std::floor(std::log10((camera.from - camera.lookAt).norm() / 6.0f));
+    return std::max(std::pow(10.0f, decade), 0.1f);
+}
 
 ScenePass::ScenePass(int width, int height)
     : width_(width),
@@ -148,8 +176,11 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
     glViewport(0, 0, width_, height_);
     drawInto(numbered ? 2 : 1);
     clear(frame.look, numbered);
-    drawBodies(scene, meshes);
+    for (std::size_t i = 0; i < kMaterials; ++i)
+        if (meshes.materials()[i] && Material(i) != Material::glass)
+            drawBodies(scene, meshes, Material(i));
     drawBackground(scene, ground);
+    drawGlass(scene, meshes);
     drawInto(1);  // a trail has no number, and its shader writes none
     drawTrails(scene);
 }
@@ -172,28 +203,34 @@ SurfaceMap ScenePass::surfaces() const {
     return map;
 }
 
-void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes) {
-    const std::string features = featuresOf(scene.lights) +
-                                 (scene.frame.look.edges ? " EDGES" : "");
-    glEnable(GL_CULL_FACE);
-    const Look& look = scene.frame.look;
-    const float byHeight =
-        1.3f * static_cast<float>(height_) / 720.0f * std::sqrt(look.lineStrength);
-    const float width = look.edgePixels > 0.0f ? look.edgePixels : byHeight;
-    const auto setLines = [&look, width](GLuint program) {
-        setUniform(program, "lineWidth", std::max(1.0f, width));
-        setUniform(program, "lineStrength", std::min(0.42f * look.lineStrength, 1.0f));
+void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material material) {
+    std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
+    if (!scene.lights.corners) features += patternOf(material);
+    const float perGrain = 1.0f / scene.frame.look.grain;
+    const auto program = [&](const char* vertex, const char* fragment, const std::string& more) {
+        const GLuint name = lit(vertex, fragment, more, scene);
+        setUniform(name, "perGrain", perGrain);
+        setLines(name, scene.frame.look, height_);
+        return name;
     };
-    setLines(lit("solid", "box", features + " FLAT_FACES", scene));
-    meshes.drawBoxes();
-    if (meshes.anyFacets()) {
-        const GLuint facets = lit("facet", "facet", features, scene);
-        setLines(facets);
-        meshes.drawFacets(facets, Detail::fine);
-    }
-    lit("solid", "round", features, scene);
-    meshes.drawRound(Detail::fine);  // scenery last: much of it is hidden
+    glEnable(GL_CULL_FACE);
+    program("solid", "box", features + " FLAT_FACES");
+    meshes.drawBoxes(material);
+    if (meshes.facetMaterials()[indexOf(material)])
+        meshes.drawFacets(program("facet", "facet", features), Detail::fine, material);
+    program("solid", "round", features);
+    meshes.drawRound(Detail::fine, material);  // scenery last: much of it is hidden
     glDisable(GL_CULL_FACE);
+}
+
+/// Over all that is behind it. Glass in front of glass does not hide it.
+void ScenePass::drawGlass(const Scene& scene, const Meshes& meshes) {
+    if (!meshes.materials()[indexOf(Material::glass)]) return;
+    blendOver(scene.frame.look);
+    glDepthMask(GL_FALSE);
+    drawBodies(scene, meshes, Material::glass);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 /// Without a sky, empty pixels stay transparent, and the ground only receives shadows.
@@ -254,8 +291,10 @@ void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCo
     setUniform(program, "along", corners.along);
     setColorUniform(program, "groundColor", look.ground);
     setColorUniform(program, "lineColor", lineColor(look.ground));
-    const float decade = std::floor(std::log10(distanceOf(scene.frame) / 6.0f));
-    setUniform(program, "perCell", 1.0f / std::max(std::pow(10.0f, decade), 0.1f));
+    setUniform(program, "perCell", 1.0f / gridCell(scene.frame.camera));
+    const Vec3& subject = scene.frame.camera.lookAt;
+    setUniform(program, "subject", corners.across.dot(subject), corners.along.dot(subject));
+    setUniform(program, "perReach", look.gridReach > 0.0f ? 1.0f / look.gridReach : 0.0f);
 }
 
 void ScenePass::drawSky(const Scene& scene) {
@@ -287,10 +326,7 @@ void ScenePass::drawTrails(const Scene& scene) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(band.size() * sizeof(TrailVertex)),
                  band.data(), GL_STREAM_DRAW);
     glUseProgram(trail_);
-    glEnable(GL_BLEND);
-    const bool own = scene.frame.look.transparent;  // else the picture stays exactly opaque
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, own ? GL_ONE : GL_ZERO,
-                        own ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    blendOver(scene.frame.look);
     glDepthMask(GL_FALSE);
     glBindVertexArray(trailArray_);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(band.size()));

@@ -18,6 +18,9 @@ struct Lights {
     PixelRect darkened;               // where openMap may be below its maximum
 };
 
+/// m between two thin lines of the ground's grid; every fifth line is a strong one.
+float gridCell(const Camera& camera);
+
 class ScenePass {
 public:
     ScenePass(int width, int height);
@@ -37,7 +40,8 @@ private:
     };
     GLuint lit(const std::string& vertex, const std::string& fragment, const std::string& features,
                const Scene& scene);
-    void drawBodies(const Scene& scene, const Meshes& meshes);
+    void drawBodies(const Scene& scene, const Meshes& meshes, Material material);
+    void drawGlass(const Scene& scene, const Meshes& meshes);
     void drawBackground(const Scene& scene, const GroundMesh& mesh);
     void drawGrounds(const Scene& scene, const GroundMesh& mesh);
     void setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,

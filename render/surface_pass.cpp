@@ -19,6 +19,7 @@ SurfaceMap SurfacePass::draw(const Frame& frame, const View& view, const Meshes&
     glClearBufferiv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
     meshes.drawWith(solid_, view.worldToClip(), Detail::fine);
+    meshes.drawWith(solid_, view.worldToClip(), Detail::fine, Material::glass);
     glUseProgram(ground_);
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (std::size_t i = 0; i < frame.grounds.size(); ++i) {

@@ -31,6 +31,7 @@ struct Instance {
     float stretch;             // m
     Vec3 color;                // linear
     float surface;             // its number (surface_map.h); whole, below 2^19
+    Material material;         // chooses the program; no attribute
 };
 
 }  // namespace render

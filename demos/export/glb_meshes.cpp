@@ -3,20 +3,22 @@
 #include <array>
 
 #include "render/linear.h"
+#include "render/material.h"
 
 namespace demos {
 
-int GlbMeshes::materialOf(const render::Color& color) {
-    constexpr float kRoughness = 0.6f;  // between paint and plastic, like the renderer's
-    const auto [place, isNew] = byColor_.try_emplace({color.r, color.g, color.b, color.a},
-                                                     static_cast<int>(materials_.size()));
+int GlbMeshes::materialOf(const render::Color& color, render::Material look) {
+    const render::MaterialValues& values = render::valuesOf(look);
+    const auto [place, isNew] = byValues_.try_emplace(
+        {color.r, color.g, color.b, color.a, values.metallic, values.roughness},
+        static_cast<int>(materials_.size()));
     if (!isNew) return place->second;
     const render::Vec3 light = render::linear(color);
     GlbJson& material = materials_.emplace_back();
     material["pbrMetallicRoughness"] = {
         {"baseColorFactor", {light.x(), light.y(), light.z(), color.a}},
-        {"metallicFactor", 0.0},
-        {"roughnessFactor", kRoughness}};
+        {"metallicFactor", values.metallic},
+        {"roughnessFactor", values.roughness}};
     if (color.a < 1.0f) material["alphaMode"] = "BLEND";
     return place->second;
 }

@@ -13,7 +13,7 @@ public:
     explicit GlbMeshes(GlbBuffer& buffer) : buffer_(buffer) {}
 
     /// The number of a material, translucent if the colour is.
-    int materialOf(const render::Color& color);
+    int materialOf(const render::Color& color, render::Material look = render::Material::plastic);
     /// The number of a mesh.
     int meshOf(const Triangles& triangles, int material);
 
@@ -30,7 +30,7 @@ private:
 
     GlbBuffer& buffer_;
     GlbJson materials_ = GlbJson::array(), meshes_ = GlbJson::array();
-    std::map<std::array<float, 4>, int> byColor_;
+    std::map<std::array<float, 6>, int> byValues_;
     std::map<Triangles, std::pair<int, Accessors>> shared_;
     std::map<std::pair<int, int>, int> byParts_;  // triangles and material
 };

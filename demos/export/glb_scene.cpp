@@ -104,7 +104,7 @@ private:
 
     std::vector<GlbPart> partsOf(const RecordedBody& body) {
         if (!body.plane.isZero(0.0)) return {groundOf(body.plane)};
-        const int material = meshes_.materialOf(body.color);
+        const int material = meshes_.materialOf(body.color, body.look);
         std::vector<GlbPart> parts;
         for (const DrawnPart& part : body.parts)
             parts.push_back({meshes_.meshOf(trianglesOf(part.solid), material), part.place,

@@ -6,6 +6,7 @@
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/scale.h"
+#include "render/material.h"
 
 namespace demos {
 namespace {
@@ -90,8 +91,9 @@ void RunRecorder::addBodies(const Player& player) {
         const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
         const double mass = stage.world.mass(stage.bodies[i]), thickness = thicknessOf(def.shape);
         RecordedBody& body = recording_.bodies.emplace_back();
-        body = {stage.scene.bodies[i].name, colors[i], stage.drawn[i], Vec3::Zero(), mass};
-        if (def.sensor) body.color.a = kSensorAlpha;
+        body = {stage.scene.bodies[i].name, colors[i], stage.scene.bodies[i].look,
+                stage.drawn[i], Vec3::Zero(), mass};
+        body.color.a = def.sensor ? kSensorAlpha : render::valuesOf(body.look).alpha;
         if (def.shape.type == engine::ShapeType::plane) body.plane = def.shape.normal;
         const bool thinner = thinnest == 0.0 || thickness < thinnest;
         if (mass > 0.0 && thickness > 0.0 && thinner) thinnest = thickness;

@@ -17,7 +17,8 @@ namespace demos {
 /// A body's properties that do not change.
 struct RecordedBody {
     std::string name;
-    render::Color color;           // as drawn at time 0; translucent: a sensor
+    render::Color color;           // as drawn at time 0; translucent: a sensor or glass
+    render::Material look{};
     std::vector<DrawnPart> parts;  // empty: a plane, which is also in Recording::grounds
     Vec3 plane{0, 0, 0};           // unit, in its axes: a plane's normal
     double mass = 0.0;             // kg; 0: not dynamic

@@ -10,6 +10,7 @@
 #include "demos/export/replay_codec.h"
 #include "demos/look/theme.h"
 #include "demos/text/rounded.h"
+#include "render/material.h"
 #include "render/solid_mesh.h"
 
 namespace demos {
@@ -178,6 +179,8 @@ private:
             const RecordedBody& body = recording_.bodies[i];
             Json json{{"name", body.name},
                       {"color", listOf(body.color)},
+                      {"roughness", shortOf(render::valuesOf(body.look).roughness)},
+                      {"metallic", shortOf(render::valuesOf(body.look).metallic)},
                       {"mass", shortOf(body.mass)},
                       {"parts", Json::array()}};
             for (const DrawnPart& part : body.parts)

@@ -1,5 +1,7 @@
 #include "demos/look/theme.h"
 
+#include "render/material.h"
+
 namespace demos {
 namespace {
 
@@ -22,10 +24,29 @@ void print(render::Look& look) {
     look.lineStrength = 2.2f;
 }
 
+/// A bright room whose floor is ruled, to measure by.
+void lab(render::Look& look) {
+    look.skyTop = render::fromHex(0xdfe6ec);
+    look.skyHorizon = render::fromHex(0xf0f3f6);
+    look.fog = render::fromHex(0xeef1f4);
+    look.ground = render::fromHex(0xd9dde1);
+}
+
 }  // namespace
 
 const std::vector<std::string>& themeNames() {
-    static const std::vector<std::string> names = {"studio", "dark", "print", "transparent"};
+    static const std::vector<std::string> names = {"studio", "dark", "print", "transparent",
+                                                   "lab"};
+    return names;
+}
+
+const std::vector<std::string>& materialNames() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const render::MaterialValues& values : render::kMaterialTable)
+            all.emplace_back(values.name);
+        return all;
+    }();
     return names;
 }
 
@@ -39,6 +60,8 @@ void applyTheme(const std::string& theme, render::Frame& frame) {
         ink = render::fromHex(0x000000);
     } else if (theme == "transparent") {
         frame.look.transparent = true;
+    } else if (theme == "lab") {
+        lab(frame.look);
     }
     if (theme == "dark") frame.look.plate = render::fromHex(0x343a43);
     frame.look.plate.a = render::Look{}.plate.a;

@@ -14,6 +14,10 @@
 #include "engine/joint.h"
 #include "engine/settings.h"
 
+namespace render {
+enum class Material;
+}
+
 namespace demos {
 
 using engine::Quat;
@@ -23,6 +27,7 @@ struct BodyDescription {
     std::string name;
     engine::BodyDef def;            // with the material's values in def.material
     std::optional<unsigned> color;  // 0xRRGGBB
+    render::Material look{};        // of its surface
     std::optional<std::vector<engine::ShapePart>> looks;  // drawn instead of def.shape, body axes
     std::optional<KinematicPath> path;
     std::vector<std::string> groups, ignores;  // as bits in def

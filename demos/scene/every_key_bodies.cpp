@@ -18,6 +18,7 @@ spin = [0, 0, 0]
 mass = 1
 inertia = [1, 1, 1]
 colour = "#c89b6c"
+look = "wood"
 sensor = true
 group = "full"
 ignores = ["full"]
@@ -142,6 +143,8 @@ TableTexts bodyTexts() {
              "machine overlap on purpose."},
             {"colour", "that of the material, or one of the palette",
              "The colour of the body in the picture."},
+            {"look", "that of the material",
+             "What the body seems to be made of in the picture."},
         }};
 }
 

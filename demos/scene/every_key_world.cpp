@@ -54,6 +54,7 @@ rolling = 0.01
 friction_rule = "larger"
 priority = 1
 colour = "#c89b6c"
+look = "wood"
 [[body]]
 name = "sliding"
 shape = { box = [1, 1, 1] }
@@ -245,7 +246,10 @@ TableTexts materialTexts() {
                 {"priority", inToml(engine::Material{}.priority),
                  "A surface of higher priority alone decides friction, restitution and rolling of "
                  "a contact; use it for ice on which everything slips."},
-                {"colour", "one of the palette", "The colour of its bodies in the picture."},
+                {"colour", "that of its look, or one of the palette",
+                 "The colour of its bodies in the picture."},
+                {"look", "\"plastic\"",
+                 "What its bodies seem to be made of in the picture; it never changes the motion."},
             }};
 }
 

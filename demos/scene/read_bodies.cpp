@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "demos/look/theme.h"
 #include "demos/scene/ranges.h"
 #include "demos/scene/read_shape.h"
 #include "demos/scene/table_readers.h"
@@ -49,6 +50,15 @@ Quat readRotation(Keys& keys) {
     return turned;
 }
 
+/// The key `look`: one of materialNames().
+std::optional<render::Material> readMaterialLook(Keys& keys) {
+    const std::optional<std::string> word = keys.word("look", materialNames());
+    if (!word) return {};
+    const auto at = std::find(materialNames().begin(), materialNames().end(), *word);
+    if (at == materialNames().end()) return {};
+    return static_cast<render::Material>(at - materialNames().begin());
+}
+
 /// Reads one body of the file, or of one turn of a [[repeat]].
 class BodyReader {
 public:
@@ -74,6 +84,7 @@ public:
         readMass();
         readMeetings();
         if (const std::optional<unsigned> color = keys_.color("colour")) body_.color = color;
+        body_.look = readMaterialLook(keys_).value_or(body_.look);
         keys_.later({"break_at"});
         keys_.done();
         return body_;
@@ -104,6 +115,7 @@ private:
         if (found != materials_.end()) {
             body_.def.material = found->second.material;
             body_.color = found->second.color;
+            body_.look = found->second.look;
             return;
         }
         std::vector<std::string> names;
@@ -287,6 +299,7 @@ Materials readMaterials(Keys& top, Complaints& complaints) {
         m.material.rolling = keys.number("rolling", kRolling).value_or(m.material.rolling);
         readMeeting(keys, m.material);
         m.color = keys.color("colour");
+        m.look = readMaterialLook(keys).value_or(m.look);
         keys.done();
         if (!keys.has("name") || !checkName(name, keys.placeOf("name"), "name", complaints))
             continue;

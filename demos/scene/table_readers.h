@@ -14,6 +14,7 @@ namespace demos {
 struct MaterialDescription {
     engine::Material material;
     std::optional<unsigned> color;
+    render::Material look{};
 };
 using Materials = std::map<std::string, MaterialDescription>;
 using BodyNumbers = std::map<std::string, int>;  // index in scene.bodies by name

@@ -18,12 +18,14 @@ render::Ground groundOf(const engine::Shape& plane, const engine::Pose& pose, in
 
 /// Adds a body's solids at `pose`.
 void place(const std::vector<DrawnPart>& parts, const engine::Pose& pose,
-           const render::Color& color, int id, std::vector<render::Solid>& out) {
+           const render::Color& color, render::Material look, int id,
+           std::vector<render::Solid>& out) {
     for (const DrawnPart& part : parts) {
         render::Solid& solid = out.emplace_back(part.solid);
         solid.position = drawn(pose.toWorld(part.place.position));
         solid.rotation = (pose.rotation * part.place.rotation).cast<float>();
         solid.color = color;
+        solid.material = look;
         solid.id = id;
     }
 }
@@ -36,8 +38,8 @@ double wayBetween(const engine::Pose& a, const engine::Pose& b, double reach) {
 void addSolid(const Stage& stage, std::size_t i, render::Color color, render::Frame& frame) {
     const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
     if (def.sensor) color.a = kSensorAlpha;
-    place(stage.drawn[i], stage.world.pose(stage.bodies[i]), color, static_cast<int>(i),
-          def.sensor ? frame.ghosts : frame.solids);
+    place(stage.drawn[i], stage.world.pose(stage.bodies[i]), color, stage.scene.bodies[i].look,
+          static_cast<int>(i), def.sensor ? frame.ghosts : frame.solids);
 }
 
 }  // namespace
@@ -91,7 +93,8 @@ void addGhosts(const Moment& moment, render::Frame& frame) {
             render::Color color = colors[i];
             const float share = static_cast<float>(age + 1) / static_cast<float>(ghosts.size());
             color.a = kFaintest + share * (kDensest - kFaintest);
-            place(stage.drawn[i], pose, color, static_cast<int>(i), frame.ghosts);
+            place(stage.drawn[i], pose, color, stage.scene.bodies[i].look, static_cast<int>(i),
+                  frame.ghosts);
         }
 }
 

@@ -12,6 +12,7 @@
 #include "demos/snapshot/history.h"
 #include "demos/snapshot/scale.h"
 #include "engine/base/disjoint_sets.h"
+#include "render/material.h"
 #include "render/palette.h"
 
 namespace demos {
@@ -128,6 +129,8 @@ std::vector<int> islandsOf(const Stage& stage) {
 render::Color ownColor(const Stage& stage, int body) {
     const BodyDescription& description = stage.scene.bodies[body];
     if (description.color) return render::fromHex(*description.color);
+    if (description.look != render::Material::plastic)
+        return render::fromHex(render::valuesOf(description.look).color);
     return isFixed(stage, body) ? render::fixedColor() : render::familyColor(body);
 }
 

@@ -5,8 +5,16 @@
 #include "demos/look/type.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/frame_parts.h"
+#include "demos/snapshot/scale.h"
 
 namespace demos {
+namespace {
+
+constexpr float kGrain = 0.032f;  // of the view's height: 23 pixels of 720
+constexpr float kGridReach = 0.9f;
+
+}  // namespace
+
 render::Frame snapshot(const Stage& stage, const Overlays& overlays, double frameTime,
                        const History& history) {
     const Moment moment{stage, overlays, history, frameTime};
@@ -25,6 +33,9 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     applyTheme(overlays.theme, frame);
     const CameraDescription& camera = stage.scene.camera;
     frame.look.sunDirection = keyLight(camera.from, camera.lookAt);
+    const auto height = static_cast<float>(viewHeight(camera));
+    frame.look.grain = kGrain * height;
+    if (overlays.theme != "lab") frame.look.gridReach = kGridReach * height;
     if (overlays.pixelsPerPoint > 0.0) setType(overlays.pixelsPerPoint, frame);
     return frame;
 }

@@ -47,9 +47,9 @@ private:
     }
     void one(const render::Look& look) {
         const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
-                     lineStrength, unit, edgePixels, ink, plate] = look;
+                     lineStrength, grain, gridReach, unit, edgePixels, ink, plate] = look;
         add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
-            lineStrength, unit, edgePixels, ink, plate);
+            lineStrength, grain, gridReach, unit, edgePixels, ink, plate);
     }
     void one(const render::Ground& ground) {
         const auto& [visible, normal, offset, id] = ground;
@@ -57,8 +57,8 @@ private:
     }
     /// FrameHasher adds the mesh, whose sum it may know already.
     void one(const render::Solid& solid) {
-        const auto& [shape, halfSize, position, rotation, color, id, mesh] = solid;
-        add(shape, halfSize, position, rotation, color, id, mesh != nullptr);
+        const auto& [shape, halfSize, position, rotation, color, material, id, mesh] = solid;
+        add(shape, halfSize, position, rotation, color, material, id, mesh != nullptr);
     }
     void one(const render::Rod& rod) {
         const auto& [from, to, radius, color, id] = rod;

@@ -1,5 +1,5 @@
 #version 330 core
-#include "light.glsl"
+#include "material.glsl"
 in vec3 world;
 in vec2 onFace;                             // m, from the face's middle
 flat in vec3 worldNormal, worldU, worldV, tint;
@@ -34,6 +34,6 @@ void main() {
     vec2 lean = sign(onFace) * (1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, inner));
     normal = normalize(normal + 0.55 * (worldU * lean.x + worldV * lean.y));
 #endif
-    result = vec4(encode(fogged(lit(color, world, normal, 0.6))), 1.0);
+    result = shaded(color, world, normal, 0.6, surface);
 #endif
 }

@@ -1,5 +1,5 @@
 #version 330 core
-#include "light.glsl"
+#include "material.glsl"
 in vec3 world, worldNormal, tint;
 in vec3 edgeDistances;                  // m
 in vec3 lean0, lean1, lean2;
@@ -33,6 +33,6 @@ void main() {
     vec3 near = 1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, edgeDistances);
     normal = normalize(normal + 0.55 * (lean0 * near.x + lean1 * near.y + lean2 * near.z));
 #endif
-    result = vec4(encode(fogged(lit(color, world, normal, 0.6))), 1.0);
+    result = shaded(color, world, normal, 0.6, surface);
 #endif
 }

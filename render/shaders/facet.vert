@@ -39,6 +39,7 @@ void main() {
     halfFace = apothem * unit;
     thinnest = thinnestOfUnit * min(min(scale.x, scale.y), scale.z);
     surface = packedSurface();
+    setPattern();
     tint = color;
 #ifdef LIT_CORNERS
     tint = encode(color * (ambient(worldNormal) + sunLight * max(dot(worldNormal, toSun), 0.0)));

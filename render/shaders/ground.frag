@@ -6,6 +6,8 @@ uniform vec3 groundColor, lineColor;  // linear
 uniform vec3 ambientLight, fullSun;   // on a fully lit plane, linear
 uniform float lineStrength;
 uniform float perCell;                // 1 / m between thin lines; every fifth is strong
+uniform vec2 subject;                 // m, on the plane: the grid fades away from it
+uniform float perReach;               // 1 / m
 uniform int surface;
 layout(location = 0) out vec4 result;
 layout(location = 1) out int seen;
@@ -20,7 +22,9 @@ float lines() {
     vec2 cover = clamp(width * 0.5 + 0.5 - abs(at - number) / pixel, 0.0, 1.0);
     vec2 sparse = clamp(1.6 - mix(vec2(20.0), vec2(4.0), strong) * pixel, 0.0, 1.0);
     cover *= sparse * mix(vec2(0.22), vec2(0.62), strong);
-    return max(cover.x, cover.y);
+    vec2 away = (grid - subject) * perReach;
+    float near = 1.0 / (1.0 + dot(away, away));
+    return max(cover.x, cover.y) * near * near;
 }
 
 vec3 light() {

@@ -12,19 +12,17 @@ float sunShare(vec3 place, float sees) {
     return sunlit(place) * (0.7 + 0.3 * sees);
 }
 
-// Sun and sky on a matt surface; `shine`: strength of the gloss on it.
-vec3 lit(vec3 albedo, vec3 world, vec3 normal, float shine) {
+// The light that reaches a point of a body.
+struct Light {
+    float sees;  // 0..1, of the sky
+    float sun;   // times sunLight
+};
+Light lightAt(vec3 world, vec3 normal) {
     float sees = open();
-    float sun = max(dot(normal, toSun), 0.0) * sunShare(shadowPlace(world, normal), sees);
-    vec3 color = albedo * (ambient(normal) * sees + sunLight * sun);
-    vec3 toEye = normalize(eye - world);
-    float g = max(dot(normal, normalize(toEye + toSun)), 0.0);
-    g *= g, g *= g, g *= g, g *= g;                 // to the 16th
-    float gloss = g * g * g * min(8.0 * sun, 1.0);  // to the 48th
-    float rim = 1.0 - max(dot(normal, toEye), 0.0);
-    rim *= rim, rim *= rim;
-    color += shine * (gloss * sunLight * 0.35 + rim * skyLight * 0.10);
-    return color;
+    return Light(sees, max(dot(normal, toSun), 0.0) * sunShare(shadowPlace(world, normal), sees));
+}
+vec3 matt(vec3 albedo, vec3 normal, Light light) {
+    return albedo * (ambient(normal) * light.sees + sunLight * light.sun);
 }
 
 // clear^2, clear = 1 / (1 + ((depth - start) / distance)^2), with depth = 1 / gl_FragCoord.w along

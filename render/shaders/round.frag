@@ -1,5 +1,5 @@
 #version 330 core
-#include "light.glsl"
+#include "material.glsl"
 in vec3 world, worldNormal;
 #ifdef LIT_CORNERS
 in
@@ -15,6 +15,6 @@ void main() {
 #ifdef LIT_CORNERS
     result = vec4(tint, 1.0);
 #else
-    result = vec4(encode(fogged(lit(tint, world, normalize(worldNormal), 1.0))), 1.0);
+    result = shaded(tint, world, normalize(worldNormal), 1.0, surface);
 #endif
 }

@@ -43,5 +43,6 @@ void main() {
 #endif
     surface = packedSurface();
     setFace(localPoint());
+    setPattern();
     gl_Position = worldToClip * vec4(world, 1.0);
 }

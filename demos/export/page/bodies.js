@@ -29,7 +29,8 @@ function makeKinds() {
       kinds.push(kind);
     }
     const color = [...linear(body.color), body.color[3]];
-    known.get(key).parts.push({ body: number, at: part.at ?? [0, 0, 0], turn: part.turn ?? kAtEase, color });
+    const material = [body.roughness, body.metallic];
+    known.get(key).parts.push({ body: number, at: part.at ?? [0, 0, 0], turn: part.turn ?? kAtEase, color, material });
   }));
   bars = new Batch(barTriangles());
 }
@@ -59,7 +60,7 @@ function placeSolids() {
     for (const part of kind.parts) {
       const { at, turn } = poses[part.body];
       const batch = part.color[3] < 1 ? kind.clear : kind.opaque;
-      batch.add(plus(at, turned(turn, part.at)), product(turn, part.turn), kFull, part.color);
+      batch.add(plus(at, turned(turn, part.at)), product(turn, part.turn), kFull, part.color, part.material);
     }
     kind.opaque.upload();
     kind.clear.upload();

@@ -38,8 +38,9 @@ function use({ program, places }, uniforms) {
   }
 }
 
-const kInstance = 14;  // floats: place 3, turn 4, scale 3, color 4
-const kPieces = [3, 3, 4], kInstancePieces = [3, 4, 3, 4];
+const kInstance = 16;  // floats: place 3, turn 4, scale 3, color 4, roughness, metallic
+const kPieces = [3, 3, 4], kInstancePieces = [3, 4, 3, 4, 2];
+const kPaint = [0.55, 0];
 
 function setPieces(pieces, first, stride, divisor) {
   let offset = 0;
@@ -67,7 +68,7 @@ class Batch {
     this.count = 0;
   }
   clear() { this.count = 0; }
-  add(place, turn, scale, color) {
+  add(place, turn, scale, color, material = kPaint) {
     const at = kInstance * this.count++;
     if (at + kInstance > this.instances.length) {
       const larger = new Float32Array(2 * this.instances.length);
@@ -78,6 +79,7 @@ class Batch {
     this.instances.set(turn, at + 3);
     this.instances.set(scale, at + 7);
     this.instances.set(color, at + 10);
+    this.instances.set(material, at + 14);
   }
   upload() {
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);

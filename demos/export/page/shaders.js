@@ -11,16 +11,19 @@ layout(location = 3) in vec3 place;
 layout(location = 4) in vec4 turn;
 layout(location = 5) in vec3 scale;
 layout(location = 6) in vec4 color;
+layout(location = 7) in vec2 material;  // roughness, metallic
 uniform mat4 worldToClip;
 out vec3 world, worldNormal;
 out vec4 edge;
 flat out vec4 tint;
+flat out vec2 surface;
 vec3 turned(vec3 v) { return v + 2.0 * cross(turn.xyz, cross(turn.xyz, v) + turn.w * v); }
 void main() {
   world = place + turned(position * scale);
   worldNormal = turned(normal);
   edge = edges;
   tint = color;
+  surface = material;
   gl_Position = worldToClip * vec4(world, 1.0);
 }`;
 
@@ -72,6 +75,7 @@ const kSolid = `${kLight}
 in vec3 world, worldNormal;
 in vec4 edge;
 flat in vec4 tint;
+flat in vec2 surface;        // roughness, metallic
 uniform float thinnest;      // m, of the solid
 uniform float lineWidth, lineStrength;  // pixels; 0..1
 uniform float chosen;        // 0..1
@@ -81,6 +85,12 @@ vec3 outward(float distance, vec3 normal) {
   vec3 dx = dFdx(world), dy = dFdy(world), u = cross(dy, normal), v = cross(normal, dx);
   float area = dot(dx, u);
   return abs(area) < 1e-14 ? vec3(0.0) : -(dFdx(distance) * u + dFdy(distance) * v) / area;
+}
+// What a mirror shows of the studio.
+vec3 room(vec3 ray) {
+  vec3 above = skyLight * mix(2.1, 0.9, smoothstep(0.0, 0.7, ray.y));
+  vec3 below = groundLight * mix(0.9, 0.45, smoothstep(0.0, 0.9, -ray.y));
+  return mix(below, above, smoothstep(-0.05, 0.05, ray.y)) + 1.2 * smoothstep(0.86, 0.97, dot(ray, toSun)) * sunLight;
 }
 void main() {
   vec3 normal = normalize(worldNormal), color = tint.rgb;
@@ -94,9 +104,12 @@ void main() {
   normal = normalize(normal + 0.55 * clamp(lean, -1.0, 1.0));
   float sun = max(dot(normal, toSun), 0.0) * sunlit(world, normalize(worldNormal));
   vec3 lit = color * (ambient(normal) + sunLight * sun), toEye = normalize(eye - world);
-  float gloss = pow(max(dot(normal, normalize(toEye + toSun)), 0.0), 48.0) * min(8.0 * sun, 1.0);
+  float polish = 1.0 - surface.x, sharp = exp2(2.0 + 8.0 * polish);
+  float gloss = pow(max(dot(normal, normalize(toEye + toSun)), 0.0), sharp) * min(8.0 * sun, 1.0);
   float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0);
-  lit += 0.6 * (gloss * sunLight * 0.35 + rim * skyLight * 0.10);
+  lit += polish * (gloss * sunLight * 0.47 + rim * skyLight * 0.14);
+  vec3 metal = 0.22 * lit + color * (0.85 * room(reflect(-toEye, normal)) + 0.5 * gloss * sunLight);
+  lit = mix(lit, metal, surface.y);
   result = vec4(encode(fogged(mix(lit, lit * 1.25 + 0.06, chosen))), tint.a);
 }`;
 
