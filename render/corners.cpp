@@ -44,6 +44,7 @@ std::span<const float> sharesOf(std::span<const float> all, const Look& look) {
     return look.unit > 0.0f ? all.first(1) : all;
 }
 constexpr float kTextShares[] = {1.0f, 0.8f, 0.65f}, kPlateShares[] = {1.0f, 0.85f, 0.7f};
+constexpr float kHeadingShare = 0.8f;  // of the text's letters
 
 /// Removes the last UTF-8 letter.
 void dropLetter(std::string& text) {
@@ -52,25 +53,49 @@ void dropLetter(std::string& text) {
     if (!text.empty()) text.pop_back();
 }
 
+/// A heading has one line: it is left out if it is wider than the room.
+void addHeading(const Text& text, const Margins& m, float room, PlacedText& p) {
+    const bool given = m.look.unit > 0.0f, small = !given && p.pixels <= kSmallestText;
+    const float wanted = std::round(kHeadingShare * static_cast<float>(p.pixels));
+    const float pixels = given ? wanted : std::max(wanted, static_cast<float>(kSmallestText));
+    if (text.heading.empty() || small || textWidth(text.heading, pixels) > room) return;
+    p.heading = text.heading;
+    p.headingPixels = static_cast<int>(pixels);
+    p.headingHeight = std::round(1.3f * pixels);
+    p.headingColor = text.headingColor;
+}
+
+PlacedText linesOf(const Text& text, float share, const Margins& m) {
+    PlacedText p;
+    p.pixels = pixelsOf(text.size, m, share);
+    p.pad = text.plate ? std::round(0.5f * static_cast<float>(p.pixels)) : 0.0f;
+    const float room = m.right() - m.side - 2.0f * p.pad;
+    p.lines = brokenText(text.text, p.pixels, room);
+    p.lineHeight = std::round(1.2f * static_cast<float>(p.pixels));
+    p.right = isRight(text.corner);
+    p.color = text.color;
+    addHeading(text, m, room, p);
+    return p;
+}
+
+float widthOf(const PlacedText& p) {
+    float width = textWidth(p.heading, static_cast<float>(p.headingPixels));
+    for (const std::string& line : p.lines)
+        width = std::max(width, textWidth(line, static_cast<float>(p.pixels)));
+    return width + 2.0f * p.pad;
+}
+
 void addText(const Text& text, const Margins& m, CornerLayout& layout) {
-    const float room = m.right() - m.side;
     const std::span<const float> shares = sharesOf(kTextShares, m.look);
     for (const float share : shares) {
-        PlacedText p;
-        p.pixels = pixelsOf(text.size, m, share);
-        p.lines = brokenText(text.text, p.pixels, room);
+        PlacedText p = linesOf(text, share, m);
         if (p.lines.size() > 2 && share != shares.back() && p.pixels > kSmallestText) continue;
-        p.lineHeight = std::round(1.2f * static_cast<float>(p.pixels));
-        float width = 0.0f;
-        for (const std::string& line : p.lines)
-            width = std::max(width, textWidth(line, static_cast<float>(p.pixels)));
-        const float height = p.lineHeight * static_cast<float>(p.lines.size());
+        const float height =
+            p.headingHeight + p.lineHeight * static_cast<float>(p.lines.size()) + 2.0f * p.pad;
         const float gap = 0.2f * static_cast<float>(p.pixels);
-        const auto box = placed(width, height, text.corner, gap, layout, m);
+        const auto box = placed(widthOf(p), height, text.corner, gap, layout, m);
         if (!box) continue;
         p.box = *box;
-        p.right = isRight(text.corner);
-        p.color = text.color;
         layout.texts.push_back(std::move(p));
         return;
     }

@@ -24,7 +24,12 @@ struct PlacedText {
     int pixels = 0;  // cap-to-descender height of a line
     float lineHeight = 0;
     bool right = false;  // lines end at the box's right edge
+    float pad = 0;       // from the plate's edge to the letters; 0: no plate
     Color color;
+    std::string heading;  // above the lines; empty: none
+    int headingPixels = 0;
+    float headingHeight = 0;
+    Color headingColor;
 };
 
 /// The measurements of a plate, in pixels.

@@ -1,8 +1,12 @@
-/// DejaVu Sans, embedded at build time.
+/// The fonts of pictures, embedded at build time.
 #pragma once
 
 namespace render {
 
-const unsigned char* fontBytes();
+/// Inter, made for screens.
+const unsigned char* screenFontBytes();
+
+/// DejaVu Sans, for characters that Inter lacks: most of the mathematical signs.
+const unsigned char* fallbackFontBytes();
 
 }  // namespace render

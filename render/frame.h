@@ -107,12 +107,15 @@ struct Ground {
 enum class Corner { topLeft, topRight, bottomLeft, bottomRight };
 
 /// A text in a corner of the picture; texts in one corner stack in the order given. A text wider
-/// than the picture is broken into lines.
+/// than the picture is broken into lines. Letters have a halo, or stand on a plate.
 struct Text {
     std::string text;  // UTF-8; glyphs: Latin, Greek, arrows, arithmetic signs
     Corner corner = Corner::topLeft;
     float size = 18.0f;  // pixels of cap-to-descender height in a picture of 1280x720
     Color color{0.1f, 0.1f, 0.11f, 1.0f};
+    bool plate = false;     // translucent, with Look::plate as its colour
+    std::string heading{};  // smaller, above the text; left out where letters are smallest
+    Color headingColor{0.1f, 0.1f, 0.11f, 1.0f};
 };
 
 /// The symbol before a row's text: a sample of a mark in the picture.

@@ -46,6 +46,8 @@ std::vector<int> codepoints(const std::string& text) {
 
 namespace {
 
+constexpr float kAscentShare = 1901.0f / 2384.0f;  // of a line's height, for every font
+
 struct Bitmap {
     int width = 0, height = 0;
     int left = 0, top = 0;  // pixels, from the pen to the upper left corner
@@ -57,8 +59,8 @@ struct Glyph {
     Bitmap ink, halo;
 };
 
-/// The ink blended over itself at every shift up to `reach`, at a sixth of its strength each:
-/// 1 - product of (1 - 0.16 cover).
+/// The ink blended over itself at every shift up to `reach`, at a third of its strength each:
+/// 1 - product of (1 - 0.3 cover).
 Bitmap haloOf(const Bitmap& ink, int reach) {
     Bitmap halo{
         ink.width + 2 * reach, ink.height + 2 * reach, ink.left - reach, ink.top - reach, {}};
@@ -69,44 +71,71 @@ Bitmap haloOf(const Bitmap& ink, int reach) {
             for (int v = std::max(y - 2 * reach, 0); v <= std::min(y, ink.height - 1); ++v)
                 for (int u = std::max(x - 2 * reach, 0); u <= std::min(x, ink.width - 1); ++u)
                     open *=
-                        1.0f - 0.16f / 255.0f * static_cast<float>(ink.cover[v * ink.width + u]);
+                        1.0f - 0.3f / 255.0f * static_cast<float>(ink.cover[v * ink.width + u]);
             halo.cover.push_back(static_cast<unsigned char>(255.0f * (1.0f - open) + 0.5f));
         }
     return halo;
 }
 
-class Font {
+/// One font file.
+class Face {
 public:
-    Font() { stbtt_InitFont(&info_, fontBytes(), 0); }
+    explicit Face(const unsigned char* bytes) { stbtt_InitFont(&info_, bytes, 0); }
 
-    const Glyph& glyph(int codepoint, int pixels) {
-        Glyph& g = glyphs_[{codepoint, pixels}];
-        if (g.advance > 0.0f) return g;
-        const float scale = stbtt_ScaleForPixelHeight(&info_, static_cast<float>(pixels));
+    bool has(int codepoint) const { return stbtt_FindGlyphIndex(&info_, codepoint) != 0; }
+    float scale(float pixels) const {
+        return stbtt_ScaleForMappingEmToPixels(&info_, static_cast<float>(kEmShare) * pixels);
+    }
+    int advance(int codepoint) const {
         int advance = 0, bearing = 0;
         stbtt_GetCodepointHMetrics(&info_, codepoint, &advance, &bearing);
-        g.advance = std::max(static_cast<float>(advance) * scale, 0.01f);
-        Bitmap& ink = g.ink;
-        unsigned char* bitmap = stbtt_GetCodepointBitmap(
-            &info_, scale, scale, codepoint, &ink.width, &ink.height, &ink.left, &ink.top);
-        ink.cover.assign(bitmap, bitmap + ink.width * ink.height);
-        stbtt_FreeBitmap(bitmap, nullptr);
-        return g;
+        return advance;
     }
-    const Bitmap& halo(int codepoint, int pixels) {
-        Glyph& g = glyphs_[{codepoint, pixels}];
-        if (g.halo.cover.empty()) g.halo = haloOf(g.ink, std::max(pixels / 14, 1));
-        return g.halo;
-    }
-    float ascent(int pixels) const {
-        int ascent = 0, descent = 0, gap = 0;
-        stbtt_GetFontVMetrics(&info_, &ascent, &descent, &gap);
-        return static_cast<float>(ascent) *
-               stbtt_ScaleForPixelHeight(&info_, static_cast<float>(pixels));
+    Bitmap bitmap(int codepoint, float scale, float shift) const {
+        Bitmap ink;
+        unsigned char* bytes =
+            stbtt_GetCodepointBitmapSubpixel(&info_, scale, scale, shift, 0.0f, codepoint,
+                                             &ink.width, &ink.height, &ink.left, &ink.top);
+        ink.cover.assign(bytes, bytes + ink.width * ink.height);
+        stbtt_FreeBitmap(bytes, nullptr);
+        return ink;
     }
 
 private:
     stbtt_fontinfo info_;
+};
+
+bool isDigit(int codepoint) { return codepoint >= '0' && codepoint <= '9'; }
+
+class Font {
+public:
+    Font() {
+        for (int digit = '0'; digit <= '9'; ++digit)
+            widestDigit_ = std::max(widestDigit_, screen_.advance(digit));
+    }
+
+    /// Digits are all as wide as the widest, so that a running number does not jitter.
+    const Glyph& glyph(int codepoint, int pixels) {
+        Glyph& g = glyphs_[{codepoint, pixels}];
+        if (g.advance > 0.0f) return g;
+        const Face& face = screen_.has(codepoint) ? screen_ : fallback_;
+        const float scale = face.scale(static_cast<float>(pixels));
+        const int own = face.advance(codepoint), all = isDigit(codepoint) ? widestDigit_ : own;
+        g.advance = std::max(static_cast<float>(all) * scale, 0.01f);
+        const float aside = 0.5f * static_cast<float>(all - own) * scale;
+        g.ink = face.bitmap(codepoint, scale, aside - std::floor(aside));
+        g.ink.left += static_cast<int>(std::floor(aside));
+        return g;
+    }
+    const Bitmap& halo(int codepoint, int pixels) {
+        Glyph& g = glyphs_[{codepoint, pixels}];
+        if (g.halo.cover.empty()) g.halo = haloOf(g.ink, std::max(pixels / 7, 2));
+        return g.halo;
+    }
+
+private:
+    Face screen_{screenFontBytes()}, fallback_{fallbackFontBytes()};
+    int widestDigit_ = 0;
     std::map<std::pair<int, int>, Glyph> glyphs_;
 };
 
@@ -150,7 +179,7 @@ float textWidth(const std::string& text, float pixels) {
     return walk(text, static_cast<int>(std::lround(pixels)), 0, [](int, const Glyph&, int) {});
 }
 
-float textAscent(int pixels) { return font().ascent(pixels); }
+float textAscent(int pixels) { return kAscentShare * static_cast<float>(pixels); }
 
 void drawHaloed(Image& image, const std::string& text, int pixels, float x, float baseline,
                 const Color& color) {

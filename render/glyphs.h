@@ -9,6 +9,9 @@
 
 namespace render {
 
+/// The font's em per height of a line, from cap to descender.
+constexpr double kEmShare = 2048.0 / 2384.0;
+
 constexpr int kSmallestText = 11;  // pixels of cap-to-descender height; smaller is not legible
 
 /// Width in pixels of a line of text at a cap-to-descender height of `pixels`.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/canvas.h"
 #include "render/corners.h"
 #include "render/coverage.h"
 #include "render/overlay.h"
@@ -10,12 +11,37 @@
 namespace render {
 namespace {
 
-void drawText(Image& image, const PlacedText& text) {
-    float y = text.box.y;
+constexpr float kLeastOpacity = 0.88f;  // of a text's plate: legible over black and over white
+
+void drawLine(Image& image, const PlacedText& text, const std::string& line, int pixels, float y,
+              const Color& color) {
+    const float size = static_cast<float>(pixels);
+    const float left = text.box.x + text.pad, right = text.box.x + text.box.width - text.pad;
+    const float x = text.right ? right - textWidth(line, size) : left;
+    const float base = y + textAscent(pixels);
+    if (text.pad > 0.0f)
+        drawLabel(image, line, {x, std::round(base)}, Anchor::start, size, color);
+    else
+        drawHaloed(image, line, pixels, x, base, color);
+}
+
+void drawTextPlate(Image& image, const PlacedText& text, const Look& look) {
+    const Box& box = text.box;
+    const Vec2 low(box.x, box.y), high(box.x + box.width, box.y + box.height);
+    Color color = look.plate;
+    color.a = std::max(color.a, kLeastOpacity);
+    fill(image, low, high, {color, {}, 0.0f},
+         [&](const Vec2& q) { return toRoundedBox(q, low, high, 0.5f * text.pad); });
+}
+
+void drawText(Image& image, const PlacedText& text, const Look& look) {
+    if (text.pad > 0.0f) drawTextPlate(image, text, look);
+    float y = text.box.y + text.pad;
+    if (!text.heading.empty())
+        drawLine(image, text, text.heading, text.headingPixels, y, text.headingColor);
+    y += text.headingHeight;
     for (const std::string& line : text.lines) {
-        const float width = text.right ? textWidth(line, static_cast<float>(text.pixels)) : 0.0f;
-        const float x = text.right ? text.box.x + text.box.width - width : text.box.x;
-        drawHaloed(image, line, text.pixels, x, y + textAscent(text.pixels), text.color);
+        drawLine(image, text, line, text.pixels, y, text.color);
         y += text.lineHeight;
     }
 }
@@ -92,7 +118,7 @@ void drawTexts(Image& image, const Frame& frame, const View& view, const DepthMa
     const CornerLayout corners = layoutCorners(frame, image.width, image.height);
     const float meter = pixelsPerMeter(frame.camera, image.height);
     for (const PlacedPlate& plate : corners.plates) drawPlate(image, plate, frame.look, meter);
-    for (const PlacedText& text : corners.texts) drawText(image, text);
+    for (const PlacedText& text : corners.texts) drawText(image, text, frame.look);
     drawLabels(image, frame, view, depth, corners);
 }
 

@@ -90,7 +90,7 @@ std::string sizeText(const Drawing& drawing) {
 std::string svgOf(const Drawing& drawing) {
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" {} "
-        "viewBox=\"0 0 {} {}\" font-family=\"DejaVu Sans, sans-serif\">\n",
+        "viewBox=\"0 0 {} {}\" font-family=\"Inter, DejaVu Sans, sans-serif\">\n",
         sizeText(drawing), drawing.size.width, drawing.size.height);
     for (const Rectangle& rectangle : drawing.rectangles) svg += svgText(rectangle);
     svg += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";

@@ -10,12 +10,12 @@ namespace {
 
 bool isStats(const render::Plate& plate) { return plate.corner == render::Corner::topRight; }
 
-/// Statistics replace the first line if they fit; otherwise they are left out.
+/// A panel of statistics without room is left out, and a first line says the most important ones.
 void chooseStats(const FilmPlan& plan, render::Frame& frame) {
     const Overlays& shown = plan.panels.front().overlays;
     if (!shown.stats) return;
     render::Frame without = frame;
-    const bool firstLine = shown.text && shown.headings;
+    const bool firstLine = shown.text && shown.headings && shown.clock;
     if (firstLine) without.texts.erase(without.texts.begin());
     const render::CornerLayout placed =
         render::layoutCorners(without, plan.picture.width, plan.picture.height);

@@ -18,11 +18,10 @@ struct Overlays {
     bool ids = false;       // the bodies' names
     bool ghost = false;     // earlier poses
     bool trails = true;     // of the bodies named by the scene
-    bool text = true;       // time, bodies, solver, caption, legends
-    bool headings = true;   // part of the text: the first line and the caption
-    bool clock = true;      // part of the headings: the first line
-    bool plate = false;     // the caption on a plate, so that no line crosses it
-    bool stats = false;     // a panel of numbers instead of the first line
+    bool text = true;       // caption, legends
+    bool headings = true;   // part of the text: the caption
+    bool stats = false;     // a panel of numbers; on paper a line, if the panel has no room
+    bool clock = true;      // part of the statistics: that line
     bool plot = false;      // a strip of charts below the picture, in a film of one scene
     std::string theme = "studio";
     std::string colorBy = "body";  // one of colorings()

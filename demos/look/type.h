@@ -1,6 +1,7 @@
 /// Letters and lines of figures in points: they have the same size on paper in every figure.
 #pragma once
 #include "render/frame.h"
+#include "render/glyphs.h"
 
 namespace demos {
 
@@ -11,8 +12,7 @@ inline constexpr double kEdgePoints = 0.45;  // of lines along bodies' edges
 inline constexpr double kTrailPoints = 1.4;  // of a trail at its newest point
 inline constexpr double kGapPoints = 6.0;    // between the pictures of a figure
 
-/// The font's em per height from cap to descender: DejaVu Sans has 1901 + 483 units, its em 2048.
-inline constexpr double kEmShare = 2048.0 / 2384.0;
+using render::kEmShare;
 
 /// Whole pixels from cap to descender of letters of this many points.
 int letterPixels(double points, double pixelsPerPoint);

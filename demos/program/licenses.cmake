@@ -2,7 +2,8 @@
 # Debian packages. `impulse --licenses` prints them, and the package's copyright file holds them.
 set(IMPULSE_COPYRIGHT_FILES /usr/share/doc CACHE PATH "where Debian keeps PACKAGE/copyright")
 set(notices_of
-  "fonts-dejavu-core: DejaVu Sans, the font of pictures" "python3-glad: the OpenGL loader that glad writes"
+  "fonts-inter: Inter, the font of pictures"
+  "fonts-dejavu-core: DejaVu Sans, its letters for pictures" "python3-glad: the OpenGL loader that glad writes"
   "libstb-dev: stb_image_write, stb_truetype" "libeigen3-dev: Eigen" "libcli11-dev: CLI11"
   "libfmt-dev: {fmt}, its headers" "nlohmann-json3-dev: JSON for Modern C++"
   "libtomlplusplus-dev: toml++, its headers" "libtinyobjloader-dev: tinyobjloader, its header")

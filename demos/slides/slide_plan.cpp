@@ -20,9 +20,6 @@ constexpr int kMostShown = 240;  // frames a second of a film
 /// px of a slide: narrower panels have no room for time, bodies and solver.
 constexpr double kNarrowPanel = 400.0;
 
-/// The share of a panel's width that a label on a plate may have; longer ones are lines of text.
-constexpr float kPlateShare = 0.8f;
-
 /// The rate at which all runs have steps: the greatest common divisor of their hz.
 int commonHz(const LoadedRuns& loaded) {
     int hz = loaded.variants.front().scene.hz;
@@ -68,9 +65,6 @@ void setPanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
     for (Panel& each : plan.panels) {
         each.overlays.pixelsPerPoint = pixels;
         each.overlays.clock = panel >= kNarrowPanel;
-        const float letters = static_cast<float>(letterPixels(kLabelPoints, pixels));
-        each.overlays.plate = render::textWidth(each.scene.title, letters) <
-                              kPlateShare * static_cast<float>(plan.picture.width);
     }
 }
 

@@ -31,6 +31,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     if (overlays.stats) addStats(moment, frame);
     if (overlays.text) addLegend(moment, frame);
     applyTheme(overlays.theme, frame);
+    colorHeadings(frame);
     const CameraDescription& camera = stage.scene.camera;
     frame.look.sunDirection = keyLight(camera.from, camera.lookAt);
     const auto height = static_cast<float>(viewHeight(camera));

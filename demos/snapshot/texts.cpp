@@ -1,16 +1,24 @@
-// The first line, and the caption.
+// The caption with its heading, and on paper the line that replaces statistics without room.
 #include <fmt/format.h>
 
+#include "demos/look/inks.h"
 #include "demos/snapshot/frame_parts.h"
 #include "demos/text/plural.h"
 
 namespace demos {
 namespace {
 
-std::string captionAt(const SceneDescription& scene, double time) {
-    std::string caption = scene.title;
-    for (const Section& section : scene.sections)
-        if (section.at <= time + 1e-9 && !section.caption.empty()) caption = section.caption;
+constexpr float kCaptionSize = 24.0f;
+
+/// That of the last section with a caption, under the section's name; before, the scene's title.
+render::Text captionAt(const SceneDescription& scene, double time) {
+    render::Text caption{scene.title, render::Corner::bottomLeft, kCaptionSize};
+    caption.plate = true;
+    for (const Section& section : scene.sections) {
+        if (section.at > time + 1e-9 || section.caption.empty()) continue;
+        caption.text = section.caption;
+        caption.heading = section.name;
+    }
     return caption;
 }
 
@@ -18,21 +26,23 @@ std::string captionAt(const SceneDescription& scene, double time) {
 
 void addTexts(const Moment& moment, render::Frame& frame) {
     const Stage& stage = moment.stage;
-    const int bodies = stage.bodiesNow();
+    const Overlays& show = moment.overlays;
     const int substeps = stage.world.settings().substeps;
-    // Statistics have the same; on paper they may have no room.
-    const bool said = moment.overlays.stats && moment.overlays.pixelsPerPoint <= 0.0;
-    if (moment.overlays.clock && !said)
-        frame.texts.push_back({fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,
-                                           plural(bodies, "body", "bodies"), stage.scene.preset,
-                                           plural(substeps, "sub-step", "sub-steps")),
-                               render::Corner::topLeft, 18.0f, render::Text{}.color});
-    const std::string caption = captionAt(stage.scene, moment.time);
-    if (caption.empty()) return;
-    if (moment.overlays.plate)
-        frame.plates.push_back({render::Corner::bottomLeft, render::Plate{}.size, {{caption, ""}}});
-    else
-        frame.texts.push_back({caption, render::Corner::bottomLeft, 26.0f, render::Text{}.color});
+    if (show.stats && show.clock && show.pixelsPerPoint > 0.0)
+        frame.texts.push_back(
+            {fmt::format("t = {:.3f} s   {}   {}, {}", moment.time,
+                         plural(stage.bodiesNow(), "body", "bodies"), stage.scene.preset,
+                         plural(substeps, "sub-step", "sub-steps")),
+             render::Corner::topLeft, 18.0f});
+    render::Text caption = captionAt(stage.scene, moment.time);
+    if (!caption.text.empty()) frame.texts.push_back(std::move(caption));
+}
+
+void colorHeadings(render::Frame& frame) {
+    Inks inks;
+    inks.ink = frame.look.ink;
+    inks.ground = frame.look.plate;
+    for (render::Text& text : frame.texts) text.headingColor = labelColor(0, inks);
 }
 
 }  // namespace demos

@@ -85,8 +85,8 @@ private:
         add(points, pixels, color);
     }
     void one(const render::Text& text) {
-        const auto& [words, corner, size, color] = text;
-        add(words, corner, size, color);
+        const auto& [words, corner, size, color, plate, heading, headingColor] = text;
+        add(words, corner, size, color, plate, heading, headingColor);
     }
     void one(const render::BarPart& part) {
         const auto& [share, color] = part;

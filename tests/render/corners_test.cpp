@@ -23,7 +23,9 @@ Frame crowded() {
     frame.texts.push_back(
         {"400 kg at 17 m/s hit a wall of 150 bricks that nothing but friction "
          "holds together, and what falls lies still after eight seconds",
-         Corner::bottomLeft, 26});
+         Corner::bottomLeft, 24});
+    frame.texts.back().plate = true;
+    frame.texts.back().heading = "impact";
     frame.texts.push_back({"right", Corner::bottomRight, 20});
     frame.plates = {plateIn(Corner::topRight, 11), plateIn(Corner::topLeft, 5),
                     plateIn(Corner::bottomRight, 2)};
@@ -78,6 +80,18 @@ TEST(Corners, LettersGrowWithThePictureAndStayLegible) {
     EXPECT_EQ(layoutCorners(frame, 3840, 2160).texts[0].pixels, 54);
     EXPECT_EQ(layoutCorners(frame, 720, 1280).texts[0].pixels, 18);
     EXPECT_EQ(layoutCorners(frame, 480, 270).texts[0].pixels, kSmallestText);
+}
+
+TEST(Corners, AHeadingIsLeftOutWhereLettersAreSmallest) {
+    Frame frame;
+    frame.texts.push_back({"400 kg at 17 m/s", Corner::bottomLeft, 24});
+    frame.texts.back().heading = "impact";
+    for (const auto& [w, h, shown] :
+         {std::tuple{1280, 720, true}, {720, 1280, true}, {640, 360, true}, {320, 180, false}}) {
+        const PlacedText text = layoutCorners(frame, w, h).texts.at(0);
+        EXPECT_EQ(!text.heading.empty(), shown) << w << "x" << h;
+        EXPECT_NEAR(text.box.height, text.headingHeight + text.lineHeight, 1e-3f);
+    }
 }
 
 TEST(Corners, LongTextsAreBrokenBetweenWords) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "render/canvas.h"
+#include "render/corners.h"
 #include "render/overlay.h"
 
 namespace render {
@@ -55,6 +57,58 @@ TEST(Text, IsWiderWhenLongerAndSurvivesBrokenUtf8) {
     EXPECT_NEAR(textWidth("\xff", 20), textWidth("?", 20), 1e-3);
     EXPECT_NEAR(textWidth("\xce", 20), textWidth("?", 20), 1e-3);
     EXPECT_NE(textWidth("λ", 20), textWidth("?", 20));
+}
+
+TEST(Text, RunningNumbersDoNotJitter) {
+    for (const float pixels : {11.0f, 18.0f, 37.0f})
+        for (const char digit : std::string("0123456789"))
+            EXPECT_EQ(textWidth(std::string(5, digit), pixels), textWidth("00000", pixels)) << digit;
+}
+
+/// A character that no font has is drawn as a box, as wide as that of U+10FFFD.
+TEST(Text, BothFontsTogetherHaveWhatCaptionsNeed) {
+    for (const std::string sign :
+         {"ω", "α", "μ", "π", "Δ", "é", "Ж", "°", "²", "⁻", "₀", "½", "′", "…", "–", "−", "×", "·", "√",
+          "≤", "≈", "≠", "∞", "→", "⇒", "∝", "∥", "⊥", "∈", "∂", "∑", "∫"}) {
+        Image one = grey(64, 64), none = grey(64, 64);
+        drawLabel(one, sign, {8, 48}, Anchor::start, 40, {});
+        drawLabel(none, "\xf4\x8f\xbf\xbd", {8, 48}, Anchor::start, 40, {});
+        EXPECT_NE(one.pixels, none.pixels) << sign;
+        EXPECT_NE(one.pixels, grey(64, 64).pixels) << sign;
+    }
+}
+
+/// A caption's letters keep their contrast over black and over white.
+TEST(Text, APlateIsLegibleOnEveryBackground) {
+    for (const int level : {0, 120, 255}) {
+        Image image = grey(640, 360);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            if (i % 4 != 3) image.pixels[i] = static_cast<unsigned char>(level);
+        Frame frame;
+        frame.texts.push_back({"caption", Corner::bottomLeft, 24});
+        frame.texts[0].plate = true;
+        drawTexts(image, frame);
+        const PlacedText placed = layoutCorners(frame, 640, 360).texts.at(0);
+        const int x = static_cast<int>(placed.box.x + placed.pad / 2);
+        const int y = static_cast<int>(placed.box.y + placed.box.height / 2);
+        EXPECT_GT(image.at(x, y)[0], 200) << level;
+    }
+}
+
+TEST(Text, NamesHaveAWideHalo) {
+    for (const int level : {0, 255}) {
+        Image image = grey(200, 60);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            if (i % 4 != 3) image.pixels[i] = static_cast<unsigned char>(level);
+        drawHaloed(image, "l", 15, 100.0f, 40.0f, {0.1f, 0.1f, 0.11f, 1});
+        int light = 0, dark = 0;  // in a row through the letter
+        for (int x = 90; x < 115; ++x) {
+            light += image.at(x, 33)[0] > 150;
+            dark += image.at(x, 33)[0] < 100;
+        }
+        EXPECT_GE(light, 4) << level;
+        EXPECT_GE(dark, 1) << level;
+    }
 }
 
 TEST(Text, LeavingThePictureIsCutOff) {

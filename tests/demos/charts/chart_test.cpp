@@ -305,7 +305,7 @@ TEST(Svg, HasOneElementForEveryPrimitive) {
     EXPECT_EQ(count(svg, "<path "), static_cast<int>(drawing.lines.size()));
     EXPECT_EQ(count(svg, "<text "), static_cast<int>(drawing.labels.size()));
     EXPECT_NE(svg.find("viewBox=\"0 0 1280 720\""), std::string::npos);
-    EXPECT_NE(svg.find("font-family=\"DejaVu Sans, sans-serif\""), std::string::npos);
+    EXPECT_NE(svg.find("font-family=\"Inter, DejaVu Sans, sans-serif\""), std::string::npos);
 }
 
 int colored(const render::Image& image, const render::Color& color) {

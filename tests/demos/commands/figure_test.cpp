@@ -309,7 +309,7 @@ TEST_F(Figure, WhatHasNoRoomIsTold) {
         << ended.err;
     EXPECT_EQ(contentOf(folder / "a.caption.txt").find("stats\n"), std::string::npos);
     ASSERT_EQ(impulse(small({"still", "ball.toml", "-o", "plain.png"})).code, 0);
-    EXPECT_EQ(picture("a.png").pixels, picture("plain.png").pixels);  // the first line is there
+    EXPECT_NE(picture("a.png").pixels, picture("plain.png").pixels);  // the first line is there
     const Ended wide = impulse({"still", "ball.toml", "--show", "stats", "--width", "170mm",
                                 "--dpi", "72", "-o", "b.png"});
     EXPECT_TRUE(wide.err.empty()) << wide.err;

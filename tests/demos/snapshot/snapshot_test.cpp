@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "demos/look/inks.h"
+#include "demos/look/theme.h"
 #include "demos/snapshot/player.h"
 #include "demos/snapshot/scale.h"
 #include "demos/text/stop.h"
@@ -70,10 +72,39 @@ TEST(Snapshot, CaptionIsTheTitleUntilASectionHasOne) {
     EXPECT_EQ(captionOf(snapshot(stage, {}, 0.5)), "half a second in");
 }
 
-TEST(Snapshot, TimeIsWrittenInTheCorner) {
+TEST(Snapshot, ACaptionStandsUnderItsSectionsName) {
+    const Stage stage(sceneFrom(kBall + "[[section]]\nat = 0.6\nname = 'silent'\n"
+                                        "[[section]]\nat = 0.8\nname = 'end'\ncaption = 'c'\n"));
+    const auto headingAt = [&](double time) {
+        const render::Frame frame = snapshot(stage, {}, time);
+        EXPECT_EQ(frame.texts.size(), 1u);
+        EXPECT_TRUE(frame.texts.at(0).plate);
+        return frame.texts.at(0).heading;
+    };
+    EXPECT_EQ(headingAt(0.0), "");
+    EXPECT_EQ(headingAt(0.7), "later");  // a section without a caption keeps the one before
+    EXPECT_EQ(headingAt(0.9), "end");
+}
+
+TEST(Snapshot, HeadingsHaveContrastOnThePlateOfEveryTheme) {
     const Stage stage(sceneFrom(kBall));
-    EXPECT_EQ(snapshot(stage, {}, 1.383).texts.at(0).text,
-              "t = 1.383 s   2 bodies   steady, 4 sub-steps");
+    for (const std::string& theme : themeNames()) {
+        const render::Frame frame = snapshot(stage, {.theme = theme}, 0.5);
+        const render::Text& text = frame.texts.at(0);
+        EXPECT_GE(contrast(text.headingColor, frame.look.plate), 4.5) << theme;
+        EXPECT_GE(contrast(text.color, frame.look.plate), 7.0) << theme;
+    }
+}
+
+TEST(Snapshot, TheFirstLineIsAPartOfStatisticsOnPaper) {
+    const Stage stage(sceneFrom(kBall));
+    const auto first = [&](const Overlays& overlays) {
+        return snapshot(stage, overlays, 1.383).texts.at(0).text;
+    };
+    const std::string line = "t = 1.383 s   2 bodies   steady, 4 sub-steps";
+    EXPECT_EQ(first({.stats = true, .pixelsPerPoint = 1.0}), line);
+    EXPECT_NE(first({.pixelsPerPoint = 1.0}), line);
+    EXPECT_NE(first({.stats = true}), line);  // the panel has the same
 }
 
 TEST(Snapshot, CleanPicturesHoldNoText) {
@@ -223,7 +254,7 @@ TEST(Snapshot, TheStatisticsSplitEnergyIntoABar) {
     EXPECT_EQ(rowOf(frame, "time")->value, "0.333 s");
     EXPECT_EQ(rowOf(frame, "step")->value, "20");
     EXPECT_EQ(rowOf(frame, "solver")->value, "steady impulses");
-    ASSERT_EQ(frame.texts.size(), 1u);  // the caption; the first line is omitted
+    ASSERT_EQ(frame.texts.size(), 1u);  // the caption
     EXPECT_EQ(frame.texts[0].text, "test");
 }
 
@@ -270,14 +301,14 @@ TEST(Snapshot, ARemovedBodyIsNeitherDrawnNorCounted) {
     const std::string far = "[[body]]\nname = 'far'\nshape = { sphere = 0.5 }\n"
                             "at = [99990, 5, 0]\nvelocity = [9000, 0, 0]\n";
     Overlays overlays;
-    overlays.ids = true;
+    overlays.ids = overlays.stats = true;
     Player player(sceneFrom(kBall + far), overlays);
     EXPECT_EQ(player.frame(0.0).solids.size(), 2u);
     player.step();
     const render::Frame frame = player.frame(1.0 / 60);
     EXPECT_EQ(frame.solids.size(), 1u);
     EXPECT_EQ(frame.labels.size(), 1u);
-    EXPECT_NE(frame.texts.front().text.find("2 bodies"), std::string::npos);
+    EXPECT_EQ(rowOf(frame, "bodies")->value, "2");
     ASSERT_EQ(player.incidents().size(), 1u);
     EXPECT_EQ(bodyAndStep(player.incidents().front()), "'far', step 1");
 }
