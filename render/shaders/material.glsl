@@ -32,6 +32,15 @@ float grain(vec3 p, vec3 periods, float size) {
 }
 #endif
 
+// Light above 0.8 is compressed so that hues last up to white (Khronos PBR neutral tone mapper).
+vec3 toned(vec3 color) {
+    const float kStart = 0.8, kRest = 1.0 - kStart, kFade = 0.15;
+    float peak = max(color.r, max(color.g, color.b)), over = max(peak - kStart, 0.0);
+    float lower = min(peak, 1.0 - kRest * kRest / (kRest + over));
+    float white = 1.0 - 1.0 / (kFade * (peak - lower) + 1.0);
+    return mix(color * (lower / max(peak, 1e-6)), vec3(lower), white);
+}
+
 // What a mirror shows of a studio: floor, back wall, sky, and a soft box in front of the sun.
 vec3 room(vec3 ray) {
     vec3 above = skyLight * mix(2.1, 0.9, smoothstep(0.0, 0.7, ray.y));
@@ -50,7 +59,7 @@ vec4 shaded(vec3 tint, vec3 world, vec3 normal, float shine, int number) {
     vec3 p = patternPlace(number);
     float rings = length(p.xz + vec2(3.1, 1.7) + 0.8 * noise(p * vec3(0.35, 0.08, 0.35)));
     float late = abs(fract(rings) - 0.35) / 0.65;
-    tint *= 1.0 + visible(p, 1.0) * (0.30 * (late * late - 0.35));
+    tint *= 1.0 + visible(p, 1.0) * (0.24 * (late * late - 0.35));
     tint *= 1.0 + grain(p, vec3(7.0, 0.35, 7.0), 0.24);
 #elif defined(BRICK)
     vec3 p = patternPlace(number);
@@ -95,5 +104,5 @@ vec4 shaded(vec3 tint, vec3 world, vec3 normal, float shine, int number) {
     float g = gloss16(normal, toEye);
     color += shine * (g * g * g * lit * sunLight * 0.35 + rim(normal, toEye) * skyLight * 0.10);
 #endif
-    return vec4(encode(fogged(color)), alpha);
+    return vec4(encode(fogged(toned(color))), alpha);
 }
