@@ -12,6 +12,7 @@
 #include "demos/film/framing.h"
 #include "demos/film/quality.h"
 #include "demos/look/type.h"
+#include "demos/play/motion_camera.h"
 #include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
@@ -143,7 +144,11 @@ PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart
     checkLayout(wholeOf(figure), figure.paper);
     Options own = options;
     own.size = figure.layout.picture;
-    for (const Variant& run : runs) figure.plans.push_back(planOf(run, own));
+    std::vector<Variant> framed = runs;
+    std::vector<SceneDescription*> scenes;
+    for (Variant& run : framed) scenes.push_back(&run.scene);
+    fitToMotion(scenes);
+    for (const Variant& run : framed) figure.plans.push_back(planOf(run, own));
     const FilmPlan& first = figure.plans.front();
     figure.time = options.time.value_or(first.timeOf(first.frames - 1));
     for (const FilmPlan& plan : figure.plans) stepAt(figure.time, plan, "--time");

@@ -9,6 +9,7 @@
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
 #include "demos/options/picture_options.h"
+#include "demos/play/motion_camera.h"
 #include "demos/scene/reader.h"
 #include "demos/text/put_text.h"
 #include "demos/text/stop.h"
@@ -103,6 +104,9 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     const Quality& quality = qualityOf(options.quality);
     FilmPlan plan;
     plan.panels = std::move(panels);
+    std::vector<SceneDescription*> scenes;
+    for (Panel& panel : plan.panels) scenes.push_back(&panel.scene);
+    fitToMotion(scenes);
     const SceneDescription& scene = plan.scene();
     plan.name = scene.name;
     for (Panel& panel : plan.panels) panel.overlays = overlaysOf(panel.scene, options);

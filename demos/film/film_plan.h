@@ -64,7 +64,8 @@ SceneDescription sceneOf(const Options& options);
 FilmPlan planFilm(const Options& options);
 
 /// The same for several panels on one clock: their scenes have the same length, and each has its own
-/// steps per frame. Fills in their overlays. `strip`: leaves room for a plot.
+/// steps per frame. Fills in their overlays, and the camera of scenes without one (a run of each).
+/// `strip`: leaves room for a plot.
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
 
 /// A hash of all that determines a picture's bits except the renderer: scene, program, settings.

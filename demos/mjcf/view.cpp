@@ -54,13 +54,16 @@ CameraDescription readView(const Element& root, const Defaults& defaults,
     addFloor(scene, bounds);
     Vec3 centre = bounds.centre();
     double radius = bounds.radius();
+    CameraDescription camera;
     for (const Element& element : root.children) {
         if (element.name != "statistic") continue;
         Attributes attributes = defaults.of(element, "");
-        if (const auto given = attributes.vector("center", kMeters)) centre = yUp(*given);
-        if (const auto given = attributes.number("extent", kExtent)) radius = *given;
+        const auto givenCentre = attributes.vector("center", kMeters);
+        const auto givenExtent = attributes.number("extent", kExtent);
+        if (givenCentre) centre = yUp(*givenCentre);
+        if (givenExtent) radius = *givenExtent;
+        camera.fitsMotion = !givenCentre && !givenExtent;
     }
-    CameraDescription camera;
     const double half = engine::radians(0.5 * camera.fovDegrees);
     const double away = kRoom * engine::larger(radius, kLeastRadius) / engine::sine(half);
     camera.lookAt = centre;

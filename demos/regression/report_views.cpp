@@ -15,7 +15,9 @@ constexpr int kViews = 60;  // straight segments: they look like an arc
 
 /// Times in s: evenly spaced, and those of the keys, where the camera turns or cuts.
 std::set<double> timesOf(const CameraDescription& camera, double end) {
-    if (camera.keys.empty() && camera.orbitDegreesPerSecond == 0.0) return {0.0};
+    const bool turns = camera.orbitDegreesPerSecond != 0.0 || camera.move == CameraMove::push ||
+                       camera.move == CameraMove::orbit;
+    if (camera.keys.empty() && !turns) return {0.0};
     std::set<double> times;
     for (int i = 0; i <= kViews; ++i) times.insert(end * i / kViews);
     for (const CameraKey& key : camera.keys)
@@ -28,7 +30,7 @@ std::set<double> timesOf(const CameraDescription& camera, double end) {
 Json viewsJson(const CameraDescription& camera, double end) {
     Json rows = Json::array();
     for (const double time : timesOf(camera, end)) {
-        const CameraView view = orbitAt(camera, time);
+        const CameraView view = movedAt(camera, time, end);
         Json row{rounded(time, 6), shotAt(camera, time)};
         for (const Vec3& place : {view.from, view.lookAt})
             for (const double metres : place) row.push_back(rounded(metres, 5));

@@ -58,9 +58,14 @@ struct CameraKey {
     Ease ease = Ease::smooth;  // of the motion towards this key
 };
 
+/// A slow motion of the camera over the whole film: towards lookAt, around it, or with the bodies.
+enum class CameraMove { none, push, orbit, follow };
+
 struct CameraDescription {
     Vec3 from{8, 5, 14}, lookAt{0, 2, 0};
+    bool fitsMotion = true;  // neither was given: pictures take them from the motion of the run
     double fovDegrees = 35.0;
+    CameraMove move = CameraMove::none;
     double orbitDegreesPerSecond = 0.0;
     std::string follow;           // a body, or empty
     double followLag = 0.0;       // s, time constant of following; 0: no lag

@@ -19,6 +19,7 @@ aperture = 0.1
 focus = "ball"
 keys = [{ at = 1, from = [4, 2, 9], look_at = [0, 2, 0], fov_deg = 30, ease = "out" }]
 )"},
+    {"move", "\n[camera]\nmove = \"push\"\n"},
     {"focus", "\n[camera]\nfocus = 3\nfollow = \"crate\"\n"},
     {"look", R"(
 [look]
@@ -80,7 +81,8 @@ TableTexts cameraTexts() {
     return {"[camera]",
             {
                 {"from", inToml(CameraDescription{}.from),
-                 "The place of the camera; move it back to show more, up to look over things."},
+                 "The place of the camera; without it, look_at, keys and follow the picture shows the "
+                 "motion of the whole run."},
                 {"look_at", inToml(CameraDescription{}.lookAt),
                  "The point in the middle of the picture."},
                 {"fov_deg", inToml(CameraDescription{}.fovDegrees),
@@ -89,11 +91,14 @@ TableTexts cameraTexts() {
                 {"orbit_deg_per_s", inToml(CameraDescription{}.orbitDegreesPerSecond),
                  "How fast the camera circles look_at about the vertical; 20 shows a still scene "
                  "from all sides in 18 s."},
+                {"move", inToml(std::string("none")),
+                 "A slow motion over the whole film: push moves in by 12 %, orbit circles by 25 "
+                 "degrees, follow keeps the middle of all moving bodies in the picture."},
                 {"follow", "none",
                  "A body with which the camera moves along, keeping its distance and direction."},
                 {"follow_lag", inToml(CameraDescription{}.followLag),
-                 "The time constant with which the camera lags behind the body it follows; a few "
-                 "tenths make it calm."},
+                 "The time constant with which the camera lags behind what it follows, 0.5 by default "
+                 "with move = \"follow\"; a few tenths make it calm."},
                 {"aperture", inToml(CameraDescription{}.aperture),
                  "The radius of the lens, by which things out of focus are blurred; only pictures "
                  "of several moments show it (--blur 16, -q film)."},

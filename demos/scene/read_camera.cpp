@@ -10,6 +10,7 @@
 namespace demos {
 namespace {
 
+constexpr double kLagOfAll = 0.5;  // s, of a camera that follows all bodies
 constexpr Range kFieldOfView{1.0, 170.0, "deg"};
 
 /// m: the horizontal length of the line of sight. A camera that looks along y has no "up".
@@ -87,6 +88,21 @@ void checkBody(Keys& keys, const char* key, const std::string& name, const BodyN
         keys.complain(key, "no body is called '" + name + "'" + suggestion(name, bodyNames(scene)));
 }
 
+/// A move replaces the other ways to move the camera.
+void readMove(Keys& keys, CameraDescription& camera) {
+    static const std::vector<std::string> words{"none", "push", "orbit", "follow"};
+    const std::string word = keys.word("move", words).value_or(words.front());
+    camera.move =
+        static_cast<CameraMove>(std::find(words.begin(), words.end(), word) - words.begin());
+    if (camera.move == CameraMove::follow && !keys.has("follow_lag"))
+        camera.followLag = kLagOfAll;
+    if (camera.move == CameraMove::none) return;
+    for (const char* key : {"keys", "orbit_deg_per_s", "follow"})
+        if (keys.has(key))
+            keys.complain("move", "move = \"" + word + "\" and " + key +
+                                      " both move the camera; leave one of them out");
+}
+
 void readLens(Keys& keys, const BodyNumbers& numbers, SceneDescription& scene) {
     CameraDescription& camera = scene.camera;
     set(camera.aperture, keys.number("aperture", {0.0, 10.0, "m"}));
@@ -111,13 +127,17 @@ void readCamera(Keys& top, const BodyNumbers& numbers, SceneDescription& scene) 
     CameraDescription& camera = scene.camera;
     set(camera.from, keys.vector("from", kMeters));
     set(camera.lookAt, keys.vector("look_at", kMeters));
+    for (const char* key : {"from", "look_at", "keys", "follow"})
+        if (keys.has(key)) camera.fitsMotion = false;
     set(camera.fovDegrees, keys.number("fov_deg", kFieldOfView));
     set(camera.orbitDegreesPerSecond, keys.number("orbit_deg_per_s", {-3600.0, 3600.0, "deg/s"}));
     set(camera.follow, keys.text("follow"));
     checkBody(keys, "follow", camera.follow, numbers, scene);
     set(camera.followLag, keys.number("follow_lag", {0.0, 100.0, "s"}));
-    if (keys.has("follow_lag") && !keys.has("follow"))
-        keys.complain("follow_lag", "follow_lag needs a body to follow; write follow = \"NAME\"");
+    readMove(keys, camera);
+    if (keys.has("follow_lag") && !keys.has("follow") && camera.move != CameraMove::follow)
+        keys.complain("follow_lag", "follow_lag needs something to follow; write follow = \"NAME\" "
+                                    "or move = \"follow\"");
     checkView(keys, camera.lookAt - camera.from);
     readLens(keys, numbers, scene);
     readKeys(keys, scene);

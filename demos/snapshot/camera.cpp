@@ -11,6 +11,8 @@ namespace demos {
 namespace {
 
 constexpr double kSameTime = 1e-9;      // s: times of pictures are sums, those of keys are not
+constexpr double kPushShare = 0.12;     // of the distance to lookAt
+constexpr double kOrbitDegrees = 25.0;  // half before and half after `from`
 constexpr double kNearestFocus = 1e-3;  // m; a nearer point, or one behind, is not focused on
 
 double eased(Ease ease, double s) {
@@ -38,10 +40,12 @@ CameraView mixed(const CameraKey& a, const CameraKey& b, double share) {
             a.fovDegrees + share * (b.fovDegrees - a.fovDegrees)};
 }
 
-/// How far the followed body has moved, with the camera's lag.
+/// How far the followed body, or the middle of those that move, has moved, with the camera's lag.
 Vec3 followed(const Moment& moment) {
     const Stage& stage = moment.stage;
     const CameraDescription& camera = stage.scene.camera;
+    if (camera.move == CameraMove::follow && moment.history.followed)
+        return *moment.history.followed - *moment.history.followedFirst;
     for (std::size_t i = 0; i < stage.bodies.size(); ++i) {
         if (camera.follow.empty() || stage.scene.bodies[i].name != camera.follow) continue;
         const Vec3 place = stage.world.pose(stage.bodies[i]).position;
@@ -74,11 +78,14 @@ CameraView viewAt(const CameraDescription& camera, double time) {
     return viewOf(before);
 }
 
-CameraView orbitAt(const CameraDescription& camera, double time) {
+CameraView movedAt(const CameraDescription& camera, double time, double seconds) {
     CameraView view = viewAt(camera, time);
-    const double angle = camera.orbitDegreesPerSecond * time * std::numbers::pi / 180.0;
-    const Eigen::AngleAxisd turn(angle, Vec3::UnitY());
-    view.from = view.lookAt + turn * (view.from - view.lookAt);
+    const double share = eased(Ease::smooth, std::clamp(time / std::max(seconds, kSameTime), 0.0, 1.0));
+    double degrees = camera.orbitDegreesPerSecond * time, nearer = 0.0;
+    if (camera.move == CameraMove::orbit) degrees = kOrbitDegrees * (share - 0.5);
+    if (camera.move == CameraMove::push) nearer = kPushShare * share;
+    const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180.0, Vec3::UnitY());
+    view.from = view.lookAt + (1.0 - nearer) * (turn * (view.from - view.lookAt));
     return view;
 }
 
@@ -95,7 +102,7 @@ std::optional<Vec3> placeOf(const Stage& stage, const std::string& body) {
 
 render::Camera cameraOf(const Moment& moment) {
     const CameraDescription& camera = moment.stage.scene.camera;
-    const CameraView view = orbitAt(camera, moment.time);
+    const CameraView view = movedAt(camera, moment.time, moment.stage.scene.seconds);
     const Vec3 moved = followed(moment);
     const Vec3 from = view.from + moved, lookAt = view.lookAt + moved;
     render::Camera result;

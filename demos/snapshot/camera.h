@@ -1,4 +1,4 @@
-/// The camera at a given time: from its keys, the body it follows, and its orbit.
+/// The camera at a given time: from its keys, the body it follows, its orbit or its move.
 #pragma once
 #include <optional>
 #include <string>
@@ -17,8 +17,8 @@ struct CameraView {
 /// 0 s; after the last key it stays.
 CameraView viewAt(const CameraDescription& camera, double time);
 
-/// The same with the orbit, if there is one.
-CameraView orbitAt(const CameraDescription& camera, double time);
+/// The same with its orbit or its move over a film of `seconds` (s); a followed body does not count.
+CameraView movedAt(const CameraDescription& camera, double time, double seconds);
 
 /// The number of cuts so far: pictures with the same number belong to one shot.
 int shotAt(const CameraDescription& camera, double time);
@@ -26,7 +26,7 @@ int shotAt(const CameraDescription& camera, double time);
 /// The position of the body's centre in m; nothing if no body has this name.
 std::optional<Vec3> placeOf(const Stage& stage, const std::string& body);
 
-/// The camera with followed body, orbit and lens.
+/// The camera with what it follows, orbit or move, and lens.
 render::Camera cameraOf(const Moment& moment);
 
 }  // namespace demos

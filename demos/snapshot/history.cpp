@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/play/motion_camera.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/colors.h"
 
@@ -38,14 +39,17 @@ void rememberGhost(const Stage& stage, double every, History& history) {
     history.ghosts.push_back(std::move(poses));
 }
 
-/// The body's position p, smoothed with the time constant T: f' = (p - f) / T, exact for p at rest.
+/// The position p of a body or of all that move, smoothed with the time constant T:
+/// f' = (p - f) / T, exact for p at rest.
 void rememberFollowed(const Stage& stage, History& history) {
     const CameraDescription& camera = stage.scene.camera;
-    if (!(camera.followLag > 0.0)) return;
-    const std::optional<Vec3> place = placeOf(stage, camera.follow);
+    const bool all = camera.move == CameraMove::follow, lags = camera.followLag > 0.0;
+    if (!all && (camera.follow.empty() || !lags)) return;
+    const std::optional<Vec3> place = all ? middleOf(stage) : placeOf(stage, camera.follow);
     if (!place) return;
-    if (!history.followed) history.followed = place;
-    *history.followed += -std::expm1(-stage.dt() / camera.followLag) * (*place - *history.followed);
+    if (!history.followed) history.followed = history.followedFirst = place;
+    const double share = lags ? -std::expm1(-stage.dt() / camera.followLag) : 1.0;
+    *history.followed += share * (*place - *history.followed);
 }
 
 }  // namespace

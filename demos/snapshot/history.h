@@ -18,7 +18,8 @@ struct History {
     double largestValue = 0.0;     // of the colouring, so far
     double lowestPotential = 0.0;  // J, so far, at most 0
     double largestEnergy = 0.0;    // J, so far
-    std::optional<Vec3> followed;  // m: the body's position for a camera that follows with a lag
+    // m: what a camera follows with a lag, now and before the first step
+    std::optional<Vec3> followed, followedFirst;
     std::vector<std::vector<engine::Pose>> ghosts;  // by body; the oldest first
 };
 

@@ -16,6 +16,8 @@ seconds = 2.0
 name = "ball"
 shape = { sphere = 0.5 }
 at = [0, 3, 0]
+[camera]
+from = [8, 5, 14]
 [[section]]
 at = 0.0
 name = "fall"

@@ -180,5 +180,54 @@ TEST(CameraKeys, MayPassOverheadByACut) {
                     .empty());
 }
 
+/// On the axis of a camera that looks from (0, 2, 10) to (0, 2, 0), in a film of 8 s.
+Vec3 movedFrom(CameraMove move, double time) {
+    CameraDescription camera;
+    camera.from = {0, 2, 10}, camera.lookAt = {0, 2, 0};
+    camera.move = move;
+    return movedAt(camera, time, 8.0).from;
+}
+
+TEST(CameraMove, PushGoesAnEighthInAndStops) {
+    EXPECT_NEAR(movedFrom(CameraMove::push, 0.0).z(), 10.0, 1e-12);
+    EXPECT_NEAR(movedFrom(CameraMove::push, 4.0).z(), 9.4, 1e-12);
+    EXPECT_NEAR(movedFrom(CameraMove::push, 8.0).z(), 8.8, 1e-12);
+    EXPECT_NEAR(movedFrom(CameraMove::push, 9.0).z(), 8.8, 1e-12);
+    EXPECT_NEAR(movedFrom(CameraMove::push, 0.08).z(), 10.0, 1e-3);  // starts at rest
+}
+
+TEST(CameraMove, OrbitIsAtFromInTheMiddleOfTheFilm) {
+    const double half = 12.5 * 3.14159265358979 / 180.0;
+    EXPECT_NEAR(movedFrom(CameraMove::orbit, 0.0).x(), -10.0 * std::sin(half), 1e-9);
+    EXPECT_NEAR(movedFrom(CameraMove::orbit, 4.0).x(), 0.0, 1e-12);
+    EXPECT_NEAR(movedFrom(CameraMove::orbit, 8.0).x(), 10.0 * std::sin(half), 1e-9);
+}
+
+TEST(CameraMove, FollowKeepsTheMiddleOfTheMovingBodiesInPlace) {
+    const std::string bodies =
+        "[world]\ngravity = [0, 0, 0]\n"
+        "[[body]]\nname = 'a'\nshape = { sphere = 0.1 }\nat = [0, 0, 0]\nvelocity = [2, 0, 0]\n"
+        "[[body]]\nname = 'b'\nshape = { sphere = 0.1 }\nat = [0, 1, 0]\nvelocity = [2, 0, 0]\n"
+        "[[body]]\nname = 'c'\nshape = { sphere = 0.1 }\nat = [0, 2, 0]\nvelocity = [2, 50, 0]\n"
+        "[camera]\nfrom = [0, 1, 10]\nlook_at = [0, 1, 0]\nmove = 'follow'\n";
+    Player sharp(read(bodies + "follow_lag = 0\n"), {}), lagging(read(bodies), {});
+    sharp.step(60), lagging.step(60);
+    EXPECT_NEAR(sharp.frame(1.0).camera.lookAt.x(), 2.0f, 1e-5f);
+    EXPECT_NEAR(sharp.frame(1.0).camera.lookAt.y(), 1.0f, 1e-5f);  // c has left, the others not
+    const double behind = 1.0 - std::exp(-2.0);  // v T (1 - e^(-t / T)) in m, T = 0.5 s
+    EXPECT_NEAR(lagging.frame(1.0).camera.lookAt.x(), 2.0 - behind, 0.02);
+}
+
+TEST(CameraMove, IsRefusedBesideOtherMotionsOfTheCamera) {
+    for (const std::string other : {"keys = [{ at = 1 }]", "orbit_deg_per_s = 9", "follow = 'ball'"}) {
+        const std::vector<std::string> lines =
+            errorsOf("format = 1\n" + kBall + "[camera]\nmove = 'push'\n" + other + "\n");
+        EXPECT_TRUE(tells(lines, "a.toml:7:1: ", "both move the camera; leave one of them out"))
+            << listed(lines);
+    }
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + kBall + "[camera]\nmove = 'pus'\n"), "a.toml:7:8: ",
+                      "did you mean 'push'?"));
+}
+
 }  // namespace
 }  // namespace demos::test
