@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kFilled = 0.7;            // of the picture, by the box of all motion
 constexpr double kAspect = 16.0 / 9.0;     // of that picture
-constexpr double kAway = 5.0;              // times as far as most bodies: left for ever
+constexpr double kAway = 3.0;              // times as far as most bodies: left for ever
+constexpr double kAwayAtStart = 5.0;       // the same before the first step: it will come nearer
 constexpr double kCutShare = 0.02;         // of all samples, at either end of the box
 constexpr double kDeep = 1.5;              // times as deep as wide: seen from the other side
 constexpr double kLeastRadius = 0.02;      // m
@@ -119,10 +120,13 @@ void dropFar(Motion& motion) {
         farthest[sample.number] = std::max(farthest[sample.number], distance(sample));
     std::vector<double> distances;
     for (const auto& [body, far] : farthest) distances.push_back(far);
-    const double limit = kAway * quantile(distances, 0.5);
-    std::erase_if(motion.moving, [&](const Sample& sample) { return distance(sample) > limit; });
-    std::erase_if(motion.anchors,
-                  [&](const Vec3& anchor) { return (anchor - middle).norm() > limit; });
+    const double usual = quantile(distances, 0.5);
+    std::erase_if(motion.moving, [&](const Sample& sample) {
+        return distance(sample) > (sample.first ? kAwayAtStart : kAway) * usual;
+    });
+    std::erase_if(motion.anchors, [&](const Vec3& anchor) {
+        return (anchor - middle).norm() > kAwayAtStart * usual;
+    });
 }
 
 /// World to view: x right, y up, z towards the camera, which looks along -`back`.
