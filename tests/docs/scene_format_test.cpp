@@ -1,6 +1,7 @@
 // demos/scene/README.md agrees with the reader; the schema has every key of the reader's source.
 #include <gtest/gtest.h>
 
+#include "demos/look/theme.h"
 #include "demos/scene/every_key.h"
 #include "tests/docs/texts.h"
 #include "tests/support/temporary_folder.h"
@@ -50,6 +51,13 @@ TEST_F(SceneReadme, NamesEveryFunctionAndNoOther) {
     const std::string source = textOf(kSceneFolder / "expression.cpp");
     EXPECT_EQ(matches(list, "([a-z0-9]+)"), matches(source, R"(DefineFun\("([a-z0-9]+)\")"));
     EXPECT_GE(matches(list, "([a-z0-9]+)").size(), 15u);
+}
+
+TEST_F(SceneReadme, NamesEveryLookAndNoOther) {
+    const std::size_t begin = kSceneText.find("| look |"), end = kSceneText.find("\n\n", begin);
+    const std::vector<std::string>& names = demos::materialNames();
+    EXPECT_EQ(matches(kSceneText.substr(begin, end - begin), "`([a-z]+)`"),
+              std::set<std::string>(names.begin(), names.end()));
 }
 
 TEST_F(SceneReadme, NamesFilesThatAreThere) {

@@ -89,6 +89,21 @@ TEST(Glb, SaysWhoMadeItAndWhatItHolds) {
         EXPECT_GE(exported().glb.numberOf(body.name), 0) << body.name;
 }
 
+TEST(Glb, MaterialsHaveTheValuesOfTheirLook) {
+    const Exported steel(kFloor + "[[body]]\nname = 'ball'\nshape = { sphere = 1 }\nat = [0, 1, 0]\n"
+                                  "look = 'steel'\n[[body]]\nname = 'pane'\n"
+                                  "shape = { box = [1, 1, 1] }\nat = [3, 1, 0]\nlook = 'glass'\n");
+    const auto materialOf = [&steel](const std::string& name) {
+        const nlohmann::json& node = steel.glb.json["nodes"][steel.glb.numberOf(name)];
+        const nlohmann::json& mesh = steel.glb.json["meshes"][node["mesh"].get<int>()];
+        return steel.glb.json["materials"][mesh["primitives"][0]["material"].get<int>()];
+    };
+    const nlohmann::json metal = materialOf("ball")["pbrMetallicRoughness"];
+    EXPECT_EQ(metal["metallicFactor"], 1.0);
+    EXPECT_NEAR(metal["roughnessFactor"].get<double>(), 0.3, 1e-6);
+    EXPECT_EQ(materialOf("pane")["alphaMode"], "BLEND");
+}
+
 TEST(Glb, AccessorsTellTheirLeastAndLargest) {
     const Glb& glb = exported().glb;
     int told = 0;

@@ -10,6 +10,7 @@
 
 #include "demos/scene/pattern.h"
 #include "demos/text/nearest.h"
+#include "render/frame.h"
 #include "tests/demos/reading.h"
 
 namespace demos::test {
@@ -35,6 +36,17 @@ TEST(Reader, TakesLettersBeyondAsciiInTextsAndComments) {
     // Up to two of the quotes at the end of a block belong to the text.
     EXPECT_EQ(read("title = '''\u00e9'''''\n" + kBall).title, "\u00e9''");
     EXPECT_EQ(readScene("\ufeffformat = 1\n" + kBall, "a.toml", "a").bodies.size(), 1u);
+}
+
+TEST(Reader, TakesTheLookOfABodyOrOfItsMaterial) {
+    const std::string floor = "[[material]]\nname = 'm'\nlook = 'brick'\n";
+    const SceneDescription scene =
+        read(floor + "[[body]]\nname = 'a'\nshape = { sphere = 1 }\nmaterial = 'm'\n"
+                     "[[body]]\nname = 'b'\nshape = { sphere = 1 }\nmaterial = 'm'\n"
+                     "look = 'glass'\n[[body]]\nname = 'c'\nshape = { sphere = 1 }\n");
+    EXPECT_EQ(scene.bodies[0].look, render::Material::brick);
+    EXPECT_EQ(scene.bodies[1].look, render::Material::glass);
+    EXPECT_EQ(scene.bodies[2].look, render::Material::plastic);
 }
 
 TEST(Reader, ReadsABodyInFull) {
