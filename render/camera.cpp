@@ -47,4 +47,9 @@ Projected project(const View& view, const Vec3& world, int width, int height) {
             (0.5f - 0.5f * clip.y() / w) * static_cast<float>(height), w};
 }
 
+float gridCell(const Camera& camera) {
+    const float decade = std::floor(std::log10((camera.from - camera.lookAt).norm() / 6.0f));
+    return std::max(std::pow(10.0f, decade), 0.1f);
+}
+
 }  // namespace render

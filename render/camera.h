@@ -32,4 +32,7 @@ Projected project(const View& view, const Vec3& world, int width, int height);
 /// World to eye; `up` must not be parallel to the view direction.
 Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up);
 
+/// m between two thin lines of the ground's grid; every fifth line is a strong one.
+float gridCell(const Camera& camera);
+
 }  // namespace render

@@ -114,11 +114,6 @@ std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
 
 }  // namespace
 
-float gridCell(const Camera& camera) {
-    const float decade = std::floor(std::log10((camera.from - camera.lookAt).norm() / 6.0f));
-    return std::max(std::pow(10.0f, decade), 0.1f);
-}
-
 ScenePass::ScenePass(int width, int height)
     : width_(width),
       height_(height),

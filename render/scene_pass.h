@@ -18,9 +18,6 @@ struct Lights {
     PixelRect darkened;               // where openMap may be below its maximum
 };
 
-/// m between two thin lines of the ground's grid; every fifth line is a strong one.
-float gridCell(const Camera& camera);
-
 class ScenePass {
 public:
     ScenePass(int width, int height);

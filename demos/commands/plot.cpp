@@ -119,7 +119,7 @@ Run addPlot(CLI::App& app) {
                    "pixels, 1..16384 a side; default: 1280 wide, 360 high per chart, at least 720")
         ->type_name("WxH");
     app.add_option("--theme", options.theme,
-                   "studio, dark, print or transparent; default: the scene's")
+                   "studio, dark, print, transparent or lab; default: the scene's")
         ->type_name("NAME");
     addFigure(app, options, texts);
     app.add_flag("--overwrite", options.overwrite,

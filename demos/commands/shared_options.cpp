@@ -72,7 +72,7 @@ void addPicture(CLI::App& app, Options& options, OptionTexts& texts) {
                              "overlays, with commas: " + overlayList() + "; default: the scene's")
                   ->type_name("NAMES"));
     app.add_option("--theme", options.theme,
-                   "studio, dark, print or transparent; default: the scene's")
+                   "studio, dark, print, transparent or lab; default: the scene's")
         ->type_name("NAME");
     app.add_option("--colour-by,--color-by", options.colorBy,
                    "what the bodies' colours show: body, speed, impulse, island, group, material "

@@ -1,17 +1,27 @@
 #include "demos/snapshot/snapshot.h"
 
+#include <fmt/format.h>
+
 #include "demos/look/key_light.h"
 #include "demos/look/theme.h"
 #include "demos/look/type.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/scale.h"
+#include "render/camera.h"
 
 namespace demos {
 namespace {
 
 constexpr float kGrain = 0.032f;  // of the view's height: 23 pixels of 720
 constexpr float kGridReach = 0.9f;
+
+void addGridScale(render::Frame& frame) {
+    constexpr float kSize = 13.0f;
+    const float cell = render::gridCell(frame.camera);
+    frame.texts.push_back({fmt::format("grid {:g} m, {:g} m", cell, 5.0f * cell),
+                           render::Corner::bottomRight, kSize});
+}
 
 }  // namespace
 
@@ -30,6 +40,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     if (overlays.text && overlays.headings) addTexts(moment, frame);
     if (overlays.stats) addStats(moment, frame);
     if (overlays.text) addLegend(moment, frame);
+    if (overlays.text && overlays.theme == "lab") addGridScale(frame);
     applyTheme(overlays.theme, frame);
     colorHeadings(frame);
     const CameraDescription& camera = stage.scene.camera;
