@@ -81,8 +81,8 @@ TableTexts cameraTexts() {
     return {"[camera]",
             {
                 {"from", inToml(CameraDescription{}.from),
-                 "The place of the camera; without it, look_at, keys and follow the picture shows the "
-                 "motion of the whole run."},
+                 "The place of the camera; without it, look_at, keys and follow the picture shows "
+                 "the motion of the whole run."},
                 {"look_at", inToml(CameraDescription{}.lookAt),
                  "The point in the middle of the picture."},
                 {"fov_deg", inToml(CameraDescription{}.fovDegrees),
@@ -97,8 +97,8 @@ TableTexts cameraTexts() {
                 {"follow", "none",
                  "A body with which the camera moves along, keeping its distance and direction."},
                 {"follow_lag", inToml(CameraDescription{}.followLag),
-                 "The time constant with which the camera lags behind what it follows, 0.5 by default "
-                 "with move = \"follow\"; a few tenths make it calm."},
+                 "The time constant with which the camera lags behind what it follows, 0.5 by "
+                 "default with move = \"follow\"; a few tenths make it calm."},
                 {"aperture", inToml(CameraDescription{}.aperture),
                  "The radius of the lens, by which things out of focus are blurred; only pictures "
                  "of several moments show it (--blur 16, -q film)."},

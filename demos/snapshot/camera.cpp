@@ -80,7 +80,8 @@ CameraView viewAt(const CameraDescription& camera, double time) {
 
 CameraView movedAt(const CameraDescription& camera, double time, double seconds) {
     CameraView view = viewAt(camera, time);
-    const double share = eased(Ease::smooth, std::clamp(time / std::max(seconds, kSameTime), 0.0, 1.0));
+    const double part = std::clamp(time / std::max(seconds, kSameTime), 0.0, 1.0);
+    const double share = eased(Ease::smooth, part);
     double degrees = camera.orbitDegreesPerSecond * time, nearer = 0.0;
     if (camera.move == CameraMove::orbit) degrees = kOrbitDegrees * (share - 0.5);
     if (camera.move == CameraMove::push) nearer = kPushShare * share;

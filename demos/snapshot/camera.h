@@ -17,7 +17,7 @@ struct CameraView {
 /// 0 s; after the last key it stays.
 CameraView viewAt(const CameraDescription& camera, double time);
 
-/// The same with its orbit or its move over a film of `seconds` (s); a followed body does not count.
+/// The same with its orbit or its move over a film of `seconds` (s), without what it follows.
 CameraView movedAt(const CameraDescription& camera, double time, double seconds);
 
 /// The number of cuts so far: pictures with the same number belong to one shot.

@@ -61,15 +61,15 @@ TEST(Text, IsWiderWhenLongerAndSurvivesBrokenUtf8) {
 
 TEST(Text, RunningNumbersDoNotJitter) {
     for (const float pixels : {11.0f, 18.0f, 37.0f})
-        for (const char digit : std::string("0123456789"))
-            EXPECT_EQ(textWidth(std::string(5, digit), pixels), textWidth("00000", pixels)) << digit;
+        for (const char one : std::string("0123456789"))
+            EXPECT_EQ(textWidth(std::string(5, one), pixels), textWidth("00000", pixels)) << one;
 }
 
 /// A character that no font has is drawn as a box, as wide as that of U+10FFFD.
 TEST(Text, BothFontsTogetherHaveWhatCaptionsNeed) {
     for (const std::string sign :
-         {"ω", "α", "μ", "π", "Δ", "é", "Ж", "°", "²", "⁻", "₀", "½", "′", "…", "–", "−", "×", "·", "√",
-          "≤", "≈", "≠", "∞", "→", "⇒", "∝", "∥", "⊥", "∈", "∂", "∑", "∫"}) {
+         {"ω", "α", "μ", "π", "Δ", "é", "Ж", "°", "²", "⁻", "₀", "½", "′", "…", "–", "−", "×", "·",
+          "√", "≤", "≈", "≠", "∞", "→", "⇒", "∝", "∥", "⊥", "∈", "∂", "∑", "∫"}) {
         Image one = grey(64, 64), none = grey(64, 64);
         drawLabel(one, sign, {8, 48}, Anchor::start, 40, {});
         drawLabel(none, "\xf4\x8f\xbf\xbd", {8, 48}, Anchor::start, 40, {});

@@ -11,8 +11,9 @@ TEST(Licenses, NamesWhatIsBuiltInWithItsNotice) {
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("No licence has been chosen for impulse itself"), std::string::npos);
     for (const char* part :
-         {"Inter", "DejaVu", "glad", "stb_truetype", "Eigen", "CLI11", "{fmt}", "toml++", "KaTeX", "TeX Gyre",
-          "Copyright: 2013-2020 Khan Academy", "2013-2022 David Herberth", "by Bitstream, Inc."})
+         {"Inter", "DejaVu", "glad", "stb_truetype", "Eigen", "CLI11", "{fmt}", "toml++", "KaTeX",
+          "TeX Gyre", "Copyright: 2013-2020 Khan Academy", "2013-2022 David Herberth",
+          "by Bitstream, Inc."})
         EXPECT_NE(result.out.find(part), std::string::npos) << part;
 }
 

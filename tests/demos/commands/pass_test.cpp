@@ -143,8 +143,8 @@ float floatAt(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-// The ball falls freely from (0, 3, 0), far from the camera. The camera file alone gives the pixel of
-// its foremost point; depth and flow agree there.
+// The ball falls freely from (0, 3, 0), far from the camera. The camera file alone gives the pixel
+// of its foremost point; depth and flow agree there.
 TEST_F(PassOption, PosesCameraDepthAndFlowAgree) {
     ASSERT_EQ(film({"-o", "out", "--pass", "camera,poses,depth,flow", "--seconds", "0.3", "--set",
                     "camera.from=[8,5,14]"})

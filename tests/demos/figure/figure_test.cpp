@@ -94,7 +94,7 @@ TEST(FigureChart, HasOneSizeOfLettersInEveryPicture) {
 
 TEST(FigureChart, LeavesAsidesOfATitleToTheCaption) {
     std::vector<Chart> charts = crowdedChart(1);
-    charts[0].title = "chain: residual sweep by sweep, in the hardest sub-step of all (t = 7.633 s)";
+    charts[0].title = "chain: residual sweep by sweep, in the hardest of sub-steps (t = 7.633 s)";
     const auto title = [&](const Paper& paper) {
         return drawingOf(charts, {1004, 565}, "print", paper).labels.front().text;
     };

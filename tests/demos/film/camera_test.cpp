@@ -219,7 +219,8 @@ TEST(CameraMove, FollowKeepsTheMiddleOfTheMovingBodiesInPlace) {
 }
 
 TEST(CameraMove, IsRefusedBesideOtherMotionsOfTheCamera) {
-    for (const std::string other : {"keys = [{ at = 1 }]", "orbit_deg_per_s = 9", "follow = 'ball'"}) {
+    for (const std::string other :
+         {"keys = [{ at = 1 }]", "orbit_deg_per_s = 9", "follow = 'ball'"}) {
         const std::vector<std::string> lines =
             errorsOf("format = 1\n" + kBall + "[camera]\nmove = 'push'\n" + other + "\n");
         EXPECT_TRUE(tells(lines, "a.toml:7:1: ", "both move the camera; leave one of them out"))
