@@ -25,7 +25,7 @@ RendererSettings small(Finish finish = Finish::standard) {
 Frame boxOf(Material material) {
     Frame frame;
     frame.camera = {{0.0f, 1.0f, 6.0f}, {0.0f, 0.5f, 0.0f}};
-    frame.look.grain = 0.12f;
+    frame.look.grain = 0.75f;  // 23 pixels
     frame.look.edges = false;
     frame.grounds.push_back({});
     Solid box;
