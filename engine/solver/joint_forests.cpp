@@ -14,6 +14,7 @@ using Joints = std::span<JointConstraint>;
 using Masses = std::span<const InverseMass>;
 
 constexpr int kMostForests = 4;
+constexpr int kMostLoops = 16;  // that a tree closes: more joints couple with each other by every loop
 /// The joints of a body are all coupled with each other, so the cost grows with their number
 /// squared. Joints beyond this number are left to the next forest.
 constexpr int kMostJointsOfABody = 16;
@@ -59,9 +60,36 @@ std::vector<char> findTorn(Joints joints, Masses masses) {
     return torn;
 }
 
-/// Chooses the joints of the next forest; `closes` marks those that hold a tree a second time.
-std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& torn, Trees& trees,
-                        std::vector<char>& closes) {
+/// For every body: whether its tree may close loops, because its connected set has few of them. Sets where
+/// two bodies have two joints, or a joint that must be swept, may not.
+std::vector<char> findRings(Joints joints, Masses masses) {
+    const int bodies = static_cast<int>(masses.size());
+    const auto linksTwo = [&](const JointConstraint& joint) {
+        return !joint.spring.isSoft() && moves(masses, joint.a) && moves(masses, joint.b);
+    };
+    DisjointSets sets, linked;
+    sets.reset(bodies), linked.reset(bodies);
+    for (const JointConstraint& joint : joints)
+        if (linksTwo(joint)) sets.join(joint.a, joint.b);
+    std::vector<int> loops(bodies, 0);
+    std::set<std::pair<int, int>> pairs;
+    for (const JointConstraint& joint : joints) {
+        if (!linksTwo(joint)) continue;
+        int& ofSet = loops[sets.leaderOf(joint.a)];
+        const bool first = pairs.insert(std::minmax(joint.a, joint.b)).second;
+        if (joint.treeRows == 0 || !first) ofSet += kMostLoops + 1;
+        if (linked.leaderOf(joint.a) == linked.leaderOf(joint.b)) ++ofSet;
+        linked.join(joint.a, joint.b);
+    }
+    std::vector<char> rings;
+    for (int i = 0; i < bodies; ++i) rings.push_back(loops[sets.leaderOf(i)] <= kMostLoops);
+    return rings;
+}
+
+/// Chooses the joints of the next forest; `closes` marks those that hold a tree a second time, or
+/// close a loop in it.
+std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& torn,
+                        const std::vector<char>& rings, Trees& trees, std::vector<char>& closes) {
     std::vector<int> chosen, degree(masses.size(), 0);
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
         JointConstraint& joint = joints[i];
@@ -70,8 +98,9 @@ std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& t
         for (const int body : {joint.a, joint.b})
             fits = fits && (!moves(masses, body) || degree[body] < kMostJointsOfABody);
         const bool linksTwo = moves(masses, joint.a) && moves(masses, joint.b);
-        if (!fits || (linksTwo && trees.of(joint.a) == trees.of(joint.b))) continue;
-        closes[i] = linksTwo ? trees.isHeld(joint.a) && trees.isHeld(joint.b)
+        const bool loop = linksTwo && trees.of(joint.a) == trees.of(joint.b);
+        if (!fits || (loop && !rings[joint.a])) continue;
+        closes[i] = linksTwo ? loop || (trees.isHeld(joint.a) && trees.isHeld(joint.b))
                              : trees.isHeld(moves(masses, joint.a) ? joint.a : joint.b);
         if (closes[i] && torn[moves(masses, joint.a) ? joint.a : joint.b]) continue;
         joint.inTree = true;
@@ -202,10 +231,11 @@ std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
     std::vector<ForestPlan> plans;
     std::vector<char> closes(joints.size(), 0);
     const std::vector<char> torn = findTorn(joints, masses);
+    const std::vector<char> rings = findRings(joints, masses);
     for (JointConstraint& joint : joints) joint.inTree = false;
     for (int i = 0; i < kMostForests; ++i) {
         Trees trees(masses);
-        const std::vector<int> chosen = choose(joints, masses, torn, trees, closes);
+        const std::vector<int> chosen = choose(joints, masses, torn, rings, trees, closes);
         if (chosen.empty()) break;
         ForestPlan& plan = plans.emplace_back();
         addPlaces(joints, masses, chosen, plan);

@@ -1,7 +1,8 @@
 /// Which joints are solved together, and in which order they are eliminated.
 ///
-/// The first forest takes every joint that closes no loop; the second takes what it can of the rest, and so
-/// on: for a cloth, the columns form the first forest, the rows the second. Joints that even the last forest
+/// The first forest takes every joint that closes no loop, and the loops of rings and trusses, which have
+/// few; the second takes what it can of the rest, and so on: for a cloth, the columns form the first forest,
+/// the rows the second. Joints that even the last forest
 /// cannot take, and all soft joints, are left to the sweep. Where joints are torn there is no exact solution,
 /// and a tree held twice would oscillate in search of one. So the joint that holds it a second time is left
 /// to the next forest, and each forest undoes part of what the other does.
@@ -25,7 +26,7 @@ struct ForestPlan {
     struct Place {
         int joint = -1;           // in the constraint list
         int tree = -1;
-        bool closes = false;      // holds its tree at a second fixed body
+        bool closes = false;      // holds its tree at a second fixed body, or closes a loop
         std::vector<Link> later;  // ascending
     };
     struct Tree {

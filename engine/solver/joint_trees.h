@@ -3,10 +3,10 @@
 /// A chain costs time linear in its links and a tree hardly more. A heavy ball on a chain of light links
 /// needs thousands of sweeps instead (Catto, GDC 2014: they grow with the mass ratio).
 ///
-/// Loops are cut into several forests (joint_forests.h), which are solved one after the other: a sweep over
-/// lines instead of points. A row that depends on the others (the three directions that a row of parallel
-/// hinges holds twice) has a vanishing pivot; its impulse is 0, so contradicting joints do not build up ever
-/// larger impulses against each other.
+/// Rings and trusses are solved as one tree; many loops are cut into several forests (joint_forests.h),
+/// which are solved one after the other: a sweep over lines instead of points. A row that depends on the
+/// others (the three directions that a row of parallel hinges holds twice) has a vanishing pivot; its impulse
+/// is 0, so contradicting joints do not build up ever larger impulses against each other.
 #pragma once
 #include "engine/solver/tree_part.h"
 

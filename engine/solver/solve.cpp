@@ -48,26 +48,35 @@ bool isTurnOf(const Solver& s, int group) {
     return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
 }
 
+SweepLimits limitsOf(const Solver& s, int group, const Settings& settings) {
+    SweepLimits limits{settings.minSweeps, settings.sweeps, settings.tolerance};
+    if (solvedAtOnce(s, group)) {
+        limits.most = smaller(settings.sweeps, 1);
+    } else if (s.groups.moving(group)) {
+        limits.most = smaller(settings.movingSweeps, settings.sweeps);
+    } else if (s.groups.atRest(group)) {
+        limits.most *= settings.restFactor;
+        limits.tolerance /= settings.restFactor;
+    }
+    return limits;
+}
+
 void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
                 std::size_t first, std::vector<SweepReport>& report) {
     const bool joints = s.groups.hasJoints(group), atOnce = solvedAtOnce(s, group);
-    const int most = atOnce                   ? smaller(settings.sweeps, 1)
-                     : s.groups.moving(group) ? smaller(settings.movingSweeps, settings.sweeps)
-                                              : settings.sweeps;
+    const SweepLimits limits = limitsOf(s, group, settings);
     if (s.lanes && s.wide.isLarge(group)) {
         std::size_t i = first;
-        for (const SweepReport& swept :
-             s.wide.solveLarge(group, {settings.minSweeps, most, settings.tolerance}))
-            merge(report, i++, swept);
+        for (const SweepReport& swept : s.wide.solveLarge(group, limits)) merge(report, i++, swept);
         return;
     }
     if (s.lanes) s.wide.warmStart(group);
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < limits.most; ++i) {
         SweepReport swept = joints ? sweepJoints(s, group, v) : SweepReport{};
         swept = together(swept, sweepContacts(s, group, v, settings));
         if (atOnce) swept.residual = 0.0;
         merge(report, first + i, swept);
-        if (i + 1 >= settings.minSweeps && swept.residual < settings.tolerance) return;
+        if (i + 1 >= limits.least && swept.residual < limits.tolerance) return;
     }
 }
 

@@ -43,7 +43,7 @@ struct TreeJoint {
     int constraint = -1;       // index in the constraint list
     int tree = -1;
     JointType type = JointType::ball;
-    bool closes = false;       // holds its tree at a second fixed body
+    bool closes = false;       // holds its tree at a second fixed body, or closes a loop
     Vec3 anchorA, anchorB;     // m, in the bodies' axes
     double reach = 0.0;        // m, the longest of its lever arms
     Twist<N> across;           // hinge, slider: perpendicular to its axis, in a's axes

@@ -70,7 +70,7 @@ private:
         double ratio = 0.0;     // largest |C| / lever arm
         double sum = 0.0;       // of the largest |C| of each joint
         double before = 0.0;    // the same at the previous nudge; below 0: none
-        bool closed = false;    // held twice
+        bool closed = false;    // held twice, or with a loop
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
     };

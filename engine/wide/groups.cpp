@@ -6,13 +6,14 @@ namespace engine {
 namespace {
 
 constexpr double kFast = 0.5;         // m/s
+constexpr double kCalm = 0.25;        // m/s: a house of cards that loses its balance is slower at first
+constexpr int kManyContacts = 1024;   // of an island, whose rest would be too expensive
 constexpr int kFewContacts = 64;      // islands with fewer share a group
 constexpr int kFewOfJointed = 16;     // the same for those with joints
 
-bool isFast(const Contact& contact, const Bodies& bodies) {
-    const Vec3 passing =
-        bodies.velocities[contact.b].linear - bodies.velocities[contact.a].linear;
-    return passing.squaredNorm() > kFast * kFast;
+/// m^2/s^2
+double passingSquared(const Contact& contact, const Bodies& bodies) {
+    return (bodies.velocities[contact.b].linear - bodies.velocities[contact.a].linear).squaredNorm();
 }
 
 }  // namespace
@@ -22,7 +23,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     count(contacts, bodies, islands);
-    moving_.clear(), touched_.clear(), open_.clear();
+    moving_.clear(), touched_.clear(), atRest_.clear(), open_.clear();
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
         const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
@@ -32,12 +33,14 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
         if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
     }
     jointed_ = count();
+    std::ranges::fill(atRest_, 0);
     open_.clear();
     ofContact_.clear();
     for (const Contact& contact : contacts) {
         const int body = bodies.movable(contact.a, contact.b);
         Island& island = islands_[islands.leaderOf(body)];
         if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
+        if (!island.calm || island.contacts >= kManyContacts) atRest_[island.group] = 0;
         ofContact_.push_back(island.group);
     }
     findJointedBodies(bodies, islands);
@@ -48,13 +51,16 @@ void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodie
     for (const Contact& contact : contacts) {
         Island& island = islands_[islands.leaderOf(bodies.movable(contact.a, contact.b))];
         ++island.contacts;
-        island.fast += isFast(contact, bodies) ? 1 : 0;
+        const double passing = passingSquared(contact, bodies);
+        island.fast += passing > kFast * kFast ? 1 : 0;
+        island.calm = island.calm && passing <= kCalm * kCalm;
     }
 }
 
 int ContactGroups::addGroup(bool moving, bool touched) {
     moving_.push_back(moving);
     touched_.push_back(touched);
+    atRest_.push_back(1);
     return count() - 1;
 }
 

@@ -28,6 +28,9 @@ public:
     /// A large island where more than one in fifty contacts is between bodies that pass each other at more
     /// than 0.5 m/s: it does not need the sweeps that keep a heap at rest.
     bool moving(int group) const { return moving_[group] != 0; }
+    /// Islands of fewer than 1024 contacts and without joints where no two bodies pass each other at
+    /// more than 0.25 m/s.
+    bool atRest(int group) const { return atRest_[group] != 0; }
     /// Bodies with joints, directly or not, that contacts may move; all or those of a group.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
     std::span<const int> jointedBodies(int group) const {
@@ -37,7 +40,7 @@ public:
 private:
     struct Island {
         int contacts = 0, fast = 0, group = -1;
-        bool jointed = false;
+        bool jointed = false, calm = true;
     };
 
     /// A group that takes further small islands.
@@ -57,7 +60,7 @@ private:
     std::vector<int> candidates_, jointedBodies_, firstBody_;  // the latter by group, and the end
     ByGroup byGroup_;
     std::vector<Island> islands_;  // by leader
-    std::vector<char> moving_, touched_;  // by group
+    std::vector<char> moving_, touched_, atRest_;  // by group
     int jointed_ = 0;                     // groups
 };
 

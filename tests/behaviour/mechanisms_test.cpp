@@ -122,6 +122,84 @@ void expectKept(World& world, double seconds, double scale) {
     EXPECT_LT(swing.separation, 1e-6);
 }
 
+/// A regular ring of links of half a metre, joined at its corners.
+World linkRing(int links, JointType type, const Settings& settings) {
+    World world(settings);
+    const double radius = 0.25 / std::sin(M_PI / links);
+    const auto corner = [&](int i) {
+        const double angle = 2.0 * M_PI * i / links + 0.1;
+        return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+    };
+    for (int i = 0; i < links; ++i) addBar(world, corner(i), corner(i + 1));
+    for (int i = 0; i < links; ++i)
+        support::join(world, type, {(i + links - 1) % links}, {i}, corner(i));
+    return world;
+}
+
+// No body of the loop is fixed: the joint that closes it is solved with the others.
+TEST(Rings, KeepTheirEnergyInFreeFlight) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const JointType type : {JointType::hinge, JointType::ball})
+            for (const int links : {3, 4, 6, 12}) {
+                World world = linkRing(links, type, settings);
+                world.setGravity(Vec3::Zero());
+                for (int i = 0; i < links; ++i) {  // it deforms while it turns
+                    const Vec3 spin(0.5, 0.1, 2), at = world.pose({i}).position;
+                    world.setVelocity({i}, spin.cross(at) + Vec3(0.3 * at.y(), 0, 0), spin);
+                }
+                world.step(support::kStep);  // the velocities fit the joints
+                SCOPED_TRACE(links);
+                expectKept(world, 60, world.energy().kinetic);
+            }
+}
+
+TEST(Rings, KeepTheirEnergyHangingOnOneLink) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world = linkRing(5, JointType::ball, settings);
+        const Vec3 at = world.pose({0}).position + Vec3(0.1, 0.1, 0);
+        support::join(world, JointType::ball, world.add(support::hook(at)), {0}, at);
+        expectKept(world, 60, 5 * support::kGravity * 0.43);
+    }
+}
+
+// Six squares of rods with a diagonal each, on one corner: six loops in one tree.
+TEST(Trusses, KeepTheirEnergySwinging) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        constexpr int kSquares = 6;
+        for (int i = 0; i <= kSquares; ++i)
+            for (const double y : {0.0, 1.0}) {
+                BodyDef knot = body(Shape::sphere(0.1), {1.0 * i, y, 0});
+                knot.collide = false;
+                world.add(knot);
+            }
+        for (int i = 0; i <= kSquares; ++i) {
+            support::rod(world, {2 * i}, {2 * i + 1});
+            if (i == kSquares) break;
+            support::rod(world, {2 * i}, {2 * i + 2});
+            support::rod(world, {2 * i + 1}, {2 * i + 3});
+            support::rod(world, {2 * i}, {2 * i + 3});
+        }
+        const BodyId hook = world.add(support::hook());
+        support::join(world, JointType::ball, hook, {0}, Vec3::Zero());
+        expectKept(world, 60, 14 * support::kGravity * 3);
+    }
+}
+
+TEST(ConstantVelocityJoints, KeepTheirEnergyInAChain) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        BodyId last = world.add(support::hook());
+        for (int i = 0; i < 5; ++i) {
+            const Vec3 at(0.5 * i, 0, 0);
+            const BodyId next = addBar(world, at, at + Vec3(0.5, 0, 0));
+            support::join(world, JointType::constantVelocity, last, next, at, Vec3::UnitX());
+            last = next;
+        }
+        expectKept(world, 60, 5 * support::kGravity * 1.25);
+    }
+}
+
 // Two bars and a block on a rail: the slider closes the loop.
 TEST(SliderCrank, KeepsItsEnergy) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
