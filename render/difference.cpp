@@ -18,7 +18,7 @@ int pixelDifference(const std::uint8_t* a, const std::uint8_t* b) {
     return largest;
 }
 
-/// sum(x, y): counted pixels left of column x and above row y, so any window costs four lookups.
+/// sum(x, y): of counts or differences left of column x and above row y, so any window costs four lookups.
 struct SummedArea {
     int columns = 0;
     std::vector<int> sums;
@@ -58,6 +58,24 @@ void findWorstWindow(SummedArea& area, int width, int height, Difference& result
             result.windowY = y;
         }
     }
+}
+
+/// Signed differences of noise cancel in the mean, those of another colour do not.
+double worstShift(const Image& a, const Image& b) {
+    const int w = std::min(kBlock, a.width), h = std::min(kBlock, a.height);
+    int worst = 0;
+    for (int channel = 0; channel < 4; ++channel) {
+        SummedArea area(a.width, a.height);
+        for (int y = 0; y < a.height; ++y)
+            for (int x = 0, row = 0; x < a.width; ++x) {
+                row += a.at(x, y)[channel] - b.at(x, y)[channel];
+                area.at(x + 1, y + 1) = area.at(x + 1, y) + row;
+            }
+        for (int y = 0; y + h <= a.height; ++y)
+            for (int x = 0; x + w <= a.width; ++x)
+                worst = std::max(worst, std::abs(area.inside(x, y, w, h)));
+    }
+    return static_cast<double>(worst) / (w * h);
 }
 
 /// ITU-R BT.601 weights, 0..255.
@@ -120,13 +138,14 @@ Difference compare(const Image& a, const Image& b, int levels) {
     SummedArea area = countPixels(a, b, levels, result);
     if (result.differing == 0) return result;
     findWorstWindow(area, a.width, a.height, result);
+    result.worstShift = worstShift(a, b);
     result.worstSsim = worstSimilarity(a, b);
     return result;
 }
 
 bool samePicture(const Difference& difference, const Gate& gate) {
     return difference.sameSize && difference.worstWindow <= gate.windowPixels &&
-           difference.worstSsim >= gate.ssim;
+           difference.worstShift <= gate.shift() && difference.worstSsim >= gate.ssim;
 }
 
 }  // namespace render

@@ -11,6 +11,7 @@ struct Difference {
     int largest = 0;               // largest difference of one channel, in levels of 255
     int worstWindow = 0;           // most counted pixels in any 16x16 window
     int windowX = 0, windowY = 0;  // upper left corner of the first such window
+    double worstShift = 0.0;       // levels: largest mean difference of a channel in any 8x8 window
     double worstSsim = 1.0;        // lowest structural similarity of any 8x8 block of luma, -1..1
 };
 
@@ -20,11 +21,14 @@ struct Difference {
 /// window >= 24. The defaults lie between. One step of the sky's openness is 5 levels of 255; where
 /// it rounds the other way, five pixels differ by more than 3 levels, but only one by more than 4.
 /// A limit on the share of the whole picture, as in other tools, lets a body moved by 1 cm pass.
-/// SSIM does not see differences of colour alone, so it is only an additional condition.
+/// SSIM does not see differences of colour alone, so it is only an additional condition. An area that
+/// changes its colour as a whole by less than `levels` is no noise: its mean shows it.
 struct Gate {
     int levels = 4;        // of 255; a pixel that differs by more is counted
     int windowPixels = 8;  // most counted pixels allowed in any 16x16 window
     double ssim = 0.90;    // every block must reach it
+    /// Most mean difference of a channel in any 8x8 window, in levels of 255.
+    double shift() const { return 0.5 * levels; }
     const char* reason = "between the noise of processors and the least damage";  // of the limits
 };
 

@@ -72,11 +72,14 @@ bool canApprove(const SceneVerdict& scene) {
 }  // namespace
 
 std::string differenceText(const render::Difference& d, const PictureGate& gate) {
+    render::Gate limits;
+    limits.levels = gate.levels;
     return fmt::format(
         "{} pixels differ, by {} of 255 at most; the worst 16x16 window, at {},{}, has "
-        "{} that differ by more than {} ({} allowed); lowest SSIM {:.3f} ({:.2f} needed)",
+        "{} that differ by more than {} ({} allowed); an area of 8x8 changed its colour by {:.1f} "
+        "({:.1f} allowed); lowest SSIM {:.3f} ({:.2f} needed)",
         d.differing, d.largest, d.windowX, d.windowY, d.worstWindow, gate.levels, gate.windowPixels,
-        d.worstSsim, gate.ssim);
+        d.worstShift, limits.shift(), d.worstSsim, gate.ssim);
 }
 
 std::string settingText(const SettingChange& change) {

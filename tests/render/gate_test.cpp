@@ -121,6 +121,8 @@ const Case kShouldFail[] = {
     {"OneBoxHidden", [] { return damaged([](Frame& f) { f.solids.pop_back(); }); }},
     {"OneBoxOfAnotherColor",
      [] { return damaged([](Frame& f) { f.solids.back().color.b += 0.05f; }); }},
+    {"OneBoxBluerByTwoPercent",
+     [] { return damaged([](Frame& f) { f.solids.back().color.b += 0.02f; }); }},
     {"NoShadows", [] { return damaged([](Frame& f) { f.look.shadows = false; }); }},
     {"NoOcclusion", [] { return damaged([](Frame& f) { f.look.ambientOcclusion = false; }); }},
     {"NoEdges", [] { return damaged([](Frame& f) { f.look.edges = false; }); }},

@@ -158,7 +158,8 @@ TEST(JunitXml, TellsByHowMuchAPictureDiffers) {
     EXPECT_EQ(
         message,
         "345 pixels differ, by 90 of 255 at most; the worst 16x16 window, at 12,34, has 77 that "
-        "differ by more than 4 (8 allowed); lowest SSIM 0.500 (0.90 needed)");
+        "differ by more than 4 (8 allowed); an area of 8x8 changed its colour by 0.0 (2.0 allowed); "
+        "lowest SSIM 0.500 (0.90 needed)");
     const std::string details = testCase.child("failure").text().get();
     EXPECT_NE(details.find("\nactual: output/test/a.snapshots/"), std::string::npos) << details;
     EXPECT_NE(details.find("\nthe state of the world differs"), std::string::npos) << details;
