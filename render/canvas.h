@@ -25,9 +25,12 @@ void drawPolyline(Image& image, std::span<const Point> points, float width, cons
 /// The part of a text that is at its position: start, middle or end.
 enum class Anchor { start, middle, end };
 
+/// Tabular figures are all as wide as the widest, so that a running number does not jitter.
+enum class Figures { proportional, tabular };
+
 /// Draws one line of UTF-8 text. `at`: the anchor, on the baseline. `pixels`: height from cap to
 /// descender.
 void drawLabel(Image& image, const std::string& text, Point at, Anchor anchor, float pixels,
-               const Color& color);
+               const Color& color, Figures figures = Figures::proportional);
 
 }  // namespace render

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -114,13 +115,13 @@ public:
             widestDigit_ = std::max(widestDigit_, screen_.advance(digit));
     }
 
-    /// Digits are all as wide as the widest, so that a running number does not jitter.
-    const Glyph& glyph(int codepoint, int pixels) {
-        Glyph& g = glyphs_[{codepoint, pixels}];
+    const Glyph& glyph(int codepoint, int pixels, Figures figures) {
+        const bool wide = figures == Figures::tabular && isDigit(codepoint);
+        Glyph& g = glyphs_[{codepoint, pixels, wide}];
         if (g.advance > 0.0f) return g;
         const Face& face = screen_.has(codepoint) ? screen_ : fallback_;
         const float scale = face.scale(static_cast<float>(pixels));
-        const int own = face.advance(codepoint), all = isDigit(codepoint) ? widestDigit_ : own;
+        const int own = face.advance(codepoint), all = wide ? widestDigit_ : own;
         g.advance = std::max(static_cast<float>(all) * scale, 0.01f);
         const float aside = 0.5f * static_cast<float>(all - own) * scale;
         g.ink = face.bitmap(codepoint, scale, aside - std::floor(aside));
@@ -128,7 +129,7 @@ public:
         return g;
     }
     const Bitmap& halo(int codepoint, int pixels) {
-        Glyph& g = glyphs_[{codepoint, pixels}];
+        Glyph& g = glyphs_[{codepoint, pixels, false}];
         if (g.halo.cover.empty()) g.halo = haloOf(g.ink, std::max(pixels / 7, 2));
         return g.halo;
     }
@@ -136,7 +137,7 @@ public:
 private:
     Face screen_{screenFontBytes()}, fallback_{fallbackFontBytes()};
     int widestDigit_ = 0;
-    std::map<std::pair<int, int>, Glyph> glyphs_;
+    std::map<std::tuple<int, int, bool>, Glyph> glyphs_;  // by code, pixels, tabular
 };
 
 Font& font() {
@@ -146,9 +147,9 @@ Font& font() {
 
 /// Calls draw(code, glyph, x) for every glyph of a line, and returns the x of the line's end.
 template <class Draw>
-float walk(const std::string& text, int pixels, float x, Draw draw) {
+float walk(const std::string& text, int pixels, float x, Figures figures, Draw draw) {
     for (const int code : codepoints(text)) {
-        const Glyph& g = font().glyph(code, pixels);
+        const Glyph& g = font().glyph(code, pixels, figures);
         draw(code, g, static_cast<int>(std::lround(x)));
         x += g.advance;
     }
@@ -175,8 +176,8 @@ Color haloColorOf(const Color& color) {
 
 }  // namespace
 
-float textWidth(const std::string& text, float pixels) {
-    return walk(text, static_cast<int>(std::lround(pixels)), 0, [](int, const Glyph&, int) {});
+float textWidth(const std::string& text, float pixels, Figures figures) {
+    return walk(text, static_cast<int>(std::lround(pixels)), 0, figures, [](int, const Glyph&, int) {});
 }
 
 float textAscent(int pixels) { return kAscentShare * static_cast<float>(pixels); }
@@ -185,22 +186,22 @@ void drawHaloed(Image& image, const std::string& text, int pixels, float x, floa
                 const Color& color) {
     const int y = static_cast<int>(std::lround(baseline));
     const Color halo = haloColorOf(color);
-    walk(text, pixels, x, [&](int code, const Glyph&, int pen) {
+    walk(text, pixels, x, Figures::proportional, [&](int code, const Glyph&, int pen) {
         paint(image, font().halo(code, pixels), pen, y, halo);
     });
-    walk(text, pixels, x,
+    walk(text, pixels, x, Figures::proportional,
          [&](int, const Glyph& g, int pen) { paint(image, g.ink, pen, y, color); });
 }
 
 void drawLabel(Image& image, const std::string& text, Point at, Anchor anchor, float pixels,
-               const Color& color) {
+               const Color& color, Figures figures) {
     const float most = 4.0f * static_cast<float>(image.width + image.height);
     if (!(std::abs(at.x) <= most && std::abs(at.y) <= most && pixels >= 1.0f && pixels <= most))
         return;  // not finite, or far outside the picture
-    const float width = anchor == Anchor::start ? 0.0f : textWidth(text, pixels);
+    const float width = anchor == Anchor::start ? 0.0f : textWidth(text, pixels, figures);
     const float x = at.x - (anchor == Anchor::end ? width : 0.5f * width);
     const int y = static_cast<int>(std::lround(at.y));
-    walk(text, static_cast<int>(std::lround(pixels)), x,
+    walk(text, static_cast<int>(std::lround(pixels)), x, figures,
          [&](int, const Glyph& g, int pen) { paint(image, g.ink, pen, y, color); });
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "render/canvas.h"
 #include "render/frame.h"
 #include "render/image.h"
 
@@ -15,7 +16,7 @@ constexpr double kEmShare = 2048.0 / 2384.0;
 constexpr int kSmallestText = 11;  // pixels of cap-to-descender height; smaller is not legible
 
 /// Width in pixels of a line of text at a cap-to-descender height of `pixels`.
-float textWidth(const std::string& text, float pixels);
+float textWidth(const std::string& text, float pixels, Figures figures = Figures::proportional);
 
 /// The code points of UTF-8 text; an invalid byte or a control character becomes a question mark.
 std::vector<int> codepoints(const std::string& text);

@@ -12,8 +12,9 @@ namespace {
 
 constexpr float kShortArrow = 1.8f;  // in heights of the text
 
-float widthOf(const std::string& text, const PlateMetrics& m) {
-    return text.empty() ? 0.0f : textWidth(text, static_cast<float>(m.pixels));
+float widthOf(const std::string& text, const PlateMetrics& m,
+              Figures figures = Figures::proportional) {
+    return text.empty() ? 0.0f : textWidth(text, static_cast<float>(m.pixels), figures);
 }
 
 float arrowLength(const PlateRow& row, int pixels, float pixelsPerMeter) {
@@ -110,7 +111,7 @@ PlateMetrics metricsOf(const Plate& plate, int pixels, float pixelsPerMeter) {
     for (const PlateRow& row : plate.rows) {
         const float before = row.swatch == Swatch::none ? 0.0f : m.swatch + 0.6f * m.gap;
         names = std::max(names, before + widthOf(row.name, m));
-        values = std::max(values, widthOf(row.value, m));
+        values = std::max(values, widthOf(row.value, m, Figures::tabular));
         extra += extraOf(row, m);
     }
     m.width = 2.0f * m.pad + names + (values > 0.0f ? 1.2f * m.gap + values : 0.0f);
@@ -137,7 +138,8 @@ void drawPlate(Image& image, const PlacedPlate& placed, const Look& look, float 
         drawSwatch(image, row, left, y + 0.5f * m.row, m, look, pixelsPerMeter);
         drawLabel(image, row.name, {row.swatch == Swatch::none ? left : names, base}, Anchor::start,
                   size, look.ink);
-        drawLabel(image, row.value, {right, base}, Anchor::end, size, look.ink);
+        drawLabel(image, row.value, {right, base}, Anchor::end, size, look.ink,
+                  Figures::tabular);
         y += m.row;
         if (row.bar.empty()) continue;
         drawBar(image, row, left, y, right - left, m, look);

@@ -62,7 +62,10 @@ TEST(Text, IsWiderWhenLongerAndSurvivesBrokenUtf8) {
 TEST(Text, RunningNumbersDoNotJitter) {
     for (const float pixels : {11.0f, 18.0f, 37.0f})
         for (const char one : std::string("0123456789"))
-            EXPECT_EQ(textWidth(std::string(5, one), pixels), textWidth("00000", pixels)) << one;
+            EXPECT_EQ(textWidth(std::string(5, one), pixels, Figures::tabular),
+                      textWidth("00000", pixels, Figures::tabular))
+                << one;
+    EXPECT_LT(textWidth("11111", 37), textWidth("00000", 37));  // in words they keep their own
 }
 
 /// A character that no font has is drawn as a box, as wide as that of U+10FFFD.
