@@ -142,6 +142,7 @@ void World::setSettings(const Settings& settings) {
                  "a step needs at least one sub-step, and sweeps and nudges must not be negative");
     ENGINE_CHECK(settings.baumgarte == 0.0 || settings.nudges == 0,
                  "use Baumgarte or nudges for one error, never both");
+    ENGINE_CHECK(settings.restFactor >= 1, "restFactor multiplies sweeps: use 1 for no more of them");
     ENGINE_CHECK(settings.sleepAfter > 0.0, "sleepAfter must be positive");
     ENGINE_CHECK(settings.threads >= 1, "a step needs at least one thread");
     if (settings.speculativeMargin != state_->settings.speculativeMargin) placeAll(*state_);
