@@ -64,7 +64,7 @@ PhysicsVerdict physicsFrom(const Json& json) {
 Json jsonOf(const render::Difference& difference) {
     return {{"differing", difference.differing},   {"largest", difference.largest},
             {"window", difference.worstWindow},    {"window_at", {difference.windowX, difference.windowY}},
-            {"ssim", difference.worstSsim}};
+            {"shift", difference.worstShift},      {"ssim", difference.worstSsim}};
 }
 
 render::Difference differenceFrom(const Json& json) {
@@ -75,6 +75,7 @@ render::Difference differenceFrom(const Json& json) {
     json.at("window").get_to(difference.worstWindow);
     json.at("window_at").at(0).get_to(difference.windowX);
     json.at("window_at").at(1).get_to(difference.windowY);
+    json.at("shift").get_to(difference.worstShift);
     json.at("ssim").get_to(difference.worstSsim);
     return difference;
 }

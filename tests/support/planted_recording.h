@@ -11,7 +11,7 @@ inline demos::RecordedBody plantedBall(const std::string& name, double radius) {
     demos::DrawnPart part;
     part.solid.shape = render::SolidShape::sphere;
     part.solid.halfSize.setConstant(static_cast<float>(radius));
-    return {name, {0.9f, 0.1f, 0.1f, 1.0f}, {part}, {0, 0, 0}, 2.0};
+    return {name, {0.9f, 0.1f, 0.1f, 1.0f}, render::Material::plastic, {part}, {0, 0, 0}, 2.0};
 }
 
 /// The pose of ball number `body` at a time (s): on its own orbit, 30 m across, and turning.
