@@ -144,8 +144,9 @@ Difference compare(const Image& a, const Image& b, int levels) {
 }
 
 bool samePicture(const Difference& difference, const Gate& gate) {
-    return difference.sameSize && difference.worstWindow <= gate.windowPixels &&
-           difference.worstShift <= gate.shift() && difference.worstSsim >= gate.ssim;
+    const bool shifted = difference.worstShift > gate.shift() && gate.windowPixels < kBlock * kBlock;
+    return difference.sameSize && difference.worstWindow <= gate.windowPixels && !shifted &&
+           difference.worstSsim >= gate.ssim;
 }
 
 }  // namespace render

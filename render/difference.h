@@ -27,7 +27,8 @@ struct Gate {
     int levels = 4;        // of 255; a pixel that differs by more is counted
     int windowPixels = 8;  // most counted pixels allowed in any 16x16 window
     double ssim = 0.90;    // every block must reach it
-    /// Most mean difference of a channel in any 8x8 window, in levels of 255.
+    /// Most mean difference of a channel in any 8x8 window, in levels of 255. A gate whose
+    /// windowPixels lets such an area differ as a whole lets it shift, too.
     double shift() const { return 0.5 * levels; }
     const char* reason = "between the noise of processors and the least damage";  // of the limits
 };

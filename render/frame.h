@@ -115,7 +115,7 @@ struct Text {
     Color color{0.1f, 0.1f, 0.11f, 1.0f};
     bool plate = false;     // translucent, with Look::plate as its colour
     std::string heading{};  // smaller, above the text; left out where letters are smallest
-    Color headingColor{0.1f, 0.1f, 0.11f, 1.0f};
+    Color headingColor{0.1f, 0.1f, 0.11f, 1.0f};  // sRGB
 };
 
 /// The symbol before a row's text: a sample of a mark in the picture.

@@ -10,13 +10,14 @@ namespace render {
 
 /// A material as glTF describes one; its pattern and sheen are in shaders/material.glsl.
 struct MaterialValues {
-    std::string_view name;
+    std::string_view name;  // as in scene files
     float roughness;  // 0..1
     float metallic;   // 0..1
     float alpha;      // 0..1; below 1 it is seen through
     unsigned color;   // 0xRRGGBB, sRGB, of bodies that define none
 };
 
+/// The number of values of Material.
 inline constexpr std::size_t kMaterials = 9;
 
 /// In the order of Material.
@@ -32,7 +33,9 @@ inline constexpr std::array<MaterialValues, kMaterials> kMaterialTable = {{
     {"glass", 0.05f, 0.0f, 0.30f, 0xcfe4e8},
 }};
 
+/// Its place in the table.
 constexpr std::size_t indexOf(Material material) { return static_cast<std::size_t>(material); }
+/// The row of the table.
 constexpr const MaterialValues& valuesOf(Material material) {
     return kMaterialTable[indexOf(material)];
 }

@@ -63,7 +63,7 @@ Inks inksOf(const std::string& theme) {
     Inks inks;
     inks.ink = frame.texts.front().color;
     inks.ground = frame.look.skyTop;
-    if (theme == "studio" || theme == "transparent")
+    if (theme != "dark" && theme != "print")
         inks.ground = mix(inks.ground, {1, 1, 1, 1}, 0.85f);  // paler than a sky
     inks.muted = mix(inks.ground, inks.ink, 0.68f);
     inks.grid = mix(inks.ground, inks.ink, 0.13f);

@@ -10,6 +10,7 @@
 #include "render/encode/file.h"
 #include "render/encode/png.h"
 #include "render/encode/png_read.h"
+#include "render/material.h"
 #include "render/palette.h"
 #include "render/renderer.h"
 #include "tests/render/solids.h"
@@ -66,6 +67,28 @@ Frame annotated() {
     return frame;
 }
 
+/// A box and a ball of each; glass in front of the others.
+Frame materials() {
+    Frame frame;
+    frame.camera = {{0, 2.6f, 9.0f}, {0, 0.8f, 0}};
+    frame.look.grain = 0.2f;
+    frame.grounds.push_back({});
+    for (std::size_t i = 0; i < kMaterials; ++i) {
+        Solid box;
+        box.material = static_cast<Material>(i);
+        box.color = fromHex(valuesOf(box.material).color);
+        const auto column = static_cast<float>(i % 8);
+        box.halfSize = {0.42f, 0.42f, 0.42f};
+        box.position = {1.1f * (column - 3.5f), 0.42f, i < 8 ? 0.0f : 2.2f};
+        Solid ball = box;
+        ball.shape = SolidShape::sphere;
+        ball.position += Vec3(i < 8 ? 0.0f : 1.2f, i < 8 ? 0.84f : 0.0f, 0.0f);
+        frame.solids.push_back(box);
+        frame.solids.push_back(ball);
+    }
+    return frame;
+}
+
 Image golden(const std::string& name, const Image& actual) {
     const std::filesystem::path path = std::filesystem::path(IMPULSE_GOLDEN_DIR) / (name + ".png");
     if (std::getenv("IMPULSE_UPDATE_GOLDEN")) writeFileAtomically(path, encodePng(actual));
@@ -101,6 +124,7 @@ TEST(ShadowMap, GrowsWithThePictureWithinBounds) {
 
 TEST(GoldenPicture, StillLife) { expectGolden("still", still()); }
 TEST(GoldenPicture, EverySolid) { expectGolden("solids", everySolid()); }
+TEST(GoldenPicture, Materials) { expectGolden("materials", materials()); }
 TEST(GoldenPicture, Annotated) { expectGolden("annotated", annotated()); }
 TEST(GoldenPicture, DarkWithoutOcclusion) {
     Frame frame = still();
