@@ -61,17 +61,18 @@ std::vector<std::string> contextNames() {
     return names;
 }
 
-/// "transparent" passes: commands that need a ground refuse it themselves, with the reason.
-void checkTheme(const Options& options, bool opaque) {
+/// Slides lack two themes; "transparent" passes here: they refuse it themselves, with the reason.
+void checkTheme(const Options& options, bool ofSlides) {
     std::vector<std::string> names = themeNames();
-    if (opaque && options.theme != "transparent") std::erase(names, "transparent");
+    if (ofSlides) std::erase(names, "lab");
+    if (ofSlides && options.theme != "transparent") std::erase(names, "transparent");
     checkName("--theme", options.theme, names);
 }
 
 void checkPicture(Options& options, const OptionTexts& texts) {
     checkName("--quality", options.quality, qualityNames());
     checkName("--context", options.context, contextNames());
-    if (!options.theme.empty()) checkTheme(options, texts.opaque);
+    if (!options.theme.empty()) checkTheme(options, texts.ofSlides);
     if (!options.colorBy.empty()) checkName("--colour-by", options.colorBy, colorings());
     for (const std::string& name : texts.show) checkName("--show", name, overlayNames());
     options.show = texts.show;

@@ -22,7 +22,7 @@ struct OptionTexts {
     std::string solver;
     std::string width;
     std::optional<int> dpi;
-    bool opaque = false;  // the transparent theme is not allowed
+    bool ofSlides = false;  // only the themes of slides are allowed
 };
 
 /// Each throws Stop (usage).

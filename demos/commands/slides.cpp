@@ -203,7 +203,7 @@ Run addSlides(CLI::App& app) {
     const auto asked = std::make_shared<Asked<SlidesOptions>>();
     auto& options = asked->options;
     auto& texts = asked->texts;
-    texts.opaque = true;
+    texts.ofSlides = true;
     addSceneChoice(app, options, texts);
     app.get_option("scene")
         ->expected(1, kMostScenes)
