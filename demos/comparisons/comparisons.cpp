@@ -52,6 +52,14 @@ const std::vector<Comparison>& builtinComparisons() {
            {seed, "solver.substeps=4", "solver.sweeps=4", "solver.nudges=4"}},
           {"16 sub-steps, 1 sweep",
            {seed, "solver.substeps=16", "solver.sweeps=1", "solver.nudges=1"}}}},
+        {"presets",
+         "a tonne on a kilogram: the textbook method lets it sink, the presets of films hold it",
+         "heavy-on-light",
+         4.0,
+         "penetration",
+         {{"seed", {seed}},
+          {"fast", {"solver.preset=fast"}},
+          {"steady", {"solver.preset=steady"}}}},
     };
     return all;
 }

@@ -118,6 +118,12 @@ TEST(Comparisons, ClampingTheCorrectionLetsTheStackSink) {
     EXPECT_GT(valueOf(played("clamping", 1), "penetration"), 0.05);
 }
 
+TEST(Comparisons, ThePresetsOfFilmsHoldATonneOnAKilogram) {
+    EXPECT_GT(valueOf(played("presets", 0), "penetration"), 0.02);
+    for (const std::size_t other : {1u, 2u})
+        EXPECT_LT(valueOf(played("presets", other), "penetration"), 0.002);
+}
+
 TEST(Comparisons, BaumgarteThrowsTheBallUpAndNudgesDoNot) {
     EXPECT_LT(valueOf(played("nudges", 0), "speed"), 0.1);
     EXPECT_GT(valueOf(played("nudges", 1), "speed"), 1.0);
