@@ -177,10 +177,10 @@ private:
         Json list = Json::array();
         for (std::size_t i = 0; i < recording_.bodies.size(); ++i) {
             const RecordedBody& body = recording_.bodies[i];
+            const render::MaterialValues& look = render::valuesOf(body.look);
             Json json{{"name", body.name},
                       {"color", listOf(body.color)},
-                      {"roughness", shortOf(render::valuesOf(body.look).roughness)},
-                      {"metallic", shortOf(render::valuesOf(body.look).metallic)},
+                      {"material", listOf(std::array{look.roughness, look.metallic})},
                       {"mass", shortOf(body.mass)},
                       {"parts", Json::array()}};
             for (const DrawnPart& part : body.parts)

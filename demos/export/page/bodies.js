@@ -29,7 +29,7 @@ function makeKinds() {
       kinds.push(kind);
     }
     const color = [...linear(body.color), body.color[3]];
-    const material = [body.roughness, body.metallic];
+    const { material } = body;
     known.get(key).parts.push({ body: number, at: part.at ?? [0, 0, 0], turn: part.turn ?? kAtEase, color, material });
   }));
   bars = new Batch(barTriangles());
