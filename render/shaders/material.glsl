@@ -46,7 +46,7 @@ vec3 room(vec3 ray) {
     vec3 above = skyLight * mix(2.1, 0.9, smoothstep(0.0, 0.7, ray.y));
     vec3 below = groundLight * mix(0.9, 0.45, smoothstep(0.0, 0.9, -ray.y));
     float box = smoothstep(0.86, 0.97, dot(ray, toSun));
-    return mix(below, above, smoothstep(-0.05, 0.05, ray.y)) + 1.2 * box * sunLight;
+    return mix(below, above, smoothstep(-0.3, 0.2, ray.y)) + 1.2 * box * sunLight;
 }
 
 // The light that leaves a body of this colour (linear) towards the eye, in sRGB, and its alpha.
