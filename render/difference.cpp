@@ -18,7 +18,8 @@ int pixelDifference(const std::uint8_t* a, const std::uint8_t* b) {
     return largest;
 }
 
-/// sum(x, y): of counts or differences left of column x and above row y, so any window costs four lookups.
+/// sum(x, y): of counts or differences left of column x and above row y, so that any window costs
+/// four lookups.
 struct SummedArea {
     int columns = 0;
     std::vector<int> sums;

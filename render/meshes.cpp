@@ -31,8 +31,9 @@ std::size_t levelOf(float pixels, const std::array<int, Count>& corners) {
 void sort(std::vector<Instance>& instances, const Vec3& eye) {
     std::stable_sort(instances.begin(), instances.end(), [&](const Instance& a, const Instance& b) {
         if (a.material != b.material) return a.material < b.material;
-        const float nearA = (a.position - eye).squaredNorm(), nearB = (b.position - eye).squaredNorm();
-        return a.material == Material::glass ? nearA > nearB : nearA < nearB;
+        const float awayA = (a.position - eye).squaredNorm();
+        const float awayB = (b.position - eye).squaredNorm();
+        return a.material == Material::glass ? awayA > awayB : awayA < awayB;
     });
 }
 

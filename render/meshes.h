@@ -52,8 +52,10 @@ public:
                   std::optional<Material> only = {}) const;
     /// Those of any instance.
     std::bitset<kMaterials> materials() const { return boxes_.materials() | round_ | facets_; }
-    /// Those of instances that drawFacets() draws.
-    std::bitset<kMaterials> facetMaterials() const { return facets_; }
+    /// Those of instances that the three functions above draw.
+    bool anyBoxes(Material material) const { return boxes_.materials()[indexOf(material)]; }
+    bool anyRound(Material material) const { return round_[indexOf(material)]; }
+    bool anyFacets(Material material) const { return facets_[indexOf(material)]; }
 
 private:
     void setMeshes(const std::vector<Instances::OfMesh>& meshes);

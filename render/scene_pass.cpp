@@ -209,12 +209,16 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material ma
         return name;
     };
     glEnable(GL_CULL_FACE);
-    program("solid", "box", features + " FLAT_FACES");
-    meshes.drawBoxes(material);
-    if (meshes.facetMaterials()[indexOf(material)])
+    if (meshes.anyBoxes(material)) {  // a program that is not needed is not compiled
+        program("solid", "box", features + " FLAT_FACES");
+        meshes.drawBoxes(material);
+    }
+    if (meshes.anyFacets(material))
         meshes.drawFacets(program("facet", "facet", features), Detail::fine, material);
-    program("solid", "round", features);
-    meshes.drawRound(Detail::fine, material);  // scenery last: much of it is hidden
+    if (meshes.anyRound(material)) {
+        program("solid", "round", features);
+        meshes.drawRound(Detail::fine, material);  // scenery last: much of it is hidden
+    }
     glDisable(GL_CULL_FACE);
 }
 

@@ -36,11 +36,16 @@ struct Motion {
     std::vector<Vec3> anchors;  // m, of joints to the world
 };
 
-/// The k-th smallest, k as a share of the number; reorders the values.
-double quantile(std::vector<double>& values, double share) {
-    const auto k = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+/// The k-th smallest, from 0; reorders the values.
+double smallest(std::vector<double>& values, std::size_t k) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
     return values[k];
+}
+
+/// The same with k as a share of the number.
+double quantile(std::vector<double>& values, double share) {
+    const double k = share * static_cast<double>(values.size() - 1);
+    return smallest(values, static_cast<std::size_t>(k));
 }
 
 template <class Place>
@@ -107,7 +112,7 @@ void addRun(const SceneDescription& scene, std::size_t scenes, Motion& motion) {
 }
 
 /// Bodies that have left count while they are near the others: within kAway times the distance from
-/// the middle that half of the bodies never exceed.
+/// the middle that half of the bodies never exceed; of two bodies none is the one that has left.
 void dropFar(Motion& motion) {
     const std::vector<Sample>& all = motion.moving;
     const Vec3 middle =
@@ -120,7 +125,7 @@ void dropFar(Motion& motion) {
         farthest[sample.number] = std::max(farthest[sample.number], distance(sample));
     std::vector<double> distances;
     for (const auto& [body, far] : farthest) distances.push_back(far);
-    const double usual = quantile(distances, 0.5);
+    const double usual = smallest(distances, distances.size() / 2);
     std::erase_if(motion.moving, [&](const Sample& sample) {
         return distance(sample) > (sample.first ? kAwayAtStart : kAway) * usual;
     });

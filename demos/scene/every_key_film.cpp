@@ -130,7 +130,8 @@ TableTexts lookTexts() {
             {
                 {"theme", inToml(LookDescription{}.theme),
                  "Sky, ground and ink of the picture: studio and dark for screens, print for "
-                 "paper, transparent to lay the film over something else."},
+                 "paper, transparent to lay the film over something else, lab with a ruled floor to "
+                 "measure by."},
                 {"show", "[]",
                  "Overlays that explain the physics, such as contacts, impulses, joints and stats; "
                  "--show adds more."},

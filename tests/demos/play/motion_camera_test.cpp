@@ -68,6 +68,12 @@ TEST(MotionCamera, BodiesThatLeaveForEverDoNotCount) {
     EXPECT_LT((camera.from - camera.lookAt).norm(), 2.5 * near);
 }
 
+TEST(MotionCamera, OfTwoBodiesFarApartBothAreSeen) {
+    const SceneDescription scene = framed(
+        read("seconds = 1\n" + kFloor + ball("a", 0.2, "[-9, 0.2, 0]") + ball("b", 0.2, "[9, 0.2, 0]")));
+    for (const std::size_t body : {1u, 2u}) EXPECT_LE(filled(scene, body), 0.75);
+}
+
 TEST(MotionCamera, FixedSceneryCountsOnlyIfItIsNotLarge) {
     const std::string bob = ball("bob", 0.1, "[0, 1, 0]");
     const auto box = [](const char* name, const char* size) {
