@@ -140,7 +140,7 @@ void sayFilmHeader() {
 }
 
 std::string benchFilm(const BenchOptions& options) {
-    const FilmPlan plan = planFilm(options);
+    const FilmPlan plan = planPictures(options);
     const FilmTiming timing = timeFilm(plan, options.jobs);
     (options.json ? sayFilmJson : sayFilm)(plan, timing);
     std::fflush(stdout);

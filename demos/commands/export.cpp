@@ -103,11 +103,17 @@ private:
     RunRecorder recorder_;
 };
 
+bool hasCamera(const ExportFile& file) {
+    return file.kind == ExportKind::glb || file.kind == ExportKind::replay;
+}
+
 Exit exportRun(const Options& options) {
-    const FilmPlan plan = planOf(options);
+    FilmPlan plan = planOf(options);
     checkLength(plan);
     tellShort(plan, options);
-    Exporting(options, plan, exportFilesOf(options, plan.scene())).play();
+    const std::vector<ExportFile> files = exportFilesOf(options, plan.scene());
+    if (std::any_of(files.begin(), files.end(), hasCamera)) fitCameras(plan);
+    Exporting(options, plan, files).play();
     Talk(options, false)
         .say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
     return Exit::ok;

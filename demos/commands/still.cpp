@@ -66,11 +66,12 @@ std::string targetOf(const FilmPlan& plan, const StillOptions& options, const Mo
 Exit still(StillOptions options) {
     if (options.width) options.size = figureSize(options);
     const Paper paper = paperOf(options);
-    const FilmPlan plan = planFilm(options);
+    FilmPlan plan = planFilm(options);
     const Moment moment = momentOf(plan, options);
     const std::string target = targetOf(plan, options, moment);
     checkFigure({target}, options);
     checkNeeds(needsOf(plan, 1, {}), plan);
+    fitCameras(plan);
     Player player(plan.scene(), plan.panels.front().overlays);
     const std::vector<render::Frame> seen = playTo(moment.time, moment.steps, plan, player);
     render::Renderer renderer(plan.picture);

@@ -116,12 +116,13 @@ private:
 
     Exit makeDraft() {
         const Options own = optionsOfDraft();
-        const FilmPlan plan = planFilm(own);
+        FilmPlan plan = planFilm(own);
         std::vector<Output> films;
         if (drafts_.places().films)
             films.push_back({OutputKind::film, {}, drafts_.places().film()});
         checkOutputs(films, plan, true);
         checkNeeds(needsOf(plan, 1, films), plan);
+        fitCameras(plan);
         if (!lock_) {
             render::makeFolder(drafts_.places().folder);
             lock_.emplace(drafts_.places());

@@ -144,16 +144,15 @@ PanelFigure planPanels(const std::vector<Variant>& runs, int columns, bool chart
     checkLayout(wholeOf(figure), figure.paper);
     Options own = options;
     own.size = figure.layout.picture;
-    std::vector<Variant> framed = runs;
-    std::vector<SceneDescription*> scenes;
-    for (Variant& run : framed) scenes.push_back(&run.scene);
-    fitToMotion(scenes);
-    for (const Variant& run : framed) figure.plans.push_back(planOf(run, own));
+    for (const Variant& run : runs) figure.plans.push_back(planOf(run, own));
     const FilmPlan& first = figure.plans.front();
     figure.time = options.time.value_or(first.timeOf(first.frames - 1));
     for (const FilmPlan& plan : figure.plans) stepAt(figure.time, plan, "--time");
     if (chart) checkTime(figure.time, runs.front().scene.seconds);
     checkNeeds(needsOf(first, 1, {}), first);
+    std::vector<SceneDescription*> scenes;
+    for (FilmPlan& plan : figure.plans) scenes.push_back(&plan.panels.front().scene);
+    fitToMotion(scenes);
     return figure;
 }
 

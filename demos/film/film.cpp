@@ -286,7 +286,7 @@ void checkFilmPlan(const FilmPlan& plan, const FilmOptions& options) {
     checkNeeds(needsOf(plan, workerCount(options.jobs, chosen), outputs), plan);
 }
 
-void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
+void makeFilm(FilmPlan plan, const FilmOptions& options) {
     checkFilmPlan(plan, options);
     const std::vector<Output> outputs = outputsOf(plan, options);
     Poster poster(plan, options);
@@ -297,6 +297,7 @@ void makeFilm(const FilmPlan& plan, const FilmOptions& options) {
     const int frames = countOf(chosen), workers = workerCount(options.jobs, frames);
     if (options.dryRun) return tellPlan(needsOf(plan, workers, outputs), plan, outputs, talk);
     watchSignals();
+    fitCameras(plan);
     FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
     RunRecord record = recordOf(plan, options, source.renderer());
     if (has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();

@@ -11,6 +11,6 @@ void checkFilmPlan(const FilmPlan& plan, const FilmOptions& options);
 
 /// Throws Stop and render::Error; files written until then stay and are complete. A body that could
 /// not continue as it was is reported when all is written, as Stop (diverged).
-void makeFilm(const FilmPlan& plan, const FilmOptions& options);
+void makeFilm(FilmPlan plan, const FilmOptions& options);
 
 }  // namespace demos

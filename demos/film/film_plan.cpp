@@ -104,9 +104,6 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     const Quality& quality = qualityOf(options.quality);
     FilmPlan plan;
     plan.panels = std::move(panels);
-    std::vector<SceneDescription*> scenes;
-    for (Panel& panel : plan.panels) scenes.push_back(&panel.scene);
-    fitToMotion(scenes);
     const SceneDescription& scene = plan.scene();
     plan.name = scene.name;
     for (Panel& panel : plan.panels) panel.overlays = overlaysOf(panel.scene, options);
@@ -143,6 +140,18 @@ FilmPlan planFilm(const Options& options) {
     const bool strip = overlaysOf(panel.scene, options).plot && options.plotBelow;
     FilmPlan plan = planFilm({std::move(panel)}, strip, options);
     if (strip) addStrip({playedChart(plan.scene())}, plan, paperOf(options));
+    return plan;
+}
+
+void fitCameras(FilmPlan& plan) {
+    std::vector<SceneDescription*> scenes;
+    for (Panel& panel : plan.panels) scenes.push_back(&panel.scene);
+    fitToMotion(scenes);
+}
+
+FilmPlan planPictures(const Options& options) {
+    FilmPlan plan = planFilm(options);
+    fitCameras(plan);
     return plan;
 }
 

@@ -64,9 +64,15 @@ SceneDescription sceneOf(const Options& options);
 FilmPlan planFilm(const Options& options);
 
 /// The same for several panels on one clock: their scenes have the same length, and each has its own
-/// steps per frame. Fills in their overlays, and the camera of scenes without one (a run of each).
-/// `strip`: leaves room for a plot.
+/// steps per frame. Fills in their overlays. `strip`: leaves room for a plot.
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
+
+/// Sets the camera of scenes without one, before anything is drawn. Costs a run of each such scene;
+/// so all checks come first.
+void fitCameras(FilmPlan& plan);
+
+/// planFilm, with its cameras.
+FilmPlan planPictures(const Options& options);
 
 /// A hash of all that determines a picture's bits except the renderer: scene, program, settings.
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options);

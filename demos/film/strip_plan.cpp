@@ -16,7 +16,7 @@ FilmPlan planStrip(StripOptions options) {
     options.plotBelow = false;  // a row of moments has no single time for a cursor
     const Quality& quality = qualityOf(options.quality);
     if (!options.size) options.size = PictureSize{quality.width / 2, quality.height / 2};
-    FilmPlan plan = planFilm(options);
+    FilmPlan plan = planPictures(options);
     const auto asked = [&](const char* name) {
         return std::find(options.show.begin(), options.show.end(), name) != options.show.end();
     };

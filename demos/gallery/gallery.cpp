@@ -161,7 +161,7 @@ private:
     std::string drawn(const GalleryChoice& choice) const {
         GalleryOptions own = optionsOfFilm(choice, options_);
         own.quiet = true;  // its notes have been reported
-        const GalleryEntry entry = drawScene(planFilm(own), record_.posterFile(choice.name),
+        const GalleryEntry entry = drawScene(planPictures(own), record_.posterFile(choice.name),
                                              films_ ? record_.filmFile(choice.name) : fs::path());
         return jsonText({{"poster", hexText(entry.poster)},
                          {"film", hexText(entry.film)},

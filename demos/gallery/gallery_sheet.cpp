@@ -71,7 +71,7 @@ std::vector<NamedPoster> postersOf(GalleryOptions options, GalleryTroubles& trou
     const auto draw = [&](int i) {
         return attempted([&] {
             const GalleryOptions own = optionsOfFilm(choices[i], options);
-            const DrawnPoster poster = drawPoster(planFilm(own));
+            const DrawnPoster poster = drawPoster(planPictures(own));
             const auto png = render::encodePng(poster.image);
             return printable(poster.incident) + "\n" + std::string(png.begin(), png.end());
         });

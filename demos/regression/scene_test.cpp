@@ -110,7 +110,7 @@ FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options) {
         const Snapshot& snapshot = sceneOf(own).snapshot;
         own.size = PictureSize{snapshot.width, snapshot.height};
     }
-    FilmPlan plan = planFilm(own);
+    FilmPlan plan = planPictures(own);
     plan.picture.threads = 0;
     checkNeeds(needsOf(plan, 1, {}), plan);
     return plan;

@@ -86,6 +86,7 @@ FilmPlan planClip(const Slide& slide, const Deck& deck, const LoadedRuns& loaded
     else
         panels.push_back({loaded.variants.front().scene, {}, {}});
     FilmPlan plan = planFilm(std::move(panels), false, options);
+    fitCameras(plan);
     if (loaded.several) {
         setPanels(slide, deck.size, plan);
         return plan;
@@ -122,7 +123,7 @@ FilmPlan planMoments(const Slide& slide, const Deck& deck, const LoadedRuns& loa
     if (loaded.several) return planClip(slide, deck, loaded, options, commonHz(loaded));
     if (slide.exhibit == Exhibit::still) {
         options.anyStep = true;
-        FilmPlan plan = planFilm(options);
+        FilmPlan plan = planPictures(options);
         setPicture(slide, plan);
         return plan;
     }

@@ -7,11 +7,11 @@
 namespace demos {
 
 std::string escapedPath(const std::string& path) {
-    constexpr std::string_view kPlain =
+    constexpr std::string_view kUnescaped =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~/";
     std::string text;
     for (const char c : path)
-        if (kPlain.find(c) != std::string_view::npos)
+        if (kUnescaped.find(c) != std::string_view::npos)
             text += c;
         else
             text += fmt::format("%{:02X}", static_cast<unsigned char>(c));

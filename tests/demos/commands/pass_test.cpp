@@ -6,9 +6,10 @@
 #include "tests/demos/small_film.h"
 
 namespace demos::test {
-namespace {
 
 using Json = nlohmann::json;
+
+namespace {
 
 const std::string kAll = "depth,depth16,normal,id,flow,camera,poses,contacts,events";
 

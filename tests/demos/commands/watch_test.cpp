@@ -5,9 +5,10 @@
 #include "tests/demos/small_film.h"
 
 namespace demos::test {
-namespace {
 
 using Json = nlohmann::json;
+
+namespace {
 
 /// A ball that falls through two sections.
 const std::string kFall = R"(format = 1

@@ -15,21 +15,21 @@ std::vector<int> numbers(const std::vector<bool>& chosen) {
     return all;
 }
 
-std::vector<int> listed(const std::string& list) { return numbers(chosenFrames(list, {}, 30)); }
+std::vector<int> framesOf(const std::string& list) { return numbers(chosenFrames(list, {}, 30)); }
 
 TEST(FrameChoice, TakesListsOfRanges) {
-    EXPECT_EQ(listed("").size(), 30u);
-    EXPECT_EQ(listed("4..7"), (std::vector<int>{4, 5, 6, 7}));
-    EXPECT_EQ(listed("0..-1").size(), 30u);
-    EXPECT_EQ(listed("0..9:4,-1"), (std::vector<int>{0, 4, 8, 29}));
-    EXPECT_EQ(listed("20,3..4,3"), (std::vector<int>{3, 4, 20}));
-    EXPECT_EQ(listed("-3..-2"), (std::vector<int>{27, 28}));
+    EXPECT_EQ(framesOf("").size(), 30u);
+    EXPECT_EQ(framesOf("4..7"), (std::vector<int>{4, 5, 6, 7}));
+    EXPECT_EQ(framesOf("0..-1").size(), 30u);
+    EXPECT_EQ(framesOf("0..9:4,-1"), (std::vector<int>{0, 4, 8, 29}));
+    EXPECT_EQ(framesOf("20,3..4,3"), (std::vector<int>{3, 4, 20}));
+    EXPECT_EQ(framesOf("-3..-2"), (std::vector<int>{27, 28}));
 }
 
 TEST(FrameChoice, RefusesWhatIsNoList) {
     for (const char* list : {",", "1,", "1..", "..2", "1..2:0", "1..2:-1", "1..2:", "30", "-31",
                              "7..4", "0..30", "a", "1-2", "99999999999", "1 2", "1..2..3"})
-        EXPECT_THROW(listed(list), Stop) << list;
+        EXPECT_THROW(framesOf(list), Stop) << list;
 }
 
 TEST(FrameChoice, PartsOfAFilmAreItsFramesEachOnce) {
