@@ -1,9 +1,9 @@
 /// Friction on bodies that turn. In every sub-step a rider must move along the chord of its circle. The rows
-/// know only the tangent where they were made, at the beginning of the step, and along tangents a box on a disc
-/// leaves its circle: it creeps outwards as r e^(w^2 t dt / 2).
+/// know only the tangent where they were made, at the beginning of the step, and along tangents a box on a
+/// disc leaves its circle: it creeps outwards as r e^(w^2 t dt / 2).
 ///
-/// The contact keeps its place under the rider, so the carrier's arm changes with rho, from the centre of a to
-/// that of b. With the carrier's spin w, friction has to bring J v - lead to 0:
+/// The contact keeps its place under the rider, so the carrier's arm changes with rho, from the centre of a
+/// to that of b. With the carrier's spin w, friction has to bring J v - lead to 0:
 ///   lead = w x (rho + (h/2) u - rho_0),   u = w_a x r_a - w_b x r_b: without slip, the rate of rho
 /// rho_0 belongs to the rows and rho is now; h/2 leads to the middle of the sub-step. For a rider that turns
 /// with its carrier, the rest of the exact chord is added, in the share c of w that it has:
