@@ -41,6 +41,7 @@ struct ContactConstraint {
     double restitution = 0.0;  // e
     double rolling = 0.0;      // rho, m
     Vec3 n = Vec3::Zero(), t1 = Vec3::Zero(), t2 = Vec3::Zero();
+    Vec2 lead = Vec2::Zero();  // m/s along t1, t2: the slip that friction leaves (riding_contacts.h)
     InverseMass massA, massB;
     NormalBlock block;
     ManifoldFriction manifold;
@@ -199,7 +200,7 @@ inline void solveFriction(ContactConstraint& c, Velocity& a, Velocity& b, Correc
     for (int i = 0; i < c.count; ++i) {
         ContactRow& row = c.rows[i];
         const Vec3 between = velocityBetween(row, a, b);
-        const Vec2 slip(c.t1.dot(between), c.t2.dot(between));
+        const Vec2 slip(c.t1.dot(between) - c.lead[0], c.t2.dot(between) - c.lead[1]);
         const Vec2 before = row.friction;
         const double limit = c.friction * (row.lambda + row.bounce);
         row.friction = solveInCone(row.frictionMass, before, slip, limit);
@@ -234,7 +235,8 @@ inline void solveFrictionTogether(ContactConstraint& c, Velocity& a, Velocity& b
     const ManifoldFriction& f = c.manifold;
     const Vec3 between =
         (b.linear + b.angular.cross(f.armB)) - (a.linear + a.angular.cross(f.armA));
-    Vec3 slip(c.t1.dot(between), c.t2.dot(between), c.n.dot(b.angular - a.angular));
+    Vec3 slip(c.t1.dot(between) - c.lead[0], c.t2.dot(between) - c.lead[1],
+              c.n.dot(b.angular - a.angular));
     Vec4 limit = Vec4::Zero();
     Vec3 total = Vec3::Zero(), change = Vec3::Zero();
     for (int i = 0; i < c.count; ++i) {

@@ -99,6 +99,7 @@ int rowCount(JointType type) {
 int treeRowsOf(JointType type) {
     if (type == JointType::distance) return 3;
     if (type == JointType::slider) return 6;
+    if (type == JointType::gear) return 5;
     const bool swept = type > JointType::constantVelocity;
     return swept ? 0 : rowCount(type);
 }

@@ -84,6 +84,7 @@ struct JointConstraint {
     bool pointAtOnce = false;  // the first three rows, of a point, are solved together
     Mat3 pointMass = Mat3::Zero();  // (J M^-1 J^T)^-1 of these three
     bool asBlock = false;      // a type after weld: all its rows are one block if points are blocks
+    bool isGear = false;
     int treeRows = 0;          // rows that it takes in a tree (tree_joint.h); 0: not part of a tree
     bool allAtOnce = false;    // all rows are solved together
     Eigen::Matrix<double, 6, 6> mass = Eigen::Matrix<double, 6, 6>::Zero();  // the same for all rows
@@ -102,7 +103,8 @@ inline void push(JointConstraint& joint, int i, double lambda, Velocity& a, Velo
 int rowCount(JointType type);
 /// The same for a definition: 0 for a free distance, the locked coordinates for a sixDof.
 int rowCount(const JointDef& def);
-/// Rows in a tree: 3 for a rod, whose row has any direction, 6 for a slider, 0 for types that are swept.
+/// Rows in a tree: 3 for a rod, whose row has any direction, 5 for a gear, whose row is the fourth, 6 for a
+/// slider, 0 for types that are swept.
 int treeRowsOf(JointType type);
 
 JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b);

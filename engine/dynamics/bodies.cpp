@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/base/check.h"
+#include "engine/shapes/bounds.h"
 #include "engine/shapes/mass.h"
 
 namespace engine {
@@ -20,6 +22,12 @@ int topAxisOf(const Mat3& inertia) {
         if (std::abs(a - b) <= kSameMoment * a) return axis;
     }
     return -1;
+}
+
+double thicknessOf(const Shape& shape) {
+    if (shape.type == ShapeType::plane) return std::numeric_limits<double>::infinity();
+    const Bounds bounds = boundsOf(shape, Pose{});
+    return (bounds.high - bounds.low).minCoeff();
 }
 
 BodyMass massOf(const BodyDef& def) {
@@ -46,6 +54,7 @@ void addSlot(Bodies& bodies) {
     bodies.velocities.emplace_back();
     bodies.inverseMasses.emplace_back();
     bodies.masses.emplace_back();
+    bodies.thicknesses.emplace_back();
     bodies.massFactors.emplace_back(1.0);
     bodies.loads.emplace_back();
     bodies.accelerations.emplace_back();
@@ -76,6 +85,7 @@ void addBody(Bodies& bodies, const BodyDef& def, int i) {
     bodies.velocities[i] = moves ? Velocity{def.velocity, def.spin} : Velocity{};
     bodies.inverseMasses[i] = {mass.mass > 0.0 ? 1.0 / mass.mass : 0.0, Mat3::Zero()};
     bodies.masses[i] = mass;
+    bodies.thicknesses[i] = thicknessOf(def.shape);
     bodies.massFactors[i] = 1.0;
     bodies.loads[i] = {};
     bodies.accelerations[i] = {};

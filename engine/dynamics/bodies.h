@@ -40,6 +40,7 @@ struct Bodies {
     std::vector<Velocity> velocities;
     std::vector<InverseMass> inverseMasses;  // world axes, of the current pose
     std::vector<BodyMass> masses;
+    std::vector<double> thicknesses;  // m, of the shapes' bounds: their smallest side; planes have no end
     std::vector<double> massFactors;  // constraints treat the body as this much heavier (pressed_bodies.h)
     std::vector<Load> loads;                         // for the coming step
     std::vector<Acceleration> accelerations;         // in this sub-step

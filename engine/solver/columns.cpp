@@ -6,22 +6,41 @@ namespace {
 constexpr int kMostOfALevel = 4;
 constexpr int kMostPasses = 4;
 constexpr int kAboveAll = 1 << 20;
+constexpr double kThick = 0.05;  // m: its contacts, made 2 cm ahead, are with what it touches
+
+bool bears(const Contact& c, const Bodies& bodies) {
+    const double thickness = smaller(bodies.thicknesses[c.a], bodies.thicknesses[c.b]);
+    if (thickness >= kThick) return true;
+    const Pose &a = bodies.poses[c.a], &b = bodies.poses[c.b];
+    for (int i = 0; i < c.count; ++i) {
+        const ContactPoint& p = c.points[i];
+        if (c.normal.dot(b.toWorld(p.anchorB) - a.toWorld(p.anchorA)) < 0.5 * thickness) return true;
+    }
+    return false;
+}
 
 }  // namespace
 
-void Columns::number(std::span<const Contact> contacts, std::span<const int> order,
-                     const Bodies& bodies) {
+void Columns::findBearing(std::span<const Contact> contacts, std::span<const int> order,
+                          const Bodies& bodies) {
+    bearing_.clear();
+    for (const int k : order)
+        if (bears(contacts[k], bodies)) bearing_.push_back(k);
+}
+
+void Columns::number(std::span<const Contact> contacts, const Bodies& bodies) {
     levels_.resize(bodies.count());
     for (const int i : bodies.active) levels_[i] = kAboveAll;
-    for (const Contact& c : contacts) {
+    for (const int k : bearing_) {
+        const Contact& c = contacts[k];
         const bool a = bodies.isDynamic(c.a), b = bodies.isDynamic(c.b);
         if (!a || !b) levels_[a ? c.a : c.b] = 1;
     }
     bool changed = true;
     for (int pass = 0; pass < kMostPasses && changed; ++pass) {  // one is nearly enough, from the floor up
         changed = false;
-        for (std::size_t k = order.size(); k-- > 0;) {
-            const Contact& c = contacts[order[k]];
+        for (std::size_t k = bearing_.size(); k-- > 0;) {
+            const Contact& c = contacts[bearing_[k]];
             if (!bodies.isDynamic(c.a) || !bodies.isDynamic(c.b)) continue;
             int &a = levels_[c.a], &b = levels_[c.b];
             if (a > b + 1) a = b + 1, changed = true;
@@ -32,7 +51,8 @@ void Columns::number(std::span<const Contact> contacts, std::span<const int> ord
 
 void Columns::measure(std::span<const Contact> contacts, std::span<const int> order,
                       const Bodies& bodies, DisjointSets& islands) {
-    number(contacts, order, bodies);
+    findBearing(contacts, order, bodies);
+    number(contacts, bodies);
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     for (const int i : bodies.active) {

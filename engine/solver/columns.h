@@ -4,6 +4,8 @@
 ///   wall    wider                                  c^2 / (5 n)         20 rows need four
 /// where c = bodies / bodies on the floor is the load on the lowest ones: n for a wall, n / 2 for a pyramid
 /// (45 rows need 2.4), little for a heap, which supports itself sideways.
+/// Contacts wider than half the thinner body are left out, because what is thinner than the margin of contact
+/// detection has contacts with many of its neighbours, through those between.
 #pragma once
 #include <span>
 #include <vector>
@@ -29,11 +31,14 @@ private:
         int bodies = 0, onTheFloor = 0, levels = 0;
     };
 
-    void number(std::span<const Contact> contacts, std::span<const int> order,
-                const Bodies& bodies);
+    /// Lists the contacts that bear, in this order.
+    void findBearing(std::span<const Contact> contacts, std::span<const int> order,
+                     const Bodies& bodies);
+    void number(std::span<const Contact> contacts, const Bodies& bodies);
 
     std::vector<Island> islands_;  // by leader
     std::vector<int> levels_;      // by body
+    std::vector<int> bearing_;
 };
 
 }  // namespace engine

@@ -11,6 +11,7 @@
 #include "engine/base/by_group.h"
 #include "engine/solver/impacts.h"
 #include "engine/solver/joint_trees.h"
+#include "engine/solver/riding_contacts.h"
 #include "engine/step_report.h"
 
 namespace engine {
@@ -23,6 +24,7 @@ struct Constraints {
     ByGroup jointsOutside;   // joints outside the trees, by group (wide/groups.h)
     ByGroup drivesByGroup;
     Impacts impacts;         // of contacts with restitution
+    RidingContacts riding;   // on bodies that turn
     int jointStride = 1;     // joints advance by this many of the world's sub-steps; 0: they wait
     bool ratesStale = true;  // velocities changed since the last solve (keepRates in drives.h)
 };

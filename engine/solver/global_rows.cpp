@@ -54,7 +54,7 @@ public:
                 row.normal = first + i, row.normals = 1;
                 row.mu = contact.friction;
                 row.bounce = point.bounce;
-                add(row, 0.0, point.friction[t]);
+                add(row, -contact.lead[t], point.friction[t]);
             }
         }
         if (contact.rolling > 0.0) addRolling(contact, first);

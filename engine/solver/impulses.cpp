@@ -119,6 +119,15 @@ void sweepContact(ContactConstraint& contact, std::span<Velocity> v, const Setti
     solveRolling(contact, a, b, correction);
 }
 
+void setLead(const RidingContact& riding, ContactConstraint& contact) {
+    contact.lead << contact.t1.dot(riding.lead), contact.t2.dot(riding.lead);
+    const double angle = contact.n.dot(riding.turn);
+    for (int i = 0; i < contact.count; ++i) {
+        const Vec2 before = contact.rows[i].friction;
+        contact.rows[i].friction += angle * Vec2(-before[1], before[0]);
+    }
+}
+
 void warmStartJoints(Constraints& c, double keep, std::span<Velocity> v) {
     for (JointConstraint& joint : c.joints) {
         if (joint.inTree) continue;
@@ -213,6 +222,8 @@ void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& setting
     for (const ContactImpact& impact : c.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
             c.contacts[impact.number].rows[i].bounce = impact.contact.rows[i].bounce;
+    for (const RidingContact& riding : c.riding.list())
+        setLead(riding, c.contacts[riding.number]);
 }
 
 void bookImpulses(Constraints& c) {

@@ -65,7 +65,8 @@ std::vector<char> findTorn(Joints joints, Masses masses) {
 std::vector<char> findRings(Joints joints, Masses masses) {
     const int bodies = static_cast<int>(masses.size());
     const auto linksTwo = [&](const JointConstraint& joint) {
-        return !joint.spring.isSoft() && moves(masses, joint.a) && moves(masses, joint.b);
+        return !joint.spring.isSoft() && !joint.isGear && moves(masses, joint.a) &&
+               moves(masses, joint.b);
     };
     DisjointSets sets, linked;
     sets.reset(bodies), linked.reset(bodies);
@@ -86,12 +87,21 @@ std::vector<char> findRings(Joints joints, Masses masses) {
     return rings;
 }
 
+/// A gear holds nothing by itself, so it comes after all that may hold a tree a second time.
+std::vector<int> gearsLast(Joints joints) {
+    std::vector<int> order(joints.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](int i) { return joints[i].isGear; });
+    return order;
+}
+
 /// Chooses the joints of the next forest; `closes` marks those that hold a tree a second time, or
 /// close a loop in it.
 std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& torn,
                         const std::vector<char>& rings, Trees& trees, std::vector<char>& closes) {
     std::vector<int> chosen, degree(masses.size(), 0);
-    for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
+    int looped = 0;
+    for (const int i : gearsLast(joints)) {
         JointConstraint& joint = joints[i];
         if (joint.inTree || joint.spring.isSoft() || joint.treeRows == 0) continue;
         bool fits = true;
@@ -99,9 +109,13 @@ std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& t
             fits = fits && (!moves(masses, body) || degree[body] < kMostJointsOfABody);
         const bool linksTwo = moves(masses, joint.a) && moves(masses, joint.b);
         const bool loop = linksTwo && trees.of(joint.a) == trees.of(joint.b);
-        if (!fits || (loop && !rings[joint.a])) continue;
-        closes[i] = linksTwo ? loop || (trees.isHeld(joint.a) && trees.isHeld(joint.b))
-                             : trees.isHeld(moves(masses, joint.a) ? joint.a : joint.b);
+        const bool tooMany = joint.isGear ? looped == kMostLoops : !rings[joint.a];
+        if (!fits || (loop && tooMany)) continue;
+        if (joint.isGear)
+            looped += loop;
+        else
+            closes[i] = linksTwo ? loop || (trees.isHeld(joint.a) && trees.isHeld(joint.b))
+                                 : trees.isHeld(moves(masses, joint.a) ? joint.a : joint.b);
         if (closes[i] && torn[moves(masses, joint.a) ? joint.a : joint.b]) continue;
         joint.inTree = true;
         trees.link(joint);
@@ -239,7 +253,10 @@ std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
         if (chosen.empty()) break;
         ForestPlan& plan = plans.emplace_back();
         addPlaces(joints, masses, chosen, plan);
-        for (ForestPlan::Place& place : plan.places) place.closes = closes[place.joint];
+        for (ForestPlan::Place& place : plan.places) {
+            place.closes = closes[place.joint];
+            place.gear = joints[place.joint].isGear;
+        }
         addTrees(joints, trees, static_cast<int>(masses.size()), plan);
         findWhole(joints, masses, trees, plan);
         sortByTree(plan);

@@ -21,12 +21,13 @@ namespace engine {
 struct ForestPlan {
     struct Link {
         int place;  // of a joint that is eliminated later
-        int body;   // the common movable body; -1: fill-in
+        int body;   // a common movable body; -1: fill-in
     };
     struct Place {
         int joint = -1;           // in the constraint list
         int tree = -1;
         bool closes = false;      // holds its tree at a second fixed body, or closes a loop
+        bool gear = false;
         std::vector<Link> later;  // ascending
     };
     struct Tree {

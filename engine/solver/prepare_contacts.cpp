@@ -78,6 +78,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     solver.posesAtStart.resize(bodies.count());
     for (const int i : bodies.active) solver.posesAtStart[i] = bodies.poses[i];
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
+    c.riding.find(contacts, joints, bodies, solver.islands);
     solver.lanes = settings.usesLanes();
     solver.byIsland = settings.solvesByIsland();
     if (solver.byIsland) {
@@ -122,6 +123,7 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
+    solver.constraints.riding.begin(bodies, solver.posesAtStart);
     if (solver.lanes) {  // separations are up to date from the nudges
         solver.wide.beginSubstep(bodies);
         solver.wide.followTurns(bodies);

@@ -22,6 +22,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         joint.spring = def.spring;
         joint.asBlock = def.type > JointType::weld;
         joint.treeRows = treeRowsOf(def.type);
+        joint.isGear = def.type == JointType::gear;
         joint.torn = joints[i].torn;
         joint.lambda = joints[i].lambda;
         list.push_back(joint);
@@ -35,10 +36,10 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
 void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
     for (JointConstraint& c : solver.constraints.joints) {
-        if (c.inTree && !settings.compareExact) continue;
         Joint& joint = joints[c.joint];
         if (joint.def.type == JointType::gear || joint.def.type == JointType::path)
             followCoordinates(joint, bodies.poses[c.a], bodies.poses[c.b]);
+        if (c.inTree && !settings.compareExact) continue;
         const JointRows rows =
             rowsOf(joint.def.type, geometryOf(joint, bodies.poses[c.a], bodies.poses[c.b]));
         c.count = rows.count;

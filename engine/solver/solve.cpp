@@ -100,6 +100,8 @@ void beginRows(Solver& s, std::span<Velocity> v, const Settings& settings, doubl
     for (const ContactImpact& impact : s.constraints.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
             s.wide.setBounce(impact.number, i, impact.contact.rows[i].bounce);
+    for (const RidingContact& riding : s.constraints.riding.list())
+        s.wide.setLead(riding.number, riding.lead, riding.turn);
 }
 
 void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,

@@ -8,8 +8,9 @@
 /// distance_joint.h in a form a quarter of the size of rows. Of the point, a rod holds the component along n,
 /// and a slider (slider_joint.h) those across its axis, with a's arm to p_b: B u instead of u, where
 ///   B = [n; 0; 0],   B = [t_1; t_2; 0]
-/// Universal (universal_joint.h) and constant velocity joints are ball joints with one twist. N is 3, 5 or 6;
-/// a joint with fewer rows than its tree has zeros in the last ones, and so has B.
+/// Universal (universal_joint.h) and constant velocity joints are ball joints with one twist. A gear
+/// (gear_joint.h) holds no point, B = 0, and has different twists on its bodies: r rate_a and rate_b. N is 3,
+/// 5 or 6; a joint with fewer rows than its tree has zeros in the last ones, and so has B.
 #pragma once
 #include <array>
 
@@ -29,7 +30,7 @@ using Twist = std::array<Vec3, N - 3>;
 template <int N>
 struct TreeGeometry {
     Vec3 armA, armB;                         // m
-    Twist<N> twist;                          // unit
+    Twist<N> twist;                          // unit; of a gear: on b
     Vec3 along;                              // hinge: its axis
     Vec3 point[2];                           // rod: n; slider: t_1, t_2
     TreeRows<N> error = TreeRows<N>::Zero(); // C, m or rad
@@ -43,20 +44,48 @@ struct TreeJoint {
     int constraint = -1;       // index in the constraint list
     int tree = -1;
     JointType type = JointType::ball;
+    int pointRows = 3;         // 3: x, y and z
+    bool isGear = false;
     bool closes = false;       // holds its tree at a second fixed body, or closes a loop
     Vec3 anchorA, anchorB;     // m, in the bodies' axes
     double reach = 0.0;        // m, the longest of its lever arms
     Twist<N> across;           // hinge, slider: perpendicular to its axis, in a's axes
+    Twist<N> twistOfA;         // gear: on a
     TreeGeometry<N> now;
     TreeRows<N> lambda = TreeRows<N>::Zero();                  // N s, N m s; of this sub-step
     Vec3 impulse = Vec3::Zero(), torque = Vec3::Zero();        // on b, over the whole step
 };
+
+/// The angle that one body of a gear has turned about its axis.
+inline Angle turnOf(const Vec3& axis, const Quat& rotation, const Quat& start, double near) {
+    return twistAbout(start * axis, rotation * start.conjugate(), near);
+}
+inline Angle turnOfA(const Joint& gear, const Pose& a) {
+    return turnOf(gear.axisA, a.rotation, gear.startA, gear.position[0]);
+}
+inline Angle turnOfB(const Joint& gear, const Pose& b) {
+    return turnOf(gear.axis2B, b.rotation, gear.startB, gear.position[1]);
+}
+
+/// Sets the other twist of a gear.
+template <int N>
+void setTwistOfA(const Joint& def, const Pose& a, TreeJoint<N>& joint) {
+    if constexpr (N > 3) {
+        for (Vec3& t : joint.twistOfA) t.setZero();
+        joint.twistOfA[0] = def.def.ratio * turnOfA(def, a).rate;
+    }
+}
 
 template <int N>
 void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b,
               TreeGeometry<N>& g) {
     if constexpr (N > 3) {
         for (Vec3& t : g.twist) t.setZero();
+        if (joint.isGear) {
+            const Angle turn = turnOfB(def, b);
+            g.twist[0] = turn.rate;
+            g.error[3] = turn.value - def.def.ratio * turnOfA(def, a).value;
+        }
         if (joint.type == JointType::hinge) {
             g.along = b.rotation * def.axisB;
             for (int i = 0; i < 2; ++i) {  // C = t.h,  dC/dt = -(t x h).(w_b - w_a)
@@ -102,32 +131,34 @@ inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, c
             g.point[i] = a.rotation * joint.across[i];
             g.error[i] = g.point[i].dot(between);
         }
-    } else {
+    } else if (!joint.isGear) {
         g.error.template head<3>() = between;
     }
     addTwist(joint, def, a, b, g);
     return g;
 }
 
-/// The number of point rows of a joint, if these are not x, y and z; else 0.
+/// The twist on a or b.
 template <int N>
-int pointRows(const TreeJoint<N>& joint) {
-    return joint.type == JointType::distance ? 1 : joint.type == JointType::slider ? 2 : 0;
+const Twist<N>& twistOn(const TreeJoint<N>& joint, bool b) {
+    return joint.isGear && !b ? joint.twistOfA : joint.now.twist;
 }
 
 /// B u
 template <int N>
 Vec3 heldOf(const TreeJoint<N>& joint, const Vec3& u) {
-    const int rows = pointRows(joint);
-    if (rows == 0) return u;
+    const int rows = joint.pointRows;
+    if (rows == 3) return u;
+    if (rows == 0) return Vec3::Zero();
     return {joint.now.point[0].dot(u), rows > 1 ? joint.now.point[1].dot(u) : 0.0, 0.0};
 }
 
 /// B^T lambda
 template <int N>
 Vec3 pushOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
-    const int rows = pointRows(joint);
-    if (rows == 0) return lambda.template head<3>();
+    const int rows = joint.pointRows;
+    if (rows == 3) return lambda.template head<3>();
+    if (rows == 0) return Vec3::Zero();
     const Vec3 first = lambda[0] * joint.now.point[0];
     return rows > 1 ? Vec3(first + lambda[1] * joint.now.point[1]) : first;
 }
@@ -148,15 +179,18 @@ inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity& a, c
     if constexpr (N > 3) {
         const Vec3 turning = b.angular - a.angular;
         for (int i = 0; i < N - 3; ++i) result[3 + i] = joint.now.twist[i].dot(turning);
+        if (joint.isGear)
+            result[3] = joint.now.twist[0].dot(b.angular) - joint.twistOfA[0].dot(a.angular);
     }
     return result;
 }
 
-/// The sum of the twists of lambda, N m s.
+/// The sum of the twists of lambda on a or b, N m s.
 template <int N>
-Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
+Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda, bool b) {
+    const Twist<N>& twist = twistOn(joint, b);
     Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < N - 3; ++i) sum += lambda[3 + i] * joint.now.twist[i];
+    for (int i = 0; i < N - 3; ++i) sum += lambda[3 + i] * twist[i];
     return sum;
 }
 
@@ -165,7 +199,7 @@ template <int N>
 inline void book(TreeJoint<N>& joint, const TreeRows<N>& lambda, double share) {
     joint.lambda += share * lambda;
     joint.impulse += share * pushOf(joint, lambda);
-    if constexpr (N > 3) joint.torque += share * twistOf(joint, lambda);
+    if constexpr (N > 3) joint.torque += share * twistOf(joint, lambda, true);
 }
 
 /// v += M^-1 J^T lambda
@@ -175,8 +209,9 @@ inline void apply(const TreeJoint<N>& joint, const TreeRows<N>& lambda, const In
     const Vec3 push = pushOf(joint, lambda);
     Vec3 turnA = joint.now.armA.cross(push), turnB = joint.now.armB.cross(push);
     if constexpr (N > 3) {
-        const Vec3 twist = twistOf(joint, lambda);
-        turnA += twist, turnB += twist;
+        const Vec3 twist = twistOf(joint, lambda, true);
+        turnA += joint.isGear ? twistOf(joint, lambda, false) : twist;
+        turnB += twist;
     }
     a.linear -= massA.linear * push;
     a.angular -= massA.angular * turnA;
@@ -224,8 +259,8 @@ void lookAlong(const TreeJoint<N>& joint, TreeBlock<N>& m) {
 /// B_i m B_k^T
 template <int N>
 void lookAlong(const TreeJoint<N>& i, const TreeJoint<N>& k, TreeBlock<N>& m) {
-    if (pointRows(k) > 0) lookAlong(k, m);
-    if (pointRows(i) == 0) return;
+    if (k.pointRows < 3) lookAlong(k, m);
+    if (i.pointRows == 3) return;
     m.transposeInPlace();
     lookAlong(i, m);
     m.transposeInPlace();

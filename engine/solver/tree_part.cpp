@@ -30,14 +30,27 @@ TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint& co
     t.closes = place.closes;
     t.anchorA = joint.def.anchorA, t.anchorB = joint.def.anchorB;
     t.reach = larger(larger(t.anchorA.norm(), t.anchorB.norm()), larger(joint.def.length, 1e-3));
+    t.isGear = t.type == JointType::gear;
+    t.pointRows = t.isGear                        ? 0
+                  : t.type == JointType::distance ? 1
+                  : t.type == JointType::slider   ? 2
+                                                  : 3;
+    if (t.isGear) t.reach = larger(std::abs(joint.def.ratio), 1.0);  // rad
     if constexpr (N > 3) {
         for (Vec3& across : t.across) across.setZero();
         if (t.type == JointType::hinge || t.type == JointType::slider)
             tangents(joint.axisA, t.across[0], t.across[1]);
     }
-    if (t.type != JointType::slider)
+    if (t.type != JointType::slider && !t.isGear)
         for (int i = 0; i < constraint.count; ++i) t.lambda[i] = constraint.lambda[i];
     return t;
+}
+
+/// Only a gear may join two bodies that another joint of the tree joins.
+template <int N>
+bool sharesTwo(const TreeJoint<N>& i, const TreeJoint<N>& k) {
+    const bool same = (i.a == k.a && i.b == k.b) || (i.a == k.b && i.b == k.a);
+    return same && (i.isGear || k.isGear);
 }
 
 /// Adds play to K of a closing hinge or weld.
@@ -76,8 +89,11 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
         if (isHere(plan.places[k])) placeHere[k] = count++;
     ownPlaces.assign(bodies, -1);
     for (const ForestPlan::Tree& tree : plan.trees) trees_.push_back({tree.whole});
-    for (const ForestPlan::Place& place : plan.places)
-        trees_[place.tree].closed = trees_[place.tree].closed || place.closes;
+    for (const ForestPlan::Place& place : plan.places) {
+        Tree& tree = trees_[place.tree];
+        tree.closed = tree.closed || place.closes;
+        tree.geared = tree.geared || place.gear;
+    }
     for (const ForestPlan::Place& place : plan.places) {
         if (!isHere(place)) continue;
         const JointConstraint& c = list[place.joint];
@@ -97,7 +113,8 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
         std::vector<typename BlockFactors<N>::Link> later;
         for (const ForestPlan::Link& link : place.later)
             later.push_back({placeHere[link.place], link.body, TreeBlock<N>::Zero()});
-        factors_.addPlace(later, trees_[place.tree].closed ? kVanished : kVanishedInOpenTree);
+        const bool open = !tree.closed && !tree.geared;  // no row can depend on the others
+        factors_.addPlace(later, open ? kVanishedInOpenTree : kVanished);
     }
     factors_.connect();
     masses_.resize(members_.size());
@@ -108,10 +125,22 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
 
 template <int N>
 void TreePart<N>::place(std::span<const Joint> joints, std::span<const Pose> poses) {
-    for (TreeJoint<N>& joint : joints_)
+    for (TreeJoint<N>& joint : joints_) {
         joint.now = geometryOf(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
+        if (joint.isGear) setTwistOfA(joints[joint.joint], poses[joint.a], joint);
+    }
     for (Tree& tree : trees_) tree.before = -1.0;
     for (Member& member : members_) member.start = poses[member.body].rotation;
+}
+
+template <int N>
+TreeBlock<N> TreePart<N>::coupling(const TreeJoint<N>& i, const TreeJoint<N>& k, int body) const {
+    const bool ofB = i.b == body, toB = k.b == body;
+    TreeBlock<N> block = couplingThrough<N>(
+        masses_[toB ? k.ownB : k.ownA], ofB ? i.now.armB : i.now.armA, twistOn(i, ofB),
+        toB ? k.now.armB : k.now.armA, twistOn(k, toB));
+    if (ofB != toB) block = -block;
+    return block;
 }
 
 template <int N>
@@ -120,7 +149,8 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
     for (int k = 0; k < factors_.count(); ++k) {
         const TreeJoint<N>& joint = joints_[k];
         const TreeGeometry<N>& g = joint.now;
-        TreeBlock<N> own = couplingThrough<N>(masses_[joint.ownA], g.armA, g.twist, g.armA, g.twist);
+        const Twist<N>& twistA = twistOn(joint, false);
+        TreeBlock<N> own = couplingThrough<N>(masses_[joint.ownA], g.armA, twistA, g.armA, twistA);
         own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
         lookAlong(joint, joint, own);
         if (joint.closes) addPlay(joint, own);
@@ -131,11 +161,9 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
                 continue;
             }
             const TreeJoint<N>& other = joints_[link.place];
-            const bool ofB = other.b == link.body, toB = joint.b == link.body;
-            link.block = couplingThrough<N>(
-                masses_[toB ? joint.ownB : joint.ownA], ofB ? other.now.armB : other.now.armA,
-                other.now.twist, toB ? g.armB : g.armA, g.twist);
-            if (ofB != toB) link.block = -link.block;
+            link.block = coupling(other, joint, link.body);
+            if (sharesTwo(other, joint))  // 0 through a body that does not move
+                link.block += coupling(other, joint, joint.a == link.body ? joint.b : joint.a);
             lookAlong(other, joint, link.block);
         }
     }

@@ -70,7 +70,8 @@ private:
         double ratio = 0.0;     // largest |C| / lever arm
         double sum = 0.0;       // of the largest |C| of each joint
         double before = 0.0;    // the same at the previous nudge; below 0: none
-        bool closed = false;    // held twice, or with a loop
+        bool closed = false;    // held twice, or with a loop of other joints than gears
+        bool geared = false;
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
     };
@@ -83,6 +84,8 @@ private:
     };
 
     int own(int body, std::vector<int>& places);
+    /// The coupling of joint k with i through a common body.
+    TreeBlock<N> coupling(const TreeJoint<N>& i, const TreeJoint<N>& k, int body) const;
     void evaluateErrors(Tree& tree, std::span<const Joint> joints, std::span<const Pose> poses);
     /// A chain pulled straight between two posts can hardly correct errors along it: the linear solution for
     /// them is huge. It is limited to a plausible size.

@@ -246,6 +246,18 @@ void WideContacts::setBounce(int contact, int i, double impulse) {
     batches_[batch].point[i].bounce[lane] = static_cast<float>(impulse);
 }
 
+void WideContacts::setLead(int contact, const Vec3& lead, const Vec3& turn) {
+    const int batch = place_[contact] / 8, lane = place_[contact] % 8;
+    ContactBatch& c = batches_[batch];
+    c.slip[0][lane] -= static_cast<float>(get3(c.t1, lane).dot(lead));
+    c.slip[1][lane] -= static_cast<float>(get3(c.t2, lane).dot(lead));
+    const auto angle = static_cast<float>(get3(c.n, lane).dot(turn));
+    for (WidePoint& point : c.point) {
+        const float f1 = point.friction[0][lane], f2 = point.friction[1][lane];
+        point.friction[0][lane] = f1 - angle * f2, point.friction[1][lane] = f2 + angle * f1;
+    }
+}
+
 void WideContacts::warmStart(int group) {
     for (int k = firstBatch_[group]; k < firstBatch_[group + 1]; ++k)
         kernels_->warmStart(batches_[k], now_.data(), step_);

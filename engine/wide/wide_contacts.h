@@ -41,6 +41,9 @@ public:
     void begin(std::span<const Velocity> v, const Settings& settings);
     /// Sets the bounce impulse of a point (solver/impacts.h), N s; after begin().
     void setBounce(int contact, int i, double impulse);
+    /// Sets the slip that friction leaves, m/s, and turns its start impulses (rad): see
+    /// solver/riding_contacts.h. After begin(), before warmStart().
+    void setLead(int contact, const Vec3& lead, const Vec3& turn);
     void warmStart(int group);
     SweepReport sweep(int group);
     /// Large groups (overlap.h): solveLarge does warm start and sweeps, possibly with two threads.
