@@ -158,26 +158,25 @@ TEST(Deck, OfThinCardsKeepsItsHeight) {
     constexpr int kCards = 52;
     constexpr double kThick = 1e-3;  // m
     for (const Settings& settings : {Settings::steady(), Settings::fast()})
-        for (const double hz : {60.0, 240.0})
-            for (const double shuffled : {0.0, 1.0}) {
-                World world(settings);
-                world.add(support::floorPlane());
-                std::vector<Vec3> places;
-                for (int i = 0; i < kCards; ++i) {
-                    places.push_back({1e-3 * shuffled * (i * 5 % 7 - 3), (i + 0.5) * kThick,
-                                      1e-3 * shuffled * (i * 3 % 5 - 2)});
-                    BodyDef card = support::body(Shape::box({0.063, kThick, 0.088}), places[i], 2e-3);
-                    card.pose.rotation = turnAbout(Vec3::UnitY(), 0.05 * shuffled * (i * 7 % 11 - 5));
-                    card.material.friction = 0.4;
-                    world.add(card);
-                }
-                support::run(world, 90, 1.0 / hz);
-                for (int i = 0; i < kCards; ++i) {
-                    const Vec3 moved = world.pose({i + 1}).position - places[i];
-                    EXPECT_GT(moved.y(), -0.02 * kCards * kThick) << hz;  // m, of 52 mm
-                    EXPECT_LT(std::hypot(moved.x(), moved.z()), 0.5e-3) << hz;
-                }
+        for (const double shuffled : {0.0, 1.0}) {
+            World world(settings);
+            world.add(support::floorPlane());
+            std::vector<Vec3> places;
+            for (int i = 0; i < kCards; ++i) {
+                places.push_back({1e-3 * shuffled * (i * 5 % 7 - 3), (i + 0.5) * kThick,
+                                  1e-3 * shuffled * (i * 3 % 5 - 2)});
+                BodyDef card = support::body(Shape::box({0.063, kThick, 0.088}), places[i], 2e-3);
+                card.pose.rotation = turnAbout(Vec3::UnitY(), 0.05 * shuffled * (i * 7 % 11 - 5));
+                card.material.friction = 0.4;
+                world.add(card);
             }
+            support::run(world, 60, support::kStep);
+            for (int i = 0; i < kCards; ++i) {
+                const Vec3 moved = world.pose({i + 1}).position - places[i];
+                EXPECT_GT(moved.y(), -0.02 * kCards * kThick);  // m, of 52 mm
+                EXPECT_LT(std::hypot(moved.x(), moved.z()), 0.5e-3);
+            }
+        }
 }
 
 }  // namespace
