@@ -92,6 +92,7 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
     for (const ForestPlan::Place& place : plan.places) {
         Tree& tree = trees_[place.tree];
         tree.closed = tree.closed || place.closes;
+        tree.closings += place.closes;
         tree.geared = tree.geared || place.gear;
     }
     for (const ForestPlan::Place& place : plan.places) {
@@ -114,7 +115,9 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
         for (const ForestPlan::Link& link : place.later)
             later.push_back({placeHere[link.place], link.body, TreeBlock<N>::Zero()});
         const bool open = !tree.closed && !tree.geared;  // no row can depend on the others
-        factors_.addPlace(later, open ? kVanishedInOpenTree : kVanished);
+        factors_.addPlace(later, open                           ? kVanishedInOpenTree
+                                 : tree.closings > kFewClosings ? kVanishedInSheet
+                                                                : kVanished);
     }
     factors_.connect();
     masses_.resize(members_.size());

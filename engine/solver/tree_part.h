@@ -72,6 +72,7 @@ private:
         double before = 0.0;    // the same at the previous nudge; below 0: none
         bool closed = false;    // held twice, or with a loop of other joints than gears
         bool geared = false;
+        int closings = 0;       // joints that close it
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
     };

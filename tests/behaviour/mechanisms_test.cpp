@@ -136,6 +136,36 @@ World linkRing(int links, JointType type, const Settings& settings) {
     return world;
 }
 
+/// Spheres that do not collide, a metre apart, joined in the middle between neighbours; one edge is held.
+World sheet(int n, const Settings& settings) {
+    World world(settings);
+    for (int k = 0; k < n; ++k)
+        for (int i = 0; i < n; ++i) {
+            BodyDef ball = support::body(Shape::sphere(0.4), Vec3(k, 0, i));
+            ball.groups = ball.ignores = 1;
+            if (i == 0) ball.kind = BodyKind::fixed;
+            const int id = world.add(ball).index;
+            if (i == 0) continue;
+            support::join(world, JointType::ball, {id - 1}, {id}, Vec3(k, 0, i - 0.5));
+            if (k > 0) support::join(world, JointType::ball, {id - n}, {id}, Vec3(k - 0.5, 0, i));
+        }
+    return world;
+}
+
+// When it folds, rows of its loops nearly depend on each other.
+TEST(Sheets, NeverGainEnergyWhenTheyFold) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world = sheet(12, settings);
+        const double scale = 132 * world.mass({143}) * 9.81 * 5.5;  // J, m g h; it begins with 0
+        for (int step = 0; step < 1200; ++step) {
+            world.step(support::kStep);
+            ASSERT_LT(world.energy().total(), 0.005 * scale) << step;
+        }
+        EXPECT_EQ(world.report().trouble, Trouble::none);
+        EXPECT_TRUE(world.has({143}));
+    }
+}
+
 // No body of the loop is fixed: the joint that closes it is solved with the others.
 TEST(Rings, KeepTheirEnergyInFreeFlight) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()})
