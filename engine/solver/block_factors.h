@@ -13,8 +13,8 @@ namespace engine {
 /// A pivot reduced to this share of itself by elimination is nearly a difference of equals: its row depends
 /// on the others except for a little play, and dividing by it would give huge impulses.
 constexpr double kVanished = 1e-6;
-/// The same in a tree that more joints than a few close: one loop after the other loses digits. A chain between two
-/// posts would come apart by a tenth of a millimetre with it.
+/// The same in a tree that more than a few joints close: one loop after the other loses digits. With it, a
+/// chain between two posts would come apart by a tenth of a millimetre.
 constexpr double kVanishedInSheet = 1e-4;
 constexpr int kFewClosings = 4;
 /// In a tree that is held once, no row depends on the others: pivots that a long chain reduces to a millionth
