@@ -173,18 +173,24 @@ Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
 }
 
 /// Against a triangle a. Edges that are not sharp, and the back, act through the front: only where the piece
-/// is over it, and has not sunk below it by more than a quarter of its size.
+/// is over it, and has not sunk below it by more than a quarter of its size. A piece over no front, between
+/// the normals of a slightly bent ridge, touches the edge after all.
 Manifold collideTriangle(const Convex& a, const Convex& b, double margin) {
     const double separation = separationOfCores(a, b, a.front()) - b.radius();
     if (separation > margin) return {};
     const bool sunk = separation < -1.25 * (b.reach() + b.radius());
+    Manifold m;
     if (!a.isSmooth()) {
-        const Manifold m = collideTwo(a, b, margin);
+        m = collideTwo(a, b, margin);
         if (m.count == 0) return m;
         const double along = m.normal.dot(a.front());
         if (along > 1.0 - 1e-9 || (along > -1e-2 && !a.isSmoothAt(m.points[0].onA))) return m;
     }
-    return sunk ? Manifold{} : clipToFace(a, 0, b, false, margin);
+    if (sunk) return {};
+    const Manifold onFront = clipToFace(a, 0, b, false, margin);
+    if (onFront.count > 0 || !a.isAnySlight()) return onFront;
+    if (a.isSmooth()) m = collideTwo(a, b, margin);
+    return m.count > 0 && a.isTopAt(m.points[0].onA, m.normal) ? m : Manifold{};
 }
 
 }  // namespace

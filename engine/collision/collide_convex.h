@@ -14,7 +14,7 @@
 namespace engine {
 
 /// Points whose separation is at most `margin` (m). A mesh triangle is solid from its front only; edges that
-/// are not sharp act through the adjacent faces.
+/// are not sharp act through the adjacent faces, and slightly bent ones also where a piece is over no face.
 Manifold collideConvex(const Convex& a, const Convex& b, double margin);
 
 /// Against a half space.

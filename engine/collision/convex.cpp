@@ -245,18 +245,40 @@ bool Convex::isSmooth() const {
     return !sharp[0] && !sharp[1] && !sharp[2];
 }
 
+bool Convex::isOnEdge(int i, const Vec3& p) const {
+    const Vec3& from = mesh_->corners[triangle_->corners[i]];
+    const Vec3 edge = mesh_->corners[triangle_->corners[(i + 1) % 3]] - from;
+    return edge.cross(p - from).norm() / edge.norm() <= onEdge();
+}
+
 bool Convex::isSmoothAt(const Vec3& world) const {
     const Vec3 p = pose_.toLocal(world);
     bool onSmooth = false;
     for (int i = 0; i < 3; ++i) {
-        const Vec3& from = mesh_->corners[triangle_->corners[i]];
-        const Vec3 edge = mesh_->corners[triangle_->corners[(i + 1) % 3]] - from;
-        const double away = edge.cross(p - from).norm() / edge.norm();
-        if (away > 1e-6 * (1.0 + reach_)) continue;
+        if (!isOnEdge(i, p)) continue;
         if (triangle_->sharp[i]) return false;
         onSmooth = true;
     }
     return onSmooth;
+}
+
+bool Convex::isTopAt(const Vec3& world, const Vec3& normal) const {
+    const Vec3 p = pose_.toLocal(world), n = localOf(normal);
+    const auto rises = [&](int corner, int alsoBeside) {
+        return std::ranges::any_of(mesh_->besideOf(corner), [&](const auto& pair) {
+            const std::pair edge(pair.second, alsoBeside);
+            const bool counts = alsoBeside < 0 || std::ranges::binary_search(mesh_->beside, edge);
+            return counts && n.dot(mesh_->corners[pair.second] - p) > onEdge();
+        });
+    };
+    for (int i = 0; i < 3; ++i) {
+        if (!triangle_->slight[i] || !isOnEdge(i, p)) continue;
+        const int from = triangle_->corners[i], to = triangle_->corners[(i + 1) % 3];
+        for (const int end : {from, to})
+            if ((p - mesh_->corners[end]).norm() <= onEdge()) return !rises(end, -1);
+        return !rises(from, to);
+    }
+    return false;
 }
 
 }  // namespace engine

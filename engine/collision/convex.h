@@ -57,8 +57,17 @@ public:
     bool isSmoothAt(const Vec3& p) const;
     /// For a triangle: whether none of its edges is sharp.
     bool isSmooth() const;
+    /// For a triangle: whether one of its edges is convex, but not sharp.
+    bool isAnySlight() const { return triangle_->isAnySlight(); }
+    /// For a triangle: whether its point p is on such an edge, and no triangle beside it rises above the
+    /// plane through p with the normal n. There only this edge may touch a piece above it.
+    bool isTopAt(const Vec3& p, const Vec3& n) const;
 
 private:
+    /// m: nearer points of a triangle are on its edge.
+    double onEdge() const { return 1e-6 * (1.0 + reach_); }
+    /// Whether p, in its own axes, is on edge i.
+    bool isOnEdge(int i, const Vec3& p) const;
     Vec3 supportLocal(const Vec3& d) const;
     Feature disc(double y, const Vec3& n) const;
     Feature sideLine(const Vec3& local) const;

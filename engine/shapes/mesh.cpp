@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kInLeaf = 2;              // triangles
 constexpr double kSharp = 0.999;        // cosine: edges bent by less than 2.6 degrees are flat
+constexpr double kStraight = 1e-6;          // sine: edges bent by less are only rounded
 
 bool isBefore(const Vec3& a, const Vec3& b) {
     for (int i = 0; i < 3; ++i)
@@ -43,7 +44,22 @@ void markSharp(Mesh& mesh) {
                 if (c != from && c != to)
                     height = triangle.normal.dot(mesh.corners[c] - mesh.corners[from]);
             triangle.sharp[i] = height < 0.0 && triangle.normal.dot(other.normal) < kSharp;
+            triangle.slight[i] = height < 0.0 && !triangle.sharp[i] &&
+                                 triangle.normal.cross(other.normal).norm() > kStraight;
         }
+}
+
+void findNeighbours(Mesh& mesh) {
+    if (std::ranges::none_of(mesh.triangles, &Mesh::Triangle::isAnySlight)) return;
+    for (const Mesh::Triangle& triangle : mesh.triangles)
+        for (int i = 0; i < 3; ++i) {
+            const int from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
+            mesh.beside.push_back({from, to});
+            mesh.beside.push_back({to, from});
+        }
+    std::ranges::sort(mesh.beside);
+    mesh.beside.erase(std::unique(mesh.beside.begin(), mesh.beside.end()), mesh.beside.end());
+    mesh.beside.shrink_to_fit();
 }
 
 class TreeBuilder {
@@ -101,10 +117,11 @@ Mesh makeMesh(std::span<const Vec3> corners, std::span<const std::array<int, 3>>
         const Vec3 area = 0.5 * (b - a).cross(c - a);
         if (area.norm() < kLeastArea) continue;
         mesh.triangles.push_back(
-            {{welded[t[0]], welded[t[1]], welded[t[2]]}, area.normalized(), {}});
+            {{welded[t[0]], welded[t[1]], welded[t[2]]}, area.normalized(), {}, {}});
     }
     if (mesh.triangles.empty()) return mesh;
     markSharp(mesh);
+    findNeighbours(mesh);
     TreeBuilder(mesh).build(0, static_cast<int>(mesh.triangles.size()));
     return mesh;
 }

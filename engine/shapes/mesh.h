@@ -1,7 +1,9 @@
 /// A surface of triangles, with a static tree of bounds.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/bounds.h"
@@ -16,6 +18,9 @@ struct Mesh {
         Vec3 normal;                       // unit, towards that side
         std::array<bool, 3> sharp;         // the edge from corner i to the next is convex or a
                                            // boundary; other edges do not affect sliding bodies
+        std::array<bool, 3> slight;        // it is convex, but bent too little to be sharp
+
+        bool isAnySlight() const { return slight[0] || slight[1] || slight[2]; }
     };
     struct Node {
         Bounds bounds;
@@ -25,8 +30,16 @@ struct Mesh {
     std::vector<Vec3> corners;  // m
     std::vector<Triangle> triangles;
     std::vector<Node> nodes;    // depth first: the first child of a node follows it
+    std::vector<std::pair<int, int>> beside;  // corners joined by an edge, both ways, sorted; empty
+                                              // if no edge is slight
 
     const Bounds& bounds() const { return nodes[0].bounds; }
+
+    /// The corners joined to one by an edge.
+    std::span<const std::pair<int, int>> besideOf(int corner) const {
+        const auto first = std::ranges::lower_bound(beside, std::pair(corner, 0));
+        return {first, std::ranges::lower_bound(beside, std::pair(corner + 1, 0))};
+    }
 
     /// Calls visit(number), in order, for all triangles in leaves that overlap `within`.
     template <class Visit>

@@ -1,11 +1,13 @@
 // Floors of many pieces are smooth: bodies do not catch where one piece ends and the next begins.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "engine/base/trigonometry.h"
 #include "engine/world.h"
 #include "tests/support/worlds.h"
 
@@ -129,6 +131,49 @@ INSTANTIATE_TEST_SUITE_P(Floors, Seams,
                          testing::Values(Floor::regularMesh, Floor::irregularMesh, Floor::tiles,
                                          Floor::compound),
                          nameOf);
+
+/// A top with six sides, and a roof: along its ridge each corner rises by `bend` (rad) to both sides.
+Shape hill(double bend, bool roof) {
+    std::vector<Vec3> corners;
+    std::vector<std::array<int, 3>> faces;
+    if (roof) {
+        corners = {{0, 0, -4}, {0, 0, 4}, {4, -4 * bend, -4}, {4, -4 * bend, 4}, {-4, -4 * bend, -4},
+                   {-4, -4 * bend, 4}};
+        faces = {{0, 1, 2}, {2, 1, 3}, {1, 0, 4}, {1, 4, 5}};
+        return Shape::meshOf(corners, faces);
+    }
+    corners.push_back(Vec3::Zero());
+    for (int i = 0; i < 6; ++i) {
+        const double angle = kPi / 3 * i;
+        corners.push_back({4 * std::cos(angle), -4 * bend, 4 * std::sin(angle)});
+        faces.push_back({0, 1 + (i + 1) % 6, 1 + i});
+    }
+    return Shape::meshOf(corners, faces);
+}
+
+/// Over the top, a body is over no triangle: the nearest point is a corner or an edge, bent too little
+/// to count as sharp.
+TEST(Ridges, HoldWhatFallsOnThem) {
+    for (const double degrees : {0.001, 0.1, 0.5, 1.0, 1.2, 1.4, 3.0, 10.0})
+        for (const bool roof : {false, true})
+            for (const Shape& shape : {Shape::sphere(0.3), Shape::sphere(2.0), Shape::capsule(0.5, 4.0)}) {
+                const bool isBall = shape.type == ShapeType::sphere;
+                const double half = isBall ? shape.radius : 2.0;
+                for (const double speed : {1.0, 20.0, 200.0}) {
+                    World world;
+                    world.add(support::fixed(hill(radians(degrees), roof)));
+                    BodyDef def = support::body(shape, {0, half + 1.234, 0});
+                    def.velocity = {0, -speed, 0};
+                    const BodyId body = world.add(def);
+                    double lowest = half;
+                    for (int i = 0; i < 60; ++i) {
+                        world.step(support::kStep);
+                        lowest = std::min(lowest, world.pose(body).position.y());
+                    }
+                    EXPECT_GT(lowest, half - 1e-3) << degrees << ' ' << roof << ' ' << half << ' ' << speed;
+                }
+            }
+}
 
 TEST(Steps, StopABoxAndLiftABall) {
     for (const double step : {0.005, 0.05}) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/shape.h"
@@ -58,6 +59,21 @@ TEST(Mesh, SharpEdgesAreConvexOnesAndRims) {
                 const bool shared = triangle.corners[i] + triangle.corners[(i + 1) % 3] == 1;
                 EXPECT_EQ(triangle.sharp[i], !shared || height > 0.0) << height;
             }
+    }
+}
+
+TEST(Mesh, RidgesBentByLessThanTwoDegreesAreSlight) {
+    for (const double height : {0.01, -0.01, 0.0, 1.0}) {
+        const Vec3 corners[] = {{0, height, 0}, {0, height, 1}, {1, 0, 0}, {-1, 0, 1}};
+        const std::array<int, 3> triangles[] = {{0, 1, 2}, {1, 0, 3}};
+        const Mesh mesh = makeMesh(corners, triangles);
+        for (const Mesh::Triangle& triangle : mesh.triangles)
+            EXPECT_EQ(triangle.isAnySlight(), height == 0.01) << height;
+        const std::vector<std::pair<int, int>> atFirst{{0, 1}, {0, 2}, {0, 3}};
+        if (height == 0.01)
+            EXPECT_TRUE(std::ranges::equal(mesh.besideOf(0), atFirst));
+        else
+            EXPECT_TRUE(mesh.besideOf(0).empty()) << height;
     }
 }
 
