@@ -48,23 +48,32 @@ bool isTurnOf(const Solver& s, int group) {
     return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
 }
 
-SweepLimits limitsOf(const Solver& s, int group, const Settings& settings) {
-    SweepLimits limits{settings.minSweeps, settings.sweeps, settings.tolerance};
+/// A structure at rest that takes n sub-steps because it is tall takes n / 2 sweeps at least: what two of
+/// them leave over makes a column of thirty sway for ever. `step`: of the world, s.
+int leastAtRest(const Solver& s, int group, const Settings& settings, double step) {
+    const int substeps = static_cast<int>(step / s.groups.span(group) + 0.5);
+    const int tall = substeps > settings.substeps ? substeps / 2 : 0;
+    return smaller(larger(settings.minSweeps, tall), settings.sweeps);
+}
+
+SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, double step) {
+    SweepLimits limits{settings.minSweeps, settings.minSweeps, settings.sweeps, settings.tolerance};
     if (solvedAtOnce(s, group)) {
         limits.most = smaller(settings.sweeps, 1);
     } else if (s.groups.moving(group)) {
         limits.most = smaller(settings.movingSweeps, settings.sweeps);
     } else if (s.groups.atRest(group)) {
+        limits.least = leastAtRest(s, group, settings, step);
         limits.most *= settings.restFactor;
         limits.tolerance /= settings.restFactor;
     }
     return limits;
 }
 
-void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
+void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings, double step,
                 std::size_t first, std::vector<SweepReport>& report) {
     const bool joints = s.groups.hasJoints(group), atOnce = solvedAtOnce(s, group);
-    const SweepLimits limits = limitsOf(s, group, settings);
+    const SweepLimits limits = limitsOf(s, group, settings, step);
     if (s.lanes && s.wide.isLarge(group)) {
         std::size_t i = first;
         for (const SweepReport& swept : s.wide.solveLarge(group, limits)) merge(report, i++, swept);
@@ -76,7 +85,7 @@ void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& set
         swept = together(swept, sweepContacts(s, group, v, settings));
         if (atOnce) swept.residual = 0.0;
         merge(report, first + i, swept);
-        if (i + 1 >= limits.least && swept.residual < limits.tolerance) return;
+        if (limits.areEnough(i + 1, swept.residual)) return;
     }
 }
 
@@ -105,7 +114,8 @@ void beginRows(Solver& s, std::span<Velocity> v, const Settings& settings, doubl
 }
 
 void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
-                  std::vector<SweepReport>& report) {
+                  StepReport& stepped) {
+    std::vector<SweepReport>& report = stepped.sweeps;
     const bool touching = s.lanes ? !s.wide.empty() : !s.constraints.contacts.empty();
     if (s.constraints.joints.empty() && s.constraints.drives.empty() && !touching)
         return;  // all are asleep or in free flight
@@ -113,7 +123,7 @@ void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, do
     const std::size_t first = report.size();
     begin(s, v, settings, h);
     for (int group = 0; group < s.groups.count(); ++group)
-        if (isTurnOf(s, group)) solveGroup(s, group, v, settings, first, report);
+        if (isTurnOf(s, group)) solveGroup(s, group, v, settings, h * stepped.substeps, first, report);
     if (s.lanes)
         s.wide.finish(v);
     else
@@ -131,7 +141,7 @@ bool solvedAtOnce(const Solver& s) {
 void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
                       StepReport& report) {
     if (solver.byIsland)
-        solveIslands(solver, v, settings, h, report.sweeps);
+        solveIslands(solver, v, settings, h, report);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
     if (solver.constraints.jointStride == 0) return;

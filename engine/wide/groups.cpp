@@ -23,7 +23,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     count(contacts, bodies, islands);
-    moving_.clear(), touched_.clear(), atRest_.clear(), open_.clear();
+    moving_.clear(), touched_.clear(), atRest_.clear(), spans_.clear(), open_.clear();
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
         const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
@@ -57,10 +57,11 @@ void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodie
     }
 }
 
-int ContactGroups::addGroup(bool moving, bool touched) {
+int ContactGroups::addGroup(bool moving, bool touched, double span) {
     moving_.push_back(moving);
     touched_.push_back(touched);
     atRest_.push_back(1);
+    spans_.push_back(span);
     return count() - 1;
 }
 
@@ -68,15 +69,15 @@ int ContactGroups::groupFor(const Island& island, double span) {
     const bool touched = island.contacts > 0;
     const int few = island.jointed ? kFewOfJointed : kFewContacts;
     if (island.contacts >= few)
-        return addGroup(!island.jointed && 50 * island.fast > island.contacts, touched);
+        return addGroup(!island.jointed && 50 * island.fast > island.contacts, touched, span);
     const auto same = [&](const Open& open) {
         return open.span == span && touched_[open.group] == touched;
     };
     auto open = std::ranges::find_if(open_, same);
     if (open == open_.end())
-        open = open_.insert(open_.end(), {span, addGroup(false, touched), few});
+        open = open_.insert(open_.end(), {span, addGroup(false, touched, span), few});
     else if (open->room <= 0)
-        *open = {span, addGroup(false, touched), few};
+        *open = {span, addGroup(false, touched, span), few};
     open->room -= island.contacts;
     return open->group;
 }

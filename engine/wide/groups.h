@@ -31,6 +31,8 @@ public:
     /// Islands of fewer than 1024 contacts and without joints where no two bodies pass each other at
     /// more than 0.25 m/s.
     bool atRest(int group) const { return atRest_[group] != 0; }
+    /// s: the sub-step of its bodies.
+    double span(int group) const { return spans_[group]; }
     /// Bodies with joints, directly or not, that contacts may move; all or those of a group.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
     std::span<const int> jointedBodies(int group) const {
@@ -52,7 +54,7 @@ private:
 
     void count(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
     int groupFor(const Island& island, double span);
-    int addGroup(bool moving, bool touched);
+    int addGroup(bool moving, bool touched, double span);
     void findJointedBodies(const Bodies& bodies, DisjointSets& islands);
 
     std::vector<Open> open_;
@@ -61,6 +63,7 @@ private:
     ByGroup byGroup_;
     std::vector<Island> islands_;  // by leader
     std::vector<char> moving_, touched_, atRest_;  // by group
+    std::vector<double> spans_;
     int jointed_ = 0;                     // groups
 };
 

@@ -17,9 +17,15 @@
 
 namespace engine {
 
+/// Sweeps end after `least` with a residual below `tolerance` (m/s), and even after `fewest` with a
+/// hundredth of it, where nothing moves.
 struct SweepLimits {
-    int least = 0, most = 0;
-    double tolerance = 0.0;  // m/s
+    int fewest = 0, least = 0, most = 0;
+    double tolerance = 0.0;
+
+    bool areEnough(int sweeps, double residual) const {
+        return sweeps >= fewest && residual < (sweeps >= least ? tolerance : 0.01 * tolerance);
+    }
 };
 
 /// Largest velocity correction and sum of impulses over all lanes.

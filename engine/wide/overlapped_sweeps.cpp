@@ -67,12 +67,12 @@ void Overlap::waitFor(int k, int pass, int otherFirst, int otherCount) {
 
 bool Overlap::follows(int half, int sweep, const SweepLimits& limits, int otherCount) {
     if (sweep >= limits.most) return false;
-    if (sweep < limits.least || sweep < 2) return true;
+    if (sweep < limits.fewest || sweep < 2) return true;
     const int decides = sweep - 2;
     const int place = (decides + 2) * otherCount;
     if (known_[half] < place) known_[half] = progress_.waitFor(1 - half, place);
-    return !(swept_[0][decides].residual < limits.tolerance &&
-             swept_[1][decides].residual < limits.tolerance);
+    return !limits.areEnough(sweep, swept_[0][decides].residual) ||
+           !limits.areEnough(sweep, swept_[1][decides].residual);
 }
 
 std::span<const SweepReport> Overlap::reports(int sweeps) {
