@@ -15,6 +15,7 @@ namespace {
 using What = Expectation::What;
 
 constexpr double kMoved = 0.5;  // m: count
+constexpr double kClearly = 0.01;  // of a swing's width: from farther below, a passage of its middle counts
 
 struct KindText {
     const char *name, *unit;
@@ -226,32 +227,35 @@ double ExpectationChecker::horizontalMove(const Stage& stage, int body) const {
     return (moved - up_ * moved.dot(up_)).norm();
 }
 
-double ExpectationChecker::period(const std::vector<Swing>& swings) {
-    if (swings.empty()) return 0.0;
+std::optional<double> ExpectationChecker::period(const std::vector<Swing>& swings) {
     const auto ends = [&](double Swing::*along) {
-        const auto less = [&](const Swing& a, const Swing& b) { return a.*along < b.*along; };
-        const auto [low, high] = std::minmax_element(swings.begin(), swings.end(), less);
-        return std::pair<double, double>(*low.*along, *high.*along);
+        const auto [low, high] = std::ranges::minmax(swings, {}, along);
+        return std::pair<double, double>(low.*along, high.*along);
     };
-    const auto [lowX, highX] = ends(&Swing::x);
-    const auto [lowZ, highZ] = ends(&Swing::z);
-    const bool alongX = highX - lowX >= highZ - lowZ;
-    const double middle = alongX ? 0.5 * (lowX + highX) : 0.5 * (lowZ + highZ);
-    double first = 0.0, last = 0.0;
+    if (swings.empty()) return {};
+    const auto x = ends(&Swing::x), z = ends(&Swing::z);
+    const bool alongX = x.second - x.first >= z.second - z.first;
+    const auto [low, high] = alongX ? x : z;
+    double first = 0.0, last = 0.0, before = 0.0;
     int passages = 0;  // upwards only: counting both directions would need the exact middle
-    for (std::size_t i = 1; i < swings.size(); ++i) {
-        const double before = (alongX ? swings[i - 1].x : swings[i - 1].z) - middle;
-        const double now = (alongX ? swings[i].x : swings[i].z) - middle;
-        if (before >= 0.0 || now < 0.0) continue;
-        const double share = before / (before - now);  // of the step, until the middle
-        last = swings[i - 1].time + share * (swings[i].time - swings[i - 1].time);
-        if (passages++ == 0) first = last;
+    bool wasBelow = false;  // clearly: a start in the middle is not a passage, whatever its rounding
+    for (std::size_t i = 0; i < swings.size(); ++i) {
+        const double now = (alongX ? swings[i].x : swings[i].z) - 0.5 * (low + high);
+        wasBelow = wasBelow || now < -kClearly * (high - low);
+        if (wasBelow && now >= 0.0) {
+            const double share = before / (before - now);  // of the step, until the middle
+            last = swings[i - 1].time + share * (swings[i].time - swings[i - 1].time);
+            if (passages++ == 0) first = last;
+            wasBelow = false;
+        }
+        before = now;
     }
-    return passages > 1 ? (last - first) / (passages - 1) : 0.0;
+    if (passages < 2) return {};
+    return (last - first) / (passages - 1);
 }
 
 double ExpectationChecker::valueOf(const Expectation& e, const Watched& w) const {
-    if (e.what == What::period) return period(w.swings);
+    if (e.what == What::period) return period(w.swings).value_or(0.0);
     // A share of the total energy would depend on where y is 0; kinetic energy does not.
     if (e.what == What::energy)
         return w.value == 0.0 ? 0.0 : w.value / std::max(largestKinetic_, 1e-12);
@@ -286,6 +290,11 @@ std::string cameOut(const ExpectationResult& result) {
     return fmt::format("{:.6g}{}{}", result.value, result.unit.empty() ? "" : " ", result.unit);
 }
 
+bool ExpectationChecker::hasNoPeriod(const Watch& watch) {
+    return watch.expectation.what == What::period &&
+           std::ranges::any_of(watch.watched, [](const Watched& w) { return !period(w.swings); });
+}
+
 std::vector<ExpectationResult> ExpectationChecker::results() const {
     std::vector<ExpectationResult> list;
     for (const Watch& watch : watches_) {
@@ -295,8 +304,11 @@ std::vector<ExpectationResult> ExpectationChecker::results() const {
             result.text += " (never reached)";
         else if (watch.watched.empty())
             result.text += " (nothing that moves)";
+        else if (hasNoPeriod(watch))
+            result.text += " (not one full swing)";
         result.value = worstOf(watch);
-        result.passed = watch.measured && !watch.watched.empty() && passes(e, result.value);
+        result.passed = watch.measured && !watch.watched.empty() && !hasNoPeriod(watch) &&
+                        passes(e, result.value);
         list.push_back(std::move(result));
     }
     return list;

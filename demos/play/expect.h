@@ -10,7 +10,8 @@
 ///                      two steps: interpolated linearly)
 ///   angle_deg    deg   largest angle between a body's y axis and the vertical
 ///   period       s     of a body's swing along x (z, if it moves farther along z): the mean over
-///                      all full swings through the middle between its two ends
+///                      all full swings through the middle between its two ends; a passage counts
+///                      if the body has been below it by a hundredth of the swing
 ///   count              number of bodies that were more than 0.5 m from their place at time 0
 ///   height       m     lowest height of a body's centre of mass above the origin, against gravity
 ///   spread       m     standard deviation of the bodies' x when the window closes
@@ -81,7 +82,9 @@ private:
     static Vec3 placeAtClosing(const Watch& watch, Watched& watched, double time,
                                const Vec3& place);
     double horizontalMove(const Stage& stage, int body) const;
-    static double period(const std::vector<Swing>& swings);
+    /// Nothing if there is no full swing.
+    static std::optional<double> period(const std::vector<Swing>& swings);
+    static bool hasNoPeriod(const Watch& watch);
     double valueOf(const Expectation& expectation, const Watched& watched) const;
     static double spreadOf(const std::vector<Watched>& watched);
     double worstOf(const Watch& watch) const;
