@@ -26,8 +26,8 @@ struct Chart {
     std::vector<std::string> xNames = {};  // words for x = 0, 1, ...; no line joins the points
 };
 
-/// Changes mm to µm, nm or pm if all values are so small that mm would need powers of ten.
-void useSmallUnit(Chart& chart);
+/// Changes mm to the unit that fits the largest value (fitting_unit.h).
+void useFittingUnit(Chart& chart);
 
 /// False if there is nothing to draw; the chart's picture then says "no data".
 bool hasData(const Chart& chart);

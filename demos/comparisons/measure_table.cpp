@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "demos/charts/fitting_unit.h"
 #include "demos/film/progress.h"
 #include "demos/text/complaints.h"
 #include "demos/text/plural.h"
@@ -14,20 +15,31 @@
 namespace demos {
 namespace {
 
-std::string shortText(double value) { return fmt::format("{:.4g}", value); }
+/// Four digits; no power of ten from a hundred thousandth on.
+std::string shortText(double value) {
+    if (value == 0.0 || std::abs(value) >= 1e-4 || std::abs(value) < 1e-5)
+        return fmt::format("{:.4g}", value);
+    return fmt::format("{:.6f}", value);
+}
 
 /// Lengths are shown in mm: 0.03 mm is easier to read than 3e-05 m.
-struct Unit {
-    double scale;
-    std::string name;
-};
-Unit shownUnit(const Measure& measure) {
+FittingUnit shownUnit(const Measure& measure) {
     if (std::string(measure.unit) == "m") return {1e3, "mm"};
     return {1.0, measure.unit};
 }
 
-std::string heading(const Measure& measure) {
-    const Unit unit = shownUnit(measure);
+/// The one unit of a measure in all runs of a table.
+FittingUnit unitOf(const std::vector<Measured>& runs, std::size_t measure) {
+    const FittingUnit shown = shownUnit(measures()[measure]);
+    double largest = 0.0;
+    for (const Measured& run : runs)
+        if (const double x = std::abs(run.summary.values[measure]); std::isfinite(x))
+            largest = std::max(largest, shown.scale * x);
+    const FittingUnit fitting = fittingUnit(shown.name, largest);
+    return {shown.scale * fitting.scale, fitting.name};
+}
+
+std::string heading(const Measure& measure, const FittingUnit& unit) {
     const bool named = unit.name.empty() || unit.name == measure.name;
     return named ? measure.name : fmt::format("{} ({})", measure.name, unit.name);
 }
@@ -91,15 +103,13 @@ std::string csvCell(const std::string& text) {
 MeasureCells cellsOf(const std::vector<Measured>& runs) {
     const std::vector<std::size_t> columns = columnsOf(runs);
     MeasureCells cells;
+    cells.rows.resize(runs.size());
     for (const std::size_t i : columns) {
+        const FittingUnit unit = unitOf(runs, i);
         cells.measures.push_back(static_cast<int>(i));
-        cells.head.push_back(heading(measures()[i]));
-    }
-    for (const Measured& run : runs) {
-        cells.rows.emplace_back();
-        for (const std::size_t i : columns)
-            cells.rows.back().push_back(
-                shortText(shownUnit(measures()[i]).scale * run.summary.values[i]));
+        cells.head.push_back(heading(measures()[i], unit));
+        for (std::size_t k = 0; k < runs.size(); ++k)
+            cells.rows[k].push_back(shortText(unit.scale * runs[k].summary.values[i]));
     }
     return cells;
 }
@@ -156,7 +166,7 @@ std::string csvText(const std::vector<Measured>& runs, const std::string& key) {
 }
 
 Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title) {
-    const Unit unit = shownUnit(measures()[static_cast<std::size_t>(measure)]);
+    const FittingUnit unit = shownUnit(measures()[static_cast<std::size_t>(measure)]);
     Chart chart{title,     "time", "s", measures()[static_cast<std::size_t>(measure)].name,
                 unit.name, false,  {}};
     for (const Measured& run : runs) {
@@ -165,13 +175,13 @@ Chart historyChart(const std::vector<Measured>& runs, int measure, const std::st
         for (double& y : series.y) y *= unit.scale;
         chart.series.push_back(std::move(series));
     }
-    useSmallUnit(chart);
+    useFittingUnit(chart);
     return chart;
 }
 
 Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::string& key) {
     const Measure& m = measures()[static_cast<std::size_t>(measure)];
-    const Unit unit = shownUnit(m);
+    const FittingUnit unit = shownUnit(m);
     Chart chart{"", key, "", fmt::format("{}: {}", m.name, m.meaning), unit.name, false, {}};
     Series series;
     setValues(runs, chart, series);
@@ -184,7 +194,7 @@ Chart sweepChart(const std::vector<Measured>& runs, int measure, const std::stri
     }
     chart.logY = most > 100.0 * least;
     chart.series.push_back(std::move(series));
-    useSmallUnit(chart);
+    useFittingUnit(chart);
     return chart;
 }
 

@@ -152,7 +152,7 @@ Chart Recorder::penetration() const {
         std::any_of(looks_.begin(), looks_.end(), [](const Measures& m) { return m.contacts > 0; });
     if (touched)
         chart.series = {series("", [](const Measures& m) { return kMillimetres * m.penetration; })};
-    useSmallUnit(chart);
+    useFittingUnit(chart);
     return chart;
 }
 
@@ -160,7 +160,7 @@ Chart Recorder::separation() const {
     Chart chart = overTime("widest joint separation", "separation", "mm");
     if (hasJoints_)
         chart.series = {series("", [](const Measures& m) { return kMillimetres * m.separation; })};
-    useSmallUnit(chart);
+    useFittingUnit(chart);
     return chart;
 }
 

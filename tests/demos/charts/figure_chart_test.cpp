@@ -151,7 +151,7 @@ TEST(Units, OfSmallLengthsAreSmall) {
         Chart chart;
         chart.yUnit = "mm";
         chart.series = {{"", {0, 1}, {0, most}}};
-        useSmallUnit(chart);
+        useFittingUnit(chart);
         return std::pair(chart.yUnit, chart.series.front().y.back());
     };
     EXPECT_EQ(unitOf(0.5), std::pair(std::string("mm"), 0.5));

@@ -1,0 +1,50 @@
+#include "demos/comparisons/measure_table.h"
+
+#include <gtest/gtest.h>
+
+#include "demos/charts/fitting_unit.h"
+
+namespace demos {
+namespace {
+
+Measured withValues(const std::string& label, double drift, double energy) {
+    Measured run;
+    run.variant.label = label;
+    run.summary.values.assign(measures().size(), 0.0);
+    run.summary.values[static_cast<std::size_t>(measureCalled("drift"))] = drift;
+    run.summary.values[static_cast<std::size_t>(measureCalled("energy"))] = energy;
+    return run;
+}
+
+TEST(FittingUnit, NeedsNoPowersOfTen) {
+    struct Case {
+        const char* unit;
+        double largest, scale;
+        const char* name;
+    };
+    for (const Case& c : {Case{"mm", 3.5e7, 1e-6, "km"}, Case{"mm", 9999, 1, "mm"},
+                          Case{"mm", 2e-5, 1e3, "µm"}, Case{"J", 4.5e5, 1e-3, "kJ"},
+                          Case{"J", 0.0005, 1e3, "mJ"}, Case{"m/s", 2e4, 1e-3, "km/s"},
+                          Case{"N s", 12, 1, "N s"}, Case{"ms", 1e9, 1, "ms"}, Case{"", 1e9, 1, ""},
+                          Case{"mm", 0, 1, "mm"}}) {
+        const FittingUnit unit = fittingUnit(c.unit, c.largest);
+        EXPECT_EQ(unit.name, c.name) << c.unit << ' ' << c.largest;
+        EXPECT_NEAR(unit.scale, c.scale, 1e-9 * c.scale) << c.unit << ' ' << c.largest;
+    }
+}
+
+TEST(MeasureTable, HasOneUnitAColumnThatFitsItsLargestValue) {
+    const MeasureCells cells = cellsOf({withValues("a", 35.81e3, -4.458e5), withValues("b", 12.0, 100.0)});
+    EXPECT_EQ(cells.head, (std::vector<std::string>{"drift (km)", "energy (kJ)"}));
+    EXPECT_EQ(cells.rows[0], (std::vector<std::string>{"35.81", "-445.8"}));
+    EXPECT_EQ(cells.rows[1], (std::vector<std::string>{"0.012", "0.1"}));
+}
+
+TEST(MeasureTable, WritesSmallNumbersWithoutPowersOfTen) {
+    const MeasureCells cells = cellsOf({withValues("a", 0.005, 1.0), withValues("b", 3e-8, 2e-5)});
+    EXPECT_EQ(cells.head, (std::vector<std::string>{"drift (mm)", "energy (J)"}));
+    EXPECT_EQ(cells.rows[1], (std::vector<std::string>{"0.000030", "0.000020"}));
+}
+
+}  // namespace
+}  // namespace demos
