@@ -15,7 +15,7 @@
 namespace demos {
 namespace {
 
-/// Four digits; no power of ten from a hundred thousandth on.
+/// Four digits; below 1e-4 six decimals instead of a power of ten, as long as they show something.
 std::string shortText(double value) {
     if (value == 0.0 || std::abs(value) >= 1e-4 || std::abs(value) < 1e-5)
         return fmt::format("{:.4g}", value);

@@ -48,8 +48,8 @@ bool isTurnOf(const Solver& s, int group) {
     return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
 }
 
-/// A structure at rest that takes n sub-steps because it is tall takes n / 2 sweeps at least: what two of
-/// them leave over makes a column of thirty sway for ever. `step`: of the world, s.
+/// A structure at rest that needs n sub-steps, more than usual, because it is tall or heavy on light, takes
+/// n / 2 sweeps at least: what two of them leave over makes a column of 30 sway for ever. `step`: s.
 int leastAtRest(const Solver& s, int group, const Settings& settings, double step) {
     const int substeps = static_cast<int>(step / s.groups.span(group) + 0.5);
     const int tall = substeps > settings.substeps ? substeps / 2 : 0;
