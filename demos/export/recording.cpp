@@ -53,6 +53,7 @@ RunRecorder::RunRecorder(const FilmPlan& plan) : stepsPerFrame_(plan.stepsPerFra
     recording_.name = plan.name;
     recording_.framesASecond = plan.fps;
     recording_.seconds = plan.timeOf(plan.frames);
+    recording_.aspect = static_cast<double>(plan.layout.width) / plan.layout.height;
     recording_.overlays = plan.panels.front().overlays;
 }
 

@@ -55,6 +55,7 @@ struct Recording {
     std::string name, title;
     double framesASecond = 30.0;
     double seconds = 0.0;     // of the film, even if frames are left out
+    double aspect = 16.0 / 9.0;  // of the film: width over height
     double viewHeight = 1.0;  // m, of the view where the camera looks
     double thinnest = 0.0;    // m: half the thickness of the thinnest dynamic body
     std::vector<RecordedBody> bodies;

@@ -142,6 +142,7 @@ private:
                   {"fps", shortOf(r.framesASecond / static_cast<double>(share_.every))},
                   {"seconds", shortOf(r.seconds)},
                   {"frames", frames_.size()},
+                  {"aspect", shortOf(r.aspect)},
                   {"viewHeight", shortOf(r.viewHeight)},
                   {"thinnest", shortOf(r.thinnest)},
                   {"look", jsonOf(r.look)},

@@ -15,8 +15,7 @@ namespace {
 
 using Json = DevTools::Json;
 
-constexpr int kWidth = 1400, kHeight = 900;  // pixels
-constexpr int kBudget = 20'000;              // ms that the page has, in its own virtual time
+constexpr int kBudget = 20'000;  // ms that the page has, in its own virtual time
 
 /// The process that opens all pages; it ends with the tests.
 DevTools& browser() {
@@ -28,17 +27,22 @@ DevTools& browser() {
 /// A page in a context of its own, closed with it.
 class Page {
 public:
-    Page() {
+    explicit Page(Window window) {
         context_ = tools_.call("", "Target.createBrowserContext").at("browserContextId");
         const Json target{{"url", "about:blank"},
                           {"browserContextId", context_},
-                          {"width", kWidth},
-                          {"height", kHeight}};
+                          {"width", Window().width},
+                          {"height", Window().height}};
         const std::string id = tools_.call("", "Target.createTarget", target).at("targetId");
         session_ = tools_.call("", "Target.attachToTarget", {{"targetId", id}, {"flatten", true}})
                        .at("sessionId");
         for (const char* domain : {"Page", "Runtime", "Network", "Log"})
             call(std::string(domain) + ".enable");
+        if (window.width != Window().width || window.height != Window().height)
+            call("Emulation.setDeviceMetricsOverride", {{"width", window.width},
+                                                        {"height", window.height},
+                                                        {"deviceScaleFactor", 1},
+                                                        {"mobile", false}});
     }
     ~Page() {
         try {
@@ -133,11 +137,12 @@ std::string contentOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-Opened Browser::open(std::string page, const std::string& hash, const std::string& driver) const {
+Opened Browser::open(std::string page, const std::string& hash, const std::string& driver,
+                     Window window) const {
     page.insert(page.rfind("</body>"), "<script>" + driver + "</script>");
     std::ofstream(folder_ / "page.html", std::ios::binary) << page;
     std::ofstream(folder_ / "empty.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"/>)";
-    Page opened;
+    Page opened(window);
     opened.go("file://" + (folder_ / "page.html").string() + "#" + hash);
     return {opened.dom(), opened.console(), opened.requests(), opened.screenshot()};
 }

@@ -1,6 +1,7 @@
 // replay.html in a browser: bodies where the camera sees them, arrows, curves, keys, no requests.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "demos/export/replay_page.h"
 #include "render/camera.h"
@@ -45,8 +46,29 @@ protected:
 
     static Vec3 placeAt(int frame) { return {-3.0 + 0.1 * frame, 0.0, 0.0}; }
 
-    Opened open(const std::string& hash, const std::string& script = "") const {
-        return browser_.open(replayPage(recording_).html, hash, script);
+    Opened open(const std::string& hash, const std::string& script = "", support::Window window = {}) const {
+        return browser_.open(replayPage(recording_).html, hash, script, window);
+    }
+
+    /// Where each animation frame takes so many ms more, by the page's clock.
+    Opened openSlow(int ms, const std::string& script) const {
+        std::string page = replayPage(recording_).html;
+        page.insert(page.rfind("<script>"), "<script>const kLate = " + std::to_string(ms) + R"js(;
+let late = 0;
+const clock = performance.now.bind(performance), next = requestAnimationFrame;
+performance.now = () => clock() + late;
+requestAnimationFrame = (draw) => next((time) => { late += kLate; draw(time); });
+</script>)js");
+        return browser_.open(page, "t=0", script);
+    }
+
+    /// The first frame's; in a picture narrower than the film, as wide as there.
+    render::Camera cameraFor(double aspect) const {
+        render::Camera camera = recording_.frames[0].camera;
+        const double half = static_cast<double>(camera.fovDegrees) * std::numbers::pi / 360.0;
+        const double wider = std::max(1.0, recording_.aspect / aspect) * std::tan(half);
+        camera.fovDegrees = static_cast<float>(std::atan(wider) * 360.0 / std::numbers::pi);
+        return camera;
     }
 
     /// The colour on the screen at a position (m) of the world.
@@ -54,8 +76,8 @@ protected:
         const Rect picture = support::toldRect(opened);
         const auto width = static_cast<int>(picture.width),
                    height = static_cast<int>(picture.height);
-        const render::View view = render::makeView(
-            recording_.frames[0].camera, static_cast<float>(picture.width / picture.height));
+        const double aspect = picture.width / picture.height;
+        const render::View view = render::makeView(cameraFor(aspect), static_cast<float>(aspect));
         const render::Projected at = render::project(view, place.cast<float>(), width, height);
         const std::uint8_t* pixel =
             opened.screenshot.at(static_cast<int>(picture.left + static_cast<double>(at.x)),
@@ -239,6 +261,69 @@ TEST_F(ReplayInBrowser, OrbitsPansAndZooms) {
   tell(byId("help").open);
 )js"));
     EXPECT_EQ(told(opened), "[true][true][true][true]");
+}
+
+/// The shape of a phone: as much is seen to the sides as in the film, where the ball is near the edge.
+TEST_F(ReplayInBrowser, ANarrowPictureIsNotCutAtItsSides) {
+    for (RecordedFrame& frame : recording_.frames) frame.bodies[0].pose.position.x() = -6.5;
+    const Opened opened = open("t=0&curves=0", still(), {390, 844});
+    ASSERT_EQ(opened.screenshot.width, 390);
+    EXPECT_LT(support::toldRect(opened).width, support::toldRect(opened).height);
+    EXPECT_TRUE(isRed(colorOf(opened, {-6.5, 0, 0})));
+    EXPECT_TRUE(isBlue(colorOf(opened, {0, 3, 0})));
+}
+
+/// Quick frames keep the picture; slow ones make it coarser, then take its shadows.
+TEST_F(ReplayInBrowser, SlowFramesMakeThePictureCoarserAndThenTakeItsShadows) {
+    const std::string play = R"js(
+  const seen = new Set();
+  const look = () =>
+    seen.add(byId("picture").width / byId("picture").clientWidth + " " + byId("left-out").textContent);
+  await key(" ");
+  for (let i = 0; i < 15; ++i) {
+    look();
+    await new Promise((go) => requestAnimationFrame(go));
+  }
+  await key(" ");
+)js";
+    const std::string all = "tell([...seen].join());";
+    EXPECT_EQ(told(openSlow(40, driver(play + all))), "[1 ]");
+    const Opened slow = openSlow(200, driver(play + all));
+    EXPECT_EQ(told(slow), "[1 ,0.5 half resolution, to keep up,"
+                          "0.5 half resolution and no shadows, to keep up]");
+    EXPECT_TRUE(slow.console.empty()) << slow.console.front();
+    const Opened opened = openSlow(200, still(play + "await link('t=0');"));
+    const std::vector<int> shade = colorOf(opened, {-3.6, -1, -0.67}),
+                           light = colorOf(opened, {-2.0, -1, 0.9});
+    EXPECT_NEAR(shade[0], light[0], 12);
+}
+
+/// The ground is at -1 m. Down and down again, by keys and by zooming out with a view upwards.
+TEST_F(ReplayInBrowser, TheCameraStaysAboveTheGround) {
+    const std::string camera = R"js(
+  const camera = async () => {
+    await new Promise((go) => setTimeout(go, 300));
+    return new URLSearchParams(location.hash.slice(1)).get("camera").split(",").map(Number);
+  };
+  const away = (c) => Math.hypot(c[0] - c[3], c[1] - c[4], c[2] - c[5]);
+)js";
+    const Opened opened = open("t=1", driver(camera + R"js(
+  for (let i = 0; i < 40; ++i) await key("s");
+  const low = await camera();
+  tell(low[1] > -1 && low[1] < 1);
+  tell(Math.abs(away(low) - Math.hypot(14, 1)) < 0.01);
+  await key("d");
+  tell((await camera())[0] - low[0] > 0.5);
+  for (let i = 0; i < 40; ++i) await key("-");
+  tell((await camera())[1] > -1);
+  for (let i = 0; i < 40; ++i) await key("S", true);
+  tell((await camera())[1] > -1);
+)js"));
+    EXPECT_EQ(told(opened), "[true][true][true][true][true]");
+    // Below a ground from the beginning, it is free.
+    const Opened below = open("t=1&camera=0,-5,9,0,0,0,35",
+                              driver(camera + "await key('s'); tell((await camera())[1] < -5);"));
+    EXPECT_EQ(told(below), "[true]");
 }
 
 /// A narrow window, as on a phone.

@@ -20,6 +20,7 @@ function sizeOf(numbers) {
 
 function makeKinds() {
   const known = new Map();
+  suitSides(data.bodies.flatMap((body) => body.parts));
   data.bodies.forEach((body, number) => body.parts.forEach((part) => {
     const key = part.mesh === undefined ? part.shape + part.half : `mesh ${part.mesh}`;
     if (!known.has(key)) {

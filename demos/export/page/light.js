@@ -46,6 +46,9 @@ function shadowBall(sight) {
   return { middle: times(0.5, plus(low, high)), radius };
 }
 
+/// Takes every place out of the shadow map, where the sun shines.
+const kNoShadows = { worldToShadow: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, 1], shadowTexel: 0 };
+
 function drawShadows(sight) {
   const { middle, radius } = shadowBall(sight), toSun = unit(lookNow().sun);
   const right = across(toSun), up = cross(toSun, right);

@@ -117,6 +117,7 @@ function showWords(sight) {
   byId("caption").textContent = captionNow();
   byId("caption").hidden = captionNow() === "";
   byId("play-sign").setAttribute("d", view.playing ? "M4 3h3v10H4zM9 3h3v10H9z" : "M4 2.5v11l9-5.5z");
+  byId("left-out").textContent = [data.left, qualityNow().note].filter((text) => text !== "").join("; ");
   byId("loop").className = view.loop ? "on" : "";
   byId("speed").value = view.speed;
   document.documentElement.dataset.look = lookNow().ground[0] < 0.4 ? "dark" : "light";
@@ -129,7 +130,6 @@ function showFixedWords() {
   const title = data.title || data.name;
   document.title = `${title} \u2013 impulse replay`;
   byId("title").textContent = title;
-  byId("left-out").textContent = data.left;
   byId("time").max = lastFrame;
   const fractions = { 0.25: "\u00bc", 0.5: "\u00bd" }, nameOf = (speed) => `${fractions[speed] ?? speed}\u00d7`;
   byId("speed").replaceChildren(...kSpeeds.map((speed) => make("option", { value: speed }, nameOf(speed))));

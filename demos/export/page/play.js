@@ -2,9 +2,16 @@
 
 let wanted = null, before = 0;  // the pending requests to draw; time of the last picture, ms
 
-/// A hidden page gets no animation frames; the timer draws instead.
-function changed() {
-  wanted ??= { frame: requestAnimationFrame(show), timer: setTimeout(show, 120) };
+/// A hidden page gets no animation frames; the timer draws instead. `since`: ms, when the picture's
+/// time began; a slow one before delays its animation frame.
+function changed(since = performance.now()) {
+  wanted ??= {
+    timer: setTimeout(show, 120),
+    frame: requestAnimationFrame(() => {
+      frameTook(performance.now() - since);
+      show();
+    }),
+  };
   if (!view.playing) delete document.body.dataset.ready;  // until the picture is up to date
 }
 
@@ -21,7 +28,8 @@ function advance(now) {
 }
 
 function fitCanvas() {
-  const width = Math.round(canvas.clientWidth * devicePixelRatio), height = Math.round(canvas.clientHeight * devicePixelRatio);
+  const dense = devicePixelRatio * qualityNow().resolution;
+  const width = Math.round(canvas.clientWidth * dense), height = Math.round(canvas.clientHeight * dense);
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
   return canvas.clientWidth / Math.max(canvas.clientHeight, 1);
@@ -33,7 +41,7 @@ function drawPicture(sight) {
   placeMarks(sight);
   gl.enable(gl.DEPTH_TEST);
   gl.enable(gl.CULL_FACE);
-  const light = lightOf(sight, drawShadows(sight));
+  const light = lightOf(sight, qualityNow().shadows ? drawShadows(sight) : kNoShadows);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.viewport(0, 0, canvas.width, canvas.height);
   gl.clear(gl.DEPTH_BUFFER_BIT);
@@ -76,7 +84,7 @@ function show() {
   showToggles();
   drawCurves();
   document.body.dataset.ready = "1";
-  if (view.playing) changed();
+  if (view.playing) changed(now);
   else linkSoon();
 }
 

@@ -1,7 +1,17 @@
 // Solids as triangles, in metres. A vertex: position, normal, and its distances (m) from up to four
 // edges of its face, which the shader draws; kFar: no edge.
 
-const kFar = 1e3, kAround = 48;
+const kFar = 1e3;
+const kTriangles = 200e3;  // about as many as balls may have together
+let around = 48;           // sides of round solids
+
+/// Fewer sides where there are many round solids, which are small then: a ball has about sides^2
+/// triangles.
+function suitSides(parts) {
+  const round = parts.filter((part) => !["box", "mesh"].includes(part.shape)).length;
+  around = [48, 32, 24].find((sides) => round * sides ** 2 <= kTriangles) ?? 16;
+}
+
 const kFloats = 10;  // per vertex
 
 class Triangles {
@@ -30,20 +40,20 @@ function boxTriangles([hx, hy, hz]) {
 }
 
 const kNoEdges = [kFar, kFar, kFar, kFar];
-const circle = (i, around = kAround) => [Math.cos(2 * Math.PI * i / around), -Math.sin(2 * Math.PI * i / around)];
+const circle = (i, sides = around) => [Math.cos(2 * Math.PI * i / sides), -Math.sin(2 * Math.PI * i / sides)];
 
 /// A ball with its halves moved `half` up and down; with half > 0 a capsule.
-function ballTriangles(radius, half, around = kAround) {
-  const mesh = new Triangles(), rings = around / 2;
+function ballTriangles(radius, half, sides = around) {
+  const mesh = new Triangles(), rings = sides / 2;
   const point = (ring, i) => {
     const below = ring <= rings / 2, angle = Math.PI * ((below ? ring : ring - 1) / rings - 0.5);
-    const [x, z] = circle(i, around), normal = [Math.cos(angle) * x, Math.sin(angle), Math.cos(angle) * z];
+    const [x, z] = circle(i, sides), normal = [Math.cos(angle) * x, Math.sin(angle), Math.cos(angle) * z];
     const at = times(radius, normal);
     at[1] += below ? -half : half;
     return [at, normal, kNoEdges];
   };
   for (let ring = 0; ring <= rings; ++ring)
-    for (let i = 0; i < around; ++i)
+    for (let i = 0; i < sides; ++i)
       mesh.quad(point(ring, i), point(ring, i + 1), point(ring + 1, i + 1), point(ring + 1, i));
   return mesh.numbers;
 }
@@ -55,7 +65,7 @@ function addDisc(mesh, radius, y, side) {
     const [x, z] = circle(i);
     return [[radius * x, y, radius * z], normal, [0, kFar, kFar, kFar]];
   };
-  for (let i = 0; i < kAround; ++i) {
+  for (let i = 0; i < around; ++i) {
     if (side > 0) mesh.add(middle, rim(i), rim(i + 1));
     else mesh.add(middle, rim(i + 1), rim(i));
   }
@@ -67,7 +77,7 @@ function cylinderTriangles(radius, half) {
     const [x, z] = circle(i);
     return [[radius * x, side * half, radius * z], [x, 0, z], [(1 - side) * half, (1 + side) * half, kFar, kFar]];
   };
-  for (let i = 0; i < kAround; ++i) mesh.quad(point(i, -1), point(i + 1, -1), point(i + 1, 1), point(i, 1));
+  for (let i = 0; i < around; ++i) mesh.quad(point(i, -1), point(i + 1, -1), point(i + 1, 1), point(i, 1));
   addDisc(mesh, radius, half, 1);
   addDisc(mesh, radius, -half, -1);
   return mesh.numbers;
@@ -80,7 +90,7 @@ function coneTriangles(radius, half) {
     const [x, z] = circle(i);
     return [2 * half / slant * x, radius / slant, 2 * half / slant * z];
   };
-  for (let i = 0; i < kAround; ++i) {
+  for (let i = 0; i < around; ++i) {
     const rim = (k) => {
       const [x, z] = circle(k);
       return [[radius * x, -half / 2, radius * z], normal(k), [0, kFar, kFar, kFar]];

@@ -11,7 +11,7 @@ function listen() {
   listenToCurves();
   document.addEventListener("keydown", onKey);
   new ResizeObserver(show).observe(canvas);  // before the new size is visible
-  darkly.addEventListener("change", changed);
+  darkly.addEventListener("change", () => changed());
   window.addEventListener("hashchange", () => {
     readLink();
     followed = null;
