@@ -15,7 +15,8 @@ namespace {
 
 using Json = DevTools::Json;
 
-constexpr int kBudget = 20'000;  // ms that the page has, in its own virtual time
+constexpr int kWidth = 1400, kHeight = 900;  // pixels
+constexpr int kBudget = 20'000;              // ms that the page has, in its own virtual time
 
 /// The process that opens all pages; it ends with the tests.
 DevTools& browser() {
@@ -27,20 +28,20 @@ DevTools& browser() {
 /// A page in a context of its own, closed with it.
 class Page {
 public:
-    explicit Page(Window window) {
+    explicit Page(const std::optional<Window>& window) {
         context_ = tools_.call("", "Target.createBrowserContext").at("browserContextId");
         const Json target{{"url", "about:blank"},
                           {"browserContextId", context_},
-                          {"width", Window().width},
-                          {"height", Window().height}};
+                          {"width", kWidth},
+                          {"height", kHeight}};
         const std::string id = tools_.call("", "Target.createTarget", target).at("targetId");
         session_ = tools_.call("", "Target.attachToTarget", {{"targetId", id}, {"flatten", true}})
                        .at("sessionId");
         for (const char* domain : {"Page", "Runtime", "Network", "Log"})
             call(std::string(domain) + ".enable");
-        if (window.width != Window().width || window.height != Window().height)
-            call("Emulation.setDeviceMetricsOverride", {{"width", window.width},
-                                                        {"height", window.height},
+        if (window)
+            call("Emulation.setDeviceMetricsOverride", {{"width", window->width},
+                                                        {"height", window->height},
                                                         {"deviceScaleFactor", 1},
                                                         {"mobile", false}});
     }
@@ -58,8 +59,8 @@ public:
         return tools_.call(session_, method, params);
     }
 
-    /// Returns when the page has used up its virtual time, which begins with its load and goes on even
-    /// if the page always has something to do.
+    /// Returns when the page has used up its virtual time, which begins with its load and goes on
+    /// even if the page always has something to do.
     void go(const std::string& address) {
         tools_.clear();
         call("Emulation.setVirtualTimePolicy", {{"policy", "pause"}});
@@ -138,7 +139,7 @@ std::string contentOf(const std::filesystem::path& path) {
 }
 
 Opened Browser::open(std::string page, const std::string& hash, const std::string& driver,
-                     Window window) const {
+                     std::optional<Window> window) const {
     page.insert(page.rfind("</body>"), "<script>" + driver + "</script>");
     std::ofstream(folder_ / "page.html", std::ios::binary) << page;
     std::ofstream(folder_ / "empty.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"/>)";

@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace support {
 
 std::string contentOf(const std::filesystem::path& path);
 
+/// The page's own size, CSS pixels.
 struct Window {
-    int width = 1400, height = 900;  // CSS pixels
+    int width, height;
 };
 
 /// The results of opening a page.
@@ -21,7 +23,7 @@ struct Opened {
     std::string dom;                    // after its script ran
     std::vector<std::string> console;   // its messages, including refusals by the content policy
     std::vector<std::string> requests;  // addresses it requested from the network
-    render::Image screenshot;           // of the window
+    render::Image screenshot;           // 1400x900, or the window
 };
 
 /// Pages in files of a folder. All of them are opened by one browser process, each in a context of
@@ -30,9 +32,10 @@ class Browser {
 public:
     explicit Browser(const TemporaryFolder& folder) : folder_(folder) {}
 
-    /// `driver`: a script that runs after the page's own. `hash`: "scene=a&mode=7".
+    /// `driver`: a script that runs after the page's own. `hash`: "scene=a&mode=7". `window`: by
+    /// default one of 1400x900 with the browser's own frame.
     Opened open(std::string page, const std::string& hash, const std::string& driver = "",
-                Window window = {}) const;
+                std::optional<Window> window = {}) const;
 
 private:
     const TemporaryFolder& folder_;

@@ -123,6 +123,10 @@ TEST_F(GalleryInBrowser, CommandsHaveTheOptionsOfTheGallery) {
               "impulse export stack --set 'world.gravity=[0, -5, 0]' -o stack.html]");
 }
 
+TEST_F(GalleryInBrowser, TextsStandOutFromWhatIsUnderThem) {
+    EXPECT_EQ(told(open("", support::kTellFaintTexts)), "[][][true]");
+}
+
 /// A scene may have the name of one of the page's own parts, and a link may contain anything.
 TEST_F(GalleryInBrowser, NamesAndLinksAreOnlyThat) {
     for (const char* name : {"nothing", "told", "search", "top"}) add(name, "", "A title", "why");

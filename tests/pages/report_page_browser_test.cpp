@@ -52,8 +52,9 @@ protected:
     std::string page(long bytes = 9'500'000) const {
         return reportPage(verdict_, trajectories_, folder_.path(), bytes);
     }
-    Opened open(const std::string& hash, const std::string& driver = "") const {
-        return browser_.open(page(), hash, driver);
+    Opened open(const std::string& hash, const std::string& driver = "",
+                std::optional<support::Window> window = {}) const {
+        return browser_.open(page(), hash, driver, window);
     }
 
     support::TemporaryFolder folder_;
@@ -141,6 +142,97 @@ TEST_F(ReportInBrowser, BlinksByHandAndDrawsBothRuns) {
   tell(`${blue > 50} ${orange > 50}`);
 )js"));
     EXPECT_EQ(told(opened), "[100,220][true true]");
+}
+
+/// "first" has two pictures and physics, "it's new" a picture that only comes with its scene.
+TEST_F(ReportInBrowser, CountsThePicturesAndPhysicsThatAreAccepted) {
+    const Opened opened = open("scene=first&t=0.5", driver(R"js(
+  const say = () => tell(byId("accepted").textContent);
+  say();
+  await key("a"); say();
+  await key("p"); say();
+  await key("n"); await key("A", true); say();
+  await key("A", true); say();
+)js"));
+    EXPECT_EQ(told(opened),
+              "[0 of 3 pictures and 0 of 1 physics accepted]"
+              "[1 of 3 pictures and 0 of 1 physics accepted]"
+              "[1 of 3 pictures and 1 of 1 physics accepted]"
+              "[2 of 3 pictures and 1 of 1 physics accepted]"
+              "[1 of 3 pictures and 1 of 1 physics accepted]");
+}
+
+/// The tabs of WAI-ARIA: one of them is in the order of Tab, arrows choose the next and go around.
+TEST_F(ReportInBrowser, ModesAreTabs) {
+    const Opened opened = open("scene=first&t=1&mode=1", driver(R"js(
+  const list = document.querySelector("[role=tablist]");
+  const panel = document.querySelector("[role=tabpanel]");
+  tell([...list.children].every((one) => one.getAttribute("role") === "tab" &&
+    one.getAttribute("aria-controls") === panel.id) && list.children.length);
+  const say = () => {
+    const chosen = [...list.children].filter((one) => one.getAttribute("aria-selected") === "true");
+    const inOrder = [...list.children].filter((one) => one.tabIndex === 0);
+    const same = chosen.length === 1 && inOrder.length === 1 && chosen[0] === inOrder[0] &&
+      chosen[0] === document.activeElement;
+    const named = panel.getAttribute("aria-labelledby") === chosen[0].id;
+    tell(same && named ? chosen[0].lastChild.data : "not one");
+  };
+  list.firstChild.focus();
+  const right = "ArrowRight", left = "ArrowLeft";
+  for (const key of [right, right, left, "End", right, left, "Home"]) {
+    document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    await rest(); say();
+  }
+)js"));
+    EXPECT_EQ(told(opened),
+              "[9][Slider][Blink][Slider][Actual][Side by side][Actual][Side by side]");
+}
+
+TEST_F(ReportInBrowser, ThePictureIsSeenWithoutScrolling) {
+    for (int i = 0; i < 5; ++i)
+        verdict_.scenes[0].expectations.push_back(
+            {"drift below 1 m", 2.0, "m", i > 0, "it stands"});
+    verdict_.scenes[0].settings.push_back({"world.gravity", "0 -9.81 0", "0 -9.7 0"});
+    verdict_.scenes[0].physics.lines = {"step 3", "the bits differ", "largest"};
+    const Opened opened = open("scene=first", driver(R"js(
+  document.head.append(Object.assign(document.createElement("style"), {
+    textContent: "#told { position: fixed; }" }));  // no row of the page
+  await comes(() => byId("pictures").querySelector("img").complete);
+  tell(byId("scene").scrollTop);
+  tell(byId("stage").getBoundingClientRect().bottom <= byId("bar").getBoundingClientRect().top);
+  tell(byId("stage").clientHeight >= 300);
+  tell(byId("verdict").textContent.includes("1 of 5 expectations failed"));
+)js"),
+                               support::Window{1400, 900});
+    EXPECT_EQ(told(opened), "[0][true][true][true]");
+}
+
+TEST_F(ReportInBrowser, ANarrowPageHasOneColumn) {
+    const std::string columns = driver(R"js(
+  const [list, scene] = ["list", "scene"].map((id) => byId(id).getBoundingClientRect());
+  const all = list.width === innerWidth && scene.width === innerWidth;
+  tell(list.bottom <= scene.top && all);
+  const over = [...document.querySelectorAll("#top, #head, button, .card, #viewer, #film, #bar")]
+    .filter((one) => one.checkVisibility() && !one.closest("#pictures"));
+  tell(over.filter((one) => one.getBoundingClientRect().right > innerWidth).length);
+  tell(over.length > 15 && document.documentElement.scrollWidth <= innerWidth);
+)js");
+    EXPECT_EQ(told(open("scene=first", columns, support::Window{390, 844})), "[true][0][true]");
+    EXPECT_EQ(told(open("scene=first", columns, support::Window{690, 900})), "[true][0][true]");
+    EXPECT_EQ(told(open("scene=first", columns, support::Window{710, 900})).substr(0, 7),
+              "[false]");
+}
+
+TEST_F(ReportInBrowser, TextsStandOutFromWhatIsUnderThem) {
+    verdict_.scenes[0].expectations = {{"drift below 1 m", 0.5, "m", true, "it stands"},
+                                       {"drift below 1 m", 2.0, "m", false, "it stands"}};
+    verdict_.scenes[0].settings.push_back({"world.gravity", "0 -9.81 0", "0 -9.7 0"});
+    verdict_.scenes.push_back(support::plantedScene("good", State::passed));
+    verdict_.scenes.push_back(support::plantedScene("young", State::added));
+    EXPECT_EQ(told(open("scene=first", driver(support::kTellFaintTexts))), "[][][true]");
+    EXPECT_EQ(told(open("scene=it%27s+new&accept=it%27s+new", driver(support::kTellFaintTexts))),
+              "[][][true]");
+    EXPECT_EQ(told(open("scene=young", driver(support::kTellFaintTexts))), "[][][true]");
 }
 
 /// Half way the camera turns away from the bodies.

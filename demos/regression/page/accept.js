@@ -2,6 +2,7 @@
 
 const accepted = new Set();  // names of single items, as `impulse approve` takes them
 
+const kDiffering = ["changed", "new", "broken"];  // kinds of pictures
 const physicsName = (scene) => `${scene.name}@physics`;
 
 /// Without a baseline, or with one of another size or step rate, parts cannot be accepted.
@@ -15,7 +16,7 @@ function acceptable(scene) {
   if (scene.pictures.every((picture) => picture.actual === "")) return [];
   if (onlyWhole(scene)) return [scene.name];
   const physics = scene.physics.kind === "changed" ? [physicsName(scene)] : [];
-  const pictures = scene.pictures.filter((p) => ["changed", "new", "broken"].includes(p.kind));
+  const pictures = scene.pictures.filter((p) => kDiffering.includes(p.kind));
   return [...physics, ...pictures.map((picture) => picture.name)];
 }
 
@@ -62,10 +63,24 @@ function approveCommand() {
   return `impulse approve${results}${baselines} ${names.map(shellWord).join(" ")}`;
 }
 
+/// "1 of 4 pictures and 0 of 2 physics accepted", of what can be accepted.
+function acceptedText() {
+  const open = report.scenes.filter((scene) => acceptable(scene).length > 0);
+  const pictures = open.flatMap((scene) => scene.pictures
+    .filter((picture) => kDiffering.includes(picture.kind))
+    .map((picture) => isAccepted(scene, picture)));
+  const physics = open.map(physicsName).filter((name, i) => acceptable(open[i]).includes(name))
+    .map((name) => accepted.has(name));
+  const count = (list, what) => `${list.filter(Boolean).length} of ${list.length} ${what}`;
+  const parts = [count(pictures, pictures.length === 1 ? "picture" : "pictures")];
+  if (physics.length > 0) parts.push(count(physics, "physics"));
+  return `${parts.join(" and ")} accepted`;
+}
+
 function showAccepted() {
   const command = approveCommand(), code = byId("command");
   const open = report.scenes.filter((scene) => acceptable(scene).length > 0);
-  byId("accepted").textContent = `${open.filter(allAccepted).length} of ${open.length} accepted`;
+  byId("accepted").textContent = acceptedText();
   const hint = open.length > 0
     ? "A accepts the picture, Shift+A the scene; the command appears here" : "nothing to accept";
   code.textContent = command === "" ? hint : command;

@@ -49,7 +49,8 @@ function sceneRow(place) {
   const scene = report.scenes[place], use = sceneUse(scene);
   const row = make("button", {
     class: `row ${scene.state}${place === view.scene ? " on" : ""}`, title: scene.title,
-    "data-scene": scene.name, onclick: () => choose(place),
+    "data-scene": scene.name, "aria-current": place === view.scene && "true",
+    onclick: () => choose(place),
   }, make("span", { class: "dot" }), make("span", { class: "name" }, scene.name),
     make("span", { class: allAccepted(scene) ? "tick" : "what" },
       allAccepted(scene) ? "\u2713" : use > 0 ? useText(use) : ""));

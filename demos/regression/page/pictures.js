@@ -27,6 +27,7 @@ function thumb(scene, picture, place) {
   const gate = picture.difference ? gateText(scene, picture) : "";
   return make("button", {
     class: `thumb${place === view.picture ? " on" : ""}`, "data-picture": picture.name,
+    "aria-current": place === view.picture && "true",
     title: gate || (picture.problem ?? ""), onclick: () => choose(view.scene, place),
   }, thumbImage(picture), make("b", {}, seconds(picture.time)), thumbWords(scene, picture),
     bar(pictureUse(scene, picture), gate));

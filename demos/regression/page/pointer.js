@@ -16,18 +16,38 @@ function modeInput() {
 }
 
 function switchButton(text, title, on, onclick, disabled = false) {
-  return make("button", { class: on ? "on" : "", title, onclick, disabled }, text);
+  return make("button",
+    { class: on ? "on" : "", title, onclick, disabled, "aria-pressed": String(on) }, text);
+}
+
+/// As in WAI-ARIA's tabs: only the chosen one is in the order of Tab, arrows go to the others.
+function modeTab([key, name]) {
+  const on = Number(key) === view.mode;
+  return make("button", {
+    class: on ? "on" : "", role: "tab", id: `mode-${key}`, "aria-selected": String(on),
+    "aria-controls": "stage", tabindex: on ? 0 : -1, onclick: () => setMode(Number(key)),
+  }, make("small", {}, `${key} `), name);
 }
 
 function showModes() {
-  const buttons = Object.entries(modes).map(([key, name]) => make("button", {
-    class: Number(key) === view.mode ? "on" : "", role: "tab", "data-mode": key,
-    "aria-selected": String(Number(key) === view.mode), onclick: () => setMode(Number(key)),
-  }, make("small", {}, `${key} `), name));
-  byId("modes").replaceChildren(
-    ...buttons, make("span", { class: "gap" }), modeInput() ?? "",
+  const tabs = byId("tabs"), focused = tabs.contains(document.activeElement);
+  tabs.replaceChildren(...Object.entries(modes).map(modeTab));
+  if (focused) tabs.querySelector(".on").focus();
+  byId("stage").setAttribute("aria-labelledby", `mode-${view.mode}`);
+  byId("tools").replaceChildren(modeInput() ?? "",
     switchButton("Worst window", "W", view.worst, toggleWorst, !pictureNow()?.difference),
     switchButton("Loupe", "L", view.loupe, toggleLoupe));
+}
+
+function onTabKey(event) {
+  const count = Object.keys(modes).length;
+  const mode = {
+    ArrowRight: view.mode % count + 1, ArrowLeft: (view.mode + count - 2) % count + 1,
+    Home: 1, End: count,
+  }[event.key];
+  if (!mode || event.ctrlKey || event.altKey || event.metaKey) return;
+  event.preventDefault();
+  setMode(mode);
 }
 
 /// Alternates the two pictures in Blink mode; B flips them by hand.
@@ -73,6 +93,7 @@ function dragged(event, from) {
 }
 
 function listenToPointer() {
+  byId("tabs").addEventListener("keydown", onTabKey);
   const canvas = byId("canvas");
   let from = null;
   canvas.addEventListener("pointerdown", (event) => {

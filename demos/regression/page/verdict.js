@@ -1,4 +1,4 @@
-// The scene's results as text, above the pictures: physics, expectations, settings.
+// The scene's results as text: physics above the pictures; expectations and settings below.
 
 function acceptButton(text, title, names, action) {
   const on = names.every((name) => accepted.has(name));
@@ -95,9 +95,16 @@ function settingsCard(scene) {
     tableOf(["setting", "baseline", "actual"], scene.settings.map(settingRow)));
 }
 
+/// In one line, above the pictures; the table is below them.
+function failuresCard(scene) {
+  const failed = scene.expectations.filter((result) => !result.passed).length;
+  return failed > 0 ? plainCard("failed", `${failed} of ${plural(scene.expectations.length,
+    "expectation", "expectations")} failed: see below the pictures`) : null;
+}
+
 function showVerdict() {
-  const scene = sceneNow();
+  const scene = sceneNow(), present = (cards) => cards.filter((card) => card !== null);
   const problem = scene.problem ? plainCard("failed", scene.problem) : null;
-  const cards = [problem, outcomeCard(scene), expectationsCard(scene), settingsCard(scene)];
-  byId("verdict").replaceChildren(...cards.filter((card) => card !== null));
+  byId("verdict").replaceChildren(...present([problem, outcomeCard(scene), failuresCard(scene)]));
+  byId("tables").replaceChildren(...present([expectationsCard(scene), settingsCard(scene)]));
 }
