@@ -35,11 +35,18 @@ Passing passingOf(const Motion& large, const Vec3& centre, const Motion& small,
 class Approach {
 public:
     Approach(const Motion& a, const Motion& b, double now, double left)
-        : a_(a), b_(b), left_(left), byA_(a.size > b.size) {
+        : a_(a), b_(b), now_(now), left_(left), byA_(a.size > b.size) {
         const Motion &large = byA_ ? a : b, &small = byA_ ? b : a;
         passing_ = passingOf(large, large.placeAt(now), small, small.placeAt(now), left);
     }
     double left() const { return left_; }
+    double now() const { return now_; }
+    const Motion& a() const { return a_; }
+    const Motion& b() const { return b_; }
+    /// k: the most that rotation accelerates points towards the other body, m/s^2.
+    double mostTurning() const {
+        return a_.spin.squaredNorm() * a_.reach + b_.spin.squaredNorm() * b_.reach;
+    }
     /// The approach of the centres along n, from a to b, m/s.
     double ofCentres(const Vec3& n) const { return (a_.velocity - b_.velocity).dot(n); }
     /// c: the fastest approach of any points that may meet, m/s.
@@ -55,7 +62,7 @@ public:
 
 private:
     const Motion &a_, &b_;
-    double left_;
+    double now_, left_;
     bool byA_;
     Passing passing_;
 };
@@ -76,6 +83,28 @@ struct Gap {
         least = larger(least, apart - approach.left() * larger(c, 0.0));
     }
 };
+
+/// The height along n (m) to which the points of a core come at present speeds after `left` (s).
+double heightAfter(const Convex& piece, const Motion& motion, double now, double left,
+                   const Vec3& n) {
+    const Vec3 centre = motion.placeAt(now), d = n + left * n.cross(motion.spin);
+    return n.dot(centre + left * motion.velocity) + d.dot(piece.support(d) - centre);
+}
+
+/// The bound by the points' own speeds along n, where the two are `apart` (m).
+void seePoints(const Convex& a, const Convex& b, const Vec3& n, double apart,
+               const Approach& approach, Gap& gap) {
+    const double left = approach.left(), k = approach.mostTurning();
+    if (apart <= 0.0 || left <= 0.0) return;
+    const double heightOfA = heightAfter(a, approach.a(), approach.now(), left, n),
+                 depthOfB = heightAfter(b, approach.b(), approach.now(), left, -n);
+    const double linear = -depthOfB - heightOfA - a.radius() - b.radius();
+    const double last = linear - 0.5 * k * left * left, rate = (linear - apart) / left;
+    gap.least = larger(gap.least, smaller(apart, last));
+    const double root = std::sqrt(rate * rate + 2.0 * k * apart);
+    const double zero = rate < 0.0 ? 2.0 * apart / (root - rate) : (root + rate) / k;
+    gap.time = larger(gap.time, last > 0.0 ? kFar : zero);
+}
 
 /// Tests all 15 axes, so a pair that passes side by side is separated in the first iteration. Omits the edges
 /// if the faces show that they stay farther apart than `near` (m).
@@ -103,6 +132,16 @@ bool isConvex(const Piece& piece) {
     return piece.isTriangle || piece.shape->type > ShapeType::plane;
 }
 
+Gap gapOfConvex(const Convex& a, const Convex& b, const Approach& approach, double near,
+                double enough) {
+    const ConvexGap apart = gapOf(a, b, enough);
+    Gap gap;
+    gap.see(apart.normal, apart.distance, approach);
+    if (gap.least <= near && apart.distance < kFar)
+        seePoints(a, b, apart.normal, apart.distance, approach, gap);
+    return gap;
+}
+
 /// Not exact where they stay farther apart than `near` (m), as they do if their distance exceeds `enough`
 /// (m).
 Gap gapAt(const Piece& pieceA, const Pose& poseA, const Piece& pieceB, const Pose& poseB,
@@ -110,17 +149,15 @@ Gap gapAt(const Piece& pieceA, const Pose& poseA, const Piece& pieceB, const Pos
     if (pieceA.isBox() && pieceB.isBox())
         return gapOfBoxes({*pieceA.shape, pieceA.at(poseA)}, {*pieceB.shape, pieceB.at(poseB)},
                           approach, near);
-    Gap gap;
     const bool plane = pieceA.shape->type == ShapeType::plane ||
                        pieceB.shape->type == ShapeType::plane;
-    if (!plane && (isConvex(pieceA) || isConvex(pieceB))) {
-        const ConvexGap apart = gapOf(convexOf(pieceA, poseA), convexOf(pieceB, poseB), enough);
-        gap.see(apart.normal, apart.distance, approach);
-        return gap;
-    }
+    if (!plane && (isConvex(pieceA) || isConvex(pieceB)))
+        return gapOfConvex(convexOf(pieceA, poseA), convexOf(pieceB, poseB), approach, near,
+                           enough);
     const Manifold m = collide(pieceA, poseA, pieceB, poseB, kFar);
     double apart = kFar;
     for (int i = 0; i < m.count; ++i) apart = smaller(apart, m.separation(i));
+    Gap gap;
     gap.see(m.normal, apart, approach);
     return gap;
 }
@@ -177,7 +214,8 @@ Impact timeOfImpact(const Piece& pieceA, const Motion& a, const Piece& pieceB, c
         if (gap.distance < closest.distance)
             closest = {false, time, gap.distance, gap.closing};
         closest.meets = gap.distance <= kTouching;
-        if (closest.meets || time >= dt || gap.least > near) return closest;
+        if (closest.meets || time >= dt || gap.least > near || gap.least >= closest.distance)
+            return closest;
         time = smaller(time + gap.time, dt);
     }
     closest.meets = true;

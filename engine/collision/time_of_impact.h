@@ -13,6 +13,14 @@
 /// meet. They end within r_b of its centre x_b, where they move at v_a + w_a x (x_b - x_a):
 ///   c = (v_a + w_a x (x_b - x_a) - v_b) . n + |w_a x n| r' + |w_b x n| r_b
 /// with r' a little more than r_b, for the distance that they may come from.
+///
+/// Of close convex pieces, the speeds of the points themselves give a second bound. Within the time t, rotation
+/// brings a point r off its course of constant speed by at most |w|^2 |r| t^2 / 2, and on such courses the
+/// farthest point of a piece along n comes after T to
+///   n . (x + T v) + max_r (n + T n x w) . r
+/// which is convex in T: between now and the step's end it is below the straight line. So the two are apart by
+///   d(t) >= d + (d_end - d) t / T_end - k t^2 / 2,   k = |w_a|^2 r_a + |w_b|^2 r_b
+/// A pair that turns side by side, or parts, needs one look instead of many.
 #pragma once
 #include "engine/collision/convex.h"
 #include "engine/dynamics/bodies.h"

@@ -174,8 +174,8 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"pyramid", goldenPyramid, 60, 0xdd09f31fad8c50c6},
         {"forces", goldenForces, 300, 0x5a5595a34dfae3fc},
         {"machine", goldenMachine, 300, 0x5545974f3abeda03},
-        {"shapes", goldenShapes, 180, 0x31fc239e3772c62b},
-        {"rolling", goldenRolling, 300, 0x35b119b4d95493ca},
+        {"shapes", goldenShapes, 180, 0x46fe24225a391c97},
+        {"rolling", goldenRolling, 300, 0xb6deabafd842bb07},
     }};
     return worlds;
 }
