@@ -24,8 +24,9 @@ Motion moving(const Shape& shape, const Vec3& at, const Vec3& velocity,
 /// The time when the two first overlap by a tenth of a millimetre, by marching; more than a step: never
 /// within it.
 double firstOverlap(const Shape& sa, const Motion& a, const Shape& sb, const Motion& b) {
-    for (int k = 0; k <= 2000; ++k) {
-        const double t = k * kStep / 2000;
+    constexpr int kParts = 800;
+    for (int k = 0; k <= kParts; ++k) {
+        const double t = k * kStep / kParts;
         if (collide(sa, a.at(t), sb, b.at(t), -1e-4).count > 0) return t;
     }
     return 1.0;
@@ -72,14 +73,17 @@ TEST(TimeOfImpact, OfASpinningRodIsWhenItsTipComesDown) {
 // Compared with marching in small steps: never later, and none missed.
 TEST(TimeOfImpact, IsNeverLateForAnyShapes) {
     support::Random random(7);
+    const std::vector<Vec3> needle{{0, -0.8, 0}, {0.1, 0.7, 0}, {-0.1, 0.7, 0}, {0, 0.8, 0.1}};
     const Shape shapes[] = {Shape::sphere(0.2), Shape::box({0.3, 0.5, 0.9}),
-                            Shape::capsule(0.1, 1.0)};
+                            Shape::capsule(0.1, 1.0), Shape::cylinder(0.5, 0.04),
+                            Shape::cone(0.1, 1.2), *Shape::hullOf(needle)};
     int met = 0;
-    for (int i = 0; i < 300; ++i) {
-        const Shape &sa = shapes[i % 3], &sb = shapes[i / 3 % 3];
-        Motion a = moving(sa, random.vector(0.5), random.vector(40), random.vector(60));
-        Motion b = moving(sb, random.vector(0.5) + Vec3(1.6, 0, 0),
-                          random.vector(40) - Vec3(60, 0, 0), random.vector(60));
+    for (int i = 0; i < 720; ++i) {
+        const Shape &sa = shapes[i % 6], &sb = shapes[i / 6 % 6];
+        const double speed = i % 5 ? 40.0 : 2.0;  // slow ones turn side by side
+        Motion a = moving(sa, random.vector(0.5), random.vector(speed), random.vector(60));
+        Motion b = moving(sb, random.vector(0.5) + Vec3(i % 5 ? 1.6 : 0.8, 0, 0),
+                          random.vector(speed) - Vec3(i % 5 ? 60 : 2, 0, 0), random.vector(60));
         a.start.rotation = random.rotation(), b.start.rotation = random.rotation();
         const Impact impact = timeOfImpact(sa, a, sb, b, kStep);
         const double first = firstOverlap(sa, a, sb, b);
@@ -89,7 +93,22 @@ TEST(TimeOfImpact, IsNeverLateForAnyShapes) {
             ++met;
         }
     }
-    EXPECT_GT(met, 30);
+    EXPECT_GT(met, 80);
+}
+
+TEST(TimeOfImpact, OfAPartOnItsWayRoundIsWhenItsCircleGetsThere) {
+    // A ball 2 m from the axis it turns about, and beside it, nearer to the axis, a post of equal speed:
+    // their courses are parallel, but the circle bends. -2 cos(w t) + 0.1 = -1.85
+    const Shape ball = Shape::sphere(0.1), post = Shape::cylinder(0.1, 0.4);
+    const Pose place{{-2, 0, 0}, Quat::Identity()};
+    Motion a = moving(ball, {0, 0, 0}, {0, 0, 0}, {0, 0, 20});
+    a.size = a.reach = 2.1, a.sweep = 42.0;
+    const Motion b = moving(post, {-1.75, 0, 0}, {0, -40, 0});
+    const Impact impact = timeOfImpact({&ball, 0, false, &place}, a, wholeOf(post), b, kStep);
+    const double exact = std::acos(0.975) / 20.0;
+    ASSERT_TRUE(impact.meets);
+    EXPECT_LE(impact.time, exact);
+    EXPECT_NEAR(impact.time, exact, 1e-4);
 }
 
 TEST(TimeOfImpact, OfALargeBodyThatTurnsIsNeverLate) {
