@@ -7,6 +7,7 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/self_test.h"
 #include "demos/commands/shared_options.h"
+#include "demos/commands/test_report.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
@@ -14,12 +15,9 @@
 #include "demos/processes/folder_lock.h"
 #include "demos/processes/process_pool.h"
 #include "demos/processes/signals.h"
-#include "demos/regression/baseline.h"
 #include "demos/regression/pass_cache.h"
-#include "demos/regression/report_files.h"
-#include "demos/regression/scene_test.h"
+#include "demos/regression/test_parts.h"
 #include "demos/regression/verdict_json.h"
-#include "demos/regression/verdict_text.h"
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
 #include "render/driver_environment.h"
@@ -30,19 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// Refuses to write results over the baselines: a test deletes the results of the test before.
-void checkApart(const SceneChoice& choice, const fs::path& results) {
-    std::error_code ignored;
-    for (const ChosenScene& scene : choice.scenes) {
-        const fs::path shown = results / (scene.name + kSnapshotsEnding);
-        if (fs::weakly_canonical(fs::absolute(shown), ignored) ==
-            fs::weakly_canonical(fs::absolute(scene.folder), ignored))
-            throw Stop(Exit::usage,
-                       fmt::format("--output '{}' is where the baselines are; name another folder",
-                                   printable(results.string())));
-    }
-}
 
 /// The verdict on a scene whose process ended early.
 SceneVerdict crashed(const ChosenScene& scene, const std::string& how) {
@@ -61,19 +46,24 @@ public:
         : options_(options),
           talk_(options, false),
           choice_(chooseScenes(options)),
-          results_(options.outputs.empty() ? "output/test" : options.outputs.front()),
+          results_(options.shard ? folderOfPart(resultsOf(options), *options.shard)
+                                 : resultsOf(options)),
           cache_(results_ / "passed.json"),
           run_{options, results_, updateOf(options), {}, nullptr} {
         // What passes within tolerances may still be written again.
         if (options.cache && run_.update != Update::all) run_.cache = &cache_;
-        checkApart(choice_, results_);
+        if (options.shard) verdict_.part = takePart(choice_, options);
+        for (const ChosenScene& scene : choice_.scenes)
+            checkApart(scene.name, scene.folder, results_);
     }
 
     Exit play() {
+        if (options_.dryRun) return list();
         render::makeFolder(results_);
         const FolderLock lock(results_);
         for (const std::string& note : choice_.notes) talk_.mention(note);
         watchSignals();
+        forgetReport();
         run_.renderer = rendererName(options_);
         begin();
         const int count = static_cast<int>(choice_.scenes.size());
@@ -90,6 +80,18 @@ public:
     }
 
 private:
+    Exit list() const {
+        for (const ChosenScene& scene : choice_.scenes) talk_.say(printable(scene.scene));
+        talk_.json(fmt::format(R"({{"event":"plan","scenes":{}}})", choice_.scenes.size()));
+        return Exit::ok;
+    }
+
+    /// A part has a report when it is complete, and not while it runs again.
+    void forgetReport() const {
+        std::error_code ignored;
+        if (options_.shard) fs::remove(results_ / "report.json", ignored);
+    }
+
     void begin() {
         verdict_.baselines = options_.baselines;
         verdict_.renderer = run_.renderer;
@@ -112,7 +114,7 @@ private:
         cache_.remove(scene.name);
         verdict_.scenes.push_back(result.ended ? received(result.text)
                                                : crashed(scene, result.text));
-        tell(verdict_.scenes.back());
+        tellOfScene(verdict_.scenes.back(), talk_);
     }
 
     /// The verdict that `tested` sent; a scene that passed goes into the cache.
@@ -124,42 +126,9 @@ private:
         return verdict;
     }
 
-    /// Failures are reported even with --quiet, on standard error.
-    void tell(const SceneVerdict& scene) const {
-        Json event = jsonOf(scene);
-        event["event"] = "scene";
-        talk_.json(event.dump(-1, ' ', false, Json::error_handler_t::replace));
-        const bool bad = scene.state == SceneVerdict::State::failed ||
-                         scene.state == SceneVerdict::State::error;
-        if (!bad) talk_.say(headline(scene));
-        if (bad) talk_.complain(headline(scene));
-        for (const std::string& line : detailsOf(scene)) {
-            if (!bad) talk_.say("         " + line);
-            if (bad) talk_.complain("         " + line);
-        }
-        std::fflush(stdout);
-    }
-
     Exit finish() {
         cache_.write();
-        writeReport(verdict_, options_, results_);
-        const std::string page = (results_ / "report.html").string();
-        for (const std::string& orphan : verdict_.orphans)
-            talk_.say(fmt::format("{} belongs to no scene; impulse approve --prune removes it",
-                                  printable(orphan)));
-        talk_.say(summaryOf(verdict_));
-        talk_.say("wrote " + printable(page) + ", report.json, junit.xml");
-        talk_.say(nextStep(page));
-        talk_.json(fmt::format(R"({{"event":"done","passed":{},"report":{}}})", verdict_.passed(),
-                               jsonString(page)));
-        return verdict_.passed() ? Exit::ok : Exit::failed;
-    }
-
-    std::string nextStep(const std::string& page) const {
-        if (!verdict_.passed()) return "next: look at " + printable(page);
-        if (verdict_.count(SceneVerdict::State::added) > 0)
-            return "next: look at the new pictures, and commit them with their baseline.json";
-        return "next: impulse test --self-test shows which damage a test would detect";
+        return finishTest(verdict_, options_, results_, talk_);
     }
 
     const TestOptions& options_;
@@ -203,6 +172,14 @@ Run addTest(CLI::App& app) {
                    "pixels, 1..16384 a side; default: the scene's [snapshot] size")
         ->type_name("WxH");
     addRenderer(app, options);
+    app.add_option("--shard", texts.shard,
+                   "test every N-th scene from the K-th on, with results in OUTPUT.parts/; default: "
+                   "all scenes")
+        ->type_name("K/N");
+    app.add_flag("--merge", options.merge,
+                 "make one report from the parts in OUTPUT.parts/, or in the folders that are named "
+                 "instead of scenes; default: off");
+    app.add_flag("-n,--dry-run", options.dryRun, "only list the scenes; default: off");
     app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one per core")
         ->type_name("N");
     addFeedback(app, options);
@@ -210,6 +187,10 @@ Run addTest(CLI::App& app) {
         TestOptions& given = settled(*asked, commandLine);
         if (!given.update.empty())
             checkName("--update", given.update, {"missing", "changed", "all", "none"});
+        if (!asked->texts.shard.empty()) given.shard = shardCalled(asked->texts.shard);
+        if ((given.selfTest || given.merge) && given.shard)
+            refuse("--shard is for a test; leave --self-test and --merge out");
+        if (given.merge) return mergeTest(given);
         return given.selfTest ? selfTest(given) : test(given);
     };
 }

@@ -11,6 +11,7 @@
 #include "demos/options/picture_options.h"
 #include "demos/play/motion_camera.h"
 #include "demos/scene/reader.h"
+#include "demos/text/program_bytes.h"
 #include "demos/text/put_text.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
@@ -48,16 +49,6 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     overlays.ghostEvery = scene.look.ghostEvery;
     if (options.clean) overlays.text = overlays.stats = overlays.ids = false;
     return overlays;
-}
-
-/// The program's own bytes: another build may draw or simulate differently.
-void addProgram(TextHash& hash) {
-    if (std::FILE* file = std::fopen("/proc/self/exe", "rb")) {
-        char block[65536];
-        for (std::size_t got; (got = std::fread(block, 1, sizeof block, file)) > 0;)
-            hash.add(std::string_view(block, got));
-        std::fclose(file);
-    }
 }
 
 }  // namespace

@@ -1,19 +1,14 @@
 #include "demos/film/parts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <tuple>
 
 #include "demos/film/film_plan.h"
+#include "demos/film/part_review.h"
 #include "demos/film/pattern.h"
-#include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
+#include "demos/text/hex_text.h"
 #include "demos/text/json_limits.h"
-#include "demos/text/shell_word.h"
-#include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 #include "render/encode/file.h"
 
@@ -82,31 +77,17 @@ bool isWhole(const Found& found, const fs::path& folder) {
     return record.film == 0 || hashOf(found.film) == record.film;
 }
 
-/// Run and its number of frames, program, pixels.
-using Kind = std::tuple<std::pair<std::uint64_t, std::size_t>, std::string, std::string>;
-
-Kind kindOf(const RunRecord& record) {
-    return {{record.fingerprint, record.frames.size()},
-            record.version + " " + record.renderer,
-            record.pixels};
-}
-
-/// The kind of most parts.
-Kind usualKind(const std::vector<Found>& all) {
-    std::map<Kind, int> counts;
-    for (const Found& found : all)
-        if (found.record) ++counts[kindOf(*found.record)];
-    const auto most =
-        std::max_element(counts.begin(), counts.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == counts.end() ? Kind{} : most->first;
-}
-
-std::string oddness(const Kind& kind, const Kind& usual) {
-    if (std::get<2>(kind) != std::get<2>(usual))
-        return "of another class of processors (--reproducible draws the same on all)";
-    if (std::get<1>(kind) != std::get<1>(usual)) return "of another program or renderer";
-    return "of another run";
+PartSeen seenOf(const Found& found, const fs::path& folder) {
+    PartSeen seen{found.shard, found.record.has_value(), isWhole(found, folder), 0, "", ""};
+    if (!found.record) return seen;
+    const RunRecord& record = *found.record;
+    TextHash run;
+    run.add(hexText(record.fingerprint));
+    run.add(std::to_string(record.frames.size()));
+    seen.run = run.value();
+    seen.program = record.version + " " + record.renderer;
+    seen.pixels = record.pixels;
+    return seen;
 }
 
 /// Adds a part's frames to the whole.
@@ -144,50 +125,24 @@ void writePartRecord(const fs::path& film, RunRecord record) {
 
 Parts partsIn(const fs::path& folder) {
     const std::vector<Found> all = foundIn(folder);
-    const std::string name = printable(folder.string());
-    if (all.empty())
-        refuse(fmt::format("'{}' has no parts; make them with impulse render --shard 1/N", name));
+    std::vector<PartSeen> seen;
+    for (const Found& found : all) seen.push_back(seenOf(found, folder));
+    const PartReview review = reviewed(seen, folder.string());
     Parts parts;
-    parts.count = all.front().shard.count;
+    parts.count = review.count;
     parts.films =
         !all.front().film.empty() || (all.front().record && all.front().record->film != 0);
+    parts.wanted = review.wanted;
+    parts.troubles = review.troubles;
+    for (const std::size_t i : review.good) addPart(all[i], parts);
     for (const Found& found : all)
-        if (found.shard.count != parts.count)
-            refuse(fmt::format("'{}' has parts of {} and of {}; remove those that do not belong",
-                               name, parts.count, found.shard.count));
-    const Kind usual = usualKind(all);
-    std::map<std::string, std::vector<int>> troubles;
-    std::size_t next = 0;
-    for (int number = 1; number <= parts.count; ++number) {
-        const bool there = next < all.size() && all[next].shard.number == number;
-        const Found* found = there ? &all[next++] : nullptr;
-        const bool odd = found && found->record && kindOf(*found->record) != usual;
-        const std::string trouble = !found ? "missing"
-                                    : odd  ? oddness(kindOf(*found->record), usual)
-                                    : isWhole(*found, folder) ? ""
-                                                              : "torn or not finished";
-        if (trouble.empty()) addPart(*found, parts);
-        if (found && found->record && parts.whole.command.empty())
-            parts.whole.command = found->record->command;
-        if (trouble.empty()) continue;
-        troubles[trouble].push_back(number);
-        parts.wanted.push_back(number);
-    }
-    for (const auto& [what, numbers] : troubles)
-        parts.troubles.push_back(fmt::format("{}: {}", what, fmt::join(numbers, " ")));
+        if (found.record && parts.whole.command.empty())
+            parts.whole.command = found.record->command;
     return parts;
 }
 
 std::string commandOf(const Parts& parts, int number) {
-    std::string command = parts.whole.command;
-    // Records may come from other machines, and their commands are run.
-    if (!command.starts_with("impulse render ") || !arePlainWords(command)) return {};
-    const std::string option = "--shard";
-    const std::size_t at = command.find(option);
-    if (at == std::string::npos) return {};
-    const std::size_t value = at + option.size() + 1;  // after a space or '='
-    const std::size_t end = std::min(command.find(' ', value), command.size());
-    return command.replace(value, end - value, fmt::format("{}/{}", number, parts.count));
+    return commandOf(parts.whole.command, "impulse render ", {number, parts.count});
 }
 
 }  // namespace demos

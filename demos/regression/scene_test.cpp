@@ -85,19 +85,6 @@ void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
     update(shown, run.update, verdict);
 }
 
-/// Removes the files that an earlier test left, and no others.
-void removeShown(const fs::path& folder) {
-    std::error_code ignored;
-    std::vector<fs::path> own;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        if (name == kBaselineFile || (name.starts_with('t') && name.ends_with(".png")))
-            own.push_back(entry.path());
-    }
-    for (const fs::path& file : own) fs::remove(file, ignored);
-    fs::remove(folder, ignored);  // when it is empty
-}
-
 }  // namespace
 
 FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options) {
@@ -123,6 +110,18 @@ Update updateOf(const TestOptions& options) {
     if (options.update == "none") return Update::none;
     if (options.update == "missing") return Update::missing;
     return options.update == "changed" ? Update::changed : Update::all;
+}
+
+void removeShown(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> own;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name == kBaselineFile || (name.starts_with('t') && name.ends_with(".png")))
+            own.push_back(entry.path());
+    }
+    for (const fs::path& file : own) fs::remove(file, ignored);
+    fs::remove(folder, ignored);  // when it is empty
 }
 
 SceneTested testScene(const ChosenScene& chosen, const TestSetup& run) noexcept {

@@ -35,6 +35,9 @@ struct SceneTested {
     std::uint64_t fingerprint = 0;  // of all that affects the verdict; 0: none
 };
 
+/// Removes the files that an earlier test left in results/NAME.snapshots, and no others.
+void removeShown(const std::filesystem::path& folder);
+
 /// Simulates, draws and compares; writes the results to results/NAME.snapshots unless nothing
 /// differs, and the baseline if `update` says so. Throws nothing: an error becomes the verdict's
 /// `problem`.

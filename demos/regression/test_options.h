@@ -1,7 +1,9 @@
 /// The options of `impulse test`.
 #pragma once
+#include <optional>
 #include <string>
 
+#include "demos/film/frame_choice.h"
 #include "demos/options/options.h"
 
 namespace demos {
@@ -11,6 +13,9 @@ struct TestOptions : Options {
     std::string update;     // missing, changed, all, none; empty = missing, or none where CI=true
     bool cache = true;      // skip scenes that have passed
     bool selfTest = false;
+    std::optional<Shard> shard;  // a part of the scenes
+    bool merge = false;          // one report from those of parts, whose folders are `scenes`
+    bool dryRun = false;         // only list the scenes
 };
 
 }  // namespace demos

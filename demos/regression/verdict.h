@@ -9,9 +9,11 @@
 ///      tolerances is a change of bits, and passes
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "demos/film/frame_choice.h"
 #include "demos/play/expect.h"
 #include "demos/scene/description.h"
 #include "render/difference.h"
@@ -97,11 +99,21 @@ struct SceneVerdict {
     bool onlyAddsPictures() const;
 };
 
+/// Which part of a test a verdict is of, for `impulse test --merge`.
+struct TestPart {
+    Shard shard;
+    int scenes = 0;                     // of the whole test
+    std::uint64_t run = 0;              // hash of all scenes and of the options
+    std::string program;                // of one build; empty: not known
+    std::vector<std::string> settings;  // KEY=VALUE of the command line
+};
+
 struct TestVerdict {
     std::vector<SceneVerdict> scenes;
     std::vector<std::string> orphans;  // folders of baselines without a scene
     std::string baselines;  // the folder given with --baselines; empty: next to each scene
     std::string renderer, pixels, command;  // as in run.json
+    std::optional<TestPart> part;           // nothing: of the whole test
 
     /// Number of scenes in this state.
     int count(SceneVerdict::State state) const;

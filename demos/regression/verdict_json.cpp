@@ -155,6 +155,24 @@ Snapshot snapshotFrom(const Json& json) {
     return snapshot;
 }
 
+Json jsonOf(const TestPart& part) {
+    return {{"shard", part.shard.name()},
+            {"scenes", part.scenes},
+            {"run", hexText(part.run)},
+            {"program", part.program},
+            {"settings", part.settings}};
+}
+
+TestPart partFrom(const Json& json) {
+    TestPart part;
+    part.shard = shardNamed(json.at("shard").get<std::string>()).value();
+    json.at("scenes").get_to(part.scenes);
+    part.run = fromHex(json.at("run").get<std::string>()).value();
+    json.at("program").get_to(part.program);
+    json.at("settings").get_to(part.settings);
+    return part;
+}
+
 }  // namespace
 
 Json jsonOf(const SceneVerdict& scene) {
@@ -202,6 +220,7 @@ std::string jsonOf(const TestVerdict& verdict) {
     Json json{{"format", kVerdictFormat},     {"impulse", kVersion},
               {"command", verdict.command},   {"baselines", verdict.baselines},
               {"renderer", verdict.renderer}, {"pixels", verdict.pixels}};
+    if (verdict.part) json["part"] = jsonOf(*verdict.part);
     Json& counts = json["counts"];
     for (const SceneVerdict::State state : kStates) counts[nameOf(state)] = verdict.count(state);
     json["passed"] = verdict.passed();
@@ -225,6 +244,7 @@ TestVerdict testVerdictFrom(const std::string& text, const std::string& name) tr
     json.at("renderer").get_to(verdict.renderer);
     json.at("pixels").get_to(verdict.pixels);
     json.at("orphans").get_to(verdict.orphans);
+    if (json.contains("part")) verdict.part = partFrom(json["part"]);
     for (const Json& scene : json.at("scenes")) verdict.scenes.push_back(sceneVerdictFrom(scene));
     return verdict;
 } catch (const Stop&) {

@@ -3,7 +3,9 @@
 
 #include <fstream>
 
+#include "demos/film/part_review.h"
 #include "demos/film/parts.h"
+#include "demos/text/stop.h"
 #include "tests/support/temporary_folder.h"
 
 namespace demos::test {
@@ -44,6 +46,33 @@ TEST_F(PartsOfAFilm, PrintNoCommandThatRunsAnotherProgram) {
     }
     write("001-of-002", 9, "impulse render 'it'\\''s; a' --shard 1/2");
     EXPECT_EQ(commandOf(partsIn(folder_.path()), 2), "impulse render 'it'\\''s; a' --shard 2/2");
+}
+
+TEST(PartsOfMany, HaveEachItemOnce) {
+    for (std::size_t item = 0; item < 40; ++item) {
+        int parts = 0;
+        for (int number = 1; number <= 16; ++number) parts += isIn({number, 16}, item);
+        EXPECT_EQ(parts, 1) << item;
+    }
+    EXPECT_THROW(checkShard({1, 17}, 16, "runs"), Stop);
+    EXPECT_NO_THROW(checkShard({1, 16}, 16, "runs"));
+}
+
+TEST(PartsOfMany, HaveTheCommandOfTheWholeToo) {
+    EXPECT_EQ(commandOfWhole("impulse test a --shard 2/3 -j 1", "impulse test "),
+              "impulse test a -j 1");
+    EXPECT_EQ(commandOfWhole("impulse test a --shard=2/3", "impulse test "), "impulse test a");
+    EXPECT_EQ(commandOfWhole("impulse test a; true --shard 2/3", "impulse test "), "");
+}
+
+/// Without the whole run's own hash most parts decide which is odd.
+TEST(PartsOfMany, MostPartsDecideUnlessTheRunIsKnown) {
+    const std::vector<PartSeen> parts = {{{1, 3}, true, true, 7, "p", ""},
+                                         {{2, 3}, true, true, 8, "p", ""},
+                                         {{3, 3}, true, true, 8, "p", ""}};
+    EXPECT_EQ(reviewed(parts, "here").wanted, (std::vector<int>{1}));
+    EXPECT_EQ(reviewed(parts, "here", 7).wanted, (std::vector<int>{2, 3}));
+    EXPECT_EQ(reviewed(parts, "here", 9).troubles.front(), "of another run: 1 2 3");
 }
 
 }  // namespace
