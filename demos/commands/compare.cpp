@@ -83,6 +83,12 @@ Exit compare(const CompareOptions& options) {
             fmt::format("--output '{}' and --no-film: there are no pictures to write; leave one of "
                         "them out",
                         printable(options.outputs.front())));
+    const RunsInParts parts =
+        inParts(plan.options, plan.name + "-compare", plan.variants, true);
+    if (options.shard && !options.dryRun) {
+        watchSignals();
+        return runPart(parts, plan.variants, options);
+    }
     checkFigureOptions(options, options.film, "--plot FILE, or leave --no-film out");
     const RunsFigure figure = figureOf(plan);
     std::optional<FilmPlan> film;
@@ -90,15 +96,12 @@ Exit compare(const CompareOptions& options) {
         film = filmOf(plan);
         checkFilmPlan(*film, plan.options);
     }
+    if (options.dryRun) return sayRuns(plan.variants, options);
     watchSignals();
     const bool raw =
         std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
     const Talk talk(options, raw);
-    std::vector<Measured> runs;
-    for (const Variant& variant : plan.variants) {
-        runs.push_back({variant, summarize(variant.scene)});
-        talk.json(jsonLine(runs.back()));
-    }
+    const std::vector<Measured> runs = measuredRuns(parts, plan.variants, options, talk);
     if (!plan.point.empty()) talk.say(fmt::format("{}: {}", plan.name, plan.point));
     if (!options.json) fmt::print(raw ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
@@ -139,8 +142,8 @@ Run addCompare(CLI::App& app) {
                  "draw a plot below the pictures; default: on");
     app.add_flag("--list", options.listOnly, "list the built-in comparisons; default: off");
     return [asked](const std::string& commandLine) {
-        const CompareOptions& given = settled(*asked, commandLine);
-        checkRuns(given);
+        CompareOptions& given = settled(*asked, commandLine);
+        checkRuns(given, asked->texts);
         return compare(given);
     };
 }

@@ -59,6 +59,12 @@ Exit sweep(const SweepOptions& options) {
         throw Stop(Exit::usage, "sweep needs --over, for example --over solver.sweeps=1..64:x2");
     const Sweeping sweeping = sweepingOf(options);
     const std::vector<Variant>& variants = sweeping.variants;
+    const RunsInParts parts =
+        inParts(options, variants.front().scene.name + "-sweep", variants, false);
+    if (options.shard && !options.dryRun) {
+        watchSignals();
+        return runPart(parts, variants, options);
+    }
     checkFigureOptions(options, !options.outputs.empty(), "-o FIGURE.png or --plot FILE");
     const RunsFigure figure = figureOf(variants, options);
     std::optional<FilmPlan> grid;
@@ -66,17 +72,14 @@ Exit sweep(const SweepOptions& options) {
         grid = gridOf(variants, options);
         checkFilmPlan(*grid, options);
     }
+    if (options.dryRun) return sayRuns(variants, options);
     watchSignals();
     const bool csvOnStdout = options.csv == "-";
     const bool dataOnStdout =
         csvOnStdout ||
         std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
     const Talk talk(options, dataOnStdout);
-    std::vector<Measured> runs;
-    for (const Variant& variant : variants) {
-        runs.push_back({variant, summarize(variant.scene)});
-        talk.json(jsonLine(runs.back()));
-    }
+    const std::vector<Measured> runs = measuredRuns(parts, variants, options, talk);
     if (!options.json) fmt::print(dataOnStdout ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
     if (const std::string line = incidentLine(runs); !line.empty()) talk.mention(printable(line));
@@ -111,8 +114,8 @@ Run addSweep(CLI::App& app) {
                ".png; default: none")
             ->type_name("OUT"));
     return [asked](const std::string& commandLine) {
-        const SweepOptions& given = settled(*asked, commandLine);
-        checkRuns(given);
+        SweepOptions& given = settled(*asked, commandLine);
+        checkRuns(given, asked->texts);
         spareScenes(given.scenes, {given.csv});
         return sweep(given);
     };

@@ -20,8 +20,9 @@ std::vector<std::string> shortLabels(const Variation& variation) {
 
 Sweeping sweepingOf(const SweepOptions& options) {
     const Variation variation = rangeFrom(options.over, "--over");
+    const std::optional<Shard> read = options.dryRun ? std::nullopt : options.shard;
     return {variation.key,
-            variantsOf(options, combinations({variation}), shortLabels(variation), "--over")};
+            variantsOf(options, combinations({variation}), shortLabels(variation), "--over", read)};
 }
 
 std::vector<Variant> spread(const std::vector<Variant>& variants) {

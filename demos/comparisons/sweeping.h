@@ -18,7 +18,8 @@ struct Sweeping {
     std::vector<Variant> variants;  // one per value
 };
 
-/// options.over. Throws Stop (usage), SceneError.
+/// options.over; with --shard, only its runs and the first have a scene, unless it is a --dry-run.
+/// Throws Stop (usage), SceneError.
 Sweeping sweepingOf(const SweepOptions& options);
 
 /// At most 16 of them, evenly spread, with the first and the last.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "demos/film/film_plan.h"
+#include "demos/film/part_review.h"
 #include "demos/scene/reader.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
@@ -171,7 +172,8 @@ std::string differencesOf(const std::vector<Variant>& variants, std::size_t numb
 
 std::vector<Variant> variantsOf(const Options& options,
                                 const std::vector<std::vector<std::string>>& settings,
-                                const std::vector<std::string>& labels, const std::string& option) {
+                                const std::vector<std::string>& labels, const std::string& option,
+                                const std::optional<Shard>& shard) {
     sceneOf(options);  // errors of the scene itself are reported once, without a variant
     std::vector<Variant> variants;
     for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -183,7 +185,7 @@ std::vector<Variant> variantsOf(const Options& options,
         const bool labelled = i < labels.size() && !labels[i].empty();
         variant.label = labelled ? labels[i] : labelOf(settings[i], settings);
         try {
-            variant.scene = sceneOf(own);
+            if (i == 0 || !shard || isIn(*shard, i)) variant.scene = sceneOf(own);
         } catch (const SceneError& error) {
             throw asOption(error, option);
         }

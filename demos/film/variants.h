@@ -1,8 +1,10 @@
 /// One scene under several settings, for compare and sweep.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "demos/film/frame_choice.h"
 #include "demos/options/options.h"
 #include "demos/scene/description.h"
 
@@ -30,10 +32,12 @@ Variation rangeFrom(const std::string& text, const std::string& option);
 std::vector<std::vector<std::string>> combinations(const std::vector<Variation>& variations);
 
 /// Reads the scene once for each variant. Throws SceneError, which names `option` if a setting is
-/// wrong. An empty label becomes the settings that not all variants share.
+/// wrong. An empty label becomes the settings that not all variants share. `shard`: only its variants
+/// and the first have a scene.
 std::vector<Variant> variantsOf(const Options& options,
                                 const std::vector<std::vector<std::string>>& settings,
-                                const std::vector<std::string>& labels, const std::string& option);
+                                const std::vector<std::string>& labels, const std::string& option,
+                                const std::optional<Shard>& shard = std::nullopt);
 
 /// "nudges=0, slop=0.01": the settings that not all variants share; may be empty.
 std::string differencesOf(const std::vector<Variant>& variants, std::size_t number);

@@ -1,4 +1,6 @@
 // impulse compare and impulse sweep, as a user runs them.
+#include <sstream>
+
 #include "render/encode/png_read.h"
 #include "tests/demos/program.h"
 
@@ -182,6 +184,65 @@ TEST_F(Compare, SweepSaysWhichSettingNeedsWholeNumbers) {
         << ended.err;
     EXPECT_EQ(sweep({"ball.toml"}).code, 2);
     EXPECT_EQ(sweep({"ball.toml", "--over", "solver.sweeps=1..4", "--plot", "a.gif"}).code, 2);
+}
+
+/// A row without the time of a step, which varies from run to run.
+std::string withoutTimes(const std::string& csv) {
+    std::string text;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t last = line.rfind(','), ms = line.rfind(',', last - 1);
+        text += line.substr(0, ms) + line.substr(last) + "\n";
+    }
+    return text;
+}
+
+TEST_F(Compare, ASweepInPartsGivesTheTableOfOneRun) {
+    const std::vector<std::string> words = {"ball.toml", "--over", "solver.sweeps=1..7",
+                                            "--seconds", "0.5"};
+    ASSERT_EQ(sweep(with(words, {"--csv", "one.csv"})).code, 0);
+    for (const char* shard : {"3/3", "1/3"})
+        ASSERT_EQ(sweep(with(words, {"--csv", "parts.csv", "--shard", shard})).code, 0);
+    EXPECT_FALSE(fs::exists(folder / "parts.csv"));
+    const Ended missing = sweep(with(words, {"--csv", "parts.csv", "--merge"}));
+    EXPECT_EQ(missing.code, 7);
+    EXPECT_EQ(missing.errorLines(), 1);
+    EXPECT_NE(missing.err.find("2 of 3 parts are complete; missing: 2"), std::string::npos)
+        << missing.err;
+    EXPECT_NE(missing.out.find("to do: impulse sweep ball.toml --over solver.sweeps=1..7 "
+                               "--seconds 0.5 --csv parts.csv --shard 2/3\n"),
+              std::string::npos)
+        << missing.out;
+    ASSERT_EQ(sweep(with(words, {"--shard", "2/3"})).code, 0);
+    EXPECT_EQ(sweep(with(words, {"--shard", "2/3"})).out, "part 2 of 3 is complete already\n");
+    const Ended merged =
+        sweep(with(words, {"--csv", "parts.csv", "--plot", "parts.svg", "--merge"}));
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_EQ(withoutTimes(contentOf(folder / "parts.csv")),
+              withoutTimes(contentOf(folder / "one.csv")));
+    EXPECT_TRUE(fs::exists(folder / "parts.svg"));
+
+    const Ended other = sweep(with(words, {"--set", "world.hz=120", "--merge"}));
+    EXPECT_EQ(other.code, 7);
+    EXPECT_NE(other.err.find("of another run: 1 2 3"), std::string::npos) << other.err;
+    EXPECT_EQ(sweep(with(words, {"--set", "world.hz=120", "--shard", "1/3"})).code, 5);
+    write(folder / "output/ball-sweep.parts/002-of-003.json", "{\"runs\":[{}]}");
+    const Ended torn = sweep(with(words, {"--merge"}));
+    EXPECT_EQ(torn.code, 7);
+    EXPECT_NE(torn.err.find("torn or not finished: 2"), std::string::npos) << torn.err;
+    EXPECT_EQ(sweep(with(words, {"--shard", "1/8"})).code, 2);
+    EXPECT_EQ(sweep(with(words, {"--shard", "1/2", "--merge"})).code, 2);
+}
+
+TEST_F(Compare, AComparisonInPartsGivesTheChartOfOneRun) {
+    const std::vector<std::string> words = {"ball.toml", "--vary", "solver.nudges=0,4",
+                                            "--no-film", "--plot"};
+    ASSERT_EQ(compare(with(words, {"one.svg"})).code, 0);
+    for (const char* shard : {"2/2", "1/2"})
+        ASSERT_EQ(compare(with(words, {"parts.svg", "--parts", "p", "--shard", shard})).code, 0);
+    ASSERT_EQ(compare(with(words, {"parts.svg", "--parts", "p", "--merge"})).code, 0);
+    EXPECT_EQ(contentOf(folder / "parts.svg"), contentOf(folder / "one.svg"));
+    EXPECT_FALSE(contentOf(folder / "one.svg").empty());
 }
 
 }  // namespace
