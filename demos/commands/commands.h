@@ -7,6 +7,7 @@ namespace demos {
 Command renderCommand();
 Command joinCommand();
 Command farmCommand();
+Command planCommand();
 Command stillCommand();
 Command stripCommand();
 Command simCommand();

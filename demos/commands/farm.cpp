@@ -20,38 +20,37 @@ namespace fs = std::filesystem;
 struct FarmOptions {
     std::string engine;
     int shards = 0;
-    std::vector<std::string> words;  // of impulse render
+    std::string command = "render";  // of the parts
+    std::vector<std::string> words;  // of that command
 };
-
-/// After a part's command: it is complete too if it ended with 6, which the join reports again.
-constexpr const char* kOrIncident = "|| [ $? -eq 6 ]";
 
 /// The parts of a job file; the commands are quoted for a shell.
 struct Job {
-    std::string name;    // of the scene
-    std::string render;  // impulse render ..., without --shard
-    std::string join;    // impulse join ...
+    std::string name;   // of the scene
+    std::string part;   // impulse render ..., without --shard
+    std::string good;   // after a part's command: the exit code of a complete part, besides 0
+    std::string join;   // impulse join ...
     int shards = 1;
 };
 
 std::string slurmText(const Job& job) {
     return fmt::format(
         "#!/bin/sh\n"
-        "# Draws {3} parts, then joins them into one film. Run this file with sh. Finished parts\n"
-        "# are not drawn again: run it again for what is missing. The join runs after all parts,\n"
-        "# however they ended, and reports what is missing (exit code 7). A part that ended with 6\n"
-        "# is complete.\n"
+        "# Runs {3} parts, then joins them. Run this file with sh. Complete parts are not run\n"
+        "# again: run it again for what is missing. The join runs after all parts, however they\n"
+        "# ended, and reports what is missing (exit code 7). Options of sbatch (a partition, an\n"
+        "# account, a time limit) go after sh THIS_FILE.\n"
         "set -eu\n"
-        "draw=$(sbatch --parsable --requeue --array=1-{3} --job-name={0} <<'END'\n"
+        "parts=$(sbatch --parsable --requeue --array=1-{3} --job-name={0} \"$@\" <<'END'\n"
         "#!/bin/sh\n"
-        "exec {1} --shard \"$SLURM_ARRAY_TASK_ID/{3}\"\n"
+        "{1} --shard \"$SLURM_ARRAY_TASK_ID/{3}\"{4}\n"
         "END\n"
         ")\n"
-        "sbatch --dependency=afterany:\"${{draw%%;*}}\" --job-name={0}-join <<'END'\n"
+        "sbatch --dependency=afterany:\"${{parts%%;*}}\" --job-name={0}-join \"$@\" <<'END'\n"
         "#!/bin/sh\n"
         "exec {2}\n"
         "END\n",
-        shellWord(job.name), job.render, job.join, job.shards);
+        shellWord(job.name), job.part, job.join, job.shards, job.good);
 }
 
 std::string parallelText(const Job& job) {
@@ -62,7 +61,7 @@ std::string parallelText(const Job& job) {
         "seq {2} | parallel --retries 3 --joblog {0}.joblog {1}\n"
         "{3}\n",
         shellWord(job.name),
-        shellWord(fmt::format("{} --shard {{}}/{} {}", job.render, job.shards, kOrIncident)),
+        shellWord(fmt::format("{} --shard {{}}/{}{}", job.part, job.shards, job.good)),
         job.shards, job.join);
 }
 
@@ -77,18 +76,18 @@ std::string makeText(const Job& job) {
     return fmt::format(
         "# make -k -j 4 -f THIS_FILE\n"
         "parts := $(addprefix part-,$(shell seq {2}))\n"
-        ".PHONY: film $(parts)\n"
-        "film: $(parts)\n"
+        ".PHONY: all $(parts)\n"
+        "all: $(parts)\n"
         "\t{1}\n"
         "$(parts):\n"
-        "\t{0} --shard $(@:part-%=%)/{2} {3}\n",
-        recipe(job.render), recipe(job.join), job.shards, recipe(kOrIncident));
+        "\t{0} --shard $(@:part-%=%)/{2}{3}\n",
+        recipe(job.part), recipe(job.join), job.shards, recipe(job.good));
 }
 
 std::string commandsText(const Job& job) {
     std::string text;
     for (int number = 1; number <= job.shards; ++number)
-        text += fmt::format("{} --shard {}/{} {}\n", job.render, number, job.shards, kOrIncident);
+        text += fmt::format("{} --shard {}/{}{}\n", job.part, number, job.shards, job.good);
     return text + job.join + "\n";
 }
 
@@ -107,7 +106,7 @@ std::string openJobText(const Job& job) {
         "specificationVersion: jobtemplate-2023-09\n"
         "name: {0}\n"
         "steps:\n"
-        "- name: draw\n"
+        "- name: parts\n"
         "  parameterSpace:\n"
         "    taskParameterDefinitions:\n"
         "    - {{name: Part, type: INT, range: \"1-{3}\"}}\n"
@@ -115,13 +114,13 @@ std::string openJobText(const Job& job) {
         "    actions:\n"
         "      onRun: {{command: sh, args: [\"-c\", {1}]}}\n"
         "- name: join\n"
-        "  dependencies: [{{dependsOn: draw}}]\n"
+        "  dependencies: [{{dependsOn: parts}}]\n"
         "  script:\n"
         "    actions:\n"
         "      onRun: {{command: sh, args: [\"-c\", {2}]}}\n",
         quoted(job.name),
-        quoted(fmt::format("{} --shard {{{{Task.Param.Part}}}}/{} {}", job.render, job.shards,
-                           kOrIncident)),
+        quoted(fmt::format("{} --shard {{{{Task.Param.Part}}}}/{}{}", job.part, job.shards,
+                           job.good)),
         quoted(job.join), job.shards);
 }
 
@@ -142,18 +141,19 @@ Writer writerOf(const std::string& engine) {
     return nullptr;
 }
 
-/// Refuses here what impulse render would refuse, by its own checks.
-void checkRender(std::vector<std::string> words, int shards) {
-    CLI::App app{"", "impulse render"};
-    const Run run = renderCommand().add(app);
+/// Refuses here what the command would refuse, by its own checks.
+void checkPart(const Command& command, std::vector<std::string> words, int shards) {
+    const std::string name = std::string("impulse ") + command.name;
+    CLI::App app{"", name};
+    const Run run = command.add(app);
     words.insert(words.end(), {"--dry-run", "--quiet", "--shard", fmt::format("1/{}", shards)});
     std::reverse(words.begin(), words.end());
     try {
         app.parse(words);
     } catch (const CLI::ParseError& error) {
-        refuse(fmt::format("impulse render refuses this: {}", printable(error.what())));
+        refuse(fmt::format("{} refuses this: {}", name, printable(error.what())));
     }
-    run("impulse render");
+    run(name);
 }
 
 /// The value of -o among the words; empty: the default.
@@ -167,32 +167,65 @@ std::string outputIn(const std::vector<std::string>& words) {
     return {};
 }
 
-Job jobOf(const FarmOptions& options) {
-    Job job;
-    job.shards = options.shards;
-    job.name = fs::path(options.words.front()).stem().string();
-    job.render = "impulse render";
-    for (const std::string& word : options.words) job.render += " " + shellWord(word);
+bool hasScene(const FarmOptions& options) {
+    return !options.words.empty() && !options.words.front().starts_with('-');
+}
+
+/// impulse join ... for the parts of a film.
+std::string joinOf(const FarmOptions& options) {
     FilmOptions render;
     render.scenes = {options.words.front()};
     if (const std::string output = outputIn(options.words); !output.empty())
         render.outputs = {output};
     render.shard = Shard{1, options.shards};
     const Output output = outputsOf(planFilm(render), render).front();
-    fs::path folder = output.part ? output.path.parent_path() : output.path;
-    job.join = "impulse join " + shellWord(folder.string());
-    if (output.part) job.join += " -o " + shellWord(render.outputs.front());
+    const fs::path folder = output.part ? output.path.parent_path() : output.path;
+    const std::string join = "impulse join " + shellWord(folder.string());
+    return output.part ? join + " -o " + shellWord(render.outputs.front()) : join;
+}
+
+Job jobOf(const FarmOptions& options) {
+    Job job;
+    job.shards = options.shards;
+    job.name = hasScene(options) ? fs::path(options.words.front()).stem().string() : "";
+    if (job.name.empty()) job.name = options.command;  // a folder, or all scenes
+    job.part = "impulse " + options.command;
+    for (const std::string& word : options.words) job.part += " " + shellWord(word);
+    if (options.command == "render") {
+        job.good = " || [ $? -eq 6 ]";  // an incident, which the join reports again
+        job.join = joinOf(options);
+    } else if (options.command == "test") {
+        job.good = " || [ $? -eq 1 ]";  // scenes that failed
+        const std::string output = outputIn(options.words);
+        job.join = "impulse test --merge";
+        if (!output.empty()) job.join += " -o " + shellWord(output);
+    } else {
+        job.join = job.part + " --merge";
+    }
     return job;
 }
 
-Exit farm(const FarmOptions& options) {
+/// Takes the command from the words: without one, they are those of impulse render.
+Command takeCommand(FarmOptions& options) {
+    for (const Command& command :
+         {sweepCommand(), compareCommand(), testCommand(), renderCommand()})
+        if (!options.words.empty() && options.words.front() == command.name) {
+            options.command = command.name;
+            options.words.erase(options.words.begin());
+            return command;
+        }
+    return renderCommand();
+}
+
+Exit farm(FarmOptions options) {
     const Writer writer = writerOf(options.engine);
     checkRange("--shards", options.shards, 1, kMostShards);
-    if (options.words.empty() || options.words.front().starts_with('-'))
+    const Command command = takeCommand(options);
+    if (options.command != "test" && !hasScene(options))
         refuse(
             "farm: a scene must follow the engine, as in impulse farm slurm wall -o wall.mp4 "
             "--shards 16");
-    checkRender(options.words, options.shards);
+    checkPart(command, options.words, options.shards);
     putText(stdout, writer(jobOf(options)));
     return Exit::ok;
 }
@@ -204,7 +237,9 @@ Run addFarm(CLI::App& app) {
         ->required();
     app.add_option("--shards", options->shards, "number of parts")->type_name("N")->required();
     app.allow_extras();
-    app.footer("\nAll other arguments are passed to impulse render: the scene, -o, -q and so on.");
+    app.footer(
+        "\nAll other arguments are passed to impulse render: the scene, -o, -q and so on; or to "
+        "impulse\nsweep, compare or test, if they begin with this word.");
     // The parser no longer exists when the command runs.
     app.parse_complete_callback([options, &app] { options->words = app.remaining(); });
     return [options](const std::string&) { return farm(*options); };
@@ -214,10 +249,10 @@ Run addFarm(CLI::App& app) {
 
 Command farmCommand() {
     return {"farm",
-            "print a job file that draws a film in parts; nothing is started",
+            "print a job file that runs a film, sweep or test in parts; nothing is started",
             {"impulse farm slurm wall -o wall.mp4 --shards 16",
              "impulse farm parallel wall -o wall.mp4 --shards 6 -q high",
-             "impulse farm commands wall -o wall.mp4 --shards 4"},
+             "impulse farm slurm sweep chain --over solver.substeps=1..32 --shards 8"},
             addFarm};
 }
 

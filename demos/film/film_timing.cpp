@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "demos/film/composite.h"
@@ -78,8 +79,11 @@ private:
     std::array<std::vector<double>, kFilmStages.size()> all_;
 };
 
-void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, FilmTiming& timing) {
+/// `most`: s of processor time, after which it ends with the fifth frame or a later one.
+void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, double most,
+                FilmTiming& timing) {
     constexpr std::size_t kDrawing = 1, kEncode = 8, kWrite = 9;  // places in kFilmStages
+    const double begun = processorTime();
     render::RendererSettings settings = plan.picture;
     settings.threads = 0;
     render::Renderer renderer(settings);
@@ -90,7 +94,8 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, FilmTiming&
                                                  : kDrawing + static_cast<std::size_t>(stage));
     });
     std::vector<double> bytes;
-    for (int frame = 0; frame < plan.frames; ++frame) {
+    const auto isEnough = [&](int frame) { return frame >= 5 && processorTime() - begun > most; };
+    for (int frame = 0; frame < timing.frames && !isEnough(frame); ++frame) {
         clock.begin(0);
         if (frame > 0) composite.advance(true);
         const render::Image image = composite.draw(frame, renderer);
@@ -99,10 +104,14 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, FilmTiming&
         clock.begin(kWrite);
         render::writeFrameFile(folder.file(frame), png);
         clock.endFrame(frame > 0);  // the first one compiles shaders
+        if (frame == 0) timing.start = processorTime() - begun;
         bytes.push_back(static_cast<double>(png.size()));
         checkInterrupted();
     }
     clock.medians(timing);
+    for (const double ms : timing.ms) timing.start -= 1e-3 * ms;  // the first frame itself
+    timing.start = std::max(timing.start, 0.0);
+    timing.frames = static_cast<int>(bytes.size());
     timing.pngBytes = medianOf(bytes);
     timing.incident = composite.incidentAtEnd();
 }
@@ -117,13 +126,21 @@ double FilmTiming::drawing() const {
 
 double FilmTiming::goal() const { return 0.88 * workers / (1e-3 * drawing()); }
 
+FilmTiming timeFrames(const FilmPlan& plan, int frames, double seconds) {
+    const TemporaryFolder folder;
+    FilmTiming timing;
+    timing.frames = std::min(frames, plan.frames);
+    timeStages(plan, folder, seconds, timing);
+    return timing;
+}
+
 FilmTiming timeFilm(const FilmPlan& plan, int jobs) {
     const TemporaryFolder folder;
     FilmTiming timing;
     timing.frames = plan.frames;
     timing.workers = workerCount(jobs, plan.frames);
     timing.framesASecond = framesASecond(plan, timing.workers, folder);
-    timeStages(plan, folder, timing);
+    timeStages(plan, folder, std::numeric_limits<double>::infinity(), timing);
     return timing;
 }
 

@@ -13,6 +13,7 @@ constexpr std::array<const char*, 10> kFilmStages = {
 
 struct FilmTiming {
     std::array<double, kFilmStages.size()> ms{};  // processor time per frame, median; for PNG files
+    double start = 0.0;     // s, processor time of a drawing process before its first frame
     double pngBytes = 0.0;                        // per frame, median
     int frames = 0;
     int workers = 0;
@@ -24,6 +25,10 @@ struct FilmTiming {
     /// 0.88 workers / (seconds of drawing a frame): the rate that the workers should reach.
     double goal() const;
 };
+
+/// Only the stages' times, of the first `frames` frames, or of at least five of them if they take
+/// more than `seconds` of processor time. Throws as timeFilm().
+FilmTiming timeFrames(const FilmPlan& plan, int frames, double seconds);
 
 /// Makes the film twice, in a temporary folder that is removed: by `jobs` workers (0: one per
 /// core), then in this process with a clock. Throws Stop (interrupted; diverged if a step fails)

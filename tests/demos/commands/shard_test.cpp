@@ -1,5 +1,7 @@
 // A film in parts, drawn in any order, repeatedly, with kills in between: joined, it equals the
 // film of one run.
+#include <nlohmann/json.hpp>
+
 #include "tests/demos/small_film.h"
 
 namespace demos::test {
@@ -148,6 +150,61 @@ TEST_F(Shards, AJobFileDrawsTheFilm) {
         fs::remove_all(folder / "film.parts");
         fs::remove(folder / "film.mp4");
     }
+}
+
+/// The times vary; what follows from them is tested in film/part_forecast_test.cpp.
+TEST_F(Shards, APlanTellsWhatPartsCost) {
+    const std::vector<std::string> words = {"plan",      "ball.toml", "--size", "96x54", "--fps",
+                                            "10",        "--samples", "1",      "-j",    "1",
+                                            "--seconds", "1",         "--shards"};
+    const auto plan = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), words.begin(), words.end());
+        return run(folder.path(), more);
+    };
+    const Ended text = plan({"4"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_NE(text.out.find("ball: 10 frames of 96x54, foretold from the first 10"),
+              std::string::npos)
+        << text.out;
+    const Ended json = plan({"4", "--json"});
+    ASSERT_EQ(json.code, 0) << json.err;
+    const nlohmann::json object = nlohmann::json::parse(json.out);
+    EXPECT_EQ(object.at("frames"), 10);
+    EXPECT_EQ(object.at("shards"), 4);
+    EXPECT_EQ(object.at("workers"), 1);
+    for (const char* key : {"measured_frames", "memory", "draw_ms", "alone_s", "in_parts_s",
+                            "speed_up", "processor_ratio", "shards_that_pay"})
+        EXPECT_GT(object.at(key).get<double>(), 0.0) << key;
+    EXPECT_EQ(plan({"11"}).code, 2);
+    EXPECT_EQ(plan({"0"}).code, 2);
+    EXPECT_FALSE(fs::exists(folder / "output"));
+}
+
+/// What is printed for other commands than render.
+TEST_F(Shards, AJobFileSweepsAndTests) {
+    fs::create_directories(folder / "bin");
+    fs::create_symlink(IMPULSE_BINARY, folder / "bin/impulse");
+    const auto job = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"farm", "commands"});
+        words.insert(words.end(), {"--shards", "2"});
+        const Ended printed = run(folder.path(), words);
+        EXPECT_EQ(printed.code, 0) << printed.err;
+        write(folder / "job", printed.out);
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && PATH=\"$PWD/bin:$PATH\" sh -e job > log 2>&1";
+        return WEXITSTATUS(std::system(command.c_str()));
+    };
+    EXPECT_EQ(job({"sweep", "ball.toml", "--over", "solver.sweeps=1..3", "--csv", "table.csv"}), 0)
+        << contentOf(folder / "log");
+    const std::string table = contentOf(folder / "table.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
+
+    fs::create_directory(folder / "scenes");
+    write(folder / "scenes/good.toml", kBall);
+    write(folder / "scenes/bad.toml",
+          kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1e-9\n");
+    EXPECT_EQ(job({"test", "scenes", "-o", "results"}), 1);  // the merge's, not the first part's
+    EXPECT_TRUE(fs::exists(folder / "results/report.html")) << contentOf(folder / "log");
 }
 
 /// Parts with an incident end with 6 and are complete: nothing stops, and the join repeats it.

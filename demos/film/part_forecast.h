@@ -1,0 +1,33 @@
+/// What a film in parts would take, foretold from the times of some of its frames.
+///
+///   alone      start + begin + frames (simulate + draw / workers)
+///   in parts   start + begin + frames (simulate + draw / (workers shards)), that of the last part
+///
+/// Every part simulates the film from its beginning to the part's end, and each of its workers does.
+#pragma once
+
+namespace demos {
+
+struct PartForecast {
+    int frames = 1, shards = 1;
+    int workers = 1;        // drawing processes of each machine
+    double start = 0.0;     // s, before the drawing processes start
+    double begin = 0.0;     // s, of each of them before its first frame
+    double simulate = 0.0;  // s, processor time to simulate a frame
+    double draw = 0.0;      // s, to draw, compress and write it
+
+    /// Of the processor time of a frame, 0..1.
+    double simulationShare() const;
+    /// s, of one machine for the whole film.
+    double alone() const;
+    /// s, of the last part: with a machine for each of the parts, that of all.
+    double inParts() const;
+    double speedUp() const { return alone() / inParts(); }
+    /// Processor time of all parts together, as a multiple of one run's.
+    double processorRatio() const;
+    /// The most parts with which a machine is worth at least half of one alone: speed-up / parts is
+    /// 0.5 or more.
+    int partsThatPay() const;
+};
+
+}  // namespace demos
