@@ -61,8 +61,9 @@ std::string planJson(const Plan& plan) {
     const PartForecast& parts = plan.parts;
     return fmt::format(
         R"({{"event":"plan","scene":{},"frames":{},"width":{},"height":{},"measured_frames":{},)"
-        R"("shards":{},"workers":{},"memory":{:.0f},"start_s":{:.6g},"begin_s":{:.6g},"simulate_ms":{:.6g},)"
-        R"("draw_ms":{:.6g},"simulation_share":{:.6g},"alone_s":{:.6g},"in_parts_s":{:.6g},)"
+        R"("shards":{},"workers":{},"memory":{:.0f},"start_s":{:.6g},"begin_s":{:.6g},)"
+        R"("simulate_ms":{:.6g},"draw_ms":{:.6g},"simulation_share":{:.6g},)"
+        R"("alone_s":{:.6g},"in_parts_s":{:.6g},)"
         R"("speed_up":{:.6g},"processor_ratio":{:.6g},"shards_that_pay":{}}})",
         jsonString(plan.film.name), parts.frames, plan.film.layout.width, plan.film.layout.height,
         plan.measured, parts.shards, parts.workers, plan.needs.memory(), parts.start,

@@ -173,12 +173,12 @@ Run addTest(CLI::App& app) {
         ->type_name("WxH");
     addRenderer(app, options);
     app.add_option("--shard", texts.shard,
-                   "test every N-th scene from the K-th on, with results in OUTPUT.parts/; default: "
-                   "all scenes")
+                   "test every N-th scene from the K-th on, with results in OUTPUT.parts/; "
+                   "default: all scenes")
         ->type_name("K/N");
     app.add_flag("--merge", options.merge,
-                 "make one report from the parts in OUTPUT.parts/, or in the folders that are named "
-                 "instead of scenes; default: off");
+                 "make one report from the parts in OUTPUT.parts/, or in the folders that are "
+                 "named instead of scenes; default: off");
     app.add_flag("-n,--dry-run", options.dryRun, "only list the scenes; default: off");
     app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one per core")
         ->type_name("N");

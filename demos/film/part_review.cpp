@@ -71,7 +71,8 @@ std::pair<std::size_t, std::size_t> shardOption(const std::string& command) {
     constexpr std::string_view kOption = " --shard";
     const std::size_t at = command.find(kOption);
     if (at == std::string::npos) return {0, 0};
-    const std::size_t value = std::min(at + kOption.size() + 1, command.size());  // after ' ' or '='
+    // After a space or '='.
+    const std::size_t value = std::min(at + kOption.size() + 1, command.size());
     return {at, std::min(command.find(' ', value), command.size()) - at};
 }
 

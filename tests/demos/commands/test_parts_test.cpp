@@ -26,7 +26,8 @@ protected:
     /// A ball that falls from elsewhere, and a scene that breaks its promise.
     void damageTwoScenes() {
         std::string text = kBallOnABox;
-        write(folder / "scenes/ball.toml", text.replace(text.find("[0.1, 2, 0]"), 11, "[0.1, 2.1, 0]"));
+        text.replace(text.find("[0.1, 2, 0]"), 11, "[0.1, 2.1, 0]");
+        write(folder / "scenes/ball.toml", text);
         write(folder / "scenes/d.toml",
               kBall + "[[expect]]\nwhat = 'speed'\nbelow = 1e-9\n");
     }
