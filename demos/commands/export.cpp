@@ -83,17 +83,22 @@ public:
 private:
     void writeAll() {
         const Recording& run = recorder_.finished(player_.stage());
-        for (const ExportFile& file : files_) {
-            const WrittenExport written = writeExport(file, player_.stage(), run,
-                                                      existingFiles(options_.overwrite));
-            talk_.say(fmt::format("wrote {} ({})", printable(file.name),
-                                  contentText(file.kind, run, written.bytes)));
-            if (!written.left.empty()) talk_.mention(written.left);
-            talk_.json(fmt::format(
-                R"({{"event":"export","file":{},"frames":{},"bodies":{},"events":{},"bytes":{}}})",
-                jsonString(file.name), run.frames.size(), run.bodies.size(), run.events.size(),
-                written.bytes));
-        }
+        render::FilesTogether together(existingFiles(options_.overwrite));
+        std::vector<WrittenExport> written;
+        for (const ExportFile& file : files_)
+            written.push_back(writeExport(file, player_.stage(), run, together));
+        together.publish();
+        for (std::size_t i = 0; i < files_.size(); ++i) tell(files_[i], written[i], run);
+    }
+
+    void tell(const ExportFile& file, const WrittenExport& written, const Recording& run) const {
+        talk_.say(fmt::format("wrote {} ({})", printable(file.name),
+                              contentText(file.kind, run, written.bytes)));
+        if (!written.left.empty()) talk_.mention(written.left);
+        talk_.json(fmt::format(
+            R"({{"event":"export","file":{},"frames":{},"bodies":{},"events":{},"bytes":{}}})",
+            jsonString(file.name), run.frames.size(), run.bodies.size(), run.events.size(),
+            written.bytes));
     }
 
     const Options& options_;

@@ -160,6 +160,10 @@ Run addTest(CLI::App& app) {
                    "a folder for the report and what was drawn; default: output/test")
         ->type_name("DIR")
         ->expected(1);
+    app.add_option("--summary", options.summary,
+                   "also write the result with its pictures as Markdown, for the page of a job; "
+                   "what $GITHUB_STEP_SUMMARY has already is kept")
+        ->type_name("FILE");
     app.add_option("--update", options.update,
                    "which baselines to write: missing, changed (and missing), all or none; "
                    "default: missing, or none if CI=true; with none, a missing baseline fails")
@@ -187,6 +191,8 @@ Run addTest(CLI::App& app) {
         TestOptions& given = settled(*asked, commandLine);
         if (!given.update.empty())
             checkName("--update", given.update, {"missing", "changed", "all", "none"});
+        if (!given.summary.empty() && given.selfTest)
+            refuse("--summary: a self-test has no verdict on scenes; leave it out");
         if (!asked->texts.shard.empty()) given.shard = shardCalled(asked->texts.shard);
         if ((given.selfTest || given.merge) && given.shard)
             refuse("--shard is for a test; leave --self-test and --merge out");

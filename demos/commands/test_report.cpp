@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/regression/baseline.h"
+#include "demos/regression/markdown_summary.h"
 #include "demos/regression/report_files.h"
 #include "demos/regression/verdict_json.h"
 #include "demos/regression/verdict_text.h"
@@ -59,12 +60,15 @@ void tellOfScene(const SceneVerdict& scene, const Talk& talk) {
 Exit finishTest(const TestVerdict& verdict, const TestOptions& options, const fs::path& results,
                 const Talk& talk) {
     writeReport(verdict, options, results);
+    if (!options.summary.empty())
+        writeSummary(options.summary, markdownSummary(verdict, pictureLinks(options.summary)));
     const std::string page = (results / "report.html").string();
     for (const std::string& orphan : verdict.orphans)
         talk.say(fmt::format("{} belongs to no scene; impulse approve --prune removes it",
                              printable(orphan)));
     talk.say(summaryOf(verdict));
-    talk.say("wrote " + printable(page) + ", report.json, junit.xml");
+    talk.say("wrote " + printable(page) + ", report.json, junit.xml" +
+             (options.summary.empty() ? "" : " and " + printable(options.summary)));
     talk.say(nextStep(verdict, page));
     talk.json(fmt::format(R"({{"event":"done","passed":{},"report":{}}})", verdict.passed(),
                           jsonString(page)));

@@ -75,10 +75,12 @@ std::vector<ExportFile> exportFilesOf(const Options& options, const SceneDescrip
 }
 
 WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording,
-                          render::Existing existing) {
+                          render::FilesTogether& together) {
     WrittenExport written;
     const std::vector<std::uint8_t> content = contentOf(file, stage, recording, written.left);
-    writeResult(file.name, content, existing);
+    render::makeFolder(std::filesystem::path(file.name).parent_path());
+    render::sweepTemporaries(file.name);
+    together.add({file.name, content});
     written.bytes = content.size();
     return written;
 }

@@ -6,7 +6,7 @@
 
 #include "demos/export/recording.h"
 #include "demos/options/options.h"
-#include "render/encode/file.h"
+#include "render/encode/files_together.h"
 
 namespace demos {
 
@@ -26,8 +26,8 @@ struct WrittenExport {
     std::string left;  // what a replay had to leave out, to be reported; empty: nothing
 };
 
-/// Writes the file completely or not at all. `stage`: of the run. Throws render::Error.
+/// Adds the file to those that are written together. `stage`: of the run. Throws render::Error.
 WrittenExport writeExport(const ExportFile& file, const Stage& stage, const Recording& recording,
-                          render::Existing existing);
+                          render::FilesTogether& together);
 
 }  // namespace demos

@@ -25,6 +25,12 @@ bool isSymlink(const fs::path& path) {
     return fs::is_symlink(fs::symlink_status(path, ignored));
 }
 
+/// Of a frame or a file of its data: far more than any has.
+std::uintmax_t mostBytesOf(const PanelLayout& layout) {
+    const auto pixels = static_cast<std::uintmax_t>(layout.width) * layout.height;
+    return (std::uintmax_t{64} << 20) + 16 * pixels;
+}
+
 /// Removes files named `ENDING.tmp` and a number.
 void sweep(const fs::path& folder, const std::vector<std::string>& endings) {
     std::error_code ignored;
@@ -67,9 +73,9 @@ FrameFiles::FrameFiles(const FilmPlan& plan, const fs::path& folder, RunRecord r
     } else if (!overwrite) {
         refuseStrangers();
     }
-    render::checkReplaceable(recordName());
+    checkData();
+    close(false);  // the record first: what is written after it is known to be this run's
     prepareData();
-    close(false);
 }
 
 fs::path FrameFiles::recordName() const {
@@ -83,7 +89,7 @@ bool FrameFiles::hasAll() const {
 
 bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
     if (!entry.written) return false;
-    const std::vector<std::uint8_t> bytes = contentOf(nameOf(frame));
+    const std::vector<std::uint8_t> bytes = contentOf(nameOf(frame), mostBytesOf(plan_.layout));
     return render::pngIsWhole(bytes, plan_.layout.width, plan_.layout.height) &&
            hashOf(bytes) == entry.png && dataHash(frame) == entry.data;
 }
@@ -91,7 +97,8 @@ bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
 /// Hash of the frame's files of all passes; 0 if there are no passes.
 std::uint64_t FrameFiles::dataHash(int frame) const {
     TextHash hash;
-    for (const Pass pass : plan_.passes) hash.add(contentOf(nameOf(frame, pass)));
+    for (const Pass pass : plan_.passes)
+        hash.add(contentOf(nameOf(frame, pass), mostBytesOf(plan_.layout)));
     return plan_.passes.empty() ? 0 : hash.value();
 }
 
@@ -124,16 +131,20 @@ void FrameFiles::refuseStrangers() const {
     if (!plan_.passes.empty() && !shard) check(dataName());
 }
 
-/// Makes a folder for each pass and writes their description.
-void FrameFiles::prepareData() const {
+void FrameFiles::checkData() const {
     for (const Pass pass : plan_.passes) {
         const fs::path folder = nameOf(0, pass).parent_path();
         if (isSymlink(folder))
             throw render::Error(fmt::format(
                 "cannot write into '{}': it is a symbolic link; remove it or name another folder",
                 printable(folder.string())));
-        render::makeFolder(folder);
     }
+    if (!plan_.passes.empty()) render::checkReplaceable(dataName());
+}
+
+/// Makes a folder for each pass and writes their description.
+void FrameFiles::prepareData() const {
+    for (const Pass pass : plan_.passes) render::makeFolder(nameOf(0, pass).parent_path());
     if (!plan_.passes.empty())
         render::writeFileAtomically(dataName(), passesJson(plan_, record_.pattern));
 }

@@ -38,6 +38,7 @@ public:
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
+    void checkData() const;
     void prepareData() const;
     std::filesystem::path nameOf(int frame, Pass pass) const;
     std::uint64_t dataHash(int frame) const;

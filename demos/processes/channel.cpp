@@ -72,6 +72,7 @@ bool Channel::send(const Message& message) {
         std::memcpy(sizeBytes, &size, sizeof size);
         sent = sent && sendAll(sizeBytes) && sendAll(file);
     }
+    if (!sent) ::shutdown(socket_, SHUT_WR);  // half a message: the other side waits no longer
     return sent;
 }
 

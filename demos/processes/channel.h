@@ -35,8 +35,9 @@ public:
     Channel(Channel&& other) noexcept;
     Channel& operator=(Channel&& other) noexcept;
 
-    /// False: the other side is gone.
+    /// False: the other side is gone, or will see the end of this channel and wait no longer.
     bool send(const Message& message);
+    /// False: the other side is gone.
     bool receive(Message& message);
     void close();
 

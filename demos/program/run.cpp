@@ -2,9 +2,13 @@
 #include "demos/program/parse.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
+#include <string_view>
 
 #include "demos/scene/reader.h"
 #include "demos/text/complaints.h"
@@ -41,9 +45,24 @@ Exit guarded(int argc, const char* const* argv) try {
     return tell(Exit::environment, error.what());
 }
 
+/// No memory in a function that must not throw, as there are in the parser's library.
+[[noreturn]] void endWithoutMemory() noexcept {
+    try {
+        const std::exception_ptr error = std::current_exception();
+        if (error) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        constexpr std::string_view kLine = "impulse: not enough memory\n";
+        [[maybe_unused]] const auto told = write(STDERR_FILENO, kLine.data(), kLine.size());
+        _exit(static_cast<int>(Exit::environment));
+    } catch (...) {
+    }
+    std::abort();
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv) noexcept {
+    std::set_terminate(endWithoutMemory);
     const Exit code = guarded(argc, argv);
     std::fflush(stdout);
     return static_cast<int>(code);

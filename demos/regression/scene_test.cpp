@@ -10,6 +10,7 @@
 #include "demos/regression/judge.h"
 #include "demos/scene/reader.h"
 #include "demos/text/file_content.h"
+#include "demos/text/json_limits.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 
@@ -25,9 +26,9 @@ std::uint64_t fingerprintOf(const ChosenScene& chosen, const FilmPlan& plan, con
     TextHash hash;
     hash.add(std::to_string(demos::fingerprintOf(plan, own)));
     hash.add(run.renderer);
-    hash.add(contentOf(chosen.folder / kBaselineFile));
+    hash.add(contentOf(chosen.folder / kBaselineFile, kBaselineJson.bytes));
     for (const double time : plan.scene().snapshot.times)
-        hash.add(contentOf(chosen.folder / pictureFile(time)));
+        hash.add(contentOf(chosen.folder / pictureFile(time), kMostPictureBytes));
     for (const std::string& name : orphansOf(chosen.folder, plan.scene().snapshot.times))
         hash.add(name);
     return hash.value();

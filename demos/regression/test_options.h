@@ -16,6 +16,7 @@ struct TestOptions : Options {
     std::optional<Shard> shard;  // a part of the scenes
     bool merge = false;          // one report from those of parts, whose folders are `scenes`
     bool dryRun = false;         // only list the scenes
+    std::string summary;  // a file for Markdown; empty: none
 };
 
 }  // namespace demos

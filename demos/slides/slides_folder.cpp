@@ -129,8 +129,17 @@ bool isEmpty(const fs::path& folder) {
     return true;
 }
 
+/// Whether a run failed or was killed between its list and its last file: the next one finishes it.
+bool isUnfinished(const fs::path& folder) {
+    const std::vector<fs::path> own = listedFiles(folder);
+    return std::any_of(own.begin(), own.end(), [&folder](const fs::path& name) {
+        std::error_code ignored;
+        return !fs::exists(fs::symlink_status(folder / name, ignored));
+    });
+}
+
 void checkEmpty(const fs::path& folder, bool overwrite) {
-    if (!overwrite && !isEmpty(folder))
+    if (!overwrite && !isEmpty(folder) && !isUnfinished(folder))
         throw Stop(Exit::wouldOverwrite,
                    fmt::format("'{}' has files already; --overwrite replaces those that impulse "
                                "slides made",

@@ -6,10 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <deque>
 #include <system_error>
 
-#include "render/encode/descriptor.h"
+#include "render/encode/files_together.h"
 #include "render/error.h"
 
 namespace render {
@@ -89,16 +88,9 @@ int renameToFree(const fs::path& from, const fs::path& to) {
 
 void writeTogether(std::span<const NamedBytes> files, Existing existing) {
     for (const NamedBytes& file : files) checkReplaceable(file.path);
-    std::deque<Descriptor> held;
-    try {
-        for (const NamedBytes& file : files) held.emplace_back(writeTemporary(file), "hold a file");
-        for (const NamedBytes& file : files)
-            publish(temporaryNameFor(file.path), file.path, existing);
-    } catch (const Error&) {
-        for (const NamedBytes& file : files.first(held.size()))
-            ::unlink(temporaryNameFor(file.path).c_str());
-        throw;
-    }
+    FilesTogether together(existing);
+    for (const NamedBytes& file : files) together.add(file);
+    together.publish();
 }
 
 }  // namespace
@@ -206,6 +198,29 @@ bool sweepTemporaries(const fs::path& path) {
         ::close(file);
     }
     return held;
+}
+
+FilesTogether::~FilesTogether() {
+    for (std::size_t i = published_; i < held_.size(); ++i)
+        ::unlink(temporaryNameFor(held_[i].path).c_str());
+}
+
+void FilesTogether::add(const NamedBytes& file) {
+    checkReplaceable(file.path);
+    held_.emplace_back(file.path, writeTemporary(file));
+}
+
+void FilesTogether::publish() {
+    try {
+        for (; published_ < held_.size(); ++published_) {
+            const fs::path& path = held_[published_].path;
+            render::publish(temporaryNameFor(path), path, existing_);
+        }
+    } catch (const Error&) {
+        if (existing_ == Existing::kept)
+            for (std::size_t i = 0; i < published_; ++i) ::unlink(held_[i].path.c_str());
+        throw;
+    }
 }
 
 void writeFilesTogether(std::span<const NamedBytes> files, Existing existing) {

@@ -1,7 +1,10 @@
 // demos/regression/in-ci.md: its jobs, commands and table agree with the program.
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+
 #include "tests/docs/texts.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -70,6 +73,55 @@ TEST(InCi, ShowsTheExamplesOwnLines) {
     const std::string lines = R"(\n((?:enable_testing|find_package|impulse_add_[a-z_]+)\([^)]*\)))";
     EXPECT_EQ(matches(section("CTest"), lines), matches(example, lines));
     EXPECT_EQ(matches(example, lines).size(), 3u);
+}
+
+/// The lines of all `run: |` of an action, as bash gets them; `inputs`: lines that set its variables.
+std::string scriptOf(const std::string& action, const std::string& inputs) {
+    std::string script = "set -eo pipefail\n" + inputs;
+    std::istringstream lines(action);
+    bool within = false;
+    for (std::string line; std::getline(lines, line);) {
+        within = within && (line.empty() || line.starts_with("        "));
+        if (within) script += line + "\n";
+        within = within || line == "      run: |";
+    }
+    return script;
+}
+
+int exitOf(const std::string& command) {
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// As a job runs it, with the program installed: a new scene passes, a changed one fails, and both are
+// in the step's summary.
+TEST(InCi, ItsActionTestsScenesAndShowsWhatDiffers) {
+    const support::TemporaryFolder folder;
+    const fs::path actions = kRoot / ".github/actions/impulse-test/action.yml";
+    const std::string script = scriptOf(
+        textOf(actions), "SCENES='scenes'; OPTIONS='--size 64x36 --jobs 1'; RESULTS=results\n");
+    EXPECT_NE(script.find("command -v impulse"), std::string::npos) << script;
+    std::ofstream(folder / "action.sh") << script;
+    fs::create_directories(folder / "bin");
+    fs::create_symlink(IMPULSE_BINARY, folder / "bin/impulse");
+    fs::create_directories(folder / "scenes");
+    const auto test = [&folder](double height) {
+        std::ofstream(folder / "scenes/drop.toml")
+            << "format = 1\nseconds = 0.1\n[snapshot]\ntimes = [0.1]\n"
+               "[[body]]\nname = 'floor'\nfixed = true\nshape = { plane = [0, 1, 0] }\n"
+               "[[body]]\nname = 'ball'\nshape = { sphere = 0.5 }\nat = [0, " << height << ", 0]\n";
+        const std::string at = folder.path().string();
+        return exitOf("cd '" + at + "' && env -u CI GITHUB_ACTIONS=true GITHUB_WORKSPACE='" + at +
+                      "' GITHUB_SERVER_URL=https://github.com GITHUB_REPOSITORY=me/it GITHUB_SHA=abc "
+                      "GITHUB_STEP_SUMMARY='" + at + "/summary.md' PATH=\"$PWD/bin:$PATH\" "
+                      "bash action.sh > log 2>&1");
+    };
+    EXPECT_EQ(test(2.0), 0) << textOf(folder / "log");
+    EXPECT_EQ(test(2.5), 1) << textOf(folder / "log");
+    const std::string summary = textOf(folder / "summary.md");
+    for (const char* part : {"1 scene: 1 new", "1 scene: 1 failed", "#### drop: failed",
+                             "![t0.1.png](https://github.com/me/it/raw/abc/scenes/"})
+        EXPECT_NE(summary.find(part), std::string::npos) << part << " in\n" << summary;
 }
 
 }  // namespace

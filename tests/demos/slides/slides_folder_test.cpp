@@ -63,6 +63,14 @@ TEST_F(SlidesFolder, WhatAnotherRunHasPutThereMeanwhileIsKept) {
     EXPECT_THROW(writeSlidesFolder(deck(), talk(), false), Stop);
 }
 
+// A run that failed between its list and its last file is finished without --overwrite.
+TEST_F(SlidesFolder, AnUnfinishedOneIsFinished) {
+    writeSlidesFolder(deck(), talk(), false);
+    fs::remove(talk() / "media/02-waits.mp4");
+    writeSlidesFolder(deck(), talk(), false);
+    EXPECT_EQ(files(), kFiles);
+}
+
 TEST_F(SlidesFolder, HoldsWhatItSaysAndNothingElse) {
     const std::vector<fs::path> names = writeSlidesFolder(deck(), talk() / "");
     std::set<std::string> said;
