@@ -102,6 +102,14 @@ public:
     /// A hash of the poses and velocities of all bodies, bit for bit.
     std::uint64_t hash() const;
 
+    /// All that the next steps depend on, and what can be read of the last one, as bytes. They hold neither
+    /// shapes, materials and settings nor functions.
+    std::vector<std::uint8_t> saveState() const;
+    /// Goes on from there, to the same bits, with any number of threads. The world must have got the same
+    /// bodies, joints, forces and settings as the saved one, by the same calls. False: these bytes are not
+    /// the state of such a world; then it may only be destroyed.
+    bool restoreState(std::span<const std::uint8_t> bytes);
+
     /// A function called in every sub-step that adds forces depending on the state to one Load per body. An
     /// empty function removes it. While it is set, nothing sleeps.
     void setForceField(std::function<void(const World&, std::span<Load>)> field);

@@ -205,6 +205,7 @@ bool beginStep(WorldState& s, double dt) {
         s.velocitiesBefore[i] = s.bodies.velocities[i];
     }
     s.solvedBefore.clear();
+    s.kept.clear();
     sumResting(s.bodies);
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
@@ -311,6 +312,7 @@ void findContactsNow(WorldState& s) {
 
 void listContacts(const WorldState& s, std::vector<ContactState>& states) {
     states.clear();
+    if (s.listed == WorldState::Listed::kept) states = s.kept;
     const std::vector<Contact>& found = s.finder.contacts;
     // Step 6 has moved the solved contacts to `previous`, for their impulses.
     if (s.listed == WorldState::Listed::solved)

@@ -41,8 +41,9 @@ struct WorldState {
     std::function<void(Phase, int)> observer;
     TouchLog touches;
 
-    enum class Listed { none, solved, found };
+    enum class Listed { none, solved, found, kept };
     Listed listed = Listed::none;  // which contacts World::contacts() lists
+    std::vector<ContactState> kept;  // those of a restored state, until the next step
     bool contactsStale = true;  // bodies were added, removed or moved by the caller
     bool jointsStale = true;
     bool treesStale = false;    // joints fell asleep or woke

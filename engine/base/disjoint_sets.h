@@ -28,6 +28,15 @@ public:
         leader_[a > b ? a : b] = a < b ? a : b;
     }
 
+    /// What is kept of it in a state (state_bytes.h).
+    template <class Bytes>
+    void keep(Bytes& bytes) {
+        bytes(leader_);
+        if constexpr (Bytes::kReads)
+            for (int i = 0; i < static_cast<int>(leader_.size()); ++i)
+                bytes.require(leader_[i] >= 0 && leader_[i] <= i);
+    }
+
 private:
     std::vector<int> leader_;
 };

@@ -32,6 +32,17 @@ public:
         leaving_.clear();
     }
 
+    /// What is kept of it in a state (state_bytes.h); `count`: of the objects.
+    template <class Bytes>
+    void keep(Bytes& bytes, int count) {
+        bytes.sized(count, generations_);
+        for (std::vector<int>* list : {&removed_, &leaving_, &free_}) {
+            bytes.upTo(count, *list);
+            if constexpr (Bytes::kReads)
+                for (const int i : *list) bytes.require(i >= 0 && i < count);
+        }
+    }
+
 private:
     std::vector<unsigned> generations_;
     std::vector<int> removed_, leaving_, free_;

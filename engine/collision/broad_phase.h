@@ -3,6 +3,7 @@
 /// its active bodies. Planes are paired with every dynamic body.
 #pragma once
 #include <compare>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -43,7 +44,13 @@ public:
         const Proxy &a = proxies_[pair.a], &b = proxies_[pair.b];
         return a.leaf < 0 || b.leaf < 0 || a.tight.grownBy(more).overlaps(b.tight);
     }
+    int bodyCount() const { return static_cast<int>(proxies_.size()); }
     const BoundsTree& tree() const { return tree_; }
+
+    /// What is kept of it in a state (base/state_bytes.h). The tree is built again from its leaves: its shape
+    /// decides nothing but the time that a search takes.
+    template <class Bytes>
+    void keep(Bytes& bytes);
 
 private:
     static constexpr int kNew = -1, kPlane = -2;  // in place of a leaf
@@ -78,5 +85,30 @@ private:
     std::vector<Found> found_;
     bool crowded_ = false;
 };
+
+template <class Bytes>
+void BroadPhase::keep(Bytes& bytes) {
+    if constexpr (Bytes::kReads) *this = {};
+    auto count = static_cast<std::uint64_t>(proxies_.size());
+    bytes(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        Bounds fat;
+        if constexpr (Bytes::kReads) {
+            if (!bytes.isGood()) return;
+            proxies_.emplace_back();
+        } else if (proxies_[i].leaf >= 0) {
+            fat = tree_.bounds(proxies_[i].leaf);
+        }
+        Proxy& proxy = proxies_[i];
+        const auto body = static_cast<int>(i);
+        int place = smaller(proxy.leaf, 0);
+        bytes.within(place, kPlane, 0);
+        bytes(proxy.tight.low, proxy.tight.high, fat.low, fat.high);
+        if constexpr (!Bytes::kReads) continue;
+        proxy.leaf = place == 0 ? tree_.insert(fat, body) : place;
+        if (place == kPlane) planes_.push_back(body);
+    }
+    bytes(pairs_, crowded_);
+}
 
 }  // namespace engine

@@ -41,6 +41,13 @@ public:
 
     int count() const { return count_; }  // number of sleeping bodies
 
+    /// What is kept of it in a state (base/state_bytes.h).
+    template <class Bytes>
+    void keep(Bytes& bytes, int bodies) {
+        bytes.sized(bodies, slowFor_, called_);
+        bytes(islands_, anyCalled_, count_);
+    }
+
 private:
     void fit(const Bodies& bodies);
 

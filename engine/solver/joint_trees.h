@@ -56,6 +56,18 @@ public:
     }
     void report(std::span<Joint> joints, double dt) const;      // impulses and forces
 
+    /// What is kept of trees, once they are built, in a state (base/state_bytes.h). `masses`: of the bodies,
+    /// at the poses for which the trees were prepared last.
+    template <class Bytes>
+    void keep(Bytes& bytes, std::span<const InverseMass> masses) {
+        for (Forest& forest : forests_)
+            forest.each([&](auto& part) {
+                part.keep(bytes);
+                if constexpr (Bytes::kReads)
+                    if (bytes.isGood()) part.factor(masses);
+            });
+    }
+
     /// All joints in trees, by index in the constraint list, in order of elimination; and those in trees that
     /// no other joint acts on.
     const std::vector<int>& order() const { return order_; }

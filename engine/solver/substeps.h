@@ -28,11 +28,25 @@ public:
                const Vec3& gravity, const Settings& settings, double dt);
     int of(int body) const { return chosen_[body].current; }
 
+    /// What is kept of it in a state (base/state_bytes.h). `most`: the largest number that can be chosen.
+    template <class Bytes>
+    void keep(Bytes& bytes, int most) {
+        bytes(chosen_);
+        if constexpr (!Bytes::kReads) return;
+        for (const Chosen& c : chosen_)
+            bytes.require(c.current >= 0 && c.current <= most && c.enough >= 0 && c.enough <= most);
+    }
+
 private:
     struct Chosen {
         int current = 0;     // 0: none yet
         int enough = 0;      // largest number needed
         double calm = 0.0;   // s, during this time
+
+        template <class Bytes>
+        void keep(Bytes& bytes) {
+            bytes(current, enough, calm);
+        }
     };
     struct Island {
         Chosen chosen;

@@ -57,6 +57,24 @@ public:
         });
     }
 
+    /// What is kept of a tree in a state (base/state_bytes.h), between two steps: impulses, and the geometry
+    /// from which factor() has made the rest.
+    template <class Bytes>
+    void keep(Bytes& bytes) {
+        for (TreeJoint<N>& joint : joints_) {
+            TreeGeometry<N>& g = joint.now;
+            bytes(joint.lambda, g.armA, g.armB, g.error);
+            if (joint.type == JointType::hinge) bytes(g.along);
+            for (int i = 0; i < joint.pointRows && joint.pointRows < 3; ++i) bytes(g.point[i]);
+            if constexpr (N > 3) bytes(g.twist);
+            if constexpr (N > 3)
+                if (joint.isGear) bytes(joint.twistOfA);
+        }
+        for (Member& member : members_) bytes(member.start);
+        if constexpr (Bytes::kReads)
+            for (Tree& tree : trees_) tree.before = -1.0;
+    }
+
     bool empty() const { return joints_.empty(); }
     std::vector<TreeJoint<N>>& joints() { return joints_; }
     const std::vector<TreeJoint<N>>& joints() const { return joints_; }

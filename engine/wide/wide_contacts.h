@@ -68,6 +68,16 @@ public:
     /// Stores the impulses of the last sub-step for the next step.
     void store(std::span<Contact> contacts) const;
 
+    /// What is kept of it in a state (base/state_bytes.h): of bodies that rest, what they had when they moved.
+    template <class Bytes>
+    void keep(Bytes& bytes) {
+        for (std::size_t i = start_.size(); i < now_.size(); ++i) now_[i] = {};  // slots, not bodies
+        bytes(now_, motions_, atStart_, start_, turned_, farTurn_);
+        if constexpr (!Bytes::kReads) return;
+        axes_.clear();
+        for (const Pose& pose : start_) axes_.push_back(pose.rotation.toRotationMatrix());
+    }
+
 private:
     void arrange(std::span<const Contact> contacts, std::span<const int> order,
                  const Bodies& bodies);
