@@ -10,6 +10,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/film_timing.h"
 #include "demos/film/progress.h"
+#include "demos/film/state_files.h"
 #include "demos/load/builtin.h"
 #include "demos/measures/timing.h"
 #include "demos/processes/signals.h"
@@ -27,6 +28,7 @@ struct BenchOptions : Options {
     bool film = false;    // time drawing instead of steps
     bool phases = false;  // and every phase of the loop
     std::string against;  // an earlier run's JSON lines
+    std::string from;     // a state to go on from; empty: from time 0
 };
 
 /// One scene of an earlier run.
@@ -104,9 +106,16 @@ void sayRow(const Timing& t, const PhaseTimes* phases, const Earlier* before) {
 /// Returns the run's incident, if any.
 std::string benchScene(const SceneDescription& scene, const EarlierRun& earlier,
                 const BenchOptions& options) {
-    const Timing timing = timeScene(scene);
+    const auto begin = [&](Player& player) {
+        if (!options.from.empty())
+            goOnFrom(options.from, stateKindOf(scene, options), Overlays{}, player);
+    };
+    const Timing timing = timeScene(scene, begin);
+    if (timing.ms.empty())
+        refuse(fmt::format("--from {}: is a state of the scene's end; --seconds makes it longer",
+                           printable(options.from)));
     PhaseTimes phases{};
-    if (options.phases) phases = timePhases(scene);
+    if (options.phases) phases = timePhases(scene, begin);
     const auto found = earlier.find(scene.name);
     const Earlier* before = found == earlier.end() ? nullptr : &found->second;
     const auto say = options.json ? sayTimingJson : sayRow;
@@ -190,8 +199,17 @@ Run addBench(CLI::App& app) {
     app.add_option("--against", options.against,
                    "compare with the output of an earlier 'impulse bench --json'; default: none")
         ->type_name("FILE");
+    app.add_option("--from", options.from,
+                   "go on from a state that 'impulse sim --states' has written, with one scene and "
+                   "without --film; default: from time 0")
+        ->type_name("FILE");
     addFeedback(app, options);
-    return [asked](const std::string& commandLine) { return bench(settled(*asked, commandLine)); };
+    return [asked](const std::string& commandLine) {
+        const BenchOptions& given = settled(*asked, commandLine);
+        if (!given.from.empty() && (given.scenes.size() != 1 || given.film))
+            refuse("--from belongs to one scene, without --film; name the scene of the state");
+        return bench(given);
+    };
 }
 
 }  // namespace

@@ -19,8 +19,9 @@ void playThrough(Player& player, const Options& options, const std::function<voi
     watchSignals();
     const long steps = stepsOf(player.stage().scene);
     try {
-        look(0);
-        for (long step = 1; step <= steps; ++step) {
+        const auto first = static_cast<long>(player.stage().world.report().step);
+        look(first);
+        for (long step = first + 1; step <= steps; ++step) {
             player.step();
             look(step);
             if (interrupted())

@@ -52,6 +52,8 @@ void addDelivery(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
 Exit render(const FilmOptions& options) {
     FilmPlan plan = planFilm(options);
     plan.passes = passesCalled(options.passes);
+    plan.states = options.states;
+    if (!plan.states.empty()) plan.stateKind = stateKindOf(plan.scene(), options);
     for (const Panel& panel : plan.panels)
         for (const std::string& line : overlapsAtStart(Stage(panel.scene)))
             Talk(options, true).mention("warning: " + printable(line));
@@ -88,6 +90,10 @@ Run addRender(CLI::App& app) {
                    "exists is not drawn again; default: the whole film")
         ->type_name("K/N")
         ->excludes(frames);
+    app.add_option("--states", options.states,
+                   "a folder with states of 'impulse sim --states': the simulation starts from the "
+                   "last one before the first frame, if one fits; default: from time 0")
+        ->type_name("DIR");
     addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
                  "print the frames, memory and disk space needed; draw nothing; default: off");

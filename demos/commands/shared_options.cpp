@@ -46,6 +46,16 @@ void addFeedback(CLI::App& app, Options& options) {
                  "one JSON object per line on standard output; default: off");
 }
 
+void addMemory(CLI::App& app, Options& options, OptionTexts& texts) {
+    takesList(app.add_option("--show", texts.show,
+                             "overlays, with commas: " + overlayList() + "; default: the scene's")
+                  ->type_name("NAMES"));
+    app.add_option("--colour-by,--color-by", options.colorBy,
+                   "what the bodies' colours show: body, speed, impulse, island, group, material "
+                   "or id; default: the scene's")
+        ->type_name("NAME");
+}
+
 void addPicture(CLI::App& app, Options& options, OptionTexts& texts) {
     app.add_option("-q,--quality", options.quality,
                    "draft 480x270 @15, low 854x480 @30, medium 1280x720 @30, high 1920x1080 @60, "
@@ -68,15 +78,9 @@ void addPicture(CLI::App& app, Options& options, OptionTexts& texts) {
                    "with --blur: the share of a frame's time that the shutter is open, 0..1; "
                    "default: 0.5")
         ->type_name("S");
-    takesList(app.add_option("--show", texts.show,
-                             "overlays, with commas: " + overlayList() + "; default: the scene's")
-                  ->type_name("NAMES"));
+    addMemory(app, options, texts);
     app.add_option("--theme", options.theme,
                    "studio, dark, print, transparent or lab; default: the scene's")
-        ->type_name("NAME");
-    app.add_option("--colour-by,--color-by", options.colorBy,
-                   "what the bodies' colours show: body, speed, impulse, island, group, material "
-                   "or id; default: the scene's")
         ->type_name("NAME");
     app.add_flag("--clean", options.clean, "draw no text into the picture; default: off");
     addRenderer(app, options);

@@ -39,6 +39,8 @@ void addJobs(CLI::App& app, Options& options);
 void addSceneChoice(CLI::App& app, Options& options, OptionTexts& texts);
 void addFeedback(CLI::App& app, Options& options);
 void addPicture(CLI::App& app, Options& options, OptionTexts& texts);
+/// Those of a picture that need the memory of all steps: --show and --colour-by.
+void addMemory(CLI::App& app, Options& options, OptionTexts& texts);
 /// A figure for a paper: its size on paper, and its caption.
 void addFigure(CLI::App& app, Options& options, OptionTexts& texts);
 void addSeconds(CLI::App& app, Options& options);

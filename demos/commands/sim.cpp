@@ -7,6 +7,7 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/play_through.h"
 #include "demos/commands/shared_options.h"
+#include "demos/commands/states.h"
 #include "demos/export/pose_table.h"
 #include "demos/film/event_log.h"
 #include "demos/film/film_plan.h"
@@ -25,11 +26,10 @@
 namespace demos {
 namespace {
 
-struct SimOptions : Options {
+struct SimOptions : Options, StatesOptions {
     std::string csv, bodies, joints, contacts, sweeps,
         events;          // a file or "-"; empty = not written
     bool exact = false;  // sweeps are compared with the direct solution
-    int every = 1;       // rows for every Nth step only
     bool hash = false;
     int hashEvery = 0;  // 0 = the last step only
     bool expect = true;
@@ -182,22 +182,23 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
 /// A run in a few numbers, for a scene that expects nothing.
 class RunInBrief {
 public:
-    /// To be called at time 0 and after every step.
-    void look(const Stage& stage, long step) {
-        if (step == 0) startEnergy_ = stage.world.energy().total();
+    /// To be called at the beginning and after every step.
+    void look(const Stage& stage) {
+        if (!startEnergy_) startEnergy_ = stage.world.energy().total();
         penetration_ = std::max(penetration_, stage.world.errors().penetration);
     }
 
     void say(const Stage& stage, const Talk& talk) const {
         talk.say(fmt::format("bodies       {}", stage.bodies.size()));
         talk.say(fmt::format("energy       {:.6g} J at the start, {:.6g} J at the end",
-                             startEnergy_, stage.world.energy().total()));
+                             startEnergy_.value_or(0.0), stage.world.energy().total()));
         talk.say(fmt::format("penetration  {:.3g} m at most", penetration_));
         talk.say(fmt::format("state        {}", hexText(stage.world.hash())));
     }
 
 private:
-    double startEnergy_ = 0.0, penetration_ = 0.0;  // J, m
+    std::optional<double> startEnergy_;  // J
+    double penetration_ = 0.0;           // m
 };
 
 /// One run from time 0 to the end of the film.
@@ -208,17 +209,20 @@ public:
           tables_(options),
           dataOnStdout_(checkTargets(tables_, options)),
           talk_(options, dataOnStdout_),
-          player_(scene, Overlays{.trails = false}),
+          states_(options, options, scene),
+          player_(scene, states_.overlays()),
           checker_(player_.stage()),
           choice_(plotChoiceOf(options, {}, scene)),
           steps_(stepsOf(scene)) {
         if (!options.plot.empty()) checkPlotFile(options.plot, choice_);
+        states_.goOn(steps_, player_);
         if (!options.events.empty()) player_.watchTouches();
     }
 
     Exit play() {
-        for (const std::string& line : overlapsAtStart(player_.stage()))
-            talk_.mention("warning: " + printable(line));
+        if (options_.from.empty())
+            for (const std::string& line : overlapsAtStart(player_.stage()))
+                talk_.mention("warning: " + printable(line));
         playThrough(
             player_, options_, [this](long step) { look(step); }, [this] { writeResults(); });
         return finish();
@@ -227,11 +231,12 @@ public:
 private:
     void look(long step) {
         const Stage& stage = player_.stage();
-        if (options_.expect) checker_.look(stage);
+        if (expects()) checker_.look(stage);
         direct_.look(stage);
-        if (isBrief()) brief_.look(stage, step);
+        if (isBrief()) brief_.look(stage);
         if (step > 0) events_.look(stage);
-        if (step % options_.every == 0) addRows(stage, step, tables_);
+        if (step % options_.every.value_or(1) == 0) addRows(stage, step, tables_);
+        if (step > 0) states_.look(player_, step);
         if (!options_.plot.empty()) recorder_.look(stage);
         const bool last = step == steps_;
         const bool every = options_.hashEvery > 0 && step % options_.hashEvery == 0;
@@ -240,6 +245,8 @@ private:
     }
 
     bool isBrief() const { return player_.stage().scene.expectations.empty(); }
+    /// Expectations are about the whole run.
+    bool expects() const { return options_.expect && options_.from.empty(); }
 
     void writeResults() const {
         writeAll(tables_, talk_);
@@ -260,8 +267,9 @@ private:
 
     Exit finish() {
         const Stage& stage = player_.stage();
-        const bool passed = !options_.expect || sayExpectations(checker_, stage.scene, talk_);
+        const bool passed = !expects() || sayExpectations(checker_, stage.scene, talk_);
         writeResults();
+        states_.say(talk_);
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));
         for (const std::string& line : direct_.lines()) talk_.say(printable(line));
@@ -270,6 +278,8 @@ private:
                 fmt::format(R"({{"event":"incident","text":{}}})", jsonString(incident.line)));
             talk_.complain("impulse: " + printable(incident.line));
         }
+        if (!options_.from.empty() && options_.expect && !isBrief())
+            talk_.say("expectations are not checked: they need the run from its beginning");
         talk_.say(fmt::format("{}: {} steps, {:.6g} s", stage.scene.name, steps_,
                               static_cast<double>(steps_) / stage.scene.hz));
         if (isBrief()) brief_.say(stage, talk_);
@@ -282,6 +292,7 @@ private:
     Tables tables_;
     bool dataOnStdout_;
     Talk talk_;
+    States states_;
     Player player_;
     ExpectationChecker checker_;
     DirectNote direct_;
@@ -320,8 +331,7 @@ Run addSim(CLI::App& app) {
     table("--events", options.events, "JSON: contacts that begin and end, joints that break");
     app.add_flag("--exact", options.exact,
                  "with --sweeps: adds the distance to the direct solution; slow; default: off");
-    app.add_option("--every", options.every, "write rows of every Nth step only; default: 1")
-        ->type_name("N");
+    addStates(app, options, options, texts);
     app.add_option("--plot", options.plot,
                    "charts of energy, penetration, joints and residual over time, as .svg or .png; "
                    "default: not drawn")
@@ -335,10 +345,12 @@ Run addSim(CLI::App& app) {
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
         const SimOptions& given = settled(*asked, commandLine);
-        checkRange("--every", given.every, 1, 1'000'000'000);
+        if (given.every) checkRange("--every", *given.every, 1, 1'000'000'000);
         checkRange("--hash-every", given.hashEvery, 0, 1'000'000'000);
         if (given.exact && given.sweeps.empty())
             refuse("--exact needs --sweeps; name a file for the sweeps");
+        if (given.exact && !(given.states.empty() && given.from.empty()))
+            refuse("--exact and states do not go together: it changes the bits");
         spareScenes(given.scenes, {given.csv, given.bodies, given.joints, given.contacts,
                                    given.sweeps, given.events, given.plot});
         return sim(given);

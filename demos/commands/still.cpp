@@ -12,6 +12,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
 #include "demos/film/progress.h"
+#include "demos/film/state_files.h"
 #include "demos/options/picture_options.h"
 #include "demos/snapshot/player.h"
 #include "demos/text/complaints.h"
@@ -24,6 +25,7 @@ namespace {
 struct StillOptions : Options {
     std::optional<double> time;  // s
     std::optional<int> frame;    // negative counts from the end
+    std::string from;            // a state to go on from; empty: from time 0
 };
 
 /// The moment of the picture, as a number of steps.
@@ -63,6 +65,19 @@ std::string targetOf(const FilmPlan& plan, const StillOptions& options, const Mo
     return name;
 }
 
+/// Returns the state's step. For the shutter, that must be before it opens.
+int goOn(const FilmPlan& plan, const StillOptions& options, const Moment& moment, Player& player) {
+    const long long step = goOnFrom(options.from, stateKindOf(plan.scene(), options),
+                                    plan.panels.front().overlays, player);
+    const int most = moment.steps - (plan.shutter.moments > 1 ? plan.stepsPerFrame : 0);
+    if (step > most)
+        throw Stop(Exit::usage,
+                   fmt::format("--from {}: is a state after step {}, and this picture is of step "
+                               "{}; an earlier state is needed",
+                               printable(options.from), step, moment.steps));
+    return static_cast<int>(step);
+}
+
 Exit still(StillOptions options) {
     if (options.width) options.size = figureSize(options);
     const Paper paper = paperOf(options);
@@ -73,7 +88,9 @@ Exit still(StillOptions options) {
     checkNeeds(needsOf(plan, 1, {}), plan);
     fitCameras(plan);
     Player player(plan.scene(), plan.panels.front().overlays);
-    const std::vector<render::Frame> seen = playTo(moment.time, moment.steps, plan, player);
+    const int from = options.from.empty() ? 0 : goOn(plan, options, moment, player);
+    const std::vector<render::Frame> seen =
+        playTo(moment.time, moment.steps - from, plan, player);
     render::Renderer renderer(plan.picture);
     render::Image picture = exposed(seen, plan, renderer);
     picture = withStrip(std::move(picture), plan, moment.time);
@@ -108,6 +125,10 @@ Run addStill(CLI::App& app) {
            "a .png, patterns as for render, or - ; default: output/<scene>/still_<time>.png")
         ->type_name("OUT")
         ->expected(1);
+    app.add_option("--from", options.from,
+                   "go on from a state that 'impulse sim --states' has written; default: from "
+                   "time 0")
+        ->type_name("FILE");
     addSeconds(app, options);
     addPicture(app, options, texts);
     addFigure(app, options, texts);

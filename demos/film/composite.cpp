@@ -90,6 +90,30 @@ Composite::Composite(const FilmPlan& plan) : plan_(plan) {
             new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}, {}}));
 }
 
+std::optional<ReadState> stateBefore(int frame, const FilmPlan& plan) {
+    const auto needsAll = [](Pass pass) { return pass == Pass::contacts || pass == Pass::events; };
+    if (plan.states.empty() || plan.panels.size() > 1 || std::ranges::any_of(plan.passes, needsAll))
+        return std::nullopt;
+    const int most = plan.shutter.moments > 1 ? frame - 1 : frame;  // it opens before the frame
+    return nearestState(plan.states, plan.stateKind, plan.panels.front().overlays,
+                        static_cast<long long>(most) * plan.stepsPerFrame);
+}
+
+int Composite::startBefore(int frame) {
+    const std::optional<ReadState> state = stateBefore(frame, plan_);
+    if (!state) return 0;
+    Show& show = *shows_.front();
+    const Panel& panel = plan_.panels.front();
+    if (!show.player.restoreState(state->player)) {
+        shows_.front().reset(new Show{Player(panel.scene, panel.overlays), show.steps, {}, {}});
+        return 0;
+    }
+    const int step = static_cast<int>(state->step);
+    frame_ = (step + show.steps - 1) / show.steps;
+    show.player.step(frame_ * show.steps - step);
+    return frame_;
+}
+
 void Composite::advance(bool drawn) {
     ++frame_;
     for (const auto& show : shows_)

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "demos/film/film_plan.h"
@@ -13,11 +14,18 @@ namespace demos {
 /// returns `panel` unchanged.
 render::Image withStrip(render::Image panel, const FilmPlan& plan, double time);
 
+/// The plan's last state before `frame` (what is drawn of it included); nothing if none fits, or if
+/// the film needs all steps: with several panels, or with data passes of contacts and events.
+std::optional<ReadState> stateBefore(int frame, const FilmPlan& plan);
+
 class Composite {
 public:
     /// `plan` must outlive this object.
     explicit Composite(const FilmPlan& plan);
 
+    /// Goes on from stateBefore(frame), as if it had advanced there. Returns the frame; 0: there is
+    /// none.
+    int startBefore(int frame);
     /// Advances by one frame. A single panel whose step fails throws Stop; one of several shows its
     /// last good state and says so. `drawn`: draw() will follow.
     void advance(bool drawn);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "demos/film/composite.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
 #include "demos/film/outputs.h"
@@ -256,6 +257,19 @@ bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const F
     return true;
 }
 
+/// Where the simulation of the first frame starts, if states were named.
+void tellStart(const FilmPlan& plan, const std::vector<bool>& wanted, const Talk& talk) {
+    const auto first = std::find(wanted.begin(), wanted.end(), true);
+    if (plan.states.empty() || first == wanted.end()) return;
+    const int frame = static_cast<int>(first - wanted.begin());
+    if (const std::optional<ReadState> state = stateBefore(frame, plan))
+        talk.say(fmt::format("starts from the state of step {}", state->step));
+    else
+        talk.mention(fmt::format("note: no state in '{}' fits before frame {}; the simulation "
+                                 "starts from time 0",
+                                 printable(plan.states), frame));
+}
+
 void tellNext(const Writers& writers, const std::vector<Output>& outputs,
               const FilmOptions& options, const Talk& talk) {
     if (options.shard)
@@ -305,6 +319,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     Writers writers(plan, outputs, record, std::move(poster), options, talk);
     const std::vector<bool> wanted = wantedFrames(writers, chosen);
     const int missing = countOf(wanted);
+    tellStart(plan, wanted, talk);
     talk.json(fmt::format(R"({{"event":"start","scene":{},"frames":{},"kept":{},"fps":{}}})",
                           jsonString(plan.name), frames, frames - missing, plan.fps));
     source.order(wanted);

@@ -11,6 +11,7 @@
 #include "demos/options/picture_options.h"
 #include "demos/play/motion_camera.h"
 #include "demos/scene/reader.h"
+#include "demos/text/hex_text.h"
 #include "demos/text/program_bytes.h"
 #include "demos/text/put_text.h"
 #include "demos/text/stop.h"
@@ -38,6 +39,8 @@ int frameCount(double seconds, int fps) {
     return static_cast<int>(frames);
 }
 
+}  // namespace
+
 Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     Overlays overlays;
     for (const std::string& name : scene.look.show) switchOn(overlays, name);
@@ -50,8 +53,6 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     if (options.clean) overlays.text = overlays.stats = overlays.ids = false;
     return overlays;
 }
-
-}  // namespace
 
 std::string goodRates(int hz, int wanted) {
     constexpr int kMost = 240;
@@ -154,7 +155,7 @@ bool FilmPlan::alpha() const {
 std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     TextHash hash;
     hash.add(kVersion);
-    addProgram(hash);
+    hash.add(hexText(programHash()));
     hash.add(sceneText(options.scene()));
     for (const std::string& file : plan.scene().files)
         hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));

@@ -6,6 +6,7 @@
 #include "demos/film/data_pass.h"
 #include "demos/film/panel_layout.h"
 #include "demos/film/shutter.h"
+#include "demos/film/state_files.h"
 #include "demos/look/overlays.h"
 #include "demos/options/options.h"
 #include "demos/scene/description.h"
@@ -35,6 +36,8 @@ struct FilmPlan {
     std::string name;  // {scene} in output patterns
     std::string quality;
     std::vector<Pass> passes;  // beside PNG frames; one panel only
+    std::string states;        // a folder with states to start from; empty: none
+    StateKind stateKind;       // of its states that fit
     int frames = 0;
     int fps = 30;
     int stepsPerFrame = 2;
@@ -59,12 +62,15 @@ int stepAt(double time, const FilmPlan& plan, const char* option);
 /// SceneError.
 SceneDescription sceneOf(const Options& options);
 
+/// What a scene's pictures show: its own overlays and those of the options.
+Overlays overlaysOf(const SceneDescription& scene, const Options& options);
+
 /// Throws Stop (usage) if the frame rate does not divide the scene's steps a second, the film would
 /// be too long, or the picture too small for its parts.
 FilmPlan planFilm(const Options& options);
 
-/// The same for several panels on one clock: their scenes have the same length, and each has its own
-/// steps per frame. Fills in their overlays. `strip`: leaves room for a plot.
+/// The same for several panels on one clock: their scenes have the same length, and each has its
+/// own steps per frame. Fills in their overlays. `strip`: leaves room for a plot.
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
 
 /// Sets the camera of scenes without one, before anything is drawn. Costs a run of each such scene;

@@ -1,6 +1,8 @@
 #include "demos/film/worker.h"
 
+#include <algorithm>
 #include <exception>
+#include <vector>
 
 #include "demos/film/data_files.h"
 #include "demos/text/stop.h"
@@ -33,6 +35,15 @@ Message drawnMessage(Desk& desk, int frame, const WorkerTask& task) {
     return message;
 }
 
+/// The wanted frames that this process draws.
+std::vector<int> framesOf(const WorkerTask& task, const std::vector<std::uint8_t>& wanted) {
+    std::vector<int> frames;
+    int ordinal = 0;
+    for (int frame = 0; frame < static_cast<int>(wanted.size()); ++frame)
+        if (wanted[frame] && ordinal++ % task.count == task.index) frames.push_back(frame);
+    return frames;
+}
+
 void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
     render::RendererSettings settings = plan.picture;
     settings.threads = 0;  // this process is the thread
@@ -41,10 +52,12 @@ void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
     if (!channel.send(Message::ofText(MessageKind::ready, desk.renderer.describe())) ||
         !channel.receive(orders))
         return;
-    int ordinal = 0;
-    for (int frame = 0; frame < static_cast<int>(orders.first.size()); ++frame) {
-        const bool mine = orders.first[frame] && ordinal++ % task.count == task.index;
-        if (frame > 0) desk.data.advance(mine);
+    const std::vector<int> own = framesOf(task, orders.first);
+    if (own.empty()) return;
+    const int start = desk.composite.startBefore(own.front());
+    for (int frame = start; frame <= own.back(); ++frame) {
+        const bool mine = std::ranges::binary_search(own, frame);
+        if (frame > start) desk.data.advance(mine);
         if (!mine) continue;
         Message message = drawnMessage(desk, frame, task);
         if (frame == plan.frames - 1) message.incident = desk.composite.incidentAtEnd();

@@ -14,13 +14,15 @@ namespace {
 constexpr int kStepsASecond = 60;
 constexpr int kWindow = 2 * kStepsASecond;
 
-/// Simulates the scene in pieces of 1/60 s: play(number of steps of the piece, whether it counts).
+/// Simulates the scene, from the player's step on, in pieces of 1/60 s: play(number of steps of the
+/// piece, whether it counts).
 template <class Play>
-void playPieces(const SceneDescription& scene, Play play) {
+void playPieces(const SceneDescription& scene, const Player& player, Play play) {
     const int pieces = std::max(static_cast<int>(std::lround(scene.seconds * kStepsASecond)), 1);
-    long long done = 0;
+    long long done = player.stage().world.report().step;
     for (int piece = 1; piece <= pieces; ++piece) {
         const long long until = static_cast<long long>(piece) * scene.hz / kStepsASecond;
+        if (until <= done && done > 0) continue;
         play(static_cast<int>(until - done), piece > pieces - kWindow);
         done = until;
         if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
@@ -52,10 +54,11 @@ double Timing::nanosecondsAPoint() const {
     return points > 0.0 ? 1e6 * sum / points : 0.0;
 }
 
-Timing timeScene(const SceneDescription& scene) {
+Timing timeScene(const SceneDescription& scene, const std::function<void(Player&)>& begin) {
     Player player(scene, Overlays{.trails = false});
+    if (begin) begin(player);
     Timing timing;
-    playPieces(scene, [&](int steps, bool counts) {
+    playPieces(scene, player, [&](int steps, bool counts) {
         const double before = processorTime();
         player.step(steps);
         const double after = processorTime();
@@ -73,13 +76,14 @@ Timing timeScene(const SceneDescription& scene) {
     return timing;
 }
 
-PhaseTimes timePhases(const SceneDescription& scene) {
+PhaseTimes timePhases(const SceneDescription& scene, const std::function<void(Player&)>& begin) {
     Player player(scene, Overlays{.trails = false});
+    if (begin) begin(player);
     PhaseClock clock;
     int counted = 0;
     player.observe(
         [&clock](engine::Phase phase, int) { clock.enter(1 + static_cast<std::size_t>(phase)); });
-    playPieces(scene, [&](int steps, bool counts) {
+    playPieces(scene, player, [&](int steps, bool counts) {
         clock.counts = counts;
         counted += counts;
         for (int i = 0; i < steps; ++i) {

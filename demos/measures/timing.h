@@ -2,10 +2,12 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "demos/scene/description.h"
+#include "demos/snapshot/player.h"
 
 namespace demos {
 
@@ -24,8 +26,9 @@ struct Timing {
     double nanosecondsAPoint() const;
 };
 
-/// Throws Stop (interrupted; diverged if a step fails).
-Timing timeScene(const SceneDescription& scene);
+/// `begin`, if given, may bring the player to a later step. Throws Stop (interrupted; diverged if a
+/// step fails) and what `begin` throws.
+Timing timeScene(const SceneDescription& scene, const std::function<void(Player&)>& begin = {});
 
 /// The phases of the loop; "prepare" is the time before the first.
 constexpr std::array<const char*, 7> kPhaseNames = {"prepare",   "forces", "velocities", "impulses",
@@ -33,6 +36,7 @@ constexpr std::array<const char*, 7> kPhaseNames = {"prepare",   "forces", "velo
 using PhaseTimes = std::array<double, kPhaseNames.size()>;  // ms per step, mean
 
 /// In a separate run: reading the clock in every phase takes time itself.
-PhaseTimes timePhases(const SceneDescription& scene);
+PhaseTimes timePhases(const SceneDescription& scene,
+                      const std::function<void(Player&)>& begin = {});
 
 }  // namespace demos

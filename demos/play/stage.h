@@ -24,6 +24,11 @@ struct Stage {
     /// world.report() has the reason.
     bool step();
     const std::string& nameOf(engine::BodyId id) const;
+    /// What is kept of it, besides the world's state, in a state (engine/base/state_bytes.h).
+    template <class Bytes>
+    void keep(Bytes& bytes) {
+        bytes(trails, steps_);
+    }
     /// The number of the scene's bodies that have not been removed after an incident.
     int bodiesNow() const;
 

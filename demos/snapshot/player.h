@@ -1,6 +1,8 @@
 /// Simulates a stage step by step, and keeps what pictures need from the steps in between.
 #pragma once
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -42,7 +44,15 @@ public:
     /// From now on the stage's world reports touch events (engine::World::touches).
     void watchTouches() { stage_.world.watchTouches(true); }
 
+    /// All that the next steps, and pictures of them, depend on (engine::World::saveState).
+    std::vector<std::uint8_t> saveState() const;
+    /// Goes on from there: in a player of the same scene, with overlays that need no other memory.
+    /// False: these bytes are not such a state; then this object may only be destroyed.
+    bool restoreState(std::span<const std::uint8_t> bytes);
+
 private:
+    template <class Bytes>
+    void keep(Bytes& bytes);
     void watchNudges();
     void remember();
     void look(const engine::Incident& incident);

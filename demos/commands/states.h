@@ -1,0 +1,51 @@
+/// The states that `impulse sim` writes, and the one that it goes on from.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "demos/commands/option_checks.h"
+#include "demos/film/progress.h"
+#include "demos/film/state_files.h"
+
+namespace CLI {
+class App;
+}
+
+namespace demos {
+
+struct StatesOptions {
+    std::string states;  // a folder; empty: not written
+    std::string from;    // a state to go on from; empty: from time 0
+    std::optional<int>
+        every;  // rows and states of every Nth step; none: every row, a state a second
+};
+
+void addStates(CLI::App& app, StatesOptions& options, Options& picture, OptionTexts& texts);
+
+class States {
+public:
+    /// Makes the folder. Throws render::Error.
+    States(const StatesOptions& options, const Options& picture, const SceneDescription& scene);
+
+    /// For the player: the overlays whose memory the states keep, all that cost little, and those
+    /// asked for.
+    const Overlays& overlays() const { return overlays_; }
+
+    /// If a state was named, the player goes on from there. `last`: step with which the run ends.
+    /// Throws Stop (usage), render::Error.
+    void goOn(long last, Player& player) const;
+    /// To be called after every step.
+    void look(const Player& player, long step);
+    void say(const Talk& talk) const;
+
+private:
+    std::filesystem::path folder_;
+    std::string from_;
+    long every_;
+    Overlays overlays_;
+    StateKind kind_;
+    int count_ = 0;
+};
+
+}  // namespace demos

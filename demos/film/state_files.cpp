@@ -1,0 +1,216 @@
+#include "demos/film/state_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+
+#include "demos/load/load_scene.h"
+#include "demos/scene/reader.h"
+#include "demos/text/complaints.h"
+#include "demos/text/file_content.h"
+#include "demos/text/hex_text.h"
+#include "demos/text/program_bytes.h"
+#include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
+#include "demos/text/version.h"
+#include "engine/base/state_bytes.h"
+#include "render/encode/file.h"
+#include "render/error.h"
+
+namespace demos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "impulse state 1", as the first 16 bytes; then the seal of all that follows.
+constexpr char kMark[16] = "impulse state 1";
+constexpr std::size_t kSealed = sizeof kMark + 8;  // bytes before what is sealed
+
+/// Which of the overlays' memories a state has: they are kept only by a run that shows them.
+struct Remembered {
+    bool ghosts = false, stats = false, nudges = false;
+    double ghostEvery = 0.0;  // s
+    std::string colorBy;
+
+    explicit Remembered(const Overlays& o)
+        : ghosts(o.ghost),
+          stats(o.stats),
+          nudges(o.nudges),
+          ghostEvery(o.ghostEvery),
+          colorBy(o.colorBy) {}
+};
+
+/// What pictures with these overlays need and the state lacks, as --show calls it; "": nothing.
+std::string missingFrom(const Remembered& has, const Remembered& needs) {
+    if (needs.ghosts && (!has.ghosts || has.ghostEvery != needs.ghostEvery)) return "--show ghost";
+    if (needs.stats && !has.stats) return "--show stats";
+    if (needs.nudges && !has.nudges) return "--show nudges";
+    if (needs.colorBy != has.colorBy && needs.colorBy != "body")
+        return "--colour-by " + needs.colorBy;
+    return {};
+}
+
+/// Eight bytes at a time, in four lanes: a byte at a time takes longer than all the rest. A state
+/// belongs to one build, so that the order of a word's bytes does not matter.
+std::uint64_t sealOf(std::span<const std::uint8_t> bytes) {
+    std::uint64_t lanes[4] = {1, 2, 3, bytes.size()};
+    std::size_t at = 0;
+    const auto mix = [&](std::size_t lane, std::uint64_t word) {
+        lanes[lane] = std::rotl(lanes[lane] ^ word, 27) * 0x9e3779b97f4a7c15ull;
+    };
+    for (; at + 32 <= bytes.size(); at += 32)
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, bytes.data() + at + 8 * lane, sizeof word);
+            mix(lane, word);
+        }
+    for (; at < bytes.size(); ++at) mix(at % 4, bytes[at]);
+    std::uint64_t seal = 0;
+    for (const std::uint64_t lane : lanes)
+        seal = std::rotl(seal ^ lane, 31) * 0xff51afd7ed558ccdull;
+    return seal ^ (seal >> 32);
+}
+
+template <class Bytes>
+void keepWord(Bytes& bytes, std::string& text) {
+    std::vector<char> letters(text.begin(), text.end());
+    bytes(letters);
+    text.assign(letters.begin(), letters.end());
+}
+
+struct StateContent {
+    StateKind kind;
+    Remembered remembered;
+    ReadState state;
+
+    template <class Bytes>
+    void keep(Bytes& bytes) {
+        keepWord(bytes, kind.version);
+        bytes(kind.build);
+        keepWord(bytes, kind.scene);
+        bytes(kind.settings, remembered.ghosts, remembered.stats, remembered.nudges);
+        bytes(remembered.ghostEvery);
+        keepWord(bytes, remembered.colorBy);
+        bytes(state.step, state.player);
+    }
+};
+
+/// Throws render::Error.
+StateContent contentOfState(const fs::path& file) {
+    const auto fail = [&](const char* what) {
+        throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
+    };
+    const std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
+    if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
+    if (bytes.size() < kSealed || !std::equal(kMark, kMark + sizeof kMark, bytes.begin()))
+        fail("is no state that 'impulse sim --states' of this version has written");
+    const std::span<const std::uint8_t> all = bytes, sealed = all.subspan(kSealed);
+    engine::StateReader seal(all.subspan(sizeof kMark, 8)), reader(sealed);
+    std::uint64_t told = 0;
+    seal(told);
+    StateContent content{{}, Remembered({}), {}};
+    if (told == sealOf(sealed)) content.keep(reader);
+    if (told != sealOf(sealed) || !reader.isGood() || !reader.isAtEnd())
+        fail("is torn or damaged: its bytes do not have the hash that seals them");
+    return content;
+}
+
+/// What keeps a state from being gone on from; "": nothing.
+std::string objectionTo(const StateContent& content, const StateKind& kind,
+                        const Overlays& overlays) {
+    const StateKind& its = content.kind;
+    if (its.version != kind.version || its.build != kind.build)
+        return fmt::format("is a state of impulse {} (build {}), and this is {} (build {})",
+                           printable(its.version), hexText(its.build), kind.version,
+                           hexText(kind.build));
+    if (its.scene != kind.scene)
+        return fmt::format("is a state of the scene '{}', and not of '{}'", printable(its.scene),
+                           printable(kind.scene));
+    if (its.settings != kind.settings)
+        return fmt::format(
+            "is a state of '{}' with other values ({}, and now {}): its file or --set "
+            "differs",
+            printable(kind.scene), hexText(its.settings), hexText(kind.settings));
+    const std::string missing = missingFrom(content.remembered, Remembered(overlays));
+    if (missing.empty()) return {};
+    return fmt::format("does not remember what pictures with {} show; write it with that option",
+                       missing);
+}
+
+/// The step of "000240.state"; nothing for other names.
+std::optional<long long> stepOf(const fs::path& file) {
+    const std::string name = file.filename().string();
+    const std::string digits = name.substr(0, name.find('.'));
+    long long step = 0;
+    const auto got = std::from_chars(digits.data(), digits.data() + digits.size(), step);
+    const bool whole = got.ec == std::errc{} && got.ptr == digits.data() + digits.size();
+    return whole && name == digits + ".state" ? std::optional(step) : std::nullopt;
+}
+
+}  // namespace
+
+StateKind stateKindOf(const SceneDescription& scene, const Options& options) {
+    TextHash hash;
+    hash.add(sceneText(options.scene()));
+    for (const std::string& file : scene.files)
+        hash.add(readSceneFile(file, "a file of the scene", kMostPartBytes));
+    hash.add(std::to_string(scene.contents));
+    for (const std::string& text : options.overrides)
+        if (!text.starts_with("solver.threads")) hash.add(text);
+    return {kVersion, programHash(), scene.name, hash.value()};
+}
+
+void writeState(const fs::path& folder, const StateKind& kind, const Overlays& overlays,
+                const Player& player) {
+    const long long step = player.stage().world.report().step;
+    StateContent content{kind, Remembered(overlays), {step, player.saveState()}};
+    engine::StateWriter writer;
+    for (char letter : kMark) writer(letter);
+    std::uint64_t seal = 0;
+    writer(seal, content);
+    std::vector<std::uint8_t> bytes = writer.taken();
+    seal = sealOf(std::span(bytes).subspan(kSealed));
+    for (std::size_t i = 0; i < 8; ++i)
+        bytes[sizeof kMark + i] = static_cast<std::uint8_t>(seal >> (8 * i));
+    render::writeFileAtomically(folder / fmt::format("{:06}.state", step), bytes);
+}
+
+ReadState readState(const fs::path& file, const StateKind& kind, const Overlays& overlays) {
+    StateContent content = contentOfState(file);
+    const std::string objection = objectionTo(content, kind, overlays);
+    if (!objection.empty())
+        throw Stop(Exit::usage, fmt::format("{}: {}", printable(file.string()), objection));
+    return std::move(content.state);
+}
+
+long long goOnFrom(const fs::path& file, const StateKind& kind, const Overlays& overlays,
+                   Player& player) {
+    const ReadState state = readState(file, kind, overlays);
+    if (!player.restoreState(state.player))
+        throw render::Error(fmt::format("{}: is not a state of this scene's bodies and joints",
+                                        printable(file.string())));
+    return state.step;
+}
+
+std::optional<ReadState> nearestState(const fs::path& folder, const StateKind& kind,
+                                      const Overlays& overlays, long long step) {
+    std::vector<std::pair<long long, fs::path>> files;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (const auto number = stepOf(entry.path()); number && *number <= step)
+            files.push_back({*number, entry.path()});
+    std::sort(files.begin(), files.end(), std::greater<>());
+    for (const auto& [number, path] : files) try {
+            ReadState state = readState(path, kind, overlays);
+            if (state.step == number) return state;
+        } catch (const std::exception&) {  // another one may fit
+        }
+    return std::nullopt;
+}
+
+}  // namespace demos

@@ -1,0 +1,51 @@
+/// Files with the state of a run: DIR/000240.state, after step 240. Another run goes on from there,
+/// to the same bits. A file belongs to one build of the program and one scene with its settings; a
+/// hash seals it.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demos/options/options.h"
+#include "demos/snapshot/player.h"
+
+namespace demos {
+
+/// What a state belongs to.
+struct StateKind {
+    std::string version;      // of the program
+    std::uint64_t build = 0;  // hash of its bytes
+    std::string scene;
+    std::uint64_t settings = 0;  // hash of the scene's files, and of --set but for threads
+};
+StateKind stateKindOf(const SceneDescription& scene, const Options& options);
+
+inline constexpr std::uintmax_t kMostStateBytes = 1u << 30;
+
+/// A state that was read and is what it should be.
+struct ReadState {
+    long long step = 0;
+    std::vector<std::uint8_t> player;  // Player::saveState
+};
+
+/// Writes the player's state into the folder, which must exist, in one step. Throws render::Error.
+void writeState(const std::filesystem::path& folder, const StateKind& kind,
+                const Overlays& overlays, const Player& player);
+
+/// Throws render::Error if it is no whole state, Stop (usage) if it is of another program or scene,
+/// or does not remember what these overlays show; both are named.
+ReadState readState(const std::filesystem::path& file, const StateKind& kind,
+                    const Overlays& overlays);
+
+/// readState, and the player goes on from there. Returns the step.
+long long goOnFrom(const std::filesystem::path& file, const StateKind& kind,
+                   const Overlays& overlays, Player& player);
+
+/// The folder's last state of a step up to `step` that belongs to this and remembers what is shown;
+/// nothing if there is none. Other files, and states that are damaged, are passed over.
+std::optional<ReadState> nearestState(const std::filesystem::path& folder, const StateKind& kind,
+                                      const Overlays& overlays, long long step);
+
+}  // namespace demos
