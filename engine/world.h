@@ -103,8 +103,8 @@ public:
     std::uint64_t hash() const;
 
     /// All that the next steps depend on, and what can be read of the last one, as bytes. They hold neither
-    /// shapes, materials and settings nor functions.
-    std::vector<std::uint8_t> saveState() const;
+    /// shapes, materials and settings nor functions. They replace those of `bytes` from `at` on.
+    void saveState(std::vector<std::uint8_t>& bytes, std::size_t at = 0) const;
     /// Goes on from there, to the same bits, with any number of threads. The world must have got the same
     /// bodies, joints, forces and settings as the saved one, by the same calls. False: these bytes are not
     /// the state of such a world; then it may only be destroyed.

@@ -282,15 +282,12 @@ void keep(Bytes& bytes, WorldState& s) {
     keepRows(bytes, s);
 }
 
-std::vector<std::uint8_t> World::saveState() const {
+void World::saveState(std::vector<std::uint8_t>& bytes, std::size_t at) const {
     WorldState& s = *state_;
-    std::vector<ContactState> listed;
-    listContacts(s, listed);
-    s.kept.swap(listed);
-    StateWriter bytes;
-    keep(bytes, s);
-    s.kept.swap(listed);
-    return bytes.taken();
+    if (s.listed != WorldState::Listed::kept) listContacts(s, s.kept);
+    StateWriter writer(bytes, at);
+    keep(writer, s);
+    writer.finish();
 }
 
 bool World::restoreState(std::span<const std::uint8_t> bytes) {

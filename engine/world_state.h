@@ -43,7 +43,7 @@ struct WorldState {
 
     enum class Listed { none, solved, found, kept };
     Listed listed = Listed::none;  // which contacts World::contacts() lists
-    std::vector<ContactState> kept;  // those of a restored state, until the next step
+    std::vector<ContactState> kept;  // those of a state, until the next step
     bool contactsStale = true;  // bodies were added, removed or moved by the caller
     bool jointsStale = true;
     bool treesStale = false;    // joints fell asleep or woke

@@ -50,7 +50,7 @@ void States::goOn(long last, Player& player) const {
 
 void States::look(const Player& player, long step) {
     if (folder_.empty() || step % every_ != 0) return;
-    writeState(folder_, kind_, overlays_, player);
+    writeState(folder_, kind_, overlays_, player, memory_);
     ++count_;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "demos/commands/option_checks.h"
 #include "demos/film/progress.h"
@@ -46,6 +47,7 @@ private:
     Overlays overlays_;
     StateKind kind_;
     int count_ = 0;
+    std::vector<std::uint8_t> memory_;  // of the last one
 };
 
 }  // namespace demos

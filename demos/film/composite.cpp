@@ -104,7 +104,7 @@ int Composite::startBefore(int frame) {
     if (!state) return 0;
     Show& show = *shows_.front();
     const Panel& panel = plan_.panels.front();
-    if (!show.player.restoreState(state->player)) {
+    if (!show.player.restoreState(state->player())) {
         shows_.front().reset(new Show{Player(panel.scene, panel.overlays), show.steps, {}, {}});
         return 0;
     }

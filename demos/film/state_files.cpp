@@ -83,10 +83,11 @@ void keepWord(Bytes& bytes, std::string& text) {
     text.assign(letters.begin(), letters.end());
 }
 
+/// A file without the player's part, which follows.
 struct StateContent {
     StateKind kind;
     Remembered remembered;
-    ReadState state;
+    ReadState state;  // its step
 
     template <class Bytes>
     void keep(Bytes& bytes) {
@@ -96,7 +97,7 @@ struct StateContent {
         bytes(kind.settings, remembered.ghosts, remembered.stats, remembered.nudges);
         bytes(remembered.ghostEvery);
         keepWord(bytes, remembered.colorBy);
-        bytes(state.step, state.player);
+        bytes(state.step);
     }
 };
 
@@ -105,7 +106,7 @@ StateContent contentOfState(const fs::path& file) {
     const auto fail = [&](const char* what) {
         throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
     };
-    const std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
+    std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
     if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
     if (bytes.size() < kSealed || !std::equal(kMark, kMark + sizeof kMark, bytes.begin()))
         fail("is no state that 'impulse sim --states' of this version has written");
@@ -114,9 +115,12 @@ StateContent contentOfState(const fs::path& file) {
     std::uint64_t told = 0;
     seal(told);
     StateContent content{{}, Remembered({}), {}};
-    if (told == sealOf(sealed)) content.keep(reader);
-    if (told != sealOf(sealed) || !reader.isGood() || !reader.isAtEnd())
+    const bool whole = told == sealOf(sealed);
+    if (whole) content.keep(reader);
+    if (!whole || !reader.isGood())
         fail("is torn or damaged: its bytes do not have the hash that seals them");
+    content.state.start = bytes.size() - reader.left().size();
+    content.state.file = std::move(bytes);
     return content;
 }
 
@@ -166,18 +170,19 @@ StateKind stateKindOf(const SceneDescription& scene, const Options& options) {
 }
 
 void writeState(const fs::path& folder, const StateKind& kind, const Overlays& overlays,
-                const Player& player) {
+                const Player& player, std::vector<std::uint8_t>& memory) {
     const long long step = player.stage().world.report().step;
-    StateContent content{kind, Remembered(overlays), {step, player.saveState()}};
-    engine::StateWriter writer;
+    StateContent content{kind, Remembered(overlays), {}};
+    content.state.step = step;
+    engine::StateWriter writer(memory);
     for (char letter : kMark) writer(letter);
     std::uint64_t seal = 0;
     writer(seal, content);
-    std::vector<std::uint8_t> bytes = writer.taken();
-    seal = sealOf(std::span(bytes).subspan(kSealed));
+    player.saveState(memory, writer.end());
+    seal = sealOf(std::span(memory).subspan(kSealed));
     for (std::size_t i = 0; i < 8; ++i)
-        bytes[sizeof kMark + i] = static_cast<std::uint8_t>(seal >> (8 * i));
-    render::writeFileAtomically(folder / fmt::format("{:06}.state", step), bytes);
+        memory[sizeof kMark + i] = static_cast<std::uint8_t>(seal >> (8 * i));
+    render::writeFileAtomically(folder / fmt::format("{:06}.state", step), memory);
 }
 
 ReadState readState(const fs::path& file, const StateKind& kind, const Overlays& overlays) {
@@ -191,7 +196,7 @@ ReadState readState(const fs::path& file, const StateKind& kind, const Overlays&
 long long goOnFrom(const fs::path& file, const StateKind& kind, const Overlays& overlays,
                    Player& player) {
     const ReadState state = readState(file, kind, overlays);
-    if (!player.restoreState(state.player))
+    if (!player.restoreState(state.player()))
         throw render::Error(fmt::format("{}: is not a state of this scene's bodies and joints",
                                         printable(file.string())));
     return state.step;

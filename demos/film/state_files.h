@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,17 @@ inline constexpr std::uintmax_t kMostStateBytes = 1u << 30;
 /// A state that was read and is what it should be.
 struct ReadState {
     long long step = 0;
-    std::vector<std::uint8_t> player;  // Player::saveState
+    std::vector<std::uint8_t> file;  // all of it
+    std::size_t start = 0;           // of the player's part
+
+    std::span<const std::uint8_t> player() const { return std::span(file).subspan(start); }
 };
 
-/// Writes the player's state into the folder, which must exist, in one step. Throws render::Error.
+/// Writes the player's state into the folder, which must exist, in one step. `memory`: of the state
+/// before, to be used again. Throws render::Error.
 void writeState(const std::filesystem::path& folder, const StateKind& kind,
-                const Overlays& overlays, const Player& player);
+                const Overlays& overlays, const Player& player,
+                std::vector<std::uint8_t>& memory);
 
 /// Throws render::Error if it is no whole state, Stop (usage) if it is of another program or scene,
 /// or does not remember what these overlays show; both are named.

@@ -45,7 +45,7 @@ public:
     void watchTouches() { stage_.world.watchTouches(true); }
 
     /// All that the next steps, and pictures of them, depend on (engine::World::saveState).
-    std::vector<std::uint8_t> saveState() const;
+    void saveState(std::vector<std::uint8_t>& bytes, std::size_t at = 0) const;
     /// Goes on from there: in a player of the same scene, with overlays that need no other memory.
     /// False: these bytes are not such a state; then this object may only be destroyed.
     bool restoreState(std::span<const std::uint8_t> bytes);

@@ -79,20 +79,16 @@ void Player::keep(Bytes& bytes) {
     bytes.require(!overlays_.nudges || h.nudges.size() == bodies);
 }
 
-std::vector<std::uint8_t> Player::saveState() const {
-    engine::StateWriter bytes;
-    std::vector<std::uint8_t> world = stage_.world.saveState();
-    bytes(world);
-    const_cast<Player*>(this)->keep(bytes);  // a writer changes nothing
-    return bytes.taken();
+void Player::saveState(std::vector<std::uint8_t>& bytes, std::size_t at) const {
+    engine::StateWriter writer(bytes, at);
+    const_cast<Player*>(this)->keep(writer);  // a writer changes nothing
+    stage_.world.saveState(bytes, writer.end());
 }
 
 bool Player::restoreState(std::span<const std::uint8_t> bytes) {
     engine::StateReader reader(bytes);
-    std::vector<std::uint8_t> world;
-    reader(world);
     keep(reader);
-    return reader.isGood() && reader.isAtEnd() && stage_.world.restoreState(world);
+    return reader.isGood() && stage_.world.restoreState(reader.left());
 }
 
 }  // namespace demos

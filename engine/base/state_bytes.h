@@ -2,13 +2,13 @@
 /// is kept of a struct is listed once, for both directions, in its own member or next to it:
 ///   template <class Bytes> void keep(Bytes& bytes, Velocity& v) { bytes(v.linear, v.angular); }
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "engine/base/math.h"
@@ -73,9 +73,13 @@ private:
     }
 };
 
+/// Overwrites `bytes` from `at` on, up to finish(). What they hold already needs no new memory.
 class StateWriter : public StateBytes<StateWriter> {
 public:
     static constexpr bool kReads = false;
+    explicit StateWriter(std::vector<std::uint8_t>& bytes, std::size_t at = 0)
+        : bytes_(bytes), used_(at) {}
+
     bool isGood() const { return true; }
     void require(bool) {}
 
@@ -83,33 +87,30 @@ public:
     void number(const Number& value) {
         auto raw = std::bit_cast<std::array<std::uint8_t, sizeof(Number)>>(value);
         if constexpr (std::endian::native == std::endian::big)
-            for (std::size_t i = 0; i < raw.size() / 2; ++i)
-                std::swap(raw[i], raw[raw.size() - 1 - i]);
-        append(raw.data(), raw.size());
+            std::reverse(raw.begin(), raw.end());
+        std::memcpy(next(sizeof value), raw.data(), sizeof value);
     }
     template <class Item>
     void list(std::vector<Item>& items) {
         number(static_cast<std::uint64_t>(items.size()));
-        if constexpr (sizeof(Item) == 1)
-            append(items.data(), items.size());
-        else
+        if constexpr (sizeof(Item) != 1)
             for (Item& item : items) (*this)(item);
+        else if (!items.empty())
+            std::memcpy(next(items.size()), items.data(), items.size());
     }
-    std::vector<std::uint8_t> taken() {
-        bytes_.resize(used_);
-        return std::move(bytes_);
-    }
+    /// Where the next writer of the same bytes begins; or, after the last one, cuts off what is older.
+    std::size_t end() const { return used_; }
+    void finish() { bytes_.resize(used_); }
 
 private:
-    void append(const void* from, std::size_t size) {
-        if (size == 0) return;
-        if (bytes_.size() - used_ < size) bytes_.resize(2 * bytes_.size() + size + 4096);
-        std::memcpy(bytes_.data() + used_, from, size);
+    std::uint8_t* next(std::size_t size) {
+        if (bytes_.size() < used_ + size) bytes_.resize(2 * bytes_.size() + size + 4096);
         used_ += size;
+        return bytes_.data() + used_ - size;
     }
 
-    std::vector<std::uint8_t> bytes_;
-    std::size_t used_ = 0;
+    std::vector<std::uint8_t>& bytes_;
+    std::size_t used_;
 };
 
 /// After the first value that cannot be, or that is missing, all others are read as zeros.
@@ -120,6 +121,7 @@ public:
 
     bool isGood() const { return good_; }
     bool isAtEnd() const { return left_.empty(); }
+    std::span<const std::uint8_t> left() const { return left_; }
     void require(bool condition) { good_ = good_ && condition; }
 
     template <class Number>
@@ -133,8 +135,7 @@ public:
             std::array<std::uint8_t, sizeof(Number)> raw;
             std::memcpy(raw.data(), left_.data(), raw.size());
             if constexpr (std::endian::native == std::endian::big)
-                for (std::size_t i = 0; i < raw.size() / 2; ++i)
-                    std::swap(raw[i], raw[raw.size() - 1 - i]);
+                std::reverse(raw.begin(), raw.end());
             value = std::bit_cast<Number>(raw);
         }
         left_ = left_.subspan(sizeof value);

@@ -39,7 +39,9 @@ const Bytes& saved() {
     static const Bytes bytes = [] {
         World world = small();
         support::run(world, 50);
-        return world.saveState();
+        Bytes state;
+        world.saveState(state);
+        return state;
     }();
     return bytes;
 }

@@ -44,7 +44,9 @@ void goOn(const std::string& scene, int before, int steps, int threads) {
     whole.step(before);
     description.settings.threads = threads;
     Player rest(description, remembering());
-    ASSERT_TRUE(rest.restoreState(whole.saveState()));
+    std::vector<std::uint8_t> state;
+    whole.saveState(state);
+    ASSERT_TRUE(rest.restoreState(state));
     EXPECT_EQ(pictureOf(rest), pictureOf(whole)) << "at once, step " << before;
     whole.step(steps), rest.step(steps);
     EXPECT_EQ(rest.stage().world.hash(), whole.stage().world.hash())
