@@ -46,6 +46,7 @@ void arrangeByGroups(Solver& solver) {
 }
 
 constexpr double kLayer = 1e-3;  // m: closer contacts form one layer, in the order of pairs
+constexpr double kMostLayers = 1e9;  // 1000 km: bodies are removed long before, but only after a step
 constexpr double kStays = 0.02;  // m: a contact that has moved less keeps its place
 
 }  // namespace
@@ -60,8 +61,8 @@ void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3
         const double depth = down.dot(at);
         if (!(std::abs(depth - contact.depth) <= kStays))
             contact.depth = std::floor(depth / kLayer + 0.5) * kLayer;
-        const auto layer = static_cast<std::uint32_t>(
-            static_cast<std::int32_t>(contact.depth / kLayer) + (1 << 30));
+        const double number = clamped(contact.depth / kLayer, -kMostLayers, kMostLayers);
+        const auto layer = static_cast<std::uint32_t>(static_cast<std::int32_t>(number) + (1 << 30));
         keys.push_back(std::uint64_t{layer} << 32 | keys.size());
     }
     std::sort(keys.begin(), keys.end());
