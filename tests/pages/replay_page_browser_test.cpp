@@ -51,22 +51,26 @@ protected:
         return browser_.open(replayPage(recording_).html, hash, script, window);
     }
 
-    /// The page's clock is that of its animation frames, of so many ms each. `seen`: the resolutions and
-    /// notes that it had.
-    Opened openSlow(int ms, const std::string& script) const {
+    /// Each animation frame takes window.frameTakes ms by the page's clock, at first 20.
+    Opened openTimed(const std::string& script, std::optional<support::Window> window = {}) const {
         std::string page = replayPage(recording_).html;
-        page.insert(page.rfind("<script>"), "<script>const kTakes = " + std::to_string(ms) + R"js(;
-let clock = 0;
-const seen = new Set();
-performance.now = () => clock;
-requestAnimationFrame = (draw) => setTimeout(() => {
-  clock += kTakes;
-  draw(clock);
-  const picture = byId("picture");
-  seen.add(`${picture.width / picture.clientWidth} ${byId("left-out").textContent}`);
-}, 16);
+        page.insert(page.rfind("<script>"), R"js(<script>
+window.frameTakes = 20;
+let now = 0;
+const solids = WebGL2RenderingContext.prototype;
+performance.now = () => now;
+// A browser's own frames use up much of the time that it has in a test.
+window.nextFrame = (go) => setTimeout(go, 5);
+requestAnimationFrame = (draw) => setTimeout(() => draw(now += window.frameTakes), 5);
+cancelAnimationFrame = clearTimeout;
+window.mostCorners = 0;  // of a solid, since it was last set
+const drawn = solids.drawArraysInstanced;
+solids.drawArraysInstanced = function (...words) {
+  window.mostCorners = Math.max(window.mostCorners, words[2]);
+  return drawn.apply(this, words);
+};
 </script>)js");
-        return browser_.open(page, "t=0", script);
+        return browser_.open(page, "t=0", script, window);
     }
 
     /// The first frame's; in a picture narrower than the film, as wide as there.
@@ -281,18 +285,91 @@ TEST_F(ReplayInBrowser, ANarrowPictureIsNotCutAtItsSides) {
     EXPECT_TRUE(isBlue(colorOf(opened, {0, 3, 0})));
 }
 
-/// Quick frames keep the picture; slow ones make it coarser, then take its shadows.
+/// Plays a number of frames, and collects what the page says of them.
+const std::string kPlay = R"js(
+  const seen = new Set(), picture = byId("picture"), note = byId("left-out");
+  const play = async (frames, ms = window.frameTakes) => {
+    await key(" ");
+    window.frameTakes = ms;
+    for (let i = 0; i < frames; ++i) {
+      seen.add(`${(picture.width / picture.clientWidth).toFixed(2)} ${note.textContent}`);
+      await new Promise((go) => window.nextFrame(go));
+    }
+    window.frameTakes = 20;
+    await key(" ");
+  };
+)js";
+
+/// Quick frames keep the picture; slow ones make it coarser, take its shadows, then its sides.
 TEST_F(ReplayInBrowser, SlowFramesMakeThePictureCoarserAndThenTakeItsShadows) {
-    const std::string play = "await key(' '); for (let i = 0; i < 9; ++i) await rest(); await key(' ');";
-    const std::string all = "tell([...seen].join());";
-    EXPECT_EQ(told(openSlow(40, driver(play + all))), "[1 ]");
-    const Opened slow = openSlow(200, driver(play + all));
+    const std::string play = kPlay + "await play(18, 200);", all = "tell([...seen].join());";
+    EXPECT_EQ(told(openTimed(driver(kPlay + "await play(18, 40);" + all))), "[1.00 ]");
+    const Opened slow = openTimed(driver(play + all));
     EXPECT_EQ(told(slow),
-              "[1 ,0.5 half resolution, to keep up,"
-              "0.5 half resolution and no shadows, to keep up]");
+              "[1.00 ,0.50 half resolution, to keep up,"
+              "0.50 half resolution and no shadows, to keep up,"
+              "0.33 a third of the resolution, fewer sides and no shadows, to keep up]");
     EXPECT_TRUE(slow.console.empty()) << slow.console.front();
-    const Opened opened = openSlow(200, still(play + "await link('t=0');"));
+    const Opened opened = openTimed(still(play + "await link('t=0');"));
     EXPECT_NEAR(colorOf(opened, {-3.6, -1, -0.67})[0], colorOf(opened, {-2.0, -1, 0.9})[0], 12);
+}
+
+/// Fewer sides at the last, and again as many where frames are quick; a picture that was too fine
+/// once is tried later the next time.
+TEST_F(ReplayInBrowser, QuickFramesMakeThePictureFinerAgain) {
+    const Opened opened = openTimed(driver(kPlay + R"js(
+  const corners = async () => {
+    window.mostCorners = 0;
+    await play(1);
+    return window.mostCorners;
+  };
+  const fine = await corners();
+  await play(12, 200);
+  tell(await corners() < fine / 10);
+  await play(48, 24);
+  tell(await corners() === fine);
+  tell(byId("left-out").textContent);
+  await play(9, 200);
+  seen.clear();
+  await play(48, 24);
+  tell([...seen].join());
+)js"),
+                                    support::Window{300, 400});
+    EXPECT_EQ(told(opened),
+              "[true][true][half resolution and no shadows, to keep up]"
+              "[0.33 a third of the resolution, fewer sides and no shadows, to keep up]");
+}
+
+/// Many round solids have fewer sides from the beginning.
+TEST_F(ReplayInBrowser, ManyBallsHaveFewerSides) {
+    const auto corners = [this] {
+        return std::stoi(told(openTimed(driver("tell(window.mostCorners);"))).substr(1));
+    };
+    const int few = corners();
+    recording_ = support::plantedRecording(400, 2, 1);
+    const int many = corners();
+    EXPECT_GT(few, 2 * many);
+    EXPECT_GT(many, 100);
+}
+
+/// A camera below its body's height, which falls: it stops above the ground, and is as far below the
+/// body as before when that has risen again.
+TEST_F(ReplayInBrowser, ACameraThatFollowsStaysAboveTheGround) {
+    for (int i = 0; i < kFrames; ++i)
+        recording_.frames[i].bodies[1].pose.position.y() = 4.0 - 4.5 * std::sin(0.0523599 * i);
+    const Opened opened = open("t=0&body=ball1&follow=1&camera=0,2,9,0,4,0,35", driver(R"js(
+  const camera = async (time) => {
+    byId("time").value = time;
+    byId("time").dispatchEvent(new Event("input"));
+    await new Promise((go) => setTimeout(go, 300));
+    return new URLSearchParams(location.hash.slice(1)).get("camera").split(",").map(Number);
+  };
+  const low = await camera(30);
+  tell(low[1] > -1 && low[1] < -0.5);
+  tell(Math.abs(low[4] + 0.5) < 0.01);
+  tell(Math.abs((await camera(60))[1] - 2) < 0.01);
+)js"));
+    EXPECT_EQ(told(opened), "[true][true][true]");
 }
 
 /// The ground is at -1 m. Down and down again, by keys and by zooming out with a view upwards.

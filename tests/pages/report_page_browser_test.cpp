@@ -211,7 +211,7 @@ TEST_F(ReportInBrowser, ANarrowPageHasOneColumn) {
     const std::string columns = driver(R"js(
   const [list, scene] = ["list", "scene"].map((id) => byId(id).getBoundingClientRect());
   const all = list.width === innerWidth && scene.width === innerWidth;
-  tell(list.bottom <= scene.top && all);
+  tell(scene.bottom <= list.top && all);  // the picture first
   const over = [...document.querySelectorAll("#top, #head, button, .card, #viewer, #film, #bar")]
     .filter((one) => one.checkVisibility() && !one.closest("#pictures"));
   tell(over.filter((one) => one.getBoundingClientRect().right > innerWidth).length);

@@ -1,7 +1,7 @@
 // Bodies, and the bars and coils between them, at the current time.
 
 let poses = [];        // by body: { at, turn, speed } between two frames
-const kinds = [];      // { batch, parts, thinnest, reach, numbers }: solids of one size
+const kinds = [];      // { opaque, clear, parts, thinnest, reach, numbers }: solids of one size
 let bars = null;       // of joints and springs
 const kJointColor = [...linear([0.29, 0.302, 0.322]), 1];
 const kAtEase = [0, 0, 0, 1], kFull = [1, 1, 1];
@@ -18,6 +18,17 @@ function sizeOf(numbers) {
   return { thinnest: Math.min(...half), reach };
 }
 
+const batchesOf = (numbers) => ({ opaque: new Batch(numbers), clear: new Batch(numbers) });
+
+/// Round solids get at most so many sides.
+function setSides(most) {
+  const sides = Math.min(most, finest);
+  if (sides === around) return;
+  around = sides;
+  for (const kind of kinds.filter(({ form }) => form))
+    Object.assign(kind, kind.made[sides] ??= batchesOf(solidTriangles[kind.form.shape](kind.form.half)));
+}
+
 function makeKinds() {
   const known = new Map();
   suitSides(data.bodies.flatMap((body) => body.parts));
@@ -25,7 +36,8 @@ function makeKinds() {
     const key = part.mesh === undefined ? part.shape + part.half : `mesh ${part.mesh}`;
     if (!known.has(key)) {
       const numbers = part.mesh === undefined ? solidTriangles[part.shape](part.half) : meshTriangles(meshes[part.mesh]);
-      const kind = { numbers, parts: [], opaque: new Batch(numbers), clear: new Batch(numbers), ...sizeOf(numbers) };
+      const batches = batchesOf(numbers), form = part.mesh === undefined && part.shape !== "box" ? part : null;
+      const kind = { numbers, parts: [], form, made: { [around]: batches }, ...batches, ...sizeOf(numbers) };
       known.set(key, kind);
       kinds.push(kind);
     }

@@ -83,7 +83,18 @@ function resetCamera() {
   changed();
 }
 
-let followed = null;  // m, the last place of the body that the camera follows
+/// The place, or where a camera that would go below a ground stops above it.
+function aboveGrounds({ from, at }, place) {
+  const least = nearestOf(norm(minus(from, at)));
+  return data.grounds.reduce((above, { normal, offset }) => {
+    const missing = least - (dot(above, normal) - offset);
+    return missing <= 0 || dot(from, normal) < offset ? above : plus(above, times(missing, normal));
+  }, place);
+}
+
+/// m: the last place of the body that the camera follows, and by how much the camera is above its own
+/// place, for a ground.
+let followed = null;
 
 /// Moves with the followed body.
 function followBody() {
@@ -93,11 +104,12 @@ function followBody() {
   }
   const place = poses[view.body].at, camera = ownCamera();
   if (followed) {
-    const way = minus(place, followed);
-    camera.from = plus(camera.from, way);
-    camera.at = plus(camera.at, way);
+    const way = minus(place, followed.place), wanted = plus(minus(camera.from, followed.lift), way);
+    const from = aboveGrounds(camera, wanted);
+    followed.lift = minus(from, wanted);
+    Object.assign(camera, { from, at: plus(camera.at, way) });
   }
-  followed = place;
+  followed = { place, lift: followed?.lift ?? [0, 0, 0] };
 }
 
 /// The camera moves to the chosen body and follows it, or stops following.
@@ -107,7 +119,7 @@ function toggleFollow() {
   followed = null;
   if (view.follow) {
     const camera = ownCamera(), way = minus(poses[view.body].at, camera.at);
-    camera.from = plus(camera.from, way);
+    camera.from = aboveGrounds(camera, plus(camera.from, way));
     camera.at = plus(camera.at, way);
   }
   changed();

@@ -36,6 +36,7 @@ function fitCanvas() {
 }
 
 function drawPicture(sight) {
+  setSides(qualityNow().sides);
   placeSolids();
   placeBars(sight);
   placeMarks(sight);

@@ -3,13 +3,14 @@
 
 const kFar = 1e3;
 const kTriangles = 200e3;  // about as many as balls may have together
-let around = 48;           // sides of round solids
+let around = 48, finest = 48;  // sides of round solids: now, and where frames are quick
 
 /// Fewer sides where there are many round solids, which are small then: a ball has about sides^2
 /// triangles.
 function suitSides(parts) {
   const round = parts.filter((part) => !["box", "mesh"].includes(part.shape)).length;
-  around = [48, 32, 24].find((sides) => round * sides ** 2 <= kTriangles) ?? 16;
+  finest = [48, 32, 24].find((sides) => round * sides ** 2 <= kTriangles) ?? 16;
+  around = finest;
 }
 
 const kFloats = 10;  // per vertex
