@@ -114,8 +114,15 @@ std::string commonMarkOf(const std::string& plain) {
     const std::unique_ptr<char, decltype(&std::free)> text(
         cmark_render_commonmark(document.get(), CMARK_OPT_DEFAULT, 0), std::free);
     std::string result;
-    for (const char* c = text.get(); *c; ++c)
-        result += (*c == '$' || *c == '@' ? "\\" : "") + std::string(1, *c);
+    char before = 0;
+    bool escaped = false;
+    for (const char* c = text.get(); *c; before = *c++) {
+        const bool special = *c == '$' || *c == '@';
+        const bool joined = (*c == '-' || *c == '.') && before == *c;  // a dash, an ellipsis
+        if (!escaped && (special || joined)) result += '\\';
+        result += *c;
+        escaped = !escaped && *c == '\\';
+    }
     while (result.ends_with('\n')) result.pop_back();
     return result;
 }

@@ -1,6 +1,7 @@
 /// Converts words of a slide for each output. They are CommonMark (libcmark) in which $x$ is a
 /// formula within a line and $$x$$ one on its own line; \$ is a dollar. Raw HTML is shown as text,
-/// links go only to http, https and mailto, pictures are replaced by their descriptions.
+/// links go only to http, https and mailto, pictures are replaced by their descriptions. Quotes, --
+/// and ... become typographic ones, except in code.
 #pragma once
 #include <string>
 

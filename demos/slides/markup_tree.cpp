@@ -180,7 +180,8 @@ void unwrapNode(cmark_node* node) {
 MarkupTree markupTree(const std::string& commonMark, Words words, const FormulaText& show) {
     const Marks marks(commonMark, words);
     const std::string text = marks.marked();
-    MarkupTree tree(cmark_parse_document(text.data(), text.size(), CMARK_OPT_VALIDATE_UTF8));
+    MarkupTree tree(cmark_parse_document(text.data(), text.size(),
+                                         CMARK_OPT_VALIDATE_UTF8 | CMARK_OPT_SMART));
     cmark_consolidate_text_nodes(tree.get());
     if (words == Words::line) dropPoint(tree.get());
     for (cmark_node* node : nodesOf(tree.get())) clean(node, marks, show);

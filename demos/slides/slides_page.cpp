@@ -24,12 +24,6 @@ std::string inksStyle(const std::string& theme) {
                        hexOf(inks.axis));
 }
 
-std::string fontStyle() {
-    if (mathFont().empty()) return {};
-    return "@font-face { font-family: \"impulse math\"; src: url(data:font/woff2;base64," +
-           mathFont() + ") format(\"woff2\"); }";
-}
-
 void replaceAll(std::string& text, const std::string& mark, const std::string& by) {
     for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + by.size()))
         text.replace(at, mark.size(), by);
@@ -49,7 +43,7 @@ std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
     const bool formulas = slides.find("<math") != slides.npos;
     PageText text = slidesPageText();
     replaceAll(text.before, "@sources@", sources);
-    replaceAll(text.before, "@font@", formulas ? fontStyle() : "");
+    replaceAll(text.before, "@font@", formulas ? mathFontStyle() : "");
     replaceAll(text.before, "@inks@", inksStyle(made.deck.theme));
     replaceAll(text.before, "@theme@", made.deck.theme);
     replaceAll(text.before, "</title>", "</title>" + authorTag(made.deck.author));
@@ -59,6 +53,12 @@ std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
 }
 
 }  // namespace
+
+std::string mathFontStyle() {
+    if (mathFont().empty()) return {};
+    return "@font-face { font-family: \"impulse math\"; src: url(data:font/woff2;base64," +
+           mathFont() + ") format(\"woff2\"); }";
+}
 
 std::string slidesPage(const MadeDeck& deck) { return pageOf(deck, embeddedMedia, "data:"); }
 

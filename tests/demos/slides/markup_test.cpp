@@ -76,9 +76,17 @@ TEST(Markup, LinksToTheWebOnly) {
     EXPECT_EQ(htmlOf("![a *b*](https://c.d/e.png)"), "<p>a <em>b</em></p>\n");
 }
 
+TEST(Markup, HasTypographicQuotesAndDashesExceptInCode) {
+    EXPECT_EQ(htmlOf("\"It's\" 'so' -- 1...2 `\"a\" -- b`"),
+              "<p>\u201cIt\u2019s\u201d \u2018so\u2019 \u2013 1\u20262 "
+              "<code>&quot;a&quot; -- b</code></p>\n");
+    EXPECT_EQ(htmlOf(commonMarkOf("--set a-b, 1...2")), "<p>--set a-b, 1...2</p>\n")
+        << "plain text is as it is written";
+}
+
 TEST(Markup, IsALineInATitle) {
     EXPECT_EQ(htmlInlineOf("1. Clamp _the_ $x$"), "1. Clamp <em>the</em> " + kX);
-    EXPECT_EQ(htmlInlineOf("**\"a\"** b"), "<strong>&quot;a&quot;</strong> b");
+    EXPECT_EQ(htmlInlineOf("**\"a\"** b"), "<strong>\u201ca\u201d</strong> b");
     EXPECT_EQ(htmlInlineOf("_a_"), "<em>a</em>");
     EXPECT_EQ(htmlInlineOf("# a\n\n- b"), "# a  - b");
     EXPECT_EQ(htmlInlineOf("    a"), "a");
