@@ -18,6 +18,7 @@ Command exportCommand();
 Command slidesCommand();
 Command watchCommand();
 Command galleryCommand();
+Command siteCommand();
 Command testCommand();
 Command approveCommand();
 Command listCommand();

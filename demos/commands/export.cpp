@@ -19,22 +19,10 @@
 namespace demos {
 namespace {
 
-constexpr double kMostPoses = 1e7;  // all bodies in all frames; a gigabyte of memory
-
 FilmPlan planOf(const Options& options) {
     Panel panel;
     panel.scene = sceneOf(options);
     return planFilm({std::move(panel)}, false, options);
-}
-
-void checkLength(const FilmPlan& plan) {
-    const std::size_t bodies = plan.scene().bodies.size();
-    if (static_cast<double>(bodies) * plan.frames > kMostPoses)
-        throw Stop(
-            Exit::usage,
-            fmt::format("{} bodies in {} frames; an export holds at most {:.0f} million poses: "
-                        "lower --fps or --seconds",
-                        bodies, plan.frames, kMostPoses / 1e6));
 }
 
 /// Warns where the film is shorter than one frame.

@@ -1,15 +1,23 @@
 #include "demos/export/recording.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "demos/look/key_light.h"
 #include "demos/look/theme.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/colors.h"
 #include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/scale.h"
+#include "demos/text/stop.h"
 #include "render/material.h"
 
 namespace demos {
 namespace {
+
+constexpr double kMostPoses = 1e7;  // all bodies in all frames; a gigabyte of memory
 
 /// A file has one colour per body: where colours would change in the run, bodies have their own.
 Overlays lasting(Overlays overlays) {
@@ -47,6 +55,16 @@ std::vector<RecordedJoint> jointsOf(const Stage& stage) {
 BodyMotion motionOf(const Stage& stage, std::size_t body) {
     const engine::BodyId id = stage.bodies[body];
     return {stage.world.pose(id), stage.world.velocity(id), stage.world.spin(id)};
+}
+
+void checkLength(const FilmPlan& plan, const std::string& instead) {
+    const std::size_t bodies = plan.scene().bodies.size();
+    if (static_cast<double>(bodies) * plan.frames <= kMostPoses) return;
+    throw Stop(Exit::usage,
+               fmt::format("{} bodies in {} frames; an export holds at most {:.0f} million poses: "
+                           "lower --fps or --seconds{}",
+                           bodies, plan.frames, kMostPoses / 1e6,
+                           instead.empty() ? "" : ", or use " + instead));
 }
 
 RunRecorder::RunRecorder(const FilmPlan& plan) : stepsPerFrame_(plan.stepsPerFrame) {
@@ -92,8 +110,12 @@ void RunRecorder::addBodies(const Player& player) {
         const engine::BodyDef& def = stage.world.def(stage.bodies[i]);
         const double mass = stage.world.mass(stage.bodies[i]), thickness = thicknessOf(def.shape);
         RecordedBody& body = recording_.bodies.emplace_back();
-        body = {stage.scene.bodies[i].name, colors[i], stage.scene.bodies[i].look,
-                stage.drawn[i], Vec3::Zero(), mass};
+        body = {stage.scene.bodies[i].name,
+                colors[i],
+                stage.scene.bodies[i].look,
+                stage.drawn[i],
+                Vec3::Zero(),
+                mass};
         body.color.a = def.sensor ? kSensorAlpha : render::valuesOf(body.look).alpha;
         if (def.shape.type == engine::ShapeType::plane) body.plane = def.shape.normal;
         const bool thinner = thinnest == 0.0 || thickness < thinnest;
@@ -119,6 +141,18 @@ void RunRecorder::addFrame(const Player& player, long step) {
         ++recording_.joints[i].frames;
         slides_[i].widen(joint.position);
     }
+}
+
+Recording recordingOf(const FilmPlan& plan) {
+    Player player(plan.scene(), plan.panels.front().overlays);
+    RunRecorder recorder(plan);
+    const long steps = std::max(std::lround(plan.scene().seconds * plan.scene().hz), 1L);
+    recorder.look(player, 0);
+    for (long step = 1; step <= steps; ++step) {
+        player.step();
+        recorder.look(player, step);
+    }
+    return recorder.finished(player.stage());
 }
 
 }  // namespace demos

@@ -17,7 +17,7 @@ namespace demos {
 /// A body's properties that do not change.
 struct RecordedBody {
     std::string name;
-    render::Color color;           // as drawn at time 0; translucent: a sensor or glass
+    render::Color color;  // as drawn at time 0; translucent: a sensor or glass
     render::Material look{};
     std::vector<DrawnPart> parts;  // empty: a plane, which is also in Recording::grounds
     Vec3 plane{0, 0, 0};           // unit, in its axes: a plane's normal
@@ -54,10 +54,10 @@ struct RecordedFrame {
 struct Recording {
     std::string name, title;
     double framesASecond = 30.0;
-    double seconds = 0.0;     // of the film, even if frames are left out
+    double seconds = 0.0;        // of the film, even if frames are left out
     double aspect = 16.0 / 9.0;  // of the film: width over height
-    double viewHeight = 1.0;  // m, of the view where the camera looks
-    double thinnest = 0.0;    // m: half the thickness of the thinnest dynamic body
+    double viewHeight = 1.0;     // m, of the view where the camera looks
+    double thinnest = 0.0;       // m: half the thickness of the thinnest dynamic body
     std::vector<RecordedBody> bodies;
     std::vector<render::Ground> grounds;
     render::Look look;           // of the scene's theme
@@ -69,6 +69,10 @@ struct Recording {
     std::vector<RecordedFrame> frames;
     StageEvents events;  // of all steps
 };
+
+/// Refuses a run of more poses than an export holds. `instead`: how to do without it, "": not at
+/// all. Throws Stop (usage).
+void checkLength(const FilmPlan& plan, const std::string& instead = "");
 
 /// Must see a player before its first step and after every step.
 class RunRecorder {
@@ -89,5 +93,9 @@ private:
     std::vector<SlideRange> slides_;  // by joint, in the frames so far
     Recording recording_;
 };
+
+/// Simulates the plan's first panel to its end. Its cameras must be fitted (fitCameras). Throws
+/// Stop (diverged) if a step fails.
+Recording recordingOf(const FilmPlan& plan);
 
 }  // namespace demos

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "demos/export/recording.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_source.h"
 #include "demos/film/outputs.h"
@@ -60,13 +61,19 @@ public:
           talk_(options, false),
           troubles_(talk_),
           choices_(chooseGallery(options.scenes)),
-          films_(options.films),
+          kinds_{options.films, options.replays},
           folder_(options.outputs.empty() ? "output/gallery" : options.outputs.front()),
           record_(folder_) {}
 
-    Exit play() {
-        if (films_ && !render::haveFfmpeg()) {
-            films_ = false;
+    GalleryMade play() {
+        const Exit code = make();
+        return {code, std::move(cards_)};
+    }
+
+private:
+    Exit make() {
+        if (kinds_.films && !render::haveFfmpeg()) {
+            kinds_.films = false;
             talk_.mention("ffmpeg is not installed: posters are made, films are not");
         }
         render::makeFolder(folder_);
@@ -81,7 +88,6 @@ public:
         return writePages();
     }
 
-private:
     /// Reads the scenes, and finds out which of their files are missing.
     void readAll() {
         const auto read = [this](int i) {
@@ -89,16 +95,17 @@ private:
                 const GalleryOptions own = optionsOfFilm(choices_[i], options_);
                 const FilmPlan plan = planFilm(own);
                 std::vector<Output> films;
-                if (films_)
+                if (kinds_.films)
                     films.push_back({OutputKind::film, {}, record_.filmFile(choices_[i].name)});
                 checkOutputs(films, plan, true);
+                if (kinds_.replays) checkLength(plan, "--no-replays");
                 checkNeeds(needsOf(plan, jobsFor(choices_), films), plan);
                 return jsonText(jsonOf(cardOf(choices_[i], plan, own, renderer_)));
             });
         };
         inProcesses(choices_, read, [this](const GalleryChoice& choice, const std::string& text) {
             cards_.push_back(cardFrom(Json::parse(text)));
-            if (!record_.has(cards_.back(), films_)) missing_.push_back(choice);
+            if (!record_.has(cards_.back(), kinds_)) missing_.push_back(choice);
         });
         sortByGroup(cards_);
     }
@@ -117,7 +124,8 @@ private:
         for (const GalleryChoice& choice : missing_) {
             const bool own = record_.owns(choice.name);
             refuseStranger(record_.posterFile(choice.name), own);
-            if (films_) refuseStranger(record_.filmFile(choice.name), own);
+            if (kinds_.films) refuseStranger(record_.filmFile(choice.name), own);
+            if (kinds_.replays) refuseStranger(record_.replayFile(choice.name), own);
         }
     }
 
@@ -151,6 +159,7 @@ private:
             for (const GalleryChoice& choice : missing_) {
                 render::sweepTemporaries(record_.filmFile(choice.name));
                 render::sweepTemporaries(record_.posterFile(choice.name));
+                render::sweepTemporaries(record_.replayFile(choice.name));
             }
             throw Stop(stop.code(),
                        fmt::format("{} scenes; to resume: {}", stop.what(), options_.commandLine));
@@ -161,10 +170,13 @@ private:
     std::string drawn(const GalleryChoice& choice) const {
         GalleryOptions own = optionsOfFilm(choice, options_);
         own.quiet = true;  // its notes have been reported
-        const GalleryEntry entry = drawScene(planPictures(own), record_.posterFile(choice.name),
-                                             films_ ? record_.filmFile(choice.name) : fs::path());
+        GalleryFiles files{record_.posterFile(choice.name), {}, {}};
+        if (kinds_.films) files.film = record_.filmFile(choice.name);
+        if (kinds_.replays) files.replay = record_.replayFile(choice.name);
+        const GalleryEntry entry = drawScene(planPictures(own), files);
         return jsonText({{"poster", hexText(entry.poster)},
                          {"film", hexText(entry.film)},
+                         {"replay", hexText(entry.replay)},
                          {"incident", entry.incident}});
     }
 
@@ -174,7 +186,7 @@ private:
             return std::stoull(made.at(key).get<std::string>(), nullptr, 16);
         };
         record_.add(name, {cardCalled(name).fingerprint, number("poster"), number("film"),
-                           made.at("incident").get<std::string>()});
+                           number("replay"), made.at("incident").get<std::string>()});
         record_.write();
     }
 
@@ -194,12 +206,15 @@ private:
     /// Writes the page and the sheet of the scenes whose files exist now.
     Exit writePages() {
         const std::size_t read = cards_.size();
-        std::erase_if(cards_, [this](const auto& card) { return !record_.has(card, films_); });
+        std::erase_if(cards_, [this](const auto& card) { return !record_.has(card, kinds_); });
         if (cards_.empty()) return tellNothing();
-        for (GalleryCard& card : cards_) card.film = films_;
+        for (GalleryCard& card : cards_) {
+            card.film = kinds_.films;
+            card.replay = kinds_.replays;
+        }
         const bool sheet = writeSheet();
-        render::writeFileAtomically(record_.pageFile(),
-                                    galleryPage(cards_, renderer_, wordsOf(options_)));
+        render::writeFileAtomically(
+            record_.pageFile(), galleryPage(cards_, renderer_, wordsOf(options_), options_.links));
         record_.command = options_.commandLine;
         record_.write();
         for (const GalleryCard& card : cards_)
@@ -214,7 +229,8 @@ private:
             missing_.size() - (read - cards_.size()), read - missing_.size(),
             troubles_.count() > 0 ? fmt::format(", {} failed", troubles_.count()) : "",
             sheet ? ", sheet.png" : ""));
-        talk_.say(fmt::format("next: open {}", printable(shellWord(page))));
+        if (options_.links.empty())
+            talk_.say(fmt::format("next: open {}", printable(shellWord(page))));
         return troubles_.code();
     }
 
@@ -274,7 +290,7 @@ private:
     Talk talk_;
     GalleryTroubles troubles_;
     std::vector<GalleryChoice> choices_, missing_;
-    bool films_;
+    GalleryKinds kinds_;
     fs::path folder_;
     GalleryRecord record_;
     std::string renderer_;
@@ -283,6 +299,6 @@ private:
 
 }  // namespace
 
-Exit galleryInFolder(const GalleryOptions& options) { return Gallery(options).play(); }
+GalleryMade galleryInFolder(const GalleryOptions& options) { return Gallery(options).play(); }
 
 }  // namespace demos

@@ -1,12 +1,20 @@
 /// impulse gallery: every scene's film and poster in a folder, and a page of all of them.
 #pragma once
+#include <vector>
+
+#include "demos/gallery/gallery_card.h"
 #include "demos/gallery/gallery_options.h"
 #include "demos/text/stop.h"
 
 namespace demos {
 
-/// Reports a scene that fails and makes the others. Returns the code of the first failure. Throws
-/// Stop (wouldOverwrite, interrupted), render::Error.
-Exit galleryInFolder(const GalleryOptions& options);
+struct GalleryMade {
+    Exit code = Exit::ok;            // of the first failure
+    std::vector<GalleryCard> cards;  // of the scenes on the page, in its order
+};
+
+/// Reports a scene that fails and makes the others. Throws Stop (wouldOverwrite, interrupted),
+/// render::Error.
+GalleryMade galleryInFolder(const GalleryOptions& options);
 
 }  // namespace demos

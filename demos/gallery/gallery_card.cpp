@@ -67,7 +67,8 @@ Json jsonOf(const GalleryCard& card) {
             {"width", card.width},
             {"height", card.height},
             {"fingerprint", hexText(card.fingerprint)},
-            {"film", card.film}};
+            {"film", card.film},
+            {"replay", card.replay}};
 }
 
 GalleryCard cardFrom(const Json& json) {
@@ -86,6 +87,7 @@ GalleryCard cardFrom(const Json& json) {
     card.posterTime = json.at("posterTime").get<double>();
     card.fingerprint = std::stoull(json.at("fingerprint").get<std::string>(), nullptr, 16);
     card.film = json.at("film").get<bool>();
+    card.replay = json.at("replay").get<bool>();
     return card;
 }
 

@@ -19,6 +19,7 @@ struct GalleryCard {
     int frames = 0, fps = 0, width = 0, height = 0;
     std::uint64_t fingerprint = 0;  // of all that determines the pictures
     bool film = false;              // there is a film besides the poster
+    bool replay = false;            // and a page to step through the run
 };
 
 /// `plan`: of the scene's film; `renderer`: as OpenGL names it.

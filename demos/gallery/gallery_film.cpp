@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "demos/export/replay_page.h"
 #include "demos/film/composite.h"
 #include "demos/film/poster.h"
 #include "render/encode/file.h"
@@ -47,9 +48,8 @@ DrawnPoster drawPoster(const FilmPlan& plan) {
     return {posterOf(composite, plan, poster, renderer), composite.incident()};
 }
 
-GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster,
-                       const std::filesystem::path& film) {
-    const std::unique_ptr<render::VideoWriter> writer = openFilm(plan, film);
+GalleryEntry drawScene(const FilmPlan& plan, const GalleryFiles& files) {
+    const std::unique_ptr<render::VideoWriter> writer = openFilm(plan, files.film);
     const int posterAt = posterFrame(plan);
     const int last = writer ? plan.frames - 1 : posterAt;
     Composite composite(plan);
@@ -61,9 +61,11 @@ GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster
         if (writer) writer->add(composite.draw(frame, renderer));
     }
     if (writer) writer->close();
-    render::writeFileAtomically(poster, png);
-    if (film.empty()) return {0, hashOfFile(poster), 0, composite.incident()};
-    return {0, hashOfFile(poster), hashOfFile(film), composite.incidentAtEnd()};
+    render::writeFileAtomically(files.poster, png);
+    if (!files.replay.empty())
+        render::writeFileAtomically(files.replay, replayPage(recordingOf(plan)).html);
+    return {0, hashOfFile(files.poster), hashOfFile(files.film), hashOfFile(files.replay),
+            writer ? composite.incidentAtEnd() : composite.incident()};
 }
 
 }  // namespace demos

@@ -1,4 +1,4 @@
-/// Draws the two files of a scene in a gallery.
+/// Makes the files of a scene in a gallery.
 #pragma once
 #include <filesystem>
 
@@ -16,9 +16,12 @@ struct DrawnPoster {
 /// render::Error.
 DrawnPoster drawPoster(const FilmPlan& plan);
 
-/// Draws a scene's poster and, if `film` is a name, its film, in this process. Leaves no incomplete
-/// files. Throws likewise.
-GalleryEntry drawScene(const FilmPlan& plan, const std::filesystem::path& poster,
-                       const std::filesystem::path& film);
+/// The files of a scene; an empty name: not made.
+struct GalleryFiles {
+    std::filesystem::path poster, film, replay;
+};
+
+/// Makes a scene's files in this process. Leaves no incomplete ones. Throws likewise.
+GalleryEntry drawScene(const FilmPlan& plan, const GalleryFiles& files);
 
 }  // namespace demos

@@ -23,7 +23,7 @@ Json shownOf(const GalleryCard& card) {
             {"bodies", card.bodies},   {"joints", card.joints},
             {"hz", card.hz},           {"width", card.width},
             {"height", card.height},   {"posterTime", rounded(card.posterTime, 6)},
-            {"film", card.film}};
+            {"film", card.film},       {"replay", card.replay}};
 }
 
 void add(const char* name, const auto& value, std::vector<std::string>& words) {
@@ -59,9 +59,11 @@ GalleryWords wordsOf(const GalleryOptions& options) {
 }
 
 std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer,
-                        const GalleryWords& words) {
+                        const GalleryWords& words, const std::vector<GalleryLink>& links) {
     Json page{{"version", kVersion}, {"renderer", renderer}, {"scenes", Json::array()}};
     page["options"] = {{"run", words.run}, {"picture", words.picture}};
+    page["links"] = Json::array();
+    for (const GalleryLink& link : links) page["links"].push_back({link.text, link.address});
     for (const GalleryCard& card : cards) page["scenes"].push_back(shownOf(card));
     const PageText text = galleryPageText();
     return text.before + scriptSafe(page) + text.after;

@@ -18,6 +18,6 @@ GalleryWords wordsOf(const GalleryOptions& options);
 /// Links go to NAME.png and NAME.mp4 next to it; it loads nothing else. `renderer`: as OpenGL names
 /// it. Leaves out the command that made it: a page may be public, its folders are not.
 std::string galleryPage(const std::vector<GalleryCard>& cards, const std::string& renderer,
-                        const GalleryWords& words);
+                        const GalleryWords& words, const std::vector<GalleryLink>& links = {});
 
 }  // namespace demos

@@ -37,7 +37,8 @@ GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(f
         std::map<std::string, GalleryEntry> entries;
         for (const auto& [name, entry] : json.at("scenes").items())
             entries[name] = {numberOf(entry, "fingerprint"), numberOf(entry, "poster"),
-                             numberOf(entry, "film"), entry.value("incident", "")};
+                             numberOf(entry, "film"), numberOf(entry, "replay"),
+                             entry.value("incident", "")};
         sheet = numberOf(json, "sheet");
         entries_ = std::move(entries);
         found_ = true;
@@ -53,18 +54,26 @@ std::filesystem::path GalleryRecord::filmFile(const std::string& name) const {
     return folder_ / (name + ".mp4");
 }
 
+std::filesystem::path GalleryRecord::replayFile(const std::string& name) const {
+    return folder_ / (name + ".html");
+}
+
 bool GalleryRecord::isOutdated(const GalleryCard& card) const {
     const auto entry = entries_.find(card.name);
     return entry != entries_.end() && entry->second.poster != 0 &&
            entry->second.fingerprint != card.fingerprint;
 }
 
-bool GalleryRecord::has(const GalleryCard& card, bool film) const {
+bool GalleryRecord::has(const GalleryCard& card, const GalleryKinds& made) const {
     const auto found = entries_.find(card.name);
     if (found == entries_.end() || found->second.fingerprint != card.fingerprint) return false;
     const GalleryEntry& entry = found->second;
-    if (entry.poster == 0 || hashOfFile(posterFile(card.name)) != entry.poster) return false;
-    return !film || (entry.film != 0 && hashOfFile(filmFile(card.name)) == entry.film);
+    const auto stands = [](std::uint64_t hash, const std::filesystem::path& file) {
+        return hash != 0 && hashOfFile(file) == hash;
+    };
+    return stands(entry.poster, posterFile(card.name)) &&
+           (!made.films || stands(entry.film, filmFile(card.name))) &&
+           (!made.replays || stands(entry.replay, replayFile(card.name)));
 }
 
 std::uint64_t GalleryRecord::posterOf(const std::string& name) const {
@@ -83,7 +92,8 @@ void GalleryRecord::write() const {
     for (const auto& [name, entry] : entries_) {
         json["scenes"][name] = {{"fingerprint", hexText(entry.fingerprint)},
                                 {"poster", hexText(entry.poster)},
-                                {"film", hexText(entry.film)}};
+                                {"film", hexText(entry.film)},
+                                {"replay", hexText(entry.replay)}};
         if (!entry.incident.empty()) json["scenes"][name]["incident"] = entry.incident;
     }
     render::writeFileAtomically(folder_ / "gallery.json",

@@ -11,9 +11,14 @@ namespace demos {
 
 /// One scene. Added without hashes before its first picture is written: its files are then ours.
 struct GalleryEntry {
-    std::uint64_t fingerprint = 0;       // GalleryCard's
-    std::uint64_t poster = 0, film = 0;  // TextHash of the files; 0: not made
-    std::string incident;                // of its simulation (Player::incident); empty: none
+    std::uint64_t fingerprint = 0;                   // GalleryCard's
+    std::uint64_t poster = 0, film = 0, replay = 0;  // TextHash of the files; 0: not made
+    std::string incident;  // of its simulation (Player::incident); empty: none
+};
+
+/// Which files a gallery makes of each scene besides its poster.
+struct GalleryKinds {
+    bool films = true, replays = true;
 };
 
 /// Keeps scenes that a later command leaves out, and their files.
@@ -22,14 +27,14 @@ public:
     /// Reads the folder's record; empty if there is none or it cannot be read.
     explicit GalleryRecord(std::filesystem::path folder);
 
-    /// Whether `NAME.png` and `NAME.mp4` are ours to replace.
+    /// Whether `NAME.png`, `NAME.mp4` and `NAME.html` are ours to replace.
     bool owns(const std::string& name) const { return entries_.count(name) > 0; }
     /// Whether there was a record: index.html and sheet.png are ours then.
     bool found() const { return found_; }
     /// Whether it was drawn with other settings, scene or program.
     bool isOutdated(const GalleryCard& card) const;
-    /// Whether the poster, and with `film` the film, exist unchanged with this fingerprint.
-    bool has(const GalleryCard& card, bool film) const;
+    /// Whether the poster, and what else is made, exist unchanged with this fingerprint.
+    bool has(const GalleryCard& card, const GalleryKinds& made) const;
 
     void add(const std::string& name, const GalleryEntry& entry) { entries_[name] = entry; }
     std::uint64_t posterOf(const std::string& name) const;
@@ -42,6 +47,7 @@ public:
 
     std::filesystem::path posterFile(const std::string& name) const;
     std::filesystem::path filmFile(const std::string& name) const;
+    std::filesystem::path replayFile(const std::string& name) const;
     std::filesystem::path pageFile() const { return folder_ / "index.html"; }
     std::filesystem::path sheetFile() const { return folder_ / "sheet.png"; }
 

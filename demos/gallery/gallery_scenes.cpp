@@ -29,10 +29,11 @@ public:
                        fmt::format("'{}' and '{}' would both be called '{}'; rename "
                                    "one of the files",
                                    printable(known->scene), printable(word), printable(name)));
-        if (name == "sheet")
+        if (name == "sheet" || name == "index")
             throw Stop(Exit::usage,
-                       fmt::format("'{}': sheet.png is the picture of all scenes; rename the file",
-                                   printable(word)));
+                       fmt::format("'{}': {}; rename the file", printable(word),
+                                   name == "sheet" ? "sheet.png is the picture of all scenes"
+                                                   : "index.html is the page of all scenes"));
         choices_.push_back({word, name, builtin});
     }
 

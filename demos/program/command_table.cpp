@@ -8,11 +8,11 @@ namespace demos {
 
 std::span<const Command> commandTable() {
     static const Command commands[] = {
-        renderCommand(), joinCommand(),   farmCommand(),    planCommand(),    stillCommand(),
-        stripCommand(),  simCommand(),    plotCommand(),    compareCommand(), sweepCommand(),
-        exportCommand(), slidesCommand(), watchCommand(),   galleryCommand(), testCommand(),
-        approveCommand(), listCommand(),  doctorCommand(),  benchCommand(),   completionCommand(),
-        manCommand(),
+        renderCommand(),  joinCommand(),   farmCommand(),   planCommand(),    stillCommand(),
+        stripCommand(),   simCommand(),    plotCommand(),   compareCommand(), sweepCommand(),
+        exportCommand(),  slidesCommand(), watchCommand(),  galleryCommand(), siteCommand(),
+        testCommand(),    approveCommand(), listCommand(),  doctorCommand(),  benchCommand(),
+        completionCommand(), manCommand(),
     };
     return commands;
 }

@@ -177,6 +177,15 @@ std::string keyList(const std::vector<Reached>& keys) {
 
 }  // namespace
 
+std::vector<KeyFacts> keyFacts() {
+    const Catalog catalog = formatCatalog();
+    std::vector<KeyFacts> facts;
+    for (const Reached& key : allKeys(catalog))
+        facts.push_back({key.path, key.text().sentence, typesOf(key.forms()), unitsOf(key.forms()),
+                         key.text().usual, rangeOf(key.forms())});
+    return facts;
+}
+
 std::string explanationOf(const std::string& path) {
     const Catalog catalog = formatCatalog();
     if (path == "scene")

@@ -12,5 +12,6 @@ PageText reportPageText();   // demos/regression/page
 PageText replayPageText();   // demos/export/page
 PageText galleryPageText();  // demos/gallery/page
 PageText slidesPageText();   // demos/slides/page
+PageText sitePageText();     // demos/site/page
 
 }  // namespace demos

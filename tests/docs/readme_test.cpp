@@ -123,7 +123,7 @@ TEST(DemosReadme, ItsExitCodesAreThoseOfTheHelp) {
 
 TEST(DemosReadme, NamesTheCommandsThatReportAnIncident) {
     const std::set<std::string> simulating = firstCells(sectionOf(kDemosText, "Incidents"));
-    EXPECT_EQ(simulating.size(), 14u);
+    EXPECT_EQ(simulating.size(), 15u);
     for (const std::string& command : simulating)
         EXPECT_NE(outputOf(command + " --help").find("impulse " + command), std::string::npos)
             << command;

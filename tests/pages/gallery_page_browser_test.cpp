@@ -38,19 +38,20 @@ protected:
         card.hz = 60;
         card.width = kCardWidth;
         card.height = kCardHeight;
-        card.film = true;
+        card.film = card.replay = true;
         cards_.push_back(card);
         support::saved(folder_ / (name + ".png"), support::flatImage(kCardWidth, kCardHeight, 200));
     }
 
     Opened open(const std::string& hash, const std::string& steps) const {
-        return browser_.open(galleryPage(cards_, "llvmpipe", words_), hash, driver(steps));
+        return browser_.open(galleryPage(cards_, "llvmpipe", words_, links_), hash, driver(steps));
     }
 
     support::TemporaryFolder folder_;
     support::Browser browser_{folder_};
     std::vector<GalleryCard> cards_;
     GalleryWords words_;
+    std::vector<GalleryLink> links_;
 };
 
 /// "[a b]": the cards that are not hidden.
@@ -66,10 +67,13 @@ TEST_F(GalleryInBrowser, ShowsACardForEachSceneByGroup) {
   tell(document.querySelector("#scene-stack .facts").textContent);
   tell([...document.images].every((image) => image.complete && image.naturalWidth === 160));
   tell(document.querySelectorAll("video").length);
+  tell([...document.querySelectorAll(".replay")].map((a) => a.getAttribute("href")).join());
+  tell(byId("site").hidden);
 )js");
     EXPECT_EQ(told(opened),
-              "[stack wall it's mine][stacks,your scenes][12 bodies2 s60 steps/s]"
-              "[true][0]");
+              "[stack wall it's mine][stacks,your scenes]"
+              "[12 bodies2 s60 steps/sstep through it][true][0]"
+              "[stack.html,wall.html,it's%20mine.html][true]");
     EXPECT_TRUE(opened.console.empty()) << opened.console.front();
     EXPECT_TRUE(opened.requests.empty()) << opened.requests.front();
 }
@@ -125,6 +129,16 @@ TEST_F(GalleryInBrowser, CommandsHaveTheOptionsOfTheGallery) {
 
 TEST_F(GalleryInBrowser, TextsStandOutFromWhatIsUnderThem) {
     EXPECT_EQ(told(open("", support::kTellFaintTexts)), "[][][true]");
+}
+
+TEST_F(GalleryInBrowser, InASiteItLeadsToTheOtherPages) {
+    links_ = {{"Start", "../index.html"}, {"Recipes", "../recipes.html"}};
+    cards_[0].replay = false;
+    const Opened opened = open("", R"js(
+  tell([...byId("site").children].map((a) => `${a.textContent} ${a.getAttribute("href")}`).join());
+  tell(byId("site").hidden || byId("scene-stack").querySelector(".replay") !== null);
+)js");
+    EXPECT_EQ(told(opened), "[Start ../index.html,Recipes ../recipes.html][false]");
 }
 
 /// A scene may have the name of one of the page's own parts, and a link may contain anything.

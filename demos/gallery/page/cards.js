@@ -21,7 +21,8 @@ function factsOf(scene) {
   return make("div", { class: "facts" },
     counted(scene.bodies, "body", "bodies"),
     scene.joints > 0 ? counted(scene.joints, "joint", "joints") : null,
-    fact(shortNumber(scene.seconds), "s"), fact(String(scene.hz), "steps/s"));
+    fact(shortNumber(scene.seconds), "s"), fact(String(scene.hz), "steps/s"),
+    scene.replay ? make("a", { class: "replay", href: beside(scene, "html") }, "step through it") : null);
 }
 
 /// The title is the scene's; its name is in the commands.

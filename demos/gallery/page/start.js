@@ -49,6 +49,13 @@ function openLink() {
   search();
 }
 
+/// Links to the other pages, if it is a part of a site.
+function showSite() {
+  byId("site").hidden = gallery.links.length === 0;
+  byId("site").append(...gallery.links.map(([text, address]) => make("a", { href: address }, text)));
+}
+
+showSite();
 showNumbers();
 showCards();
 watchGroups();

@@ -43,7 +43,10 @@ TEST_F(Gallery, MakesAPageAFilmAndAPosterOfEachScene) {
         if (haveTools()) {
             EXPECT_EQ(playableFrames(made(name + std::string(".mp4"))), kFrames);
         }
+        EXPECT_NE(contentOf(made(name + std::string(".html"))).find("impulse replay"),
+                  std::string::npos);
     }
+    EXPECT_NE(page().find("\"replay\":true"), std::string::npos);
     EXPECT_TRUE(isMade("sheet.png"));
     EXPECT_TRUE(told(ended, "2 drawn, 0 kept")) << ended.out;
     EXPECT_EQ(page().find(folder.path().string()), std::string::npos)
@@ -57,9 +60,12 @@ TEST_F(Gallery, TheSameCommandTwiceDrawsNothingTwice) {
     EXPECT_EQ(again.code, 0) << again.err;
     EXPECT_TRUE(told(again, "0 drawn, 2 kept")) << again.out;
     EXPECT_EQ(fs::last_write_time(made("ball.png")), written);
+    const std::string replay = contentOf(made("other.html"));
     write(made("ball.png"), "torn");
-    EXPECT_TRUE(told(gallery({"ball.toml", "other.toml"}), "1 drawn, 1 kept"));
+    write(made("other.html"), "torn");
+    EXPECT_TRUE(told(gallery({"ball.toml", "other.toml"}), "2 drawn, 0 kept"));
     EXPECT_TRUE(isWhole(contentOf(made("ball.png"))));
+    EXPECT_EQ(contentOf(made("other.html")), replay);
 }
 
 TEST_F(Gallery, AnInterruptedOneGoesOn) {
@@ -83,7 +89,7 @@ TEST_F(Gallery, AnInterruptedOneGoesOn) {
 }
 
 TEST_F(Gallery, ReplacesNothingThatIsNotItsOwn) {
-    for (const char* name : {"index.html", "sheet.png", "ball.png", "ball.mp4"}) {
+    for (const char* name : {"index.html", "sheet.png", "ball.png", "ball.mp4", "ball.html"}) {
         if (std::string(name) == "ball.mp4" && !haveTools()) continue;
         fs::remove_all(folder / "output");
         fs::create_directories(folder / "output/gallery");
@@ -95,6 +101,14 @@ TEST_F(Gallery, ReplacesNothingThatIsNotItsOwn) {
         EXPECT_EQ(gallery({"ball.toml", "--overwrite"}).code, 0);
         EXPECT_NE(contentOf(made(name)), "a stranger's");
     }
+}
+
+TEST_F(Gallery, ReplaysAreLeftOutAndComeLater) {
+    ASSERT_EQ(gallery({"ball.toml", "--no-films", "--no-replays"}).code, 0);
+    EXPECT_FALSE(isMade("ball.html"));
+    EXPECT_NE(page().find("\"replay\":false"), std::string::npos);
+    EXPECT_TRUE(told(gallery({"ball.toml", "--no-films"}), "1 drawn, 0 kept"));
+    EXPECT_TRUE(isMade("ball.html"));
 }
 
 TEST_F(Gallery, OtherSettingsNeedToBeAskedFor) {
@@ -207,8 +221,10 @@ TEST_F(Gallery, SaysWhatIsWrong) {
     EXPECT_NE(errorOf({"ball.toml", "-o", "a.jpg"}).find("ends in .png"), std::string::npos);
     write(folder / "stack.toml", kBall);
     EXPECT_NE(errorOf({"stack", "stack.toml"}).find("both be called 'stack'"), std::string::npos);
-    write(folder / "sheet.toml", kBall);
-    EXPECT_NE(errorOf({"sheet.toml"}).find("rename the file"), std::string::npos);
+    for (const char* name : {"sheet.toml", "index.toml"}) {
+        write(folder / name, kBall);
+        EXPECT_NE(errorOf({name}).find("rename the file"), std::string::npos);
+    }
     if (haveTools()) {
         EXPECT_NE(errorOf({"ball.toml", "--theme", "transparent"}).find("holds no alpha"),
                   std::string::npos);

@@ -74,7 +74,7 @@ TEST(GalleryCard, ComesThroughJson) {
     card.width = 6;
     card.height = 7;
     card.fingerprint = 0xfedcba9876543210u;
-    card.film = true;
+    card.film = card.replay = true;
     const GalleryCard back = cardFrom(jsonOf(card));
     EXPECT_EQ(jsonOf(back), jsonOf(card));
     EXPECT_EQ(back.fingerprint, card.fingerprint);

@@ -1,0 +1,52 @@
+// The list of pages on a phone, blocks to copy, and the heading that is being read.
+
+function openMenu(open) {
+  byId("pages").classList.toggle("open", open);
+  byId("menu").setAttribute("aria-expanded", String(open));
+}
+
+let toldUntil = 0;
+
+function tell(text) {
+  byId("told").textContent = text;
+  byId("told").classList.add("shown");
+  clearTimeout(toldUntil);
+  toldUntil = setTimeout(() => byId("told").classList.remove("shown"), 1600);
+}
+
+async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {  // a page from a file, in some browsers
+    const field = make("textarea", { readonly: true, style: "position:fixed;opacity:0" });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+  }
+  tell("Copied");
+}
+
+function addCopyButtons() {
+  for (const block of document.querySelectorAll("main pre")) {
+    const around = make("div", { class: "block" });
+    block.replaceWith(around);
+    around.append(block, make("button", {
+      class: "copy", type: "button", onclick: () => copyText(block.textContent.replace(/\n$/, "")),
+    }, "copy"));
+  }
+}
+
+/// Marks the heading at the top of the window in the list of headings.
+function watchHeadings() {
+  const links = [...document.querySelectorAll("#headings a")];
+  const headings = links.map((link) => byId(decodeURIComponent(link.hash.slice(1))));
+  const mark = () => {
+    const passed = headings.filter((heading) => heading.getBoundingClientRect().top < 110).length;
+    links.forEach((link, i) => link.classList.toggle("here", i === Math.max(passed - 1, 0)));
+  };
+  if (links.length === 0) return;
+  addEventListener("scroll", mark, { passive: true });
+  mark();
+}
