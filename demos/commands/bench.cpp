@@ -132,6 +132,11 @@ void sayFilmJson(const FilmPlan& plan, const FilmTiming& t) {
                t.workers, t.framesASecond, t.goal(), t.pngBytes);
     for (std::size_t i = 0; i < t.ms.size(); ++i)
         fmt::print(R"(,"ms_{}":{:.6g})", kFilmStages[i], t.ms[i]);
+    if (t.mp4)
+        fmt::print(R"(,"mp4_ms":{:.6g},"mp4_ms_workers":{:.6g},"mp4_ms_program":{:.6g},)"
+                   R"("mp4_ms_encoder":{:.6g},"mp4_bytes":{:.0f},"mp4_frames_per_second":{:.6g})",
+                   t.mp4->all(), t.mp4->workers, t.mp4->program, t.mp4->encoder, t.mp4->bytes,
+                   t.mp4->framesASecond);
     fmt::print("}}\n");
 }
 
@@ -140,6 +145,11 @@ void sayFilm(const FilmPlan& plan, const FilmTiming& t) {
     for (const double ms : t.ms) fmt::print(" {:9.2f}", ms);
     fmt::print(" {:8.1f} {:6.0f} {:9.1f} {:8.2f}\n", t.drawing(), 1e-3 * t.pngBytes,
                t.framesASecond, t.framesASecond / t.goal());
+    if (t.mp4)
+        fmt::print("{:18} all {:.2f} = workers {:.2f} + program {:.2f} + encoder {:.2f}; {:.1f} "
+                   "kB, {:.1f} frames/s\n",
+                   "  as an .mp4", t.mp4->all(), t.mp4->workers, t.mp4->program, t.mp4->encoder,
+                   1e-3 * t.mp4->bytes, t.mp4->framesASecond);
 }
 
 void sayFilmHeader() {
@@ -190,8 +200,8 @@ Run addBench(CLI::App& app) {
     app.get_option("scene")->expected(0, kMostScenes)->required(false);
     addSeconds(app, options);
     app.add_flag("--film", options.film,
-                 "measure processor time of every stage of a frame, and frames/s, for the film "
-                 "that the options below describe; default: off");
+                 "measure processor time of every stage of a frame, of all processes of an .mp4, "
+                 "and frames/s, for the film that the options below describe; default: off");
     addPicture(app, options, texts);
     addJobs(app, options);
     app.add_flag("--phases", options.phases,

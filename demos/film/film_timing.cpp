@@ -34,6 +34,7 @@ public:
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     fs::path file(int frame) const { return path_ / fmt::format("frame_{:06}.png", frame); }
+    fs::path film() const { return path_ / "film.mp4"; }
 
 private:
     fs::path path_;
@@ -140,6 +141,7 @@ FilmTiming timeFilm(const FilmPlan& plan, int jobs) {
     timing.frames = plan.frames;
     timing.workers = workerCount(jobs, plan.frames);
     timing.framesASecond = framesASecond(plan, timing.workers, folder);
+    if (canBeMp4(plan)) timing.mp4 = timeMp4(plan, timing.workers, folder.film());
     timeStages(plan, folder, std::numeric_limits<double>::infinity(), timing);
     return timing;
 }

@@ -1,9 +1,11 @@
 /// The cost of a film: processor time of each stage of a frame, frames a second of all workers.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 
 #include "demos/film/film_plan.h"
+#include "demos/film/mp4_timing.h"
 
 namespace demos {
 
@@ -18,6 +20,7 @@ struct FilmTiming {
     int frames = 0;
     int workers = 0;
     double framesASecond = 0.0;  // of the whole film as PNG files, wall-clock time
+    std::optional<Mp4Timing> mp4;  // none: canBeMp4
     std::string incident;        // Player::incident; empty: none
 
     /// ms of drawing a frame: from the depths to the picture in memory.
@@ -30,8 +33,9 @@ struct FilmTiming {
 /// more than `seconds` of processor time. Throws as timeFilm().
 FilmTiming timeFrames(const FilmPlan& plan, int frames, double seconds);
 
-/// Makes the film twice, in a temporary folder that is removed: by `jobs` workers (0: one per
-/// core), then in this process with a clock. Throws Stop (interrupted; diverged if a step fails)
+/// Makes the film three times, in a temporary folder that is removed: by `jobs` workers (0: one per
+/// core) as PNG files and as an .mp4, then in this process with a clock. Throws Stop (interrupted;
+/// diverged if a step fails)
 /// and render::Error.
 FilmTiming timeFilm(const FilmPlan& plan, int jobs);
 

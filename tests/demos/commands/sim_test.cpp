@@ -1,8 +1,10 @@
 #include <sys/stat.h>
 
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "render/encode/ffmpeg.h"
 #include "tests/demos/program.h"
 
 namespace demos::test {
@@ -231,6 +233,27 @@ TEST_F(Sim, BenchGoesOnAfterAnIncident) {
         EXPECT_NE(ended.out.find("\nfast "), std::string::npos) << ended.out;
     }
     EXPECT_NE(steps.out.find("\nball "), std::string::npos) << steps.out;
+}
+
+TEST_F(Sim, BenchOfAFilmAddsUpAllProcessesOfAnMp4) {
+    if (!render::haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+    const std::vector<std::string> film = {"bench",  "ball.toml", "--film", "--size",
+                                           "96x54",  "--seconds", "0.2",    "--json"};
+    const Ended ended = run(folder.path(), film);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const nlohmann::json said = nlohmann::json::parse(ended.out);
+    double sum = 0.0;
+    for (const char* part : {"mp4_ms_workers", "mp4_ms_program", "mp4_ms_encoder"}) {
+        const double ms = said[part];
+        EXPECT_GT(ms, 0.0) << part;
+        sum += ms;
+    }
+    EXPECT_NEAR(said["mp4_ms"].get<double>(), sum, 1e-4 * sum);  // printed with six digits
+    EXPECT_GT(said["mp4_bytes"].get<double>(), 20.0);
+    const Ended odd = run(folder.path(), {"bench", "ball.toml", "--film", "--size", "95x54",
+                                          "--seconds", "0.2", "--json"});
+    EXPECT_EQ(odd.code, 0) << odd.err;  // no .mp4 has such a size
+    EXPECT_FALSE(nlohmann::json::parse(odd.out).contains("mp4_ms")) << odd.out;
 }
 
 TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
