@@ -9,6 +9,7 @@
 #include "render/encode/file.h"
 #include "render/encode/film_file.h"
 #include "render/encode/png.h"
+#include "render/encode/yuv.h"
 #include "render/error.h"
 
 namespace render {
@@ -80,6 +81,7 @@ void VideoWriter::start() {
         ffmpeg_ = std::make_unique<Ffmpeg>(storeArguments(source_, Ffmpeg::kSharedFile), patience_,
                                            store_.get());
     } else {
+        yuv_ = takesYuv(*format_, source_);
         const Encoding best = ladderOf(*format_, source_).front();
         ffmpeg_ = std::make_unique<Ffmpeg>(encodeArguments(*format_, source_, best, temporary_),
                                            patience_);
@@ -94,7 +96,8 @@ void VideoWriter::add(const Image& image) {
                     sizeText(image.width, image.height) + " in a film of " +
                     sizeText(source_.width, source_.height));
     }
-    if (!ffmpeg_->send(image.pixels)) {
+    if (yuv_) toYuv420(image, planes_);
+    if (!ffmpeg_->send(yuv_ ? planes_ : image.pixels)) {
         ffmpeg_->finish();
         failFeeding();
     }

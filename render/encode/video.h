@@ -65,6 +65,8 @@ private:
     std::unique_ptr<Descriptor> held_;  // the temporary file, locked against other runs
     int frames_ = 0;
     std::unique_ptr<Descriptor> store_;  // null: frames are encoded as they come
+    bool yuv_ = false;                   // frames are sent as planes, and not as RGBA
+    std::vector<std::uint8_t> planes_;   // of the last frame
     std::unique_ptr<Ffmpeg> ffmpeg_;     // null after close() and abandon()
     std::optional<Fitted> fitted_;
 };

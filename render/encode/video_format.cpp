@@ -82,12 +82,11 @@ Arguments start() {
             "error",  "-y",       "-progress",    "pipe:1"};
 }
 
-/// rgb0 is RGBA whose fourth byte is ignored: the picture is sent as it is in memory.
-Arguments rawInput(const VideoSource& source) {
+Arguments rawInput(const VideoSource& source, const char* format) {
     return {"-f",
             "rawvideo",
             "-pixel_format",
-            source.alpha ? "rgba" : "rgb0",
+            format,
             "-video_size",
             sizeText(source.width, source.height, "x"),
             "-framerate",
@@ -95,6 +94,9 @@ Arguments rawInput(const VideoSource& source) {
             "-i",
             "-"};
 }
+
+/// rgb0 is RGBA whose fourth byte is ignored: the picture is sent as it is in memory.
+const char* inMemory(const VideoSource& source) { return source.alpha ? "rgba" : "rgb0"; }
 
 /// Leaves out frames and scales pictures down; ends with a comma unless it is empty. Scaling is
 /// premultiplied, so that the colours of transparent pixels do not bleed into their neighbours.
@@ -108,22 +110,20 @@ std::string reduction(const VideoSource& source, const Encoding& encoding) {
     return chain + "format=gbrap,premultiply=inplace=1," + scale + "unpremultiply=inplace=1,";
 }
 
-/// Without these ffmpeg converts with the matrix of standard definition, and players guess another
-/// one. The flags make the conversion the same on every CPU.
+/// Without these players guess another matrix. toYuv420() and ffmpeg average four pixels.
+Arguments colours() {
+    return {"-colorspace",  "bt709", "-color_primaries",        "bt709",  "-color_trc", "bt709",
+            "-color_range", "tv",    "-chroma_sample_location", "center"};
+}
+
+/// Without the matrix ffmpeg converts with that of standard definition. The flags make the
+/// conversion the same on every CPU.
 Arguments yuv(const VideoSource& source, const std::string& before, const Arguments& codec) {
     const std::string convert =
         "scale=in_range=full:out_range=tv:out_color_matrix=bt709:"
         "flags=bicubic+accurate_rnd+full_chroma_int+bitexact,format=";
-    Arguments all = {"-vf",
-                     before + convert + (source.alpha ? "yuva420p" : "yuv420p"),
-                     "-colorspace",
-                     "bt709",
-                     "-color_primaries",
-                     "bt709",
-                     "-color_trc",
-                     "bt709",
-                     "-color_range",
-                     "tv"};
+    Arguments all = {"-vf", before + convert + (source.alpha ? "yuva420p" : "yuv420p")};
+    append(all, colours());
     append(all, codec);
     return all;
 }
@@ -150,22 +150,33 @@ Arguments rgb(const std::string& before, const char* format, const Arguments& co
     return all;
 }
 
+/// x264 for pictures of which most stands still: what is spent on a still part serves until it
+/// moves, so that a long look ahead and low qcomp pay most, then many B-frames without a search for
+/// their number. As good as the preset "fast", in half the time (tests/benchmark/README.md).
+constexpr const char* kStandingStill =
+    "rc-lookahead=40:qcomp=0.4:bframes=7:b-adapt=0:weightp=0:subme=1:me=dia:chroma-qp-offset=-3";
+
+/// Of a codec that takes YUV.
+Arguments filmArguments(const VideoFormat& format, const VideoSource& source,
+                        const Encoding& encoding) {
+    const std::string quality = std::to_string(encoding.quality);
+    if (format.codec == Codec::h264)
+        return keyed(source, encoding,
+                     {"-c:v", "libx264", "-preset", "veryfast", "-x264-params", kStandingStill,
+                      "-crf", quality, "-movflags", "+faststart", "-f", "mp4"});
+    return keyed(source, encoding,
+                 {"-c:v", "libvpx-vp9", "-crf", quality, "-b:v", "0", "-deadline", "good",
+                  "-cpu-used", "5", "-auto-alt-ref",  // no alternative frames with alpha
+                  source.alpha ? "0" : "1", "-f", "webm"});
+}
+
 Arguments codecArguments(const VideoFormat& format, const VideoSource& source,
                          const Encoding& encoding) {
     const std::string before = reduction(source, encoding);
-    const std::string quality = std::to_string(encoding.quality);
     switch (format.codec) {
         case Codec::h264:
-            return yuv(source, before,
-                       keyed(source, encoding,
-                             {"-c:v", "libx264", "-preset", "fast", "-crf", quality, "-movflags",
-                              "+faststart", "-f", "mp4"}));
-        case Codec::vp9:  // no alternative reference frames with alpha
-            return yuv(source, before,
-                       keyed(source, encoding,
-                             {"-c:v", "libvpx-vp9", "-crf", quality, "-b:v", "0", "-deadline",
-                              "good", "-cpu-used", "5", "-auto-alt-ref", source.alpha ? "0" : "1",
-                              "-f", "webm"}));
+        case Codec::vp9:
+            return yuv(source, before, filmArguments(format, source, encoding));
         case Codec::gif:
             return {"-filter_complex",
                     paletteGraph(before, encoding.quality),
@@ -175,7 +186,8 @@ Arguments codecArguments(const VideoFormat& format, const VideoSource& source,
                     "gif"};
         case Codec::webp:
             return rgb(before, "bgra",
-                       {"-c:v", "libwebp_anim", "-quality", quality, "-loop", "0", "-f", "webp"});
+                       {"-c:v", "libwebp_anim", "-quality", std::to_string(encoding.quality),
+                        "-loop", "0", "-f", "webp"});
         case Codec::apng:
             break;
     }
@@ -232,17 +244,28 @@ std::string describe(const VideoFormat& format, const Encoding& encoding) {
     return text + ", crf " + quality;
 }
 
+bool takesYuv(const VideoFormat& format, const VideoSource& source) {
+    return !source.alpha && (format.codec == Codec::h264 || format.codec == Codec::vp9);
+}
+
 Arguments encodeArguments(const VideoFormat& format, const VideoSource& source,
                           const Encoding& encoding, const std::filesystem::path& output) {
     Arguments all = start();
-    append(all, rawInput(source));
-    finish(all, codecArguments(format, source, encoding), output.string());
+    if (!takesYuv(format, source)) {
+        append(all, rawInput(source, inMemory(source)));
+        finish(all, codecArguments(format, source, encoding), output.string());
+        return all;
+    }
+    append(all, rawInput(source, "yuv420p"));
+    Arguments codec = colours();
+    append(codec, filmArguments(format, source, encoding));
+    finish(all, codec, output.string());
     return all;
 }
 
 Arguments storeArguments(const VideoSource& source, int file) {
     Arguments all = start();
-    append(all, rawInput(source));
+    append(all, rawInput(source, inMemory(source)));
     finish(all,
            {"-c:v", "ffv1", "-level", "3", "-slices", "4", "-g", "1", "-pix_fmt",
             source.alpha ? "bgra" : "bgr0", "-f", "nut"},

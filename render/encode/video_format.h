@@ -51,7 +51,11 @@ std::string describe(const VideoFormat& format, const Encoding& encoding);
 
 using Arguments = std::vector<std::string>;  // of a child process, without its name
 
-/// To write frames from standard input as a film.
+/// Whether encodeArguments() takes frames as toYuv420() makes them, and not as RGBA: the encoder
+/// needs them so, and no alpha is lost. ffmpeg's own conversion takes four times as long.
+bool takesYuv(const VideoFormat& format, const VideoSource& source);
+
+/// To write frames from standard input as a film: `encoding` is the first of ladderOf().
 Arguments encodeArguments(const VideoFormat& format, const VideoSource& source,
                           const Encoding& encoding, const std::filesystem::path& output);
 

@@ -75,29 +75,27 @@ protected:
     std::string path_;
 };
 
-int countFrames(const fs::path& path) {
+/// What ffprobe says of a film's first stream.
+std::string probed(const fs::path& path, const std::string& options) {
     const std::string command =
-        "ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=nb_read_frames "
-        "-of csv=p=0 'file:" +
-        path.string() + "'";
+        "ffprobe -v error -select_streams v:0 " + options + " -of csv=p=0 'file:" + path.string() +
+        "'";
     FILE* pipe = ::popen(command.c_str(), "r");
-    int frames = -1;
-    if (std::fscanf(pipe, "%d", &frames) != 1) frames = -1;
+    char text[200] = "";
+    if (!std::fgets(text, sizeof text, pipe)) text[0] = '\0';
     ::pclose(pipe);
-    return frames;
+    return text;
 }
 
-/// The number of key frames of a film.
+int countFrames(const fs::path& path) {
+    const char* const options = "-count_frames -show_entries stream=nb_read_frames";
+    return std::atoi(probed(path, options).c_str());
+}
+
 int countKeyFrames(const fs::path& path) {
-    const std::string command =
-        "ffprobe -v error -skip_frame nokey -count_frames -select_streams v:0 -show_entries "
-        "stream=nb_read_frames -of csv=p=0 'file:" +
-        path.string() + "'";
-    FILE* pipe = ::popen(command.c_str(), "r");
-    int frames = -1;
-    if (std::fscanf(pipe, "%d", &frames) != 1) frames = -1;
-    ::pclose(pipe);
-    return frames;
+    const char* const options =
+        "-skip_frame nokey -count_frames -show_entries stream=nb_read_frames";
+    return std::atoi(probed(path, options).c_str());
 }
 
 TEST_F(Video, KnowsItsEndings) {
@@ -123,6 +121,23 @@ TEST_F(Video, HoldsEveryFrameInEveryFormat) {
         EXPECT_EQ(countFrames(out(name)), 10) << name;
     }
     EXPECT_EQ(filesLeft(), 5);
+}
+
+/// Also of a film that is encoded from stored frames, where ffmpeg converts the colours.
+TEST_F(Video, SaysHowItsColoursAreMeant) {
+    NEED_FFMPEG();
+    const auto say = [&](const char* name, std::uint64_t largest) {
+        render::Fit fit;
+        fit.largestFile = largest;
+        VideoWriter film(out(name), {64, 48, 25}, fit);
+        addFrames(film, 3);
+        film.close();
+        return probed(out(name), "-show_entries stream=pix_fmt,color_range,color_space,"
+                                 "color_transfer,color_primaries,chroma_location");
+    };
+    EXPECT_EQ(say("a.mp4", 0), "yuv420p,tv,bt709,bt709,bt709,center\n");
+    EXPECT_EQ(say("fit.mp4", 1000000), "yuv420p,tv,bt709,bt709,bt709,center\n");
+    EXPECT_TRUE(has(say("a.webm", 0), "yuv420p,tv,bt709,bt709,bt709"));
 }
 
 TEST_F(Video, IsTheSameFileEveryTime) {
