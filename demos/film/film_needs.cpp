@@ -29,7 +29,7 @@ constexpr double kEncoder = 58.0 * kMiB;
 constexpr double kPixel = 19.5;        // buffers, the picture, a message being sent
 constexpr double kSum = 18.0;          // with several moments: four sums and one more picture
 constexpr double kPngPixel = 6.5;      // RGB and the compressed data
-constexpr double kMessagePixel = 8.0;  // raw frames in the program: one in use, one arriving
+constexpr double kMessagePixel = 9.5;  // raw frames in the program: one in use, one arriving; YUV
 constexpr double kPassKept = 5.0;      // for every data pass but the largest
 
 double pixelsOf(int width, int height) { return static_cast<double>(width) * height; }
@@ -79,10 +79,10 @@ double workerBytes(const FilmPlan& plan, bool png) {
            (png ? kPngPixel * whole : 0.0);
 }
 
-/// Encoders buffer frames to look ahead; x264 buffers the most, about 45.
+/// Encoders buffer frames to look ahead; x264 buffers the most: 40, and 20 in B-frames and threads.
 double encoderBytes(const FilmPlan& plan) {
     const double pixels = pixelsOf(plan.layout.width, plan.layout.height);
-    return kEncoder + pixels * (25.0 + 4.5 * std::min(plan.frames, 45));
+    return kEncoder + pixels * (25.0 + 4.5 * std::min(plan.frames, 60));
 }
 
 /// From the bytes per pixel and frame of the built-in scenes, rounded up.

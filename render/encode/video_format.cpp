@@ -152,9 +152,9 @@ Arguments rgb(const std::string& before, const char* format, const Arguments& co
 
 /// x264 for pictures of which most stands still: what is spent on a still part serves until it
 /// moves, so that a long look ahead and low qcomp pay most, then many B-frames without a search for
-/// their number. As good as the preset "fast", in half the time (tests/benchmark/README.md).
+/// their number. Compared with the preset "fast": tests/benchmark/README.md.
 constexpr const char* kStandingStill =
-    "rc-lookahead=40:qcomp=0.4:bframes=7:b-adapt=0:weightp=0:subme=1:me=dia:chroma-qp-offset=-3";
+    "rc-lookahead=40:qcomp=0.5:bframes=7:b-adapt=0:weightp=0:chroma-qp-offset=-3";
 
 /// Of a codec that takes YUV.
 Arguments filmArguments(const VideoFormat& format, const VideoSource& source,
