@@ -73,7 +73,7 @@ std::string planJson(const Plan& plan) {
 
 void sayForecast(const Plan& plan, const PlanOptions& options, const Talk& talk) {
     const PartForecast& parts = plan.parts;
-    talk.say(fmt::format("{}: {} frames of {}x{}, foretold from the first {}",
+    talk.say(fmt::format("{}: {} frames of {}x{}, predicted from the first {}",
                          printable(plan.film.name), parts.frames, plan.film.layout.width,
                          plan.film.layout.height, plan.measured));
     talk.say(fmt::format("a frame: {:.3g} ms to simulate, {:.3g} ms to draw; the simulation is "
@@ -93,7 +93,7 @@ void sayForecast(const Plan& plan, const PlanOptions& options, const Talk& talk)
                          printable(shellWord(options.scene())), std::min(pay, parts.shards)));
 }
 
-Exit foretell(const PlanOptions& options) {
+Exit predict(const PlanOptions& options) {
     checkRange("--shards", options.shards, 1, kMostShards);
     watchSignals();
     const Plan plan = measuredPlan(options);
@@ -116,14 +116,14 @@ Run addPlan(CLI::App& app) {
     addJobs(app, options);
     addFeedback(app, options);
     return
-        [asked](const std::string& commandLine) { return foretell(settled(*asked, commandLine)); };
+        [asked](const std::string& commandLine) { return predict(settled(*asked, commandLine)); };
 }
 
 }  // namespace
 
 Command planCommand() {
     return {"plan",
-            "foretell what a film in parts takes: time, memory, how many parts pay",
+            "predict what a film in parts takes: time, memory, how many parts pay",
             {"impulse plan wall --shards 16", "impulse plan galton --shards 4 -q high --json",
              "impulse plan wall --shards 8 -j 1"},
             addPlan};

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The command of a part, by that of any part that is there; empty: it cannot be told.
+/// The command of a part, by that of any part that is there; empty: unknown.
 std::string commandOfPart(const std::vector<FoundTestPart>& parts, const Shard& shard) {
     for (const FoundTestPart& part : parts)
         if (part.report)

@@ -1,4 +1,4 @@
-/// What a film in parts would take, foretold from the times of some of its frames.
+/// What a film in parts would take, predicted from the times of some of its frames.
 ///
 ///   alone      start + begin + frames (simulate + draw / workers)
 ///   in parts   start + begin + frames (simulate + draw / (workers shards)), that of the last part

@@ -13,6 +13,7 @@
 #include "demos/text/json_limits.h"
 #include "demos/text/program_bytes.h"
 #include "demos/text/stop.h"
+#include "demos/text/text_hash.h"
 
 namespace demos {
 namespace {

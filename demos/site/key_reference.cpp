@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "demos/scene/explain.h"
 #include "demos/slides/markup.h"
 
@@ -13,8 +15,21 @@ std::string parentOf(const std::string& path) {
     return dot == std::string::npos ? "" : path.substr(0, dot);
 }
 
-/// A sentence with `code` in it.
-std::string sentenceHtml(const std::string& sentence) { return htmlInlineOf(sentence); }
+/// Options outside of `code` become code: Markdown would make a dash of their hyphens.
+std::string withOptionsAsCode(const std::string& sentence) {
+    std::string marked;
+    bool code = false;
+    for (std::size_t at = 0; at < sentence.size();) {
+        const bool option = !code && sentence.compare(at, 2, "--") == 0;
+        std::size_t end = at + 1;
+        if (option) end = sentence.find_first_not_of("-abcdefghijklmnopqrstuvwxyz", at);
+        const std::string part = sentence.substr(at, end - at);
+        marked += option ? "`" + part + "`" : part;
+        code = code != (sentence[at] == '`');
+        at = std::min(end, sentence.size());
+    }
+    return marked;
+}
 
 class KeyList {
 public:
@@ -55,14 +70,15 @@ private:
               std::pair{"default", key.usual}, std::pair{"range", key.range}})
             if (!value.empty())
                 facts += fmt::format("<span><i>{}</i> {}</span>", name, htmlEscaped(value));
+        const std::string sentence = withOptionsAsCode(key.sentence);
         const std::string name = key.path.substr(key.path.rfind('.') + 1);
         const std::string more =
             holds(key.path) ? fmt::format(" <a href=\"#table-{}\">its keys</a>", key.path) : "";
         made_.html += fmt::format(
             "<dt id=\"{0}\"><a href=\"#{0}\"><code>{1}</code></a></dt>"
             "<dd><p>{2}{3}</p><p class=\"facts\">{4}</p></dd>\n",
-            htmlEscaped(key.path), htmlEscaped(name), sentenceHtml(key.sentence), more, facts);
-        made_.sections.push_back({3, key.path, key.path, plainOf(key.sentence)});
+            htmlEscaped(key.path), htmlEscaped(name), htmlInlineOf(sentence), more, facts);
+        made_.sections.push_back({3, key.path, key.path, plainOf(sentence)});
     }
 
     std::vector<KeyFacts> keys_ = keyFacts();

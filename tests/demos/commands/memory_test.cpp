@@ -99,7 +99,7 @@ TEST_F(Memory, ADryRunTellsAndDrawsNothing) {
 }
 
 // The prediction is compared with the memory of the drawing process, the largest of the run.
-TEST_F(Memory, IsForetold) {
+TEST_F(Memory, IsPredicted) {
     const std::vector<std::vector<std::string>> ways = {
         {"--samples", "1"}, {"--blur", "4"}, {"--pass", "normal,flow"}};
     int number = 0;

@@ -163,7 +163,7 @@ TEST_F(Shards, APlanTellsWhatPartsCost) {
     };
     const Ended text = plan({"4"});
     EXPECT_EQ(text.code, 0) << text.err;
-    EXPECT_NE(text.out.find("ball: 10 frames of 96x54, foretold from the first 10"),
+    EXPECT_NE(text.out.find("ball: 10 frames of 96x54, predicted from the first 10"),
               std::string::npos)
         << text.out;
     const Ended json = plan({"4", "--json"});

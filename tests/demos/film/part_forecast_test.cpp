@@ -1,4 +1,4 @@
-// What is foretold of films in parts, where the answer is known.
+// The forecast for films in parts, where the answer is known.
 #include <gtest/gtest.h>
 
 #include "demos/film/part_forecast.h"

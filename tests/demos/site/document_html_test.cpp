@@ -123,6 +123,8 @@ TEST(KeyReference, HasEveryKeyOnceWithItsFacts) {
     const std::string key = made.html.substr(at, made.html.find("</dd>", at) - at);
     for (const char* fact : {"<i>unit</i> deg<", "<i>default</i> 35", "<i>range</i> 1 to 170"})
         EXPECT_NE(key.find(fact), std::string::npos) << key;
+    EXPECT_NE(made.html.find("and <code>--set</code> may"), std::string::npos);
+    EXPECT_EQ(made.html.find("\u2013set"), std::string::npos);
 }
 
 }  // namespace
