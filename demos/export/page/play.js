@@ -2,16 +2,14 @@
 
 let wanted = null, before = 0;  // the pending requests to draw; time of the last picture, ms
 
-/// A hidden page gets no animation frames; the timer draws instead. `since`: ms, when the picture's
-/// time began; a slow one before delays its animation frame.
+/// A hidden page gets no animation frames, and slow frames come late; then the timer draws.
+/// `since`: ms, when the picture's time began; a slow one before delays its animation frame.
 function changed(since = performance.now()) {
-  wanted ??= {
-    timer: setTimeout(show, 120),
-    frame: requestAnimationFrame(() => {
-      frameTook(performance.now() - since);
-      show();
-    }),
+  const draw = () => {
+    if (!document.hidden) frameTook(performance.now() - since);
+    show();
   };
+  wanted ??= { timer: setTimeout(draw, 120), frame: requestAnimationFrame(draw) };
   if (!view.playing) delete document.body.dataset.ready;  // until the picture is up to date
 }
 
