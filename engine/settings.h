@@ -33,8 +33,8 @@ enum class Springs { symplectic, implicit };
 /// The instruction set of the wide contact solver; the bits are the same.
 enum class Instructions { best, baseline };
 
-/// The settings of a World, which may be changed between two steps. Invalid values stop the program: no
-/// sub-step, no thread, a negative count, or Baumgarte together with nudges.
+/// The settings of a World, which may be changed between two steps. Invalid values stop the program: not 1 to
+/// 10000 sub-steps or 1 to 256 threads, values that are negative or not finite, Baumgarte together with nudges.
 struct Settings {
     Method method = Method::impulses;
     int substeps = 4;         // repetitions of velocities, impulses, positions and nudges per step

@@ -1,8 +1,8 @@
 #include "engine/world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
-#include <variant>
 
 #include "engine/base/check.h"
 #include "engine/collision/ray_cast.h"
@@ -11,6 +11,7 @@
 #include "engine/solver/nudges.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/solver/solve.h"
+#include "engine/world_checks.h"
 #include "engine/world_joints.h"
 #include "engine/world_paces.h"
 #include "engine/world_sleep.h"
@@ -44,8 +45,10 @@ World& World::operator=(World&&) noexcept = default;
 /// The six steps of the second seed, in its order. The first five are done in every sub-step; collision
 /// detection runs at the end, and within the step only for fast bodies.
 bool World::step(double dt) {
-    ENGINE_CHECK(dt > 0.0, "a step needs a positive time; reading the world needs no step");
     WorldState& s = *state_;
+    checkIdle(s);
+    ENGINE_CHECK(dt > 0.0 && std::isfinite(dt),
+                 "a step needs a positive time; reading the world needs no step");
     if (!beginStep(s, dt)) return false;
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
@@ -76,6 +79,8 @@ bool World::step(double dt) {
 
 BodyId World::add(const BodyDef& def) {
     WorldState& s = *state_;
+    checkIdle(s);
+    checkBody(def);
     s.contactsStale = true;
     const int i = s.bodySlots.take();
     addBody(s.bodies, def, i);
@@ -86,6 +91,7 @@ BodyId World::add(const BodyDef& def) {
 
 JointId World::add(const JointDef& def) {
     WorldState& s = *state_;
+    checkIdle(s);
     ENGINE_CHECK(has(def.a) && has(def.b), "a joint needs two bodies of this world");
     checkJoint(s, def);
     const int i = s.jointSlots.take();
@@ -97,11 +103,10 @@ JointId World::add(const JointDef& def) {
 }
 
 ForceId World::add(const ForceDef& def) {
+    checkIdle(*state_);
     ENGINE_CHECK(std::ranges::all_of(def.on, [&](BodyId id) { return has(id); }),
                  "a force needs bodies of this world");
-    ENGINE_CHECK(!std::holds_alternative<SpringForce>(def.kind) || def.on.size() == 2,
-                 "a spring has two ends: put both bodies in `on`");
-    ENGINE_CHECK(def.from <= def.until, "a force must not end before it begins");
+    checkForce(def);
     WorldState& s = *state_;
     const int i = s.forceSlots.take();
     s.forces.resize(larger(s.forces.size(), std::size_t(i) + 1));
@@ -111,12 +116,14 @@ ForceId World::add(const ForceDef& def) {
 }
 
 void World::remove(BodyId id) {
+    checkIdle(*state_);
     ENGINE_CHECK(has(id), kNoSuchBody);
     removeBody(*state_, id);
 }
 
 void World::remove(JointId id) {
     WorldState& s = *state_;
+    checkIdle(s);
     ENGINE_CHECK(s.jointSlots.knows(id.index, id.generation) && s.joints[id.index].present,
                  kNoSuchJoint);
     Joint& joint = s.joints[id.index];
@@ -128,6 +135,7 @@ void World::remove(JointId id) {
 
 void World::remove(ForceId id) {
     WorldState& s = *state_;
+    checkIdle(s);
     ENGINE_CHECK(s.forceSlots.knows(id.index, id.generation) && s.forces[id.index],
                  "there is no such force; it was removed or never added");
     for (const BodyId body : s.forces[id.index]->on) s.sleep.call(s.bodies, body.index);
@@ -138,13 +146,8 @@ void World::remove(ForceId id) {
 }
 
 void World::setSettings(const Settings& settings) {
-    ENGINE_CHECK(settings.substeps >= 1 && settings.sweeps >= 0 && settings.nudges >= 0,
-                 "a step needs at least one sub-step, and sweeps and nudges must not be negative");
-    ENGINE_CHECK(settings.baumgarte == 0.0 || settings.nudges == 0,
-                 "use Baumgarte or nudges for one error, never both");
-    ENGINE_CHECK(settings.restFactor >= 1, "restFactor multiplies sweeps: use 1 for no more of them");
-    ENGINE_CHECK(settings.sleepAfter > 0.0, "sleepAfter must be positive");
-    ENGINE_CHECK(settings.threads >= 1, "a step needs at least one thread");
+    checkIdle(*state_);
+    checkSettings(settings);
     if (settings.speculativeMargin != state_->settings.speculativeMargin) placeAll(*state_);
     state_->settings = settings;
     state_->sleep.callAll(state_->bodies);
@@ -155,6 +158,8 @@ void World::setSettings(const Settings& settings) {
 
 const Settings& World::settings() const { return state_->settings; }
 void World::setGravity(const Vec3& gravity) {
+    checkIdle(*state_);
+    ENGINE_CHECK(gravity.allFinite(), "gravity must be finite");
     if (gravity != state_->gravity) state_->sleep.callAll(state_->bodies);
     state_->gravity = gravity;
 }
@@ -224,6 +229,7 @@ JointState World::joint(JointId id) const {
 }
 
 void World::setFreedom(JointId id, int coordinate, const Freedom& freedom) {
+    checkIdle(*state_);
     ENGINE_CHECK(state_->jointSlots.knows(id.index, id.generation) &&
                      state_->joints[id.index].present,
                  kNoSuchJoint);
@@ -238,6 +244,8 @@ void World::setFreedom(JointId id, int coordinate, const Freedom& freedom) {
 void World::setPose(BodyId id, const Pose& pose) {
     ENGINE_CHECK(has(id), kNoSuchBody);
     WorldState& s = *state_;
+    checkIdle(s);
+    checkPose(pose);
     callAround(s, id.index);
     s.bodies.placed[id.index] = 1;
     activate(s.bodies, id.index);
@@ -249,6 +257,7 @@ void World::setPose(BodyId id, const Pose& pose) {
 }
 
 void World::setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
+    checkIdle(*state_);
     ENGINE_CHECK(has(id) && def(id).kind != BodyKind::fixed,
                  "only a dynamic or kinematic body has a velocity");
     Bodies& bodies = state_->bodies;
@@ -260,6 +269,7 @@ void World::setVelocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
 }
 
 void World::applyForce(BodyId id, const Vec3& force, const Vec3& torque) {
+    checkIdle(*state_);
     ENGINE_CHECK(has(id), kNoSuchBody);
     if (def(id).kind == BodyKind::fixed) return;
     state_->sleep.call(state_->bodies, id.index);
@@ -268,6 +278,7 @@ void World::applyForce(BodyId id, const Vec3& force, const Vec3& torque) {
 }
 
 void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
+    checkIdle(*state_);
     ENGINE_CHECK(has(id), kNoSuchBody);
     Bodies& bodies = state_->bodies;
     state_->sleep.call(bodies, id.index);
@@ -278,7 +289,10 @@ void World::applyImpulse(BodyId id, const Vec3& impulse, const Vec3& at) {
     bodies.velocities[id.index].angular += m.angular * arm.cross(impulse);
 }
 
-void World::findContacts() { findContactsNow(*state_); }
+void World::findContacts() {
+    checkIdle(*state_);
+    findContactsNow(*state_);
+}
 std::vector<ContactState> World::contacts() const {
     std::vector<ContactState> states;
     listContacts(*state_, states);
@@ -287,6 +301,7 @@ std::vector<ContactState> World::contacts() const {
 ErrorReport World::errors() const { return errorsOf(*state_); }
 
 void World::watchTouches(bool watch) {
+    checkIdle(*state_);
     state_->touches = {};
     state_->touches.watched = watch;
 }
@@ -308,12 +323,14 @@ std::uint64_t World::hash() const {
 }
 
 void World::setForceField(std::function<void(const World&, std::span<Load>)> field) {
+    checkIdle(*state_);
     state_->sleep.callAll(state_->bodies);
     state_->field = std::move(field);
     state_->fieldLoads.clear();
 }
 
 void World::observe(std::function<void(Phase, int)> observer) {
+    checkIdle(*state_);
     state_->observer = std::move(observer);
 }
 

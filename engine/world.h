@@ -30,7 +30,8 @@ public:
     World& operator=(World&&) noexcept;  // like the constructor
 
     /// A dynamic body needs a positive mass, given or by volume and density, and must not be a plane or mesh.
-    /// A given inertia must be physically possible (isInertia), and a rotation nonzero.
+    /// A given inertia must be physically possible (isInertia), a rotation nonzero, a restitution within 0
+    /// and 1, and every value finite.
     BodyId add(const BodyDef& def);
     /// Joins two different bodies of this world, at least one of them dynamic. A distance joint needs a
     /// positive length, a hinge a nonzero axis; springs must not have negative values.
@@ -111,10 +112,11 @@ public:
     bool restoreState(std::span<const std::uint8_t> bytes);
 
     /// A function called in every sub-step that adds forces depending on the state to one Load per body. An
-    /// empty function removes it. While it is set, nothing sleeps.
+    /// empty function removes it. While it is set, nothing sleeps. It may only read the world.
     void setForceField(std::function<void(const World&, std::span<Load>)> field);
 
-    /// Sets a function called at the beginning of every phase with the number of the sub-step.
+    /// Sets a function called at the beginning of every phase with the number of the sub-step. It may only
+    /// read the world.
     void observe(std::function<void(Phase, int)> observer);
 
 private:

@@ -1,43 +1,11 @@
 #include "engine/world_joints.h"
 
-#include "engine/base/check.h"
 #include "engine/constraints/catmull_rom.h"
 
 namespace engine {
 namespace {
 
 Vec3 secondAxis(const JointDef& def) { return def.axis2.isZero(0.0) ? def.axis : def.axis2; }
-
-/// The number of free coordinates of a type; a sixDof has all.
-int coordinateCount(JointType type) {
-    switch (type) {
-        case JointType::weld:
-        case JointType::lookAt:
-        case JointType::gear: return 0;
-        case JointType::distance:
-        case JointType::hinge:
-        case JointType::slider:
-        case JointType::axis:
-        case JointType::path: return 1;
-        case JointType::ball:
-        case JointType::universal:
-        case JointType::constantVelocity:
-        case JointType::wheel: return 2;
-        case JointType::sixDof: return 6;
-    }
-    return 0;
-}
-
-constexpr const char* kNoNegativeSpring =
-    "a spring's frequency, damping, stiffness and resistance must not be negative";
-
-bool isSound(const Spring& s) {
-    return s.hz >= 0.0 && s.damping >= 0.0 && s.stiffness >= 0.0 && s.resistance >= 0.0;
-}
-
-bool areAcross(const Vec3& a, const Vec3& b) {
-    return std::abs(a.dot(b)) < 1e-6 * a.norm() * b.norm();
-}
 
 /// The shortest rotation from h to k; if opposite, half a turn about any perpendicular axis.
 Quat swingBetween(const Vec3& h, const Vec3& k) {
@@ -101,41 +69,6 @@ void findTorn(WorldState& s, Joint& joint) {
 }
 
 }  // namespace
-
-void checkFreedom(JointType type, int coordinate, const Freedom& f) {
-    ENGINE_CHECK(coordinate >= 0 && coordinate < 6, "a joint has coordinates 0 to 5");
-    ENGINE_CHECK(!f.acts() || coordinate < coordinateCount(type),
-                 "this type of joint has no such coordinate; see JointType");
-    ENGINE_CHECK(!f.acts() || type != JointType::constantVelocity || coordinate == 1,
-                 "a constant velocity joint holds its twist; its swing is coordinate 1");
-    ENGINE_CHECK(!f.locked || (type == JointType::sixDof && !f.acts()),
-                 "only a sixDof can lock coordinates, and nothing else may act along a locked one");
-    ENGINE_CHECK(f.limits.low <= f.limits.high, "a lower limit must not exceed the upper one");
-    ENGINE_CHECK(f.motor.strength >= 0.0, "a motor's strength must not be negative; reverse its speed");
-    ENGINE_CHECK(isSound(f.spring), kNoNegativeSpring);
-    ENGINE_CHECK(f.inertia >= 0.0, "a rotor's inertia must not be negative");
-}
-
-void checkJoint(const WorldState& s, const JointDef& def) {
-    ENGINE_CHECK(def.a != def.b, "a joint needs two different bodies");
-    ENGINE_CHECK(s.bodies.isDynamic(def.a.index) || s.bodies.isDynamic(def.b.index),
-                 "one of a joint's bodies must be dynamic");
-    ENGINE_CHECK(def.type != JointType::distance || def.length > 0.0 || rowCount(def) == 0,
-                 "a distance joint needs a positive length; for zero use a ball joint");
-    ENGINE_CHECK(def.type != JointType::hinge || def.axis.norm() > 0.0,
-                 "a hinge needs a nonzero axis");
-    ENGINE_CHECK(def.axis.norm() > 0.0, "a joint's axis must not be zero; keep the default if unused");
-    ENGINE_CHECK((def.type != JointType::universal && def.type != JointType::wheel) ||
-                     (!def.axis2.isZero(0.0) && areAcross(def.axis, def.axis2)),
-                 "the axes of a universal joint or a wheel must be at right angles");
-    ENGINE_CHECK(def.type != JointType::gear || def.ratio != 0.0, "a gear's ratio must not be zero");
-    ENGINE_CHECK(def.type != JointType::path || def.path.size() >= 2,
-                 "a path needs at least two points");
-    ENGINE_CHECK(def.breakForce > 0.0 && def.breakTorque > 0.0,
-                 "breakForce and breakTorque must be positive");
-    ENGINE_CHECK(isSound(def.spring), kNoNegativeSpring);
-    for (int i = 0; i < 6; ++i) checkFreedom(def.type, i, def.free[i]);
-}
 
 double separationOf(const WorldState& s, const Joint& joint) {
     const Pose &a = s.bodies.poses[joint.def.a.index], &b = s.bodies.poses[joint.def.b.index];

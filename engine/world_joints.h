@@ -4,10 +4,6 @@
 
 namespace engine {
 
-/// Check for bugs of the caller (base/check.h).
-void checkJoint(const WorldState& s, const JointDef& def);
-void checkFreedom(JointType type, int coordinate, const Freedom& freedom);
-
 Joint makeJoint(const WorldState& s, const JointDef& def);
 JointState stateOf(const WorldState& s, const Joint& joint);
 /// JointState::separation alone, m.

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "engine/base/state_bytes.h"
-#include "engine/world_state.h"
+#include "engine/world_checks.h"
 
 namespace engine {
 namespace {
@@ -284,6 +284,7 @@ void keep(Bytes& bytes, WorldState& s) {
 
 void World::saveState(std::vector<std::uint8_t>& bytes, std::size_t at) const {
     WorldState& s = *state_;
+    checkIdle(s);
     if (s.listed != WorldState::Listed::kept) listContacts(s, s.kept);
     StateWriter writer(bytes, at);
     keep(writer, s);
@@ -292,6 +293,7 @@ void World::saveState(std::vector<std::uint8_t>& bytes, std::size_t at) const {
 
 bool World::restoreState(std::span<const std::uint8_t> bytes) {
     WorldState& s = *state_;
+    checkIdle(s);
     StateReader reader(bytes);
     keep(reader, s);
     s.listed = WorldState::Listed::kept;

@@ -131,17 +131,18 @@ void goBack(WorldState& s) {
         if (s.bodies.present[i]) updateInverseInertia(s.bodies, i);
 }
 
-/// The bodies that began the step, or were loaded, with non-finite values; if there are none, all that
-/// `ended` so.
+bool isFinite(const Load& load) { return load.force.allFinite() && load.torque.allFinite(); }
+
+/// The bodies that began the step, or were pushed by the caller, with non-finite values; if there are none,
+/// those that a force gave the first such load; if there are none, all that `ended` so.
 std::vector<Incident> culprits(const WorldState& s, const std::vector<Incident>& ended) {
-    std::vector<Incident> found;
+    std::vector<Incident> began, loaded;
     for (const Incident& incident : ended) {
         const int i = incident.body.index;
-        const Load& load = s.bodies.loads[i];
-        const bool pushed = load.force.allFinite() && load.torque.allFinite();
-        if (!pushed || !isFinite(s.bodies, i)) found.push_back(incident);
+        if (!isFinite(s.bodies.loads[i]) || !isFinite(s.bodies, i)) began.push_back(incident);
+        if (std::ranges::binary_search(s.badlyLoaded, i)) loaded.push_back(incident);
     }
-    return found.empty() ? ended : found;
+    return !began.empty() ? began : !loaded.empty() ? loaded : ended;
 }
 
 void updateJoints(WorldState& s, double dt) {
@@ -206,6 +207,7 @@ bool beginStep(WorldState& s, double dt) {
     }
     s.solvedBefore.clear();
     s.kept.clear();
+    s.badlyLoaded.clear();
     sumResting(s.bodies);
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
@@ -223,7 +225,7 @@ bool beginStep(WorldState& s, double dt) {
 void evaluateForces(const World& world, WorldState& s, int substep, double h) {
     if (!s.hasForces()) return;
     s.fieldLoads.assign(s.bodies.count(), {});
-    if (s.field) s.field(world, s.fieldLoads);
+    if (s.field) s.call(s.field, world, std::span<Load>(s.fieldLoads));
     s.springs.assign(s.bodies.count(), 0);
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && std::holds_alternative<SpringForce>(force->kind))
@@ -231,6 +233,9 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
     const ForceMoment now{s.report.time + substep * h, h, s.gravity, s.springs};
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
+    if (!s.badlyLoaded.empty()) return;  // later loads may be consequences
+    for (const int i : s.bodies.active)
+        if (s.bodies.isDynamic(i) && !isFinite(s.fieldLoads[i])) s.badlyLoaded.push_back(i);
 }
 
 bool looksAgain(const WorldState& s, int substep, double h) {

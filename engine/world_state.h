@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/hash.h"
@@ -37,8 +38,10 @@ struct WorldState {
     std::vector<std::optional<ForceDef>> forces;  // by number; removed: empty
     int forceCount = 0;                           // not counting removed ones
     std::vector<Load> fieldLoads;                 // from field and forces, in this sub-step
+    std::vector<int> badlyLoaded;                 // bodies whose load was the first without a finite value
     std::vector<int> springs;                     // number of spring forces, by body
     std::function<void(Phase, int)> observer;
+    bool calling = false;                         // one of the caller's functions
     TouchLog touches;
 
     enum class Listed { none, solved, found, kept };
@@ -63,8 +66,18 @@ struct WorldState {
     bool hasForces() const { return field || forceCount > 0; }
     BodyId bodyId(int i) const { return {i, bodySlots.generation(i)}; }
     JointId jointId(int i) const { return {i, jointSlots.generation(i)}; }
-    void phase(Phase which, int substep) const {
-        if (observer) observer(which, substep);
+    void phase(Phase which, int substep) {
+        if (observer) call(observer, which, substep);
+    }
+    /// Calls one of the caller's functions, which may only read the world (world_checks.h).
+    template <class Function, class... Values>
+    void call(const Function& function, Values&&... values) {
+        struct End {
+            bool& calling;
+            ~End() { calling = false; }  // also if the function throws
+        } const end{calling};
+        calling = true;
+        function(std::forward<Values>(values)...);
     }
 };
 

@@ -34,7 +34,8 @@ BodyMass massOf(const BodyDef& def) {
     if (def.kind != BodyKind::dynamic) return {};
     BodyMass m;
     m.mass = def.mass ? *def.mass : massOf(def.shape, def.material.density);
-    ENGINE_CHECK(m.mass > 0.0, "a dynamic body needs a positive mass");
+    ENGINE_CHECK(m.mass > 0.0 && std::isfinite(1.0 / m.mass) && std::isfinite(m.mass),
+                 "a dynamic body needs a positive mass");
     m.inertia = def.inertia ? *def.inertia : inertiaOf(def.shape, m.mass);
     ENGINE_CHECK(!def.inertia || isInertia(m.inertia),
                  "an inertia tensor must be symmetric and positive definite, with no principal "

@@ -25,6 +25,22 @@ double farthest(const Points& points) {
     return std::sqrt(square);
 }
 
+/// False for NaN and infinity.
+bool isLength(double x) { return x > 0.0 && std::isfinite(x); }
+
+void checkPart(const ShapePart& part) {
+    const Shape& shape = part.shape;
+    ENGINE_CHECK(shape.type != ShapeType::plane && shape.type != ShapeType::mesh,
+                 "a compound cannot contain planes or meshes");
+    ENGINE_CHECK((shape.type != ShapeType::compound || shape.parts) &&
+                     (shape.type != ShapeType::hull || shape.hull),
+                 "make a part's shape with a function of Shape");
+    ENGINE_CHECK(part.density > 0.0 && std::isfinite(part.density),
+                 "a part of a compound needs a positive density");
+    ENGINE_CHECK(part.pose.position.allFinite() && isLength(part.pose.rotation.norm()),
+                 "a part of a compound needs a finite place and a nonzero quaternion");
+}
+
 double farthestOf(const ShapeParts& parts) {
     double most = 0.0;
     for (const ShapePart& part : parts)
@@ -35,12 +51,13 @@ double farthestOf(const ShapeParts& parts) {
 }  // namespace
 
 Shape Shape::sphere(double radius) {
-    ENGINE_CHECK(radius > 0.0, "a sphere needs a positive radius");
+    ENGINE_CHECK(isLength(radius), "a sphere needs a positive radius");
     return roundShape(ShapeType::sphere, radius, 0.0);
 }
 
 Shape Shape::box(const Vec3& size) {
-    ENGINE_CHECK(size.minCoeff() > 0.0, "a box needs three positive edges");
+    ENGINE_CHECK(isLength(size.x()) && isLength(size.y()) && isLength(size.z()),
+                 "a box needs three positive edges");
     Shape s;
     s.type = ShapeType::box;
     s.halfSize = 0.5 * size;
@@ -48,14 +65,14 @@ Shape Shape::box(const Vec3& size) {
 }
 
 Shape Shape::capsule(double radius, double height) {
-    ENGINE_CHECK(radius > 0.0 && height >= 2.0 * radius,
+    ENGINE_CHECK(isLength(radius) && isLength(height) && height >= 2.0 * radius,
                  "a capsule needs a positive radius and a height of at least twice that");
     return roundShape(ShapeType::capsule, radius, 0.5 * height - radius);
 }
 
 Shape Shape::plane(const Vec3& normal) {
     const double length = normal.norm();
-    ENGINE_CHECK(length > 0.0, "a plane needs a nonzero normal");
+    ENGINE_CHECK(isLength(length), "a plane needs a nonzero normal");
     Shape s;
     s.type = ShapeType::plane;
     s.normal = normal / length;
@@ -63,12 +80,13 @@ Shape Shape::plane(const Vec3& normal) {
 }
 
 Shape Shape::cylinder(double radius, double height) {
-    ENGINE_CHECK(radius > 0.0 && height > 0.0, "a cylinder needs a positive radius and height");
+    ENGINE_CHECK(isLength(radius) && isLength(height),
+                 "a cylinder needs a positive radius and height");
     return roundShape(ShapeType::cylinder, radius, 0.5 * height);
 }
 
 Shape Shape::cone(double radius, double height) {
-    ENGINE_CHECK(radius > 0.0 && height > 0.0, "a cone needs a positive radius and height");
+    ENGINE_CHECK(isLength(radius) && isLength(height), "a cone needs a positive radius and height");
     return roundShape(ShapeType::cone, radius, 0.5 * height);
 }
 
@@ -99,14 +117,12 @@ std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
 
 Shape Shape::compound(std::span<const ShapePart> parts, const std::optional<Vec3>& given) {
     ENGINE_CHECK(!parts.empty(), "a compound needs at least one part");
+    ENGINE_CHECK(!given || given->allFinite(), "a centre of mass must be finite");
     auto placed = std::make_shared<ShapeParts>();
     for (const ShapePart& part : parts) {
-        const ShapeType type = part.shape.type;
-        ENGINE_CHECK(type != ShapeType::plane && type != ShapeType::mesh,
-                     "a compound cannot contain planes or meshes");
-        ENGINE_CHECK(part.density > 0.0, "a part of a compound needs a positive density");
+        checkPart(part);
         const Quat turn = part.pose.rotation.normalized();
-        if (type != ShapeType::compound) {
+        if (part.shape.type != ShapeType::compound) {
             placed->push_back({part.shape, {part.pose.position, turn}, part.density});
             continue;
         }
@@ -147,7 +163,7 @@ Shape Shape::meshOf(std::span<const Vec3> corners,
 }
 
 Shape Shape::heightField(int columns, int rows, double spacing, std::span<const double> heights) {
-    ENGINE_CHECK(columns >= 2 && rows >= 2 && spacing > 0.0 &&
+    ENGINE_CHECK(columns >= 2 && rows >= 2 && isLength(spacing) &&
                      heights.size() == static_cast<std::size_t>(columns) * rows,
                  "a height field needs two columns, two rows, and a height for each of its points");
     std::vector<Vec3> corners;
