@@ -1,5 +1,4 @@
 #include "demos/film/film_plan.h"
-#include "demos/load/load_scene.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +7,12 @@
 
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
+#include "demos/load/load_scene.h"
 #include "demos/options/picture_options.h"
 #include "demos/play/motion_camera.h"
 #include "demos/scene/reader.h"
 #include "demos/text/hex_text.h"
 #include "demos/text/program_bytes.h"
-#include "demos/text/put_text.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 #include "demos/text/version.h"
@@ -54,27 +53,6 @@ Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
     return overlays;
 }
 
-std::string goodRates(int hz, int wanted) {
-    constexpr int kMost = 240;
-    std::vector<int> rates;
-    for (int fps = 1; fps <= std::min(hz, kMost); ++fps)
-        if (hz % fps == 0) rates.push_back(fps);
-    std::stable_sort(rates.begin(), rates.end(), [wanted](int a, int b) {
-        return std::abs(a - wanted) < std::abs(b - wanted);
-    });
-    rates.resize(std::min<std::size_t>(rates.size(), 6));
-    std::sort(rates.begin(), rates.end());
-    return fmt::format("{}", fmt::join(rates, " "));
-}
-
-int goodSteps(int hz, int fps) {
-    constexpr int kFewest = 10, kMost = 100'000;  // steps a second that a scene may have
-    int perFrame = std::max((hz + fps / 2) / fps, 1);
-    while (perFrame * fps < kFewest) ++perFrame;
-    while (perFrame * fps > kMost) --perFrame;
-    return perFrame * fps;
-}
-
 int stepAt(double time, const FilmPlan& plan, const char* option) {
     constexpr double kMostSteps = 1e8;
     const double steps = time * plan.scene().hz;
@@ -82,14 +60,6 @@ int stepAt(double time, const FilmPlan& plan, const char* option) {
         throw Stop(Exit::usage,
                    fmt::format("{} {}: is more than {:.0f} steps away", option, time, kMostSteps));
     return static_cast<int>(std::lround(steps));
-}
-
-SceneDescription sceneOf(const Options& options) {
-    SceneDescription scene = loadScene(options.scene(), options.overrides);
-    if (!options.quiet)
-        for (const std::string& note : scene.notes) putError(note);
-    if (options.seconds) scene.seconds = *options.seconds;
-    return scene;
 }
 
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options) {
