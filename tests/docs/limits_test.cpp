@@ -77,6 +77,9 @@ TEST(Limits, OfFilesThatTheProgramWrites) {
         EXPECT_EQ(cellsOf(name), mebibytes(limits.bytes) + " | " + text(kMostJsonDepth) + " | " +
                                      text(limits.values) + " values")
             << name;
+    EXPECT_EQ(cellsOf("`bench --against`"), mebibytes(kBenchJson.bytes) + " | " +
+                                                text(kMostJsonDepth) + " | " +
+                                                text(kBenchJson.values) + " values a line");
 }
 
 TEST(Limits, OfAScene) {
