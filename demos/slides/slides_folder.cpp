@@ -248,14 +248,15 @@ std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& ta
     checkStrangers(folder, names, own);
     const Draft draft(folder);
     for (const FolderFile& file : files) draft.write(file);
-    draft.publishList(deck, unionOf(own, names));
+    const std::vector<fs::path> listed = unionOf(names, own);
+    draft.publishList(deck, listed);
     render::makeFolder(folder / "media");
     for (const FolderFile& file : files) draft.publish(file.name);
     for (const fs::path& name : own) {
         std::error_code ignored;
         if (!isAmong(name, names)) fs::remove(folder / name, ignored);
     }
-    draft.publishList(deck, names);
+    if (listed != names) draft.publishList(deck, names);  // else it is this list already
     return names;
 }
 

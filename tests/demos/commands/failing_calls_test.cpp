@@ -1,7 +1,8 @@
-// The n-th call of a function fails, for every n where that is cheap: one line, the right code,
-// nothing torn, nothing left beside, and the next run finishes the work. (failing_calls.cpp is
-// preloaded.)
+// The n-th call of a function fails, for every n where that is cheap, and the last one: one line,
+// the right code, nothing torn, nothing left beside, and the next run finishes the work.
+// (failing_calls.cpp is preloaded.)
 // Longer: IMPULSE_FAIL_ALL=1 cli_tests --gtest_filter='*FailingCalls*', with every n of every call.
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <map>
@@ -78,7 +79,8 @@ TEST_P(FailingCalls, TearNothingAndTheNextRunFinishes) {
     ASSERT_GT(count, 0) << "the library counts no " << sweep.call;
     const Files good = results();
     const int every = std::getenv("IMPULSE_FAIL_ALL") ? 1 : sweep.every;
-    for (long n = every; n <= count; n += every) {
+    for (long at = every; at < count + every; at += every) {
+        const long n = std::min(at, count);
         SCOPED_TRACE(std::string(sweep.call) + " " + std::to_string(n));
         renew();
         const Ended ended = play(n);
@@ -100,6 +102,8 @@ const std::vector<std::string> kExport{"export", "ball.toml", "-o",     "a.html"
 const std::vector<std::string> kSim{"sim", "ball.toml", "--csv", "a.csv", "--quiet"};
 const std::vector<std::string> kRender{"render", "ball.toml", "-o",     "film", "--size", "64x36",
                                        "--fps",  "2",         "--jobs", "1",    "--quiet"};
+const std::vector<std::string> kSlides{"slides", "ball.toml", "-o", "deck/", "--size", "64x64",
+                                       "--fps",  "2",         "-j", "1",     "--quiet"};
 const std::vector<std::string> kPasses = [] {
     std::vector<std::string> arguments = kRender;
     arguments.insert(arguments.end(), {"--pass", "poses"});
@@ -113,6 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Sweep{"export_flock", kExport, "flock", EIO, 1},
                     Sweep{"sim_rename", kSim, "rename", EIO, 1},
                     Sweep{"sim_malloc", kSim, "malloc", ENOMEM, 4001},
+                    Sweep{"slides_rename", kSlides, "rename", EIO, 12},
                     Sweep{"passes_rename", kPasses, "rename", EIO, 2},
                     Sweep{"render_send", kRender, "send", EPIPE, 3}),
     [](const auto& sweep) { return std::string(sweep.param.name); });
