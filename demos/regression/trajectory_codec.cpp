@@ -14,6 +14,9 @@ namespace {
 constexpr std::int64_t kTrajectoryVersion = 2;
 constexpr std::size_t kMostSteps = 100'000'000, kMostNames = 1'000'000, kMostName = 200;
 constexpr std::size_t kMostBytes = 256u << 20;  // unpacked
+// A recorded trajectory has 200000 poses until it is thinned, and 100000 more whenever its length
+// doubles.
+constexpr std::size_t kMostReadPoses = 4'000'000, kMostReadImpulses = 16'000'000;
 constexpr double kFarthest = 4e15;              // resolutions: an exact double
 constexpr double kExtentStep = 1e-4;            // m
 constexpr double kDepthStep = 1e-7;             // m, of penetration and separation
@@ -132,11 +135,14 @@ void writeImpulses(ByteWriter& out, const Trajectory& trajectory, double step) {
     }
 }
 
-void readImpulses(ByteReader& in, Trajectory& trajectory, double step) {
+bool readImpulses(ByteReader& in, Trajectory& trajectory, double step) {
+    std::size_t left = kMostReadImpulses;
     for (std::size_t constraint = 0; constraint < trajectory.constraints.size(); ++constraint)
         for (std::size_t runs = in.count(in.left()); runs > 0 && in.good(); --runs) {
             const std::size_t first = in.count(trajectory.moments.size());
             const std::size_t size = in.count(trajectory.moments.size() - first);
+            if (size > left) return false;
+            left -= size;
             double value = 0.0;
             for (std::size_t i = 0; i < size && in.good(); ++i) {
                 value += static_cast<double>(in.whole());
@@ -144,6 +150,7 @@ void readImpulses(ByteReader& in, Trajectory& trajectory, double step) {
                     {static_cast<int>(constraint), value * step});
             }
         }
+    return in.good();
 }
 
 void writeNames(ByteWriter& out, const std::vector<std::string>& names) {
@@ -210,24 +217,43 @@ std::vector<std::uint8_t> bytesOf(Trajectory trajectory, const TrajectoryResolut
     return deflated(out.bytes());
 }
 
-/// How many moments a trajectory of this length has.
-std::size_t momentCount(const Trajectory& trajectory) {
-    std::size_t count = 1;
-    for (int step = 0; step < trajectory.lastStep(); ++step)
-        if (hasMoment(step, trajectory.dense)) ++count;
-    return count;
+/// Around this step every so many steps have a moment.
+int strideAt(int step, int dense) {
+    int stride = 1;
+    for (long long until = dense; step > until; until *= 2) stride *= 2;
+    return stride;
 }
 
-void makeMoments(Trajectory& trajectory) {
-    const std::vector<engine::Pose> poses(trajectory.bodies.size());
-    for (int step = 0; step <= trajectory.lastStep(); ++step)
-        if (hasMoment(step, trajectory.dense) || step == trajectory.lastStep())
-            trajectory.moments.push_back({step, poses, 0, 0, 0, {}});
+/// The next step that has a moment, if the run does not end before it.
+int nextMoment(int step, int dense) {
+    const int stride = strideAt(step + 1, dense);
+    return (step / stride + 1) * stride;
+}
+
+/// Calls `visit` with each step that has a moment, until it returns false.
+template <class Visit>
+void visitSteps(const Trajectory& trajectory, const Visit& visit) {
+    const int last = trajectory.lastStep();
+    for (int step = 0; step < last; step = std::min(nextMoment(step, trajectory.dense), last))
+        if (!visit(step)) return;
+    visit(last);
 }
 
 /// Each number takes a byte at least, so memory is allocated only in proportion to the input.
 bool momentsFit(const Trajectory& trajectory, std::size_t bytes) {
-    return momentCount(trajectory) * (3 + 7 * trajectory.bodies.size()) <= bytes;
+    const std::size_t bodies = trajectory.bodies.size();
+    const std::size_t most = std::min(bytes / (3 + 7 * bodies), kMostReadPoses / (1 + bodies));
+    std::size_t count = 0;
+    visitSteps(trajectory, [&](int) { return ++count <= most; });
+    return count <= most;
+}
+
+void makeMoments(Trajectory& trajectory) {
+    const std::vector<engine::Pose> poses(trajectory.bodies.size());
+    visitSteps(trajectory, [&](int step) {
+        trajectory.moments.push_back({step, poses, 0, 0, 0, {}});
+        return true;
+    });
 }
 
 bool readHead(ByteReader& in, Trajectory& trajectory) {
@@ -235,7 +261,7 @@ bool readHead(ByteReader& in, Trajectory& trajectory) {
     if (version == 0) return false;
     trajectory.hz = static_cast<int>(in.count(100'000));
     trajectory.dense = static_cast<int>(in.count(Trajectory::kAll));
-    trajectory.hashes.resize(in.count(std::min(kMostSteps, in.left())));
+    trajectory.hashes.resize(in.count(std::min(kMostSteps, in.left() / 4)));
     trajectory.bodies = readNames(in);
     trajectory.constraints = readNames(in);
     trajectory.extents.resize(trajectory.bodies.size());
@@ -266,9 +292,7 @@ TrajectoryResolution resolutionOf(const Trajectory& trajectory, const Tolerance&
 }
 
 bool hasMoment(int step, int dense) {
-    int stride = 1;
-    for (long long until = dense; step > until; until *= 2) stride *= 2;
-    return step % stride == 0;
+    return step % strideAt(step, dense) == 0;
 }
 
 Trajectory thinned(const Trajectory& trajectory, int dense) {
@@ -311,8 +335,8 @@ std::optional<Trajectory> decodeTrajectory(std::span<const std::uint8_t> bytes) 
                      good = good && readColumn(in, trajectory, step, column);
                  });
     if (!good) return std::nullopt;
-    readImpulses(in, trajectory, trajectory.resolution.impulse);
-    if (!in.good() || !in.atEnd()) return std::nullopt;
+    if (!readImpulses(in, trajectory, trajectory.resolution.impulse) || !in.atEnd())
+        return std::nullopt;
     for (TrajectoryMoment& moment : trajectory.moments)
         for (engine::Pose& pose : moment.poses) {
             if (!(pose.rotation.norm() > 0.5)) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "demos/regression/divergence.h"
 #include "demos/regression/trajectory_codec.h"
 #include "demos/regression/trajectory_recorder.h"
+#include "demos/text/byte_stream.h"
 #include "demos/text/deflate.h"
 #include "tests/demos/reading.h"
 
@@ -172,6 +173,22 @@ TEST(Trajectory, SurvivesBytesThatAreMadeUp) {
         }
     }
     EXPECT_GT(refused, 150);
+}
+
+/// A run without bodies, constraints or motion, as a few kilobytes can claim it.
+std::vector<std::uint8_t> emptyRun(int steps) {
+    ByteWriter out;
+    for (const std::int64_t value : {2, 60, Trajectory::kAll, steps, 0, 0}) out.whole(value);
+    out.number(9.81);
+    for (int step = 0; step < steps; ++step) out.bits32(0);
+    for (int resolution = 0; resolution < 4; ++resolution) out.number(1e-3);
+    for (int number = 0; number < 3 * (1 + steps); ++number) out.whole(0);
+    return deflated(out.bytes());
+}
+
+TEST(Trajectory, MoreMomentsThanARunRecordsAreRefused) {
+    EXPECT_TRUE(decodeTrajectory(emptyRun(1000)).has_value());
+    EXPECT_FALSE(decodeTrajectory(emptyRun(4'000'001)).has_value());
 }
 
 TEST(Divergence, TheSameRunIsTheSame) {
