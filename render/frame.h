@@ -86,6 +86,11 @@ struct Label {
     float reach = 0.0f;  // m, as for an arrow; smaller bodies have smaller names
     float size = 15.0f;  // as for a text
     float below = 0.0f;  // distance of its middle below the point, in heights of the name
+    std::string subscript{};  // smaller and lower, after the text
+    std::string value{};      // after the subscript
+    bool beside = false;  // next to its point, where it covers no arrow, marker or name; such labels
+                          // are placed before the others
+    Color color{0, 0, 0, 0};  // a = 0: Look::ink
 };
 
 /// A band along a path that fades towards its oldest (first) point.

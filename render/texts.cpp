@@ -5,6 +5,7 @@
 #include "render/canvas.h"
 #include "render/corners.h"
 #include "render/coverage.h"
+#include "render/label_places.h"
 #include "render/overlay.h"
 #include "render/plate.h"
 
@@ -60,27 +61,10 @@ std::vector<SeenLabel> seenLabels(const Image& image, const Frame& frame, const 
             seen.push_back({&label, p});
     }
     std::stable_sort(seen.begin(), seen.end(), [](const SeenLabel& a, const SeenLabel& b) {
+        if (a.label->beside || b.label->beside) return a.label->beside && !b.label->beside;
         return a.at.depth < b.at.depth;
     });
     return seen;
-}
-
-/// Finds a place for a name: at its point, or a line above or below it if that is at most `most`
-/// pixels away; entirely within the picture.
-bool findPlace(Box& box, float most, const Image& image, const CornerLayout& corners,
-               const std::vector<Box>& taken) {
-    const float y = box.y;
-    for (const float shift : {0.0f, -box.height, box.height}) {
-        if (std::abs(shift) > most) continue;
-        box.y = y + shift;
-        const bool within = box.x >= 0.0f && box.y >= 0.0f &&
-                            box.x + box.width <= static_cast<float>(image.width) &&
-                            box.y + box.height <= static_cast<float>(image.height);
-        const auto meets = [&](const Box& other) { return other.overlaps(box); };
-        if (within && corners.isFree(box) && std::none_of(taken.begin(), taken.end(), meets))
-            return true;
-    }
-    return false;
 }
 
 /// `reach`: of the body, in pixels.
@@ -90,9 +74,33 @@ int namePixels(const Label& label, float reach, float scale, const Look& look) {
     return std::max(static_cast<int>(std::lround(wanted)), given ? 1 : kSmallestText);
 }
 
+constexpr float kSubscript = 0.72f;  // of the text's size
+constexpr float kLowered = 0.24f;    // of the text's size
+
+int subscriptPixels(int pixels) {
+    return std::max(static_cast<int>(std::lround(kSubscript * static_cast<float>(pixels))), 1);
+}
+
+float labelWidth(const Label& label, int pixels) {
+    const float size = static_cast<float>(pixels);
+    return textWidth(label.text, size) + textWidth(label.value, size) +
+           textWidth(label.subscript, static_cast<float>(subscriptPixels(pixels)));
+}
+
+void drawName(Image& image, const Label& label, int pixels, float x, float base,
+              const Color& color) {
+    const int small = subscriptPixels(pixels);
+    const float size = static_cast<float>(pixels);
+    drawHaloed(image, label.text, pixels, x, base, color);
+    x += textWidth(label.text, size);
+    drawHaloed(image, label.subscript, small, x, base + kLowered * size, color);
+    x += textWidth(label.subscript, static_cast<float>(small));
+    drawHaloed(image, label.value, pixels, x, base, color);
+}
+
 void drawLabels(Image& image, const Frame& frame, const View& view, const DepthMap& depth,
                 const CornerLayout& corners) {
-    std::vector<Box> taken;
+    LabelPlaces places(image, frame, view, corners);
     const float scale = overlayScale(frame.look, image.width, image.height);
     for (const SeenLabel& seen : seenLabels(image, frame, view, depth)) {
         const Label& label = *seen.label;
@@ -101,14 +109,13 @@ void drawLabels(Image& image, const Frame& frame, const View& view, const DepthM
                                       static_cast<float>(image.height) / seen.at.depth
                                 : 1e6f;  // pixels
         const int pixels = namePixels(label, reach, scale, frame.look);
-        const float width = textWidth(label.text, static_cast<float>(pixels));
+        const float width = labelWidth(label, pixels);
         const float height = 1.1f * static_cast<float>(pixels), pad = 0.1f * height;
         Box box{seen.at.x - 0.5f * width - pad, seen.at.y + (label.below - 0.5f) * height,
                 width + 2.0f * pad, height};
-        if (!findPlace(box, 0.4f * reach, image, corners, taken)) continue;
-        taken.push_back(box);
-        drawHaloed(image, label.text, pixels, box.x + pad, box.y + textAscent(pixels),
-                   frame.look.ink);
+        if (!(label.beside ? places.takeBeside(box) : places.takeOver(box, 0.4f * reach))) continue;
+        drawName(image, label, pixels, box.x + pad, box.y + textAscent(pixels),
+                 label.color.a > 0.0f ? label.color : frame.look.ink);
     }
 }
 

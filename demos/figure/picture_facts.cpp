@@ -60,6 +60,7 @@ std::string marksText(const Overlays& overlays) {
     std::string text;
     if (overlays.contacts) text += "; pink dots: contacts";
     if (overlays.normals) text += "; blue arrows: normals";
+    if (overlays.annotate) text += "; labelled: the vectors of one contact or joint";
     if (overlays.joints) text += "; grey dots: anchors of joints";
     if (overlays.axes) text += "; red, green and blue lines: x, y and z axes of the bodies";
     if (overlays.com) text += "; quartered discs: centres of mass";

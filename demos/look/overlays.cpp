@@ -10,12 +10,12 @@ struct Switch {
 constexpr Switch kSwitches[] = {
     {"contacts", &Overlays::contacts}, {"normals", &Overlays::normals},
     {"impulses", &Overlays::impulses}, {"friction", &Overlays::friction},
-    {"nudges", &Overlays::nudges},     {"joints", &Overlays::joints},
-    {"axes", &Overlays::axes},         {"com", &Overlays::com},
-    {"bounds", &Overlays::bounds},     {"ids", &Overlays::ids},
-    {"ghost", &Overlays::ghost},       {"trails", &Overlays::trails},
-    {"caption", &Overlays::text},      {"stats", &Overlays::stats},
-    {"plot", &Overlays::plot},
+    {"nudges", &Overlays::nudges},     {"annotate", &Overlays::annotate},
+    {"joints", &Overlays::joints},     {"axes", &Overlays::axes},
+    {"com", &Overlays::com},           {"bounds", &Overlays::bounds},
+    {"ids", &Overlays::ids},           {"ghost", &Overlays::ghost},
+    {"trails", &Overlays::trails},     {"caption", &Overlays::text},
+    {"stats", &Overlays::stats},       {"plot", &Overlays::plot},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ struct Overlays {
     bool impulses = false;  // its impulse along the normal in the last step
     bool friction = false;  // and its friction impulse
     bool nudges = false;    // where the last step's nudges moved each body
+    bool annotate = false;  // names of the vectors of one contact or joint
     bool joints = false;    // the two anchors of every joint
     bool axes = false;      // body axes: x red, y green, z blue
     bool com = false;       // centres of mass

@@ -33,6 +33,7 @@ void addJointMarks(const Stage& stage, const engine::JointState& joint,
 void addTrails(const Moment& moment, render::Frame& frame);     // trails.cpp
 void addContacts(const Moment& moment, render::Frame& frame);   // contacts.cpp
 void addNudges(const Moment& moment, render::Frame& frame);     // contacts.cpp
+void addAnnotations(const Moment& moment, render::Frame& frame);  // annotations.cpp
 void addTexts(const Moment& moment, render::Frame& frame);      // texts.cpp: caption
 void colorHeadings(render::Frame& frame);                       // texts.cpp, after the theme
 void addStats(const Moment& moment, render::Frame& frame);      // stats.cpp

@@ -36,6 +36,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     if (overlays.trails) addTrails(moment, frame);
     addContacts(moment, frame);
     if (overlays.nudges) addNudges(moment, frame);
+    if (overlays.annotate) addAnnotations(moment, frame);
     addBodyMarks(moment, frame);
     if (overlays.text && overlays.headings) addTexts(moment, frame);
     if (overlays.stats) addStats(moment, frame);

@@ -77,8 +77,8 @@ private:
         add(from, to, pixels, color);
     }
     void one(const render::Label& label) {
-        const auto& [text, position, reach, size, below] = label;
-        add(text, position, reach, size, below);
+        const auto& [text, position, reach, size, below, subscript, value, beside, color] = label;
+        add(text, position, reach, size, below, subscript, value, beside, color);
     }
     void one(const render::Trail& trail) {
         const auto& [points, pixels, color] = trail;

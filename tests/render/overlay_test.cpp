@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/label_places.h"
 #include "render/palette.h"
 #include "tests/render/solids.h"
 
@@ -88,6 +89,34 @@ TEST(Overlay, AnArrowIsFaintWhereItStartsBehindSomething) {
     EXPECT_GT(full, 50.0);
     EXPECT_GT(faint, 0.15 * full);
     EXPECT_LT(faint, 0.5 * full);
+}
+
+TEST(Overlay, ANameBesideItsPointCoversNeitherMarksNorNames) {
+    Scene scene(20);
+    scene.frame.arrows.push_back({{-5, 0, -10}, {5, 0, -10}, kBlack});
+    scene.frame.labels.push_back({"p", {0, 0, -10}});
+    scene.frame.labels.back().beside = true;
+    const CornerLayout corners = layoutCorners(scene.frame, kSize, kSize);
+    LabelPlaces places(scene.image, scene.frame, scene.view, corners);
+    const Box wanted{80, 92, 40, 16};  // over the arrow, which is at y = 100
+    std::vector<Box> taken;
+    for (int i = 0; i < 4; ++i) {
+        Box box = wanted;
+        ASSERT_TRUE(places.takeBeside(box)) << i;
+        EXPECT_TRUE(box.y > 100 || box.y + box.height < 100) << i;
+        EXPECT_NEAR(box.x + box.width / 2, 100, 60);
+        for (const Box& other : taken) EXPECT_FALSE(other.overlaps(box)) << i;
+        taken.push_back(box);
+    }
+    Box large{0, 0, kSize + 1, 16};
+    EXPECT_FALSE(places.takeBeside(large));
+}
+
+TEST(Overlay, ANameHasASubscript) {
+    Scene plain(20), with(20);
+    for (Scene* scene : {&plain, &with}) scene->frame.labels.push_back({"p", {0, 0, -10}});
+    with.frame.labels[0].subscript = "b";
+    EXPECT_GT(with.draw(), 1.2 * plain.draw());
 }
 
 TEST(Overlay, ALineIsCutAtTheCameraAndFaintBehindThings) {

@@ -219,7 +219,7 @@ TEST(FigureCaption, TellsTheArrowsScaleOfEveryPicture) {
 }
 
 TEST(FigureCaption, NamesEveryMark) {
-    for (const char* mark : {"contacts", "normals", "joints", "axes", "com", "bounds", "ghost"}) {
+    for (const char* mark : {"contacts", "normals", "joints", "axes", "com", "bounds", "annotate", "ghost"}) {
         Overlays overlays;
         ASSERT_TRUE(switchOn(overlays, mark));
         EXPECT_TRUE(scalesText(overlays, {{}}).starts_with("; ")) << mark;

@@ -66,6 +66,52 @@ TEST(Snapshot, ShowsPlanesAsGroundAndBodiesAsSolids) {
     EXPECT_FLOAT_EQ(frame.solids[0].position.y(), 0.5f);
 }
 
+/// Two boxes on each other, the upper one 2 cm deep in the lower one.
+const std::string kTwoBoxes = R"(format = 1
+[[body]]
+name = "lower"
+shape = { box = [2, 1, 2] }
+at = [0, 0.5, 0]
+fixed = true
+[[body]]
+name = "upper"
+shape = { box = [1, 1, 1] }
+at = [0, 1.48, 0]
+[camera]
+from = [2, 2, 10]
+look_at = [0, 1, 0]
+)";
+
+TEST(Snapshot, AnnotatesTheContactOfTheLargestImpulseAtItsNearestPoint) {
+    Player player(sceneFrom(kTwoBoxes), {.annotate = true});
+    player.step();
+    const render::Frame frame = player.frame(0.1);
+    const Overlays none;
+    const std::size_t before = snapshot(player.stage(), none, 0.1, player.history()).arrows.size();
+    ASSERT_EQ(frame.labels.size(), 5u);
+    std::string names;
+    for (const render::Label& label : frame.labels) {
+        EXPECT_TRUE(label.beside);
+        names += label.text + label.subscript + (label.value.empty() ? " " : label.value + " ");
+    }
+    EXPECT_TRUE(names.starts_with("pa pb ra = ")) << names;
+    EXPECT_TRUE(names.ends_with("n ")) << names;
+    const render::Vec3& point = frame.labels[1].position;
+    EXPECT_NEAR(point.x(), 0.5f, 0.02f);  // of four corners the one nearest to the camera
+    EXPECT_NEAR(point.z(), 0.5f, 0.02f);
+    ASSERT_EQ(frame.arrows.size(), before + 3);
+    EXPECT_GT(frame.arrows.back().to.y(), point.y() + 0.1f);  // n: from the lower to the upper box
+}
+
+TEST(Snapshot, AnnotatesAJointWhereNothingTouches) {
+    Player player(sceneFrom(kHangingBob), {.annotate = true});
+    player.step();
+    std::string names;
+    for (const render::Label& label : player.frame(0.1).labels)
+        names += label.text + label.subscript + label.value + " ";
+    EXPECT_EQ(names, "pa pb rb = 1 m ");
+}
+
 TEST(Snapshot, CaptionIsTheTitleUntilASectionHasOne) {
     const Stage stage(sceneFrom(kBall));
     EXPECT_EQ(captionOf(snapshot(stage, {}, 0.0)), "a ball");
