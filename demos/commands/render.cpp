@@ -47,6 +47,10 @@ void addDelivery(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
                    "time of the poster in s; default: the scene's section.poster, else the middle "
                    "of the film")
         ->type_name("S");
+    app.add_option("--captions", options.captions,
+                   "write the sections' captions as a .vtt, which players show as subtitles or "
+                   "chapters; patterns as above; default: not written")
+        ->type_name("FILE");
 }
 
 Exit render(const FilmOptions& options) {
@@ -107,7 +111,7 @@ Run addRender(CLI::App& app) {
         if (given.posterTime && given.poster.empty())
             refuse("--poster-time needs --poster; name a file for the poster");
         checkTime("--poster-time", given.posterTime);
-        spareScenes(given.scenes, {given.poster});
+        spareScenes(given.scenes, {given.poster, given.captions});
         return render(given);
     };
 }

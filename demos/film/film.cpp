@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "demos/film/caption_track.h"
 #include "demos/film/composite.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
@@ -66,8 +67,10 @@ int lastOf(const std::vector<bool>& chosen) {
 class Writers {
 public:
     Writers(const FilmPlan& plan, const std::vector<Output>& outputs, const RunRecord& record,
-            Poster poster, const FilmOptions& options, const Talk& talk)
-        : poster_(std::move(poster)), existing_(existingFiles(options.overwrite)) {
+            Poster poster, CaptionTrack captions, const FilmOptions& options, const Talk& talk)
+        : poster_(std::move(poster)),
+          captions_(std::move(captions)),
+          existing_(existingFiles(options.overwrite)) {
         for (const Output& output : outputs) {
             if (output.kind == OutputKind::raw) raw_ = true;
             if (output.kind == OutputKind::frames) {
@@ -114,7 +117,9 @@ public:
             film.writer->close(film.part ? render::Existing::replaced : existing_);
             if (film.part) writePartRecord(film.path, *film.part);
         }
-        if (finished) poster_.write();
+        if (!finished) return;
+        poster_.write();
+        captions_.write();
     }
 
     /// Writes the folders' records. A film that is not closed leaves no file.
@@ -153,6 +158,7 @@ public:
                                                    plural(film.writer->frames(), "frame"),
                                                    plan.timeOf(film.writer->frames()))));
         poster_.tell(plan, talk);
+        captions_.tell(talk);
     }
 
     /// The simulation's incident up to the last chosen frame, drawn now or kept; "": none.
@@ -172,6 +178,7 @@ private:
     std::vector<std::unique_ptr<FrameFiles>> files_;
     std::vector<Film> films_;
     Poster poster_;
+    CaptionTrack captions_;
     render::Existing existing_;
     bool raw_ = false;
     std::string incident_;  // until the last frame that was added
@@ -304,6 +311,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     checkFilmPlan(plan, options);
     const std::vector<Output> outputs = outputsOf(plan, options);
     Poster poster(plan, options);
+    CaptionTrack captions(plan, options);
     const bool raw = has(outputs, OutputKind::raw);
     const bool moving = raw || has(outputs, OutputKind::film);
     const Talk talk(options, raw);
@@ -316,7 +324,8 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     RunRecord record = recordOf(plan, options, source.renderer());
     if (has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();
     if (isDone(outputs, record, options, talk)) return;
-    Writers writers(plan, outputs, record, std::move(poster), options, talk);
+    Writers writers(plan, outputs, record, std::move(poster), std::move(captions), options,
+                    talk);
     const std::vector<bool> wanted = wantedFrames(writers, chosen);
     const int missing = countOf(wanted);
     tellStart(plan, wanted, talk);

@@ -19,6 +19,7 @@ struct FilmOptions : Options {
     std::optional<std::uint64_t> maxSize;  // largest size of a film in bytes
     std::string poster;                    // a .png; empty = none
     std::optional<double> posterTime;      // s
+    std::string captions;                  // a .vtt; empty = none
 };
 
 }  // namespace demos

@@ -119,6 +119,20 @@ TEST_F(Delivery, APosterIsAFrameOfTheFilm) {
     EXPECT_TRUE(contentOf(folder / "b.png") == contentOf(folder / "frames/frame_000002.png"));
 }
 
+TEST_F(Delivery, CaptionsAreCuesFromSectionToSection) {
+    write(folder / "ball.toml", kBall + "[[section]]\nat = 0.0\nname = 'fall'\n"
+                                        "caption = 'a < b'\n[[section]]\nat = 0.2\nname = 'silent'\n"
+                                        "[[section]]\nat = 0.4\nname = 'b'\ncaption = 'end'\n");
+    ASSERT_EQ(render({"-o", "frames", "--captions", "{scene}.vtt"}).code, 0);
+    EXPECT_EQ(contentOf(folder / "ball.vtt"),
+              "WEBVTT\n\nfall\n00:00:00.000 --> 00:00:00.400\na &lt; b\n"
+              "\nb\n00:00:00.400 --> 00:00:01.000\nend\n");
+    expectRefused(render({"--captions", "ball.vtt"}), 5, "--overwrite");
+    expectRefused(render({"--captions", "ball.srt"}), 2, "end in .vtt");
+    write(folder / "ball.toml", kBall);
+    expectRefused(render({"--captions", "a.vtt"}), 2, "no [[section]]");
+}
+
 TEST_F(Delivery, ThePosterOfAFilmNeedsNoFrames) {
     if (!render::haveFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     ASSERT_EQ(render({"-o", "a.mp4", "--poster", "a.png"}).code, 0);
