@@ -39,9 +39,12 @@ FittingUnit unitOf(const std::vector<Measured>& runs, std::size_t measure) {
     return {shown.scale * fitting.scale, fitting.name};
 }
 
+/// The energy of a run is shown as its change; pictures and plots of one run show it as it is.
 std::string heading(const Measure& measure, const FittingUnit& unit) {
     const bool named = unit.name.empty() || unit.name == measure.name;
-    return named ? measure.name : fmt::format("{} ({})", measure.name, unit.name);
+    const std::string name =
+        std::string(measure.name) == "energy" ? "energy change" : measure.name;
+    return named ? name : fmt::format("{} ({})", name, unit.name);
 }
 
 std::vector<std::size_t> columnsOf(const std::vector<Measured>& runs) {
@@ -91,6 +94,12 @@ void setValues(const std::vector<Measured>& runs, Chart& chart, Series& series) 
     }
 }
 
+/// What is measured at one time: the part of the meaning before "at the end", "at most" or "mean".
+std::string meaningAtATime(const Measure& measure) {
+    const std::string meaning = measure.meaning;
+    return fmt::format("{}: {}", measure.name, meaning.substr(0, meaning.find(',')));
+}
+
 std::string csvCell(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -119,10 +128,14 @@ std::string tableText(const std::vector<Measured>& runs) {
     std::size_t width = 7;
     for (const Measured& run : runs) width = std::max(width, run.variant.label.size());
     std::string text = fmt::format("{:{}}", "variant", width);
+    const auto widthOf = [&](std::size_t column) {
+        return std::max<std::size_t>(cells.head[column].size(), 16);
+    };
     for (const std::string& name : cells.head) text += fmt::format("  {:>16}", name);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         text += fmt::format("\n{:{}}", printable(runs[i].variant.label), width);
-        for (const std::string& value : cells.rows[i]) text += fmt::format("  {:>16}", value);
+        for (std::size_t k = 0; k < cells.rows[i].size(); ++k)
+            text += fmt::format("  {:>{}}", cells.rows[i][k], widthOf(k));
         if (!runs[i].summary.diverged.empty()) text += "  diverged";
     }
     return text;
@@ -166,9 +179,9 @@ std::string csvText(const std::vector<Measured>& runs, const std::string& key) {
 }
 
 Chart historyChart(const std::vector<Measured>& runs, int measure, const std::string& title) {
-    const FittingUnit unit = shownUnit(measures()[static_cast<std::size_t>(measure)]);
-    Chart chart{title,     "time", "s", measures()[static_cast<std::size_t>(measure)].name,
-                unit.name, false,  {}};
+    const Measure& m = measures()[static_cast<std::size_t>(measure)];
+    const FittingUnit unit = shownUnit(m);
+    Chart chart{title, "time", "s", meaningAtATime(m), unit.name, false, {}};
     for (const Measured& run : runs) {
         Series series{run.variant.label, run.summary.time,
                       run.summary.history[static_cast<std::size_t>(measure)]};

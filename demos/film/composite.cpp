@@ -142,8 +142,21 @@ render::Image Composite::drawPanel(Show& show, double time, render::Renderer& re
     return renderer.draw(Shutter(plan_.shutter, show.steps).moments(show.seen));
 }
 
+/// Arrows and colours of several panels have one scale, so that they can be compared.
+render::Frame Composite::pictureOf(const Show& show, double time) const {
+    if (shows_.size() == 1) return show.player.frame(time);
+    History history = show.player.history();
+    for (const auto& other : shows_) {
+        const History& its = other->player.history();
+        history.impulsePeak = std::max(history.impulsePeak, its.impulsePeak);
+        history.nudgePeak = std::max(history.nudgePeak, its.nudgePeak);
+        history.largestValue = std::max(history.largestValue, its.largestValue);
+    }
+    return show.player.frame(time, history);
+}
+
 render::Frame Composite::frameOf(const Show& show, double time) const {
-    render::Frame frame = show.player.frame(time);
+    render::Frame frame = pictureOf(show, time);
     fitCamera(plan_.picture.width, plan_.picture.height, frame);
     if (!show.trouble.empty())
         frame.texts.push_back(incidentMark("the last good state"));

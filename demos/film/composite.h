@@ -56,6 +56,7 @@ private:
     };
     void advance(Show& show, bool drawn, double time);
     render::Frame frameOf(const Show& show, double time) const;
+    render::Frame pictureOf(const Show& show, double time) const;
     render::Image drawPanel(Show& show, double time, render::Renderer& renderer) const;
 
     const FilmPlan& plan_;

@@ -38,6 +38,14 @@ int frameCount(double seconds, int fps) {
     return static_cast<int>(frames);
 }
 
+/// Two to four panels are twice as large where they could not be read otherwise: in a draft.
+PictureSize usualSize(const Quality& quality, std::size_t panels) {
+    constexpr int kLeastPanel = 320;  // pixels, of its width
+    const bool small = panels > 1 && panels <= 4 && quality.width / 2 < kLeastPanel;
+    return small ? PictureSize{2 * quality.width, 2 * quality.height}
+                 : PictureSize{quality.width, quality.height};
+}
+
 }  // namespace
 
 Overlays overlaysOf(const SceneDescription& scene, const Options& options) {
@@ -76,7 +84,7 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     for (const Panel& panel : plan.panels)
         if (!options.anyStep) stepsPerFrame(panel.scene.hz, plan.fps);
     plan.frames = frameCount(scene.seconds, plan.fps);
-    const PictureSize size = options.size.value_or(PictureSize{quality.width, quality.height});
+    const PictureSize size = options.size.value_or(usualSize(quality, plan.panels.size()));
     plan.layout = panelLayout(static_cast<int>(plan.panels.size()), strip, size.width, size.height);
     if (strip && options.width)
         plan.layout = layoutWithStrip(size.width, size.height, chartBelow(paperOf(options)).height);

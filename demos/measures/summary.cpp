@@ -45,7 +45,7 @@ const std::vector<Measure>& measures() {
         {"speed", "m/s", "fastest body, at most"},
         {"penetration", "m", "deepest contact"},
         {"separation", "m", "widest joint"},
-        {"energy", "J", "change from start to end"},
+        {"energy", "J", "change since the start"},
         {"residual", "m/s", "left by the last sweep of a step, mean"},
         {"sweeps", "", "a step, mean"},
         {"ms", "ms", "processor time of a step, median"},

@@ -34,7 +34,11 @@ public:
     std::string incident() const;
     /// Throws Stop (diverged) with incident(), if there is one.
     void stopIfIncident() const;
-    render::Frame frame(double time) const { return snapshot(stage_, overlays_, time, history_); }
+    render::Frame frame(double time) const { return frame(time, history_); }
+    /// With another history, of which the scales of arrows and colours are taken.
+    render::Frame frame(double time, const History& history) const {
+        return snapshot(stage_, overlays_, time, history);
+    }
     const Stage& stage() const { return stage_; }
     const History& history() const { return history_; }
     /// Replaces the observer of the nudges' overlay (engine::World::observe).

@@ -35,14 +35,31 @@ TEST(FittingUnit, NeedsNoPowersOfTen) {
 
 TEST(MeasureTable, HasOneUnitAColumnThatFitsItsLargestValue) {
     const MeasureCells cells = cellsOf({withValues("a", 35.81e3, -4.458e5), withValues("b", 12.0, 100.0)});
-    EXPECT_EQ(cells.head, (std::vector<std::string>{"drift (km)", "energy (kJ)"}));
+    EXPECT_EQ(cells.head, (std::vector<std::string>{"drift (km)", "energy change (kJ)"}));
     EXPECT_EQ(cells.rows[0], (std::vector<std::string>{"35.81", "-445.8"}));
     EXPECT_EQ(cells.rows[1], (std::vector<std::string>{"0.012", "0.1"}));
 }
 
+TEST(MeasureTable, IsAlignedUnderLongNames) {
+    const std::string text = tableText({withValues("a", 35.81e3, -4.458e5)});
+    EXPECT_EQ(text.find('\n'), text.size() - text.find('\n') - 1) << text;
+}
+
+TEST(HistoryChart, SaysWhatIsMeasuredAtATime) {
+    Measured run = withValues("a", 1.0, 2.0);
+    run.summary.time = {0.0};
+    run.summary.history.assign(measures().size(), {0.0});
+    const auto title = [&](const char* name) {
+        return historyChart({run}, measureCalled(name), "").yTitle;
+    };
+    EXPECT_EQ(title("energy"), "energy: change since the start");
+    EXPECT_EQ(title("penetration"), "penetration: deepest contact");
+    EXPECT_EQ(title("drift"), "drift: largest horizontal way of a body");
+}
+
 TEST(MeasureTable, WritesSmallNumbersWithoutPowersOfTen) {
     const MeasureCells cells = cellsOf({withValues("a", 0.005, 1.0), withValues("b", 3e-8, 2e-5)});
-    EXPECT_EQ(cells.head, (std::vector<std::string>{"drift (mm)", "energy (J)"}));
+    EXPECT_EQ(cells.head, (std::vector<std::string>{"drift (mm)", "energy change (J)"}));
     EXPECT_EQ(cells.rows[1], (std::vector<std::string>{"0.000030", "0.000020"}));
 }
 
