@@ -54,6 +54,7 @@ struct Slide {
     std::vector<std::string> show;  // overlays, added to the scene's
     std::string colorBy;            // empty = the scene's
     double slow = 1.0;            // a film at this share of its speed
+    bool reveal = false;          // the items of the text's lists appear one after the other
     bool pause = false;           // a film waits on its first frame until it is started
     bool loop = false;            // a film starts again at its end
     std::string poster = "last";  // "last", "first" or a time in s of the run

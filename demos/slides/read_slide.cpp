@@ -101,6 +101,12 @@ private:
         if (const Value* title = opening_ ? nullptr : keys_.any("title"))
             checkLine(title->text, writtenAt(*title), reading_.complaints);
         readText("text", slide_.text);
+        if (const std::optional<bool> reveal = keys_.truth("reveal")) {
+            slide_.reveal = *reveal;
+            if (*reveal && !keys_.has("text"))
+                keys_.complain("reveal", "reveal shows the items of a list one after the other, and "
+                                         "there is no text; leave it out");
+        }
         readText("caption", slide_.caption);
         readText("notes", slide_.notes);
         readFormulas();

@@ -174,10 +174,10 @@ std::string slideHtml(const Deck& deck, const MadeSlide& made, std::size_t numbe
     const std::string inside = made.slide.opening ? openingHtml(deck, made, media)
                                                   : titleHtml(made) + bodyHtml(made, media);
     return fmt::format(
-        "<article class=\"leaf\"><section class=\"slide {}\" data-id=\"{}\" role=\"group\" "
+        "<article class=\"leaf\"><section class=\"slide {}{}\" data-id=\"{}\" role=\"group\" "
         "aria-roledescription=\"slide\" aria-label=\"{}: {}\">{}"
         "<span class=\"number\" aria-hidden=\"true\">{} / {}</span></section>{}</article>\n",
-        classOf(layoutOf(made)), htmlEscaped(made.slide.id), number, htmlEscaped(title), inside,
+        classOf(layoutOf(made)), made.slide.reveal ? " steps" : "", htmlEscaped(made.slide.id), number, htmlEscaped(title), inside,
         number, deck.slides.size(), notesHtml(made));
 }
 

@@ -66,6 +66,24 @@ TEST_F(SlidesInBrowser, GoesBySlidesByEveryKey) {
     expectQuiet(opened);
 }
 
+TEST_F(SlidesInBrowser, ItemsAppearOneAfterTheOther) {
+    deck_.slides[3].slide.text = "First:\n\n- one\n- two\n";
+    deck_.slides[3].slide.reveal = true;
+    const Opened opened = open("3", R"js(
+  const items = () => [...document.querySelectorAll(".leaf.seen li")]
+    .filter((item) => getComputedStyle(item).visibility === "visible").length;
+  const where = () => tell(`${at()} ${items()}`);
+  await key("ArrowRight"); where();
+  for (const name of ["PageDown", " ", "ArrowRight", "ArrowLeft", "ArrowUp", "PageUp"]) {
+    await key(name); where();
+  }
+  await key("End"); where();
+  await key("o"); where();
+)js");
+    EXPECT_EQ(told(opened), "[4 0][4 1][4 2][4 2][4 1][4 0][3 2][4 0][4 2]");
+    expectQuiet(opened);
+}
+
 TEST_F(SlidesInBrowser, AFilmThatWaitsPlaysWhenAskedAndThenTheTalkGoesOn) {
     const Opened opened = open("2", R"js(
   const waits = () => document.querySelector(".leaf.seen .waits") !== null;

@@ -1,9 +1,9 @@
 // The keys and their actions.
 
 const kKeys = [
-  [["Page Down", "click"], "continue: start a waiting film, else next slide"],
-  [["Right", "Down"], "next slide"],
-  [["Left", "Up", "Page Up"], "previous slide"],
+  [["Page Down", "click"], "continue: next item, start a waiting film, else next slide"],
+  [["Right", "Down"], "next item, else next slide"],
+  [["Left", "Up", "Page Up"], "back: hide the last item, else previous slide"],
   [["Home", "End"], "first / last slide"],
   [["5", "Enter"], "to slide 5"],
   [["Space"], "play or pause the film; after its end, next slide"],
@@ -19,9 +19,9 @@ const kKeys = [
 ];
 
 const kActions = {
-  PageDown: goOn, " ": space, ArrowRight: () => show(view.at + 1), ArrowDown: () => show(view.at + 1),
-  ArrowLeft: () => show(view.at - 1), ArrowUp: () => show(view.at - 1), PageUp: () => show(view.at - 1),
-  Backspace: () => show(view.at - 1), Home: () => show(0), End: () => show(leaves.length - 1),
+  PageDown: goOn, " ": space, ArrowRight: next, ArrowDown: next,
+  ArrowLeft: back, ArrowUp: back, PageUp: back, Backspace: back,
+  Home: () => show(0), End: () => show(leaves.length - 1),
   k: toggleFilm, ",": () => stepFilm(-1), ".": () => stepFilm(1), "[": () => changeSpeed(-1),
   "]": () => changeSpeed(1), n: toggleNotes, s: openSpeaker, o: toggleOverview, f: toggleFullScreen,
   b: () => { byId("black").hidden = !byId("black").hidden; tellSpeaker(); }, "?": showHelp,
@@ -69,9 +69,8 @@ function press(key, shift = false) {
   if (/^[0-9]$/.test(key)) { digit(key); return true; }
   if (key === "Enter" && view.digits) { enterDigits(); return true; }
   view.digits = "";
-  if (key === " " && shift) { show(view.at - 1); return true; }
-  const overview = document.body.classList.contains("overview");
-  const action = (overview && kInOverview[key]) || kActions[key.length === 1 ? key.toLowerCase() : key];
+  if (key === " " && shift) { back(); return true; }
+  const action = (inOverview() && kInOverview[key]) || kActions[key.length === 1 ? key.toLowerCase() : key];
   if (action) action();
   return Boolean(action);
 }

@@ -1,8 +1,10 @@
 // From slide to slide.
 
-function show(at) {
+/// `part`: how many of the slide's parts are shown.
+function show(at, part = 0) {
   const before = leafNow();
   view.at = within(at, 0, leaves.length - 1);
+  showParts(at < leaves.length ? part : Infinity);  // beyond the end, the last slide stays as it is
   const entered = before !== leafNow() || !before.classList.contains("seen");
   before.classList.remove("seen");
   leafNow().classList.add("seen");
@@ -27,18 +29,48 @@ function enter() {
   if (speaks) showNext();
 }
 
-/// The action of a presenter's remote and of a click: starts a waiting film, else the next slide.
+function showParts(part) {
+  const parts = partsOf(leafNow());
+  view.part = within(part, 0, parts.length);
+  parts.forEach((item, i) => item.classList.toggle("later", i >= view.part));
+}
+
+const inOverview = () => document.body.classList.contains("overview");
+
+/// Shows the next part of the slide; returns whether there was one.
+function showNextPart() {
+  if (inOverview() || view.part >= partsOf(leafNow()).length) return false;
+  showParts(view.part + 1);
+  tellSpeaker();
+  return true;
+}
+
+/// The next part, else the next slide.
+function next() {
+  if (!showNextPart()) show(view.at + 1);
+}
+
+/// Hides the last part, else goes to the previous slide, all of whose parts are shown.
+function back() {
+  if (inOverview() || view.part === 0) return show(view.at - 1, view.at > 0 ? Infinity : 0);
+  showParts(view.part - 1);
+  tellSpeaker();
+}
+
+/// The action of a presenter's remote and of a click: the next part, else starts a waiting film,
+/// else the next slide.
 function goOn() {
+  if (showNextPart()) return;
   const film = filmNow();
   if (waits(film)) return play(film);
   show(view.at + 1);
 }
 
-/// The action of the space bar: plays or pauses a film that has not ended, else the next slide.
+/// The action of the space bar: plays or pauses a film that has not ended, else next().
 function space() {
   const film = filmNow();
   if (film && !ended(film)) return toggleFilm();
-  show(view.at + 1);
+  next();
 }
 
 function showNotes() {

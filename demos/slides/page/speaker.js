@@ -13,7 +13,7 @@ function openSpeaker() {
 function tellSpeaker() {
   if (speaks || !speaker || speaker.closed) return;
   const film = filmNow();
-  speaker.postMessage({ impulse: "state", at: view.at, black: !byId("black").hidden,
+  speaker.postMessage({ impulse: "state", at: view.at, part: view.part, black: !byId("black").hidden,
     film: film && { time: film.currentTime, paused: film.paused, waits: waits(film), speed: view.speed } }, "*");
 }
 
@@ -29,8 +29,9 @@ function hearSpeaker(event) {
 
 function hearTalk(event) {
   if (event.data?.impulse !== "state" || event.source !== window.opener) return;
-  const { at, film, black } = event.data;
-  if (at !== view.at || !leafNow().classList.contains("seen")) show(at);
+  const { at, part, film, black } = event.data;
+  if (at !== view.at || !leafNow().classList.contains("seen")) show(at, part);
+  showParts(part);
   byId("black").hidden = !black;
   document.body.dataset.heard = at + 1;
   const mine = filmNow();
