@@ -70,14 +70,16 @@ std::vector<Surface> drawnSurfaces(const Frame& frame, const View& view, int hei
 
 class EdgeSamples {
 public:
-    EdgeSamples(const Image& image, SurfaceMap map, const Frame& frame, const View& view,
-                int samples)
+    /// `fresh`: the part of the map whose faces are not joined yet.
+    EdgeSamples(const Image& image, SurfaceMap& map, const PixelRect& fresh, const Frame& frame,
+                const View& view, int samples)
         : image_(image),
           surfaces_(drawnSurfaces(frame, view, map.height)),
           joined_(joinedFaces(surfaces_, view.eye)),
-          map_(joined(std::move(map), joined_)),
+          map_(map),
           sight_(sightOf(view, map_.width, map_.height)),
           seen_(surfaces_.size()) {
+        joinFaces(map, fresh, joined_);
         const std::vector<Offset> all = offsets(samples);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (i % kFour == 0) x_.emplace_back(), y_.emplace_back();
@@ -88,7 +90,6 @@ public:
     }
 
     std::array<std::uint8_t, 4> color(int x, int y);
-    const SurfaceMap& map() const { return map_; }
 
 private:
     const SeenSurface& seen(int surface) {
@@ -105,7 +106,7 @@ private:
     const Image& image_;
     const std::vector<Surface> surfaces_;
     const FaceTables joined_;
-    const SurfaceMap map_;
+    const SurfaceMap& map_;
     const Sight sight_;
     std::vector<std::optional<SeenSurface>> seen_;  // made when first needed
     std::vector<Four> x_, y_;                       // of the samples
@@ -194,8 +195,8 @@ bool differ(const std::int32_t* a, const std::int32_t* b) {
     return ((x[0] ^ y[0]) | (x[1] ^ y[1])) != 0;
 }
 
-/// Pixels of a row with another surface next to, above or below them, in order.
-void findEdges(const SurfaceMap& map, int y, std::vector<int>& found) {
+/// Pixels x0 <= x < x1 of a row with another surface next to, above or below them, in order.
+void findEdges(const SurfaceMap& map, int y, int x0, int x1, std::vector<int>& found) {
     const int w = map.width;
     const std::int32_t* row = &map.packed[static_cast<std::size_t>(y) * w];
     const std::int32_t* above = y > 0 ? row - w : row;
@@ -206,35 +207,38 @@ void findEdges(const SurfaceMap& map, int y, std::vector<int>& found) {
             found.push_back(x);
     };
     found.clear();
-    int x = 0;
-    if (w > 0) add(x++);
-    for (; x + kFour < w; x += kFour)
+    int x = x0;
+    if (x < x1) add(x++);
+    for (; x + kFour < std::min(x1 + 1, w); x += kFour)
         if (differ(row + x, row + x - 1) || differ(row + x, row + x + 1) ||
             differ(row + x, above + x) || differ(row + x, below + x))
             for (int i = 0; i < kFour; ++i) add(x + i);
-    for (; x < w; ++x) add(x);
+    for (; x < x1; ++x) add(x);
 }
 
 }  // namespace
 
+void smoothEdges(const Image& image, SurfaceMap& map, const PixelRect& fresh,
+                 const std::vector<PixelRect>& where, const Frame& frame, const View& view,
+                 int samples, Image& smooth) {
+    EdgeSamples edges(image, map, fresh, frame, view, samples);
+    std::vector<int> found;
+    for (const PixelRect& rect : where)
+        for (int y = rect.y0; y < rect.y1; ++y) {
+            std::copy_n(image.at(rect.x0, y), 4 * (rect.x1 - rect.x0), smooth.at(rect.x0, y));
+            findEdges(map, y, rect.x0, rect.x1, found);
+            for (const int x : found) {
+                const std::array<std::uint8_t, 4> color = edges.color(x, y);
+                std::copy(color.begin(), color.end(), smooth.at(x, y));
+            }
+        }
+}
+
 void smoothEdges(Image& image, SurfaceMap map, const Frame& frame, const View& view, int samples) {
     if (samples == 1) return;
-    EdgeSamples edges(image, std::move(map), frame, view, samples);
-    struct Smooth {
-        std::size_t at;
-        std::array<std::uint8_t, 4> color;
-    };
-    std::vector<Smooth> pixels;  // stored afterwards: neighbours still need the old colours
-    std::vector<int> found;
-    const SurfaceMap& faces = edges.map();
-    for (int y = 0; y < faces.height; ++y) {
-        findEdges(faces, y, found);
-        for (const int x : found)
-            pixels.push_back(
-                {4 * (static_cast<std::size_t>(y) * faces.width + x), edges.color(x, y)});
-    }
-    for (const Smooth& pixel : pixels)
-        std::copy(pixel.color.begin(), pixel.color.end(), &image.pixels[pixel.at]);
+    const Image before = image;
+    const PixelRect all{0, 0, map.width, map.height};
+    smoothEdges(before, map, all, {all}, frame, view, samples, image);
 }
 
 }  // namespace render

@@ -44,14 +44,15 @@ FaceTables joinedFaces(const std::vector<Surface>& surfaces, const Vec3& eye) {
     return tables;
 }
 
-SurfaceMap joined(SurfaceMap map, const FaceTables& tables) {
-    if (tables.empty()) return map;
-    for (std::int32_t& packed : map.packed) {
-        const int surface = surfaceIn(packed);
-        if (surface >= 0 && !tables[surface].empty())
-            packed = packedSurface(surface, tables[surface][faceIn(packed)]);
-    }
-    return map;
+void joinFaces(SurfaceMap& map, const PixelRect& where, const FaceTables& tables) {
+    if (tables.empty()) return;
+    for (int y = where.y0; y < where.y1; ++y)
+        for (int x = where.x0; x < where.x1; ++x) {
+            std::int32_t& packed = map.packed[static_cast<std::size_t>(y) * map.width + x];
+            const int surface = surfaceIn(packed);
+            if (surface >= 0 && !tables[surface].empty())
+                packed = packedSurface(surface, tables[surface][faceIn(packed)]);
+        }
 }
 
 }  // namespace render

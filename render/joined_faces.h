@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "render/pixel_rect.h"
 #include "render/ray_surface.h"
 #include "render/surface_map.h"
 
@@ -16,6 +17,8 @@ using FaceTables = std::vector<std::vector<int>>;
 /// become one.
 FaceTables joinedFaces(const std::vector<Surface>& surfaces, const Vec3& eye);
 
-SurfaceMap joined(SurfaceMap map, const FaceTables& tables);
+/// Replaces the faces in a part of a map by those that they are joined with. Twice is as
+/// good as once.
+void joinFaces(SurfaceMap& map, const PixelRect& where, const FaceTables& tables);
 
 }  // namespace render

@@ -83,6 +83,12 @@ public:
         result.bars[levelOf(pixels, kBarCorners)].push_back(one);
     }
 
+    /// Keeps the mesh of a body that is not drawn now for later.
+    void keepMesh(const Solid& s) {
+        if (s.shape == SolidShape::mesh && s.mesh) placeOf(s.mesh);
+    }
+    void keepMesh(const Rod&) {}
+
     Instances result;
 
 private:
@@ -93,10 +99,14 @@ private:
 
     void addMesh(const std::shared_ptr<const SolidMesh>& mesh, Instance one) {
         if (!mesh) return;
+        one.scale.setOnes();
+        result.meshes[placeOf(mesh)].instances.push_back(one);
+    }
+
+    std::size_t placeOf(const std::shared_ptr<const SolidMesh>& mesh) {
         const auto [at, isNew] = places_.insert({mesh.get(), result.meshes.size()});
         if (isNew) result.meshes.push_back({mesh, {}});
-        one.scale.setOnes();
-        result.meshes[at->second].instances.push_back(one);
+        return at->second;
     }
 
     const Vec3 eye_;
@@ -106,13 +116,20 @@ private:
 
 }  // namespace
 
-Instances instancesOf(const Frame& frame, float pixelsAMeter) {
+Instances instancesOf(const Frame& frame, float pixelsAMeter, const std::vector<char>* chosen) {
     const Vec3& eye = frame.camera.from;
     Sorted sorted(eye, pixelsAMeter);
     Instances& result = sorted.result;
-    float surface = 0.0f;
-    for (const Solid& s : frame.solids) sorted.add(s, surface++);
-    for (const Rod& rod : frame.rods) sorted.add(rod, surface++);
+    std::size_t surface = 0;
+    const auto add = [&](const auto& body) {
+        if (!chosen || (*chosen)[surface])
+            sorted.add(body, static_cast<float>(surface));
+        else
+            sorted.keepMesh(body);
+        ++surface;
+    };
+    for (const Solid& s : frame.solids) add(s);
+    for (const Rod& rod : frame.rods) add(rod);
     sort(result.boxes, eye);
     for (std::vector<Instance>& bars : result.bars) sort(bars, eye);
     for (ByCorners* levels : {&result.balls, &result.cylinders, &result.cones})

@@ -29,8 +29,10 @@ struct Instances {
     ByCorners balls, cylinders, cones;
     std::vector<OfMesh> meshes;  // each once
 };
-/// `pixelsAMeter`: at 1 m from the eye. A ball of few pixels gets few triangles.
-Instances instancesOf(const Frame& frame, float pixelsAMeter);
+/// `pixelsAMeter`: at 1 m from the eye. A ball of few pixels gets few triangles. `chosen`: the bodies
+/// to draw, by number of their surface; null: all. Their order is the same.
+Instances instancesOf(const Frame& frame, float pixelsAMeter,
+                      const std::vector<char>* chosen = nullptr);
 
 /// m. A rod thinner than a pixel is drawn a little wider than a pixel, so that no row of it falls
 /// between the pixels' centres.

@@ -150,17 +150,14 @@ Four Occlusion::open(int x, int y) const {
     return far ? fourOf(1.0f) : positive(1.0f - sum * strength);
 }
 
-/// Calls put(x, y, open) for every pixel of the tiles that `where` touches.
+/// Calls put(x, y, open) for every pixel of a tile that is within the bounds.
 template <class Put>
-void forAll(const DepthMap& depth, const std::vector<PixelRect>& where, const Occlusion& occlusion,
-            Put put) {
-    const PixelRect bounds = boundsOf(where);
-    const Tiles tiles(where, depth.width, depth.height);
-    for (int y = bounds.y0; y < bounds.y1; ++y)
-        for (int x = bounds.x0 / kFour * kFour; x < bounds.x1; x += kFour) {
-            if (!tiles.hold(x, y)) continue;
+void forTile(const PixelRect& tile, const PixelRect& bounds, const Occlusion& occlusion, Put put) {
+    const int right = std::min(tile.x1, bounds.x1);
+    for (int y = std::max(tile.y0, bounds.y0); y < std::min(tile.y1, bounds.y1); ++y)
+        for (int x = std::max(tile.x0, bounds.x0 / kFour * kFour); x < right; x += kFour) {
             const Four open = occlusion.open(x, y);
-            for (int i = std::max(bounds.x0 - x, 0); i < std::min(kFour, bounds.x1 - x); ++i)
+            for (int i = std::max(bounds.x0 - x, 0); i < std::min(kFour, right - x); ++i)
                 put(x + i, y, open[i]);
         }
 }
@@ -176,24 +173,25 @@ public:
     BlurredRow(const DepthMap& depth, const std::vector<float>& open, const PixelRect& where)
         : depth_(depth), open_(open), where_(where), sum_(depth.width), weight_(depth.width) {}
 
-    void find(int y, std::uint8_t* out) {
-        std::fill(sum_.begin(), sum_.end(), 0.0f);
-        std::fill(weight_.begin(), weight_.end(), 0.0f);
+    /// From column x0 to x1, which are within the region.
+    void find(int y, int x0, int x1, std::uint8_t* out) {
+        std::fill(sum_.begin() + x0, sum_.begin() + x1, 0.0f);
+        std::fill(weight_.begin() + x0, weight_.begin() + x1, 0.0f);
         const int first = std::max(y - kCell / 2, where_.y0);
         const int last = std::min(y + kCell / 2, where_.y1);
         for (int j = first; j < last; ++j)
-            for (int shift = -kCell / 2; shift < kCell / 2; ++shift) add(y, j, shift);
-        for (int x = where_.x0; x < where_.x1; ++x)  // the pixel itself is always one of them
+            for (int shift = -kCell / 2; shift < kCell / 2; ++shift) add(y, j, shift, x0, x1);
+        for (int x = x0; x < x1; ++x)  // the pixel itself is always one of them
             out[x] = byteInSteps(sum_[x] / weight_[x]);
     }
 
 private:
-    void add(int y, int other, int shift) {
+    void add(int y, int other, int shift, int x0, int x1) {
         const float* here = &depth_.meters[static_cast<std::size_t>(y) * depth_.width];
         const std::size_t at = static_cast<std::size_t>(other) * depth_.width;
         const float *there = &depth_.meters[at], *open = &open_[at];
-        const int first = std::max(where_.x0, where_.x0 - shift);
-        const int last = std::min(where_.x1, where_.x1 - shift);
+        const int first = std::max(x0, where_.x0 - shift);
+        const int last = std::min(x1, where_.x1 - shift);
         for (int x = first; x < last; ++x) {
             const float apart = std::abs(there[x + shift] - here[x]);
             const float w = apart < 0.012f * here[x] ? 1.0f : 0.0f;
@@ -217,25 +215,98 @@ int occlusionRadius(const OcclusionSettings& settings, float nearest, int height
 }
 
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings) {
-    ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
-    std::vector<float> all(depth.meters.size(), 1.0f);
-    forAll(depth, settings.where, Occlusion(depth, settings, 8, 0.0f),
-           [&](int x, int y, float open) {
-               all[static_cast<std::size_t>(y) * depth.width + x] = open;
-           });
-    const PixelRect bounds = boundsOf(settings.where);
-    BlurredRow row(depth, all, bounds);
-    for (int y = bounds.y0; y < bounds.y1; ++y) row.find(y, map.row(y));
-    return map;
+    KeptOpenness one;
+    one.renew(depth, settings, nullptr);
+    return one.map();
 }
 
 ByteMap roughOpenness(const DepthMap& depth, const OcclusionSettings& settings, float turn) {
     ByteMap map{depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
-    forAll(depth, settings.where, Occlusion(depth, settings, 4, turn),
-           [&map](int x, int y, float open) {
-               map.row(y)[x] = static_cast<std::uint8_t>(255.0f * open + 0.5f);
-           });
+    const Occlusion occlusion(depth, settings, 4, turn);
+    const PixelRect bounds = boundsOf(settings.where);
+    TileSet held(depth.width, depth.height, KeptOpenness::kSide);
+    for (const PixelRect& rect : settings.where) held.add(rect);
+    for (const PixelRect& tiles : held.rects())
+        forTile(tiles, bounds, occlusion, [&map](int x, int y, float open) {
+            map.row(y)[x] = static_cast<std::uint8_t>(255.0f * open + 0.5f);
+        });
     return map;
+}
+
+namespace {
+
+/// With the `radius` pixels around each.
+TileSet grown(const TileSet& tiles, int radius, int width, int height) {
+    TileSet result(width, height, tiles.side());
+    for (const PixelRect& rect : tiles.rects()) result.add(rect.grown(radius, width, height));
+    return result;
+}
+
+}  // namespace
+
+/// A value depends on the depths around it, on whether it is computed at all, and, near the border,
+/// on whether its neighbours are.
+TileSet KeptOpenness::tilesToRenew(const PixelRect& bounds, const TileSet& held,
+                                   const TileSet& changed, int radius) const {
+    TileSet tiles = grown(changed, radius, map_.width, map_.height);
+    for (int y = 0; y < held.down(); ++y)
+        for (int x = 0; x < held.across(); ++x)
+            if (held.holdsTile(x, y) != held_.holdsTile(x, y)) tiles.addTile(x, y);
+    const auto addBorder = [&](int before, int now, bool vertical) {
+        if (before == now) return;
+        for (const int at : {before, now})
+            tiles.add(vertical ? PixelRect{at - kCell, 0, at + kCell, map_.height}
+                               : PixelRect{0, at - kCell, map_.width, at + kCell});
+    };
+    addBorder(bounds_.x0, bounds.x0, true);
+    addBorder(bounds_.x1, bounds.x1, true);
+    addBorder(bounds_.y0, bounds.y0, false);
+    addBorder(bounds_.y1, bounds.y1, false);
+    return tiles;
+}
+
+TileSet KeptOpenness::renew(const DepthMap& depth, const OcclusionSettings& settings,
+                            const TileSet* changed) {
+    const PixelRect bounds = boundsOf(settings.where);
+    TileSet held(depth.width, depth.height, kSide), tiles = held, different = held;
+    for (const PixelRect& rect : settings.where) held.add(rect);
+    if (changed) {
+        tiles = tilesToRenew(bounds, held, *changed, settings.radius);
+    } else {
+        map_ = {depth.width, depth.height, std::vector<std::uint8_t>(depth.meters.size(), 255)};
+        open_.assign(depth.meters.size(), 1.0f);
+        tiles = held;
+        different.addAll();
+    }
+    const Occlusion occlusion(depth, settings, 8, 0.0f);
+    for (const PixelRect& rect : tiles.rects()) {
+        for (int y = rect.y0; y < rect.y1 && changed; ++y)
+            std::fill_n(&open_[static_cast<std::size_t>(y) * depth.width + rect.x0],
+                        rect.x1 - rect.x0, 1.0f);
+        for (int x = rect.x0; x < rect.x1; x += kSide)
+            if (held.hold(x, rect.y0))
+                forTile({x, rect.y0, std::min(x + kSide, rect.x1), rect.y1}, bounds, occlusion,
+                        [&](int px, int py, float open) {
+                            open_[static_cast<std::size_t>(py) * depth.width + px] = open;
+                        });
+    }
+    held_ = std::move(held), bounds_ = bounds;
+    const TileSet blurred = grown(tiles, kCell, depth.width, depth.height);
+    BlurredRow row(depth, open_, bounds);
+    std::vector<std::uint8_t> line(static_cast<std::size_t>(depth.width));
+    for (const PixelRect& rect : blurred.rects())
+        for (int y = rect.y0; y < rect.y1; ++y) {
+            std::fill(line.begin() + rect.x0, line.begin() + rect.x1, 255);
+            const int x0 = std::max(rect.x0, bounds.x0), x1 = std::min(rect.x1, bounds.x1);
+            if (y >= bounds.y0 && y < bounds.y1 && x0 < x1) row.find(y, x0, x1, line.data());
+            for (int x = rect.x0; x < rect.x1; x += kSide) {
+                const int count = std::min(kSide, rect.x1 - x);
+                if (std::equal(&line[x], &line[x] + count, map_.row(y) + x)) continue;
+                std::copy_n(&line[x], count, map_.row(y) + x);
+                different.add(PixelRect{x, y, x + count, y + 1});
+            }
+        }
+    return different;
 }
 
 namespace {

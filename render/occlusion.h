@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/pixel_rect.h"
+#include "render/tile_set.h"
 
 namespace render {
 
@@ -30,11 +30,32 @@ struct OcclusionSettings {
     float lensX = 1.0f, lensY = 1.0f;  // tan of half the angles of view
     float farthest = 1000.0f;          // m: nothing is darkened beyond 0.6 of it
     float reach = 0.5f;                // m: surfaces farther away hide nothing
+    int radius = 64;                   // pixels of the map: no sample is farther from its point
     std::vector<PixelRect> where;      // of the map: full openness elsewhere
 };
 
 /// 255 = all of the sky is visible, 0 = none. Eight samples per pixel, blurred over their pattern.
 ByteMap openness(const DepthMap& depth, const OcclusionSettings& settings);
+
+/// openness() of one map after another, of which only what differs is computed.
+class KeptOpenness {
+public:
+    static constexpr int kSide = 8;  // of a tile, in pixels of the map
+
+    /// `changed`: tiles with other depths than the last time, of a map of the same size with the
+    /// same lens, reach and farthest depth; null: all. The tiles of the map that differ.
+    TileSet renew(const DepthMap& depth, const OcclusionSettings& settings,
+                  const TileSet* changed);
+    const ByteMap& map() const { return map_; }
+
+private:
+    TileSet tilesToRenew(const PixelRect& bounds, const TileSet& held, const TileSet& changed,
+                         int radius) const;
+    ByteMap map_;
+    std::vector<float> open_;  // before it is blurred
+    TileSet held_;             // those of `where`
+    PixelRect bounds_;         // of `where`
+};
 
 /// The same from four samples per pixel, without the blur. `turn` (0..1 of a full turn) rotates
 /// their directions; the result is meant to be averaged over many turns.

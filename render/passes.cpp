@@ -21,6 +21,59 @@ PixelRect doubled(const PixelRect& rect, int width, int height) {
     return PixelRect{2 * rect.x0, 2 * rect.y0, 2 * rect.x1, 2 * rect.y1}.grown(1, width, height);
 }
 
+constexpr int kSnap = 32;           // pixels: by how much the darkened part grows and shrinks
+constexpr double kMostKept = 0.6;  // of the picture: with more, the bookkeeping is not worth it
+
+/// To multiples of kSnap, so that it rarely changes.
+PixelRect snapped(const PixelRect& r, int width, int height) {
+    if (r.empty()) return {};
+    return {r.x0 / kSnap * kSnap, r.y0 / kSnap * kSnap,
+            std::min((r.x1 + kSnap - 1) / kSnap * kSnap, width),
+            std::min((r.y1 + kSnap - 1) / kSnap * kSnap, height)};
+}
+
+/// Adds all that is in one of two rectangles only, and maybe more.
+void addDifference(const PixelRect& a, const PixelRect& b, TileSet& tiles) {
+    const PixelRect both = render::boundsOf({a, b});
+    const PixelRect inner{std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1),
+                          std::min(a.y1, b.y1)};
+    if (inner.empty()) return tiles.add(both);
+    tiles.add(PixelRect{both.x0, both.y0, both.x1, inner.y0});
+    tiles.add(PixelRect{both.x0, inner.y1, both.x1, both.y1});
+    tiles.add(PixelRect{both.x0, inner.y0, inner.x0, inner.y1});
+    tiles.add(PixelRect{inner.x1, inner.y0, both.x1, inner.y1});
+}
+
+/// Copies a part of a map to another one of the same size, and finds the tiles that differ.
+TileSet replaced(const DepthMap& from, const PixelRect& part, DepthMap& to) {
+    constexpr int kSide = KeptOpenness::kSide;
+    TileSet different(to.width, to.height, kSide);
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1;) {
+            const int end = std::min((x / kSide + 1) * kSide, part.x1);
+            const std::size_t at = static_cast<std::size_t>(y) * to.width + x;
+            const std::size_t size = static_cast<std::size_t>(end - x) * sizeof(float);
+            if (std::memcmp(&from.meters[at], &to.meters[at], size) != 0) {
+                std::memcpy(&to.meters[at], &from.meters[at], size);
+                different.add(PixelRect{x, y, end, y + 1});
+            }
+            x = end;
+        }
+    return different;
+}
+
+/// The tiles, of this size, of a map that show the same part of the picture; at odd sizes more.
+TileSet scaled(const TileSet& tiles, int side, int fromWidth, int fromHeight, int width,
+               int height) {
+    TileSet result(width, height, side);
+    const auto low = [](int x, int from, int to) { return x * to / from; };
+    const auto high = [](int x, int from, int to) { return (x * to + from - 1) / from; };
+    for (const PixelRect& r : tiles.rects())
+        result.add(PixelRect{low(r.x0, fromWidth, width), low(r.y0, fromHeight, height),
+                             high(r.x1, fromWidth, width), high(r.y1, fromHeight, height)});
+    return result;
+}
+
 /// Pictures are drawn upside down, so that the first row read back is the top one.
 View upsideDown(View view) {
     view.projection.row(1) *= -1.0f;
@@ -94,14 +147,23 @@ void Passes::enter(Stage stage) const {
     observer(stage);
 }
 
-void Passes::setMeshes(const Frame& frame, const View& view) {
-    meshes_.set(instancesOf(frame, pixelsAMeter(view, settings_.height)));
+void Passes::setMeshes(const Frame& frame, const View& view, const std::vector<char>* chosen) {
+    meshes_.set(instancesOf(frame, pixelsAMeter(view, settings_.height), chosen));
+}
+
+void Passes::setMeshesIn(const TileSet& tiles, const Frame& frame, const View& view) {
+    const std::vector<char> chosen =
+        bodiesIn(tiles, frame, view, settings_.width, settings_.height);
+    setMeshes(frame, view, &chosen);
 }
 
 DepthMap Passes::drawDepth(const Frame& frame) {
+    kept_.valid = false;
     const View view = viewOf(frame);
     setMeshes(frame, view);
-    return depth_.draw(frame, upsideDown(view), meshes_, ground_);
+    DepthMap map;
+    depth_.draw(frame, upsideDown(view), meshes_, ground_, map);
+    return map;
 }
 
 SurfaceMap Passes::drawSurfaces(const Frame& frame) {
@@ -121,53 +183,158 @@ OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,
     set.farthest = view.farthest;
     set.reach = 0.035f * (frame.camera.from - frame.camera.lookAt).norm() + 0.15f;
     const float nearest = *std::min_element(map.meters.begin(), map.meters.end());
-    const int border = occlusionRadius(set, nearest, map.height);
+    set.radius = occlusionRadius(set, nearest, map.height);
     for (const PixelRect& body : bodyRects(frame, view, settings_.width, settings_.height))
-        set.where.push_back(halved(body).grown(border, map.width, map.height));
+        set.where.push_back(halved(body).grown(set.radius, map.width, map.height));
     return set;
 }
 
-void Passes::darken(const ByteMap& halfSize, const std::vector<PixelRect>& where,
-                    Lights& lights) {
-    lights.openMap = openMap_;
-    lights.darkened = doubled(boundsOf(where), settings_.width, settings_.height);
-    if (lights.darkened.empty()) return;
-    const ByteMap open = doubled(halfSize, lights.darkened);
+void Passes::uploadOpenness(const ByteMap& halfSize, const PixelRect& where) {
+    if (where.empty()) return;
+    const ByteMap open = doubled(halfSize, where);
     glBindTexture(GL_TEXTURE_2D, openMap_);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, lights.darkened.x0, lights.darkened.y0, open.width,
-                    open.height, GL_RED, GL_UNSIGNED_BYTE, open.bytes.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, where.x0, where.y0, open.width, open.height, GL_RED,
+                    GL_UNSIGNED_BYTE, open.bytes.data());
 }
 
-Image Passes::drawScene(const Frame& frame, DepthMap& depth) {
+Passes::Part Passes::partOf(const Frame& frame, const View& view, const ShadowFit* sun) {
+    Part part;
+    if (settings_.wholeFrames || !kept_.valid) return part;
+    const bool still = !sun || *sun == kept_.sun;
+    auto changed = changedRegion(kept_.frame, frame, view, settings_.width, settings_.height,
+                                 still ? sun : nullptr);
+    if (!changed) return part;
+    part.comparable = true;
+    part.whole = !still;
+    part.bodies = std::move(changed->bodies);
+    part.tiles = part.bodies;
+    part.tiles.add(changed->shadows);
+    part.texels = changed->texels;
+    return part;
+}
+
+/// Returns the tiles of the map that differ, if it can be compared.
+TileSet Passes::renewDepths(const Frame& frame, const View& view, const Part& part) {
+    const bool compared = part.comparable && kept_.deep;
+    kept_.deep = true;
+    if (!compared) {
+        setMeshes(frame, view);
+        depth_.draw(frame, upsideDown(view), meshes_, ground_, kept_.depth);
+        return {};
+    }
+    const int w = settings_.width, h = settings_.height;
+    const TileSet tiles = scaled(part.bodies, KeptOpenness::kSide, w, h, depth_.width(),
+                                 depth_.height());
+    setMeshesIn(scaled(tiles, kTile, depth_.width(), depth_.height(), w, h), frame, view);
+    spare_.width = kept_.depth.width, spare_.height = kept_.depth.height;
+    spare_.meters.resize(kept_.depth.meters.size());
+    depth_.drawPart(tiles, frame, upsideDown(view), meshes_, ground_, spare_);
+    return replaced(spare_, render::boundsOf(tiles.rects()), kept_.depth);
+}
+
+void Passes::renewOpenness(const Frame& frame, const View& view, const TileSet& changed,
+                           Part& part, Lights& lights) {
+    const int width = settings_.width, height = settings_.height;
+    const OcclusionSettings set = occlusionOf(frame, view, kept_.depth);
+    const TileSet different =
+        kept_.openness.renew(kept_.depth, set, part.comparable ? &changed : nullptr);
+    lights.openMap = openMap_;
+    lights.darkened = snapped(doubled(render::boundsOf(set.where), width, height), width, height);
+    PixelRect upload = doubled(render::boundsOf(different.rects()), width, height);
+    if (!part.comparable) upload = all();
+    uploadOpenness(kept_.openness.map(), upload);
+    if (part.comparable) {
+        const int border = static_cast<int>(ShapeTiles::kMargin);
+        for (const PixelRect& rect : different.rects())
+            part.tiles.add(doubled(rect, width, height).grown(border, width, height));
+        addDifference(kept_.darkened, lights.darkened, part.tiles);
+    }
+    kept_.darkened = lights.darkened;
+}
+
+/// With the meshes of all bodies set.
+void Passes::drawShadows(const Frame& frame, const View& view, const ShadowFit& fit) {
+    TileSet covered = texelTiles(fit);
+    for (const PixelRect& texels : texelsUnder(frame, view, settings_.height, fit))
+        covered.add(texels);
+    sun_.draw(fit, meshes_, covered);
+}
+
+void Passes::renewShadows(const Frame& frame, const View& view, const ShadowFit& fit,
+                          const Part& part) {
+    if (!part.comparable || !(fit == kept_.sun)) {
+        setMeshes(frame, view);
+        drawShadows(frame, view, fit);
+    } else if (!part.texels.empty()) {
+        std::vector<char> chosen;
+        for (const PixelRect& texels : texelsUnder(frame, view, settings_.height, fit))
+            chosen.push_back(part.texels.touches(texels));
+        setMeshes(frame, view, &chosen);
+        sun_.drawPart(meshes_, part.texels);
+    }
+    kept_.sun = fit;
+}
+
+void Passes::renewPicture(const Frame& frame, const View& view, const Lights& lights,
+                          const Part& part) {
+    const std::size_t pixels = static_cast<std::size_t>(settings_.width) * settings_.height;
+    kept_.image.width = kept_.smooth.width = kept_.surfaces.width = settings_.width;
+    kept_.image.height = kept_.smooth.height = kept_.surfaces.height = settings_.height;
+    kept_.image.pixels.resize(4 * pixels);
+    drawnShare_ = part.whole ? 1.0 : part.tiles.share();
+    if (drawnShare_ == 0.0) return;
+    const std::vector<PixelRect> where =
+        part.whole ? std::vector<PixelRect>{all()} : part.tiles.rects();
+    const PixelRect read = render::boundsOf(where);
+    if (part.whole)
+        setMeshes(frame, view);
+    else
+        setMeshesIn(part.tiles, frame, view);
+    scene_.draw(frame, upsideDown(view), lights, isSmooth(), meshes_, ground_,
+                part.whole ? nullptr : &part.tiles);
+    enter(Stage::readBack);
+    scene_.read(read, kept_.image);
+    if (isSmooth()) {
+        kept_.surfaces.packed.resize(pixels);
+        kept_.smooth.pixels.resize(4 * pixels);
+        scene_.read(read, kept_.surfaces);
+    }
+    checkGl();
+    enter(Stage::resolve);
+    if (isSmooth())
+        smoothEdges(kept_.image, kept_.surfaces, read, where, frame, view, settings_.samples,
+                    kept_.smooth);
+}
+
+Image Passes::drawScene(const Frame& frame) {
     enter(Stage::depth);
     const View view = viewOf(frame);
-    const bool full = settings_.finish == Finish::standard;
-    const bool darkened = full && frame.look.ambientOcclusion;
+    const bool darkened = isFull() && frame.look.ambientOcclusion;
+    const bool shadows = isFull() && frame.look.shadows;
     Lights lights;
-    lights.corners = !full;
-    setMeshes(frame, view);
+    lights.corners = !isFull();
+    ShadowFit fit;
+    if (shadows) fit = sun_.fitTo(frame, frame.look.sunDirection);
+    Part part = partOf(frame, view, shadows ? &fit : nullptr);
+    kept_.valid = false;
+    TileSet deeper;
     if (darkened || needsDepth(frame))
-        depth = depth_.draw(frame, upsideDown(view), meshes_, ground_);
+        deeper = renewDepths(frame, view, part);
+    else
+        kept_.deep = false;
     enter(Stage::occlusion);
-    if (darkened) {
-        const OcclusionSettings occlusion = occlusionOf(frame, view, depth);
-        darken(openness(depth, occlusion), occlusion.where, lights);
-    }
+    if (darkened) renewOpenness(frame, view, deeper, part, lights);
+    part.whole = part.whole || part.tiles.share() > kMostKept;
     enter(Stage::shadow);
-    if (full && frame.look.shadows) {
-        sun_.draw(frame, frame.look.sunDirection, meshes_);
+    if (shadows) {
+        renewShadows(frame, view, fit, part);
         lights.sun = &sun_;
     }
     enter(Stage::scene);
-    const bool smooth = full && settings_.samples > 1;
-    scene_.draw(frame, upsideDown(view), lights, smooth, meshes_, ground_);
-    Image image = readBack();
-    if (smooth) {
-        SurfaceMap surfaces = scene_.surfaces();
-        enter(Stage::resolve);
-        smoothEdges(image, std::move(surfaces), frame, view, settings_.samples);
-    }
-    return finished(std::move(image), frame.look);
+    renewPicture(frame, view, lights, part);
+    kept_.frame = frame;
+    kept_.valid = true;
+    return finished(isSmooth() ? kept_.smooth : kept_.image, frame.look);
 }
 
 View Passes::sampleView(const Frame& frame, const SubSample& sample) const {
@@ -180,6 +347,8 @@ View Passes::sampleView(const Frame& frame, const SubSample& sample) const {
 }
 
 Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
+    kept_.valid = false;
+    drawnShare_ = 1.0;
     enter(Stage::depth);
     Frame moment = frame;
     moment.camera = moved(frame.camera, sample.lens);
@@ -189,26 +358,27 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     lights.corners = !full;
     setMeshes(moment, view);
     if (full && frame.look.ambientOcclusion) {
-        const DepthMap depth = depth_.draw(moment, upsideDown(view), meshes_, ground_);
+        depth_.draw(moment, upsideDown(view), meshes_, ground_, spare_);
         enter(Stage::occlusion);
-        const OcclusionSettings occlusion = occlusionOf(moment, view, depth);
-        darken(roughOpenness(depth, occlusion, sample.turn), occlusion.where, lights);
+        const OcclusionSettings occlusion = occlusionOf(moment, view, spare_);
+        lights.openMap = openMap_;
+        lights.darkened =
+            doubled(render::boundsOf(occlusion.where), settings_.width, settings_.height);
+        uploadOpenness(roughOpenness(spare_, occlusion, sample.turn), lights.darkened);
     }
     enter(Stage::shadow);
     if (full && frame.look.shadows) {
-        sun_.draw(moment, sample.toSun, meshes_);
+        drawShadows(moment, view, sun_.fitTo(moment, sample.toSun));
         lights.sun = &sun_;
     }
     enter(Stage::scene);
     scene_.draw(moment, upsideDown(view), lights, false, meshes_, ground_);
-    return finished(readBack(), frame.look);
-}
-
-Image Passes::readBack() const {
     enter(Stage::readBack);
-    Image image = scene_.image();
+    Image image{settings_.width, settings_.height, {}};
+    image.pixels.resize(4 * static_cast<std::size_t>(image.width) * image.height);
+    scene_.read(all(), image);
     checkGl();
-    return image;
+    return finished(std::move(image), frame.look);
 }
 
 Image Passes::finished(Image image, const Look& look) const {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "render/changed_region.h"
 #include "render/context.h"
 #include "render/renderer.h"
 #include "render/sampling.h"
@@ -16,8 +17,13 @@ class Passes {
 public:
     explicit Passes(const RendererSettings& settings);
 
-    /// Draws the bodies, their ground and the sky. `depth`: filled if overlays need it.
-    Image drawScene(const Frame& frame, DepthMap& depth);
+    /// Draws the bodies, their ground and the sky; keeps of the last picture what does not change,
+    /// unless `wholeFrames` is set.
+    Image drawScene(const Frame& frame);
+    /// The depths of the last scene, if overlays need them.
+    const DepthMap& depths() const { return kept_.depth; }
+    /// 0..1 of the picture that the last drawing did not keep.
+    double drawnShare() const { return drawnShare_; }
     /// Draws one sub-frame, without returning depths.
     Image drawSample(const Frame& frame, const SubSample& sample);
     /// The depths of a frame, for its overlays.
@@ -33,11 +39,43 @@ public:
     std::function<void(Stage)> observer;
 
 private:
-    void setMeshes(const Frame& frame, const View& view);
+    /// The picture of the last frame, and what it was made from.
+    struct Kept {
+        bool valid = false;
+        Frame frame;
+        bool deep = false;  // `depth` is of this frame
+        DepthMap depth;
+        KeptOpenness openness;
+        PixelRect darkened;
+        ShadowFit sun;
+        Image image;          // one sample per pixel
+        SurfaceMap surfaces;  // with joined faces
+        Image smooth;
+    };
+    /// What is drawn of a frame.
+    struct Part {
+        bool comparable = false;  // with the last one: view and light are the same
+        bool whole = true;
+        TileSet bodies;    // that moved, in the picture
+        TileSet tiles;     // of the picture, unless it is drawn as a whole
+        TileSet texels;    // of the shadow map, unless it is drawn as a whole
+    };
+
+    /// `chosen`: as in instancesOf().
+    void setMeshes(const Frame& frame, const View& view, const std::vector<char>* chosen = nullptr);
+    void setMeshesIn(const TileSet& tiles, const Frame& frame, const View& view);
+    Part partOf(const Frame& frame, const View& view, const ShadowFit* sun);
+    TileSet renewDepths(const Frame& frame, const View& view, const Part& part);
+    void renewOpenness(const Frame& frame, const View& view, const TileSet& changed, Part& part,
+                       Lights& lights);
+    void drawShadows(const Frame& frame, const View& view, const ShadowFit& fit);
+    void renewShadows(const Frame& frame, const View& view, const ShadowFit& fit, const Part& part);
+    void renewPicture(const Frame& frame, const View& view, const Lights& lights, const Part& part);
     OcclusionSettings occlusionOf(const Frame& frame, const View& view, const DepthMap& map) const;
-    /// `where`: parts of the half-size map; the rest is 255.
-    void darken(const ByteMap& halfSize, const std::vector<PixelRect>& where, Lights& lights);
-    Image readBack() const;
+    void uploadOpenness(const ByteMap& halfSize, const PixelRect& where);
+    bool isFull() const { return settings_.finish == Finish::standard; }
+    bool isSmooth() const { return isFull() && settings_.samples > 1; }
+    PixelRect all() const { return {0, 0, settings_.width, settings_.height}; }
     Image finished(Image image, const Look& look) const;
 
     RendererSettings settings_;
@@ -49,6 +87,9 @@ private:
     GlTexture openMap_;
     ScenePass scene_;
     std::unique_ptr<SurfacePass> surfaces_;  // made when first needed
+    Kept kept_;
+    DepthMap spare_;  // its memory is used again
+    double drawnShare_ = 1.0;
 };
 
 }  // namespace render

@@ -82,13 +82,4 @@ PixelRect boundsOf(const std::vector<PixelRect>& rects) {
     return all;
 }
 
-Tiles::Tiles(const std::vector<PixelRect>& rects, int width, int height)
-    : across_((width + kSide - 1) / kSide),
-      held_(static_cast<std::size_t>(across_) * ((height + kSide - 1) / kSide)) {
-    for (const PixelRect& r : rects)
-        for (int y = r.y0 / kSide; y * kSide < r.y1; ++y)
-            for (int x = r.x0 / kSide; x * kSide < r.x1; ++x)
-                held_[static_cast<std::size_t>(y) * across_ + x] = 1;
-}
-
 }  // namespace render

@@ -22,18 +22,4 @@ std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width
 /// The bounding rectangle of all of them.
 PixelRect boundsOf(const std::vector<PixelRect>& rects);
 
-/// The tiles of 8 x 8 pixels that a set of rectangles touches.
-class Tiles {
-public:
-    Tiles(const std::vector<PixelRect>& rects, int width, int height);
-    bool hold(int x, int y) const {
-        return held_[static_cast<std::size_t>(y / kSide) * across_ + x / kSide] != 0;
-    }
-
-private:
-    static constexpr int kSide = 8;  // pixels
-    int across_;
-    std::vector<char> held_;  // tile by tile, row by row
-};
-
 }  // namespace render

@@ -32,9 +32,8 @@ void Renderer::observe(std::function<void(Stage)> observer) {
 }
 
 Image Renderer::draw(const Frame& frame) {
-    DepthMap depth;
-    Image image = passes_->drawScene(frame, depth);
-    drawOver(image, frame, depth, *passes_);
+    Image image = passes_->drawScene(frame);
+    drawOver(image, frame, passes_->depths(), *passes_);
     return image;
 }
 
@@ -55,6 +54,8 @@ Image Renderer::draw(std::span<const Frame> moments) {
     drawOver(image, now, needsDepth(now) ? passes_->drawDepth(now) : DepthMap{}, *passes_);
     return image;
 }
+
+double Renderer::drawnShare() const { return passes_->drawnShare(); }
 
 SurfaceMap Renderer::surfaces(const Frame& frame) { return passes_->drawSurfaces(frame); }
 

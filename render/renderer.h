@@ -28,9 +28,11 @@ struct RendererSettings {
     int threads = -1;           // of the rasteriser; -1: the driver decides, 0: the caller's
     bool reproducible = false;  // the same pixels on every x86-64 CPU, for a third more time
     ContextKind context = ContextKind::automatic;  // kind of the OpenGL context
+    bool wholeFrames = false;  // draw every frame as a whole; the pixels are the same
 };
 
-/// Texels per side of a picture's shadow map: 8/5 of its longer side, 512 to 4096.
+/// Texels per side of a picture's shadow map: 8/5 of its longer side, 512 to 4096. It has a
+/// quarter more, so that it rarely has to move.
 int shadowTexels(const RendererSettings& settings);
 
 /// The stages of drawing a picture, in this order.
@@ -47,7 +49,8 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Throws Error if OpenGL reports an error or the picture is all one colour.
+    /// Throws Error if OpenGL reports an error or the picture is all one colour. Where the frame is
+    /// like the last one, the last picture is kept: frames of a film are best drawn in order.
     Image draw(const Frame& frame);
 
     /// The mean of 1 to 256 moments, earliest first. Each has another sample position in the pixel
@@ -62,6 +65,8 @@ public:
 
     /// Calls `observer` when a stage begins and all earlier work is finished: for benchmarks.
     void observe(std::function<void(Stage)> observer);
+    /// The share of the last picture that was drawn and not kept, 0..1; overlays are always drawn.
+    double drawnShare() const;
     /// Renderer and version, as OpenGL reports them.
     std::string describe() const;
 

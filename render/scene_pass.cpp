@@ -52,13 +52,9 @@ void bindTexture(int unit, GLuint texture) {
 void setShadow(GLuint program, const ShadowPass& pass) {
     bindTexture(0, pass.map());
     setUniform(program, "shadowMap", 0);
-    setUniform(program, "worldToShadow", pass.worldToTexels());
-    setUniform(program, "shadowTexel", pass.texel());
+    setUniform(program, "worldToShadow", pass.fit().worldToTexels());
+    setUniform(program, "shadowTexel", pass.fit().texel);
     setUniform(program, "shadowSize", static_cast<float>(pass.size()));
-}
-
-void scissor(const PixelRect& rect) {
-    glScissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);
 }
 
 /// 1: the picture; 2: also the numbers of its surfaces.
@@ -147,7 +143,8 @@ GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
     const Lights& lights = scene.lights;
     glUseProgram(program);
     setUniform(program, "worldToClip", scene.view.worldToClip());
-    setUniform(program, "toSun", lights.sun ? lights.sun->toLight() : look.sunDirection.normalized());
+    setUniform(program, "toSun",
+               lights.sun ? lights.sun->fit().toLight : look.sunDirection.normalized());
     setUniform(program, "eye", scene.view.eye);
     setUniform(program, "skyLight", kSkyLight);
     setUniform(program, "groundLight", groundLight(scene.frame));
@@ -165,12 +162,18 @@ GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
 }
 
 void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights, bool numbered,
-                     const Meshes& meshes, const GroundMesh& ground) {
+                     const Meshes& meshes, const GroundMesh& ground, const TileSet* only) {
     const Scene scene{frame, view, lights};
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width_, height_);
     drawInto(numbered ? 2 : 1);
-    clear(frame.look, numbered);
+    drawn_ = {0, 0, width_, height_};
+    if (only)
+        keepAllBut(*only);
+    else
+        clear(frame.look, numbered);
+    glEnable(GL_SCISSOR_TEST);
+    scissor(drawn_);
     for (std::size_t i = 0; i < kMaterials; ++i)
         if (meshes.materials()[i] && Material(i) != Material::glass)
             drawBodies(scene, meshes, Material(i));
@@ -178,24 +181,39 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
     drawGlass(scene, meshes);
     drawInto(1);  // a trail has no number, and its shader writes none
     drawTrails(scene);
+    glDisable(GL_SCISSOR_TEST);
 }
 
-Image ScenePass::image() const {
-    Image image{width_, height_, {}};
-    image.pixels.resize(4u * static_cast<std::size_t>(width_) * height_);
+/// All other pixels get the smallest depth, so that nothing is drawn there. The others have the same
+/// bits as always: neither triangles nor interpolation depend on which pixels are hidden, and tiles
+/// have whole groups of 2x2 pixels, whose differences are the shaders' derivatives.
+void ScenePass::keepAllBut(const TileSet& tiles) {
+    const std::vector<PixelRect> rects = tiles.rects();
+    drawn_ = render::boundsOf(rects);
+    glClearDepth(0.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glClearDepth(1.0);
+    tiles_.draw(rects, width_, height_);
+}
+
+/// False if nothing is drawn there.
+bool ScenePass::scissor(const PixelRect& rect) const {
+    const int x0 = std::max(rect.x0, drawn_.x0), y0 = std::max(rect.y0, drawn_.y0);
+    const int x1 = std::min(rect.x1, drawn_.x1), y1 = std::min(rect.y1, drawn_.y1);
+    glScissor(x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0));
+    return x0 < x1 && y0 < y1;
+}
+
+void ScenePass::read(const PixelRect& part, Image& image) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return image;
+    readPart(part, width_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
 }
 
-SurfaceMap ScenePass::surfaces() const {
-    SurfaceMap map{width_, height_, {}};
-    map.packed.resize(static_cast<std::size_t>(width_) * height_);
+void ScenePass::read(const PixelRect& part, SurfaceMap& map) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     glReadBuffer(GL_COLOR_ATTACHMENT1);
-    glReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_INT, map.packed.data());
-    return map;
+    readPart(part, width_, GL_RED_INTEGER, GL_INT, map.packed.data());
 }
 
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material material) {
@@ -237,16 +255,10 @@ void ScenePass::drawBackground(const Scene& scene, const GroundMesh& mesh) {
     const PixelRect all{0, 0, width_, height_};
     Scene bright = scene;  // where openness is full, no lookup is needed
     bright.lights.openMap = 0;
-    glEnable(GL_SCISSOR_TEST);
-    if (scene.lights.openMap && !scene.lights.darkened.empty()) {
-        scissor(scene.lights.darkened);
-        drawGrounds(scene, mesh);
-    }
-    for (const PixelRect& part : around(scene.lights.darkened, all)) {
-        scissor(part);
-        drawGrounds(bright, mesh);
-    }
-    glDisable(GL_SCISSOR_TEST);
+    if (scene.lights.openMap && scissor(scene.lights.darkened)) drawGrounds(scene, mesh);
+    for (const PixelRect& part : around(scene.lights.darkened, all))
+        if (scissor(part)) drawGrounds(bright, mesh);
+    scissor(all);
     if (!scene.frame.look.transparent) drawSky(scene);
 }
 
@@ -311,10 +323,9 @@ void ScenePass::drawSky(const Scene& scene) {
     color("topColor", look.skyTop);
     View upright = scene.view;
     upright.projection.row(1) *= -1.0f;
-    glEnable(GL_SCISSOR_TEST);
     scissor({0, 0, width_, rowsOfSky(scene.frame, upright, width_, height_)});
     drawFullScreen(empty_);
-    glDisable(GL_SCISSOR_TEST);
+    scissor({0, 0, width_, height_});
     glDepthFunc(GL_LESS);
 }
 

@@ -7,6 +7,7 @@
 #include "render/image.h"
 #include "render/shadow_pass.h"
 #include "render/surface_map.h"
+#include "render/tile_set.h"
 
 namespace render {
 
@@ -21,12 +22,14 @@ struct Lights {
 class ScenePass {
 public:
     ScenePass(int width, int height);
-    /// `numbered`: also stores the surface at every pixel, for surfaces().
+    /// `numbered`: also stores the surface at every pixel. `only`: the tiles to draw; the others are
+    /// kept, and the meshes may lack what is not in these; null: all.
     void draw(const Frame& frame, const View& view, const Lights& lights, bool numbered,
-              const Meshes& meshes, const GroundMesh& ground);
+              const Meshes& meshes, const GroundMesh& ground, const TileSet* only = nullptr);
 
-    Image image() const;
-    SurfaceMap surfaces() const;
+    /// Reads a part of the picture into an image of its size.
+    void read(const PixelRect& part, Image& image) const;
+    void read(const PixelRect& part, SurfaceMap& map) const;
 
 private:
     /// The arguments of draw() that all its parts need.
@@ -35,6 +38,8 @@ private:
         const View& view;
         Lights lights;
     };
+    void keepAllBut(const TileSet& tiles);
+    bool scissor(const PixelRect& rect) const;
     GLuint lit(const std::string& vertex, const std::string& fragment, const std::string& features,
                const Scene& scene);
     void drawBodies(const Scene& scene, const Meshes& meshes, Material material);
@@ -51,8 +56,10 @@ private:
     GlFramebuffer framebuffer_;
     std::map<std::string, GlProgram> programs_;  // by fragment shader and features, made when used
     GlProgram sky_, trail_;
+    PixelRect drawn_;  // the rectangle around what is drawn
     GlArray empty_, trailArray_;
     GlBuffer trailBuffer_;
+    EmptyTiles tiles_;
 };
 
 }  // namespace render

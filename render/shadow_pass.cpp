@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/body_places.h"
 #include "render/camera.h"
 #include "render/renderer.h"
 
@@ -22,12 +23,7 @@ Eigen::AlignedBox3f boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight)
         if (half.norm() + core > kTooLarge ||
             (s.position - frame.camera.lookAt).norm() > 4 * kTooLarge)
             continue;
-        const Eigen::Matrix3f axes = toLight * s.rotation.toRotationMatrix();
-        const Vec3 reach =
-            s.shape == SolidShape::sphere ? half : Vec3(axes.cwiseAbs() * half);
-        const Vec3 middle = toLight * s.position;
-        box.extend(Vec3(middle - reach - Vec3::Constant(core)));
-        box.extend(Vec3(middle + reach + Vec3::Constant(core)));
+        box.extend(lightBox(s, toLight));
     }
     for (const Rod& rod : frame.rods)
         for (const Vec3& end : {rod.from, rod.to}) {
@@ -38,9 +34,9 @@ Eigen::AlignedBox3f boundsOf(const Frame& frame, const Eigen::Matrix3f& toLight)
     return box;
 }
 
-/// Rounds up to the next quarter of an octave, so that the map's size rarely changes.
-float inSteps(float length) {
-    return std::exp2(std::ceil(std::log2(std::max(length, 0.5f)) * 4.0f) / 4.0f);
+/// Rounds up to the next of `steps` in an octave, so that the map's size rarely changes.
+float inSteps(float length, float steps) {
+    return std::exp2(std::ceil(std::log2(std::max(length, 0.5f)) * steps) / steps);
 }
 
 }  // namespace
@@ -51,74 +47,124 @@ int shadowTexels(const RendererSettings& settings) {
     return std::clamp((wanted + 255) / 256 * 256, 512, 4096);
 }
 
+Eigen::AlignedBox3f lightBox(const Solid& solid, const Eigen::Matrix3f& toLight) {
+    const bool capsule = solid.shape == SolidShape::capsule;
+    const float core = capsule ? solid.halfSize.x() : 0.0f;
+    const Vec3 half = capsule ? solid.halfSize : holdingHalfSize(solid);
+    const Eigen::Matrix3f axes = toLight * solid.rotation.toRotationMatrix();
+    const Vec3 reach = solid.shape == SolidShape::sphere ? half : Vec3(axes.cwiseAbs() * half);
+    const Vec3 middle = toLight * solid.position;
+    return {Vec3(middle - reach - Vec3::Constant(core)),
+            Vec3(middle + reach + Vec3::Constant(core))};
+}
+
+Eigen::Matrix4f ShadowFit::worldToTexels() const {
+    Eigen::Matrix4f toTexels = Eigen::Matrix4f::Identity();
+    toTexels(0, 0) = toTexels(1, 1) = 1.0f / texel;
+    for (int i = 0; i < 2; ++i) toTexels(i, 3) = 0.5f * static_cast<float>(used[i]);
+    toTexels(2, 2) = -0.5f / depth;
+    toTexels(2, 3) = 0.5f;
+    return toTexels * worldToLight;
+}
+
+bool ShadowFit::operator==(const ShadowFit& other) const {
+    return toLight == other.toLight && worldToLight == other.worldToLight &&
+           used[0] == other.used[0] && used[1] == other.used[1] && half == other.half &&
+           depth == other.depth && texel == other.texel;
+}
+
 ShadowPass::ShadowPass(int size)
     : size_(size),
-      map_(newTexture(GL_DEPTH_COMPONENT16, size, size)),
+      texels_(size + 2 * (size / 8 + 2)),
+      map_(newTexture(GL_DEPTH_COMPONENT16, texels_, texels_)),
       framebuffer_(newFramebuffer(0, map_)),
       program_(newProgram("depth", "depth")) {
     glBindTexture(GL_TEXTURE_2D, map_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    fit_.size = texels_;
+    covered_ = texelTiles(fit_);
 }
 
-/// The middle is rounded to whole texels: the map does not move while the scene moves a little, and
-/// neither do the steps at the shadows' edges.
-void ShadowPass::fit(const Frame& frame) {
-    worldToLight_ = lookAt(toLight_, Vec3::Zero(), Vec3::UnitY());
-    worldToLight_.block<3, 1>(0, 3).setZero();
-    const Eigen::AlignedBox3f box = boundsOf(frame, worldToLight_.block<3, 3>(0, 0));
+/// The map covers more than it needs, and its middle moves by a quarter of its size at a time, in
+/// whole texels: it stands still while the scene moves a little, and so do the steps at the
+/// shadows' edges.
+ShadowFit ShadowPass::fitTo(const Frame& frame, const Vec3& toLight) const {
+    ShadowFit fit;
+    fit.size = texels_;
+    fit.toLight = toLight.normalized();
+    fit.worldToLight = lookAt(fit.toLight, Vec3::Zero(), Vec3::UnitY());
+    fit.worldToLight.block<3, 1>(0, 3).setZero();
+    const Eigen::AlignedBox3f box = boundsOf(frame, fit.worldToLight.block<3, 3>(0, 0));
     const Vec3 reach = 0.5f * box.sizes();
-    const Vec3 covered(inSteps(reach.x()), inSteps(reach.y()), inSteps(reach.z()));
-    const float widest = std::max(covered.x(), covered.y());
-    texel_ = 2.0f * widest / (static_cast<float>(size_) - 2.0f * kApron);
-    for (int i = 0; i < 2; ++i) {
-        used_[i] = static_cast<int>(std::ceil(2.0f * covered[i] / texel_ + 2.0f * kApron));
-        used_[i] = std::min(used_[i], size_);
-        half_[i] = 0.5f * texel_ * static_cast<float>(used_[i]);
-    }
-    depth_ = covered.z() + widest;  // room for receivers a little beyond
+    const float widest = inSteps(std::max(reach.x(), reach.y()), 4.0f);
+    fit.texel = 2.0f * widest / (static_cast<float>(size_) - 2.0f * kApron);
     Vec3 middle = box.center();
-    for (int i = 0; i < 2; ++i) middle[i] = std::floor(middle[i] / texel_) * texel_;
-    worldToLight_.block<3, 1>(0, 3) = -middle;
-}
-
-Eigen::Matrix4f ShadowPass::worldToTexels() const {
-    Eigen::Matrix4f toTexels = Eigen::Matrix4f::Identity();
-    toTexels(0, 0) = toTexels(1, 1) = 1.0f / texel_;
-    for (int i = 0; i < 2; ++i) toTexels(i, 3) = 0.5f * static_cast<float>(used_[i]);
-    toTexels(2, 2) = -0.5f / depth_;
-    toTexels(2, 3) = 0.5f;
-    return toTexels * worldToLight_;
+    const int room = size_ / 8;  // texels on each side
+    for (int i = 0; i < 2; ++i) {
+        const float covered = 2.0f * inSteps(reach[i], 4.0f) / fit.texel + 2.0f * kApron;
+        const int needed = std::min(static_cast<int>(std::ceil(covered)), size_);
+        fit.used[i] = needed + 2 * (room + 1);  // odd: the middle is that of a texel
+        fit.half[i] = 0.5f * fit.texel * static_cast<float>(fit.used[i]);
+        const float step = static_cast<float>(2 * room);
+        middle[i] = fit.texel * (std::floor(middle[i] / (step * fit.texel)) * step +
+                                 static_cast<float>(room));
+    }
+    const float step = inSteps(reach.z(), 1.0f) + widest;
+    fit.depth = 1.5f * step;  // also room for receivers a little beyond
+    middle.z() = (std::floor(middle.z() / step) + 0.5f) * step;
+    fit.worldToLight.block<3, 1>(0, 3) = -middle;
+    return fit;
 }
 
 std::vector<Vec3> ShadowPass::footprint(const Ground& ground) const {
     const Vec3 normal = ground.normal.normalized();
-    const float facing = normal.dot(toLight_);
+    const float facing = normal.dot(fit_.toLight);
     if (facing < 0.02f) return {};
-    const Eigen::Matrix3f toWorld = worldToLight_.block<3, 3>(0, 0).transpose();
-    const Vec3 shift = worldToLight_.block<3, 1>(0, 3);
-    const Eigen::Vector2f inside = half_.array() - 2.0f * texel_;
+    const Eigen::Matrix3f toWorld = fit_.worldToLight.block<3, 3>(0, 0).transpose();
+    const Vec3 shift = fit_.worldToLight.block<3, 1>(0, 3);
+    const Eigen::Vector2f inside = fit_.half.array() - 2.0f * fit_.texel;
     std::vector<Vec3> corners;
     for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
         const Vec3 local(static_cast<float>(x) * inside.x(), static_cast<float>(y) * inside.y(), 0);
         const Vec3 point = toWorld * (local - shift);
-        corners.push_back(point + (ground.offset - normal.dot(point)) / facing * toLight_);
+        corners.push_back(point + (ground.offset - normal.dot(point)) / facing * fit_.toLight);
     }
     return corners;
 }
 
-void ShadowPass::draw(const Frame& frame, const Vec3& toLight, const Meshes& meshes) {
-    toLight_ = toLight.normalized();
-    fit(frame);
+/// Only what the last drawing covered has to be cleared.
+void ShadowPass::draw(const ShadowFit& fit, const Meshes& meshes, const TileSet& covered) {
+    fit_ = fit;
+    drawOver(meshes, covered_);
+    covered_ = covered;
+}
+
+void ShadowPass::drawPart(const Meshes& meshes, const TileSet& tiles) {
+    const std::vector<PixelRect> rects = tiles.rects();
+    if (rects.empty()) return;
+    const PixelRect part = render::boundsOf(rects);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.x0, part.y0, part.x1 - part.x0, part.y1 - part.y0);
+    drawOver(meshes, tiles);
+    glDisable(GL_SCISSOR_TEST);
+    covered_.add(tiles);
+}
+
+/// What is drawn again beside the tiles is not nearer than what is there.
+void ShadowPass::drawOver(const Meshes& meshes, const TileSet& tiles) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, used_[0], used_[1]);
-    glClear(GL_DEPTH_BUFFER_BIT);
+    glViewport(0, 0, texels_, texels_);
+    empty_.draw(tiles.rects(), texels_, texels_);
+    glViewport(0, 0, fit_.used[0], fit_.used[1]);
     Eigen::Matrix4f toClip = Eigen::Matrix4f::Identity();
-    toClip(0, 0) = 1.0f / half_.x();
-    toClip(1, 1) = 1.0f / half_.y();
-    toClip(2, 2) = -1.0f / depth_;
+    toClip(0, 0) = 1.0f / fit_.half.x();
+    toClip(1, 1) = 1.0f / fit_.half.y();
+    toClip(2, 2) = -1.0f / fit_.depth;
     glCullFace(GL_FRONT);  // the picture's rows go down, the map's go up
-    meshes.drawWith(program_, toClip * worldToLight_, Detail::fine);
+    meshes.drawWith(program_, toClip * fit_.worldToLight, Detail::fine);
     glCullFace(GL_BACK);
 }
 

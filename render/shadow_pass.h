@@ -1,39 +1,44 @@
 /// The shadow map of a distant light, fitted to the frame's solids.
 #pragma once
+#include <vector>
+
+#include "render/empty_tiles.h"
 #include "render/meshes.h"
+#include "render/shadow_fit.h"
+#include "render/tile_set.h"
 
 namespace render {
 
 class ShadowPass {
 public:
-    /// `size`: texels per side.
+    /// `size`: texels per side that the bodies may cover.
     explicit ShadowPass(int size);
-    /// `toLight`: of any length.
-    void draw(const Frame& frame, const Vec3& toLight, const Meshes& meshes);
+    /// `toLight`: of any length. The fit depends on this frame only, but rarely differs from that of
+    /// the frame before.
+    ShadowFit fitTo(const Frame& frame, const Vec3& toLight) const;
+    /// `covered`: texelTiles() where anything is drawn.
+    void draw(const ShadowFit& fit, const Meshes& meshes, const TileSet& covered);
+    /// Draws these tiles anew, with the fit of the last drawing; the others are kept. The meshes may
+    /// lack what is not there.
+    void drawPart(const Meshes& meshes, const TileSet& tiles);
 
     GLuint map() const { return map_; }
-    int size() const { return size_; }
-    /// From the world (m) to texels, and to depths 0..1.
-    Eigen::Matrix4f worldToTexels() const;
-    float texel() const { return texel_; }  // m
-    const Vec3& toLight() const { return toLight_; }
+    int size() const { return texels_; }  // per side
+    const ShadowFit& fit() const { return fit_; }  // of the last drawing
     /// The map's four corners, projected onto a plane along the light, in order around the middle;
     /// m. Empty if the light does not reach the plane from above.
     std::vector<Vec3> footprint(const Ground& ground) const;
 
 private:
-    void fit(const Frame& frame);
+    void drawOver(const Meshes& meshes, const TileSet& tiles);
 
-    int size_;
+    int size_, texels_;  // per side: covered by bodies at most, and of the map
     GlTexture map_;
     GlFramebuffer framebuffer_;
     GlProgram program_;
-    Eigen::Matrix4f worldToLight_ = Eigen::Matrix4f::Identity();  // m: x, y across, z to the light
-    int used_[2] = {1, 1};                                        // texels of the map, in x and y
-    Eigen::Vector2f half_{1, 1};                                  // m, half of what they cover
-    float depth_ = 1.0f;                                          // m, half of what it covers
-    float texel_ = 0.01f;
-    Vec3 toLight_{0, 1, 0};
+    ShadowFit fit_;
+    TileSet covered_;  // all other tiles are empty
+    EmptyTiles empty_;
 };
 
 }  // namespace render

@@ -203,6 +203,7 @@ Run addBench(CLI::App& app) {
                  "measure processor time of every stage of a frame, of all processes of an .mp4, "
                  "and frames/s, for the film that the options below describe; default: off");
     addPicture(app, options, texts);
+    addWholeFrames(app, options);
     addJobs(app, options);
     app.add_flag("--phases", options.phases,
                  "print the ms of every phase of the step, from a second run; default: off");

@@ -79,6 +79,7 @@ Run addRender(CLI::App& app) {
     addDelivery(app, options, texts);
     addSeconds(app, options);
     addPicture(app, options, texts);
+    addWholeFrames(app, options);
     takesList(app.add_option(
                      "--pass", texts.passes,
                      "data next to the PNG frames, with commas: depth depth16 normal id flow "

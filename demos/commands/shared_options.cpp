@@ -20,6 +20,12 @@ void addRenderer(CLI::App& app, Options& options) {
         ->type_name("NAME");
 }
 
+void addWholeFrames(CLI::App& app, Options& options) {
+    app.add_flag("--whole-frames", options.wholeFrames,
+                 "draw every frame as a whole, not only what differs from the one before: the same "
+                 "pixels, slower; default: off");
+}
+
 void addJobs(CLI::App& app, Options& options) {
     app.add_option("-j,--jobs", options.jobs, "drawing processes; default: 0, one per core")
         ->type_name("N");

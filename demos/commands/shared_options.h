@@ -33,6 +33,8 @@ CLI::Option* takesAgain(CLI::Option* option);
 /// Makes an option take several values, separated by commas.
 CLI::Option* takesList(CLI::Option* option);
 void addRenderer(CLI::App& app, Options& options);
+/// --whole-frames, of commands that draw films.
+void addWholeFrames(CLI::App& app, Options& options);
 void addJobs(CLI::App& app, Options& options);
 
 /// The scene, and the options that change its values.

@@ -26,7 +26,7 @@ constexpr double kShare = 0.8;  // of the machine's memory; the rest is for othe
 constexpr double kWorker = 66.0 * kMiB;  // plus the shadow map
 constexpr double kProgram = 57.0 * kMiB;
 constexpr double kEncoder = 58.0 * kMiB;
-constexpr double kPixel = 19.5;        // buffers, the picture, a message being sent
+constexpr double kPixel = 31.0;        // buffers, the picture, what is kept of it, a message
 constexpr double kSum = 18.0;          // with several moments: four sums and one more picture
 constexpr double kPngPixel = 6.5;      // RGB and the compressed data
 constexpr double kMessagePixel = 9.5;  // raw frames in the program: one in use, one arriving; YUV
@@ -72,7 +72,7 @@ double workerBytes(const FilmPlan& plan, bool png) {
     const render::RendererSettings& picture = plan.picture;
     const double drawn = pixelsOf(picture.width, picture.height);
     const double whole = pixelsOf(plan.layout.width, plan.layout.height);
-    const double shadow = 2.0 * std::pow(render::shadowTexels(picture), 2);
+    const double shadow = 2.0 * std::pow(1.25 * render::shadowTexels(picture) + 4.0, 2);
     const double sums = plan.shutter.moments > 1 ? kSum * drawn : 0.0;
     const double panels = plan.panels.size() > 1 ? 4.0 * whole : 0.0;
     return kWorker + shadow + sums + drawn * (kPixel + passBytes(plan.passes).worker) + panels +

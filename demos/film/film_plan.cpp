@@ -98,6 +98,7 @@ FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options)
     plan.picture.samples = options.samples.value_or(quality.samples);
     plan.picture.finish = quality.finish;
     plan.picture.reproducible = options.reproducible;
+    plan.picture.wholeFrames = options.wholeFrames;
     plan.shutter.moments = options.blur.value_or(quality.moments);
     plan.shutter.open = options.shutter.value_or(plan.shutter.open);
     plan.picture.context = render::contextCalled(options.context);

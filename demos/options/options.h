@@ -25,6 +25,7 @@ struct Options {
     std::string colorBy;            // empty = the scene's
     bool clean = false;             // no text
     bool reproducible = false;
+    bool wholeFrames = false;  // keep nothing of the picture before
     std::string context = "auto";  // of OpenGL: auto, osmesa, egl
     bool anyStep = false;          // pictures of any step, also where a film has no frame
     bool plotBelow = true;         // if the scene requests a plot with a cursor

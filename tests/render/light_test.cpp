@@ -7,6 +7,7 @@
 #include "render/accumulator.h"
 #include "render/ground_corners.h"
 #include "render/occlusion.h"
+#include "render/tile_set.h"
 #include "render/sampling.h"
 
 namespace render {
@@ -166,8 +167,10 @@ TEST(BodyRects, AreThePictureWhereABodyReachesBehindTheEye) {
     EXPECT_TRUE(bodyRects(frame, straight(), 640, 360).empty());
 }
 
-TEST(Tiles, HoldAllPixelsOfTheirRectanglesAndFewMore) {
-    const Tiles tiles({{3, 9, 20, 10}, {30, 0, 31, 21}}, 37, 21);
+TEST(TileSet, HoldAllPixelsOfTheirRectanglesAndFewMore) {
+    TileSet tiles(37, 21, 8);
+    tiles.add(PixelRect{3, 9, 20, 10});
+    tiles.add(PixelRect{30, 0, 31, 21});
     for (int y = 0; y < 21; ++y)
         for (int x = 0; x < 37; ++x) {
             const bool first = x < 24 && y >= 8 && y < 16, second = x >= 24 && x < 32;

@@ -1,0 +1,25 @@
+/// Rectangles that are made empty: without a body, at the largest depth.
+#pragma once
+#include <vector>
+
+#include "render/ground_mesh.h"
+#include "render/pixel_rect.h"
+
+namespace render {
+
+class EmptyTiles {
+public:
+    EmptyTiles() : program_(newProgram("tile", "tile")) {}
+    /// In the framebuffer that is bound, of this size; row 0 is its first.
+    void draw(const std::vector<PixelRect>& rects, int width, int height) const;
+
+private:
+    GlProgram program_;
+    GroundMesh mesh_;
+};
+
+/// Reads a rectangle from the framebuffer that is bound to its place in an array with rows of
+/// `width` pixels.
+void readPart(const PixelRect& part, int width, GLenum format, GLenum type, void* pixels);
+
+}  // namespace render
