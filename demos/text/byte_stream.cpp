@@ -1,6 +1,5 @@
 #include "demos/text/byte_stream.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -68,7 +67,8 @@ double ByteReader::number() {
 }
 
 std::string ByteReader::text(std::size_t most) {
-    const std::size_t size = count(std::min(most, left()));
+    std::size_t size = count(most);
+    if (size > left()) good_ = false, size = 0;
     const std::string text(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(size));
     bytes_ = bytes_.subspan(size);
     return text;

@@ -2,9 +2,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 
 #include "engine/world.h"
 #include "tests/support/worlds.h"
@@ -13,7 +13,7 @@ namespace engine::misuse {
 
 using support::kStep;
 
-inline const double kNan = std::nan(""), kInf = kUnlimited;
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = kUnlimited;
 inline const Vec3 kNowhere(0, kNan, 0), kEndless(kInf, 0, 0);
 
 /// A floor, a box on it, a ball on a rope, and a force on the box.

@@ -267,5 +267,14 @@ TEST(Divergence, TellsBodiesThatCameAndWent) {
     EXPECT_EQ(verdict.lines[1], "body weight is new");
 }
 
+TEST(ByteReader, ATextHasNoMoreBytesThanFollowItsLength) {
+    const std::vector<std::uint8_t> bytes = {4, 'a'};  // a length of 2
+    ByteReader reader(bytes);
+    EXPECT_EQ(reader.text(10), "");
+    EXPECT_FALSE(reader.good());
+    EXPECT_EQ(reader.left(), 1u);
+    EXPECT_EQ(reader.whole(), 0);
+}
+
 }  // namespace
 }  // namespace demos::test
