@@ -14,6 +14,8 @@ namespace engine {
 namespace {
 
 constexpr int kNumbers = 1 << 30;  // no limit but that of a number
+constexpr double kTooLong = 1e6;   // s, of a step
+constexpr double kTooFast = 1e40;  // of speeds and accelerations: their powers are still finite
 constexpr double kOutside = 1e7;   // m: bodies are removed long before
 
 /// Sorted pairs of different bodies of the world.
@@ -23,6 +25,15 @@ bool arePairs(const Items& items, int bodies, PairOf pairOf) {
         const PairKey pair = pairOf(item);
         return pair.a >= 0 && pair.a < pair.b && pair.b < bodies;
     });
+}
+
+/// Whether a step visits every body that can move.
+bool areActive(const Bodies& bodies) {
+    for (int i = 0; i < bodies.count(); ++i)
+        if (bodies.present[i] && bodies.isDynamic(i) && bodies.isAwake(i) &&
+            !std::ranges::binary_search(bodies.active, i))
+            return false;
+    return true;
 }
 
 /// Whether all numbers of bodies are those of bodies.
@@ -36,7 +47,8 @@ bool isSound(const WorldState& s) {
     const auto ofItem = [](const auto& item) { return item.pair; };
     const int bounded = finder.broadPhase.bodyCount();
     const int moved = static_cast<int>(finder.moving.motions.size());
-    return arePairs(finder.contacts, count, pairOf) && arePairs(finder.asleep, count, pairOf) &&
+    return areActive(s.bodies) && arePairs(finder.contacts, count, pairOf) &&
+           arePairs(finder.asleep, count, pairOf) &&
            std::ranges::all_of(finder.contacts, moves, pairOf) && bounded <= count &&
            arePairs(finder.broadPhase.pairs(), bounded, isPair) &&
            std::ranges::all_of(finder.broadPhase.pairs(), moves) &&
@@ -66,6 +78,7 @@ void keep(Bytes& bytes, Load& load) {
 template <class Bytes>
 void keep(Bytes& bytes, Acceleration& a) {
     bytes(a.linear, a.angular);
+    bytes.require(a.linear.norm() < kTooFast && a.angular.norm() < kTooFast);
 }
 template <class Bytes>
 void keep(Bytes& bytes, WideVelocity& v) {
@@ -86,6 +99,8 @@ void keep(Bytes& bytes, JointId& id) {
 template <class Bytes>
 void keep(Bytes& bytes, Motion& m) {
     bytes(m.start, m.velocity, m.spin, m.reach, m.sweep, m.size);
+    bytes.require(m.start.position.norm() < kOutside && m.velocity.norm() < kTooFast &&
+                  m.spin.norm() < kTooFast);
 }
 template <class Bytes>
 void keep(Bytes& bytes, Sensed& sensed) {
@@ -101,6 +116,7 @@ template <class Bytes>
 void keep(Bytes& bytes, MovingPairs::Entry& entry) {
     Impact& impact = entry.impact;
     bytes(entry.pair, impact.meets, impact.time, impact.distance, impact.closing);
+    bytes.require(std::abs(impact.time) < kTooLong);
 }
 
 template <class Bytes>
@@ -170,8 +186,9 @@ void keep(Bytes& bytes, Bodies& b) {
     bytes.require(std::ranges::all_of(b.asleep, [&](int i) { return i == -1 || isBody(i); }));
     for (int i = 0; i < b.count() && bytes.isGood(); ++i)
         bytes.require(!b.present[i] ||
-                      (b.poses[i].position.allFinite() && b.velocities[i].linear.allFinite() &&
-                       b.velocities[i].angular.allFinite() &&
+                      (b.poses[i].position.norm() < kOutside &&
+                       b.velocities[i].linear.norm() < kTooFast &&
+                       b.velocities[i].angular.norm() < kTooFast &&
                        std::abs(b.poses[i].rotation.norm() - 1.0) < 1e-6));
 }
 

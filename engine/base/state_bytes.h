@@ -137,6 +137,7 @@ public:
             if constexpr (std::endian::native == std::endian::big)
                 std::reverse(raw.begin(), raw.end());
             value = std::bit_cast<Number>(raw);
+            if constexpr (std::is_floating_point_v<Number>) require(value == value);  // no NaN
         }
         left_ = left_.subspan(sizeof value);
     }

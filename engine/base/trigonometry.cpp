@@ -17,7 +17,8 @@ Reduced reduce(double x) {
     const double k = std::floor(x * (2.0 / kPi) + 0.5);
     const double r = ((x - k * kHigh) - k * kMiddle) - k * kLow;
     const double turns = std::floor(k / 4.0);
-    return {static_cast<int>(k - 4.0 * turns), r};
+    const double quadrant = k - 4.0 * turns;  // not a number for an x that is not finite
+    return {quadrant > 0.0 ? static_cast<int>(quadrant) : 0, r};
 }
 
 /// Taylor series; for |r| <= pi/4 the first omitted term is below 1e-18.

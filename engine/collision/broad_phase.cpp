@@ -52,11 +52,11 @@ void BroadPhase::update(const Bodies& bodies, double margin, double dt, Workers*
     else
         for (const int i : bodies.active)
             if (!bodies.isAsleep(i)) renew(bodies, i, margin, dt);
+    found_.resize(workers ? workers->count() : 1);
     if (moved_.empty()) return;
     awakeStale_ = true;
     forgetPairsOfMoved();
     const std::size_t before = pairs_.size();
-    found_.resize(workers ? workers->count() : 1);
     const auto look = [&](int first, int end, int part) {
         for (int k = first; k < end && found_[part].pairs.size() <= kMostPairs; ++k)
             if (const int i = moved_[k]; proxies_[i].leaf >= 0)
