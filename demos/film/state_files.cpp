@@ -76,13 +76,6 @@ std::uint64_t sealOf(std::span<const std::uint8_t> bytes) {
     return seal ^ (seal >> 32);
 }
 
-template <class Bytes>
-void keepWord(Bytes& bytes, std::string& text) {
-    std::vector<char> letters(text.begin(), text.end());
-    bytes(letters);
-    text.assign(letters.begin(), letters.end());
-}
-
 /// A file without the player's part, which follows.
 struct StateContent {
     StateKind kind;
@@ -91,13 +84,9 @@ struct StateContent {
 
     template <class Bytes>
     void keep(Bytes& bytes) {
-        keepWord(bytes, kind.version);
-        bytes(kind.build);
-        keepWord(bytes, kind.scene);
-        bytes(kind.settings, remembered.ghosts, remembered.stats, remembered.nudges);
-        bytes(remembered.ghostEvery);
-        keepWord(bytes, remembered.colorBy);
-        bytes(state.step);
+        bytes(kind.version, kind.build, kind.scene, kind.settings);
+        bytes(remembered.ghosts, remembered.stats, remembered.nudges, remembered.ghostEvery);
+        bytes(remembered.colorBy, state.step);
     }
 };
 

@@ -14,3 +14,16 @@ function make(tag, attributes = {}, ...children) {
 }
 
 const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+
+async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {  // a page from a file, in some browsers
+    const field = make("textarea", { readonly: true, style: "position:fixed;opacity:0" });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+  }
+}

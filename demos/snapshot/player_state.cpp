@@ -7,13 +7,6 @@ namespace demos {
 namespace {
 
 template <class Bytes>
-void keepText(Bytes& bytes, std::string& text) {
-    std::vector<char> letters(text.begin(), text.end());
-    bytes(letters);
-    text.assign(letters.begin(), letters.end());
-}
-
-template <class Bytes>
 void keepPlace(Bytes& bytes, std::optional<Vec3>& place) {
     bool known = place.has_value();
     Vec3 at = place.value_or(Vec3::Zero());
@@ -52,9 +45,7 @@ void keepIncidents(Bytes& bytes, std::vector<PlayedIncident>& incidents) {
         if constexpr (Bytes::kReads) incidents.emplace_back();
         PlayedIncident& incident = incidents[i];
         bytes.within(incident.trouble, 0, static_cast<int>(engine::Trouble::tooManyContacts));
-        keepText(bytes, incident.body);
-        bytes(incident.step);
-        keepText(bytes, incident.line);
+        bytes(incident.body, incident.step, incident.line);
     }
 }
 

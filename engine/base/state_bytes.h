@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -62,6 +63,11 @@ private:
             value.keep(own());
         else
             keep(own(), value);
+    }
+    void one(std::string& text) {
+        std::vector<char> letters(text.begin(), text.end());
+        own().list(letters);
+        text.assign(letters.begin(), letters.end());
     }
     template <class Item, std::size_t kCount>
     void one(std::array<Item, kCount>& items) {

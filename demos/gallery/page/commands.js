@@ -15,19 +15,6 @@ function commandsOf(scene) {
   ];
 }
 
-async function copyText(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {  // a page from a file, in some browsers
-    const field = make("textarea", { readonly: true, style: "position:fixed;opacity:0" });
-    field.value = text;
-    document.body.append(field);
-    field.select();
-    document.execCommand("copy");
-    field.remove();
-  }
-}
-
 let toldUntil = 0;
 
 function tell(text) {

@@ -14,17 +14,8 @@ function tell(text) {
   toldUntil = setTimeout(() => byId("told").classList.remove("shown"), 1600);
 }
 
-async function copyText(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {  // a page from a file, in some browsers
-    const field = make("textarea", { readonly: true, style: "position:fixed;opacity:0" });
-    field.value = text;
-    document.body.append(field);
-    field.select();
-    document.execCommand("copy");
-    field.remove();
-  }
+async function copy(text) {
+  await copyText(text);
   tell("Copied");
 }
 
@@ -33,7 +24,7 @@ function addCopyButtons() {
     const around = make("div", { class: "block" });
     block.replaceWith(around);
     around.append(block, make("button", {
-      class: "copy", type: "button", onclick: () => copyText(block.textContent.replace(/\n$/, "")),
+      class: "copy", type: "button", onclick: () => copy(block.textContent.replace(/\n$/, "")),
     }, "copy"));
   }
 }
