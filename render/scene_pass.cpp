@@ -70,8 +70,9 @@ void blendOver(const Look& look) {
                         look.transparent ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
 }
 
-/// The macros of a material's program.
-std::string patternOf(Material material) {
+/// The macros of a material's program. With light at the corners only, materials have no patterns.
+std::string patternOf(Material material, bool corners) {
+    if (corners) return material == Material::glass ? " SEEN_THROUGH" : "";
     if (material == Material::plastic) return "";
     std::string name(valuesOf(material).name);
     for (char& letter : name) letter = static_cast<char>(letter - 'a' + 'A');
@@ -218,7 +219,7 @@ void ScenePass::read(const PixelRect& part, SurfaceMap& map) const {
 
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material material) {
     std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
-    if (!scene.lights.corners) features += patternOf(material);
+    features += patternOf(material, scene.lights.corners);
     const float perGrain = 1.0f / scene.frame.look.grain;
     const auto program = [&](const char* vertex, const char* fragment, const std::string& more) {
         const GLuint name = lit(vertex, fragment, more, scene);

@@ -144,6 +144,7 @@ private:
                   {"frames", frames_.size()},
                   {"aspect", shortOf(r.aspect)},
                   {"viewHeight", shortOf(r.viewHeight)},
+                  {"gridReach", shortOf(static_cast<double>(r.look.gridReach))},
                   {"thinnest", shortOf(r.thinnest)},
                   {"look", jsonOf(r.look)},
                   {"dark", jsonOf(darkLook())},

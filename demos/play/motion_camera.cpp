@@ -111,8 +111,16 @@ void addRun(const SceneDescription& scene, std::size_t scenes, Motion& motion) {
     }
 }
 
+/// What half of the bodies never exceed; 0 without bodies.
+double usualOf(const std::map<int, double>& farthest) {
+    std::vector<double> distances;
+    for (const auto& [body, far] : farthest) distances.push_back(far);
+    return distances.empty() ? 0.0 : smallest(distances, distances.size() / 2);
+}
+
 /// Bodies that have left count while they are near the others: within kAway times the distance from
 /// the middle that half of the bodies never exceed; of two bodies none is the one that has left.
+/// Where only few bodies move, they are what the picture is about: half of their starts are near.
 void dropFar(Motion& motion) {
     const std::vector<Sample>& all = motion.moving;
     const Vec3 middle =
@@ -120,12 +128,15 @@ void dropFar(Motion& motion) {
     const auto distance = [&](const Sample& sample) {
         return (sample.pose.position - middle).norm() + engine::reachOf(sample.shape());
     };
-    std::map<int, double> farthest;
-    for (const Sample& sample : all)
+    std::map<int, double> farthest, started;
+    std::map<int, Vec3> starts;
+    for (const Sample& sample : all) {
         farthest[sample.number] = std::max(farthest[sample.number], distance(sample));
-    std::vector<double> distances;
-    for (const auto& [body, far] : farthest) distances.push_back(far);
-    const double usual = smallest(distances, distances.size() / 2);
+        const Vec3 start = starts.try_emplace(sample.number, sample.pose.position).first->second;
+        if ((sample.pose.position - start).norm() > engine::reachOf(sample.shape()))
+            started.try_emplace(sample.number, (start - middle).norm());
+    }
+    const double usual = std::max(usualOf(farthest), usualOf(started));
     std::erase_if(motion.moving, [&](const Sample& sample) {
         return distance(sample) > (sample.first ? kAwayAtStart : kAway) * usual;
     });

@@ -27,7 +27,7 @@ void main() {
     color *= 1.0 - lineStrength * lineCover(inner);
 #endif
 #ifdef LIT_CORNERS
-    result = vec4(color, 1.0);
+    result = vec4(color, kCornerAlpha);
 #else
 #ifdef EDGES
     // A rounded edge: the normal leans outwards near the edge.

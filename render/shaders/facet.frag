@@ -26,7 +26,7 @@ void main() {
     color *= 1.0 - lineStrength * lineCover();
 #endif
 #ifdef LIT_CORNERS
-    result = vec4(color, 1.0);
+    result = vec4(color, kCornerAlpha);
 #else
 #ifdef EDGES
     // A rounded edge, as on a box.

@@ -1,6 +1,13 @@
 // The materials of bodies: one program each, chosen by a macro; without one, plastic.
 #include "light.glsl"
 
+// Of a body whose light is that of its corners: in drafts glass has no reflections.
+#ifdef SEEN_THROUGH
+const float kCornerAlpha = 0.4;
+#else
+const float kCornerAlpha = 1.0;
+#endif
+
 // The cosine between the normal and the middle of eye and sun, to the 16th.
 float gloss16(vec3 normal, vec3 toEye) {
     float g = max(dot(normal, normalize(toEye + toSun)), 0.0);

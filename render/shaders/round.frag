@@ -13,7 +13,7 @@ layout(location = 1) out int seen;
 void main() {
     seen = surface;
 #ifdef LIT_CORNERS
-    result = vec4(tint, 1.0);
+    result = vec4(tint, kCornerAlpha);
 #else
     result = shaded(tint, world, normalize(worldNormal), 1.0, surface);
 #endif

@@ -168,6 +168,14 @@ TEST_F(ReplayInBrowser, BodiesThrowShadows) {
     EXPECT_LT(std::abs(light[0] - light[2]), 25);
 }
 
+/// A strong line is 5 m to the right of the point that the camera looks at.
+TEST_F(ReplayInBrowser, TheGridFadesAwayFromTheSubject) {
+    const Vec3 onLine(5, -1, -2);
+    const int dark = colorOf(open("t=0", still()), onLine)[0];
+    recording_.look.gridReach = 0.5f;
+    EXPECT_GT(colorOf(open("t=0", still()), onLine)[0], dark + 10);
+}
+
 TEST_F(ReplayInBrowser, ArrowsAndDotsComeByLinkAndByKey) {
     const Opened without = open("t=1&show=", still());
     const Opened with = open("t=1&show=contacts,impulses", still());

@@ -129,6 +129,17 @@ TEST(Material, DraftsShowTheColourAlone) {
     EXPECT_LT(frontOf(renderer.draw(boxOf(Material::stone)), 0).deviation, 3.0);
 }
 
+TEST(Material, GlassIsSeenThroughInDraftsToo) {
+    Renderer renderer(small(Finish::draft));
+    Frame glass = boxOf(Material::glass);
+    const double clear = frontOf(renderer.draw(glass), 0).mean;
+    Solid wall = boxOf(Material::paper).solids[0];
+    wall.position.z() = -3.0f;
+    wall.color = {0.0f, 0.0f, 0.0f, 1.0f};
+    glass.solids.push_back(wall);
+    EXPECT_LT(frontOf(renderer.draw(glass), 0).mean, clear - 30.0);  // the black wall is seen
+}
+
 TEST(Material, ValuesAreThoseOfTheEnum) {
     EXPECT_EQ(valuesOf(Material::glass).name, "glass");
     EXPECT_EQ(valuesOf(Material::wood).name, "wood");

@@ -25,13 +25,14 @@ function programOf(vertex, fragment) {
   return { program, places };
 }
 
-/// Sets numbers, vectors of three and matrices by uniform name; skips names that the program lacks.
+/// Sets numbers, vectors of two or three and matrices by uniform name; skips names that the program lacks.
 function use({ program, places }, uniforms) {
   gl.useProgram(program);
   for (const [name, value] of Object.entries(uniforms)) {
     const place = places[name];
     if (place === undefined) continue;
     if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
+    else if (value.length === 2) gl.uniform2fv(place, value);
     else if (value.length === 3) gl.uniform3fv(place, value);
     else if (name === "shadowMap") gl.uniform1i(place, value);
     else gl.uniform1f(place, value);

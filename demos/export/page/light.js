@@ -82,16 +82,23 @@ function lineColor([r, g, b]) {
   return linear(r < 0.4 ? [0.42, 0.44, 0.47] : [0.50 * r, 0.51 * g, 0.54 * b]);
 }
 
+/// 1 / m: as in the pictures; from farther off one sees more of the grid. 0: it does not fade.
+function perReach(sight) {
+  const tall = 2 * sight.tangent * sight.distance;
+  return data.gridReach > 0 ? 1 / (data.gridReach * Math.max(1, tall / data.viewHeight)) : 0;
+}
+
 function drawGround(ground, sight, light) {
   const { normal, offset } = ground, look = lookNow();
   if (dot(sight.eye, normal) <= offset) return;  // visible from its front only
   const acrossIt = Math.abs(normal[0]) < 0.9 ? unit(minus([1, 0, 0], times(normal[0], normal))) : across(normal);
   const middle = plus(sight.at, times(offset - dot(sight.at, normal), normal));
-  const decade = Math.floor(Math.log10(sight.distance / 6));
+  const decade = Math.floor(Math.log10(sight.distance / 6)), alongIt = cross(normal, acrossIt);
   use(programs.ground, {
-    ...light, normal, across: acrossIt, along: cross(normal, acrossIt), middle, reach: 120 * Math.max(sight.distance, 4),
+    ...light, normal, across: acrossIt, along: alongIt, middle, reach: 120 * Math.max(sight.distance, 4),
     groundColor: linear(look.ground), lineColor: lineColor(look.ground), lineStrength: look.lines,
-    perCell: 1 / Math.max(10 ** decade, 0.1),
+    perCell: 1 / Math.max(10 ** decade, 0.1), subject: [dot(acrossIt, sight.at), dot(alongIt, sight.at)],
+    perReach: perReach(sight),
   });
   gl.bindVertexArray(nothing);
   gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);

@@ -132,6 +132,8 @@ in vec3 world;
 in vec2 grid;                         // m
 uniform vec3 normal, groundColor, lineColor;
 uniform float perCell, lineStrength;  // 1 / m between thin lines; five of them make a strong one
+uniform vec2 subject;                 // m, on the plane: the grid fades away from it
+uniform float perReach;               // 1 / m
 
 float lines() {
   vec2 at = grid * perCell, number = floor(at + 0.5), pixel = max(fwidth(at), vec2(1e-6));
@@ -139,7 +141,9 @@ float lines() {
   vec2 width = mix(vec2(1.1), vec2(2.4), strong) * lineStrength;
   vec2 cover = clamp(width * 0.5 + 0.5 - abs(at - number) / pixel, 0.0, 1.0);
   cover *= clamp(1.6 - mix(vec2(20.0), vec2(4.0), strong) * pixel, 0.0, 1.0) * mix(vec2(0.22), vec2(0.62), strong);
-  return max(cover.x, cover.y);
+  vec2 away = (grid - subject) * perReach;
+  float near = 1.0 / (1.0 + dot(away, away));
+  return max(cover.x, cover.y) * near * near;
 }
 void main() {
   vec3 light = ambient(normal) + sunLight * max(dot(normal, toSun), 0.0) * sunlit(world, normal);

@@ -253,7 +253,10 @@ TEST(ReplayPage, OfEqualContactsAsManyStayAsAreTold) {
 TEST(ReplayPage, HasTheLookOfTheRun) {
     Recording recording = plantedRecording(1, 2, 0);
     recording.look.ground = {0.25f, 0.5f, 0.75f, 1.0f};
-    EXPECT_EQ(dataOf(replayPage(recording).html)["look"]["ground"], (Json{0.25, 0.5, 0.75, 1.0}));
+    recording.look.gridReach = 2.5f;
+    const Json data = dataOf(replayPage(recording).html);
+    EXPECT_EQ(data["look"]["ground"], (Json{0.25, 0.5, 0.75, 1.0}));
+    EXPECT_EQ(data["gridReach"], 2.5);
 }
 
 TEST(ReplayPage, NothingIsThinnedBelowTwoFrames) {

@@ -74,6 +74,13 @@ TEST(MotionCamera, OfTwoBodiesFarApartBothAreSeen) {
     for (const std::size_t body : {1u, 2u}) EXPECT_LE(filled(scene, body), 0.75);
 }
 
+TEST(MotionCamera, TheOnlyBodyThatMovesIsSeen) {
+    std::string scene = "seconds = 1\n" + kFloor + ball("comes", 0.2, "[-9, 0.2, 0]", "[8, 0, 0]");
+    for (int i = 0; i < 5; ++i)
+        scene += ball("b" + std::to_string(i), 0.2, "[" + std::to_string(0.5 * i) + ", 0.2, 0]");
+    EXPECT_LE(filled(framed(read(scene)), 1), 0.75);
+}
+
 TEST(MotionCamera, FixedSceneryCountsOnlyIfItIsNotLarge) {
     const std::string bob = ball("bob", 0.1, "[0, 1, 0]");
     const auto box = [](const char* name, const char* size) {
