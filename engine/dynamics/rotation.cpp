@@ -105,8 +105,12 @@ Quat turnedBy(const Vec3& turn, const Quat& q) {
     const double x2 = half.squaredNorm();
     double cosineOfHalf, sineOverHalf;
     if (!(x2 >= 1e-2 && x2 < 1e200)) {  // omitted terms are below 1e-16; or NaN
-        sineOverHalf = 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0)));
-        cosineOfHalf = 1.0 - x2 / 2.0 * (1.0 - x2 / 12.0 * (1.0 - x2 / 30.0 * (1.0 - x2 / 56.0)));
+        // 1 - x^2 / 6 (1 - x^2 / 20 (1 - ...)) and 1 - x^2 / 2 (1 - x^2 / 12 (1 - ...)) side by side
+        constexpr double kDivisors[4][2] = {{72.0, 56.0}, {42.0, 30.0}, {20.0, 12.0}, {6.0, 2.0}};
+        double sums[2] = {1.0, 1.0};
+        for (const double (&divisors)[2] : kDivisors)
+            for (int i = 0; i < 2; ++i) sums[i] = 1.0 - x2 / divisors[i] * sums[i];
+        sineOverHalf = sums[0], cosineOfHalf = sums[1];
     } else {
         const double x = std::sqrt(x2);
         sineOverHalf = sine(x) / x;

@@ -226,18 +226,18 @@ void TreePart<N>::keepStart(std::span<const Velocity> v) {
 }
 
 template <int N>
-void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies) {
+void TreePart<N>::keepEnd(std::span<const Pose> poses) {
+    for (const int number : whole_)
+        for (int i = trees_[number].firstMember; i < trees_[number].endMember; ++i)
+            members_[i].end = poses[members_[i].body].rotation;
+}
+
+template <int N>
+void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge) {
     const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
     tree.gain = share > 0.0 ? share / nudge.h : 0.0;
     tree.anew = share == 1.0;
     if (nudge.pushed) tree.before = -1.0;
-    if (!tree.anew) return;
-    for (int i = tree.firstMember; i < tree.endMember; ++i) {
-        Member& member = members_[i];
-        member.end = member.start;
-        Vec3 spin = member.spin;
-        turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
-    }
 }
 
 template <int N>
@@ -270,7 +270,7 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
     for (const int number : here_) {
         Tree& tree = trees_[number];
         evaluateErrors(tree, joints, bodies.poses);
-        chooseGain(tree, nudge, bodies);
+        chooseGain(tree, nudge);
         for (int k = tree.first; k < tree.end; ++k) fed_[k].setZero();
         nudgeOnce(tree, nudge, bodies);
         for (int i = 1; i < kMostNudges; ++i) {

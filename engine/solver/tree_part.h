@@ -37,8 +37,10 @@ public:
     /// Solves J v + biasRate C = 0 in these trees.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
-    /// Stores the velocities with which the bodies will move from the poses of place().
+    /// Stores the velocities with which the bodies will move from the poses of place(), and, after they have
+    /// moved, the rotations to which these lead: whole trees start from them when they move again.
     void keepStart(std::span<const Velocity> v);
+    void keepEnd(std::span<const Pose> poses);
     /// Solves C = 0 to first order. Whole trees with feedback are solved to round-off, by repeating the
     /// motion from the start with another velocity, which becomes v.
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
@@ -113,7 +115,7 @@ private:
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
-    void chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies);
+    static void chooseGain(Tree& tree, const TreeNudge& nudge);
     /// One Newton step.
     void nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     /// Whether another step helps. Undoes the feedback of a tree where Newton's method does not converge: its
