@@ -100,6 +100,7 @@ private:
         int body = -1;
         Quat start = Quat::Identity();  // of the sub-step, and its end with the spin
         Quat end = Quat::Identity();
+        Quat before = Quat::Identity(); // the end before this nudge
         Velocity kept = {};             // at the start, before any feedback
         Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
@@ -123,7 +124,9 @@ private:
     bool goesOn(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     void takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     void move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies);
-    void moveAnew(Member& member, const Vec3& turn, const TreeNudge& nudge, Bodies& bodies) const;
+    /// Turns the bodies of a tree that moves anew as their ends have turned; contacts may have nudged them
+    /// too.
+    void turnToEnd(const Tree& tree, Bodies& bodies) const;
 
     std::vector<TreeJoint<N>> joints_;  // one tree after the other, each in order of elimination
     BlockFactors<N> factors_;
