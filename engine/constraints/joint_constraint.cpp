@@ -69,6 +69,24 @@ JointGeometry usualGeometry(const Joint& joint, const Pose& a, const Pose& b) {
     return g;
 }
 
+/// Only what angles between the axes of a and b need.
+JointGeometry turnGeometry(const Joint& joint, const Pose& a, const Pose& b) {
+    JointGeometry g;
+    g.axisA = a.rotation * joint.axisA;
+    g.axis2B = b.rotation * joint.axis2B;
+    g.turnA = a.rotation;
+    g.turnB = b.rotation;
+    g.turnAtStart = joint.turnAtStart;
+    g.near = joint.position;
+    return g;
+}
+
+/// Only angles between the axes of a and b are free.
+bool onlyTurns(JointType type) {
+    return type == JointType::ball || type == JointType::hinge || type == JointType::axis ||
+           type == JointType::constantVelocity;
+}
+
 }  // namespace
 
 JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b) {
@@ -133,9 +151,10 @@ JointRows rowsOf(JointType type, const JointGeometry& geometry) {
 }
 
 JointRows coordinatesOf(const Joint& joint, const Pose& a, const Pose& b) {
-    JointGeometry g = usualGeometry(joint, a, b);
-    addMore(joint, a, b, g);
     JointRows free;
+    const bool turns = onlyTurns(joint.def.type);
+    JointGeometry g = turns ? turnGeometry(joint, a, b) : usualGeometry(joint, a, b);
+    if (!turns) addMore(joint, a, b, g);
     switch (joint.def.type) {
         case JointType::ball: addBallCoordinates(g, free); break;
         case JointType::distance: addDistanceCoordinate(g, free); break;

@@ -24,15 +24,38 @@ void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotat
         rotation = turnedBy(h * spin, rotation);
 }
 
+void FreeTurns::add(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
+    if (gyroscope_ != Gyroscope::momentum || !(mass.mass > 0.0))
+        return turnFreely(mass, gyroscope_, h, rotation, spin);
+    const Turn turn{&mass, h, &rotation, &spin};
+    Turn& waiting = waiting_[kindOfTurn(mass)];
+    if (waiting.mass == nullptr) {
+        waiting = turn;
+        return;
+    }
+    turnTwo(waiting, turn);
+    waiting = {};
+}
+
+void FreeTurns::finish() {
+    for (Turn& turn : waiting_) {
+        if (turn.mass == nullptr) continue;
+        turnKeepingMomentum(*turn.mass, turn.h, *turn.rotation, *turn.spin);
+        turn = {};
+    }
+}
+
 void integratePositions(Bodies& bodies, Gyroscope gyroscope) {
+    FreeTurns turns(gyroscope);
     for (const int i : bodies.active) {
         if (!bodies.isGoing(i)) continue;
         const double h = bodies.spans[i];
         Velocity& v = bodies.velocities[i];
         Pose& pose = bodies.poses[i];
         pose.position += h * v.linear;
-        turnFreely(bodies.masses[i], gyroscope, h, pose.rotation, v.angular);
+        turns.add(bodies.masses[i], h, pose.rotation, v.angular);
     }
+    turns.finish();
 }
 
 }  // namespace engine

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/trigonometry.h"
+#include "engine/base/two.h"
 
 namespace engine {
 namespace {
@@ -14,108 +15,220 @@ constexpr int kMostCuts = 40;        // halvings of the time
 constexpr int kMostParts = 4096;     // of a step, for extremely fast bodies
 
 /// w = R I^-1 R^T L
-Vec3 spinOf(const Vec3& momentum, const BodyMass& mass, const Quat& rotation) {
-    return rotation * Vec3(mass.inverseInertia * Vec3(rotation.conjugate() * momentum));
+template <class Real>
+Vec3Of<Real> spinOf(const Vec3Of<Real>& momentum, const Mat3Of<Real>& inverseInertia,
+                    const QuatOf<Real>& rotation) {
+    return rotation * Vec3Of<Real>(inverseInertia * Vec3Of<Real>(rotation.conjugate() * momentum));
 }
 
-/// The rotation as a power series in the elapsed share of h.
-class FreeTurn {
+/// L = R I R^T w
+template <class Real>
+Vec3Of<Real> momentumOf(const Vec3Of<Real>& spin, const Mat3Of<Real>& inertia,
+                        const QuatOf<Real>& rotation) {
+    return rotation * Vec3Of<Real>(inertia * Vec3Of<Real>(rotation.conjugate() * spin));
+}
+
+/// The terms of the power series in the elapsed share of h.
+template <class Real>
+class FreeTerms {
 public:
-    /// Computes as many terms as are needed up to `share`.
-    FreeTurn(const BodyMass& mass, double h, const Vec3& momentum, const Quat& rotation,
-             double share)
-        : share_(share) {
+    FreeTerms(const Mat3Of<Real>& inverseInertia, const Real& h, const Vec3Of<Real>& momentum,
+              const QuatOf<Real>& rotation)
+        : inverseInertia_(inverseInertia), h_(h) {
         m_[0] = rotation.conjugate() * momentum;
-        w_[0] = h * (mass.inverseInertia * m_[0]);
+        w_[0] = h_ * (inverseInertia_ * m_[0]);
         s_[0] = rotation.w(), v_[0] = rotation.vec();
-        double before = 1.0, power = 1.0;
-        while (terms_ < kMostTerms) {
-            addTerm();
-            m_[terms_] *= 1.0 / terms_;
-            w_[terms_] = h * (mass.inverseInertia * m_[terms_]);
-            power *= share;
-            const double size = power * sizeOf(terms_);
-            if (size * size <= kSmallest * before) return;  // so is the next term
-            before = size;
-        }
-        cut();
     }
 
-    /// How far the series is accurate: `share`, or less.
-    double share() const { return share_; }
+    int count() const { return terms_; }
+    /// The length of a term's quaternion.
+    Real sizeOf(int k) const {
+        using std::sqrt;
+        return sqrt(s_[k] * s_[k] + v_[k].squaredNorm());
+    }
 
-    Quat atEnd() const {
-        double s = s_[terms_];
-        Vec3 v = v_[terms_];
-        for (int k = terms_ - 1; k >= 0; --k) s = s * share_ + s_[k], v = v * share_ + v_[k];
+    void add() {
+        const int k = terms_++;
+        Vec3Of<Real> m = Vec3Of<Real>::Zero(), v = Vec3Of<Real>::Zero();
+        Real s = 0.0;
+        for (int j = 0; j <= k; ++j) {
+            const Vec3Of<Real>& w = w_[k - j];
+            m += m_[j].cross(w);
+            s -= v_[j].dot(w);
+            v += s_[j] * w + v_[j].cross(w);
+        }
+        s_[terms_] = Real(0.5 / terms_) * s, v_[terms_] = Real(0.5 / terms_) * v;
+        m_[terms_] = Real(1.0 / terms_) * m;
+        w_[terms_] = h_ * (inverseInertia_ * m_[terms_]);
+    }
+
+    /// The rotation of one body after this share, from the first `terms` terms.
+    Quat sum(int terms, double share, int body) const {
+        double s = partOf(s_[terms], body);
+        Vec3 v = partOf(v_[terms], body);
+        for (int k = terms - 1; k >= 0; --k)
+            s = s * share + partOf(s_[k], body), v = v * share + partOf(v_[k], body);
         Quat q(s, v.x(), v.y(), v.z());
         q.normalize();
         return q;
     }
 
 private:
-    double sizeOf(int k) const { return std::sqrt(s_[k] * s_[k] + v_[k].squaredNorm()); }
-
-    void addTerm() {
-        const int k = terms_++;
-        Vec3 m = Vec3::Zero(), v = Vec3::Zero();
-        double s = 0.0;
-        for (int j = 0; j <= k; ++j) {
-            const Vec3& w = w_[k - j];
-            m += m_[j].cross(w);
-            s -= v_[j].dot(w);
-            v += s_[j] * w + v_[j].cross(w);
-        }
-        m_[terms_] = m;
-        s_[terms_] = 0.5 / terms_ * s, v_[terms_] = 0.5 / terms_ * v;
-    }
-
-    /// Halves the time until the last two terms are negligible.
-    void cut() {
-        const double last = sizeOf(terms_), before = sizeOf(terms_ - 1);
-        for (int i = 0; i < kMostCuts; ++i) {
-            share_ *= 0.5;
-            double power = 1.0;
-            for (int k = 1; k < terms_; ++k) power *= share_;
-            if (power * (before + share_ * last) <= kSmallest) return;
-        }
-    }
-
-    std::array<Vec3, kMostTerms + 1> m_, w_, v_;  // of M, h W and q = (s, v)
-    std::array<double, kMostTerms + 1> s_;
+    std::array<Vec3Of<Real>, kMostTerms + 1> m_, w_, v_;  // of M, h W and q = (s, v)
+    std::array<Real, kMostTerms + 1> s_;
+    Mat3Of<Real> inverseInertia_;
+    Real h_;
     int terms_ = 0;
-    double share_;
 };
 
-void turnTop(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
-    const Vec3 axis = Vec3::Unit(mass.topAxis);
-    const double about = mass.inertia(mass.topAxis, mass.topAxis);
+/// Halves the share until the last two terms are negligible.
+double shortened(const FreeTerms<double>& terms, double share) {
+    const int last = terms.count();
+    for (int i = 0; i < kMostCuts; ++i) {
+        share *= 0.5;
+        double power = 1.0;
+        for (int k = 1; k < last; ++k) power *= share;
+        if (power * (terms.sizeOf(last - 1) + share * terms.sizeOf(last)) <= kSmallest) break;
+    }
+    return share;
+}
+
+/// Turns by as much as the series is accurate for, up to `share`; returns how much.
+double turnBy(double share, const BodyMass& mass, double h, const Vec3& momentum, Quat& rotation) {
+    FreeTerms<double> terms(mass.inverseInertia, h, momentum, rotation);
+    double before = 1.0, power = 1.0;
+    bool enough = false;
+    while (terms.count() < kMostTerms && !enough) {
+        terms.add();
+        power *= share;
+        const double size = power * terms.sizeOf(terms.count());
+        enough = size * size <= kSmallest * before;  // so is the next term
+        before = size;
+    }
+    if (!enough) share = shortened(terms, share);
+    rotation = terms.sum(terms.count(), share, 0);
+    return share;
+}
+
+void turnAnyBody(const Turn& t) {
+    const Vec3 momentum = momentumOf<double>(*t.spin, t.mass->inertia, *t.rotation);
+    if (!momentum.allFinite()) return;  // the step will be undone
+    double left = 1.0;
+    for (int part = 0; left > 0.0 && part < kMostParts; ++part)
+        left -= turnBy(left, *t.mass, t.h, momentum, *t.rotation);
+    *t.spin = spinOf<double>(momentum, t.mass->inverseInertia, *t.rotation);
+}
+
+/// The same for two; false if one of them needs more than one part.
+bool turnAnyBodies(const Turn& a, const Turn& b) {
+    const QuatOf<Two> rotation = sideBySide(*a.rotation, *b.rotation);
+    const Vec3Of<Two> momentum = momentumOf<Two>(sideBySide(*a.spin, *b.spin),
+                                                 sideBySide(a.mass->inertia, b.mass->inertia), rotation);
+    if (!partOf(momentum, 0).allFinite() || !partOf(momentum, 1).allFinite()) return false;
+    const Mat3Of<Two> inverse = sideBySide(a.mass->inverseInertia, b.mass->inverseInertia);
+    FreeTerms<Two> terms(inverse, Two(a.h, b.h), momentum, rotation);
+    double before[2] = {1.0, 1.0};
+    int enough[2] = {0, 0};
+    while (enough[0] == 0 || enough[1] == 0) {
+        if (terms.count() == kMostTerms) return false;
+        terms.add();
+        const Two size = terms.sizeOf(terms.count());
+        for (int i = 0; i < 2; ++i) {
+            if (enough[i] == 0 && size[i] * size[i] <= kSmallest * before[i])
+                enough[i] = terms.count();
+            before[i] = size[i];
+        }
+    }
+    *a.rotation = terms.sum(enough[0], 1.0, 0);
+    *b.rotation = terms.sum(enough[1], 1.0, 1);
+    const Vec3Of<Two> spin = spinOf<Two>(momentum, inverse, sideBySide(*a.rotation, *b.rotation));
+    *a.spin = partOf(spin, 0), *b.spin = partOf(spin, 1);
+    return true;
+}
+
+/// (c, s turn / 2) q / |...|, with c = cos(x), s = sin(x) / x, x = |turn| / 2
+template <class Real>
+QuatOf<Real> turnedAlong(const Real& c, const Real& s, const Vec3Of<Real>& half,
+                      const QuatOf<Real>& q) {
+    const Vec3Of<Real> v = s * half;
+    QuatOf<Real> turned = QuatOf<Real>(c, v.x(), v.y(), v.z()) * q;
+    turned.normalize();
+    return turned;
+}
+
+constexpr double kSeries = 1e-2;  // x^2: below, the omitted terms are smaller than 1e-16
+
+template <class Real>
+QuatOf<Real> turnedALittle(const Vec3Of<Real>& half, const Real& x2, const QuatOf<Real>& q) {
+    // 1 - x^2 / 6 (1 - x^2 / 20 (1 - ...)) and 1 - x^2 / 2 (1 - x^2 / 12 (1 - ...)) side by side
+    constexpr double kDivisors[4][2] = {{72.0, 56.0}, {42.0, 30.0}, {20.0, 12.0}, {6.0, 2.0}};
+    Real sums[2] = {1.0, 1.0};
+    for (const double (&divisors)[2] : kDivisors)
+        for (int i = 0; i < 2; ++i) sums[i] = Real(1.0) - x2 / Real(divisors[i]) * sums[i];
+    return turnedAlong<Real>(sums[1], sums[0], half, q);
+}
+
+Quat turned(const Vec3& turn, const Quat& q) { return turnedBy(turn, q); }
+
+QuatOf<Two> turned(const Vec3Of<Two>& turn, const QuatOf<Two>& q) {
+    const Vec3Of<Two> half = Two(0.5) * turn;
+    const Two x2 = half.squaredNorm();
+    if (x2[0] < kSeries && x2[1] < kSeries) return turnedALittle<Two>(half, x2, q);
+    return sideBySide(turned(partOf(turn, 0), partOf(q, 0)), turned(partOf(turn, 1), partOf(q, 1)));
+}
+
+Vec3 topAxisOf(const BodyMass& mass) { return Vec3::Unit(mass.topAxis); }
+/// 1 - c / a
+double topFactorOf(const BodyMass& mass) {
     const int other = (mass.topAxis + 1) % 3;
-    const Vec3 before = rotation * axis;
-    const double own = (1.0 - about / mass.inertia(other, other)) * before.dot(spin);
-    const Vec3 precession = spin - own * before;
-    rotation = turnedBy(h * precession, turnedBy(h * own * before, rotation));
+    return 1.0 - mass.inertia(mass.topAxis, mass.topAxis) / mass.inertia(other, other);
+}
+
+template <class Real>
+void turnTop(const Vec3Of<Real>& axis, const Real& factor, const Real& h, QuatOf<Real>& rotation,
+             Vec3Of<Real>& spin) {
+    const Vec3Of<Real> before = rotation * axis;
+    const Real own = factor * before.dot(spin);
+    const Vec3Of<Real> precession = spin - own * before;
+    rotation = turned(Vec3Of<Real>(h * precession),
+                      turned(Vec3Of<Real>(h * own * before), rotation));
     spin = precession + own * (rotation * axis);
+}
+
+void turnOne(const Turn& t) {
+    if (t.mass->isRound)  // L and w are parallel: w is constant
+        *t.rotation = turnedBy(Vec3(t.h * *t.spin), *t.rotation);
+    else if (t.mass->topAxis >= 0)
+        turnTop<double>(topAxisOf(*t.mass), topFactorOf(*t.mass), t.h, *t.rotation, *t.spin);
+    else
+        turnAnyBody(t);
 }
 
 }  // namespace
 
+void turnTwo(const Turn& a, const Turn& b) {
+    if (!a.mass->isRound && a.mass->topAxis < 0) {
+        if (!turnAnyBodies(a, b)) turnOne(a), turnOne(b);
+        return;
+    }
+    const Two h(a.h, b.h);
+    QuatOf<Two> rotation = sideBySide(*a.rotation, *b.rotation);
+    Vec3Of<Two> spin = sideBySide(*a.spin, *b.spin);
+    if (a.mass->isRound)
+        rotation = turned(Vec3Of<Two>(h * spin), rotation);
+    else
+        turnTop<Two>(sideBySide(topAxisOf(*a.mass), topAxisOf(*b.mass)),
+                     Two(topFactorOf(*a.mass), topFactorOf(*b.mass)), h, rotation, spin);
+    *a.rotation = partOf(rotation, 0), *b.rotation = partOf(rotation, 1);
+    *a.spin = partOf(spin, 0), *b.spin = partOf(spin, 1);
+}
+
 Quat turnedBy(const Vec3& turn, const Quat& q) {
     const Vec3 half = 0.5 * turn;
     const double x2 = half.squaredNorm();
-    double cosineOfHalf, sineOverHalf;
-    if (!(x2 >= 1e-2 && x2 < 1e200)) {  // omitted terms are below 1e-16; or NaN
-        sineOverHalf = 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0)));
-        cosineOfHalf = 1.0 - x2 / 2.0 * (1.0 - x2 / 12.0 * (1.0 - x2 / 30.0 * (1.0 - x2 / 56.0)));
-    } else {
-        const double x = std::sqrt(x2);
-        sineOverHalf = sine(x) / x;
-        cosineOfHalf = cosine(x);
-    }
-    const Vec3 v = sineOverHalf * half;
-    Quat turned = Quat(cosineOfHalf, v.x(), v.y(), v.z()) * q;
-    turned.normalize();
-    return turned;
+    if (!(x2 >= kSeries && x2 < 1e200)) return turnedALittle<double>(half, x2, q);  // or NaN
+    const double x = std::sqrt(x2);
+    return turnedAlong<double>(cosine(x), sine(x) / x, half, q);
 }
 
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,
@@ -130,20 +243,7 @@ Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const
 }
 
 void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
-    if (mass.isRound) {  // L and w are parallel: w is constant
-        rotation = turnedBy(h * spin, rotation);
-        return;
-    }
-    if (mass.topAxis >= 0) return turnTop(mass, h, rotation, spin);
-    const Vec3 momentum = rotation * Vec3(mass.inertia * Vec3(rotation.conjugate() * spin));
-    if (!momentum.allFinite()) return;  // the step will be undone
-    double left = 1.0;
-    for (int part = 0; left > 0.0 && part < kMostParts; ++part) {
-        const FreeTurn turn(mass, h, momentum, rotation, left);
-        rotation = turn.atEnd();
-        left -= turn.share();
-    }
-    spin = spinOf(momentum, mass, rotation);
+    turnOne({&mass, h, &rotation, &spin});
 }
 
 }  // namespace engine

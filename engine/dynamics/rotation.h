@@ -56,4 +56,15 @@ Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const
 /// Rotation and spin after a time h with constant L = I w.
 void turnKeepingMomentum(const BodyMass& mass, double h, Quat& rotation, Vec3& spin);
 
+/// The same for two bodies at once, with the same bits. `mass` has the same kind (kindOfTurn) for both.
+struct Turn {
+    const BodyMass* mass = nullptr;
+    double h = 0.0;  // s
+    Quat* rotation = nullptr;
+    Vec3* spin = nullptr;
+};
+void turnTwo(const Turn& a, const Turn& b);
+/// 0: ball or cube, 1: symmetric top, 2: any other.
+inline int kindOfTurn(const BodyMass& mass) { return mass.isRound ? 0 : mass.topAxis >= 0 ? 1 : 2; }
+
 }  // namespace engine

@@ -167,12 +167,12 @@ template <int N>
 inline Eigen::Matrix<double, N, 1> lessProduct(const Eigen::Matrix<double, N, 1>& x,
                                         const Eigen::Matrix<double, N, N>& m,
                                         const Eigen::Matrix<double, N, 1>& y) {
+    double sum[N];
+    for (int i = 0; i < N; ++i) sum[i] = x[i];
+    for (int j = 0; j < N; ++j)
+        for (int i = 0; i < N; ++i) sum[i] -= m(i, j) * y[j];
     Eigen::Matrix<double, N, 1> result;
-    for (int i = 0; i < N; ++i) {
-        double sum = x[i];
-        for (int j = 0; j < N; ++j) sum -= m(i, j) * y[j];
-        result[i] = sum;
-    }
+    for (int i = 0; i < N; ++i) result[i] = sum[i];
     return result;
 }
 

@@ -165,6 +165,7 @@ void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction
         const Row& along = drive.along[row.coordinate];
         Velocity &a = v[drive.a], &b = v[drive.b];
         const double lambda = pushWithin(along, row, a, b);
+        if (lambda == 0.0) continue;  // most limits are far away
         push(drive, row, lambda, a, b);
         correction.add((along.k + row.softness) * lambda, lambda);
     }

@@ -68,6 +68,11 @@ void JointTrees::keepStart(std::span<const Velocity> v) {
         forest.each([&](auto& part) { part.keepStart(v); });
 }
 
+void JointTrees::keepEnd(std::span<const Pose> poses) {
+    for (Forest& forest : forests_)
+        forest.each([&](auto& part) { part.keepEnd(poses); });
+}
+
 void JointTrees::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
     for (Forest& forest : forests_)
         forest.each([&](auto& part) {

@@ -42,6 +42,8 @@ public:
     void projectVelocities(std::span<Velocity> v);
     /// After the last sweep: stores the velocities with which the bodies will move.
     void keepStart(std::span<const Velocity> v);
+    /// Before the first nudge: stores the rotations to which these have led.
+    void keepEnd(std::span<const Pose> poses);
     /// Solves C = 0 in one forest after the other (joint_nudges.h).
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 

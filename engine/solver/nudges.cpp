@@ -95,6 +95,7 @@ void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
     const bool jointed = c.jointStride > 0 && (!c.joints.empty() || !c.drives.empty());
     const double ofJoints = c.jointStride * h;
     TreeNudge nudge{kMostNudge, ofJoints, settings.gyroscope};
+    if (jointed) solver.trees.keepEnd(bodies.poses);
     c.impacts.movePositions(bodies);
     for (int i = 0; i < settings.nudges; ++i) {
         // Joints first, so that they feed back only the error of the motion, not the pushes of

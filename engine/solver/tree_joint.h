@@ -69,7 +69,7 @@ inline Angle turnOfB(const Joint& gear, const Pose& b) {
 
 /// Sets the other twist of a gear.
 template <int N>
-void setTwistOfA(const Joint& def, const Pose& a, TreeJoint<N>& joint) {
+inline void setTwistOfA(const Joint& def, const Pose& a, TreeJoint<N>& joint) {
     if constexpr (N > 3) {
         for (Vec3& t : joint.twistOfA) t.setZero();
         joint.twistOfA[0] = def.def.ratio * turnOfA(def, a).rate;
@@ -77,7 +77,7 @@ void setTwistOfA(const Joint& def, const Pose& a, TreeJoint<N>& joint) {
 }
 
 template <int N>
-void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b,
+inline void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b,
               TreeGeometry<N>& g) {
     if constexpr (N > 3) {
         for (Vec3& t : g.twist) t.setZero();
@@ -140,13 +140,13 @@ inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, c
 
 /// The twist on a or b.
 template <int N>
-const Twist<N>& twistOn(const TreeJoint<N>& joint, bool b) {
+inline const Twist<N>& twistOn(const TreeJoint<N>& joint, bool b) {
     return joint.isGear && !b ? joint.twistOfA : joint.now.twist;
 }
 
 /// B u
 template <int N>
-Vec3 heldOf(const TreeJoint<N>& joint, const Vec3& u) {
+inline Vec3 heldOf(const TreeJoint<N>& joint, const Vec3& u) {
     const int rows = joint.pointRows;
     if (rows == 3) return u;
     if (rows == 0) return Vec3::Zero();
@@ -155,7 +155,7 @@ Vec3 heldOf(const TreeJoint<N>& joint, const Vec3& u) {
 
 /// B^T lambda
 template <int N>
-Vec3 pushOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
+inline Vec3 pushOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
     const int rows = joint.pointRows;
     if (rows == 3) return lambda.template head<3>();
     if (rows == 0) return Vec3::Zero();
@@ -165,7 +165,7 @@ Vec3 pushOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda) {
 
 /// C at poses other than those of J.
 template <int N>
-TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b) {
+inline TreeRows<N> errorAlong(const TreeJoint<N>& joint, const Joint& def, const Pose& a, const Pose& b) {
     return geometryOf(joint, def, a, b).error;
 }
 
@@ -187,7 +187,7 @@ inline TreeRows<N> velocityAlong(const TreeJoint<N>& joint, const Velocity& a, c
 
 /// The sum of the twists of lambda on a or b, N m s.
 template <int N>
-Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda, bool b) {
+inline Vec3 twistOf(const TreeJoint<N>& joint, const TreeRows<N>& lambda, bool b) {
     const Twist<N>& twist = twistOn(joint, b);
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < N - 3; ++i) sum += lambda[3 + i] * twist[i];
@@ -249,7 +249,7 @@ inline TreeBlock<N> couplingThrough(const InverseMass& mass, const Vec3& armI,
 
 /// m B^T
 template <int N>
-void lookAlong(const TreeJoint<N>& joint, TreeBlock<N>& m) {
+inline void lookAlong(const TreeJoint<N>& joint, TreeBlock<N>& m) {
     for (int i = 0; i < N; ++i) {
         const Vec3 row = m.template block<1, 3>(i, 0).transpose();
         m.template block<1, 3>(i, 0) = heldOf(joint, row).transpose();
@@ -258,7 +258,7 @@ void lookAlong(const TreeJoint<N>& joint, TreeBlock<N>& m) {
 
 /// B_i m B_k^T
 template <int N>
-void lookAlong(const TreeJoint<N>& i, const TreeJoint<N>& k, TreeBlock<N>& m) {
+inline void lookAlong(const TreeJoint<N>& i, const TreeJoint<N>& k, TreeBlock<N>& m) {
     if (k.pointRows < 3) lookAlong(k, m);
     if (i.pointRows == 3) return;
     m.transposeInPlace();

@@ -226,18 +226,18 @@ void TreePart<N>::keepStart(std::span<const Velocity> v) {
 }
 
 template <int N>
-void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies) {
+void TreePart<N>::keepEnd(std::span<const Pose> poses) {
+    for (const int number : whole_)
+        for (int i = trees_[number].firstMember; i < trees_[number].endMember; ++i)
+            members_[i].end = poses[members_[i].body].rotation;
+}
+
+template <int N>
+void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge) {
     const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
     tree.gain = share > 0.0 ? share / nudge.h : 0.0;
     tree.anew = share == 1.0;
     if (nudge.pushed) tree.before = -1.0;
-    if (!tree.anew) return;
-    for (int i = tree.firstMember; i < tree.endMember; ++i) {
-        Member& member = members_[i];
-        member.end = member.start;
-        Vec3 spin = member.spin;
-        turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
-    }
 }
 
 template <int N>
@@ -270,7 +270,7 @@ void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, B
     for (const int number : here_) {
         Tree& tree = trees_[number];
         evaluateErrors(tree, joints, bodies.poses);
-        chooseGain(tree, nudge, bodies);
+        chooseGain(tree, nudge);
         for (int k = tree.first; k < tree.end; ++k) fed_[k].setZero();
         nudgeOnce(tree, nudge, bodies);
         for (int i = 1; i < kMostNudges; ++i) {
@@ -328,33 +328,36 @@ void TreePart<N>::limitMoves(Tree& tree) {
 }
 
 template <int N>
-void TreePart<N>::moveAnew(Member& member, const Vec3& turn, const TreeNudge& nudge,
-                           Bodies& bodies) const {
-    const Quat before = member.end;
-    member.spin += turn / nudge.h;
-    member.end = member.start;
-    Vec3 spin = member.spin;
-    turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, member.end, spin);
-    Quat& rotation = bodies.poses[member.body].rotation;
-    rotation = rotation * (before.conjugate() * member.end);  // a contact may have nudged it too
-    rotation.normalize();
-    bodies.velocities[member.body].angular = spin;
-}
-
-template <int N>
 void TreePart<N>::move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies) {
+    FreeTurns turns(nudge.gyroscope);
     for (int i = tree.firstMember; i < tree.endMember; ++i) {
         if (masses_[i].linear == 0.0) continue;
         Member& member = members_[i];
         Pose& pose = bodies.poses[member.body];
+        Velocity& v = bodies.velocities[member.body];
         pose.position += moved_[i].linear;
-        bodies.velocities[member.body].linear += tree.gain * moved_[i].linear;
+        v.linear += tree.gain * moved_[i].linear;
         if (tree.anew) {
-            moveAnew(member, moved_[i].angular, nudge, bodies);
+            member.spin += moved_[i].angular / nudge.h;
+            member.before = member.end, member.end = member.start, v.angular = member.spin;
+            turns.add(bodies.masses[member.body], nudge.h, member.end, v.angular);
             continue;
         }
         pose.rotation = cayley(moved_[i].angular, pose.rotation);
-        bodies.velocities[member.body].angular += tree.gain * moved_[i].angular;
+        v.angular += tree.gain * moved_[i].angular;
+    }
+    turns.finish();
+    if (tree.anew) turnToEnd(tree, bodies);
+}
+
+template <int N>
+void TreePart<N>::turnToEnd(const Tree& tree, Bodies& bodies) const {
+    for (int i = tree.firstMember; i < tree.endMember; ++i) {
+        if (masses_[i].linear == 0.0) continue;
+        const Member& member = members_[i];
+        Quat& rotation = bodies.poses[member.body].rotation;
+        rotation = rotation * (member.before.conjugate() * member.end);
+        rotation.normalize();
     }
 }
 

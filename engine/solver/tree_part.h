@@ -37,8 +37,10 @@ public:
     /// Solves J v + biasRate C = 0 in these trees.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
-    /// Stores the velocities with which the bodies will move from the poses of place().
+    /// Stores the velocities with which the bodies will move from the poses of place(), and, after they have
+    /// moved, the rotations to which these lead: whole trees start from them when they move again.
     void keepStart(std::span<const Velocity> v);
+    void keepEnd(std::span<const Pose> poses);
     /// Solves C = 0 to first order. Whole trees with feedback are solved to round-off, by repeating the
     /// motion from the start with another velocity, which becomes v.
     void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
@@ -98,6 +100,7 @@ private:
         int body = -1;
         Quat start = Quat::Identity();  // of the sub-step, and its end with the spin
         Quat end = Quat::Identity();
+        Quat before = Quat::Identity(); // the end before this nudge
         Velocity kept = {};             // at the start, before any feedback
         Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
@@ -113,7 +116,7 @@ private:
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
-    void chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies);
+    static void chooseGain(Tree& tree, const TreeNudge& nudge);
     /// One Newton step.
     void nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     /// Whether another step helps. Undoes the feedback of a tree where Newton's method does not converge: its
@@ -121,7 +124,9 @@ private:
     bool goesOn(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     void takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     void move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies);
-    void moveAnew(Member& member, const Vec3& turn, const TreeNudge& nudge, Bodies& bodies) const;
+    /// Turns the bodies of a tree that moves anew as their ends have turned; contacts may have nudged them
+    /// too.
+    void turnToEnd(const Tree& tree, Bodies& bodies) const;
 
     std::vector<TreeJoint<N>> joints_;  // one tree after the other, each in order of elimination
     BlockFactors<N> factors_;

@@ -43,7 +43,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
         if (!island.calm || island.contacts >= kManyContacts) atRest_[island.group] = 0;
         ofContact_.push_back(island.group);
     }
-    findJointedBodies(bodies, islands);
+    findJointedBodies(contacts, bodies, islands);
 }
 
 void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodies,
@@ -82,13 +82,19 @@ int ContactGroups::groupFor(const Island& island, double span) {
     return open->group;
 }
 
-void ContactGroups::findJointedBodies(const Bodies& bodies, DisjointSets& islands) {
+void ContactGroups::findJointedBodies(std::span<const Contact> contacts, const Bodies& bodies,
+                                      DisjointSets& islands) {
     candidates_.clear(), jointedBodies_.clear();
-    const auto islandOf = [&](int body) { return islands_[islands.leaderOf(body)]; };
-    if (jointed_ > 0)
+    const auto islandOf = [&](int body) -> const Island& {
+        return islands_[islands.leaderOf(body)];
+    };
+    if (jointed_ > 0) {
+        touches_.resize(bodies.count());
+        for (const int i : bodies.active) touches_[i] = 0;
+        for (const Contact& contact : contacts) touches_[contact.a] = touches_[contact.b] = 1;
         for (const int i : bodies.active)
-            if (bodies.isDynamic(i) && islandOf(i).jointed && islandOf(i).contacts > 0)
-                candidates_.push_back(i);
+            if (touches_[i] && bodies.isDynamic(i) && islandOf(i).jointed) candidates_.push_back(i);
+    }
     byGroup_.sort(static_cast<int>(candidates_.size()), jointed_,
                   [&](int k) { return islandOf(candidates_[k]).group; });
     firstBody_.assign(1, 0);

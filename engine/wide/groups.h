@@ -33,7 +33,7 @@ public:
     bool atRest(int group) const { return atRest_[group] != 0; }
     /// s: the sub-step of its bodies.
     double span(int group) const { return spans_[group]; }
-    /// Bodies with joints, directly or not, that contacts may move; all or those of a group.
+    /// Bodies with contacts that are connected with joints, directly or not; all or those of a group.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
     std::span<const int> jointedBodies(int group) const {
         return jointedBodies().subspan(firstBody_[group], firstBody_[group + 1] - firstBody_[group]);
@@ -55,13 +55,15 @@ private:
     void count(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
     int groupFor(const Island& island, double span);
     int addGroup(bool moving, bool touched, double span);
-    void findJointedBodies(const Bodies& bodies, DisjointSets& islands);
+    void findJointedBodies(std::span<const Contact> contacts, const Bodies& bodies,
+                           DisjointSets& islands);
 
     std::vector<Open> open_;
     std::vector<int> ofContact_;
     std::vector<int> candidates_, jointedBodies_, firstBody_;  // the latter by group, and the end
     ByGroup byGroup_;
     std::vector<Island> islands_;  // by leader
+    std::vector<char> touches_;                    // by body
     std::vector<char> moving_, touched_, atRest_;  // by group
     std::vector<double> spans_;
     int jointed_ = 0;                     // groups

@@ -102,5 +102,29 @@ TEST(Forces, ActOnDynamicBodiesOnly) {
     EXPECT_EQ(bodies.velocities[2].linear, Vec3(1, 0, 0));
 }
 
+// Two of a kind turn side by side, with the bits that each has alone: slow ones, and fast ones, whose angles
+// need sines and whose series are cut.
+TEST(FreeTurns, HaveTheBitsOfEveryBodyAlone) {
+    const Shape shapes[] = {Shape::box({1, 1, 1}), Shape::capsule(0.2, 1.4), Shape::box({1, 2, 4})};
+    Bodies bodies;
+    for (int i = 0; i < 33; ++i) {  // an odd number of each kind: one is left over
+        BodyDef def = support::body(shapes[i % 3], {3.0 * i, 0, 0});
+        def.spin = Vec3(0.3 * i - 4.0, 1.7, 0.1 * i) * (i % 7 == 3 ? 40.0 : 1.0);
+        def.pose.rotation = turnedBy(Vec3(0.2 * i, -1.0, 0.3), Quat::Identity());
+        addBody(bodies, def, bodies.count());
+        ASSERT_EQ(kindOfTurn(bodies.masses[i]), i % 3);
+    }
+    setSpans(bodies, support::kStep);
+    const Bodies before = bodies;
+    integratePositions(bodies, Gyroscope::momentum);
+    for (int i = 0; i < bodies.count(); ++i) {
+        Quat rotation = before.poses[i].rotation;
+        Vec3 spin = before.velocities[i].angular;
+        turnFreely(before.masses[i], Gyroscope::momentum, support::kStep, rotation, spin);
+        EXPECT_EQ(bodies.poses[i].rotation.coeffs(), rotation.coeffs()) << i;
+        EXPECT_EQ(bodies.velocities[i].angular, spin) << i;
+    }
+}
+
 }  // namespace
 }  // namespace engine
