@@ -97,7 +97,8 @@ std::vector<Finding> examine() {
 #ifdef IMPULSE_HAVE_SLIDES
     const bool chromium = !pdfBrowser().empty();
     findings.push_back({"chromium", chromium ? "found" : "not found", chromium,
-                        "install chromium for slides as .pdf; .html and folders work without it",
+                        "install chromium for slides as .pdf or .pptx; .html and folders work "
+                        "without it",
                         false});
 #endif
     std::error_code error;

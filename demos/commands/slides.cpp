@@ -63,19 +63,24 @@ Deck deckOf(const SlidesOptions& options) {
 
 bool isPdf(const SlidesOutput& output) { return output.kind == SlidesKind::pdf; }
 
-/// Warns before drawing of PDFs that cannot be made. Throws if nothing else is requested.
+bool isPptx(const SlidesOutput& output) { return output.kind == SlidesKind::pptx; }
+
+bool needsBrowser(const SlidesOutput& output) { return isPdf(output) || isPptx(output); }
+
+/// Warns before drawing of files that cannot be made. Throws if nothing else is requested.
 void checkBrowser(const std::vector<SlidesOutput>& outputs, const Talk& talk) {
-    if (std::none_of(outputs.begin(), outputs.end(), isPdf) || !pdfBrowser().empty()) return;
-    if (std::all_of(outputs.begin(), outputs.end(), isPdf))
+    if (std::none_of(outputs.begin(), outputs.end(), needsBrowser) || !pdfBrowser().empty()) return;
+    if (std::all_of(outputs.begin(), outputs.end(), needsBrowser))
         throw render::Error(
-            "chromium is needed for a PDF; install it (apt install chromium); -o talk.html and "
-            "-o talk/ work without it");
+            fmt::format("chromium is needed for a {}; install it (apt install chromium); "
+                        "-o talk.html and -o talk/ work without it",
+                        isPdf(outputs.front()) ? "PDF" : ".pptx"));
     for (const SlidesOutput& output : outputs)
-        if (isPdf(output))
-            talk.mention(
-                fmt::format("no chromium to print PDFs (apt install chromium): '{}' will not be "
-                            "made, all other outputs will",
-                            printable(output.name)));
+        if (needsBrowser(output))
+            talk.mention(fmt::format("no chromium to {} (apt install chromium): '{}' will not be "
+                                     "made, all other outputs will",
+                                     isPdf(output) ? "print PDFs" : "lay out a .pptx",
+                                     printable(output.name)));
 }
 
 std::string megabytes(std::size_t bytes) {
@@ -92,7 +97,8 @@ public:
             case SlidesKind::page:
                 return writePage(output.name);
             case SlidesKind::pdf:
-                return writePdf(output.name);
+            case SlidesKind::pptx:
+                return writeByBrowser(output);
             case SlidesKind::folder:
                 return writeFolder(output.name);
         }
@@ -125,18 +131,21 @@ private:
                             printable(name)));
     }
 
-    /// Errors are only noted: the other outputs are useful without the PDF.
-    void writePdf(const std::string& name) try {
-        writeSlidesPdf(deck_, name);
+    /// Errors are only noted: the other outputs are useful without this one.
+    void writeByBrowser(const SlidesOutput& output) try {
+        const bool paper = isPdf(output);
+        (paper ? writeSlidesPdf : writeSlidesPptx)(deck_, output.name);
         std::error_code ignored;
-        tell(name, slides(), std::filesystem::file_size(name, ignored));
+        tell(output.name, slides() + (paper ? "" : ", " + plural(films(), "film")),
+             std::filesystem::file_size(output.name, ignored));
     } catch (const render::Error& error) {
         if (std::find(troubles_.begin(), troubles_.end(), error.what()) == troubles_.end())
             troubles_.emplace_back(error.what());
     } catch (const Stop& stop) {
         if (stop.code() != Exit::interrupted) throw;
-        throw Stop(Exit::interrupted, fmt::format("interrupted while printing '{}'{}",
-                                                  printable(name), againLine(options_)));
+        throw Stop(Exit::interrupted, fmt::format("interrupted while {} '{}'{}",
+                                                  isPdf(output) ? "printing" : "writing",
+                                                  printable(output.name), againLine(options_)));
     }
 
     void writeFolder(const std::string& name) {
@@ -158,7 +167,7 @@ private:
 
 std::string nextOf(const SlidesOutput& output) {
     const std::string name = printable(output.name);
-    if (isPdf(output)) return "next: open " + name;
+    if (needsBrowser(output)) return "next: open " + name;
     const std::string page =
         output.kind == SlidesKind::page
             ? name
@@ -191,7 +200,8 @@ Exit slides(const SlidesOptions& options) {
     const MadeDeck made = makeDeck(deck, {scratch.path(), moving, options});
     SlidesWriter writer(options, made);
     for (const SlidesOutput& output : outputs) writer.write(output);
-    if (writer.troubles().empty() || !isPdf(outputs.front())) talk.say(nextOf(outputs.front()));
+    if (writer.troubles().empty() || !needsBrowser(outputs.front()))
+        talk.say(nextOf(outputs.front()));
     if (!writer.troubles().empty())
         throw render::Error(fmt::format("{}", fmt::join(writer.troubles(), "; ")));
     if (!made.incident.empty()) throw Stop(Exit::diverged, made.incident);
@@ -211,9 +221,10 @@ Run addSlides(CLI::App& app) {
     takesAgain(
         app.add_option(
                "-o,--output", options.outputs,
-               ".html: one page with everything in it; .pdf: one picture per slide, by Chromium; a "
-               "folder: page, films, pictures, notes, for LaTeX (Beamer) and Marp; may be given "
-               "again; default: output/<name>.html")
+               ".html: one page with everything in it; .pdf: one picture per slide, by Chromium; "
+               ".pptx: for PowerPoint and Impress, with films; a folder: page, films, pictures, "
+               "notes, for LaTeX (Beamer) and Marp; may be given again; default: "
+               "output/<name>.html")
             ->type_name("OUT"));
     addSeconds(app, options);
     app.add_option(
@@ -243,9 +254,9 @@ Run addSlides(CLI::App& app) {
 
 Command slidesCommand() {
     return {"slides",
-            "a talk from scenes or a deck file: one page with films and notes, a PDF, a folder",
+            "a talk from scenes or a deck file: a page with films and notes, PDF, .pptx, a folder",
             {"impulse slides stack wall -o talk.html",
-             "impulse slides talk.toml -o talk.html -o talk.pdf",
+             "impulse slides talk.toml -o talk.html -o talk.pdf -o talk.pptx",
              "impulse slides talk.toml -o talk/ --theme dark --overwrite"},
             addSlides};
 }

@@ -87,7 +87,10 @@ std::string codeLatex(const std::string& code, double width) {
 std::string wordsOf(const MadeSlide& made, double width) {
     const Slide& slide = made.slide;
     std::string latex;
-    if (!slide.text.empty()) latex += latexOf(slide.text) + "\n";
+    if (!slide.text.empty()) {
+        latex += slide.reveal ? latexStepsOf(slide.text) : latexOf(slide.text);
+        latex += "\n";
+    }
     for (const std::string& formula : slide.formulas) latex += formulaLatex(formula);
     if (!slide.code.empty()) latex += codeLatex(slide.code, width);
     for (const MadeTable& table : made.tables) latex += tableLatex(table);

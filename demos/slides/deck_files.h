@@ -30,7 +30,12 @@ void checkSlidesFolder(const std::filesystem::path& folder, bool overwrite);
 /// render::Error; without Chromium it says what to install.  (slides_pdf.cpp)
 void writeSlidesPdf(const MadeDeck& deck, const std::filesystem::path& file);
 
-/// The program that prints the PDF; empty if PATH has none.
+/// A presentation for PowerPoint and Impress: words as text, formulas as pictures with their LaTeX,
+/// films that start on a click. A headless Chromium says where its parts are. Complete or not at
+/// all; the same deck gives the same bytes. Throws as writeSlidesPdf().  (slides_pptx.cpp)
+void writeSlidesPptx(const MadeDeck& deck, const std::filesystem::path& file);
+
+/// The program that prints the PDF and lays out a .pptx; empty if PATH has none.
 std::string pdfBrowser();
 
 /// Texts that refer to media/ next to them.  (beamer.cpp, marp.cpp, speaker_notes.cpp)

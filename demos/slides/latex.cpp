@@ -123,6 +123,16 @@ std::string latexInlineOf(const std::string& commonMark) {
     return withoutLastNewlines(latexFrom(commonMark, Words::line));
 }
 
+std::string latexStepsOf(const std::string& commonMark) {
+    std::string latex = latexOf(commonMark);
+    for (const std::string_view list : {"\\begin{itemize}", "\\begin{enumerate}"})
+        for (std::size_t at = 0; (at = latex.find(list, at)) != std::string::npos;) {
+            at += list.size();
+            latex.insert(at, "[<+(1)->]");  // from the second overlay on: the first shows no item
+        }
+    return latex;
+}
+
 std::string latexEscaped(const std::string& text) {
     const MarkupTree document(cmark_node_new(CMARK_NODE_DOCUMENT));
     cmark_node* paragraph = cmark_node_new(CMARK_NODE_PARAGRAPH);

@@ -86,7 +86,34 @@ std::string written(cmark_node* root) {
     return result;
 }
 
+constexpr std::string_view kItemMark = "\xee\x80\x82";  // U+E002, a private letter
+
+/// Marp shows items one by one in lists with "1)", and with "*", which cmark does not write: the
+/// words of their items get a mark.
+void markItems(cmark_node* root) {
+    for (cmark_node* node : nodesOf(root)) {
+        if (cmark_node_get_type(node) != CMARK_NODE_LIST) continue;
+        cmark_node_set_list_delim(node, CMARK_PAREN_DELIM);
+        if (cmark_node_get_list_type(node) != CMARK_BULLET_LIST) continue;
+        for (cmark_node* item = cmark_node_first_child(node); item; item = cmark_node_next(item)) {
+            cmark_node* words = cmark_node_first_child(item);
+            if (words && cmark_node_get_type(words) == CMARK_NODE_PARAGRAPH)
+                cmark_node_prepend_child(words, verbatimNode(std::string(kItemMark)));
+        }
+    }
+}
+
 }  // namespace
+
+std::string markdownStepsOf(const std::string& commonMark) {
+    const MarkupTree tree = treeOf(commonMark, Words::blocks);
+    markItems(tree.get());
+    std::string text = written(tree.get());
+    const std::string bullet = "- " + std::string(kItemMark);
+    for (std::size_t at = 0; (at = text.find(bullet, at)) != std::string::npos;)
+        text.replace(at, bullet.size(), "* ");
+    return text;
+}
 
 std::string markdownOf(const std::string& commonMark) {
     return written(treeOf(commonMark, Words::blocks).get());

@@ -16,11 +16,15 @@ std::string htmlInlineOf(const std::string& commonMark);
 /// (latex.cpp)
 std::string latexOf(const std::string& commonMark);
 std::string latexInlineOf(const std::string& commonMark);
+/// As latexOf(); the items of lists appear one after the other, on overlays.
+std::string latexStepsOf(const std::string& commonMark);
 
 /// For Marp: CommonMark with formulas, without HTML and without rules, which would begin a slide.
 /// (markdown.cpp)
 std::string markdownOf(const std::string& commonMark);
 std::string markdownInlineOf(const std::string& commonMark);
+/// As markdownOf(); the items of lists appear one after the other: Marp's "*" and "1)".
+std::string markdownStepsOf(const std::string& commonMark);
 
 /// One line without markup; formulas are LaTeX. For alt texts and names.
 std::string plainOf(const std::string& commonMark);

@@ -54,7 +54,8 @@ std::string fenceFor(const std::string& code) {
 std::string wordsOf(const MadeSlide& made) {
     const Slide& slide = made.slide;
     std::string text;
-    if (!slide.text.empty()) text += markdownOf(slide.text) + "\n\n";
+    if (!slide.text.empty())
+        text += (slide.reveal ? markdownStepsOf : markdownOf)(slide.text) + "\n\n";
     for (const std::string& formula : slide.formulas) text += "$$\n" + formula + "\n$$\n\n";
     if (!slide.code.empty()) {
         const std::string fence = fenceFor(slide.code);

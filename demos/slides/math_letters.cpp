@@ -54,7 +54,15 @@ char32_t letterIn(const LetterVariant& v, char32_t letter) {
     return letter;
 }
 
-void append(std::string& text, char32_t letter) {
+/// The letter of `from`.. at the same place as `letter` has after `first`; 0: it is not among them.
+char32_t replaced(char32_t letter, char32_t first, char32_t from, char32_t to) {
+    return first != 0 && letter >= first && letter - first <= to - from ? from + (letter - first)
+                                                                        : 0;
+}
+
+}  // namespace
+
+void putCharacter(std::string& text, char32_t letter) {
     const int more = letter < 0x80 ? 0 : letter < 0x800 ? 1 : letter < 0x10000 ? 2 : 3;
     constexpr unsigned kFirst[] = {0, 0xc0, 0xe0, 0xf0};
     text += static_cast<char>(kFirst[more] | letter >> (6 * more));
@@ -62,7 +70,20 @@ void append(std::string& text, char32_t letter) {
         text += static_cast<char>(0x80u | (letter >> (6 * i) & 0x3fu));
 }
 
-}  // namespace
+PlainLetter plainLetterOf(char32_t letter) {
+    for (const Older& older : kOlder)
+        if (older.letter == letter && older.hole < kLetterVariants[3].capitals) letter = older.hole;
+    for (std::size_t i = 0; i < 3; ++i) {  // bold, italic, both
+        const LetterVariant& v = kLetterVariants[i];
+        for (const char32_t found :
+             {replaced(letter, v.capitals, U'A', U'Z'), replaced(letter, v.smalls, U'a', U'z'),
+              replaced(letter, v.digits, U'0', U'9'),
+              replaced(letter, v.capitalGreek, 0x391, 0x3a9),
+              replaced(letter, v.smallGreek, 0x3b1, 0x3c9)})
+            if (found != 0) return {found, i != 1, i != 0};
+    }
+    return {letter, false, false};
+}
 
 char32_t takeCharacter(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -81,7 +102,7 @@ std::string inVariant(std::string_view text, std::string_view variant) {
                      [&](const LetterVariant& v) { return v.name == variant; });
     if (found == std::end(kLetterVariants)) return std::string(text);
     std::string result;
-    while (!text.empty()) append(result, letterIn(*found, takeCharacter(text)));
+    while (!text.empty()) putCharacter(result, letterIn(*found, takeCharacter(text)));
     return result;
 }
 

@@ -13,15 +13,18 @@ SlidesOutput outputOf(const std::string& name) {
     if (name.find('\0') != std::string::npos) refuseOutput(name, "a name holds no NUL");
     const std::filesystem::path path = name;
     const std::string ending = path.extension();
-    const bool file = ending == ".html" || ending == ".pdf";
+    const bool file = ending == ".html" || ending == ".pdf" || ending == ".pptx";
     std::error_code ignored;
     const bool folder = std::filesystem::is_directory(path, ignored);
     if (file && folder && path.has_filename())
         refuseOutput(name,
                      "a folder is there; write to another name, or end it in / for its slides");
     if (folder || name.ends_with('/')) return {SlidesKind::folder, name};
-    if (file) return {ending == ".pdf" ? SlidesKind::pdf : SlidesKind::page, name};
-    refuseOutput(name, "the ending says what is written; known are: .html .pdf and / of a folder");
+    if (ending == ".pdf") return {SlidesKind::pdf, name};
+    if (ending == ".pptx") return {SlidesKind::pptx, name};
+    if (file) return {SlidesKind::page, name};
+    refuseOutput(name, "the ending says what is written; known are: .html .pdf .pptx and / of "
+                 "a folder");
 }
 
 void spareSources(const std::string& name, const Deck& deck) {

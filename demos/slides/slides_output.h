@@ -8,7 +8,7 @@
 
 namespace demos {
 
-enum class SlidesKind { page, pdf, folder };
+enum class SlidesKind { page, pdf, pptx, folder };
 
 struct SlidesOutput {
     SlidesKind kind = SlidesKind::page;

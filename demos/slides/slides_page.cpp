@@ -11,11 +11,6 @@
 namespace demos {
 namespace {
 
-std::string hexOf(const render::Color& color) {
-    const auto level = [](float channel) { return static_cast<int>(255.0f * channel + 0.5f); };
-    return fmt::format("#{:02x}{:02x}{:02x}", level(color.r), level(color.g), level(color.b));
-}
-
 /// The page has the same background as charts, so that these have no visible edge.
 std::string inksStyle(const std::string& theme) {
     const Inks inks = inksOf(theme);
@@ -32,6 +27,11 @@ void replaceAll(std::string& text, const std::string& mark, const std::string& b
 std::string authorTag(const std::string& author) {
     if (author.empty()) return {};
     return "\n<meta name=\"author\" content=\"" + htmlEscaped(author) + "\">";
+}
+
+/// Pictures without content keep their places.
+SlideMedia blankMedia(const MadeSlide& slide) {
+    return {"", std::vector<std::string>(picturesOf(slide).size(), "data:,")};
 }
 
 using MediaOf = SlideMedia (*)(const MadeSlide&);
@@ -54,6 +54,11 @@ std::string pageOf(const MadeDeck& made, MediaOf mediaOf, const char* sources) {
 
 }  // namespace
 
+std::string hexOf(const render::Color& color) {
+    const auto level = [](float channel) { return static_cast<int>(255.0f * channel + 0.5f); };
+    return fmt::format("#{:02x}{:02x}{:02x}", level(color.r), level(color.g), level(color.b));
+}
+
 std::string mathFontStyle() {
     if (mathFont().empty()) return {};
     return "@font-face { font-family: \"impulse math\"; src: url(data:font/woff2;base64," +
@@ -61,6 +66,8 @@ std::string mathFontStyle() {
 }
 
 std::string slidesPage(const MadeDeck& deck) { return pageOf(deck, embeddedMedia, "data:"); }
+
+std::string blankSlidesPage(const MadeDeck& deck) { return pageOf(deck, blankMedia, "data:"); }
 
 std::string linkedSlidesPage(const MadeDeck& deck) {
     return pageOf(deck, linkedMedia, "'self' file:");

@@ -95,7 +95,7 @@ TEST(SlidesReadme, ItsCommandsAndTheirOptionsExist) {
     const std::string help = outputOf("slides --help");
     const std::set<std::string> lines =
         matches(sectionOf(kSlidesText, "What is written"), R"(\nimpulse slides ([^\n]*))");
-    EXPECT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines.size(), 4u);
     for (const std::string& line : lines)
         for (const std::string& option : matches(line, R"( (--?[a-z-]+))"))
             EXPECT_NE(help.find(option), std::string::npos) << line;

@@ -114,7 +114,7 @@ TEST_F(SlidesCommand, NothingTakesThePlaceOfWhatIsThere) {
 
 TEST_F(SlidesCommand, RefusesWhatCannotBeMeant) {
     const std::pair<std::vector<std::string>, std::string> cases[] = {
-        {{"talk.toml", "-o", "a.pptx"}, "known are: .html .pdf and / of a folder"},
+        {{"talk.toml", "-o", "a.odp"}, "known are: .html .pdf .pptx and / of a folder"},
         {{"talk.toml", "-o", "a.html", "-o", "./a.html"}, "another --output goes there already"},
         {{"talk.toml", "-o", "a/", "-o", "a/../a//"}, "another --output goes there already"},
         {{"talk.toml", "stack"}, "'talk.toml' is a deck; it takes no other scene or deck"},
@@ -171,6 +171,20 @@ TEST_F(SlidesCommand, WithoutABrowserAPdfAloneIsToldBeforeAnythingIsPlayed) {
 }
 
 /// Chromium gets its page as a URL, in which % and # have a meaning.
+TEST_F(SlidesCommand, APptxNeedsABrowserThatMeasures) {
+    Ended ended = slidesWithBrowser("", {"talk.toml", "-o", "a.pptx", "-o", "b.pptx"});
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_TRUE(has(ended.err, "impulse: chromium is needed for a .pptx; install it")) << ended.err;
+    patience_ = "30000";
+    fs::remove_all(folder / "programs");
+    ended = slidesWithBrowser("echo '<pre id=\"measured\">e30=</pre>'",
+                              {"talk.toml", "-o", "a.pptx"});
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_TRUE(has(ended.err, "no 'a.pptx': chromium did not say where the parts of the slides"))
+        << ended.err;
+    EXPECT_FALSE(fs::exists(folder / "a.pptx"));
+}
+
 TEST_F(SlidesCommand, ABrowserFindsItsPageWhateverTheTemporaryFolderIsCalled) {
     const fs::path place = folder / "100 % of #1?";
     fs::create_directory(place);

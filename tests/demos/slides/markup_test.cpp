@@ -214,5 +214,16 @@ TEST(Markup, EscapesHtml) {
               "&lt;a href=&quot;b&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
 }
 
+TEST(Markup, ItemsOfListsAppearOneByOneInBeamerAndMarp) {
+    const std::string text = "- one\n- two $x$\n\n1. three\n\n\\- four\n\n    - code\n";
+    const std::string latex = latexStepsOf(text);
+    EXPECT_EQ(support::count(latex, "\\begin{itemize}[<+(1)->]"), 1);
+    EXPECT_EQ(support::count(latex, "\\begin{enumerate}[<+(1)->]"), 1);
+    EXPECT_EQ(support::count(latexOf(text), "<+"), 0);
+    EXPECT_EQ(markdownStepsOf(text),
+              "  * one\n  * two $x$\n\n[//]: #\n\n1)  three\n\n\\- four\n\n``` \n- code\n```");
+    EXPECT_EQ(markdownStepsOf("words"), markdownOf("words"));
+}
+
 }  // namespace
 }  // namespace demos::test

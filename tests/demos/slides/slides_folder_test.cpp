@@ -278,6 +278,10 @@ TEST_F(SlidesFolder, MarpKeepsWhatOnlyLooksLikeARule) {
 }
 
 TEST_F(SlidesFolder, BeamerHasAFrameForEachAndEscapesWhatLatexReads) {
+    MadeDeck steps = deck();
+    steps.slides[2].slide.reveal = true;
+    EXPECT_EQ(count(beamerOf(steps), "\\begin{itemize}[<+(1)->]"), 1);
+    EXPECT_EQ(count(marpOf(steps), "\n  * words\n  * beside\n"), 1);
     const std::string latex = beamerOf(deck());
     EXPECT_EQ(count(latex, "\\begin{frame}"), 4);
     for (const char* what : {"frame", "columns", "tabular", "flushleft", "itemize", "document"})
