@@ -52,8 +52,8 @@ bool World::step(double dt) {
     if (!beginStep(s, dt)) return false;
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
-        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // for fast bodies
         beginSubstep(s, i);                                   // world_paces.cpp
+        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // for fast bodies
         s.phase(Phase::forces, i);
         evaluateForces(*this, s, i, h);                  // world_state.cpp, forces/
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp

@@ -67,9 +67,9 @@ void arrangeContacts(WorldState& s) {
                   s.solver.order);
 }
 
-void chooseStrides(WorldState& s) {
+void chooseStrides(WorldState& s, int i) {
     s.paces.choose(s.solver.islands, s.substeps, s.finder.contacts, s.joints, s.everyStep,
-                   s.report.substeps, s.substepsALook, s.bodies);
+                   {i, s.report.substeps, s.substepsALook}, s.bodies);
 }
 
 }  // namespace
@@ -79,19 +79,19 @@ void choosePaces(WorldState& s, double dt) {
     const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies,
                                          s.solver, s.gravity, s.settings, dt);
     const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
-    s.lookedAt = 0;
+    s.lookedAt.assign(s.bodies.count(), 0);
     s.substepsALook = (needed + looks - 1) / looks;
     s.report.substeps = s.substepsALook * looks;
     findWhoMovesAlways(s);
-    chooseStrides(s);
+    chooseStrides(s, 0);
     setSpans(s, dt);
     if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;
     s.lastDt = dt;
 }
 
-void joinPaces(WorldState& s, double dt) {
+void joinPaces(WorldState& s, int i, double dt) {
     arrangeContacts(s);
-    chooseStrides(s);
+    chooseStrides(s, i);
     setSpans(s, dt);
 }
 

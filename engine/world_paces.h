@@ -8,8 +8,8 @@ namespace engine {
 /// force times a sub-step, so impulses carried over are scaled when its length changes.
 void choosePaces(WorldState& s, double dt);
 
-/// Combines islands that have met within a step.
-void joinPaces(WorldState& s, double dt);
+/// Combines islands that have met before sub-step i.
+void joinPaces(WorldState& s, int i, double dt);
 
 /// Selects the bodies that act in sub-step i.
 void beginSubstep(WorldState& s, int i);

@@ -190,6 +190,7 @@ bool beginStep(WorldState& s, double dt) {
     callForced(s, dt);
     wakeCalled(s);
     leaveOutResting(s.bodies);
+    beginSubstep(s, 0);
     if (s.jointsStale) listJointedPairs(s);
     if (s.contactsStale) findContacts(s, dt);
     if (s.finder.tooMany) {
@@ -239,14 +240,14 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
 }
 
 bool looksAgain(const WorldState& s, int substep, double h) {
-    const int most = s.paces.longest();
-    if (substep == 0 || substep % most != 0) return false;  // islands are at different times
-    return substep % s.substepsALook == 0 ||
-           anyTurnsFar(s.finder.contacts, s.bodies, (substep + most - s.lookedAt) * h);
+    return substep > 0 &&
+           (substep % s.substepsALook == 0 ||
+            anyTurnsFar(s.finder.contacts, s.bodies, s.lookedAt, substep, h));
 }
 
 void findContactsWithin(WorldState& s, int substep, double h) {
-    s.lookedAt = substep;
+    for (const int i : s.bodies.active)
+        if (!s.bodies.waits(i)) s.lookedAt[i] = substep;
     const std::vector<Contact>& solved = s.finder.contacts;
     for (std::size_t k = 0; k < solved.size(); ++k)
         for (int i = 0; i < solved[k].count; ++i)
@@ -256,7 +257,8 @@ void findContactsWithin(WorldState& s, int substep, double h) {
     holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, s.substepsALook * h);
     if (s.finder.tooMany) s.report.trouble = Trouble::tooManyContacts;  // endStep undoes the step
-    joinPaces(s, s.report.substeps * h);
+    joinPaces(s, substep, s.report.substeps * h);
+    beginSubstep(s, substep);
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.settings, s.solver);
 }
 
@@ -292,6 +294,7 @@ bool endStep(WorldState& s, double dt) {
     if (breakJoints(s)) listJointedPairs(s);
     s.listed = WorldState::Listed::solved;
     for (const int i : s.bodies.active) s.bodies.loads[i] = {};
+    beginSubstep(s, 0);  // all are at the same time again
     holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
     findContacts(s, dt);
     removeTheFar(s);

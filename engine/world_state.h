@@ -56,7 +56,7 @@ struct WorldState {
 
     bool again = false;         // the step is repeated, with fewer bodies
     int substepsALook = 1;      // sub-steps between two contact detections, at most
-    int lookedAt = 0;           // sub-step of the last contact detection
+    std::vector<int> lookedAt;  // by body: sub-step of the last contact detection
     std::vector<ContactState> solvedBefore;  // of this step, before the last contact detection
 
     std::vector<Pose> posesBefore;           // to undo a failed step

@@ -1,6 +1,7 @@
 #include "engine/collision/contacts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "engine/collision/collide.h"
@@ -88,7 +89,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
     for (const PairKey& pair : pairs) {
         if (found.size() > kMostContacts) return;
         const double thrown = finder.moving.throwOf(pair);
-        if (rests(bodies, finder.asleep, pair, thrown)) continue;
+        if (bodies.waits(pair.a, pair.b) || rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
         if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
         if (isSensed(bodies, pair)) continue;
@@ -105,6 +106,16 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
                     sameAs(found[i], previous, old, i == first, areWhole(bodies, pair)))
                 carryImpulses(*from, found[i]);
     }
+}
+
+/// Adds the previous contacts of bodies that wait; the contacts stay sorted.
+void keepWaiting(const Bodies& bodies, const std::vector<Contact>& previous,
+                 std::vector<Contact>& contacts) {
+    const auto found = static_cast<std::ptrdiff_t>(contacts.size());
+    std::ranges::copy_if(previous, std::back_inserter(contacts),
+                         [&](const Contact& c) { return bodies.waits(c.a, c.b); });
+    std::inplace_merge(contacts.begin(), contacts.begin() + found, contacts.end(),
+                       [](const Contact& l, const Contact& r) { return pairOf(l) < pairOf(r); });
 }
 
 }  // namespace
@@ -166,6 +177,7 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     for (int i = 1; i < threads; ++i)
         finder.contacts.insert(finder.contacts.end(), finder.found[i].begin(), finder.found[i].end());
     finder.seams.leaveOut(bodies, dt, finder.contacts);
+    keepWaiting(bodies, finder.previous, finder.contacts);
 }
 
 }  // namespace engine

@@ -33,7 +33,8 @@ inline PairKey pairOf(const Contact& contact) { return {contact.a, contact.b}; }
 
 /// `margin` (m): contacts are made this far ahead of touching. A pair that would move farther
 /// within dt (s) gets its contacts where it will touch (moving_contacts.h). Sleeping pairs are
-/// skipped. Sets `tooMany` whatever the number of threads.
+/// skipped. Bodies that wait (dynamics/bodies.h) keep their contacts and get no others. Sets `tooMany` whatever
+/// the number of threads.
 void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, double dt);
 
 /// Copies impulses from a pair's previous contact to its new one, matching points by feature, then

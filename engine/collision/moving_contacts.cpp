@@ -176,6 +176,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     moving.entries.clear();
     for (const PairKey& key : broadPhase.awakePairs(bodies)) {
         if (bodies.isAsleep(key.a) && bodies.isAsleep(key.b)) continue;
+        if (bodies.waits(key.a, key.b)) continue;
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
         if (wayOf(a, b, dt) <= margin || !broadPhase.boundsMeet(key)) continue;
         if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
@@ -217,9 +218,12 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {
     return static_cast<int>(std::ceil(smaller(most, kMostLooks)));
 }
 
-bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double time) {
+bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies,
+                 std::span<const int> lookedAt, int substep, double h) {
     const auto turnsFar = [&](int i) {
+        if (!bodies.isGoing(i)) return false;
         const Vec3& spin = bodies.velocities[i].angular;
+        const double time = (substep + bodies.strides[i] - lookedAt[i]) * h;
         if (!(spin.squaredNorm() * time * time > kFarToTurn * kFarToTurn)) return false;
         const ShapeType type = bodies.defs[i].shape.type;
         if (!bodies.isDynamic(i) || type == ShapeType::sphere) return false;

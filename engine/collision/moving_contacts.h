@@ -57,9 +57,11 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
 /// another before the step ends.
 int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt);
 
-/// Whether a body of a contact turns so far in `time` (s), the time since its contacts were found, that other
-/// corners of it may come down.
-bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, double time);
+/// Whether a body of a contact that does not wait will have turned so far by its next sub-step that other
+/// corners of it may come down. `lookedAt`: by body, the world's sub-step, of length h (s), in which its
+/// contacts were found.
+bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies,
+                 std::span<const int> lookedAt, int substep, double h);
 
 /// Null if the margin is enough for the pair; `always`: computed now, whatever the margin.
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,

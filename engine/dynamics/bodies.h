@@ -66,6 +66,9 @@ struct Bodies {
     /// isActing: forces and impulses move it in this sub-step. isGoing: it moves in this sub-step.
     bool isActing(int i) const { return acts[i] && isAwake(i); }
     bool isGoing(int i) const { return acts[i] && isMoving(i); }
+    /// It has moved ahead and waits for the others, or one of two has. Between steps none waits.
+    bool waits(int i) const { return !acts[i] && isMoving(i); }
+    bool waits(int a, int b) const { return waits(a) || waits(b); }
     /// Of two bodies that touch or are joined, one that impulses can move, if any.
     int movable(int a, int b) const { return isDynamic(a) ? a : b; }
     /// Present, awake and not fixed: steps move it.

@@ -3,9 +3,9 @@
 namespace engine {
 namespace {
 
-int strideFor(int needed, int total, int aLook) {
-    int stride = larger(smaller(total / larger(needed, 1), aLook), 1);
-    while (aLook % stride != 0) --stride;
+int strideFor(int needed, const Paces::Moment& moment) {
+    int stride = larger(smaller(moment.total / larger(needed, 1), moment.aLook), 1);
+    while (moment.aLook % stride != 0 || moment.at % stride != 0) --stride;
     return stride;
 }
 
@@ -24,7 +24,7 @@ void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
 
 void Paces::choose(DisjointSets& islands, const Substeps& substeps,
                    std::span<const Contact> contacts, std::span<const Joint> joints,
-                   std::span<const char> everyStep, int total, int aLook, Bodies& bodies) {
+                   std::span<const char> everyStep, const Moment& moment, Bodies& bodies) {
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     for (const int i : bodies.active) {
@@ -50,16 +50,15 @@ void Paces::choose(DisjointSets& islands, const Substeps& substeps,
         jointed.every = jointed.every || island.every;
     }
     const auto strideOf = [&](const Island& island) {
-        return island.every ? 1 : strideFor(island.substeps, total, aLook);
+        return island.every ? 1 : strideFor(island.substeps, moment);
     };
-    ofJoints_ = strideOf(jointed);
-    longest_ = 1;
+    if (moment.at % ofJoints_ == 0) ofJoints_ = strideOf(jointed);
     for (const int i : bodies.active) {
+        if (bodies.waits(i)) continue;
         bodies.strides[i] = 1;
         if (!bodies.isAwake(i)) continue;
         const Island& island = islands_[islands.leaderOf(i)];
         bodies.strides[i] = island.jointed ? ofJoints_ : strideOf(island);
-        longest_ = larger(longest_, bodies.strides[i]);
     }
 }
 

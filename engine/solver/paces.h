@@ -2,7 +2,7 @@
 /// island needs (substeps.h). An island that needs fewer takes part in every second, third, ... sub-step and
 /// advances by that many at once:
 ///   stride = the largest divisor of the sub-steps between two contact detections that leaves the
-///            island the number it needs
+///            island the number it needs; within a step, also of those already done
 /// So a fast wheel does not slow down a heap next to it. Bodies that a force acts on, and islands that a
 /// moving kinematic body touches or holds, take part in every sub-step. Islands with joints share one stride,
 /// because their trees are solved together.
@@ -17,13 +17,17 @@ namespace engine {
 
 class Paces {
 public:
-    /// Sets Bodies::strides, for `total` sub-steps with contact detection after every `aLook` of them; all
-    /// islands are at the same time. `everyStep`: bodies with stride 1.
+    /// The moment of a choice: before sub-step `at` of `total`, with contact detection after every `aLook`.
+    struct Moment {
+        int at = 0, total = 1, aLook = 1;
+    };
+
+    /// Sets Bodies::strides of all that do not wait; those that wait keep theirs. `everyStep`: bodies with
+    /// stride 1.
     void choose(DisjointSets& islands, const Substeps& substeps, std::span<const Contact> contacts,
-                std::span<const Joint> joints, std::span<const char> everyStep, int total, int aLook,
+                std::span<const Joint> joints, std::span<const char> everyStep, const Moment& moment,
                 Bodies& bodies);
 
-    int longest() const { return longest_; }
     int ofJoints() const { return ofJoints_; }
 
 private:
@@ -33,7 +37,7 @@ private:
     };
 
     std::vector<Island> islands_;  // by leader
-    int longest_ = 1, ofJoints_ = 1;
+    int ofJoints_ = 1;
 };
 
 /// Joins bodies that are connected by any chain of contacts and joints.
