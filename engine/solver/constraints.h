@@ -21,7 +21,8 @@ struct Constraints {
     std::vector<JointConstraint> joints;
     std::vector<JointDrive> drives;  // of joints with limits, motors, springs or rotors
     std::vector<int> order;  // order of the contacts in a sweep
-    ByGroup jointsOutside;   // joints outside the trees, by group (wide/groups.h)
+    ByGroup jointsByGroup;   // wide/groups.h
+    ByGroup jointsOutside;   // those outside the trees
     ByGroup drivesByGroup;
     Impacts impacts;         // of contacts with restitution
     RidingContacts riding;   // on bodies that turn

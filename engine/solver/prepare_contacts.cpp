@@ -125,6 +125,8 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
     solver.constraints.riding.begin(bodies, solver.posesAtStart);
+    if (solver.byIsland && solver.constraints.jointStride > 0)
+        solver.kept.measure(bodies, solver.groups.count(), solver.constraints);
     if (solver.lanes) {  // separations are up to date from the nudges
         solver.wide.beginSubstep(bodies);
         solver.wide.followTurns(bodies);

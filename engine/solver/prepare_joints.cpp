@@ -59,6 +59,8 @@ void groupJoints(const Bodies& bodies, Solver& solver) {
         return solver.groups.ofJoint(a, b, bodies, solver.islands);
     };
     solver.trees.sortInto(groups, groupOf);
+    c.jointsByGroup.sort(static_cast<int>(c.joints.size()), groups,
+                         [&](int i) { return groupOf(c.joints[i].a, c.joints[i].b); });
     c.jointsOutside.sort(static_cast<int>(c.joints.size()), groups, [&](int i) {
         return c.joints[i].inTree ? -1 : groupOf(c.joints[i].a, c.joints[i].b);
     });

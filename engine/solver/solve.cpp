@@ -96,8 +96,10 @@ void begin(Solver& s, std::span<Velocity> v, const Settings& settings, double h)
     const std::span<const int> shared = s.groups.jointedBodies();
     if (s.lanes) s.wide.give(v, shared);
     warmStart(s.constraints, v, settings);
-    if (stride > 0)
+    if (stride > 0) {
         s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (stride * h), v);
+        s.kept.check(s.constraints, s.trees, v);
+    }
     if (s.lanes) s.wide.take(v, shared);
 }
 

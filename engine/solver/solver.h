@@ -6,6 +6,7 @@
 #include "engine/base/disjoint_sets.h"
 #include "engine/constraints/contact.h"
 #include "engine/solver/constraints.h"
+#include "engine/solver/kept_impulses.h"
 #include "engine/solver/pressed_bodies.h"
 #include "engine/wide/wide_contacts.h"
 
@@ -20,6 +21,7 @@ struct Solver {
     WideContacts wide;
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     JointTrees trees;
+    KeptImpulses kept;               // by groups
     PressedBodies pressed;
     DisjointSets islands;            // bodies connected by contacts and joints
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
