@@ -294,7 +294,7 @@ void TreePart<N>::nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies) 
         apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], moved_[joint.ownA],
               moved_[joint.ownB]);
     });
-    limitMoves(tree);
+    limitMoves(tree, share * tree.sum);
     tree.before = tree.sum;
     for (int k = tree.first; k < tree.end; ++k) {
         book(joints_[k], x_[k], tree.gain);
@@ -304,9 +304,10 @@ void TreePart<N>::nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies) 
 }
 
 template <int N>
-void TreePart<N>::limitMoves(Tree& tree) {
-    constexpr double kFar = 4.0;  // times the sum of a tree's errors
-    if (!tree.closed) return;
+void TreePart<N>::limitMoves(Tree& tree, double sum) {
+    constexpr double kFar = 4.0;    // times the sum of the errors
+    constexpr double kWide = 0.04;  // of the lever arms: below it, the solution of an open tree is good
+    if (!tree.closed && tree.ratio < kWide) return;
     const auto wayOf = [&](int member, const Vec3& arm) {
         const Velocity& moved = moved_[member];
         return masses_[member].linear > 0.0 ? moved.linear.norm() + moved.angular.norm() * arm.norm()
@@ -318,9 +319,9 @@ void TreePart<N>::limitMoves(Tree& tree) {
         farthest = larger(farthest, larger(wayOf(joint.ownA, joint.now.armA),
                                            wayOf(joint.ownB, joint.now.armB)));
     }
-    if (!(farthest > kFar * tree.sum)) return;
+    if (!(farthest > kFar * sum)) return;
     tree.gain = 0.0, tree.anew = false;
-    const double share = kFar * tree.sum / farthest;
+    const double share = kFar * sum / farthest;
     for (int i = tree.firstMember; i < tree.endMember; ++i) {
         moved_[i].linear *= share;
         moved_[i].angular *= share;

@@ -110,8 +110,9 @@ private:
     TreeBlock<N> coupling(const TreeJoint<N>& i, const TreeJoint<N>& k, int body) const;
     void evaluateErrors(Tree& tree, std::span<const Joint> joints, std::span<const Pose> poses);
     /// A chain pulled straight between two posts can hardly correct errors along it: the linear solution for
-    /// them is huge. It is limited to a plausible size.
-    void limitMoves(Tree& tree);
+    /// them is huge. So it may be in any tree whose joints are far apart. It is limited to a plausible size
+    /// for the sum of the errors.
+    void limitMoves(Tree& tree, double sum);
     /// The previous nudge, with the same J, did not reduce the errors of a closed tree.
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
