@@ -175,7 +175,7 @@ TEST(Deck, KnowsWhenARunEnds) {
               "deck.toml:5:8: from is 7 s; the run ends then");
     EXPECT_EQ(
         wrong("scene = 'stack'\nset = 'seconds=2'\n"),
-        "deck.toml:5:7: with these settings: stack.toml:47:6: at is 2.9; it should be a number "
+        "deck.toml:5:7: with these settings: stack.toml:40:16: at is 3; it should be a number "
         "from 0 to 2 s");
     EXPECT_EQ(wrong("scene = 'stack'\nfrom = 2\nuntil = 2\n"),
               "deck.toml:6:9: until is 2 s; it should be later than from, 2 s");
