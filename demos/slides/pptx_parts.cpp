@@ -104,8 +104,8 @@ std::string slideNumber(std::size_t slides) {
         "cx=\"1163400\" cy=\"230000\"/></a:xfrm><a:prstGeom prst=\"rect\"><a:avLst/></a:prstGeom>"
         "</p:spPr><p:txBody><a:bodyPr lIns=\"0\" tIns=\"0\" rIns=\"0\" bIns=\"0\" wrap=\"square\"/>"
         "<a:lstStyle/><a:p><a:pPr algn=\"r\"/><a:fld "
-        "id=\"{{B6F15528-21DE-4FAA-801E-634DDDAF4B2B}}\" type=\"slidenum\">{0}<a:t>1</a:t></a:fld><a:r>{0}<a:t> / {1}</a:t></a:r></a:p></p:txBody>"
-        "</p:sp>",
+        "id=\"{{B6F15528-21DE-4FAA-801E-634DDDAF4B2B}}\" type=\"slidenum\">{0}<a:t>1</a:t></a:fld>"
+        "<a:r>{0}<a:t> / {1}</a:t></a:r></a:p></p:txBody></p:sp>",
         kLook, slides);
 }
 

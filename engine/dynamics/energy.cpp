@@ -27,16 +27,21 @@ void sumResting(Bodies& bodies) {
     bodies.restStale = false;
 }
 
+double kineticEnergyOf(const Bodies& bodies, int i) {
+    const Velocity& v = bodies.velocities[i];
+    return 0.5 * (bodies.masses[i].mass * v.linear.squaredNorm() +
+                  v.angular.dot(spinMomentum(bodies, i)));
+}
+
 Energy energyOf(const Bodies& bodies, const Vec3& gravity) {
     Energy e;
     e.potential = -gravity.dot(bodies.restStale ? restMomentOf(bodies) : bodies.restMoment);
     for (const int i : bodies.active) {
         if (!bodies.isDynamic(i)) continue;
-        const double m = bodies.masses[i].mass;
-        const Velocity& v = bodies.velocities[i];
-        e.potential -= m * gravity.dot(bodies.poses[i].position - 0.5 * bodies.spans[i] * v.linear);
-        if (bodies.isStill(i)) continue;
-        e.kinetic += 0.5 * (m * v.linear.squaredNorm() + v.angular.dot(spinMomentum(bodies, i)));
+        const Vec3& v = bodies.velocities[i].linear;
+        e.potential -= bodies.masses[i].mass *
+                       gravity.dot(bodies.poses[i].position - 0.5 * bodies.spans[i] * v);
+        if (!bodies.isStill(i)) e.kinetic += kineticEnergyOf(bodies, i);
     }
     return e;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/dynamics/energy.h"
+
 namespace engine {
 namespace {
 
@@ -34,14 +36,6 @@ bool anyTurns(const Constraints& c, int group) {
                                [&](int k) { return c.joints[k].kept < 1.0; });
 }
 
-double kineticOf(const Bodies& bodies, int i) {
-    if (!bodies.isDynamic(i)) return 0.0;
-    const Velocity& v = bodies.velocities[i];
-    const Vec3 spin = bodies.poses[i].rotation.conjugate() * v.angular;
-    return 0.5 * (bodies.masses[i].mass * v.linear.squaredNorm() +
-                  spin.dot(bodies.masses[i].inertia * spin));
-}
-
 /// Of a guess that was applied: the share to keep. Takes it away.
 double shareToKeep(Constraints& c, JointTrees& trees, int group, double energy,
                    std::span<Velocity> v) {
@@ -67,7 +61,8 @@ void KeptImpulses::measure(const Bodies& bodies, int groups, const Constraints& 
     for (int group = 0; group < groups; ++group) {
         if (c.jointsOutside.of(group).empty()) continue;
         for (const int k : c.jointsByGroup.of(group))
-            energies_[group] += kineticOf(bodies, c.joints[k].a) + kineticOf(bodies, c.joints[k].b);
+            for (const int body : {c.joints[k].a, c.joints[k].b})
+                if (bodies.isDynamic(body)) energies_[group] += kineticEnergyOf(bodies, body);
     }
 }
 

@@ -17,7 +17,8 @@ namespace engine {
 
 class KeptImpulses {
 public:
-    /// Before a solve: stores the kinetic energies of the groups that have such joints.
+    /// Before a solve: stores the kinetic energies of the groups that have such joints. A body counts once for
+    /// each of its joints.
     void measure(const Bodies& bodies, int groups, const Constraints& c);
     /// Reduces bad guesses. All impulses have been applied, and no sweep was done yet.
     void check(Constraints& c, JointTrees& trees, std::span<Velocity> v) const;

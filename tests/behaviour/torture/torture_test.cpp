@@ -1,5 +1,5 @@
 // Extreme worlds: a minute each, in both presets. One world of every kind runs in tests/run; with
-// IMPULSE_LONG in the environment (tests/run --long), six of every kind.
+// IMPULSE_LONG in the environment (tests/run --long), six of every kind; with IMPULSE_WORLDS=N the first N.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -15,7 +15,10 @@ using engine::Trouble;
 constexpr int kMinute = 3600;  // steps
 
 bool isLong() { return std::getenv("IMPULSE_LONG") != nullptr; }
-int cases() { return isLong() ? 6 * kKinds : kKinds; }
+int cases() {
+    if (const char* worlds = std::getenv("IMPULSE_WORLDS")) return std::atoi(worlds);
+    return isLong() ? 6 * kKinds : kKinds;
+}
 
 /// An energy scale: that of a fall from a metre, plus what they have.
 double scaleOf(const Case& c) {
