@@ -18,13 +18,13 @@ namespace {
 
 constexpr int kMostValues = 1000;
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text,
+[[noreturn]] void refuseSweep(const std::string& option, const std::string& text,
                          const std::string& what) {
     throw Stop(Exit::usage, fmt::format("{} '{}': {}", option, printable(text), what));
 }
 
 /// Splits at commas that are not within brackets or quotes.
-std::vector<std::string> listOf(const std::string& text) {
+std::vector<std::string> sweptValues(const std::string& text) {
     std::vector<std::string> parts(1);
     int depth = 0;
     char quote = 0;
@@ -127,8 +127,8 @@ SceneError asOption(const SceneError& error, const std::string& option) {
 Variation variationFrom(const std::string& text, const std::string& option) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        refuse(option, text, "must be KEY=VALUE,VALUE..., for example solver.sweeps=1,4,16");
-    return {text.substr(0, equals), listOf(text.substr(equals + 1))};
+        refuseSweep(option, text, "must be KEY=VALUE,VALUE..., for example solver.sweeps=1,4,16");
+    return {text.substr(0, equals), sweptValues(text.substr(equals + 1))};
 }
 
 Variation rangeFrom(const std::string& text, const std::string& option) {
@@ -137,16 +137,16 @@ Variation rangeFrom(const std::string& text, const std::string& option) {
     const std::string value = variation.values.front();
     const std::optional<ValueRange> range = rangeOf(value);
     if (!range)
-        refuse(option, text, "must be a list (1,4,16) or a range (1..64, 1..64:x2, 0..1:0.25)");
-    if (range->high < range->low) refuse(option, text, "a range must run upwards; swap its ends");
+        refuseSweep(option, text, "must be a list (1,4,16) or a range (1..64, 1..64:x2, 0..1:0.25)");
+    if (range->high < range->low) refuseSweep(option, text, "a range must run upwards; swap its ends");
     const bool whole = isWhole(range->low) && isWhole(range->high);
     if (value.find(':') == std::string::npos && !whole)
-        refuse(option, text, "a range of fractions needs a step, as in 0..1:0.25");
+        refuseSweep(option, text, "a range of fractions needs a step, as in 0..1:0.25");
     if (range->doubling ? !(range->step > 1.0 && range->low > 0.0) : !(range->step > 0.0))
-        refuse(option, text, "a step must be above 0; a factor above 1, with the range above 0");
+        refuseSweep(option, text, "a step must be above 0; a factor above 1, with the range above 0");
     variation.values = valuesIn(*range);
     if (static_cast<int>(variation.values.size()) > kMostValues)
-        refuse(option, text, fmt::format("more than {} values; take larger steps", kMostValues));
+        refuseSweep(option, text, fmt::format("more than {} values; take larger steps", kMostValues));
     return variation;
 }
 

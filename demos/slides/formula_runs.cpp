@@ -18,7 +18,7 @@ bool isAmongSpaced(std::string_view text) {
     return false;
 }
 
-constexpr const char* kThin = "\xe2\x80\x89";  // U+2009
+constexpr const char* kThinSpace = "\xe2\x80\x89";  // U+2009
 
 /// Multiplication and application that are not drawn: U+2061 to U+2064.
 bool isInvisible(std::string_view text) {
@@ -132,7 +132,7 @@ private:
         put("/", false, false);
         writeTerm(node.first_child().next_sibling());
         const std::string_view next = node.next_sibling().name();
-        if (!next.empty() && next != "mo") put(kThin, false, false);
+        if (!next.empty() && next != "mo") put(kThinSpace, false, false);
     }
 
     void writeRoot(pugi::xml_node node) {

@@ -11,11 +11,11 @@ namespace {
 using support::kGravity;
 
 /// One body, one force, four sub-steps per step.
-struct Flight {
+struct OneBody {
     World world;
     BodyId body;
 
-    explicit Flight(const BodyDef& def, const Vec3& gravity = Vec3::Zero()) {
+    explicit OneBody(const BodyDef& def, const Vec3& gravity = Vec3::Zero()) {
         world.setGravity(gravity);
         body = world.add(def);
     }
@@ -34,7 +34,7 @@ const Vec3 kDown(0, -kGravity, 0);
 TEST(DragForce, DecaysByTheSameShareInEverySubstep) {
     BodyDef def = ball(2.0);
     def.velocity = {3, 0, 0}, def.spin = {0, 4, 0};
-    Flight flight(def);
+    OneBody flight(def);
     flight.add(Drag{0.8, 0.05});
     support::run(flight.world, 60);
     const double h = support::kStep / 4;
@@ -46,7 +46,7 @@ TEST(DragForce, DecaysByTheSameShareInEverySubstep) {
 }
 
 TEST(DragForce, LetsAFallingBodyReachMGOverC) {
-    Flight flight(ball(2.0), kDown);
+    OneBody flight(ball(2.0), kDown);
     flight.add(Drag{5.0, 0.0});
     support::run(flight.world, 600);
     EXPECT_NEAR(flight.velocity().y(), -2.0 * kGravity / 5.0, 1e-9);
@@ -55,7 +55,7 @@ TEST(DragForce, LetsAFallingBodyReachMGOverC) {
 TEST(DragForce, HoweverLargeStopsABodyAndNeverTurnsItRound) {
     BodyDef def = ball(1.0);
     def.velocity = {50, 0, 0}, def.spin = {0, 0, 30};
-    Flight flight(def);
+    OneBody flight(def);
     flight.add(Drag{1e6, 1e6});
     support::run(flight.world, 60);
     EXPECT_NEAR(flight.velocity().norm(), 0.0, 1e-12);
@@ -64,7 +64,7 @@ TEST(DragForce, HoweverLargeStopsABodyAndNeverTurnsItRound) {
 
 // rho/2 C A v^2 = (m - rho V) g
 TEST(MediumForce, LetsAFallingBallReachItsTerminalSpeed) {
-    Flight flight(ball(1.0), kDown);
+    OneBody flight(ball(1.0), kDown);
     Medium air;
     air.density = 1.2, air.dragCoefficient = 0.47;
     flight.add(air);
@@ -78,7 +78,7 @@ TEST(MediumForce, LetsAFallingBallReachItsTerminalSpeed) {
 TEST(MediumForce, BrakesWithTheSquareOfTheSpeed) {
     BodyDef def = ball(1.0);
     def.velocity = {20, 0, 0};
-    Flight flight(def);
+    OneBody flight(def);
     flight.add(Medium{.density = 1.2, .dragCoefficient = 1.0});
     support::run(flight.world, 120);
     const double length = 2.0 / (1.2 * kPi / 4.0);
@@ -86,7 +86,7 @@ TEST(MediumForce, BrakesWithTheSquareOfTheSpeed) {
 }
 
 TEST(MediumForce, CarriesABodyAlongWithTheWind) {
-    Flight flight(ball(0.05));
+    OneBody flight(ball(0.05));
     flight.add(Medium{.density = 1.2, .velocity = {3, 0, -4}, .dragCoefficient = 1.0});
     support::run(flight.world, 6000);
     EXPECT_LT((flight.velocity() - Vec3(3, 0, -4)).norm(), 0.01);
@@ -94,7 +94,7 @@ TEST(MediumForce, CarriesABodyAlongWithTheWind) {
 
 // A cube of half the density of water floats half submerged.
 TEST(MediumForce, LetsACubeFloatAtItsDensity) {
-    Flight flight(support::body(Shape::box({1, 1, 1}), {0, 0.4, 0}, 300.0), kDown);
+    OneBody flight(support::body(Shape::box({1, 1, 1}), {0, 0.4, 0}, 300.0), kDown);
     flight.add(Medium{.density = 1000, .dragCoefficient = 1.0, .level = 0.0});
     flight.add(Drag{600.0, 100.0});
     support::run(flight.world, 1200);
@@ -104,7 +104,7 @@ TEST(MediumForce, LetsACubeFloatAtItsDensity) {
 
 // A small cork bobs with omega^2 = rho g A / m about where it floats.
 TEST(MediumForce, ACubeBobsAtItsFrequency) {
-    Flight flight(support::body(Shape::box({1, 1, 1}), {0, 0.05, 0}, 500.0), kDown);
+    OneBody flight(support::body(Shape::box({1, 1, 1}), {0, 0.05, 0}, 500.0), kDown);
     flight.add(Medium{.density = 1000, .dragCoefficient = 0.0, .level = 0.0});
     const double omega = std::sqrt(1000 * kGravity / 500);
     int steps = 0;
@@ -114,7 +114,7 @@ TEST(MediumForce, ACubeBobsAtItsFrequency) {
 
 TEST(MediumForce, EndsAtItsRegion) {
     BodyDef def = ball(1.0);
-    Flight flight(def);
+    OneBody flight(def);
     Medium wind{.density = 1.2, .velocity = {10, 0, 0}};
     wind.low = {-1, -1, -1}, wind.high = {1, 1, 1};
     flight.add(wind);
@@ -129,7 +129,7 @@ TEST(MediumForce, EndsAtItsRegion) {
 TEST(PointGravityForce, ACircleClosesAfterItsPeriod) {
     BodyDef def = ball(2.0, {4, 0, 0});
     def.velocity = {0, 0, std::sqrt(16.0 / 4.0)};
-    Flight flight(def);
+    OneBody flight(def);
     flight.add(PointGravity{Vec3::Zero(), 16.0, 0.0});
     EXPECT_NEAR(flight.world.energy().total(), -2.0 * 16.0 / (2 * 4.0), 1e-12);
     const double period = 2 * kPi * std::sqrt(64.0 / 16.0);
@@ -139,7 +139,7 @@ TEST(PointGravityForce, ACircleClosesAfterItsPeriod) {
 }
 
 TEST(PointGravityForce, TheCentreItselfDoesNotPull) {
-    Flight flight(ball(1.0));
+    OneBody flight(ball(1.0));
     flight.add(PointGravity{});
     support::run(flight.world, 10);
     EXPECT_EQ(flight.position(), Vec3::Zero());
@@ -280,14 +280,14 @@ TEST(ConstantForces, ActForTheirTime) {
 TEST(ConstantForces, TurnWithTheBodyWhenTold) {
     BodyDef def = ball(1.0);
     def.pose.rotation = turnAbout(Vec3::UnitZ(), kPi / 2);
-    Flight flight(def);
+    OneBody flight(def);
     flight.add(ConstantForce{.force = {6, 0, 0}, .turns = true});
     support::run(flight.world, 60);
     EXPECT_LT((flight.velocity() - Vec3(0, 6, 0)).norm(), 1e-12);
 }
 
 TEST(ConstantForces, OffTheCentreTurnABody) {
-    Flight flight(ball(1.0));
+    OneBody flight(ball(1.0));
     flight.add(ConstantForce{.force = {0, 1, 0}, .at = {0.5, 0, 0}});
     flight.world.step(support::kStep);
     EXPECT_GT(flight.world.spin(flight.body).z(), 0.0);
@@ -303,7 +303,7 @@ TEST(AirfoilForce, AGliderSinksByDragOverLift) {
     Mat3 stiff = Mat3::Identity() * 1e6;  // keeps its attitude
     def.inertia = stiff;
     def.velocity = {12, -0.5, 0};
-    Flight flight(def, kDown);
+    OneBody flight(def, kDown);
     Airfoil wing;
     wing.area = 0.25;
     flight.add(wing);

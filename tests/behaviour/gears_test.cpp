@@ -11,7 +11,7 @@ namespace {
 using support::kGravity;
 
 const Settings kBoth[] = {Settings::steady(), Settings::fast()};
-constexpr double kRates[] = {60.0, 240.0};
+constexpr double kGearRates[] = {60.0, 240.0};
 constexpr int kSteps = 3600;  // a minute at 60 Hz
 
 /// A world of wheels about z, each with its weight beside its axle.
@@ -57,7 +57,7 @@ struct Gears {
 template <class Build>
 void expectNoLoss(Build build) {
     for (const Settings& settings : kBoth)
-        for (const double hz : kRates) {
+        for (const double hz : kGearRates) {
             Gears g(settings);
             build(g);
             g.expectNoLoss(hz);
@@ -126,7 +126,7 @@ TEST(Gears, LoopsLoseNothing) {
 //   (I_a + r^2 I_b) phi'' = -g (m_a x_a(phi) + r m_b x_b(r phi)),   x: of the weight from its axle
 TEST(Gears, TwoEccentricWheelsFollowTheirEquation) {
     for (const Settings& settings : kBoth)
-        for (const double hz : kRates) {
+        for (const double hz : kGearRates) {
             constexpr double kRatio = -1.5, kBall = 0.4 * 0.01;  // m^2, inertia of a ball per mass
             const Vec3 weightA(0.5, 0, 0), weightB(0, 0.4, 0);
             constexpr double kMassA = 2.0, kMassB = 1.0;

@@ -10,7 +10,7 @@ namespace {
 using support::body;
 
 /// The lowest and the highest energy of a run, relative to the first, divided by the given scale.
-struct Swing {
+struct EnergyRange {
     double low = 0.0, high = 0.0, separation = 0.0;
 
     void run(World& world, double seconds, double scale, double hz = 60.0) {
@@ -66,7 +66,7 @@ TEST_P(LevelChain, NeverGainsEnergyAndLosesLittle) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
         double scale = 0.0;
         World world = levelChain(GetParam().links, GetParam().type, settings, scale);
-        Swing swing;
+        EnergyRange swing;
         swing.run(world, GetParam().seconds, scale);
         EXPECT_LT(swing.high, 0.005);
         EXPECT_GT(swing.low, -0.05);
@@ -77,7 +77,7 @@ TEST_P(LevelChain, NeverGainsEnergyAndLosesLittle) {
 TEST(ChainAt240Hz, LosesLessThanAPercent) {
     double scale = 0.0;
     World world = levelChain(5, JointType::ball, Settings::steady(), scale);
-    Swing swing;
+    EnergyRange swing;
     swing.run(world, 60, scale, 240.0);
     EXPECT_LT(swing.high, 0.001);
     EXPECT_GT(swing.low, -0.01);
@@ -99,7 +99,7 @@ TEST(FourBars, KeepTheirEnergyInALoop) {
             last = next;
         }
         support::join(world, type, last, world.add(support::hook(corners[3])), corners[3]);
-        Swing swing;
+        EnergyRange swing;
         swing.run(world, 120, 3 * support::kGravity * 0.5);
         EXPECT_LT(swing.high, 0.005);
         EXPECT_GT(swing.low, -0.05);
@@ -115,7 +115,7 @@ BodyId addBar(World& world, const Vec3& from, const Vec3& to) {
 }
 
 void expectKept(World& world, double seconds, double scale) {
-    Swing swing;
+    EnergyRange swing;
     swing.run(world, seconds, scale);
     EXPECT_LT(swing.high, 0.005);
     EXPECT_GT(swing.low, -0.05);

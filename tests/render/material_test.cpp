@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 192, kHeight = 108;
 
-RendererSettings small(Finish finish = Finish::standard) {
+RendererSettings smallSettings(Finish finish = Finish::standard) {
     RendererSettings settings;
     settings.width = kWidth;
     settings.height = kHeight;
@@ -56,7 +56,7 @@ Spread frontOf(const Image& image, std::size_t channel) {
 }
 
 Spread frontOf(Material material) {
-    static Renderer renderer(small());
+    static Renderer renderer(smallSettings());
     return frontOf(renderer.draw(boxOf(material)), 0);
 }
 
@@ -75,7 +75,7 @@ TEST(Material, SteelShowsTheRoom) {
     Frame frame = boxOf(Material::steel);
     frame.solids[0].shape = SolidShape::sphere;
     frame.solids[0].halfSize.setConstant(1.0f);
-    Renderer renderer(small());
+    Renderer renderer(smallSettings());
     const Image steel = renderer.draw(frame);
     const auto level = [&steel](int y) {
         return static_cast<int>(steel.pixels[4 * static_cast<std::size_t>(y * kWidth + kWidth / 2)]);
@@ -85,7 +85,7 @@ TEST(Material, SteelShowsTheRoom) {
 }
 
 TEST(Material, GlassIsSeenThroughAndHidesNothing) {
-    Renderer renderer(small());
+    Renderer renderer(smallSettings());
     Frame empty = boxOf(Material::glass), glass = empty, solid = boxOf(Material::paper);
     empty.solids.clear();
     const double without = frontOf(renderer.draw(empty), 0).mean;
@@ -109,7 +109,7 @@ TEST(Material, TheOrderOfBodiesDoesNotMatterForGlass) {
     frame.solids[1].position.z() = -3.0f;
     Frame other = frame;
     std::swap(other.solids[0], other.solids[1]);
-    Renderer renderer(small());
+    Renderer renderer(smallSettings());
     const Spread one = frontOf(renderer.draw(frame), 0), two = frontOf(renderer.draw(other), 0);
     EXPECT_NEAR(one.mean, two.mean, 4.0);  // each body has its own part of a pattern
 }
@@ -118,19 +118,19 @@ TEST(Material, ATransparentPictureKeepsGlassTranslucent) {
     Frame frame = boxOf(Material::glass);
     frame.grounds.clear();
     frame.look.transparent = true;
-    Renderer renderer(small());
+    Renderer renderer(smallSettings());
     const double alpha = frontOf(renderer.draw(frame), 3).mean;
     EXPECT_GT(alpha, 50.0);
     EXPECT_LT(alpha, 200.0);
 }
 
 TEST(Material, DraftsShowTheColourAlone) {
-    Renderer renderer(small(Finish::draft));
+    Renderer renderer(smallSettings(Finish::draft));
     EXPECT_LT(frontOf(renderer.draw(boxOf(Material::stone)), 0).deviation, 3.0);
 }
 
 TEST(Material, GlassIsSeenThroughInDraftsToo) {
-    Renderer renderer(small(Finish::draft));
+    Renderer renderer(smallSettings(Finish::draft));
     Frame glass = boxOf(Material::glass);
     const double clear = frontOf(renderer.draw(glass), 0).mean;
     Solid wall = boxOf(Material::paper).solids[0];
