@@ -2,11 +2,13 @@
 
 namespace render {
 
-void EmptyTiles::draw(const std::vector<PixelRect>& rects, int width, int height) const {
+void EmptyTiles::draw(const std::vector<PixelRect>& rects, int width, int height,
+                      float depth) const {
     std::vector<Vec3> corners;
     const auto corner = [&](int x, int y) {
         return Vec3(2.0f * static_cast<float>(x) / static_cast<float>(width) - 1.0f,
-                    2.0f * static_cast<float>(y) / static_cast<float>(height) - 1.0f, 1.0f);
+                    2.0f * static_cast<float>(y) / static_cast<float>(height) - 1.0f,
+                    2.0f * depth - 1.0f);
     };
     for (const PixelRect& r : rects) {
         const Vec3 a = corner(r.x0, r.y0), b = corner(r.x1, r.y0), c = corner(r.x1, r.y1),

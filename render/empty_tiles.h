@@ -10,8 +10,10 @@ namespace render {
 class EmptyTiles {
 public:
     EmptyTiles() : program_(newProgram("tile", "tile")) {}
-    /// In the framebuffer that is bound, of this size; row 0 is its first.
-    void draw(const std::vector<PixelRect>& rects, int width, int height) const;
+    /// In the framebuffer that is bound, of this size; row 0 is its first. `depth`: from 0, where
+    /// nothing can be drawn, to 1, the largest.
+    void draw(const std::vector<PixelRect>& rects, int width, int height,
+              float depth = 1.0f) const;
 
 private:
     GlProgram program_;

@@ -168,13 +168,15 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width_, height_);
     drawInto(numbered ? 2 : 1);
-    drawn_ = {0, 0, width_, height_};
+    const PixelRect all{0, 0, width_, height_};
+    drawn_ = only ? only->rects() : std::vector<PixelRect>{all};
     if (only)
-        keepAllBut(*only);
+        keepAllButDrawn();
     else
         clear(frame.look, numbered);
+    open_ = drawn_;
     glEnable(GL_SCISSOR_TEST);
-    scissor(drawn_);
+    scissor(all);
     for (std::size_t i = 0; i < kMaterials; ++i)
         if (meshes.materials()[i] && Material(i) != Material::glass)
             drawBodies(scene, meshes, Material(i));
@@ -188,21 +190,31 @@ void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights,
 /// All other pixels get the smallest depth, so that nothing is drawn there. The others have the same
 /// bits as always: neither triangles nor interpolation depend on which pixels are hidden, and tiles
 /// have whole groups of 2x2 pixels, whose differences are the shaders' derivatives.
-void ScenePass::keepAllBut(const TileSet& tiles) {
-    const std::vector<PixelRect> rects = tiles.rects();
-    drawn_ = render::boundsOf(rects);
-    glClearDepth(0.0);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    glClearDepth(1.0);
-    tiles_.draw(rects, width_, height_);
+/// They have it still from the last time, except for those that were drawn then.
+void ScenePass::keepAllButDrawn() {
+    if (open_.size() == 1) {  // mostly the whole picture
+        glClearDepth(0.0);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glClearDepth(1.0);
+    } else {
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        tiles_.draw(open_, width_, height_, 0.0f);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
+    tiles_.draw(drawn_, width_, height_);
 }
 
-/// False if nothing is drawn there.
+/// To what is drawn within; false if that is nothing.
 bool ScenePass::scissor(const PixelRect& rect) const {
-    const int x0 = std::max(rect.x0, drawn_.x0), y0 = std::max(rect.y0, drawn_.y0);
-    const int x1 = std::min(rect.x1, drawn_.x1), y1 = std::min(rect.y1, drawn_.y1);
-    glScissor(x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0));
-    return x0 < x1 && y0 < y1;
+    std::vector<PixelRect> parts;
+    for (const PixelRect& r : drawn_) {
+        const PixelRect part{std::max(rect.x0, r.x0), std::max(rect.y0, r.y0),
+                             std::min(rect.x1, r.x1), std::min(rect.y1, r.y1)};
+        if (!part.empty()) parts.push_back(part);
+    }
+    const PixelRect bounds = parts.empty() ? PixelRect{} : render::boundsOf(parts);
+    glScissor(bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
+    return !parts.empty();
 }
 
 void ScenePass::read(const PixelRect& part, Image& image) const {

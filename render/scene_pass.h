@@ -38,7 +38,7 @@ private:
         const View& view;
         Lights lights;
     };
-    void keepAllBut(const TileSet& tiles);
+    void keepAllButDrawn();
     bool scissor(const PixelRect& rect) const;
     GLuint lit(const std::string& vertex, const std::string& fragment, const std::string& features,
                const Scene& scene);
@@ -56,7 +56,8 @@ private:
     GlFramebuffer framebuffer_;
     std::map<std::string, GlProgram> programs_;  // by fragment shader and features, made when used
     GlProgram sky_, trail_;
-    PixelRect drawn_;  // the rectangle around what is drawn
+    std::vector<PixelRect> drawn_;  // the parts that are drawn
+    std::vector<PixelRect> open_;   // the parts where something can be drawn: of other depth than 0
     GlArray empty_, trailArray_;
     GlBuffer trailBuffer_;
     EmptyTiles tiles_;

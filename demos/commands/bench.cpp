@@ -126,10 +126,10 @@ std::string benchScene(const SceneDescription& scene, const EarlierRun& earlier,
 void sayFilmJson(const FilmPlan& plan, const FilmTiming& t) {
     fmt::print(R"({{"scene":{},"quality":"{}","width":{},"height":{},"samples":{},"moments":{},)"
                R"("bodies":{},"frames":{},"workers":{},"frames_per_second":{:.6g},"goal":{:.6g},)"
-               R"("png_bytes":{:.0f})",
+               R"("png_bytes":{:.0f},"drawn_share":{:.4g})",
                jsonString(plan.name), plan.quality, plan.layout.width, plan.layout.height,
                plan.picture.samples, plan.shutter.moments, plan.scene().bodies.size(), t.frames,
-               t.workers, t.framesASecond, t.goal(), t.pngBytes);
+               t.workers, t.framesASecond, t.goal(), t.pngBytes, t.drawn);
     for (std::size_t i = 0; i < t.ms.size(); ++i)
         fmt::print(R"(,"ms_{}":{:.6g})", kFilmStages[i], t.ms[i]);
     if (t.mp4)
@@ -143,8 +143,8 @@ void sayFilmJson(const FilmPlan& plan, const FilmTiming& t) {
 void sayFilm(const FilmPlan& plan, const FilmTiming& t) {
     fmt::print("{:18} {:6}", plan.name, plan.scene().bodies.size());
     for (const double ms : t.ms) fmt::print(" {:9.2f}", ms);
-    fmt::print(" {:8.1f} {:6.0f} {:9.1f} {:8.2f}\n", t.drawing(), 1e-3 * t.pngBytes,
-               t.framesASecond, t.framesASecond / t.goal());
+    fmt::print(" {:8.1f} {:6.1f} {:6.0f} {:9.1f} {:8.2f}\n", t.drawing(), 100.0 * t.drawn,
+               1e-3 * t.pngBytes, t.framesASecond, t.framesASecond / t.goal());
     if (t.mp4)
         fmt::print("{:18} all {:.2f} = workers {:.2f} + program {:.2f} + encoder {:.2f}; {:.1f} "
                    "kB, {:.1f} frames/s\n",
@@ -155,7 +155,8 @@ void sayFilm(const FilmPlan& plan, const FilmTiming& t) {
 void sayFilmHeader() {
     fmt::print("{:18} {:>6}", "ms a frame", "bodies");
     for (const char* name : kFilmStages) fmt::print(" {:>9}", name);
-    fmt::print(" {:>8} {:>6} {:>9} {:>8}\n", "drawing", "kB", "frames/s", "of goal");
+    fmt::print(" {:>8} {:>6} {:>6} {:>9} {:>8}\n", "drawing", "drawn%", "kB",
+               "frames/s", "of goal");
 }
 
 std::string benchFilm(const BenchOptions& options) {
@@ -201,7 +202,8 @@ Run addBench(CLI::App& app) {
     addSeconds(app, options);
     app.add_flag("--film", options.film,
                  "measure processor time of every stage of a frame, of all processes of an .mp4, "
-                 "and frames/s, for the film that the options below describe; default: off");
+                 "the share of the pictures that is drawn and not kept, and frames/s, for the film "
+                 "that the options below describe; default: off");
     addPicture(app, options, texts);
     addWholeFrames(app, options);
     addJobs(app, options);

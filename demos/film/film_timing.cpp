@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "demos/film/composite.h"
@@ -42,6 +43,12 @@ private:
 
 void checkInterrupted() {
     if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
+}
+
+/// 1 if there are none: a film of one frame is drawn as a whole.
+double meanOf(const std::vector<double>& shares) {
+    if (shares.empty()) return 1.0;
+    return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
 }
 
 double framesASecond(const FilmPlan& plan, int workers, const TemporaryFolder& folder) {
@@ -90,11 +97,12 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, double most
     render::Renderer renderer(settings);
     Composite composite(plan);
     StageClock clock;
-    renderer.observe([&clock](render::Stage stage) {
-        clock.begin(stage == render::Stage::done ? kEncode
-                                                 : kDrawing + static_cast<std::size_t>(stage));
+    std::vector<double> bytes, drawn;
+    renderer.observe([&](render::Stage stage) {
+        const bool done = stage == render::Stage::done;
+        clock.begin(done ? kEncode : kDrawing + static_cast<std::size_t>(stage));
+        if (done && !bytes.empty()) drawn.push_back(renderer.drawnShare());
     });
-    std::vector<double> bytes;
     const auto isEnough = [&](int frame) { return frame >= 5 && processorTime() - begun > most; };
     for (int frame = 0; frame < timing.frames && !isEnough(frame); ++frame) {
         clock.begin(0);
@@ -114,6 +122,7 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, double most
     timing.start = std::max(timing.start, 0.0);
     timing.frames = static_cast<int>(bytes.size());
     timing.pngBytes = medianOf(bytes);
+    timing.drawn = meanOf(drawn);
     timing.incident = composite.incidentAtEnd();
 }
 

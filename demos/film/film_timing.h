@@ -17,6 +17,7 @@ struct FilmTiming {
     std::array<double, kFilmStages.size()> ms{};  // processor time per frame, median; for PNG files
     double start = 0.0;     // s, processor time of a drawing process before its first frame
     double pngBytes = 0.0;                        // per frame, median
+    double drawn = 0.0;     // 0..1 of a picture, not kept from the last; mean without the first
     int frames = 0;
     int workers = 0;
     double framesASecond = 0.0;  // of the whole film as PNG files, wall-clock time

@@ -1,5 +1,4 @@
-/// Encodes pictures as PNG, in memory. file.h writes them to disk: stb's own writer reports success
-/// on a full disk.
+/// Encodes pictures as PNG, in memory; file.h writes them to disk.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,8 +8,7 @@
 
 namespace render {
 
-inline constexpr int kLargestSide =
-    16384;  // pixels; 4 * 16384^2 bytes still fit into stb's int
+inline constexpr int kLargestSide = 16384;  // pixels
 
 /// The bytes of a PNG file: RGB if every pixel is opaque, RGBA otherwise. `dpi`: pixels per inch on
 /// paper, stored in the file (pHYs); 0: not stored.

@@ -63,7 +63,9 @@ TEST(Png, DropsAlphaOnlyWhenEveryPixelIsOpaque) {
 }
 
 TEST(Png, IsTheSameFileEveryTime) {
-    EXPECT_EQ(render::encodePng(gradient(64, 48)), render::encodePng(gradient(64, 48)));
+    const Bytes first = render::encodePng(gradient(64, 48));
+    render::encodePng(gradient(99, 70, 1));  // larger, and not opaque: buffers are used again
+    EXPECT_EQ(render::encodePng(gradient(64, 48)), first);
 }
 
 TEST(Png, LongestSideIsAcceptedAndOneMoreIsNot) {

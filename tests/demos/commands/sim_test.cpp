@@ -238,7 +238,7 @@ TEST_F(Sim, BenchGoesOnAfterAnIncident) {
 TEST_F(Sim, BenchOfAFilmAddsUpAllProcessesOfAnMp4) {
     if (!render::haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
     const std::vector<std::string> film = {"bench",  "ball.toml", "--film", "--size",
-                                           "96x54",  "--seconds", "0.2",    "--json"};
+                                           "192x108", "--seconds", "0.2",   "--json"};
     const Ended ended = run(folder.path(), film);
     ASSERT_EQ(ended.code, 0) << ended.err;
     const nlohmann::json said = nlohmann::json::parse(ended.out);
@@ -250,10 +250,15 @@ TEST_F(Sim, BenchOfAFilmAddsUpAllProcessesOfAnMp4) {
     }
     EXPECT_NEAR(said["mp4_ms"].get<double>(), sum, 1e-4 * sum);  // printed with six digits
     EXPECT_GT(said["mp4_bytes"].get<double>(), 20.0);
+    const double drawn = said["drawn_share"];  // the ball falls before a ground that stays
+    EXPECT_GT(drawn, 0.0);
+    EXPECT_LT(drawn, 0.9);
     const Ended odd = run(folder.path(), {"bench", "ball.toml", "--film", "--size", "95x54",
-                                          "--seconds", "0.2", "--json"});
+                                          "--seconds", "0.2", "--whole-frames", "--json"});
     EXPECT_EQ(odd.code, 0) << odd.err;  // no .mp4 has such a size
-    EXPECT_FALSE(nlohmann::json::parse(odd.out).contains("mp4_ms")) << odd.out;
+    const nlohmann::json oddSaid = nlohmann::json::parse(odd.out);
+    EXPECT_FALSE(oddSaid.contains("mp4_ms")) << odd.out;
+    EXPECT_EQ(oddSaid["drawn_share"].get<double>(), 1.0) << odd.out;
 }
 
 TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
