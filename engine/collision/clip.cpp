@@ -19,11 +19,18 @@ Polygon faceOf(const Mat3& axes, const Vec3& centre, const Vec3& half, int axis,
 template <int Most>
 void clip(PolygonOf<Most>& polygon, const Vec3& normal, double offset, int line) {
     constexpr double kStays = 5e-4;  // m
+    std::array<double, Most> height;
+    bool allInside = true;
+    for (int i = 0; i < polygon.count; ++i) {
+        height[i] = normal.dot(polygon.corner[i]) - offset;
+        allInside = allInside && height[i] <= kStays;
+    }
+    if (allInside) return;
     PolygonOf<Most> kept;
     for (int i = 0; i < polygon.count; ++i) {
         const int next = i + 1 < polygon.count ? i + 1 : 0;
         const Vec3 &p = polygon.corner[i], &q = polygon.corner[next];
-        const double heightP = normal.dot(p) - offset, heightQ = normal.dot(q) - offset;
+        const double heightP = height[i], heightQ = height[next];
         const bool insideP = heightP <= kStays, insideQ = heightQ <= kStays;
         if (insideP && kept.count < Most) kept.add(p, polygon.edge[i]);
         if (insideP == insideQ || kept.count == Most) continue;
@@ -34,7 +41,9 @@ void clip(PolygonOf<Most>& polygon, const Vec3& normal, double offset, int line)
         // When leaving, the next edge runs along the plane; when entering, it continues along the old line.
         kept.add(crossing, insideP ? line : polygon.edge[i]);
     }
-    polygon = kept;
+    std::copy_n(kept.corner.begin(), kept.count, polygon.corner.begin());
+    std::copy_n(kept.edge.begin(), kept.count, polygon.edge.begin());
+    polygon.count = kept.count;
 }
 
 template <int Most>

@@ -31,14 +31,6 @@ double topOf(const Shape& s) {
     return s.type == ShapeType::cone ? 1.5 * s.halfLength : s.halfLength;
 }
 
-const Vec3& farthest(const std::vector<Vec3>& corners, const Vec3& d) {
-    std::size_t best = 0;
-    double most = d.dot(corners[0]);
-    for (std::size_t i = 1; i < corners.size(); ++i)
-        if (const double along = d.dot(corners[i]); along > most) most = along, best = i;
-    return corners[best];
-}
-
 /// The unit vector of d's part across y, or x where that is zero.
 Vec3 outwards(const Vec3& d) {
     const Vec3 across(d.x(), 0.0, d.z());
@@ -59,11 +51,10 @@ Convex::Convex(const Shape& shape, const Pose& pose)
 Convex::Convex(const Mesh& mesh, int triangle, const Pose& pose)
     : mesh_(&mesh), triangle_(&mesh.triangles[triangle]), pose_(pose),
       turn_(pose.rotation.toRotationMatrix()) {
-    Vec3 middle = Vec3::Zero();
-    for (const int c : triangle_->corners) middle += mesh.corners[c] / 3.0;
-    for (const int c : triangle_->corners)
-        reach_ = larger(reach_, (mesh.corners[c] - middle).norm());
-    centre_ = pose.position + turn_ * middle;
+    for (int i = 0; i < 3; ++i)
+        corners_[i] = pose.position + turn_ * mesh.corners[triangle_->corners[i]];
+    reach_ = triangle_->reach;
+    centre_ = pose.position + turn_ * triangle_->middle;
     front_ = turn_ * triangle_->normal;
 }
 
@@ -72,48 +63,23 @@ Convex convexOf(const Piece& piece, const Pose& body) {
     return {*piece.shape, piece.at(body)};
 }
 
-Vec3 Convex::support(const Vec3& n) const {
-    return pose_.position + turn_ * supportLocal(turn_.transpose() * n);
-}
-
-Vec3 Convex::supportLocal(const Vec3& d) const {
-    if (triangle_) {
-        const Vec3 *best = &mesh_->corners[triangle_->corners[0]],
-                   *second = &mesh_->corners[triangle_->corners[1]],
-                   *third = &mesh_->corners[triangle_->corners[2]];
-        if (d.dot(*second) > d.dot(*best)) best = second;
-        return d.dot(*third) > d.dot(*best) ? *third : *best;
-    }
+Vec3 Convex::supportOfRound(const Vec3& d) const {
     const Shape& s = *shape_;
-    switch (s.type) {
-        case ShapeType::capsule: return {0.0, d.y() < 0.0 ? -s.halfLength : s.halfLength, 0.0};
-        case ShapeType::box:
-            return {d.x() < 0.0 ? -s.halfSize.x() : s.halfSize.x(),
-                    d.y() < 0.0 ? -s.halfSize.y() : s.halfSize.y(),
-                    d.z() < 0.0 ? -s.halfSize.z() : s.halfSize.z()};
-        case ShapeType::cylinder: {
-            Vec3 p = s.radius * outwards(d);
-            p.y() = d.y() < 0.0 ? baseOf(s) : topOf(s);
-            return p;
-        }
-        case ShapeType::cone: {
-            const Vec3 tip(0.0, topOf(s), 0.0);
-            Vec3 p = s.radius * outwards(d);
-            p.y() = baseOf(s);
-            return d.dot(p) > d.dot(tip) ? p : tip;
-        }
-        case ShapeType::hull: return farthest(s.hull->corners, d);
-        default: return Vec3::Zero();
+    Vec3 p = s.radius * outwards(d);
+    if (s.type == ShapeType::cylinder) {
+        p.y() = d.y() < 0.0 ? baseOf(s) : topOf(s);
+        return p;
     }
+    const Vec3 tip(0.0, topOf(s), 0.0);
+    p.y() = baseOf(s);
+    return d.dot(p) > d.dot(tip) ? p : tip;
 }
 
-int Convex::faceCount() const {
-    if (triangle_) return 1;
-    switch (shape_->type) {
+int Convex::faceCountOf(ShapeType type) {
+    switch (type) {
         case ShapeType::box: return 6;
         case ShapeType::cylinder: return 2;
         case ShapeType::cone: return 1;
-        case ShapeType::hull: return static_cast<int>(shape_->hull->faces.size());
         default: return 0;
     }
 }
@@ -125,13 +91,9 @@ Vec3 Convex::faceNormal(int face) const {
     return face % 2 == 0 ? Vec3(-turn_.col(axis)) : Vec3(turn_.col(axis));
 }
 
-Plane Convex::plane(int face) const {
+Plane Convex::flatPlane(int face) const {
     if (triangle_)
         return {triangle_->normal, triangle_->normal.dot(mesh_->corners[triangle_->corners[0]])};
-    if (shape_->type == ShapeType::hull) {
-        const Hull::Face& own = shape_->hull->faces[face];
-        return {own.normal, own.offset};
-    }
     const int axis = shape_->type == ShapeType::box ? face / 2 : 1;
     const Vec3 n = (face % 2 == 0 ? -1.0 : 1.0) * Vec3::Unit(axis);
     if (shape_->type == ShapeType::box) return {n, shape_->halfSize[axis]};
@@ -157,7 +119,8 @@ Feature Convex::disc(double y, const Vec3& n) const {
 Feature Convex::face(int face) const {
     Feature feature;
     if (triangle_) {
-        for (int i = 0; i < 3; ++i) feature.add(mesh_->corners[triangle_->corners[i]], i);
+        for (int i = 0; i < 3; ++i) feature.add(corners_[i], i);
+        return feature;
     } else if (shape_->type == ShapeType::hull) {
         const std::vector<int>& corners = shape_->hull->faces[face].corners;
         const int count = static_cast<int>(corners.size());

@@ -36,12 +36,26 @@ public:
     const Vec3& front() const { return front_; }
 
     /// The point of the core farthest along n (of any length).
-    Vec3 support(const Vec3& n) const;
+    Vec3 support(const Vec3& n) const {
+        const Vec3 d = turn_.transpose() * n;
+        if (triangle_) return corners_[farthestOfTriangle(d)];
+        return pose_.position + turn_ * supportLocal(d);
+    }
 
-    int faceCount() const;
+    int faceCount() const {
+        if (triangle_) return 1;
+        return shape_->type == ShapeType::hull ? static_cast<int>(shape_->hull->faces.size())
+                                               : faceCountOf(shape_->type);
+    }
     Vec3 faceNormal(int face) const;
     /// The plane of a face, in the piece's own axes.
-    Plane plane(int face) const;
+    Plane plane(int face) const {
+        if (!triangle_ && shape_->type == ShapeType::hull) {
+            const Hull::Face& own = shape_->hull->faces[face];
+            return {own.normal, own.offset};
+        }
+        return flatPlane(face);
+    }
     Vec3 toLocal(const Vec3& p) const { return turn_.transpose() * (p - pose_.position); }
     Vec3 turned(const Vec3& local) const { return turn_ * local; }  // a direction, to world axes
     Vec3 localOf(const Vec3& n) const { return turn_.transpose() * n; }  // and back
@@ -68,7 +82,30 @@ private:
     double onEdge() const { return 1e-6 * (1.0 + reach_); }
     /// Whether p, in its own axes, is on edge i.
     bool isOnEdge(int i, const Vec3& p) const;
-    Vec3 supportLocal(const Vec3& d) const;
+    int farthestOfTriangle(const Vec3& d) const {
+        const auto along = [&](int i) { return d.dot(mesh_->corners[triangle_->corners[i]]); };
+        const double first = along(0), second = along(1);
+        return along(2) > larger(first, second) ? 2 : second > first ? 1 : 0;
+    }
+    /// Of a shape, in its own axes.
+    Vec3 supportLocal(const Vec3& d) const {
+        const Shape& s = *shape_;
+        switch (s.type) {
+            case ShapeType::capsule: return {0.0, d.y() < 0.0 ? -s.halfLength : s.halfLength, 0.0};
+            case ShapeType::box:
+                return {d.x() < 0.0 ? -s.halfSize.x() : s.halfSize.x(),
+                        d.y() < 0.0 ? -s.halfSize.y() : s.halfSize.y(),
+                        d.z() < 0.0 ? -s.halfSize.z() : s.halfSize.z()};
+            case ShapeType::hull: return s.hull->corners[s.hull->lanes.farthest(d)];
+            case ShapeType::sphere: return Vec3::Zero();
+            default: return supportOfRound(d);
+        }
+    }
+    /// Of a cylinder or a cone.
+    Vec3 supportOfRound(const Vec3& d) const;
+    static int faceCountOf(ShapeType type);
+    /// The plane of a face of any piece but a hull.
+    Plane flatPlane(int face) const;
     Feature disc(double y, const Vec3& n) const;
     Feature sideLine(const Vec3& local) const;
     void toWorld(Feature& feature) const;
@@ -79,6 +116,7 @@ private:
     Pose pose_;
     Mat3 turn_;  // to world axes
     Vec3 centre_, front_ = Vec3::Zero();
+    std::array<Vec3, 3> corners_;  // m, of a triangle, in world axes
     double radius_ = 0.0, reach_ = 0.0;
 };
 

@@ -9,19 +9,6 @@ constexpr double kFlat = 1e-20;  // sine squared
 
 struct Corner {
     Vec3 onA, onB, p;  // p = onB - onA
-    double share = 0.0;
-};
-
-/// The points whose weighted sum (by share) is v.
-struct Simplex {
-    int count = 0;
-    std::array<Corner, 4> corner;
-
-    Vec3 nearest() const {
-        Vec3 sum = Vec3::Zero();
-        for (int i = 0; i < count; ++i) sum += corner[i].share * corner[i].p;
-        return sum;
-    }
 };
 
 /// Weights of up to three corners; 0 for those that do not contribute.
@@ -30,10 +17,10 @@ struct Shares {
     Vec3 nearest = Vec3::Zero();
 };
 
-Shares ofSegment(const Vec3& a, const Vec3& b) {
-    const Vec3 ab = b - a;
+/// `along`: -a . (b - a).
+Shares ofSegment(const Vec3& a, const Vec3& ab, double along) {
     const double square = ab.squaredNorm();
-    const double t = square > 0.0 ? clamped(-a.dot(ab) / square, 0.0, 1.0) : 0.0;
+    const double t = square > 0.0 ? clamped(along / square, 0.0, 1.0) : 0.0;
     return {{1.0 - t, t, 0.0}, a + t * ab};
 }
 
@@ -48,8 +35,9 @@ Shares ofTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
         return {{va / all, vb / all, vc / all}, a + (vb / all) * ab + (vc / all) * ac};
     }
     // Outside: the nearest edge. The same for a degenerate triangle.
-    Shares best = ofSegment(a, b);
-    const Shares second = ofSegment(b, c), third = ofSegment(a, c);
+    const Vec3 bc = c - b;
+    Shares best = ofSegment(a, ab, d1);
+    const Shares second = ofSegment(b, bc, -b.dot(bc)), third = ofSegment(a, ac, d2);
     if (second.nearest.squaredNorm() < best.nearest.squaredNorm())
         best = {{0.0, second.of[0], second.of[1]}, second.nearest};
     if (third.nearest.squaredNorm() < best.nearest.squaredNorm())
@@ -57,61 +45,91 @@ Shares ofTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     return best;
 }
 
-/// Keeps the corners that contribute to the nearest point. False: the origin is inside.
-bool reduce(Simplex& s) {
-    const auto p = [&](int i) -> const Vec3& { return s.corner[i].p; };
-    if (s.count == 1) {
-        s.corner[0].share = 1.0;
-        return true;
+/// Up to four points; their weighted sum v is the one nearest to the origin.
+class Simplex {
+public:
+    explicit Simplex(const Corner& first) : v_(first.p) { corners_[0] = first; }
+
+    const Vec3& nearest() const { return v_; }
+    bool holds(const Vec3& p) const {
+        for (int i = 0; i < count_; ++i)
+            if (corners_[i].p == p) return true;
+        return false;
     }
-    std::array<int, 3> face{0, 1, 2};
-    Shares best;
-    if (s.count == 2) {
-        best = ofSegment(p(0), p(1));
-    } else if (s.count == 3) {
-        best = ofTriangle(p(0), p(1), p(2));
-    } else {
-        constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
-        double least = 1e300;
-        bool inside = true;
-        for (const auto& f : kFaces) {
+    enum class Step { nearer, done, inside };
+    /// Adds a corner and omits those that do not contribute to the new nearest point. Done: it is as near as
+    /// rounding allows, and nothing changes. Inside: the origin is.
+    Step add(const Corner& next);
+    Closest result() const;
+
+private:
+    const Vec3& p(int i) const { return corners_[i].p; }
+    /// The face of the tetrahedron nearest to the origin. False: the origin is inside.
+    bool nearestFace(std::array<int, 3>& face, Shares& best) const;
+
+    int count_ = 1;
+    std::array<Corner, 4> corners_;
+    Shares shares_{{1.0, 0.0, 0.0}, Vec3::Zero()};
+    Vec3 v_;
+};
+
+bool Simplex::nearestFace(std::array<int, 3>& face, Shares& best) const {
+    constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
+    double least = 1e300;
+    bool inside = true;
+    for (const auto& f : kFaces) {
+        if (inside) {
             // If inside, the origin is on the fourth corner's side of every face. Four nearly coplanar
             // corners, as polyhedra and rims have them, contain nothing: rounding would decide the sides.
             const Vec3 n = (p(f[1]) - p(f[0])).cross(p(f[2]) - p(f[0])), up = p(f[3]) - p(f[0]);
             const double fourth = n.dot(up);
             const bool flat = fourth * fourth <= kFlat * n.squaredNorm() * up.squaredNorm();
-            inside = inside && !flat && -n.dot(p(f[0])) * fourth > 0.0;
-            const Shares shares = ofTriangle(p(f[0]), p(f[1]), p(f[2]));
-            if (const double d = shares.nearest.squaredNorm(); d < least)
-                least = d, best = shares, face = {f[0], f[1], f[2]};
+            inside = !flat && -n.dot(p(f[0])) * fourth > 0.0;
         }
-        if (inside) return false;
+        // Of the first face, the shares are known: it is the whole simplex of before.
+        const Shares shares = f[3] == 3 ? shares_ : ofTriangle(p(f[0]), p(f[1]), p(f[2]));
+        if (const double d = shares.nearest.squaredNorm(); d < least)
+            least = d, best = shares, face = {f[0], f[1], f[2]};
     }
-    Simplex kept;
-    for (int i = 0; i < 3 && i < s.count; ++i)
-        if (best.of[i] > 0.0) {
-            kept.corner[kept.count] = s.corner[face[i]];
-            kept.corner[kept.count++].share = best.of[i];
-        }
-    s = kept;
-    return s.count > 0;
+    return !inside;
 }
 
-bool holds(const Simplex& s, const Vec3& p) {
-    for (int i = 0; i < s.count; ++i)
-        if (s.corner[i].p == p) return true;
-    return false;
+Simplex::Step Simplex::add(const Corner& next) {
+    corners_[count_] = next;
+    std::array<int, 3> face{0, 1, 2};
+    Shares best;
+    if (count_ == 1)
+        best = ofSegment(p(0), p(1) - p(0), -p(0).dot(p(1) - p(0)));
+    else if (count_ == 2)
+        best = ofTriangle(p(0), p(1), p(2));
+    else if (!nearestFace(face, best))
+        return Step::inside;
+    Vec3 v = Vec3::Zero();
+    int kept = 0;
+    for (int i = 0; i < 3; ++i)
+        if (best.of[i] > 0.0) v += best.of[i] * p(face[i]), ++kept;
+    if (kept == 0) return Step::inside;
+    if (!(v.squaredNorm() < v_.squaredNorm())) return Step::done;
+    count_ = 0;
+    for (int i = 0; i < 3; ++i) {
+        if (!(best.of[i] > 0.0)) continue;
+        if (face[i] != count_) corners_[count_] = corners_[face[i]];
+        best.of[count_++] = best.of[i];
+    }
+    shares_ = best;
+    v_ = v;
+    return Step::nearer;
 }
 
-Closest result(const Simplex& s, const Vec3& v) {
+Closest Simplex::result() const {
     Closest closest;
     closest.onA = closest.onB = Vec3::Zero();
-    for (int i = 0; i < s.count; ++i) {
-        closest.onA += s.corner[i].share * s.corner[i].onA;
-        closest.onB += s.corner[i].share * s.corner[i].onB;
+    for (int i = 0; i < count_; ++i) {
+        closest.onA += shares_.of[i] * corners_[i].onA;
+        closest.onB += shares_.of[i] * corners_[i].onB;
     }
-    closest.distance = v.norm();
-    if (closest.distance > 0.0) closest.normal = v / closest.distance;
+    closest.distance = v_.norm();
+    if (closest.distance > 0.0) closest.normal = v_ / closest.distance;
     return closest;
 }
 
@@ -126,33 +144,25 @@ Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, doubl
         return c;
     };
     const Vec3 between = b.centre() + shift - a.centre();
-    Simplex s;
-    s.corner[s.count++] = support(between.squaredNorm() > 0.0 ? Vec3(-between) : Vec3(Vec3::UnitY()));
-    s.corner[0].share = 1.0;
-    Vec3 v = s.corner[0].p;
+    Simplex s(support(between.squaredNorm() > 0.0 ? Vec3(-between) : Vec3(Vec3::UnitY())));
     const double touching = 1e-12 * (a.reach() + b.reach() + between.norm());
     for (int i = 0; i < kMostSupports; ++i) {
+        const Vec3 v = s.nearest();
         const double square = v.squaredNorm();
         if (square <= touching * touching) return {};
         const Corner next = support(-v);
         const double along = v.dot(next.p);  // over |v|: a lower bound of the distance
-        if (square - along <= kEpsilon * square || holds(s, next.p)) break;
+        if (square - along <= kEpsilon * square || s.holds(next.p)) break;
         if (along > 0.0 && along * along > enough * enough * square) {
-            Closest far = result(s, v);
+            Closest far = s.result();
             far.distance = along / std::sqrt(square);
             return far;
         }
-        const Simplex before = s;
-        s.corner[s.count++] = next;
-        if (!reduce(s)) return {};
-        const Vec3 nearer = s.nearest();
-        if (!(nearer.squaredNorm() < square)) {  // as near as rounding allows
-            s = before;
-            break;
-        }
-        v = nearer;
+        const Simplex::Step step = s.add(next);
+        if (step == Simplex::Step::inside) return {};
+        if (step == Simplex::Step::done) break;
     }
-    return result(s, v);
+    return s.result();
 }
 
 }  // namespace engine

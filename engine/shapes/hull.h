@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/math.h"
+#include "engine/shapes/corner_lanes.h"
 
 namespace engine {
 
@@ -16,6 +17,7 @@ struct Hull {
     };
     std::vector<Vec3> corners;  // m
     std::vector<Face> faces;
+    CornerLanes lanes;  // of the corners; only in a Shape
 };
 
 /// Whether points are flat to a ten-thousandth of their extent. At least one point, all finite.

@@ -49,6 +49,13 @@ void markSharp(Mesh& mesh) {
         }
 }
 
+void measure(Mesh::Triangle& triangle, const std::vector<Vec3>& corners) {
+    triangle.middle = Vec3::Zero();
+    for (const int c : triangle.corners) triangle.middle += corners[c] / 3.0;
+    for (const int c : triangle.corners)
+        triangle.reach = larger(triangle.reach, (corners[c] - triangle.middle).norm());
+}
+
 void findNeighbours(Mesh& mesh) {
     if (std::ranges::none_of(mesh.triangles, &Mesh::Triangle::isAnySlight)) return;
     for (const Mesh::Triangle& triangle : mesh.triangles)
@@ -116,8 +123,10 @@ Mesh makeMesh(std::span<const Vec3> corners, std::span<const std::array<int, 3>>
         const Vec3 a = corners[t[0]], b = corners[t[1]], c = corners[t[2]];
         const Vec3 area = 0.5 * (b - a).cross(c - a);
         if (area.norm() < kLeastArea) continue;
-        mesh.triangles.push_back(
-            {{welded[t[0]], welded[t[1]], welded[t[2]]}, area.normalized(), {}, {}});
+        Mesh::Triangle& triangle = mesh.triangles.emplace_back();
+        triangle.corners = {welded[t[0]], welded[t[1]], welded[t[2]]};
+        triangle.normal = area.normalized();
+        measure(triangle, mesh.corners);
     }
     if (mesh.triangles.empty()) return mesh;
     markSharp(mesh);

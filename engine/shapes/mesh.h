@@ -16,9 +16,12 @@ struct Mesh {
     struct Triangle {
         std::array<int, 3> corners;        // counter-clockwise from the solid side
         Vec3 normal;                       // unit, towards that side
-        std::array<bool, 3> sharp;         // the edge from corner i to the next is convex or a
+        std::array<bool, 3> sharp{};       // the edge from corner i to the next is convex or a
                                            // boundary; other edges do not affect sliding bodies
-        std::array<bool, 3> slight;        // it is convex, but bent too little to be sharp
+        std::array<bool, 3> slight{};      // it is convex, but bent too little to be sharp
+
+        Vec3 middle;                       // m, mean of the corners
+        double reach = 0.0;                // m, of the corners from there
 
         bool isAnySlight() const { return slight[0] || slight[1] || slight[2]; }
     };

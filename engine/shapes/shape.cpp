@@ -107,6 +107,7 @@ std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
     const VolumeIntegrals sum = integralsOf(*hull);
     const Vec3 centre = sum.first / sum.volume;
     moveBy(-centre);
+    hull->lanes = CornerLanes(hull->corners);
     Shape s;
     s.type = ShapeType::hull;
     s.origin = -near - centre;

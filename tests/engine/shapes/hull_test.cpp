@@ -56,6 +56,29 @@ TEST(Hull, OfRandomPointsIsAConvexPolyhedron) {
     }
 }
 
+int firstFarthest(const std::vector<Vec3>& corners, const Vec3& d) {
+    int best = 0;
+    for (int i = 1; i < static_cast<int>(corners.size()); ++i)
+        if (d.dot(corners[i]) > d.dot(corners[best])) best = i;
+    return best;
+}
+
+/// Also where corners are equally far, and where they do not fill the last block.
+TEST(Hull, TheFarthestCornerIsTheFirstOfThem) {
+    support::Random random(5);
+    for (int count = 4; count < 20; ++count) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < count; ++i) corners.push_back(random.vector(1.0));
+        for (int i = 0; i < 4; ++i) corners.push_back(corners[i]);
+        const CornerLanes lanes(corners);
+        for (int i = 0; i < 50; ++i) {
+            const Vec3 d = random.vector(1.0);
+            EXPECT_EQ(lanes.farthest(d), firstFarthest(corners, d));
+        }
+    }
+    EXPECT_EQ(CornerLanes(cubeCorners()).farthest({0, 1, 0}), 2);
+}
+
 TEST(Hull, OfFlatOrTooFewOrBrokenPointsIsNone) {
     const Vec3 flat[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 1e-7}};
     EXPECT_FALSE(Shape::hullOf(flat));
