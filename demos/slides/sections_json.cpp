@@ -15,20 +15,20 @@ constexpr const char* kMadeBy = "impulse slides";
 
 Json sectionJson(const MadeSlide& made) {
     const std::vector<const MadePicture*> pictures = picturesOf(made);
-    Json json{{"id", made.slide.id}, {"title", made.slide.title}};
+    Json entry{{"id", made.slide.id}, {"title", made.slide.title}};
     if (hasFilm(made)) {
-        json["file"] = filmName(made);
-        json["frames"] = made.film->frames;
-        json["fps"] = made.film->fps;
+        entry["file"] = filmName(made);
+        entry["frames"] = made.film->frames;
+        entry["fps"] = made.film->fps;
     }
-    if (!pictures.empty()) json["poster"] = pictureName(made, 0);
+    if (!pictures.empty()) entry["poster"] = pictureName(made, 0);
     for (std::size_t i = 1; i < pictures.size(); ++i)
-        json["pictures"].push_back(pictureName(made, i));
-    json["loop"] = made.slide.loop;
-    json["pause"] = made.slide.pause;
-    json["notes"] = made.slide.notes;
-    if (!made.command.empty()) json["command"] = made.command;
-    return json;
+        entry["pictures"].push_back(pictureName(made, i));
+    entry["loop"] = made.slide.loop;
+    entry["pause"] = made.slide.pause;
+    entry["notes"] = made.slide.notes;
+    if (!made.command.empty()) entry["command"] = made.command;
+    return entry;
 }
 
 /// Accepts only names in these two folders: a link in a deeper path may lead elsewhere.
@@ -41,14 +41,14 @@ bool isOurPlace(const std::filesystem::path& name) {
 }  // namespace
 
 std::string sectionsJson(const MadeDeck& made, const std::vector<std::filesystem::path>& files) {
-    Json json{{"made_by", kMadeBy},
+    Json entry{{"made_by", kMadeBy},
               {"title", made.deck.title},
               {"resolution", {made.deck.size.width, made.deck.size.height}},
               {"files", Json::array()},
               {"slides", Json::array()}};
-    for (const std::filesystem::path& file : files) json["files"].push_back(file.generic_string());
-    for (const MadeSlide& slide : made.slides) json["slides"].push_back(sectionJson(slide));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    for (const std::filesystem::path& file : files) entry["files"].push_back(file.generic_string());
+    for (const MadeSlide& slide : made.slides) entry["slides"].push_back(sectionJson(slide));
+    return entry.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& folder) {
@@ -56,10 +56,10 @@ std::vector<std::filesystem::path> listedFiles(const std::filesystem::path& fold
         contentOf(folder / "sections.json", kSectionsJson.bytes);
     const std::string text(bytes.begin(), bytes.end());
     if (!jsonTrouble(text, kSectionsJson).empty()) return {};
-    const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object() || json.value("made_by", Json()) != kMadeBy) return {};
+    const Json entry = Json::parse(text, nullptr, false);
+    if (!entry.is_object() || entry.value("made_by", Json()) != kMadeBy) return {};
     std::vector<std::filesystem::path> files;
-    for (const Json& name : json.value("files", Json::array())) {
+    for (const Json& name : entry.value("files", Json::array())) {
         if (!name.is_string()) continue;
         const std::filesystem::path file = name.get<std::string>();
         if (isOurPlace(file)) files.push_back(file);

@@ -11,7 +11,7 @@ using support::body;
 using support::kGravity;
 using support::run;
 
-constexpr double kRadius = 0.3;  // m
+constexpr double kRollerRadius = 0.3;  // m
 
 struct Solving {
     const char* name;
@@ -41,12 +41,12 @@ struct Slope {
         const Vec3 normal(sine(a), cosine(a), 0);
         downhill = Vec3(cosine(a), -sine(a), 0);
         world.add(support::fixed(Shape::plane(normal)));
-        BodyDef def = body(shape, kRadius * normal, 2.0);
+        BodyDef def = body(shape, kRollerRadius * normal, 2.0);
         // A cylinder lies across the slope.
         def.pose.rotation = turnAbout(Vec3::UnitX(), radians(90.0));
         def.material.rolling = rho;
         def.velocity = speed * downhill;
-        def.spin = Vec3(0, 0, -speed / kRadius);
+        def.spin = Vec3(0, 0, -speed / kRollerRadius);
         rider = world.add(def);
     }
     double speed() const { return world.velocity(rider).dot(downhill); }
@@ -67,33 +67,33 @@ protected:
 // a = (g sin - rho / r g cos) / (1 + I / (m r^2)), I / (m r^2) = 2/5 of a ball and 1/2 of a cylinder
 TEST_P(Rolling, SlowsWhatRollsDownASlope) {
     const double rho = 0.02, a = radians(10.0);
-    const double pull = kGravity * (sine(a) - rho / kRadius * cosine(a));
-    Slope ball(10.0, rho, Shape::sphere(kRadius), settings());
+    const double pull = kGravity * (sine(a) - rho / kRollerRadius * cosine(a));
+    Slope ball(10.0, rho, Shape::sphere(kRollerRadius), settings());
     EXPECT_NEAR(ball.acceleration(), pull / 1.4, exact());
-    EXPECT_NEAR(-ball.world.spin(ball.rider).z() * kRadius, ball.speed(), 10 * exact());
-    Slope roller(10.0, rho, Shape::cylinder(kRadius, 0.5), settings());
+    EXPECT_NEAR(-ball.world.spin(ball.rider).z() * kRollerRadius, ball.speed(), 10 * exact());
+    Slope roller(10.0, rho, Shape::cylinder(kRollerRadius, 0.5), settings());
     EXPECT_NEAR(roller.acceleration(), pull / 1.5, exact());
 }
 
 // v^2 / (2 a), a = rho g / (1.4 r)
 TEST_P(Rolling, ABallComesToRestWhereItsEnergyIsSpent) {
     const double rho = 0.01, speed = 1.0;
-    Slope level(0.0, rho, Shape::sphere(kRadius), settings(), speed);
+    Slope level(0.0, rho, Shape::sphere(kRollerRadius), settings(), speed);
     run(level.world, 600);
     EXPECT_LT(level.world.velocity(level.rider).norm(), 1e-4);
     EXPECT_LT(level.world.spin(level.rider).norm(), 1e-3);
     const double way = level.world.pose(level.rider).position.x();
-    EXPECT_NEAR(way, 1.4 * kRadius * speed * speed / (2 * rho * kGravity), 0.01 * way);
+    EXPECT_NEAR(way, 1.4 * kRollerRadius * speed * speed / (2 * rho * kGravity), 0.01 * way);
 }
 
 // tan(angle) < rho / r: 3.43 degrees < 3.814 < 4.2
 TEST_P(Rolling, HoldsOnASlopeAsLongAsItsMomentIsEnough) {
     const double rho = 0.02;
-    Slope holds(3.43, rho, Shape::sphere(kRadius), settings());
+    Slope holds(3.43, rho, Shape::sphere(kRollerRadius), settings());
     run(holds.world, 300);
     EXPECT_LT(holds.speed(), 1e-4);
     EXPECT_LT((holds.world.pose(holds.rider).position).dot(holds.downhill), 1e-3);
-    Slope rolls(4.2, rho, Shape::sphere(kRadius), settings());
+    Slope rolls(4.2, rho, Shape::sphere(kRollerRadius), settings());
     run(rolls.world, 300);
     EXPECT_GT(rolls.speed(), 0.1);
 }
@@ -112,9 +112,9 @@ TEST(RollingResistance, IsTheLargerOfTheTwoSurfaces) {
         BodyDef floor = support::floorPlane();
         floor.material.rolling = ofFloor;
         world.add(floor);
-        BodyDef ball = body(Shape::sphere(kRadius), {0, kRadius, 0}, 2.0);
+        BodyDef ball = body(Shape::sphere(kRollerRadius), {0, kRollerRadius, 0}, 2.0);
         ball.material.rolling = ofBall;
-        ball.velocity = Vec3(2, 0, 0), ball.spin = Vec3(0, 0, -2 / kRadius);
+        ball.velocity = Vec3(2, 0, 0), ball.spin = Vec3(0, 0, -2 / kRollerRadius);
         const BodyId id = world.add(ball);
         run(world, 60);
         return world.velocity(id).x();
