@@ -9,6 +9,7 @@ namespace engine {
 namespace {
 
 constexpr int kBodiesAThread = 128;  // at least
+constexpr double kStepsAhead = 3.0;
 constexpr std::size_t kMostPairs = 4'000'000;  // found in one step, some of them twice: 32 MB
 
 bool isPlane(const Bodies& bodies, int i) {
@@ -26,9 +27,7 @@ bool mayMeet(const Bodies& bodies, int i, int j) {
 
 /// Bounds of where the body may be during the next step. Rotation moves no point farther than the
 /// sweep, nor out of the ball around the body.
-Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
-    const Shape& shape = bodies.defs[i].shape;
-    const Motion motion = motionOf(bodies, i, dt);
+Bounds reachOf(const Shape& shape, const Motion& motion, double margin, double dt) {
     const Bounds upright = boundsOf(shape, motion.start);
     const Vec3 way = dt * motion.velocity;
     const Vec3 half = 0.5 * (upright.high - upright.low);
@@ -39,6 +38,14 @@ Bounds reachOf(const Bodies& bodies, int i, double margin, double dt) {
     const Bounds now{upright.low - turn, upright.high + turn};
     const Bounds then{now.low + way, now.high + way};
     return now.with(then).grownBy(margin);
+}
+
+/// The bounds of a leaf: larger by a twentieth of its size on each side, so that a slow body stays in it for
+/// many steps, and on by kStepsAhead times its way in a step (m), so that a fast one does for a few.
+Bounds leafOf(const Bounds& tight, const Vec3& way) {
+    const Bounds fat = tight.grownBy(0.05 * (tight.high - tight.low).maxCoeff());
+    const Vec3 ahead = kStepsAhead * way;
+    return {fat.low + ahead.cwiseMin(0.0), fat.high + ahead.cwiseMax(0.0)};
 }
 
 }  // namespace
@@ -78,12 +85,11 @@ void BroadPhase::renew(const Bodies& bodies, int i, double margin, double dt) {
         if (proxy.leaf == kNew) planes_.push_back(i);
         proxy.leaf = kPlane;
     } else {
-        proxy.tight = reachOf(bodies, i, 0.5 * margin, dt);
+        const Motion motion = motionOf(bodies, i, dt);
+        proxy.tight = reachOf(bodies.defs[i].shape, motion, 0.5 * margin, dt);
         if (proxy.leaf >= 0 && !crowded_ && tree_.bounds(proxy.leaf).contains(proxy.tight)) return;
         if (proxy.leaf >= 0) tree_.remove(proxy.leaf);
-        // Enlarged by a tenth of its size: a slow body stays in its leaf for many steps.
-        const double fat = 0.05 * (proxy.tight.high - proxy.tight.low).maxCoeff();
-        proxy.leaf = tree_.insert(proxy.tight.grownBy(fat), i);
+        proxy.leaf = tree_.insert(leafOf(proxy.tight, dt * motion.velocity), i);
     }
     proxy.moved = true;
     moved_.push_back(i);

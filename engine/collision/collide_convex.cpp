@@ -1,5 +1,7 @@
 #include "engine/collision/collide_convex.h"
 
+#include <algorithm>
+
 #include "engine/collision/axis_bonus.h"
 #include "engine/collision/way_out.h"
 
@@ -16,29 +18,32 @@ struct FaceAxis {
 };
 
 /// The face of `owner` with the largest separation from `other`. Any single point of `other` gives an upper
-/// bound of it, so only faces that may be better than the best so far are evaluated. Ends at the first
-/// separation beyond `margin`.
+/// bound of it, so the face with the largest bound is evaluated next, until none may be better than the best so
+/// far. Ends at the first separation beyond `margin`.
 FaceAxis bestFaceOf(const Convex& owner, const Convex& other, bool ofB, double margin) {
     const double radii = owner.radius() + other.radius();
-    const Vec3 front = other.isTriangle() ? owner.localOf(other.front()) : Vec3::Zero();
-    Vec3 nearest = owner.toLocal(other.support(owner.centre() - other.centre()));
+    constexpr double kOut = -1e300;  // the bound of faces that do not count or have been evaluated
+    std::array<double, Convex::kMostFaces> bounds;
+    const int count = owner.faceCount();
     FaceAxis best;
-    const auto look = [&](int i, const Plane& face) {
-        nearest = owner.toLocal(other.support(-owner.turned(face.normal)));
+    if (count == 0) return best;
+    std::fill_n(bounds.begin(), count, 1e300);
+    if (count % FaceLanes::kAtOnce != 0) bounds[count] = kOut;
+    if (other.isTriangle()) {
+        const Vec3 front = owner.localOf(other.front());
+        for (int i = 0; i < count; ++i)
+            if (owner.plane(i).normal.dot(front) > 1e-3) bounds[i] = kOut;
+    }
+    const Vec3 start = owner.toLocal(other.support(owner.centre() - other.centre()));
+    int next = owner.lowerBounds(start, radii, bounds.data());
+    while (bounds[next] > best.separation && best.separation <= margin) {
+        const Plane face = owner.plane(next);
+        const Vec3 nearest = owner.toLocal(other.support(-owner.turned(face.normal)));
         const double separation = face.normal.dot(nearest) - face.offset - radii;
-        if (separation > best.separation) best = {separation, i, ofB};
-    };
-    const auto atMost = [&](const Plane& face) {
-        const bool behind = face.normal.dot(front) > 1e-3;
-        return behind ? -1e300 : face.normal.dot(nearest) - face.offset - radii;
-    };
-    int likely = -1;
-    double most = -1e300;
-    for (int i = 0; i < owner.faceCount(); ++i)
-        if (const double bound = atMost(owner.plane(i)); bound > most) most = bound, likely = i;
-    if (likely >= 0) look(likely, owner.plane(likely));
-    for (int i = 0; i < owner.faceCount() && best.separation <= margin; ++i)
-        if (const Plane face = owner.plane(i); atMost(face) > best.separation) look(i, face);
+        if (separation > best.separation) best = {separation, next, ofB};
+        bounds[next] = kOut;
+        next = owner.lowerBounds(nearest, radii, bounds.data());
+    }
     return best;
 }
 
@@ -177,7 +182,7 @@ Manifold collideTwo(const Convex& a, const Convex& b, double margin) {
 /// the normals of a slightly bent ridge, touches the edge after all.
 Manifold collideTriangle(const Convex& a, const Convex& b, double margin) {
     const double separation = separationOfCores(a, b, a.front()) - b.radius();
-    if (separation > margin) return {};
+    if (separation > margin || apartFromTriangle(a, b) > margin + kBeside) return {};
     const bool sunk = separation < -1.25 * (b.reach() + b.radius());
     Manifold m;
     if (!a.isSmooth()) {
@@ -219,6 +224,13 @@ Manifold collideConvexPlane(const Convex& a, const Shape& plane, const Pose& pos
               number * kMostClipped * kMostClipped + points.label[i]);
     }
     return m;
+}
+
+double apartFromTriangle(const Convex& triangle, const Convex& piece) {
+    const Vec3 nearest = triangle.nearestTo(piece.centre()), out = piece.centre() - nearest;
+    const double length = out.norm();
+    if (!(length > 0.0)) return -kFar;
+    return out.dot(piece.support(-out) - nearest) / length - piece.radius();
 }
 
 ConvexGap gapOf(const Convex& a, const Convex& b, double enough) {

@@ -28,4 +28,8 @@ struct ConvexGap {
 };
 ConvexGap gapOf(const Convex& a, const Convex& b, double enough = kFar);
 
+/// A triangle and a piece, apart along the line from the piece's centre to the triangle: a lower bound of their
+/// distance (m), and for a ball the distance; -kFar if the centre is in the triangle.
+double apartFromTriangle(const Convex& triangle, const Convex& piece);
+
 }  // namespace engine

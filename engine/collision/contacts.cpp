@@ -49,7 +49,7 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
     const PiecePair whole{pair, wholeOf(bodies.defs[pair.a].shape),
                           wholeOf(bodies.defs[pair.b].shape)};
     if (const std::optional<Impact> impact =
-            impactOf(bodies, pair, finder.moving, near > margin, dt)) {
+            impactOf(bodies, pair, finder.moving, margin, near, dt)) {
         const MovingManifolds met =
             collideMoving(bodies, whole, finder.moving, *impact, margin, near, dt);
         for (int i = 0; i < met.count; ++i)

@@ -63,6 +63,24 @@ Convex convexOf(const Piece& piece, const Pose& body) {
     return {*piece.shape, piece.at(body)};
 }
 
+/// By the Voronoi regions of corners and edges (Ericson 2005, 5.1.5).
+Vec3 Convex::nearestTo(const Vec3& p) const {
+    const auto& [a, b, c] = corners_;
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp),
+                 d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6)
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    const double all = va + vb + vc;
+    return a + vb / all * ab + vc / all * ac;
+}
+
 Vec3 Convex::supportOfRound(const Vec3& d) const {
     const Shape& s = *shape_;
     Vec3 p = s.radius * outwards(d);
@@ -98,6 +116,18 @@ Plane Convex::flatPlane(int face) const {
     const Vec3 n = (face % 2 == 0 ? -1.0 : 1.0) * Vec3::Unit(axis);
     if (shape_->type == ShapeType::box) return {n, shape_->halfSize[axis]};
     return {n, face == 0 ? -baseOf(*shape_) : topOf(*shape_)};
+}
+
+int Convex::lowerBounds(const Vec3& p, double radii, double* bounds) const {
+    if (!triangle_ && shape_->type == ShapeType::hull)
+        return shape_->hull->faceLanes.lower(p, radii, bounds);
+    int best = 0;
+    for (int i = 0; i < faceCount(); ++i) {
+        const Plane own = flatPlane(i);
+        bounds[i] = smaller(bounds[i], own.normal.dot(p) - own.offset - radii);
+        if (bounds[i] > bounds[best]) best = i;
+    }
+    return best;
 }
 
 Feature Convex::disc(double y, const Vec3& n) const {

@@ -35,6 +35,8 @@ public:
     /// A triangle's normal; it is solid from this side only.
     const Vec3& front() const { return front_; }
 
+    /// For a triangle: its point nearest to p.
+    Vec3 nearestTo(const Vec3& p) const;
     /// The point of the core farthest along n (of any length).
     Vec3 support(const Vec3& n) const {
         const Vec3 d = turn_.transpose() * n;
@@ -56,6 +58,9 @@ public:
         }
         return flatPlane(face);
     }
+    /// See FaceLanes; p in the piece's own axes (m), and up to kMostFaces bounds.
+    int lowerBounds(const Vec3& p, double radii, double* bounds) const;
+    static constexpr int kMostFaces = 2 * Shape::kMostCorners;
     Vec3 toLocal(const Vec3& p) const { return turn_.transpose() * (p - pose_.position); }
     Vec3 turned(const Vec3& local) const { return turn_ * local; }  // a direction, to world axes
     Vec3 localOf(const Vec3& n) const { return turn_.transpose() * n; }  // and back
@@ -96,7 +101,7 @@ private:
                 return {d.x() < 0.0 ? -s.halfSize.x() : s.halfSize.x(),
                         d.y() < 0.0 ? -s.halfSize.y() : s.halfSize.y(),
                         d.z() < 0.0 ? -s.halfSize.z() : s.halfSize.z()};
-            case ShapeType::hull: return s.hull->corners[s.hull->lanes.farthest(d)];
+            case ShapeType::hull: return s.hull->corners[s.hull->cornerLanes.farthest(d)];
             case ShapeType::sphere: return Vec3::Zero();
             default: return supportOfRound(d);
         }

@@ -244,12 +244,23 @@ const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& 
 }
 
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
-                               const MovingPairs& moving, bool always, double dt) {
-    if (always)
-        return timeOfImpact(bodies.defs[key.a].shape, moving.motions[key.a],
-                            bodies.defs[key.b].shape, moving.motions[key.b], dt);
+                               const MovingPairs& moving, double margin, double near, double dt) {
     const MovingPairs::Entry* known = movingEntry(moving, key);
-    return known ? std::optional(known->impact) : std::nullopt;
+    // An impact does not depend on `near`.
+    if (known && (known->impact.meets || near <= margin)) return known->impact;
+    if (near <= margin) return std::nullopt;
+    return timeOfImpact(bodies.defs[key.a].shape, moving.motions[key.a], bodies.defs[key.b].shape,
+                        moving.motions[key.b], dt, near);
+}
+
+const Impact* knownImpact(const MovingPairs& moving, const MovingPairs::Entry& entry,
+                          const Piece& a, const Piece& b) {
+    for (int i = entry.first; i < entry.first + entry.count; ++i) {
+        const MovingPairs::Close& close = moving.close[entry.part][i];
+        if (close.impact.meets && close.a.number == a.number && close.b.number == b.number)
+            return &close.impact;
+    }
+    return nullptr;
 }
 
 MovingManifolds collideMoving(const Bodies& bodies, const PiecePair& pieces,

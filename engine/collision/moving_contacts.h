@@ -63,9 +63,13 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt);
 bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies,
                  std::span<const int> lookedAt, int substep, double h);
 
-/// Null if the margin is enough for the pair; `always`: computed now, whatever the margin.
+/// Null if the margin is enough for the pair; `near` (m) above the margin: never, and only that is certain of
+/// pairs that stay farther apart.
 std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,
-                               const MovingPairs& moving, bool always, double dt);
+                               const MovingPairs& moving, double margin, double near, double dt);
+/// The impact of two pieces, if the entry of their bodies has one.
+const Impact* knownImpact(const MovingPairs& moving, const MovingPairs::Entry& entry,
+                          const Piece& a, const Piece& b);
 /// Null if the margin is enough for the pair.
 const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair);
 

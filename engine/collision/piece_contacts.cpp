@@ -84,6 +84,11 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
         MovingManifolds met = collideMoving(bodies, pieces, moving, impact, margin, near, dt);
         for (int i = 0; i < met.count; ++i) take(met.manifolds[i], pieces, Found::onTheWay);
     };
+    const auto impactOf = [&](const Piece& a, const Piece& b) {
+        const Impact* impact = known ? knownImpact(moving, *known, a, b) : nullptr;
+        if (impact) return *impact;
+        return timeOfImpact(a, moving.motions[pair.a], b, moving.motions[pair.b], dt, near);
+    };
     if (known && !thrown) {
         for (int i = known->first; i < known->first + known->count; ++i) {
             const MovingPairs::Close& close = moving.close[known->part][i];
@@ -93,10 +98,7 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
     }
     forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt,
                   [&](const Piece& a, const Piece& b) {
-                      if (thrown)
-                          return meet(a, b,
-                                      timeOfImpact(a, moving.motions[pair.a], b,
-                                                   moving.motions[pair.b], dt, near));
+                      if (thrown) return meet(a, b, impactOf(a, b));
                       Manifold m =
                           collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
                       take(m, {pair, a, b}, Found::here);

@@ -117,8 +117,10 @@ Gap gapOfBoxes(const OrientedBox& boxA, const OrientedBox& boxB, const Approach&
         const Vec3 n = along < 0.0 ? Vec3(-axis) : axis;
         gap.see(n, std::abs(along) - boxA.extent(n) - boxB.extent(n), approach);
     };
-    for (int i = 0; i < 3; ++i) see(boxA.axes.col(i)), see(boxB.axes.col(i));
-    if (gap.least > near) return gap;
+    for (int i = 0; i < 3; ++i) {
+        see(boxA.axes.col(i)), see(boxB.axes.col(i));
+        if (gap.least > near) return gap;
+    }
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             const Vec3 axis = boxA.axes.col(i).cross(boxB.axes.col(j));
@@ -132,8 +134,15 @@ bool isConvex(const Piece& piece) {
     return piece.isTriangle || piece.shape->type > ShapeType::plane;
 }
 
+/// Whether a triangle and another piece are certainly farther apart than `enough` (m): most are.
+bool isClear(const Convex& a, const Convex& b, double enough) {
+    if (a.isTriangle()) return apartFromTriangle(a, b) > enough;
+    return b.isTriangle() && apartFromTriangle(b, a) > enough;
+}
+
 Gap gapOfConvex(const Convex& a, const Convex& b, const Approach& approach, double near,
                 double enough) {
+    if (approach.now() == 0.0 && isClear(a, b, enough)) return {kFar, kFar, 0.0, kFar};
     const ConvexGap apart = gapOf(a, b, enough);
     Gap gap;
     gap.see(apart.normal, apart.distance, approach);
@@ -165,9 +174,9 @@ Gap gapAt(const Piece& pieceA, const Pose& poseA, const Piece& pieceB, const Pos
 }  // namespace
 
 Pose Motion::at(double time) const {
-    const double rate = spin.norm();
     const Vec3 place = placeAt(time);
-    if (rate == 0.0 || time == 0.0) return {place, start.rotation};
+    const double rate = time == 0.0 ? 0.0 : spin.norm();
+    if (rate == 0.0) return {place, start.rotation};
     Quat rotation = turnAbout(spin / rate, time * rate) * start.rotation;
     rotation.normalize();
     return {place, rotation};

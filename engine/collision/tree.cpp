@@ -90,10 +90,10 @@ void BoundsTree::rotate(int node) {
         const int stays = nodes_[node].children[side];  // one of its children moves up
         const int comes = nodes_[node].children[1 - side];
         if (nodes_[stays].isLeaf()) continue;
+        const double area = nodes_[stays].bounds.area();
         for (int i = 0; i < 2; ++i) {
             const int left = nodes_[stays].children[1 - i];
-            const double gain = nodes_[stays].bounds.area() -
-                                nodes_[left].bounds.with(nodes_[comes].bounds).area();
+            const double gain = area - nodes_[left].bounds.with(nodes_[comes].bounds).area();
             if (gain > bestGain) bestGain = gain, bestSide = side, bestGrandchild = i;
         }
     }

@@ -6,6 +6,7 @@
 
 #include "engine/base/math.h"
 #include "engine/shapes/corner_lanes.h"
+#include "engine/shapes/face_lanes.h"
 
 namespace engine {
 
@@ -17,7 +18,8 @@ struct Hull {
     };
     std::vector<Vec3> corners;  // m
     std::vector<Face> faces;
-    CornerLanes lanes;  // of the corners; only in a Shape
+    CornerLanes cornerLanes;  // both only in a Shape
+    FaceLanes faceLanes;
 };
 
 /// Whether points are flat to a ten-thousandth of their extent. At least one point, all finite.

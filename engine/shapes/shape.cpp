@@ -107,7 +107,8 @@ std::optional<Shape> Shape::hullOf(std::span<const Vec3> points) {
     const VolumeIntegrals sum = integralsOf(*hull);
     const Vec3 centre = sum.first / sum.volume;
     moveBy(-centre);
-    hull->lanes = CornerLanes(hull->corners);
+    hull->cornerLanes = CornerLanes(hull->corners);
+    for (const Hull::Face& face : hull->faces) hull->faceLanes.add(face.normal, face.offset);
     Shape s;
     s.type = ShapeType::hull;
     s.origin = -near - centre;

@@ -47,6 +47,20 @@ TEST(BroadPhase, MissesNoPairWhileBodiesMove) {
     }
 }
 
+/// A leaf holds the next steps of a fast body too: the pair is known before it may meet.
+TEST(BroadPhase, LooksAheadOfFastBodies) {
+    Bodies bodies;
+    BodyDef ball = support::body(Shape::sphere(0.1), {0, 0, 0});
+    ball.velocity = {12, 0, 0};  // 0.2 m a step
+    addBody(bodies, ball, 0);
+    addBody(bodies, support::body(Shape::sphere(0.1), {0.8, 0, 0}), 1);
+    addBody(bodies, support::body(Shape::sphere(0.1), {-0.8, 0, 0}), 2);
+    BroadPhase broad;
+    broad.update(bodies, 0.02, support::kStep);
+    EXPECT_EQ(broad.pairs(), std::vector<PairKey>({{0, 1}}));
+    EXPECT_FALSE(broad.boundsMeet({0, 1}));
+}
+
 // For n bodies in a volume that grows with n, the number of pairs grows like n.
 TEST(BroadPhase, StaysBelowThePairsOfAll) {
     Bodies bodies = cloud(4000, 20.0, 2);

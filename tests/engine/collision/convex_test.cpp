@@ -125,6 +125,28 @@ TEST_P(ConvexPairs, ManifoldsTellTheDepthOfTouchingPairs) {
         }
 }
 
+/// A lower bound of the distance; with a ball, the distance.
+TEST(ConvexTriangles, AreApartAtLeastByTheirNearestPoint) {
+    const Vec3 corners[] = {{0, 0, 0}, {1, 0, 0.3}, {0.2, 0.1, 1}};
+    const std::array<int, 3> triangles[] = {{0, 2, 1}};
+    const Shape mesh = Shape::meshOf(corners, triangles);
+    support::Random random(8);
+    for (int run = 0; run < 300; ++run) {
+        const Shape& shape = shapes()[run % shapes().size()];
+        const Pose poseA{random.vector(1.0), random.rotation()},
+            poseB{random.vector(1.0), random.rotation()};
+        const Convex triangle(*mesh.mesh, 0, poseA), piece(shape, poseB);
+        const double apart = apartFromTriangle(triangle, piece);
+        if (apart <= 0.0) continue;
+        const double distance =
+            closestPoints(triangle, piece, Vec3::Zero()).distance - piece.radius();
+        EXPECT_LE(apart, distance + 1e-12);
+        if (shape.type == ShapeType::sphere) {
+            EXPECT_NEAR(apart, distance, 1e-12);
+        }
+    }
+}
+
 TEST(ConvexFaces, NoneIsBetterThanTheOneThatIsFound) {
     support::Random random(31);
     int faces = 0;
