@@ -15,6 +15,24 @@ TEST(SlideOptions, SizesFollowWhatStandsBeside) {
     EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
 }
 
+TEST(SlideOptions, OnePictureBesideWordsIsAsHighAsItsColumn) {
+    Slide slide;
+    slide.text = "words";
+    slide.runs.scene = "stack";
+    slide.exhibit = Exhibit::film;
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 854);
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 640);
+    EXPECT_EQ(pictureSize(slide, {800, 800}).height, 534);  // already higher
+    slide.plots = {"energy"};  // below the words, in a row
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+    slide.plots = {};
+    slide.runs.cases = {"a: solver.sweeps=1", "b: solver.sweeps=2"};
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+    slide.runs.cases = {};
+    slide.exhibit = Exhibit::strip;
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+}
+
 std::string commandFor(const Slide& slide) {
     Deck deck;
     deck.theme = "print";
