@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "demos/slides/slide_plan.h"
+
 namespace demos::test {
 namespace {
 
@@ -31,6 +36,28 @@ TEST(SlideOptions, OnePictureBesideWordsIsAsHighAsItsColumn) {
     slide.runs.cases = {};
     slide.exhibit = Exhibit::strip;
     EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+}
+
+/// Half of what a camera sees at the sides, at a distance of 1.
+double sideOf(const FilmPlan& plan) {
+    const double fov = plan.scene().camera.fovDegrees;
+    return plan.layout.width * std::tan(fov * std::numbers::pi / 360.0) / plan.layout.height;
+}
+
+TEST(SlideOptions, AHigherPictureShowsAsMuchAtTheSides) {
+    Slide slide;
+    slide.runs.scene = "stack";
+    for (const Exhibit exhibit : {Exhibit::film, Exhibit::still}) {
+        slide.exhibit = exhibit;
+        std::vector<double> sides;
+        for (const char* text : {"", "words"}) {
+            slide.text = text;
+            const Options options = optionsOf(slide, {}, {});
+            sides.push_back(
+                sideOf(planSlide(slide, {}, loadRuns(slide, options), options, false)->film));
+        }
+        EXPECT_NEAR(sides[0], sides[1], 1e-6);
+    }
 }
 
 std::string commandFor(const Slide& slide) {
