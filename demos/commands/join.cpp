@@ -57,7 +57,8 @@ void joinFilm(const Parts& parts, const JoinOptions& options, const Talk& talk) 
         throw render::Error("joining films needs ffmpeg, which is not installed");
     checkFree(target, options.overwrite);
     render::makeFolder(fs::path(target).parent_path());
-    render::joinFilms(parts.files, frames, target, existingFiles(options.overwrite));
+    render::joinFilms(parts.files, frames, target, existingFiles(options.overwrite),
+                      parts.whole.chapters, parts.whole.fps);
     talk.say(fmt::format("wrote {} ({} of {})", printable(target), plural(frames, "frame"),
                          plural(parts.count, "part")));
     talk.json(

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "demos/film/caption_track.h"
+#include "demos/film/chapters.h"
 #include "demos/film/composite.h"
 #include "demos/film/film_needs.h"
 #include "demos/film/frame_files.h"
@@ -50,8 +51,11 @@ struct Film {
     std::optional<RunRecord> part;  // for a --shard
 };
 
-render::VideoSource sourceOf(const FilmPlan& plan) {
-    return {plan.layout.width, plan.layout.height, plan.fps, plan.alpha()};
+/// `chosen`: the frames of the film. A part has no chapters: they are the whole film's.
+render::VideoSource sourceOf(const FilmPlan& plan, const std::vector<bool>& chosen, bool part) {
+    render::VideoSource source{plan.layout.width, plan.layout.height, plan.fps, plan.alpha()};
+    if (!part) source.chapters = chaptersOf(plan.scene(), plan.fps, chosen);
+    return source;
 }
 
 render::Fit fitOf(const FilmOptions& options, const Talk& talk) {
@@ -66,8 +70,9 @@ int lastOf(const std::vector<bool>& chosen) {
 /// All that one run writes.
 class Writers {
 public:
-    Writers(const FilmPlan& plan, const std::vector<Output>& outputs, const RunRecord& record,
-            Poster poster, CaptionTrack captions, const FilmOptions& options, const Talk& talk)
+    Writers(const FilmPlan& plan, const std::vector<Output>& outputs,
+            const std::vector<bool>& chosen, const RunRecord& record, Poster poster,
+            CaptionTrack captions, const FilmOptions& options, const Talk& talk)
         : poster_(std::move(poster)),
           captions_(std::move(captions)),
           existing_(existingFiles(options.overwrite)) {
@@ -83,7 +88,8 @@ public:
                 render::makeFolder(output.path.parent_path());
                 films_.push_back({output.path,
                                   std::make_unique<render::VideoWriter>(
-                                      output.path, sourceOf(plan), fitOf(options, talk)),
+                                      output.path, sourceOf(plan, chosen, output.part),
+                                      fitOf(options, talk)),
                                   {}});
                 if (output.part) films_.back().part = record;
             }
@@ -206,8 +212,11 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
     record.fps = plan.fps;
     record.hz = plan.scene().hz;
     record.passes = passNamesOf(plan.passes);
-    if (options.shard) record.shard = options.shard->name();
     record.frames.assign(static_cast<std::size_t>(plan.frames), {});
+    if (!options.shard) return record;
+    record.shard = options.shard->name();
+    record.chapters =
+        chaptersOf(plan.scene(), plan.fps, std::vector<bool>(record.frames.size(), true));
     return record;
 }
 
@@ -324,7 +333,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     RunRecord record = recordOf(plan, options, source.renderer());
     if (has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();
     if (isDone(outputs, record, options, talk)) return;
-    Writers writers(plan, outputs, record, std::move(poster), std::move(captions), options,
+    Writers writers(plan, outputs, chosen, record, std::move(poster), std::move(captions), options,
                     talk);
     const std::vector<bool> wanted = wantedFrames(writers, chosen);
     const int missing = countOf(wanted);

@@ -45,6 +45,9 @@ std::string jsonOf(const RunRecord& record) {
     if (!record.passes.empty()) json["passes"] = record.passes;
     if (!record.shard.empty()) json["shard"] = record.shard;
     if (record.film != 0) json["film"] = hexText(record.film);
+    for (const render::Chapter& chapter : record.chapters)
+        json["chapters"].push_back(
+            {{"first", chapter.first}, {"end", chapter.end}, {"name", chapter.name}});
     if (!record.incident.empty()) {
         json["incident"] = record.incident;
         json["incident_frame"] = record.incidentFrame;
@@ -88,6 +91,9 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     record.incidentFrame = json.value("incident_frame", 0);
     if (json.contains("film"))
         record.film = fromHex(json["film"].get<std::string>()).value();
+    for (const Json& chapter : json.value("chapters", Json::array()))
+        record.chapters.push_back({chapter.at("first").get<int>(), chapter.at("end").get<int>(),
+                                   chapter.at("name").get<std::string>()});
     if (json.contains("passes")) record.passes = json["passes"].get<std::vector<std::string>>();
     const Json& frames = json.at("frames");
     if (!frames.is_array() || frames.size() > kMostFrames) return std::nullopt;

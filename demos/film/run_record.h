@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "render/encode/chapters.h"
+
 namespace demos {
 
 struct FrameRecord {
@@ -26,6 +28,7 @@ struct RunRecord {
     std::vector<std::string> passes;  // data passes, by name
     std::string shard;       // "003-of-016": the record of a part; empty: of a whole run
     std::uint64_t film = 0;  // TextHash of a part's film; 0: PNG frames
+    std::vector<render::Chapter> chapters;  // of the whole film, in the record of a part
     bool finished = false;
     std::vector<FrameRecord> frames;
     std::string incident;    // of the simulation (Player::incident); empty: none

@@ -15,6 +15,14 @@ function make(tag, attributes = {}, ...children) {
 
 const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
+/// Shows a line for a moment, on pages with an element for it.
+function tell(text) {
+  byId("told").textContent = text;
+  byId("told").classList.add("shown");
+  clearTimeout(tell.end);
+  tell.end = setTimeout(() => byId("told").classList.remove("shown"), 1600);
+}
+
 async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);

@@ -11,11 +11,36 @@
 namespace demos {
 namespace {
 
+/// The byte after the tag that begins at `at`; a quoted value may contain a '>'.
+std::size_t afterTag(const std::string& xml, std::size_t at) {
+    bool quoted = false;
+    for (; at < xml.size() && (quoted || xml[at] != '>'); ++at) quoted = quoted != (xml[at] == '"');
+    return std::min(at + 1, xml.size());
+}
+
+/// Browsers break a line between a formula and the full stop after it; in these spans they do not.
+std::string withPunctuation(std::string html) {
+    const std::string last = "</math>";
+    for (std::size_t at = 0; (at = html.find(last, at)) != std::string::npos;) {
+        std::size_t end = at + last.size(), begin = html.rfind("<math", at);
+        at = end;
+        const std::string tag = html.substr(begin, afterTag(html, begin) - begin);
+        if (tag.find("display=\"block\"") != std::string::npos) continue;
+        end = std::min(html.find_first_not_of(".,;:!?)", end), html.size());
+        if (begin > 0 && html[begin - 1] == '(') --begin;
+        else if (end == at) continue;
+        html.insert(end, "</span>");
+        html.insert(begin, "<span class=\"kept\">");
+        at = html.find("</span>", end);
+    }
+    return html;
+}
+
 std::string htmlFrom(const std::string& commonMark, Words words) {
     const MarkupTree tree = markupTree(commonMark, words, mathMlIn);
     const std::unique_ptr<char, decltype(&std::free)> html(
         cmark_render_html(tree.get(), CMARK_OPT_DEFAULT), std::free);
-    return html.get();
+    return withPunctuation(html.get());
 }
 
 std::string trimmed(const std::string& text) {
@@ -48,13 +73,6 @@ std::string unescaped(std::string text) {
         for (std::size_t at = 0; (at = text.find(entity, at)) != std::string::npos; ++at)
             text.replace(at, std::strlen(entity), letter);
     return text;
-}
-
-/// The byte after the tag that begins at `at`; a quoted value may contain a '>'.
-std::size_t afterTag(const std::string& xml, std::size_t at) {
-    bool quoted = false;
-    for (; at < xml.size() && (quoted || xml[at] != '>'); ++at) quoted = quoted != (xml[at] == '"');
-    return std::min(at + 1, xml.size());
 }
 
 /// "\lambda \ge 0" as the letters it is drawn with; as LaTeX if they are not on one line.

@@ -94,6 +94,14 @@ void addTimes(const Slide& slide, const LoadedRuns& loaded, PictureSize whole, C
         line.add("--columns", std::to_string(stripColumns(slide, whole)));
 }
 
+/// Whether one film or still stands beside words, in a column that is higher than a wide picture.
+bool fillsColumn(const Slide& slide) {
+    if (slide.runs.several() || slide.exhibit == Exhibit::strip) return false;
+    const SlideLayout layout = plannedLayout(slide);
+    return layout == SlideLayout::beside || layout == SlideLayout::even ||
+           layout == SlideLayout::openingPictured;
+}
+
 }  // namespace
 
 int stripColumns(const Slide& slide, PictureSize whole) {
@@ -102,8 +110,10 @@ int stripColumns(const Slide& slide, PictureSize whole) {
 }
 
 PictureSize pictureSize(const Slide& slide, PictureSize whole) {
-    const double share = standsAlone(slide) ? 1.0 : 2.0 / 3.0;
-    return {evenPart(whole.width, share), evenPart(whole.height, share)};
+    const bool tall = fillsColumn(slide);
+    const double share = standsAlone(slide) && !tall ? 1.0 : 2.0 / 3.0;
+    const PictureSize size{evenPart(whole.width, share), evenPart(whole.height, share)};
+    return {size.width, tall ? std::max(size.height, evenPart(size.width, 0.75)) : size.height};
 }
 
 Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making) {

@@ -12,7 +12,8 @@ namespace demos {
 /// reproducible.
 Options optionsOf(const Slide& slide, const Deck& deck, const DeckMaking& making);
 
-/// The whole slide, or two thirds of it next to words, charts or tables; even sides.
+/// The whole slide, or two thirds of it next to words, charts or tables; even sides. One film or
+/// still beside words is 4:3, as its column is.
 PictureSize pictureSize(const Slide& slide, PictureSize whole);
 
 /// The columns of a strip whose moments have the shape of `whole`.

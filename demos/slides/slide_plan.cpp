@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "demos/comparisons/sweeping.h"
@@ -68,6 +69,21 @@ void setPanels(const Slide& slide, PictureSize whole, FilmPlan& plan) {
     }
 }
 
+double withHeight(double fovDegrees, double factor) {
+    const double half = std::atan(factor * std::tan(fovDegrees * std::numbers::pi / 360.0));
+    return std::min(half * 360.0 / std::numbers::pi, 170.0);
+}
+
+/// Cameras are made for the deck's shape: a higher picture shows more above and below, not less at
+/// the sides.
+void keepSides(const Deck& deck, FilmPlan& plan) {
+    const double factor = aspectOf(deck.size) / aspectOf(sizeOf(plan));
+    if (factor <= 1.0) return;
+    CameraDescription& camera = plan.panels.front().scene.camera;
+    camera.fovDegrees = withHeight(camera.fovDegrees, factor);
+    for (CameraKey& key : camera.keys) key.fovDegrees = withHeight(key.fovDegrees, factor);
+}
+
 /// One run next to words, which replace the scene's captions; without words it is drawn as usual.
 void setPicture(const Slide& slide, FilmPlan& plan) {
     if (standsAlone(slide) && !slide.opening) return;
@@ -91,6 +107,7 @@ FilmPlan planClip(const Slide& slide, const Deck& deck, const LoadedRuns& loaded
         setPanels(slide, deck.size, plan);
         return plan;
     }
+    keepSides(deck, plan);
     setPicture(slide, plan);
     plan.panels.front().overlays.headings = asksFor(slide, "caption");
     return plan;
@@ -124,6 +141,7 @@ FilmPlan planMoments(const Slide& slide, const Deck& deck, const LoadedRuns& loa
     if (slide.exhibit == Exhibit::still) {
         options.anyStep = true;
         FilmPlan plan = planPictures(options);
+        keepSides(deck, plan);
         setPicture(slide, plan);
         return plan;
     }

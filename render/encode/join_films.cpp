@@ -26,15 +26,22 @@ std::string quotedName(const fs::path& file) {
     return text + "'\n";
 }
 
-std::vector<std::string> arguments(Codec codec, const fs::path& output) {
+std::vector<std::string> arguments(Codec codec, std::span<const Chapter> chapters, int fps,
+                                   const fs::path& output) {
     std::vector<std::string> all = {
         "ffmpeg",    "-nostdin", "-hide_banner", "-xerror",  "-loglevel",
         "error",     "-y",       "-progress",    "pipe:1",   "-protocol_whitelist",
         "file,pipe", "-f",       "concat",       "-safe",    "0",
-        "-i",        "-",        "-c",           "copy",     "-map_metadata",
-        "-1",        "-fflags",  "+bitexact",    "-flags:v", "+bitexact"};
-    if (codec == Codec::h264) all.insert(all.end(), {"-movflags", "+faststart", "-f", "mp4"});
-    if (codec == Codec::vp9) all.insert(all.end(), {"-f", "webm"});
+        "-i",        "-"};
+    const auto append = [&all](const std::vector<std::string>& more) {
+        all.insert(all.end(), more.begin(), more.end());
+    };
+    append(chapterInput(chapters, fps));
+    append({"-c", "copy"});
+    append(chapterOutput(chapters, 1));
+    append({"-fflags", "+bitexact", "-flags:v", "+bitexact"});
+    if (codec == Codec::h264) append({"-movflags", "+faststart", "-f", "mp4"});
+    if (codec == Codec::vp9) append({"-f", "webm"});
     all.push_back("file:" + output.string());
     return all;
 }
@@ -42,7 +49,7 @@ std::vector<std::string> arguments(Codec codec, const fs::path& output) {
 }  // namespace
 
 void joinFilms(std::span<const fs::path> parts, int frames, const fs::path& target,
-               Existing existing) {
+               Existing existing, std::span<const Chapter> chapters, int fps) {
     const VideoFormat* format = videoFormatOf(target);
     if (!format || (format->codec != Codec::h264 && format->codec != Codec::vp9))
         throw Error("film '" + target.string() + "': parts can only be joined into .mp4 or .webm");
@@ -52,7 +59,7 @@ void joinFilms(std::span<const fs::path> parts, int frames, const fs::path& targ
     const fs::path temporary = temporaryNameFor(target);
     const Descriptor held(createTemporary(temporary, target), "write a film");
     try {
-        Ffmpeg ffmpeg(arguments(format->codec, temporary), ffmpegPatience());
+        Ffmpeg ffmpeg(arguments(format->codec, chapters, fps, temporary), ffmpegPatience());
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(list.data());
         const bool took = ffmpeg.send({bytes, list.size()});
         const bool ended = ffmpeg.finish();

@@ -195,10 +195,18 @@ Arguments codecArguments(const VideoFormat& format, const VideoSource& source,
                {"-c:v", "apng", "-plays", "0", "-f", "apng"});
 }
 
+/// Only containers of films list chapters.
+std::span<const Chapter> chaptersOf(const VideoFormat& format, const VideoSource& source) {
+    if (format.codec == Codec::h264 || format.codec == Codec::vp9) return source.chapters;
+    return {};
+}
+
 /// The encoders' output depends on the number of threads, which by default is that of the machine.
-void finish(Arguments& all, const Arguments& codec, const std::string& output) {
-    append(all, {"-an", "-threads", "4", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v",
-                 "+bitexact"});
+void finish(Arguments& all, std::span<const Chapter> chapters, const Arguments& codec,
+            const std::string& output) {
+    append(all, {"-an", "-threads", "4"});
+    append(all, chapterOutput(chapters, 1));
+    append(all, {"-fflags", "+bitexact", "-flags:v", "+bitexact"});
     append(all, codec);
     all.push_back("file:" + output);  // for names that begin with '-' or contain ':'
 }
@@ -251,22 +259,21 @@ bool takesYuv(const VideoFormat& format, const VideoSource& source) {
 Arguments encodeArguments(const VideoFormat& format, const VideoSource& source,
                           const Encoding& encoding, const std::filesystem::path& output) {
     Arguments all = start();
-    if (!takesYuv(format, source)) {
-        append(all, rawInput(source, inMemory(source)));
-        finish(all, codecArguments(format, source, encoding), output.string());
-        return all;
-    }
-    append(all, rawInput(source, "yuv420p"));
+    const bool planes = takesYuv(format, source);
+    append(all, rawInput(source, planes ? "yuv420p" : inMemory(source)));
+    const std::span<const Chapter> chapters = chaptersOf(format, source);
+    append(all, chapterInput(chapters, source.fps));
     Arguments codec = colours();
     append(codec, filmArguments(format, source, encoding));
-    finish(all, codec, output.string());
+    finish(all, chapters, planes ? codec : codecArguments(format, source, encoding),
+           output.string());
     return all;
 }
 
 Arguments storeArguments(const VideoSource& source, int file) {
     Arguments all = start();
     append(all, rawInput(source, inMemory(source)));
-    finish(all,
+    finish(all, {},
            {"-c:v", "ffv1", "-level", "3", "-slices", "4", "-g", "1", "-pix_fmt",
             source.alpha ? "bgra" : "bgr0", "-f", "nut"},
            nameOf(file));
@@ -280,7 +287,9 @@ Arguments restoreArguments(const VideoFormat& format, const VideoSource& source,
     const Arguments input = {"-i", "file:" + nameOf(file)};
     append(all, input);
     if (format.codec == Codec::gif) append(all, input);  // for the palette, and for the pictures
-    finish(all, codecArguments(format, source, encoding), output.string());
+    const std::span<const Chapter> chapters = chaptersOf(format, source);
+    append(all, chapterInput(chapters, source.fps));
+    finish(all, chapters, codecArguments(format, source, encoding), output.string());
     return all;
 }
 

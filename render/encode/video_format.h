@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "render/encode/chapters.h"
+
 namespace render {
 
 /// The encodings: h264 and vp9 of films; gif, webp and apng of animated pictures.
@@ -29,6 +31,7 @@ struct VideoSource {
     bool alpha = false;         // the film has transparency
     int keyEvery = 0;  // largest distance of key frames, for mp4 and webm: the smaller, the better
                        // players can step backwards; 0: the codec's default
+    std::vector<Chapter> chapters = {};  // for mp4 and webm
 };
 
 /// How they are encoded: unchanged, or reduced for a smaller file.

@@ -86,6 +86,8 @@ protected:
 };
 
 TEST_P(Newcomers, FindThatEveryBlockWorks) {
+    const bool haveChromium =
+        std::system("command -v chromium || command -v chromium-browser") == 0;
     const std::vector<Block> blocks = blocksOf(textOf(demosFolder("scenes") / GetParam()));
     ASSERT_GE(blocks.size(), 10u);
     for (const Block& block : blocks) {
@@ -94,7 +96,8 @@ TEST_P(Newcomers, FindThatEveryBlockWorks) {
             continue;
         }
         std::istringstream commands(block.text);
-        for (std::string command; std::getline(commands, command);) run(command);
+        for (std::string command; std::getline(commands, command);)
+            if (haveChromium || !command.ends_with(".pptx")) run(command);
     }
     const auto pictures =
         matches(textOf(demosFolder("scenes") / GetParam()), R"(\]\((pictures/[^)]+)\))");

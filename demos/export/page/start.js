@@ -1,6 +1,6 @@
 // Reads everything, applies the link and draws the first picture.
 
-function tell(trouble) {
+function giveUp(trouble) {
   byId("trouble").textContent = trouble;
   byId("trouble").hidden = false;
 }
@@ -17,13 +17,13 @@ function listen() {
     followed = null;
     changed();
   });
-  canvas.addEventListener("webglcontextlost", () => tell("The graphics context was lost; reload the page."));
+  canvas.addEventListener("webglcontextlost", () => giveUp("The graphics context was lost; reload the page."));
 }
 
 async function start() {
   showFixedWords();
-  if (!gl) return tell("This browser has no WebGL 2, which the page needs; browsers since 2021 have it if graphics acceleration is on.");
-  if (typeof DecompressionStream === "undefined") return tell("This browser cannot decompress the run; use one of 2023 or later.");
+  if (!gl) return giveUp("This browser has no WebGL 2, which the page needs; browsers since 2021 have it if graphics acceleration is on.");
+  if (typeof DecompressionStream === "undefined") return giveUp("This browser cannot decompress the run; use one of 2023 or later.");
   await decode();
   makeKinds();
   makeLight();
@@ -34,6 +34,6 @@ async function start() {
 }
 
 start().catch((error) => {
-  tell(`The run cannot be shown: ${error.message}`);
+  giveUp(`The run cannot be shown: ${error.message}`);
   throw error;
 });

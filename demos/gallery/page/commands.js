@@ -15,15 +15,6 @@ function commandsOf(scene) {
   ];
 }
 
-let toldUntil = 0;
-
-function tell(text) {
-  byId("told").textContent = text;
-  byId("told").classList.add("shown");
-  clearTimeout(toldUntil);
-  toldUntil = setTimeout(() => byId("told").classList.remove("shown"), 1600);
-}
-
 const copySign = "M6 5.5V3.2c0-.7.5-1.2 1.2-1.2h5.6c.7 0 1.2.5 1.2 1.2v5.6c0 .7-.5 1.2-1.2 1.2h-2.3" +
   "M3.2 6h5.6c.7 0 1.2.5 1.2 1.2v5.6c0 .7-.5 1.2-1.2 1.2H3.2C2.5 14 2 13.5 2 12.8V7.2C2 6.5 2.5 6 3.2 6z";
 const doneSign = "M3 8.5l3.2 3.2L13 5";

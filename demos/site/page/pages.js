@@ -5,15 +5,6 @@ function openMenu(open) {
   byId("menu").setAttribute("aria-expanded", String(open));
 }
 
-let toldUntil = 0;
-
-function tell(text) {
-  byId("told").textContent = text;
-  byId("told").classList.add("shown");
-  clearTimeout(toldUntil);
-  toldUntil = setTimeout(() => byId("told").classList.remove("shown"), 1600);
-}
-
 async function copy(text) {
   await copyText(text);
   tell("Copied");

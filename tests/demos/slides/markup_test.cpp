@@ -59,6 +59,14 @@ TEST(Markup, IsHtml) {
     EXPECT_EQ(htmlOf(""), "");
 }
 
+TEST(Markup, LeavesPunctuationAtItsFormula) {
+    const std::string before = "<span class=\"kept\">";
+    EXPECT_EQ(htmlOf("$x$, ($x$): $x$ a ($x$ $x$"),
+              "<p>" + before + kX + ",</span> " + before + "(" + kX + "):</span> " + kX + " a " +
+                  before + "(" + kX + "</span> " + kX + "</p>\n");
+    EXPECT_EQ(htmlOf("$$x$$.").find("kept"), std::string::npos);
+}
+
 TEST(Markup, ShowsRawHtmlAsText) {
     EXPECT_EQ(htmlOf("a <b onclick='x'>c</b>"), "<p>a &lt;b onclick='x'&gt;c&lt;/b&gt;</p>\n");
     EXPECT_EQ(htmlOf("<script>\nalert($x$)\n</script>\n"),

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "demos/slides/slide_plan.h"
+
 namespace demos::test {
 namespace {
 
@@ -13,6 +18,46 @@ TEST(SlideOptions, SizesFollowWhatStandsBeside) {
     slide.formulas = {"x"};
     EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 854);
     EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+}
+
+TEST(SlideOptions, OnePictureBesideWordsIsAsHighAsItsColumn) {
+    Slide slide;
+    slide.text = "words";
+    slide.runs.scene = "stack";
+    slide.exhibit = Exhibit::film;
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).width, 854);
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 640);
+    EXPECT_EQ(pictureSize(slide, {800, 800}).height, 534);  // already higher
+    slide.plots = {"energy"};  // below the words, in a row
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+    slide.plots = {};
+    slide.runs.cases = {"a: solver.sweeps=1", "b: solver.sweeps=2"};
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+    slide.runs.cases = {};
+    slide.exhibit = Exhibit::strip;
+    EXPECT_EQ(pictureSize(slide, {1280, 720}).height, 480);
+}
+
+/// Half of what a camera sees at the sides, at a distance of 1.
+double sideOf(const FilmPlan& plan) {
+    const double fov = plan.scene().camera.fovDegrees;
+    return plan.layout.width * std::tan(fov * std::numbers::pi / 360.0) / plan.layout.height;
+}
+
+TEST(SlideOptions, AHigherPictureShowsAsMuchAtTheSides) {
+    Slide slide;
+    slide.runs.scene = "stack";
+    for (const Exhibit exhibit : {Exhibit::film, Exhibit::still}) {
+        slide.exhibit = exhibit;
+        std::vector<double> sides;
+        for (const char* text : {"", "words"}) {
+            slide.text = text;
+            const Options options = optionsOf(slide, {}, {});
+            sides.push_back(
+                sideOf(planSlide(slide, {}, loadRuns(slide, options), options, false)->film));
+        }
+        EXPECT_NEAR(sides[0], sides[1], 1e-6);
+    }
 }
 
 std::string commandFor(const Slide& slide) {
