@@ -119,6 +119,19 @@ TEST(CapsuleCapsule, SideBySideGivesTwoPoints) {
     EXPECT_LT((m.normal - Vec3::UnitX()).norm(), 1e-6);
 }
 
+// A point that comes anew starts without the impulse of another place.
+TEST(CapsuleCapsule, EndsAreOtherFeaturesThanTheCrossing) {
+    const Shape pill = Shape::capsule(0.25, 1.5);
+    const Pose beside = support::at({0.5, 0, 0});
+    const Quat across = turnAbout(Vec3::UnitX(), 0.5);
+    const Manifold ends = collide(pill, {}, pill, beside, 0.02);
+    const Manifold crossing = collide(pill, {}, pill, {beside.position, across}, 0.02);
+    ASSERT_EQ(ends.count, 2);
+    ASSERT_EQ(crossing.count, 1);
+    EXPECT_NE(ends.points[0].feature, ends.points[1].feature);
+    for (const int end : {0, 1}) EXPECT_NE(ends.points[end].feature, crossing.points[0].feature);
+}
+
 TEST(Concentric, ShapesGetSomeNormalAndNoNaN) {
     for (const Shape& a : {Shape::sphere(0.5), Shape::box({1, 1, 1}), Shape::capsule(0.3, 1.2)})
         for (const Shape& b : {Shape::sphere(0.5), Shape::box({1, 1, 1}), Shape::capsule(0.3, 1.2)}) {

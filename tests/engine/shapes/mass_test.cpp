@@ -116,5 +116,27 @@ TEST(Mass, AnInertiaThatIsNoneStopsTheProgram) {
     EXPECT_DEATH(addBody(bodies, def, bodies.count()), "positive definite");
 }
 
+TEST(Inside, EndsAtTheSurfaceOrAGivenWayBeyondIt) {
+    struct Place {
+        Shape shape;
+        Vec3 onSurface, normal;
+    };
+    const Shape pill = Shape::capsule(0.25, 1.3), disc = Shape::cylinder(1.0, 0.2);
+    const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
+    const Place places[] = {{Shape::sphere(0.5), {0.3, 0.4, 0}, {0.6, 0.8, 0}},
+                            {Shape::box({1, 2, 3}), {0.1, 1.0, 0.2}, y},
+                            {Shape::plane(y), {5, 0, 2}, y},
+                            {pill, {0.25, 0.1, 0}, x},
+                            {pill, {0, pill.halfLength + 0.25, 0}, y},
+                            {disc, {1.0, 0, 0}, x},
+                            {disc, {0.3, 0.1, 0}, y}};
+    for (const Place& p : places) {
+        EXPECT_TRUE(isInside(p.shape, p.onSurface - 0.01 * p.normal));
+        EXPECT_FALSE(isInside(p.shape, p.onSurface + 0.01 * p.normal));
+        EXPECT_TRUE(isInside(p.shape, p.onSurface + 0.01 * p.normal, 0.02));
+        EXPECT_FALSE(isInside(p.shape, p.onSurface + 0.03 * p.normal, 0.02));
+    }
+}
+
 }  // namespace
 }  // namespace engine
