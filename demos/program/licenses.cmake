@@ -5,7 +5,7 @@ set(notices_of
   "fonts-inter: Inter, the font of pictures"
   "fonts-dejavu-core: DejaVu Sans, its letters for pictures"
   "python3-glad: the OpenGL loader that glad writes"
-  "libstb-dev: stb_image, stb_truetype" "libeigen3-dev: Eigen" "libcli11-dev: CLI11"
+  "libstb-dev: stb_image_write, stb_truetype" "libeigen3-dev: Eigen" "libcli11-dev: CLI11"
   "libfmt-dev: {fmt}, its headers" "nlohmann-json3-dev: JSON for Modern C++"
   "libtomlplusplus-dev: toml++, its headers" "libtinyobjloader-dev: tinyobjloader, its header")
 if(IMPULSE_SLIDES)

@@ -4,33 +4,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
 
-#include "render/encode/png_chunks.h"
+#include "render/encode/bytes.h"
 #include "render/error.h"
+
+namespace {
+
+/// Kept for the next picture: it is a megabyte that would have to be cleared every time.
+libdeflate_compressor* keptCompressor() {
+    thread_local const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>
+        kept(libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
+    return kept.get();
+}
+
+/// Replaces stb's compressor: level 1 of libdeflate is faster and compresses better.
+/// The buffer comes from malloc because stb frees it.
+unsigned char* deflateFast(unsigned char* bytes, int size, int* compressedSize, int /*quality*/) {
+    libdeflate_compressor* const compressor = keptCompressor();
+    if (!compressor) return nullptr;
+    const auto length = static_cast<std::size_t>(size);
+    const std::size_t room = libdeflate_zlib_compress_bound(compressor, length);
+    auto* out = static_cast<unsigned char*>(std::malloc(room));
+    if (!out) return nullptr;
+    const auto used = libdeflate_zlib_compress(compressor, bytes, length, out, room);
+    *compressedSize = static_cast<int>(used);  // fits: 4 * 16384^2 = 2^30
+    return out;
+}
+
+/// Replaces stb's own, which goes byte by byte.
+unsigned int crc32(const unsigned char* bytes, int size) {
+    return libdeflate_crc32(0, bytes, static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wconversion"
+#endif
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#define STBIW_ZLIB_COMPRESS deflateFast
+#define STBIW_CRC32 crc32
+#include <stb/stb_image_write.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 namespace render {
 namespace {
-
-/// Kept for the next picture: the compressor is a megabyte that would have to be cleared every
-/// time, and new pages for the buffers cost more than what is written to them.
-struct PngDesk {
-    std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor{
-        libdeflate_alloc_compressor(1), &libdeflate_free_compressor};  // fast, and small enough
-    Bytes rows;
-    std::unique_ptr<std::uint8_t[]> compressed;  // pages that are not written to take no memory
-    std::size_t room = 0;                        // bytes of `compressed`
-};
-constexpr std::size_t kMostBytesKept = 16u << 20;  // bytes of rows: more would add to a film's memory
-
-PngDesk& keptDesk() {
-    thread_local PngDesk desk;
-    if (!desk.compressor)
-        throw Error("out of memory while encoding a PNG; draw smaller pictures");
-    return desk;
-}
 
 /// Without an early exit, so that the compiler can vectorise the loop.
 bool isOpaque(const Image& image) {
@@ -39,54 +69,28 @@ bool isOpaque(const Image& image) {
     return all == 255;
 }
 
-/// Without alpha, four bytes are copied at a time: the next pixel overwrites the fourth, the last
-/// one's is where the next row begins, or beyond the last row.
-void copyRow(const std::uint8_t* from, int width, bool opaque, std::uint8_t* to) {
-    const auto count = static_cast<std::size_t>(width);
-    if (!opaque) {
-        std::memcpy(to, from, 4 * count);
-        return;
-    }
-    for (std::size_t i = 0; i < count; ++i) std::memcpy(to + 3 * i, from + 4 * i, 4);
-}
-
-/// The rows of a picture; each begins with the number of its filter. Returns their size: `rows` may
-/// be larger.
-std::size_t fillRows(const Image& image, bool opaque, Bytes& rows) {
-    constexpr std::uint8_t kNone = 0;
-    const std::size_t width = static_cast<std::size_t>(image.width);
-    const std::size_t stride = 1 + (opaque ? 3 : 4) * width;
-    const std::size_t size = stride * static_cast<std::size_t>(image.height);
-    if (rows.size() < size + 1) rows.resize(size + 1);
-    for (int y = 0; y < image.height; ++y) {
-        std::uint8_t* const row = &rows[stride * static_cast<std::size_t>(y)];
-        row[0] = kNone;
-        copyRow(&image.pixels[4 * width * static_cast<std::size_t>(y)], image.width, opaque,
-                row + 1);
-    }
-    return size;
-}
-
-std::span<const std::uint8_t> compressed(PngDesk& desk, std::size_t size) {
-    const std::size_t room = libdeflate_zlib_compress_bound(desk.compressor.get(), size);
-    if (desk.room < room) {
-        desk.compressed.reset(new std::uint8_t[room]);
-        desk.room = room;
-    }
-    const std::size_t used = libdeflate_zlib_compress(
-        desk.compressor.get(), desk.rows.data(), size, desk.compressed.get(), room);
-    return {desk.compressed.get(), used};
+/// Copies four bytes at a time: the next pixel overwrites the fourth.
+Bytes withoutAlpha(const Image& image) {
+    const std::size_t count = image.pixels.size() / 4;
+    Bytes rgb(3 * count + 1);
+    for (std::size_t i = 0; i < count; ++i)
+        std::memcpy(&rgb[3 * i], &image.pixels[4 * i], 4);
+    rgb.pop_back();
+    return rgb;
 }
 
 /// Pixels per metre in both directions: PNG 1.2, section 4.2.4.2.
-void addPhysicalSize(Bytes& file, int dpi) {
+Bytes physicalSize(int dpi) {
     const auto perMeter = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
-    Bytes content;
-    content.reserve(9);  // all of it: otherwise GCC 12 warns of an overflow that cannot happen
-    addBigEndian32(content, perMeter);
-    addBigEndian32(content, perMeter);
-    content.push_back(1);  // the unit: a metre
-    addChunk(file, "pHYs", content);
+    Bytes chunk;
+    chunk.reserve(21);  // all of it: otherwise GCC 12 warns of an overflow that cannot happen
+    addBigEndian32(chunk, 9);
+    chunk.insert(chunk.end(), {'p', 'H', 'Y', 's'});
+    addBigEndian32(chunk, perMeter);
+    addBigEndian32(chunk, perMeter);
+    chunk.push_back(1);  // the unit: a metre
+    addBigEndian32(chunk, libdeflate_crc32(0, chunk.data() + 4, chunk.size() - 4));
+    return chunk;
 }
 
 std::uint32_t bigEndian32(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -114,8 +118,8 @@ Chunk chunkAt(std::span<const std::uint8_t> bytes, std::size_t at) {
 }
 
 bool startsWithHeader(std::span<const std::uint8_t> bytes, int width, int height) {
-    if (bytes.size() < 33 || !std::equal(kPngSignature, kPngSignature + 8, bytes.begin()))
-        return false;
+    constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    if (bytes.size() < 33 || !std::equal(kSignature, kSignature + 8, bytes.begin())) return false;
     return bigEndian32(bytes, 8) == 13 && hasName(bytes, 12, "IHDR") &&
            bigEndian32(bytes, 16) == static_cast<std::uint32_t>(width) &&
            bigEndian32(bytes, 20) == static_cast<std::uint32_t>(height);
@@ -139,24 +143,23 @@ void checkSize(const Image& image) {
 
 std::vector<std::uint8_t> encodePng(const Image& image, int dpi) {
     checkSize(image);
-    constexpr std::uint8_t kRgb = 2, kRgba = 6;
+    static const int noFilter = stbi_write_force_png_filter = 0;  // once: it is global in stb
+    static_cast<void>(noFilter);
     const bool opaque = isOpaque(image);
-    PngDesk& desk = keptDesk();
-    const std::size_t size = fillRows(image, opaque, desk.rows);
-    const std::span<const std::uint8_t> content = compressed(desk, size);
-    Bytes file;
-    file.reserve(content.size() + 100);
-    file.insert(file.end(), std::begin(kPngSignature), std::end(kPngSignature));
-    addPngHeader(file, image.width, image.height, 8, opaque ? kRgb : kRgba);
-    if (dpi > 0) addPhysicalSize(file, dpi);
-    addChunk(file, "IDAT", content);
-    addChunk(file, "IEND", {});
-    if (size > kMostBytesKept) {
-        desk.rows = {};
-        desk.compressed.reset();
-        desk.room = 0;
-    }
-    return file;
+    const int channels = opaque ? 3 : 4;
+    const Bytes rgb = opaque ? withoutAlpha(image) : Bytes{};
+    const std::uint8_t* pixels = opaque ? rgb.data() : image.pixels.data();
+    int size = 0;
+    const std::unique_ptr<unsigned char, decltype(&std::free)> png(
+        stbi_write_png_to_mem(pixels, 0, image.width, image.height, channels, &size), &std::free);
+    if (!png) throw Error("out of memory while encoding a PNG; draw smaller pictures");
+    constexpr int kHeaderEnd = 33;  // signature and IHDR, after which pHYs is allowed
+    if (dpi <= 0) return {png.get(), png.get() + size};
+    Bytes bytes(png.get(), png.get() + kHeaderEnd);
+    const Bytes chunk = physicalSize(dpi);
+    bytes.insert(bytes.end(), chunk.begin(), chunk.end());
+    bytes.insert(bytes.end(), png.get() + kHeaderEnd, png.get() + size);
+    return bytes;
 }
 
 bool pngIsWhole(std::span<const std::uint8_t> bytes, int width, int height) {

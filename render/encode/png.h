@@ -1,4 +1,5 @@
-/// Encodes pictures as PNG, in memory; file.h writes them to disk.
+/// Encodes pictures as PNG, in memory. file.h writes them to disk: stb's own writer reports success
+/// on a full disk.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -8,7 +9,8 @@
 
 namespace render {
 
-inline constexpr int kLargestSide = 16384;  // pixels
+inline constexpr int kLargestSide =
+    16384;  // pixels; 4 * 16384^2 bytes still fit into stb's int
 
 /// The bytes of a PNG file: RGB if every pixel is opaque, RGBA otherwise. `dpi`: pixels per inch on
 /// paper, stored in the file (pHYs); 0: not stored.

@@ -4,13 +4,23 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
+#include "render/encode/bytes.h"
 #include "render/encode/png.h"
-#include "render/encode/png_chunks.h"
 #include "render/error.h"
 
 namespace render {
 namespace {
+
+/// Length, name, content, CRC of name and content.
+void addChunk(Bytes& file, std::string_view name, std::span<const std::uint8_t> content) {
+    addBigEndian32(file, static_cast<std::uint32_t>(content.size()));
+    const std::size_t begin = file.size();
+    file.insert(file.end(), name.begin(), name.end());
+    file.insert(file.end(), content.begin(), content.end());
+    addBigEndian32(file, libdeflate_crc32(0, file.data() + begin, file.size() - begin));
+}
 
 /// Every row begins with the number of its filter. Sub, the difference of each byte from the same
 /// byte of the pixel on the left, turns areas of one colour into zeros.
@@ -31,7 +41,7 @@ Bytes filtered(std::span<const std::uint16_t> samples, int height, std::size_t r
     return rows;
 }
 
-Bytes compressed16(const Bytes& bytes) {
+Bytes compressed(const Bytes& bytes) {
     constexpr int kLevel = 1;  // as for pictures (png.cpp)
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
@@ -60,10 +70,14 @@ std::vector<std::uint8_t> encodePng16(std::span<const std::uint16_t> samples, in
                                       int height, int channels) {
     checkSize16(samples.size(), width, height, channels);
     constexpr std::uint8_t kDepth = 16, kGrey = 0, kRgb = 2;
+    Bytes header;
+    addBigEndian32(header, static_cast<std::uint32_t>(width));
+    addBigEndian32(header, static_cast<std::uint32_t>(height));
+    header.insert(header.end(), {kDepth, channels == 1 ? kGrey : kRgb, 0, 0, 0});
     const std::size_t perPixel = static_cast<std::size_t>(channels);
-    Bytes file(std::begin(kPngSignature), std::end(kPngSignature));
-    addPngHeader(file, width, height, kDepth, channels == 1 ? kGrey : kRgb);
-    addChunk(file, "IDAT", compressed16(filtered(samples, height, perPixel * width, perPixel)));
+    Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    addChunk(file, "IHDR", header);
+    addChunk(file, "IDAT", compressed(filtered(samples, height, perPixel * width, perPixel)));
     addChunk(file, "IEND", {});
     return file;
 }

@@ -1,4 +1,4 @@
-/// 16-bit PNG: grey for depths and ids, RGB for normals.
+/// 16-bit PNG, which stb cannot write: grey for depths and ids, RGB for normals.
 #pragma once
 #include <cstdint>
 #include <span>

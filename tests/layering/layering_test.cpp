@@ -242,6 +242,7 @@ TEST(Layering, EachOfTheseLibrariesHasItsFiles) {
         {"libqhull_r/qhull_ra.h", {"engine/shapes/hull.cpp"}},
         {"GL/osmesa.h", {"render/context_osmesa.cpp"}},
         {"EGL/egl.h", {"render/context_egl.cpp"}},
+        {"stb/stb_image_write.h", {"render/encode/png.cpp"}},
         {"stb/stb_truetype.h", {"render/glyphs.cpp"}},
         {"tiny_obj_loader.h", {"demos/scene/obj_file.cpp"}},
         {"pugixml.hpp",
