@@ -128,7 +128,7 @@ inline void write(const fs::path& path, const std::string& text) {
 }
 
 /// A ball that falls on a floor: the smallest film.
-inline const std::string kBall = R"(format = 1
+const std::string kBall = R"(format = 1
 title = "a ball"
 seconds = 1.0
 [[body]]
@@ -142,11 +142,11 @@ at = [0, 3, 0]
 )";
 
 /// The ball is too fast after its first step.
-inline const std::string kFastBall =
+const std::string kFastBall =
     kBall + "velocity = [0, 9999, 0]\n[world]\ngravity = [0, 100, 0]\n";
 
 /// A stack with 1320 rows, too many for the direct solver: the first step fails.
-inline const std::string kTooTall =
+const std::string kTooTall =
     kBall +
     "[[repeat]]\ncount = 110\nstep = [0, 1, 0]\n"
     "body = { name = 'box{i}', shape = { box = [1, 1, 1] }, at = [9, 0.5, 0] }\n"

@@ -8,9 +8,10 @@
 
 namespace demos::test {
 
-inline const std::string kFloor =
+// Not inline: what a file makes of them at the start is made after them.
+const std::string kFloor =
     "[[body]]\nname = 'floor'\nshape = { plane = [0, 1, 0] }\nfixed = true\n";
-inline const std::string kBall =
+const std::string kBall =
     "[[body]]\nname = 'ball'\nshape = { sphere = 0.5 }\nat = [0, 2, 0]\n";
 
 /// `text` begins at line 2.

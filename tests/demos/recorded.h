@@ -6,7 +6,7 @@
 namespace demos::test {
 
 /// A bob on a rod of 1 m, level at first.
-inline const std::string kPendulum =
+const std::string kPendulum =
     "[[body]]\nname = 'bob'\nshape = { sphere = 0.1 }\nat = [1, 2, 0]\n"
     "[[joint]]\nname = 'hook'\ntype = 'distance'\na = 'world'\nb = 'bob'\n"
     "anchor_a = [0, 2, 0]\nanchor_b = [0, 0, 0]\n";

@@ -7,7 +7,7 @@
 namespace support {
 
 constexpr double kMass = 1000.0;  // kg, of a box of support::stack
-inline const Shape kCube = Shape::box({1, 1, 1});
+const Shape kCube = Shape::box({1, 1, 1});
 
 inline Settings sleepy(Settings settings = Settings::steady()) {
     settings.sleeping = true;

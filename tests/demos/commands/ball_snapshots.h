@@ -9,7 +9,7 @@ namespace demos::test {
 using Json = nlohmann::json;
 
 /// A ball that falls on a box; small pictures.
-inline const std::string kBallOnABox = R"(format = 1
+const std::string kBallOnABox = R"(format = 1
 title = "a ball on a box"
 seconds = 1.0
 [[body]]
