@@ -8,8 +8,9 @@ namespace render {
 
 /// The frames first..end-1 of a film.
 struct Chapter {
-    int first = 0, end = 0;
-    std::string name;  // UTF-8
+    int first = 0;     ///< Its first frame.
+    int end = 0;       ///< The frame after its last one.
+    std::string name;  ///< UTF-8.
 };
 
 /// Arguments of ffmpeg for one more input, which gives the film its chapters; none without them.
