@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostValues = 1000;
 
 [[noreturn]] void refuseSweep(const std::string& option, const std::string& text,
-                         const std::string& what) {
+                              const std::string& what) {
     throw Stop(Exit::usage, fmt::format("{} '{}': {}", option, printable(text), what));
 }
 
