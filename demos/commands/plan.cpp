@@ -12,6 +12,7 @@
 #include "demos/film/frame_source.h"
 #include "demos/film/part_forecast.h"
 #include "demos/film/progress.h"
+#include "demos/film/simulator.h"
 #include "demos/measures/clock.h"
 #include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
@@ -47,6 +48,7 @@ Plan measuredPlan(const PlanOptions& options) {
         refuse(fmt::format("--shards {}: the film has {} frames; make fewer parts", parts.shards,
                            parts.frames));
     parts.workers = workerCount(options.jobs, (parts.frames + parts.shards - 1) / parts.shards);
+    parts.simulating = canDrawFromStates(plan.film) ? 1 : parts.workers;
     plan.needs = needsOf(plan.film, parts.workers, {});
     checkNeeds(plan.needs, plan.film);
     const FilmTiming timing = timeFrames(plan.film, kMeasuredFrames, kMeasuredSeconds);

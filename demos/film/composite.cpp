@@ -9,6 +9,7 @@
 #include "demos/text/stop.h"
 #include "engine/base/hash.h"
 #include "render/canvas.h"
+#include "render/error.h"
 
 namespace demos {
 namespace {
@@ -112,6 +113,12 @@ int Composite::startBefore(int frame) {
     frame_ = (step + show.steps - 1) / show.steps;
     show.player.step(frame_ * show.steps - step);
     return frame_;
+}
+
+void Composite::restoreState(int frame, std::span<const std::uint8_t> bytes) {
+    if (!shows_.front()->player.restoreState(bytes))
+        throw render::Error("the state of a frame cannot be read");
+    frame_ = frame;
 }
 
 void Composite::advance(bool drawn) {

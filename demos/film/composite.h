@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "demos/film/film_plan.h"
@@ -26,6 +27,10 @@ public:
     /// Goes on from stateBefore(frame), as if it had advanced there. Returns the frame; 0: there is
     /// none.
     int startBefore(int frame);
+    /// The single panel at the current frame.
+    void saveState(std::vector<std::uint8_t>& bytes) const { shows_.front()->player.saveState(bytes); }
+    /// Goes to `frame`, of which another process has saved these bytes.
+    void restoreState(int frame, std::span<const std::uint8_t> bytes);
     /// Advances by one frame. A single panel whose step fails throws Stop; one of several shows its
     /// last good state and says so. `drawn`: draw() will follow.
     void advance(bool drawn);

@@ -6,9 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <thread>
+#include <utility>
 
+#include "demos/film/simulator.h"
 #include "demos/film/worker.h"
 #include "demos/processes/child_process.h"
 #include "demos/text/stop.h"
@@ -19,11 +22,23 @@
 namespace demos {
 namespace {
 
-/// Ends with _exit, so that a worker runs none of the parent's exit handlers.
-[[noreturn]] void beWorker(const FilmPlan& plan, const WorkerTask& task, Channel channel,
-                           pid_t parent) {
+/// The two ends of a socket.
+std::array<Channel, 2> connected() {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        throw render::Error("cannot start a worker: " + render::describeError(errno));
+    return {Channel(ends[0]), Channel(ends[1])};
+}
+
+/// Runs `work` in a process of its own. It ends with _exit, so that it runs none of the parent's exit
+/// handlers.
+template <class Work>
+pid_t forked(Work work) {
+    const pid_t parent = getpid(), process = fork();
+    if (process < 0) throw render::Error("cannot start a worker: " + render::describeError(errno));
+    if (process > 0) return process;
     becomeChildOf(parent);  // the parent handles SIGINT: it finishes the frame
-    runWorker(plan, task, channel);
+    work();
     _exit(0);
 }
 
@@ -44,26 +59,43 @@ FrameSource::FrameSource(const FilmPlan& plan, int jobs, bool png, bool raw)
     : width_(plan.layout.width), height_(plan.layout.height) {
     workers_.reserve(static_cast<std::size_t>(jobs));
     render::preloadContext(plan.picture.context);
+    std::vector<Channel> states;  // by worker, its end; empty: it simulates itself
+    if (jobs > 1 && canDrawFromStates(plan)) states = startSimulator(plan, jobs);
     for (int i = 0; i < jobs; ++i) {
-        int ends[2];
-        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-            throw render::Error("cannot start a worker: " + render::describeError(errno));
-        Channel mine(ends[0]), theirs(ends[1]);
-        const pid_t parent = getpid();
-        const pid_t process = fork();
-        if (process < 0)
-            throw render::Error("cannot start a worker: " + render::describeError(errno));
-        if (process == 0) {
+        auto [mine, theirs] = connected();
+        const pid_t process = forked([&, &mine = mine, &theirs = theirs] {
             mine.close();
+            simulator_.channel.close();
             for (Worker& worker : workers_) worker.channel.close();
-            beWorker(plan, {i, jobs, png, raw}, std::move(theirs), parent);
-        }
+            for (int other = 0; other < static_cast<int>(states.size()); ++other)
+                if (other != i) states[other].close();
+            runWorker(plan, {i, jobs, png, raw}, theirs, states.empty() ? nullptr : &states[i]);
+        });
         workers_.push_back({process, std::move(mine)});
     }
     meet();
 }
 
+/// The workers' ends of its channels.
+std::vector<Channel> FrameSource::startSimulator(const FilmPlan& plan, int jobs) {
+    std::vector<Channel> feeds, states;
+    for (int i = 0; i < jobs; ++i) {
+        auto [feed, state] = connected();
+        feeds.push_back(std::move(feed));
+        states.push_back(std::move(state));
+    }
+    auto [mine, theirs] = connected();
+    simulator_.process = forked([&, &mine = mine, &theirs = theirs] {
+        mine.close();
+        states.clear();
+        runSimulator(plan, theirs, feeds);
+    });
+    simulator_.channel = std::move(mine);
+    return states;
+}
+
 FrameSource::~FrameSource() {
+    if (simulator_.process > 0) workers_.push_back(std::move(simulator_));
     for (Worker& worker : workers_) {
         worker.channel.close();
         if (worker.process > 0) kill(worker.process, SIGKILL);
@@ -99,6 +131,7 @@ void FrameSource::order(const std::vector<bool>& wanted) {
     }
     // A worker that has ended already is reported, with the reason, when its frame is due.
     for (Worker& worker : workers_) worker.channel.send(orders);
+    if (simulator_.process > 0) simulator_.channel.send(orders);
 }
 
 bool FrameSource::next(DrawnFrame& frame) {

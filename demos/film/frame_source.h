@@ -1,7 +1,8 @@
 /// Draws a film in several processes with one context each (two contexts in one process would wait
-/// for each other). Every worker runs the whole simulation, which is bit-identical in all of them,
-/// and draws every n-th of the wanted frames. The parent reads from the workers in turn, so that
-/// the frames arrive in order.
+/// for each other). Every worker draws every n-th of the wanted frames. One more process
+/// simulates for all of them (simulator.h) where a state of the simulation is enough; else every worker
+/// runs all of it, with the same bits. The parent reads from the workers in turn, so that the frames
+/// arrive in order.
 #pragma once
 #include <sys/types.h>
 
@@ -44,13 +45,15 @@ public:
 
 private:
     struct Worker {
-        pid_t process;
-        Channel channel;
+        pid_t process = 0;
+        Channel channel{-1};
     };
+    std::vector<Channel> startSimulator(const FilmPlan& plan, int jobs);
     void meet();
     void receive(Worker& worker, Message& message);
 
     std::vector<Worker> workers_;
+    Worker simulator_;  // no process: the workers simulate
     std::string renderer_;
     std::vector<int> wanted_;
     std::size_t taken_ = 0;

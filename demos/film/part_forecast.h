@@ -1,9 +1,10 @@
 /// What a film in parts would take, predicted from the times of some of its frames.
 ///
-///   alone      start + begin + frames (simulate + draw / workers)
-///   in parts   start + begin + frames (simulate + draw / (workers shards)), that of the last part
+///   frame      max(simulate, (simulating simulate + draw) / workers), with a core for each worker
+///   alone      start + begin + frames frame
+///   in parts   start + begin + frames (simulate + (frame - simulate) / shards), that of the last part
 ///
-/// Every part simulates the film from its beginning to the part's end, and each of its workers does.
+/// Every part simulates the film from its beginning to the part's end, in one process or in each worker.
 #pragma once
 
 namespace demos {
@@ -11,11 +12,14 @@ namespace demos {
 struct PartForecast {
     int frames = 1, shards = 1;
     int workers = 1;        // drawing processes of each machine
+    int simulating = 1;     // of them: all workers, or one for all (simulator.h)
     double start = 0.0;     // s, before the drawing processes start
     double begin = 0.0;     // s, of each of them before its first frame
     double simulate = 0.0;  // s, processor time to simulate a frame
     double draw = 0.0;      // s, to draw, compress and write it
 
+    /// s, of one machine for a frame.
+    double frame() const;
     /// Of the processor time of a frame, 0..1.
     double simulationShare() const;
     /// s, of one machine for the whole film.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <vector>
 
 #include "demos/film/data_files.h"
@@ -44,7 +45,40 @@ std::vector<int> framesOf(const WorkerTask& task, const std::vector<std::uint8_t
     return frames;
 }
 
-void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
+bool sendFrame(Desk& desk, int frame, const FilmPlan& plan, const WorkerTask& task,
+               Channel& channel) {
+    Message message = drawnMessage(desk, frame, task);
+    if (frame == plan.frames - 1) message.incident = desk.composite.incidentAtEnd();
+    return channel.send(message);
+}
+
+/// Simulates from the beginning, or from a state in a file.
+void drawPlayed(Desk& desk, const std::vector<int>& own, const FilmPlan& plan,
+                const WorkerTask& task, Channel& channel) {
+    const int start = desk.composite.startBefore(own.front());
+    for (int frame = start; frame <= own.back(); ++frame) {
+        const bool mine = std::ranges::binary_search(own, frame);
+        if (frame > start) desk.data.advance(mine);
+        if (mine && !sendFrame(desk, frame, plan, task, channel)) return;
+    }
+}
+
+void drawStates(Desk& desk, const std::vector<int>& own, const FilmPlan& plan,
+                const WorkerTask& task, Channel& channel, Channel& states) {
+    Message state;
+    for (const int frame : own) {
+        if (!states.receive(state)) throw std::runtime_error("the simulating process ended early");
+        if (state.kind != MessageKind::state) {  // why it ended
+            channel.send(state);
+            return;
+        }
+        desk.composite.restoreState(state.frame, state.first);
+        if (state.frame < frame) desk.data.advance(true);
+        if (!sendFrame(desk, frame, plan, task, channel)) return;
+    }
+}
+
+void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel, Channel* states) {
     render::RendererSettings settings = plan.picture;
     settings.threads = 0;  // this process is the thread
     Desk desk(plan, settings);
@@ -54,22 +88,18 @@ void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
         return;
     const std::vector<int> own = framesOf(task, orders.first);
     if (own.empty()) return;
-    const int start = desk.composite.startBefore(own.front());
-    for (int frame = start; frame <= own.back(); ++frame) {
-        const bool mine = std::ranges::binary_search(own, frame);
-        if (frame > start) desk.data.advance(mine);
-        if (!mine) continue;
-        Message message = drawnMessage(desk, frame, task);
-        if (frame == plan.frames - 1) message.incident = desk.composite.incidentAtEnd();
-        if (!channel.send(message)) return;
-    }
+    if (states)
+        drawStates(desk, own, plan, task, channel, *states);
+    else
+        drawPlayed(desk, own, plan, task, channel);
 }
 
 }  // namespace
 
-void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel) noexcept {
+void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel,
+               Channel* states) noexcept {
     try {
-        work(plan, task, channel);
+        work(plan, task, channel, states);
     } catch (const Stop& stop) {
         channel.send(Message::ofText(MessageKind::diverged, stop.what()));
     } catch (const std::exception& error) {

@@ -10,7 +10,9 @@ struct WorkerTask {
     bool png = true, raw = false;
 };
 
-/// Reports frames and errors through the channel; throws nothing.
-void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel) noexcept;
+/// Reports frames and errors through the channel; throws nothing. `states`: of its frames, from a
+/// simulating process (simulator.h); none: the worker simulates all frames.
+void runWorker(const FilmPlan& plan, const WorkerTask& task, Channel& channel,
+               Channel* states) noexcept;
 
 }  // namespace demos

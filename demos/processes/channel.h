@@ -10,6 +10,7 @@ namespace demos {
 enum class MessageKind : std::uint32_t {
     ready,     // worker: the renderer's name
     orders,    // parent: the wanted frames, one byte each
+    state,     // simulating process: a state of the frame
     frame,     // worker: a picture
     diverged,  // worker: the line for the user
     failed     // worker: the line for the user

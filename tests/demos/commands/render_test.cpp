@@ -49,6 +49,22 @@ TEST_F(RenderCommand, TheNumberOfJobsDoesNotChangeAFrame) {
     EXPECT_EQ(framesIn(folder / "one").size(), static_cast<std::size_t>(kFrames));
 }
 
+// One process worked alone and simulated; three get states from a fourth.
+TEST_F(RenderCommand, TheNumberOfJobsDoesNotChangeWhatAFrameRemembers) {
+    const auto framesOf = [this](const std::string& jobs, std::vector<std::string> more) {
+        more.insert(more.end(), {"-o", jobs + more.front(), "--jobs", jobs, "--show",
+                                 "trails,ghost,stats,nudges,impulses"});
+        EXPECT_EQ(film(more).code, 0);
+        return framesIn(folder / more[more.size() - 5]);
+    };
+    for (const std::vector<std::string>& film :
+         {std::vector<std::string>{"--blur", "3"}, {"--frames", "0..4:2,3"}, {"--pass", "flow"}}) {
+        const Files alone = framesOf("1", film);
+        EXPECT_FALSE(alone.empty());
+        EXPECT_EQ(framesOf("3", film), alone) << film.front();
+    }
+}
+
 TEST_F(RenderCommand, QuietSaysNothing) {
     const Ended ended = film({"--quiet", "--seconds", "0.2"});
     EXPECT_EQ(ended.code, 0);

@@ -30,8 +30,19 @@ TEST(PartForecast, SimulatingIsRepeatedByEveryPart) {
     EXPECT_DOUBLE_EQ(parts.speedUp(), 1.0);
     EXPECT_DOUBLE_EQ(parts.processorRatio(), 17.0 / 2.0);  // (1 + 2 + ... + 16) / 16
     EXPECT_EQ(parts.partsThatPay(), 2);
-    parts.workers = 4;  // they all simulate, too
+    parts.workers = parts.simulating = 4;
     EXPECT_DOUBLE_EQ(parts.processorRatio(), 17.0 / 2.0);
+}
+
+TEST(PartForecast, OneProcessSimulatesWhileTheOthersDraw) {
+    PartForecast parts = forecast(0.01, 0.03, 1);
+    parts.workers = 2;
+    EXPECT_DOUBLE_EQ(parts.alone(), 1600 * 0.02);
+    parts.simulating = 2;
+    EXPECT_DOUBLE_EQ(parts.alone(), 1600 * 0.025);
+    parts.simulating = 1;
+    parts.workers = 16;  // they wait for it
+    EXPECT_DOUBLE_EQ(parts.alone(), 1600 * 0.01);
 }
 
 TEST(PartForecast, ManyPartsPayWhileEachMachineIsWorthHalfOfOneAlone) {
