@@ -90,6 +90,8 @@ struct Label {
     std::string value{};      // after the subscript
     bool beside = false;  // next to its point, where it covers no arrow, marker or name; such labels
                           // are placed before the others
+    std::vector<Vec3> clearOf{};  // m: it stands beside the rectangle around these points, with a line to
+                                  // its own point, if there is room; empty: near its point
     Color color{0, 0, 0, 0};  // a = 0: Look::ink
 };
 

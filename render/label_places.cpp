@@ -75,6 +75,38 @@ bool LabelPlaces::takeOver(Box& box, float most) {
     return false;
 }
 
+/// Takes the free place nearest to `corner`, which may move along `way` (pixels) to both sides.
+bool LabelPlaces::takeNear(Box& box, const Vec2& corner, const Vec2& way) {
+    constexpr int kPlaces = 8;  // to each side
+    for (int i = 0; i <= 2 * kPlaces; ++i) {
+        const auto turn = static_cast<float>(i % 2 ? (i + 1) / 2 : -i / 2);
+        box.x = corner.x() + turn * way.x();
+        box.y = corner.y() + turn * way.y();
+        if (!isFree(box) || coversMarks(box)) continue;
+        taken_.push_back(box);
+        return true;
+    }
+    return false;
+}
+
+bool LabelPlaces::takeOutside(Box& box, const std::vector<Vec3>& points, const View& view) {
+    Vec2 low(1e6f, 1e6f), high = -low;
+    for (const Vec3& point : points) {
+        const Projected at = project(view, point, image_.width, image_.height);
+        if (!(at.depth > 0)) return false;
+        low = low.cwiseMin(Vec2(at.x, at.y));
+        high = high.cwiseMax(Vec2(at.x, at.y));
+    }
+    const float gap = 0.6f * box.height, middle = box.x + 0.5f * box.width;
+    const Vec2 up(0.0f, 0.6f * box.height), along(0.6f * box.height, 0.0f);
+    const Vec2 left(low.x() - gap - box.width, box.y), right(high.x() + gap, box.y);
+    const bool leftFirst = middle - low.x() < high.x() - middle;
+    return takeNear(box, leftFirst ? left : right, up) ||
+           takeNear(box, leftFirst ? right : left, up) ||
+           takeNear(box, {middle - 0.5f * box.width, low.y() - gap - box.height}, along) ||
+           takeNear(box, {middle - 0.5f * box.width, high.y() + gap}, along);
+}
+
 bool LabelPlaces::takeBeside(Box& box) {
     constexpr int kDirections = 16;
     const Vec2 middle(box.x + 0.5f * box.width, box.y + 0.5f * box.height);

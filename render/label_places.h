@@ -23,6 +23,10 @@ public:
     /// either. False if there is none.
     bool takeBeside(Box& box);
 
+    /// Takes a place to the left or right of the rectangle around `points` (m), else above or below, at
+    /// the height of the box or near it, where it covers no mark. False if there is none.
+    bool takeOutside(Box& box, const std::vector<Vec3>& points, const View& view);
+
 private:
     struct Stroke {
         Eigen::Vector2f from, to;  // pixels
@@ -30,6 +34,7 @@ private:
     };
     bool isFree(const Box& box) const;
     bool coversMarks(const Box& box) const;
+    bool takeNear(Box& box, const Eigen::Vector2f& corner, const Eigen::Vector2f& way);
     void addStroke(const View& view, const Vec3& from, const Vec3& to, float half);
 
     const Image& image_;

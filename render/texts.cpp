@@ -98,6 +98,24 @@ void drawName(Image& image, const Label& label, int pixels, float x, float base,
     drawHaloed(image, label.value, pixels, x, base, color);
 }
 
+/// From a name's nearer side to its point.
+void drawLeader(Image& image, const Box& box, const Projected& at, float scale, const Color& color) {
+    const float middle = box.y + 0.5f * box.height, gap = 0.15f * box.height;
+    const float left = box.x - gap, right = box.x + box.width + gap;
+    const bool beside = at.x < left || at.x > right;
+    const Point from = beside ? Point{at.x < left ? left : right, middle}
+                              : Point{box.x + 0.5f * box.width,
+                                      at.y < box.y ? box.y : box.y + box.height};
+    const Point line[] = {from, {at.x, at.y}};
+    drawPolyline(image, line, 3.0f * scale, {1.0f, 1.0f, 1.0f, 0.6f});
+    drawPolyline(image, line, 1.3f * scale, color);
+}
+
+/// False: there is no room.
+bool takePlace(LabelPlaces& places, const Label& label, float reach, Box& box) {
+    return label.beside ? places.takeBeside(box) : places.takeOver(box, 0.4f * reach);
+}
+
 void drawLabels(Image& image, const Frame& frame, const View& view, const DepthMap& depth,
                 const CornerLayout& corners) {
     LabelPlaces places(image, frame, view, corners);
@@ -113,9 +131,15 @@ void drawLabels(Image& image, const Frame& frame, const View& view, const DepthM
         const float height = 1.1f * static_cast<float>(pixels), pad = 0.1f * height;
         Box box{seen.at.x - 0.5f * width - pad, seen.at.y + (label.below - 0.5f) * height,
                 width + 2.0f * pad, height};
-        if (!(label.beside ? places.takeBeside(box) : places.takeOver(box, 0.4f * reach))) continue;
-        drawName(image, label, pixels, box.x + pad, box.y + textAscent(pixels),
-                 label.color.a > 0.0f ? label.color : frame.look.ink);
+        const Color color = label.color.a > 0.0f ? label.color : frame.look.ink;
+        const Box wanted = box;
+        if (!label.clearOf.empty() && places.takeOutside(box, label.clearOf, view)) {
+            drawLeader(image, box, seen.at, scale, color);
+        } else {
+            box = wanted;
+            if (!takePlace(places, label, reach, box)) continue;
+        }
+        drawName(image, label, pixels, box.x + pad, box.y + textAscent(pixels), color);
     }
 }
 

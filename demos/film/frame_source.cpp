@@ -113,11 +113,10 @@ void FrameSource::meet() {
 }
 
 void FrameSource::receive(Worker& worker, Message& message) {
-    if (!worker.channel.receive(message)) {
-        const std::string death = deathOf(worker.process);
-        worker.process = 0;
-        throw render::Error("a drawing process " + death);
-    }
+    if (!worker.channel.receive(message))
+        throw render::Error("a drawing process " + deathOf(std::exchange(worker.process, 0)));
+    if (message.kind == MessageKind::orphaned)
+        throw render::Error("the simulating process " + deathOf(std::exchange(simulator_.process, 0)));
     if (message.kind == MessageKind::failed) throw render::Error(message.text());
     if (message.kind == MessageKind::diverged) throw Stop(Exit::diverged, message.text());
 }

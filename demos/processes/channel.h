@@ -12,6 +12,7 @@ enum class MessageKind : std::uint32_t {
     orders,    // parent: the wanted frames, one byte each
     state,     // simulating process: a state of the frame
     frame,     // worker: a picture
+    orphaned,  // worker: the simulating process has ended
     diverged,  // worker: the line for the user
     failed     // worker: the line for the user
 };

@@ -10,6 +10,7 @@
 #include "demos/snapshot/frame_parts.h"
 #include "demos/snapshot/joint_bars.h"
 #include "demos/snapshot/scale.h"
+#include "engine/shapes/bounds.h"
 #include "render/palette.h"
 
 namespace demos {
@@ -99,6 +100,8 @@ public:
         : stage_(stage), frame_(frame), view_(viewHeight(stage.scene.camera)) {}
 
     void add(const Subject& subject) {
+        keepClear(subject.a);
+        keepClear(subject.b);
         addPoint(subject.onA, "a", colorOfA());
         addPoint(subject.onB, "b", colorOfB());
         addGap(subject);
@@ -108,10 +111,21 @@ public:
     }
 
 private:
+    /// Names with a value, which are long, stand beside the bodies.
+    void keepClear(engine::BodyId body) {
+        if (!hasCentre(stage_, body)) return;
+        const engine::Bounds own = engine::boundsOf(stage_.world.def(body).shape, {});
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 corner((i & 1 ? own.high : own.low).x(), (i & 2 ? own.high : own.low).y(),
+                              (i & 4 ? own.high : own.low).z());
+            bodies_.push_back(drawn(stage_.world.pose(body).toWorld(corner)));
+        }
+    }
     void name(const char* text, const char* subscript, std::string value, const Vec3& at,
               const render::Color& color) {
         render::Label label{text, drawn(at), kNeverHidden, kNameSize};
         label.subscript = subscript;
+        if (!value.empty()) label.clearOf = bodies_;
         label.value = std::move(value);
         label.beside = true;
         label.color = color;
@@ -157,6 +171,7 @@ private:
 
     const Stage& stage_;
     render::Frame& frame_;
+    std::vector<render::Vec3> bodies_;  // m: the corners of their bounds
     double view_;  // m, the view's height
 };
 

@@ -77,8 +77,9 @@ private:
         add(from, to, pixels, color);
     }
     void one(const render::Label& label) {
-        const auto& [text, position, reach, size, below, subscript, value, beside, color] = label;
-        add(text, position, reach, size, below, subscript, value, beside, color);
+        const auto& [text, position, reach, size, below, subscript, value, beside, clearOf, color] =
+            label;
+        add(text, position, reach, size, below, subscript, value, beside, clearOf, color);
     }
     void one(const render::Trail& trail) {
         const auto& [points, pixels, color] = trail;

@@ -112,6 +112,26 @@ TEST(Overlay, ANameBesideItsPointCoversNeitherMarksNorNames) {
     EXPECT_FALSE(places.takeBeside(large));
 }
 
+TEST(Overlay, ALongNameStandsBesideTheBodies) {
+    Scene scene(20);
+    scene.frame.labels.push_back({"r", {0, 0, -10}});
+    scene.frame.labels.back().beside = true;
+    const CornerLayout corners = layoutCorners(scene.frame, kSize, kSize);
+    LabelPlaces places(scene.image, scene.frame, scene.view, corners);
+    const auto pixelsOf = [&](const Vec3& point) { return project(scene.view, point, kSize, kSize); };
+    const std::vector<Vec3> body = {{-1, -4, -10}, {1, 4, -10}};
+    const float left = pixelsOf(body[0]).x, right = pixelsOf(body[1]).x;
+    for (int i = 0; i < 6; ++i) {
+        Box box{95, 92, 30, 16};
+        ASSERT_TRUE(places.takeOutside(box, body, scene.view)) << i;
+        EXPECT_TRUE(box.x + box.width < left || box.x > right) << i;
+    }
+    // Nothing is free beside what fills the picture.
+    Box box{95, 92, 30, 16};
+    EXPECT_FALSE(places.takeOutside(box, {{-99, -99, -10}, {99, 99, -10}}, scene.view));
+    EXPECT_FALSE(places.takeOutside(box, {{0, 0, 10}}, scene.view)) << "behind the camera";
+}
+
 TEST(Overlay, ANameHasASubscript) {
     Scene plain(20), with(20);
     for (Scene* scene : {&plain, &with}) scene->frame.labels.push_back({"p", {0, 0, -10}});

@@ -128,22 +128,28 @@ TEST_F(RenderCommand, ResumingAKilledRunGivesTheFilesOfAnUndisturbedOne) {
     EXPECT_FALSE(fs::exists(folder / "torn/frame_000060.png.tmp4711"));
 }
 
-TEST_F(RenderCommand, ADeadWorkerIsCode4AndNoHang) {
-    Launch launch = small(folder.path(), {"--seconds", "20", "--json"});
-    launch.awaited = "\"frame\":4,";
-    bool found = false;
-    launch.awaitedCall = [&found](pid_t parent) {
-        const std::string name = std::to_string(parent);
-        std::ifstream children("/proc/" + name + "/task/" + name + "/children");
-        pid_t worker = 0;
-        found = static_cast<bool>(children >> worker);
-        kill(found ? worker : parent, SIGKILL);
-    };
-    const Ended ended = run(launch);
-    if (!found) GTEST_SKIP() << "this kernel does not name a process's children";
-    EXPECT_EQ(ended.code, 4);
-    EXPECT_EQ(ended.errorLines(), 1) << ended.err;
-    EXPECT_NE(ended.err.find("signal 9"), std::string::npos) << ended.err;
+// The first is the process that simulates, the others draw.
+TEST_F(RenderCommand, ADeadChildIsCode4AndNoHang) {
+    for (const int number : {0, 1, 2}) {
+        Launch launch = small(folder.path(), {"--seconds", "20", "--json", "--jobs", "2"});
+        launch.awaited = "\"frame\":4,";
+        bool found = false;
+        launch.awaitedCall = [&](pid_t parent) {
+            const std::string name = std::to_string(parent);
+            std::ifstream children("/proc/" + name + "/task/" + name + "/children");
+            pid_t child = 0;
+            for (int i = 0; i <= number; ++i) found = static_cast<bool>(children >> child);
+            kill(found ? child : parent, SIGKILL);
+        };
+        const Ended ended = run(launch);
+        if (!found) GTEST_SKIP() << "this kernel does not name a process's children";
+        EXPECT_EQ(ended.code, 4);
+        EXPECT_EQ(ended.errorLines(), 1) << ended.err;
+        EXPECT_NE(ended.err.find(number == 0 ? "simulating process was killed by signal 9"
+                                             : "drawing process was killed by signal 9"),
+                  std::string::npos)
+            << ended.err;
+    }
 }
 
 TEST_F(RenderCommand, AFolderIsWrittenByOneRunAtATime) {

@@ -92,6 +92,7 @@ TEST(Snapshot, AnnotatesTheContactOfTheLargestImpulseAtItsNearestPoint) {
     std::string names;
     for (const render::Label& label : frame.labels) {
         EXPECT_TRUE(label.beside);
+        EXPECT_EQ(label.clearOf.size(), label.value.empty() ? 0u : 16u);
         names += label.text + label.subscript + (label.value.empty() ? " " : label.value + " ");
     }
     EXPECT_TRUE(names.starts_with("pa pb ra = ")) << names;
