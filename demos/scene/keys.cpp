@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "demos/scene/schema.h"
 #include "demos/text/nearest.h"
 
 namespace demos {
@@ -22,6 +23,26 @@ std::string wholeText(const Range& range) {
 
 bool holds(const std::vector<std::string_view>& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// The tables of the format that have such a key, if they are few: "; it is a key of a
+/// [[material]]".
+std::string otherTables(const std::string& where, const std::string& key, const Scope& scope) {
+    constexpr std::size_t kMost = 3;
+    if (scope.catalog) return {};  // the format itself is being read
+    static const Catalog format = formatCatalog();
+    std::vector<std::string> tables;
+    bool ofFormat = false;
+    for (const AskedTable& table : format.tables()) {
+        ofFormat = ofFormat || table.name == where;
+        for (const AskedKey& asked : table.keys) {
+            if (asked.name != key) continue;
+            if (table.name == where) return {};  // the key is for other kinds of this table
+            tables.push_back(table.name);
+        }
+    }
+    if (!ofFormat || tables.empty() || tables.size() > kMost) return {};
+    return "; it is a key of " + anyOf(tables);
 }
 
 }  // namespace
@@ -95,12 +116,16 @@ void Keys::wrong(const Value& value, std::string_view key, const std::string& ri
                                      "; it should be " + right);
 }
 
-std::optional<double> Keys::numberIn(const Value& value, std::string_view key, bool& told) {
+std::optional<double> Keys::numberIn(const Value& value, std::string_view key, const Range& range,
+                                     bool& told) {
     if (value.isNumber()) return value.real;
     if (value.kind != Value::Kind::text) return std::nullopt;
     const Evaluated result = scope_->expressions->evaluate(value.text, scope_->turns);
     told = !result.value;
-    if (told)
+    if (result.unit)
+        wrong(value, key,
+              std::string("the number alone, in ") + (*range.unit ? range.unit : "SI units"));
+    else if (told)
         complaints_.add(value.place,
                         std::string(key) + " is " + describe(value) + ": " + result.wrong);
     return result.value;
@@ -108,7 +133,7 @@ std::optional<double> Keys::numberIn(const Value& value, std::string_view key, b
 
 std::optional<double> Keys::checked(const Value& value, std::string_view key, Range range) {
     bool told = false;
-    const std::optional<double> x = numberIn(value, key, told);
+    const std::optional<double> x = numberIn(value, key, range, told);
     if (x && std::isfinite(*x) && *x >= range.low && *x <= range.high)
         return *x + 0.0;  // -0 becomes +0
     if (!told) wrong(value, key, rangeText(range, "a number"), x);
@@ -124,7 +149,7 @@ std::optional<std::int64_t> Keys::large(std::string_view key, Range range) {
     const Value* value = ask(key, {Form::Kind::whole, range});
     if (!value) return std::nullopt;
     bool told = false;
-    const std::optional<double> x = numberIn(*value, key, told);
+    const std::optional<double> x = numberIn(*value, key, range, told);
     // 60.0 in the file does not count as whole, but the result of an expression is always a double.
     const bool whole = value->kind != Value::Kind::real && x && *x == std::floor(*x);
     if (whole && *x >= range.low && *x <= range.high) return static_cast<std::int64_t>(*x);
@@ -277,6 +302,14 @@ void Keys::later(std::initializer_list<std::string_view> keys) {
     later_.insert(later_.end(), keys.begin(), keys.end());
 }
 
+std::string Keys::meant(const std::string& key) const {
+    const std::vector<std::string> known(known_.begin(), known_.end());
+    if (nearest(key, known).empty())
+        if (const std::string elsewhere = otherTables(where_, key, *scope_); !elsewhere.empty())
+            return elsewhere;
+    return suggestion(key, known);
+}
+
 void Keys::done() {
     constexpr int kMostSuggestions = 100;  // a file may consist of unknown keys only
     int unknown = 0;
@@ -288,8 +321,7 @@ void Keys::done() {
             continue;
         }
         std::string what = "unknown key '" + shown(key.name) + "' in " + where_;
-        if (++unknown <= kMostSuggestions)
-            what += suggestion(key.name, {known_.begin(), known_.end()});
+        if (++unknown <= kMostSuggestions) what += meant(key.name);
         complaints_.add(key.place, what);
     }
 }
