@@ -55,12 +55,17 @@ void work(const FilmPlan& plan, const WorkerTask& task, Channel& channel) {
     const std::vector<int> own = framesOf(task, orders.first);
     if (own.empty()) return;
     const int start = desk.composite.startBefore(own.front());
+    const int last = plan.frames - 1;
+    if (start == 0 && own.back() == last) desk.composite.watchRun();
     for (int frame = start; frame <= own.back(); ++frame) {
         const bool mine = std::ranges::binary_search(own, frame);
         if (frame > start) desk.data.advance(mine);
         if (!mine) continue;
         Message message = drawnMessage(desk, frame, task);
-        if (frame == plan.frames - 1) message.incident = desk.composite.incidentAtEnd();
+        if (frame == last) {
+            message.incident = desk.composite.incidentAtEnd();
+            message.notes = desk.composite.notesAtEnd();
+        }
         if (!channel.send(message)) return;
     }
 }
