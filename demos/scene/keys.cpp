@@ -6,6 +6,7 @@
 
 #include "demos/scene/schema.h"
 #include "demos/text/nearest.h"
+#include "demos/text/synonyms.h"
 
 namespace demos {
 namespace {
@@ -25,24 +26,37 @@ bool holds(const std::vector<std::string_view>& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// The tables of the format that have such a key, if they are few: "; it is a key of a
-/// [[material]]".
+/// [[world]] instead of [world].
+bool isDoubled(const Value& table, const std::string& where) {
+    return table.kind == Value::Kind::array && where.starts_with('[');
+}
+
+std::vector<std::string> namesOf(const AskedTable& table) {
+    std::vector<std::string> names;
+    for (const AskedKey& key : table.keys) names.push_back(key.name);
+    return names;
+}
+
+/// The tables of the format that have such a key, or one of the same meaning, if they are few: "; it
+/// is a key of a [[material]]".
 std::string otherTables(const std::string& where, const std::string& key, const Scope& scope) {
     constexpr std::size_t kMost = 3;
     if (scope.catalog) return {};  // the format itself is being read
     static const Catalog format = formatCatalog();
-    std::vector<std::string> tables;
+    std::vector<std::string> same, like;
     bool ofFormat = false;
     for (const AskedTable& table : format.tables()) {
+        const std::string meant = sameMeaning(key, namesOf(table));
+        if (table.name == where && meant == key) return {};  // for other kinds of this table
         ofFormat = ofFormat || table.name == where;
-        for (const AskedKey& asked : table.keys) {
-            if (asked.name != key) continue;
-            if (table.name == where) return {};  // the key is for other kinds of this table
-            tables.push_back(table.name);
-        }
+        if (meant == key)
+            same.push_back(table.name);
+        else if (!meant.empty() && table.name != where)
+            like.push_back("'" + meant + "' of " + table.name);
     }
-    if (!ofFormat || tables.empty() || tables.size() > kMost) return {};
-    return "; it is a key of " + anyOf(tables);
+    if (!ofFormat) return {};
+    if (!same.empty()) return same.size() > kMost ? "" : "; it is a key of " + anyOf(same);
+    return like.empty() || like.size() > kMost ? "" : "; did you mean " + anyOf(like) + "?";
 }
 
 }  // namespace
@@ -57,7 +71,8 @@ std::string anyOf(const std::vector<std::string>& words) {
 Keys::Keys(const Value& table, std::string where, Complaints& complaints, const Scope& scope)
     : table_(table), where_(std::move(where)), complaints_(complaints), scope_(&scope) {
     if (table.kind != Value::Kind::table)
-        complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table");
+        complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table" +
+                                         (isDoubled(table, where_) ? ", in single brackets" : ""));
 }
 
 Keys Keys::inner(const Value& table, std::string where) const {

@@ -88,6 +88,7 @@ std::string mendOf(std::string_view value) {
     const std::string word = inSmallLetters(value);
     if (word == "true" || word == "yes" || word == "on") return "; write true";
     if (word == "false" || word == "no" || word == "off") return "; write false";
+    if (value.front() == '(') return "; a list is written in brackets: [1, 2, 3]";
     const std::string quoted = "\"" + shown(value) + "\"";
     if (!std::isalpha(static_cast<unsigned char>(value.front())))
         return "; a number stands alone, without a unit; an expression is written in quotes: " +
@@ -96,7 +97,9 @@ std::string mendOf(std::string_view value) {
 }
 
 /// Of "cannot redefine existing table 'body'".
-std::string mendOfTables(std::string_view what) {
+std::string mendOfTwo(std::string_view what) {
+    if (what.find("existing table") == what.npos && what.find("existing array") == what.npos)
+        return "; write each key once";
     const std::size_t quote = what.find('\'');
     const std::string_view name =
         what.substr(quote + 1, what.find('\'', quote + 1) - quote - 1);
@@ -111,10 +114,12 @@ std::string tomlMend(std::string_view text, int line, std::string_view what) {
     if (what.find("unknown escape sequence") != what.npos)
         return "; single quotes keep backslashes, as LaTeX needs them";
     if (what.find("redefine existing") != what.npos && what.find('\'') != what.npos)
-        return mendOfTables(what);
+        return mendOfTwo(what);
     const std::string_view wrong = trimmed(lineOf(text, line));
     if (wrong.starts_with('[')) return {};
     if (const std::string_view value = bareValue(wrong); !value.empty()) return mendOf(value);
+    if (what.ends_with("saw ','") && wrong.find('[') == wrong.npos)
+        return "; decimals have a point: 1.5; a list is written in brackets: [1, 5]";
     const std::size_t colon = wrong.find(':');
     const std::string_view key = wrong.substr(0, colon == wrong.npos ? 0 : colon);
     const bool isKey = !key.empty() && std::all_of(key.begin(), key.end(), isPart);

@@ -29,7 +29,7 @@ constexpr std::string_view kMeanings[] = {
     "mass weight",
     "density rho",
     "inertia moment momentofinertia",
-    "fixed static isstatic immovable immobile frozen pinned anchored",
+    "fixed static isstatic immovable immobile frozen pinned anchored dynamic movable",
     "kinematic animated scripted",
     "shape geometry geom collider size type kind",
     "sensor trigger",
@@ -41,7 +41,7 @@ constexpr std::string_view kMeanings[] = {
     "colourmax colormax",
     "look appearance finish texture surface",
     "friction mu frictioncoefficient frictioncoeff",
-    "restitution bounce bounciness elasticity elastic",
+    "restitution bounce bouncy bounciness elasticity elastic",
     "rolling rollingfriction rollingresistance",
     // world and solver
     "gravity g",
@@ -162,6 +162,7 @@ std::string sameMeaning(std::string_view word, std::span<const std::string> name
     if (letters.empty()) return {};
     if (const std::string same = named(letters, names); !same.empty()) return same;
     for (const std::string_view line : kMeanings) {
+        if (line.find(letters) == line.npos) continue;
         const std::vector<std::string_view> words = wordsOf(line);
         if (std::find(words.begin(), words.end(), letters) == words.end()) continue;
         for (const std::string_view other : words)
