@@ -86,13 +86,11 @@ void checkGl() {
     if (error != GL_NO_ERROR) throw Error("OpenGL reports error " + std::to_string(error));
 }
 
-/// A picture all of one colour means that the driver draws nothing: stop before a film is made.
-void checkNotEmpty(const Image& image) {
+bool hasTwoColors(const Image& image) {
     const std::uint8_t* first = image.pixels.data();
     for (std::size_t i = 4; i < image.pixels.size(); i += 4)
-        if (std::memcmp(first, first + i, 4) != 0) return;
-    if (image.width * image.height > 16)
-        throw Error("the picture is all one colour; the OpenGL driver draws nothing");
+        if (std::memcmp(first, first + i, 4) != 0) return true;
+    return false;
 }
 
 /// Premultiplied to straight alpha.
@@ -381,11 +379,17 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     return finished(std::move(image), frame.look);
 }
 
-Image Passes::finished(Image image, const Look& look) const {
-    if (look.transparent)
+/// A first picture all of one colour means that the driver draws nothing, or that nothing is in
+/// view: stop before a film is made. Later ones may be empty: all bodies have left.
+Image Passes::finished(Image image, const Look& look) {
+    if (look.transparent) {
         divideByAlpha(image);
-    else
-        checkNotEmpty(image);
+        return image;
+    }
+    drawsSomething_ = drawsSomething_ || image.width * image.height <= 16 || hasTwoColors(image);
+    if (!drawsSomething_)
+        throw Error("the picture is all one colour: nothing is in view, or the OpenGL driver draws "
+                    "nothing");
     return image;
 }
 

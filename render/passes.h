@@ -76,7 +76,7 @@ private:
     bool isFull() const { return settings_.finish == Finish::standard; }
     bool isSmooth() const { return isFull() && settings_.samples > 1; }
     PixelRect all() const { return {0, 0, settings_.width, settings_.height}; }
-    Image finished(Image image, const Look& look) const;
+    Image finished(Image image, const Look& look);
 
     RendererSettings settings_;
     std::unique_ptr<Context> context_;
@@ -90,6 +90,7 @@ private:
     Kept kept_;
     DepthMap spare_;  // its memory is used again
     double drawnShare_ = 1.0;
+    bool drawsSomething_ = false;  // a picture had two colours: the driver draws
 };
 
 }  // namespace render

@@ -49,8 +49,9 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Throws Error if OpenGL reports an error or the picture is all one colour. Where the frame is
-    /// like the last one, the last picture is kept: frames of a film are best drawn in order.
+    /// Throws Error if OpenGL reports an error or the first picture is all one colour. Where the
+    /// frame is like the last one, the last picture is kept: frames of a film are best drawn in
+    /// order.
     Image draw(const Frame& frame);
 
     /// The mean of 1 to 256 moments, earliest first. Each has another sample position in the pixel

@@ -106,6 +106,7 @@ Exit compare(const CompareOptions& options) {
     if (!options.json) fmt::print(raw ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
     if (const std::string line = incidentLine(runs); !line.empty()) talk.mention(printable(line));
+    if (const std::string line = failedRunsLine(runs); !line.empty()) talk.mention(printable(line));
     const Chart chart = historyChart(runs, plottedMeasure(plan), "");
     figure.write(lettered(chart), {chart}, talk);
     if (!film) return Exit::ok;

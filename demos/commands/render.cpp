@@ -6,7 +6,7 @@
 #include "demos/commands/shared_options.h"
 #include "demos/film/film.h"
 #include "demos/film/progress.h"
-#include "demos/play/overlaps.h"
+#include "demos/play/warnings.h"
 #include "demos/text/complaints.h"
 
 namespace demos {
@@ -59,7 +59,7 @@ Exit render(const FilmOptions& options) {
     plan.states = options.states;
     if (!plan.states.empty()) plan.stateKind = stateKindOf(plan.scene(), options);
     for (const Panel& panel : plan.panels)
-        for (const std::string& line : overlapsAtStart(Stage(panel.scene)))
+        for (const std::string& line : warningsAtStart(Stage(panel.scene)))
             Talk(options, true).mention("warning: " + printable(line));
     makeFilm(plan, options);
     return Exit::ok;

@@ -15,7 +15,8 @@
 #include "demos/measures/direct_note.h"
 #include "demos/measures/plot_file.h"
 #include "demos/play/expect.h"
-#include "demos/play/overlaps.h"
+#include "demos/play/falls.h"
+#include "demos/play/warnings.h"
 #include "demos/snapshot/player.h"
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
@@ -165,10 +166,11 @@ bool sayExpectations(const ExpectationChecker& checker, const SceneDescription& 
         const std::string line = fmt::format("{}: {}", result.text, cameOut(result));
         allPassed = allPassed && result.passed;
         talk.json(fmt::format(
-            R"({{"event":"expect","text":{},"value":{},"unit":{},"passed":{},"why":{}}})",
+            R"({{"event":"expect","text":{},"value":{},"unit":{},"passed":{},"worst":{},"why":{}}})",
             jsonString(result.text),
             std::isfinite(result.value) ? numberText(result.value) : "null",
-            jsonString(result.unit), result.passed, jsonString(result.why)));
+            jsonString(result.unit), result.passed, jsonString(result.worst),
+            jsonString(result.why)));
         if (result.passed)
             talk.say("ok      " + line);
         else
@@ -221,7 +223,7 @@ public:
 
     Exit play() {
         if (options_.from.empty())
-            for (const std::string& line : overlapsAtStart(player_.stage()))
+            for (const std::string& line : warningsAtStart(player_.stage()))
                 talk_.mention("warning: " + printable(line));
         playThrough(
             player_, options_, [this](long step) { look(step); }, [this] { writeResults(); });
@@ -233,6 +235,7 @@ private:
         const Stage& stage = player_.stage();
         if (expects()) checker_.look(stage);
         direct_.look(stage);
+        falls_.look(stage);
         if (isBrief()) brief_.look(stage);
         if (step > 0) events_.look(stage);
         if (step % options_.every.value_or(1) == 0) addRows(stage, step, tables_);
@@ -273,6 +276,8 @@ private:
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));
         for (const std::string& line : direct_.lines()) talk_.say(printable(line));
+        if (const std::string line = falls_.line(stage); !line.empty())
+            talk_.mention("warning: " + printable(line));
         for (const PlayedIncident& incident : player_.incidents()) {
             talk_.json(
                 fmt::format(R"({{"event":"incident","text":{}}})", jsonString(incident.line)));
@@ -299,6 +304,7 @@ private:
     PlotChoice choice_;
     Recorder recorder_;
     RunInBrief brief_;
+    Falls falls_;
     EventLog events_{0};
     long steps_;
 };

@@ -83,6 +83,7 @@ Exit sweep(const SweepOptions& options) {
     if (!options.json) fmt::print(dataOnStdout ? stderr : stdout, "{}\n", tableText(runs));
     std::fflush(stdout);
     if (const std::string line = incidentLine(runs); !line.empty()) talk.mention(printable(line));
+    if (const std::string line = failedRunsLine(runs); !line.empty()) talk.mention(printable(line));
     if (!options.csv.empty()) {
         const std::string text = csvText(runs, sweeping.key);
         writeResult(options.csv, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

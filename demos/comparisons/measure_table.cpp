@@ -22,6 +22,15 @@ std::string shortText(double value) {
     return fmt::format("{:.6f}", value);
 }
 
+/// What a run of double precision leaves of nothing, in any unit: a joint is not open by a nanometre.
+constexpr double kNoise = 1e-8;
+
+/// The value of a measure in a run, without noise.
+double valueIn(const Measured& run, std::size_t measure) {
+    const double value = run.summary.values[measure];
+    return std::isfinite(value) ? std::round(value / kNoise) * kNoise : value;
+}
+
 /// Lengths are shown in mm: 0.03 mm is easier to read than 3e-05 m.
 FittingUnit shownUnit(const Measure& measure) {
     if (std::string(measure.unit) == "m") return {1e3, "mm"};
@@ -33,7 +42,7 @@ FittingUnit unitOf(const std::vector<Measured>& runs, std::size_t measure) {
     const FittingUnit shown = shownUnit(measures()[measure]);
     double largest = 0.0;
     for (const Measured& run : runs)
-        if (const double x = std::abs(run.summary.values[measure]); std::isfinite(x))
+        if (const double x = std::abs(valueIn(run, measure)); std::isfinite(x))
             largest = std::max(largest, shown.scale * x);
     const FittingUnit fitting = fittingUnit(shown.name, largest);
     return {shown.scale * fitting.scale, fitting.name};
@@ -51,7 +60,7 @@ std::vector<std::size_t> columnsOf(const std::vector<Measured>& runs) {
     std::vector<std::size_t> columns;
     for (std::size_t i = 0; i < measures().size(); ++i)
         for (const Measured& run : runs)
-            if (run.summary.values[i] != 0.0) {
+            if (valueIn(run, i) != 0.0) {
                 columns.push_back(i);
                 break;
             }
@@ -107,6 +116,20 @@ std::string csvCell(const std::string& text) {
     return quoted + "\"";
 }
 
+/// "LABEL: LINE" of the first run that has such a line, and how many others have one.
+std::string firstOf(const std::vector<Measured>& runs, std::string Summary::*line) {
+    std::string text;
+    std::size_t others = 0;
+    for (const Measured& run : runs) {
+        if ((run.summary.*line).empty()) continue;
+        if (text.empty())
+            text = run.variant.label + ": " + run.summary.*line;
+        else
+            ++others;
+    }
+    return others == 0 ? text : fmt::format("{}; also {}", text, plural(others, "other run"));
+}
+
 }  // namespace
 
 MeasureCells cellsOf(const std::vector<Measured>& runs) {
@@ -118,7 +141,7 @@ MeasureCells cellsOf(const std::vector<Measured>& runs) {
         cells.measures.push_back(static_cast<int>(i));
         cells.head.push_back(heading(measures()[i], unit));
         for (std::size_t k = 0; k < runs.size(); ++k)
-            cells.rows[k].push_back(shortText(unit.scale * runs[k].summary.values[i]));
+            cells.rows[k].push_back(shortText(unit.scale * valueIn(runs[k], i)));
     }
     return cells;
 }
@@ -137,21 +160,17 @@ std::string tableText(const std::vector<Measured>& runs) {
         for (std::size_t k = 0; k < cells.rows[i].size(); ++k)
             text += fmt::format("  {:>{}}", cells.rows[i][k], widthOf(k));
         if (!runs[i].summary.diverged.empty()) text += "  diverged";
+        if (!runs[i].summary.failed.empty()) text += "  expectation failed";
     }
     return text;
 }
 
 std::string incidentLine(const std::vector<Measured>& runs) {
-    std::string text;
-    std::size_t others = 0;
-    for (const Measured& run : runs) {
-        if (run.summary.diverged.empty()) continue;
-        if (text.empty())
-            text = run.variant.label + ": " + run.summary.diverged;
-        else
-            ++others;
-    }
-    return others == 0 ? text : fmt::format("{}; also {}", text, plural(others, "other run"));
+    return firstOf(runs, &Summary::diverged);
+}
+
+std::string failedRunsLine(const std::vector<Measured>& runs) {
+    return firstOf(runs, &Summary::failed);
 }
 
 std::string jsonLine(const Measured& run) {
@@ -163,7 +182,9 @@ std::string jsonLine(const Measured& run) {
     for (std::size_t i = 0; i < measures().size(); ++i)
         text += fmt::format(",\"{}\":{}", measures()[i].name, numberText(run.summary.values[i]));
     const std::string& diverged = run.summary.diverged;
-    return text + ",\"diverged\":" + (diverged.empty() ? "null" : jsonString(diverged)) + "}";
+    const std::string& failed = run.summary.failed;
+    return text + ",\"diverged\":" + (diverged.empty() ? "null" : jsonString(diverged)) +
+           ",\"failed\":" + (failed.empty() ? "null" : jsonString(failed)) + "}";
 }
 
 std::string csvText(const std::vector<Measured>& runs, const std::string& key) {

@@ -29,6 +29,9 @@ std::string tableText(const std::vector<Measured>& runs);
 /// none did.
 std::string incidentLine(const std::vector<Measured>& runs);
 
+/// The same of the first run in which an expectation of the scene failed.
+std::string failedRunsLine(const std::vector<Measured>& runs);
+
 /// A JSON object on one line: label, settings, measures, how it diverged or null.
 std::string jsonLine(const Measured& run);
 

@@ -59,7 +59,8 @@ std::vector<double> numbersOf(const Json& json, std::size_t count) {
 }
 
 Json jsonOf(const Summary& summary, bool history) {
-    Json json{{"values", jsonOf(summary.values)}, {"diverged", summary.diverged}};
+    Json json{{"values", jsonOf(summary.values)}, {"diverged", summary.diverged},
+              {"failed", summary.failed}};
     if (!history) return json;
     json["time"] = jsonOf(summary.time);
     for (const std::vector<double>& values : summary.history)
@@ -71,6 +72,7 @@ Summary summaryFrom(const Json& json, bool history) {
     Summary summary;
     summary.values = numbersOf(json.at("values"), measures().size());
     json.at("diverged").get_to(summary.diverged);
+    json.at("failed").get_to(summary.failed);
     if (!history) return summary;
     const Json& time = json.at("time");
     summary.time = numbersOf(time, time.size());

@@ -133,7 +133,7 @@ void Composite::advance(Show& show, bool drawn, double time) try {
     show.seen.clear();
     for (int left = show.steps; left > 0; --left) {
         if (drawn && shutter.sees(left)) show.seen.push_back(frameOf(show, time - left * step));
-        show.player.step();
+        stepOnce(show);
         if (watcher_ && &show == shows_.front().get()) watcher_(show.player.stage());
     }
 } catch (const Stop& stop) {
@@ -186,11 +186,27 @@ std::string Composite::incidentAtEnd() try {
     for (const auto& show : shows_) {
         const Stage& stage = show->player.stage();
         const long end = std::lround(stage.scene.seconds * stage.scene.hz);
-        while (show->trouble.empty() && stage.world.report().step < end) show->player.step();
+        while (show->trouble.empty() && stage.world.report().step < end) stepOnce(*show);
     }
     return incident();
 } catch (const Stop& stop) {  // a step failed; every frame has been drawn
     return stop.what();
+}
+
+void Composite::stepOnce(Show& show) {
+    show.player.step();
+    if (run_) run_->look(show.player.stage());
+}
+
+void Composite::watchRun() {
+    if (shows_.size() == 1) run_.emplace(stage());
+}
+
+std::string Composite::notesAtEnd() const {
+    std::string notes;
+    if (!run_ || !shows_.front()->player.incidents().empty()) return notes;
+    for (const std::string& line : run_->lines(stage())) notes += line + "\n";
+    return notes;
 }
 
 render::Image Composite::draw(int frame, render::Renderer& renderer) {

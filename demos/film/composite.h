@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "demos/film/film_plan.h"
+#include "demos/play/run_watch.h"
 #include "demos/snapshot/player.h"
 
 namespace demos {
@@ -49,6 +50,10 @@ public:
     std::string incident() const;
     /// The same, after what is left of the scene, which no frame shows. Call it last.
     std::string incidentAtEnd();
+    /// From now on, which should be time 0, a single panel's run is watched for notesAtEnd().
+    void watchRun();
+    /// What else to know of the run (RunWatch), after incidentAtEnd(): a line each.
+    std::string notesAtEnd() const;
     /// A hash of all panels' states.
     std::uint64_t hash() const;
 
@@ -60,6 +65,7 @@ private:
         std::vector<render::Frame> seen;  // since the shutter opened, one per step
     };
     void advance(Show& show, bool drawn, double time);
+    void stepOnce(Show& show);
     render::Frame frameOf(const Show& show, double time) const;
     render::Frame pictureOf(const Show& show, double time) const;
     render::Image drawPanel(Show& show, double time, render::Renderer& renderer) const;
@@ -68,6 +74,7 @@ private:
     int frame_ = 0;
     std::vector<std::unique_ptr<Show>> shows_;
     std::function<void(const Stage&)> watcher_;
+    std::optional<RunWatch> run_;
 };
 
 }  // namespace demos

@@ -105,6 +105,7 @@ public:
 
     void add(const DrawnFrame& frame) {
         incident_ = frame.incident;
+        notes_ = frame.notes;
         for (const auto& files : files_) files->add(frame);
         for (Film& film : films_) {
             film.writer->add(frame.image);
@@ -165,6 +166,8 @@ public:
                                                    plan.timeOf(film.writer->frames()))));
         poster_.tell(plan, talk);
         captions_.tell(talk);
+        for (std::size_t at = 0; at < notes_.size(); at = notes_.find('\n', at) + 1)
+            talk.mention("warning: " + printable(notes_.substr(at, notes_.find('\n', at) - at)));
     }
 
     /// The simulation's incident up to the last chosen frame, drawn now or kept; "": none.
@@ -188,6 +191,7 @@ private:
     render::Existing existing_;
     bool raw_ = false;
     std::string incident_;  // until the last frame that was added
+    std::string notes_;     // of the last frame that was added
 };
 
 RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::string& renderer) {

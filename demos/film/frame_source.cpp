@@ -146,6 +146,7 @@ bool FrameSource::next(DrawnFrame& frame) {
     frame.png = std::move(message.first);
     frame.data = std::move(message.data);
     frame.incident = std::move(message.incident);
+    frame.notes = std::move(message.notes);
     frame.image = {};
     if (!message.second.empty()) frame.image = {width_, height_, std::move(message.second)};
     return true;

@@ -22,6 +22,7 @@ struct DrawnFrame {
     render::Image image;            // empty if not requested
     std::vector<std::vector<std::uint8_t>> data;  // a file for each of the plan's passes
     std::string incident;  // of the simulation until then; "": none
+    std::string notes;     // of the last frame: what else to know of the run, a line each
 };
 
 class FrameSource {

@@ -13,15 +13,23 @@ void simulate(const FilmPlan& plan, Channel& orders, std::vector<Channel>& feeds
     Message wanted;
     if (!orders.receive(wanted)) return;
     const int earlier = plan.shutter.moments > 1 ? 1 : 0;  // the shutter opens before the frame
+    const int last = plan.frames - 1;
     Composite composite(plan);
     Message state;
     state.kind = MessageKind::state;
     std::size_t ordinal = 0;
     for (int frame = 0; frame < static_cast<int>(wanted.first.size()); ++frame) {
         if (!wanted.first[frame]) continue;
-        if (ordinal == 0) state.frame = composite.startBefore(frame);
+        if (ordinal == 0) {
+            state.frame = composite.startBefore(frame);
+            if (state.frame == 0 && wanted.first[last]) composite.watchRun();
+        }
         for (; state.frame < frame - earlier; ++state.frame) composite.advance(false);
         composite.saveState(state.first);
+        if (frame == last) {
+            state.incident = composite.incidentAtEnd();
+            state.notes = composite.notesAtEnd();
+        }
         if (!feeds[ordinal++ % feeds.size()].send(state)) return;
     }
 }

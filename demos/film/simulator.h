@@ -13,7 +13,8 @@ bool canDrawFromStates(const FilmPlan& plan);
 
 /// The main function of the simulating process: receives the wanted frames through `orders` and sends
 /// worker i the states of its frames, the wanted ones number i, i + feeds.size(), ...: a state is of the
-/// frame, or with several moments per frame of the one before it. An error is sent to every worker.
+/// frame, or with several moments per frame of the one before it. With the film's last frame it sends what
+/// happened until the end of the scene. An error is sent to every worker.
 /// Throws nothing.
 void runSimulator(const FilmPlan& plan, Channel& orders, std::vector<Channel>& feeds) noexcept;
 

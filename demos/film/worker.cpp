@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 #include <vector>
 
 #include "demos/film/data_files.h"
@@ -44,21 +45,22 @@ std::vector<int> framesOf(const WorkerTask& task, const std::vector<std::uint8_t
     return frames;
 }
 
-bool sendFrame(Desk& desk, int frame, const FilmPlan& plan, const WorkerTask& task,
-               Channel& channel) {
-    Message message = drawnMessage(desk, frame, task);
-    if (frame == plan.frames - 1) message.incident = desk.composite.incidentAtEnd();
-    return channel.send(message);
-}
-
 /// Simulates from the beginning, or from a state in a file.
 void drawPlayed(Desk& desk, const std::vector<int>& own, const FilmPlan& plan,
                 const WorkerTask& task, Channel& channel) {
     const int start = desk.composite.startBefore(own.front());
+    const int last = plan.frames - 1;
+    if (start == 0 && own.back() == last) desk.composite.watchRun();
     for (int frame = start; frame <= own.back(); ++frame) {
         const bool mine = std::ranges::binary_search(own, frame);
         if (frame > start) desk.data.advance(mine);
-        if (mine && !sendFrame(desk, frame, plan, task, channel)) return;
+        if (!mine) continue;
+        Message message = drawnMessage(desk, frame, task);
+        if (frame == last) {
+            message.incident = desk.composite.incidentAtEnd();
+            message.notes = desk.composite.notesAtEnd();
+        }
+        if (!channel.send(message)) return;
     }
 }
 
@@ -73,7 +75,12 @@ void drawStates(Desk& desk, const std::vector<int>& own, const FilmPlan& plan,
         }
         desk.composite.restoreState(state.frame, state.first);
         if (state.frame < frame) desk.data.advance(true);
-        if (!sendFrame(desk, frame, plan, task, channel)) return;
+        Message message = drawnMessage(desk, frame, task);
+        if (frame == plan.frames - 1) {
+            message.incident = std::move(state.incident);
+            message.notes = std::move(state.notes);
+        }
+        if (!channel.send(message)) return;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "demos/measures/clock.h"
+#include "demos/play/expect.h"
 #include "demos/processes/signals.h"
 #include "demos/snapshot/player.h"
 #include "demos/text/stop.h"
@@ -119,17 +120,22 @@ double SummaryRecorder::largestMove(const Stage& stage) const {
 Summary summarize(const SceneDescription& scene) {
     Player player(scene, Overlays{.trails = false});
     SummaryRecorder recorder(player.stage());
+    ExpectationChecker checker(player.stage());
+    checker.look(player.stage());
     const long steps = std::max(std::lround(scene.seconds * scene.hz), 1L);
     for (long step = 1; step <= steps; ++step) {
         try {
             recorder.step(player);
+            checker.look(player.stage());
         } catch (const Stop& stop) {
             if (stop.code() != Exit::diverged) throw;
             return recorder.summary(stop.what());
         }
         if (interrupted()) throw Stop(Exit::interrupted, "interrupted");
     }
-    return recorder.summary(player.incident());
+    Summary summary = recorder.summary(player.incident());
+    summary.failed = failedLine(checker.results());
+    return summary;
 }
 
 }  // namespace demos

@@ -23,6 +23,7 @@ std::vector<std::string> measureWords();
 struct Summary {
     std::vector<double> values;                // one per measure, for the whole run
     std::string diverged;                      // empty, or the line with the reason
+    std::string failed;                        // failedLine() of the expectations, or empty
     std::vector<double> time;                  // s, of every step
     std::vector<std::vector<double>> history;  // per measure: one value per step
 };

@@ -19,29 +19,30 @@ constexpr double kClearly = 0.01;  // of a swing's width: from farther below, a 
 
 struct KindText {
     const char *name, *unit;
+    const char* which = "";  // of the values in its window
 };
 KindText textOf(What what) {
     switch (what) {
         case What::drift:
-            return {"drift", "m"};
+            return {"drift", "m", "largest "};
         case What::penetration:
-            return {"penetration", "m"};
+            return {"penetration", "m", "deepest "};
         case What::separation:
-            return {"separation", "m"};
+            return {"separation", "m", "largest "};
         case What::energy:
-            return {"energy change", ""};
+            return {"energy change", "", "largest "};
         case What::speed:
-            return {"speed", "m/s"};
+            return {"speed", "m/s", "largest "};
         case What::position:
             return {"distance", "m"};
         case What::angle:
-            return {"angle", "deg"};
+            return {"angle", "deg", "largest "};
         case What::period:
             return {"period", "s"};
         case What::count:
             return {"count of moved bodies", ""};
         case What::height:
-            return {"height", "m"};
+            return {"height", "m", "least "};
         case What::spread:
             return {"spread", "m"};
     }
@@ -108,7 +109,7 @@ ExpectationResult describe(const Expectation& e, double seconds) {
     result.what = kind.name;
     if (!ofWorld(e.what)) result.of = e.of == "*" ? "all" : e.of;
     result.asked = askedText(e, seconds, exactWriter());
-    result.text = result.what + (result.of.empty() ? "" : " of " + result.of);
+    result.text = kind.which + result.what + (result.of.empty() ? "" : " of " + result.of);
     result.text += (result.asked.starts_with(',') ? "" : " ") + result.asked;
     result.unit = kind.unit;
     result.why = e.why;
@@ -142,6 +143,8 @@ ExpectationChecker::ExpectationChecker(const Stage& stage) : halfStep_(0.5 * sta
     const Vec3& gravity = stage.world.gravity();
     if (gravity.norm() > 0.0) up_ = -gravity.normalized();
     for (const engine::BodyId id : stage.bodies) start_.push_back(stage.world.pose(id).position);
+    for (const BodyDescription& body : stage.scene.bodies) bodies_.push_back(body.name);
+    for (const JointDescription& joint : stage.scene.joints) joints_.push_back(joint.name);
     startEnergy_ = stage.world.energy().total();
     for (const Expectation& e : stage.scene.expectations) {
         Watch watch;
@@ -161,6 +164,7 @@ void ExpectationChecker::look(const Stage& stage) {
     const double time = stage.world.report().time;
     largestKinetic_ = std::max(largestKinetic_, stage.world.energy().kinetic);
     for (Watch& watch : watches_) {
+        watch.finished = watch.finished || time >= watch.until - halfStep_;
         if (!isOpen(watch, time)) continue;
         watch.measured = true;
         for (Watched& watched : watch.watched) measure(stage, watch, watched);
@@ -187,7 +191,10 @@ Vec3 ExpectationChecker::placeAtClosing(const Watch& watch, Watched& w, double t
 void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched& w) const {
     const Expectation& e = watch.expectation;
     const engine::World& world = stage.world;
-    const auto most = [&](double value) { w.value = std::max(w.value, value); };
+    const double now = world.report().time;
+    const auto most = [&](double value) {
+        if (value > w.value) w.value = value, w.time = now;
+    };
     if (e.what == What::penetration) return most(world.errors().penetration);
     if (e.what == What::energy) return most(std::abs(world.energy().total() - startEnergy_));
     if (e.what == What::separation) return most(world.joint(stage.joints[w.number]).separation);
@@ -204,18 +211,18 @@ void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched
         case What::count:
             return most(moved.norm() > kMoved ? 1.0 : 0.0);
         case What::position:
-            w.value = (placeAtClosing(watch, w, world.report().time, pose.position) - *e.nearPoint)
-                          .norm();
+            w.value = (placeAtClosing(watch, w, now, pose.position) - *e.nearPoint).norm();
             return;
         case What::height:
-            w.value = std::min(pose.position.dot(up_), w.lookedAt ? w.value : 1e300);
-            w.lookedAt = world.report().time;
+            if (const double height = pose.position.dot(up_); !w.lookedAt || height < w.value)
+                w.value = height, w.time = now;
+            w.lookedAt = now;
             return;
         case What::spread:
             w.value = pose.position.x();
             return;
         case What::period:
-            w.swings.push_back({world.report().time, pose.position.x(), pose.position.z()});
+            w.swings.push_back({now, pose.position.x(), pose.position.z()});
             return;
         default:
             return;
@@ -271,23 +278,62 @@ double ExpectationChecker::spreadOf(const std::vector<Watched>& watched) {
     return std::sqrt(squares / static_cast<double>(watched.size()));
 }
 
-double ExpectationChecker::worstOf(const Watch& watch) const {
+double ExpectationChecker::worstOf(const Watch& watch, const Watched*& worst) const {
     const Expectation& e = watch.expectation;
     if (e.what == What::spread) return spreadOf(watch.watched);
-    double worst = 0.0, worstExcess = 0.0, sum = 0.0;
-    bool first = true;
+    double worstValue = 0.0, worstExcess = 0.0, sum = 0.0;
     for (const Watched& w : watch.watched) {
         const double value = valueOf(e, w);
         sum += value;
         const double beyond = excess(e, value);
-        if (first || beyond > worstExcess) worst = value, worstExcess = beyond;
-        first = false;
+        if (!worst || beyond > worstExcess) worst = &w, worstValue = value, worstExcess = beyond;
     }
-    return e.what == What::count ? sum : worst;
+    return e.what == What::count ? sum : worstValue;
+}
+
+std::string ExpectationChecker::worstText(const Watch& watch, const Watched* worst,
+                                          double value) const {
+    const Expectation& e = watch.expectation;
+    if (!worst || e.what == What::spread) return {};
+    const std::vector<std::string>& names = e.what == What::separation ? joints_ : bodies_;
+    if (e.what == What::count) return countText(watch, value);
+    const std::string name = worst->number >= 0 ? "'" + names[worst->number] + "'" : "";
+    if (atClosing(e.what) || e.what == What::period) return name;
+    return fmt::format("{}{}at {:.4g} s", name, name.empty() ? "" : " ", worst->time);
+}
+
+std::string ExpectationChecker::countText(const Watch& watch, double value) const {
+    constexpr std::size_t kMost = 3;
+    const Expectation& e = watch.expectation;
+    const bool tooFew = (e.above && value <= *e.above) || (e.near && value < *e.near);
+    std::vector<std::string> names;
+    for (const Watched& w : watch.watched)
+        if ((w.value == 0.0) == tooFew) names.push_back("'" + bodies_[w.number] + "'");
+    const std::size_t more = names.size() - std::min(names.size(), kMost);
+    names.resize(names.size() - more);
+    return fmt::format("{}{} {}", fmt::join(names, ", "),
+                       more > 0 ? fmt::format(" and {} more", more) : "",
+                       tooFew ? "did not move" : "moved");
 }
 
 std::string cameOut(const ExpectationResult& result) {
-    return fmt::format("{:.6g}{}{}", result.value, result.unit.empty() ? "" : " ", result.unit);
+    return fmt::format("{:.6g}{}{}{}", result.value, result.unit.empty() ? "" : " ", result.unit,
+                       result.worst.empty() ? "" : " (" + result.worst + ")");
+}
+
+std::string failedLine(const std::vector<ExpectationResult>& results) {
+    const ExpectationResult* first = nullptr;
+    std::size_t failed = 0;
+    for (const ExpectationResult& result : results) {
+        if (result.passed || !result.finished) continue;
+        if (failed++ == 0) first = &result;
+    }
+    if (failed == 0) return {};
+    const std::string head =
+        results.size() == 1 ? "the expectation failed"
+                            : fmt::format("{} of {} expectations failed{}", failed, results.size(),
+                                          failed > 1 ? ", the first" : "");
+    return fmt::format("{}: {}: {}", head, first->text, cameOut(*first));
 }
 
 bool ExpectationChecker::hasNoPeriod(const Watch& watch) {
@@ -306,9 +352,13 @@ std::vector<ExpectationResult> ExpectationChecker::results() const {
             result.text += " (nothing that moves)";
         else if (hasNoPeriod(watch))
             result.text += " (not one full swing)";
-        result.value = worstOf(watch);
+        const Watched* worst = nullptr;
+        result.value = worstOf(watch, worst);
+        result.finished = watch.finished;
         result.passed = watch.measured && !watch.watched.empty() && !hasNoPeriod(watch) &&
                         passes(e, result.value);
+        if (!result.passed && watch.measured && !hasNoPeriod(watch))
+            result.worst = worstText(watch, worst, result.value);
         list.push_back(std::move(result));
     }
     return list;

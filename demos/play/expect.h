@@ -27,7 +27,7 @@
 namespace demos {
 
 struct ExpectationResult {
-    std::string text;    // "drift of box* below 0.005 m, 0 s to 3 s"
+    std::string text;    // "largest drift of box* below 0.005 m, 0 s to 3 s"
     double value = 0.0;  // measured
     std::string unit;    // "m", "s", or nothing
     bool passed = false;
@@ -35,10 +35,16 @@ struct ExpectationResult {
     std::string what = {};   // part of the text: "drift"
     std::string of = {};     // "box*", "all"; empty if the whole world is measured
     std::string asked = {};  // "below 0.005 m, 0 s to 3 s"
+    std::string worst = {};  // if it failed, where and when: "'box7' at 1.2 s"
+    bool finished = true;    // the run went on to the end of its window
 };
 
-/// The value with its unit, six digits: "0.00123 m".
+/// The value with its unit, six digits, and the worst: "0.00123 m ('box7' at 1.2 s)".
 std::string cameOut(const ExpectationResult& result);
+
+/// "2 of 3 expectations failed, first: largest drift of ..."; empty if none failed whose window
+/// the run has passed.
+std::string failedLine(const std::vector<ExpectationResult>& results);
 
 /// Writes numbers with their units.
 struct QuantityWriter {
@@ -64,8 +70,9 @@ private:
     };
     /// One body or joint under one expectation.
     struct Watched {
-        int number = 0;      // index in scene.bodies or scene.joints
+        int number = -1;     // index in scene.bodies or scene.joints; -1: the whole world
         double value = 0.0;  // so far; energy: J; spread: x
+        double time = 0.0;   // s, of this value
         std::vector<Swing> swings;
         std::optional<double> lookedAt;  // s: time of the last look, for position and height
         Vec3 place{0, 0, 0};             // m, at that time
@@ -73,7 +80,7 @@ private:
     struct Watch {
         Expectation expectation;
         double until = 0.0;
-        bool measured = false;
+        bool measured = false, finished = false;
         std::vector<Watched> watched;  // a single one, without a number, for the whole world
     };
 
@@ -87,10 +94,14 @@ private:
     static bool hasNoPeriod(const Watch& watch);
     double valueOf(const Expectation& expectation, const Watched& watched) const;
     static double spreadOf(const std::vector<Watched>& watched);
-    double worstOf(const Watch& watch) const;
+    double worstOf(const Watch& watch, const Watched*& worst) const;
+    /// Which bodies moved, or did not.
+    std::string countText(const Watch& watch, double value) const;
+    std::string worstText(const Watch& watch, const Watched* worst, double value) const;
 
     std::vector<Watch> watches_;
-    std::vector<Vec3> start_;  // m, by body
+    std::vector<std::string> bodies_, joints_;  // names
+    std::vector<Vec3> start_;                   // m, by body
     Vec3 up_{0, 1, 0};
     double halfStep_ = 0.0;                            // s: so that rounding misses no window
     double startEnergy_ = 0.0, largestKinetic_ = 0.0;  // J

@@ -13,10 +13,12 @@ namespace {
 struct Header {
     MessageKind kind;
     std::int32_t frame;
-    std::uint64_t stateHash, firstSize, secondSize, incidentSize, dataCount;
+    std::uint64_t stateHash, firstSize, secondSize, incidentSize, notesSize, dataCount;
 };
 constexpr std::uint64_t kMostData = 64;  // files
 constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;  // bytes; more means a damaged header
+
+std::vector<std::uint8_t> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
 
 }  // namespace
 
@@ -61,11 +63,12 @@ bool Channel::receiveAll(std::span<std::uint8_t> bytes) {
 
 bool Channel::send(const Message& message) {
     const Header header{message.kind, message.frame, message.stateHash, message.first.size(),
-                        message.second.size(), message.incident.size(), message.data.size()};
+                        message.second.size(), message.incident.size(), message.notes.size(),
+                        message.data.size()};
     std::uint8_t bytes[sizeof header];
     std::memcpy(bytes, &header, sizeof header);
-    const std::vector<std::uint8_t> incident(message.incident.begin(), message.incident.end());
-    bool sent = sendAll(bytes) && sendAll(message.first) && sendAll(message.second) && sendAll(incident);
+    bool sent = sendAll(bytes) && sendAll(message.first) && sendAll(message.second) &&
+                sendAll(bytesOf(message.incident)) && sendAll(bytesOf(message.notes));
     for (const std::vector<std::uint8_t>& file : message.data) {
         const std::uint64_t size = file.size();
         std::uint8_t sizeBytes[sizeof size];
@@ -94,9 +97,11 @@ bool Channel::receive(Message& message) {
     message.data.resize(header.dataCount);
     if (!receiveBlock(header.firstSize, message.first)) return false;
     if (!receiveBlock(header.secondSize, message.second)) return false;
-    std::vector<std::uint8_t> incident;
-    if (!receiveBlock(header.incidentSize, incident)) return false;
-    message.incident.assign(incident.begin(), incident.end());
+    std::vector<std::uint8_t> text;
+    if (!receiveBlock(header.incidentSize, text)) return false;
+    message.incident.assign(text.begin(), text.end());
+    if (!receiveBlock(header.notesSize, text)) return false;
+    message.notes.assign(text.begin(), text.end());
     for (std::vector<std::uint8_t>& file : message.data) {
         std::uint64_t size = 0;
         std::uint8_t sizeBytes[sizeof size];

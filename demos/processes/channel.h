@@ -24,6 +24,7 @@ struct Message {
     std::vector<std::uint8_t> first, second;  // of a picture: PNG and raw RGBA; else a text, empty
     std::vector<std::vector<std::uint8_t>> data;  // of a picture: files of the data passes
     std::string incident;  // of a picture: of the simulation until then (Player::incident)
+    std::string notes;     // of the last picture: what else to know of the run, a line each
 
     std::string text() const { return {first.begin(), first.end()}; }
     static Message ofText(MessageKind kind, const std::string& text);

@@ -65,10 +65,7 @@ std::vector<std::string> settingLines(const std::vector<SettingChange>& settings
 }
 
 Fault faultOf(const ExpectationResult& result) {
-    Fault fault{"expectation",
-                fmt::format("measured {:.6g}{}{}", result.value, result.unit.empty() ? "" : " ",
-                            result.unit),
-                {}};
+    Fault fault{"expectation", "measured " + cameOut(result), {}};
     if (!result.why.empty()) fault.details.push_back("why: " + result.why);
     return fault;
 }

@@ -111,6 +111,7 @@ Json jsonOf(const ExpectationResult& result) {
             {"value", std::isfinite(result.value) ? Json(result.value) : Json(nullptr)},
             {"unit", result.unit},
             {"passed", result.passed},
+            {"worst", result.worst},
             {"why", result.why}};
 }
 
@@ -120,6 +121,7 @@ ExpectationResult expectationFrom(const Json& json) {
     result.value = json.at("value").is_null() ? std::nan("") : json["value"].get<double>();
     json.at("unit").get_to(result.unit);
     json.at("passed").get_to(result.passed);
+    result.worst = json.value("worst", "");
     json.at("why").get_to(result.why);
     return result;
 }

@@ -42,8 +42,7 @@ void addPicture(const SceneVerdict& scene, const PictureVerdict& picture,
 void addExpectations(const SceneVerdict& scene, std::vector<std::string>& lines) {
     for (const ExpectationResult& result : scene.expectations)
         if (!result.passed)
-            lines.push_back(fmt::format("expectation failed: {}: {:.6g}{}{}", result.text,
-                                        result.value, result.unit.empty() ? "" : " " + result.unit,
+            lines.push_back(fmt::format("expectation failed: {}: {}{}", result.text, cameOut(result),
                                         result.why.empty() ? "" : " (" + result.why + ")"));
 }
 

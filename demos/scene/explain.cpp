@@ -175,6 +175,26 @@ std::string keyList(const std::vector<Reached>& keys) {
     return text;
 }
 
+std::string explained(const Catalog& catalog, const Reached& key) {
+    std::string text = key.path + ": " + key.text().sentence + "\n";
+    text += row("type     ", typesOf(key.forms()));
+    text += row("unit     ", unitsOf(key.forms()));
+    text += row("default  ", key.text().usual);
+    text += row("range    ", rangeOf(key.forms()));
+    const AskedTable* held = key.key ? catalog.heldBy(*key.key) : nullptr;
+    if (held) text += "its keys:\n" + keyList(keysOf(*held, key.path));
+    return text;
+}
+
+/// turn_deg: body.turn_deg, body.shape.turn_deg, ...
+std::vector<Reached> keysEndingIn(const Catalog& catalog, const std::string& path) {
+    std::vector<Reached> keys = allKeys(catalog);
+    std::erase_if(keys, [&](const Reached& key) {
+        return !key.key || !key.path.ends_with("." + path);
+    });
+    return keys;
+}
+
 }  // namespace
 
 std::vector<KeyFacts> keyFacts() {
@@ -192,16 +212,13 @@ std::string explanationOf(const std::string& path) {
         return "the tables and keys of a scene:\n" + keyList(keysOf(catalog.tables().front(), ""));
     const std::vector<std::string> parts = keyParts(path);
     const std::optional<Reached> found = reach(catalog, parts);
-    if (!found)
+    if (found) return explained(catalog, *found);
+    std::string text;
+    for (const Reached& key : keysEndingIn(catalog, path))
+        text += (text.empty() ? "" : "\n") + explained(catalog, key);
+    if (text.empty())
         refuse("no key of a scene is called '" + printable(shown(path)) + "'" +
                nearestKeys(catalog, parts));
-    std::string text = found->path + ": " + found->text().sentence + "\n";
-    text += row("type     ", typesOf(found->forms()));
-    text += row("unit     ", unitsOf(found->forms()));
-    text += row("default  ", found->text().usual);
-    text += row("range    ", rangeOf(found->forms()));
-    const AskedTable* held = found->key ? catalog.heldBy(*found->key) : nullptr;
-    if (held) text += "its keys:\n" + keyList(keysOf(*held, found->path));
     return text;
 }
 

@@ -62,6 +62,17 @@ int numberAt(const char* text, int* at, double* value) {
     return length > 0 ? 1 : 0;
 }
 
+/// Whether a number stands before this place and a word or a sign of a unit at it: "7800 kg", "20 %".
+bool isUnit(std::string_view text, std::size_t at) {
+    if (at >= text.size()) return false;
+    const bool unit = isLetter(text[at]) || text[at] == '%' || (text[at] & 0x80) != 0;
+    while (at > 0 && text[at - 1] == ' ') --at;
+    std::size_t begin = at;
+    while (begin > 0 && (isLetter(text[begin - 1]) || isDigit(text[begin - 1]))) --begin;
+    const bool number = begin < at ? isDigit(text[begin]) : at > 0 && text[at - 1] == '.';
+    return unit && number;
+}
+
 std::string atCharacter(std::size_t at) { return " at character " + std::to_string(at + 1); }
 
 std::string sentenceOf(const mu::ParserError& error) {
@@ -198,8 +209,9 @@ std::string Expressions::checkName(std::string_view name, bool called, const Tur
     return "there is no value '" + std::string(name) + "'" + suggestion(name, names(turns));
 }
 
-std::string Expressions::checkWords(std::string_view text, const Turns& turns) const {
-    for (std::size_t at = 0; at < text.size();) {
+std::string Expressions::checkWords(std::string_view text, const Turns& turns,
+                                    std::size_t& at) const {
+    while (at < text.size()) {
         const std::string_view rest = text.substr(at);
         double number = 0.0;
         if (isDigit(rest[0]) || rest[0] == '.') {
@@ -241,8 +253,9 @@ Evaluated Expressions::evaluate(std::string_view text, const Turns& turns) {
     if (text.size() > kLongestExpression)
         return {{}, std::to_string(text.size()) + " characters; it should be at most 200"};
     if (text.find_first_not_of(' ') == std::string_view::npos) return {{}, "an empty expression"};
-    const std::string wrong = checkWords(text, turns);
-    if (!wrong.empty()) return {{}, wrong};
+    std::size_t at = 0;
+    const std::string wrong = checkWords(text, turns, at);
+    if (!wrong.empty()) return {{}, wrong, isUnit(text, at)};
     for (int t = 0; t < kDeepestRepeat; ++t) {
         turns_[t] = turns.index[t];
         turns_[kDeepestRepeat + t] = turns.count[t];

@@ -27,6 +27,7 @@ struct Turns {
 struct Evaluated {
     std::optional<double> value;  // finite
     std::string wrong;
+    bool unit = false;  // a word or sign that is not known follows a number: "7800 kg"
 };
 
 class Expressions {
@@ -46,7 +47,8 @@ public:
 
 private:
     std::string checkName(std::string_view name, bool called, const Turns& turns) const;
-    std::string checkWords(std::string_view text, const Turns& turns) const;
+    /// `at`: where the check ended.
+    std::string checkWords(std::string_view text, const Turns& turns, std::size_t& at) const;
     Evaluated computed(const std::string& text);
     std::vector<std::string> names(const Turns& turns) const;
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "demos/scene/schema.h"
 #include "demos/text/nearest.h"
+#include "demos/text/synonyms.h"
 
 namespace demos {
 namespace {
@@ -24,6 +26,39 @@ bool holds(const std::vector<std::string_view>& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+/// [[world]] instead of [world].
+bool isDoubled(const Value& table, const std::string& where) {
+    return table.kind == Value::Kind::array && where.starts_with('[');
+}
+
+std::vector<std::string> namesOf(const AskedTable& table) {
+    std::vector<std::string> names;
+    for (const AskedKey& key : table.keys) names.push_back(key.name);
+    return names;
+}
+
+/// The tables of the format that have such a key, or one of the same meaning, if they are few: "; it
+/// is a key of a [[material]]".
+std::string otherTables(const std::string& where, const std::string& key, const Scope& scope) {
+    constexpr std::size_t kMost = 3;
+    if (scope.catalog) return {};  // the format itself is being read
+    static const Catalog format = formatCatalog();
+    std::vector<std::string> same, like;
+    bool ofFormat = false;
+    for (const AskedTable& table : format.tables()) {
+        const std::string meant = sameMeaning(key, namesOf(table));
+        if (table.name == where && meant == key) return {};  // for other kinds of this table
+        ofFormat = ofFormat || table.name == where;
+        if (meant == key)
+            same.push_back(table.name);
+        else if (!meant.empty() && table.name != where)
+            like.push_back("'" + meant + "' of " + table.name);
+    }
+    if (!ofFormat) return {};
+    if (!same.empty()) return same.size() > kMost ? "" : "; it is a key of " + anyOf(same);
+    return like.empty() || like.size() > kMost ? "" : "; did you mean " + anyOf(like) + "?";
+}
+
 }  // namespace
 
 std::string anyOf(const std::vector<std::string>& words) {
@@ -36,7 +71,8 @@ std::string anyOf(const std::vector<std::string>& words) {
 Keys::Keys(const Value& table, std::string where, Complaints& complaints, const Scope& scope)
     : table_(table), where_(std::move(where)), complaints_(complaints), scope_(&scope) {
     if (table.kind != Value::Kind::table)
-        complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table");
+        complaints_.add(table.place, where_ + " is " + describe(table) + "; it should be a table" +
+                                         (isDoubled(table, where_) ? ", in single brackets" : ""));
 }
 
 Keys Keys::inner(const Value& table, std::string where) const {
@@ -95,12 +131,16 @@ void Keys::wrong(const Value& value, std::string_view key, const std::string& ri
                                      "; it should be " + right);
 }
 
-std::optional<double> Keys::numberIn(const Value& value, std::string_view key, bool& told) {
+std::optional<double> Keys::numberIn(const Value& value, std::string_view key, const Range& range,
+                                     bool& told) {
     if (value.isNumber()) return value.real;
     if (value.kind != Value::Kind::text) return std::nullopt;
     const Evaluated result = scope_->expressions->evaluate(value.text, scope_->turns);
     told = !result.value;
-    if (told)
+    if (result.unit)
+        wrong(value, key,
+              std::string("the number alone, in ") + (*range.unit ? range.unit : "SI units"));
+    else if (told)
         complaints_.add(value.place,
                         std::string(key) + " is " + describe(value) + ": " + result.wrong);
     return result.value;
@@ -108,7 +148,7 @@ std::optional<double> Keys::numberIn(const Value& value, std::string_view key, b
 
 std::optional<double> Keys::checked(const Value& value, std::string_view key, Range range) {
     bool told = false;
-    const std::optional<double> x = numberIn(value, key, told);
+    const std::optional<double> x = numberIn(value, key, range, told);
     if (x && std::isfinite(*x) && *x >= range.low && *x <= range.high)
         return *x + 0.0;  // -0 becomes +0
     if (!told) wrong(value, key, rangeText(range, "a number"), x);
@@ -124,7 +164,7 @@ std::optional<std::int64_t> Keys::large(std::string_view key, Range range) {
     const Value* value = ask(key, {Form::Kind::whole, range});
     if (!value) return std::nullopt;
     bool told = false;
-    const std::optional<double> x = numberIn(*value, key, told);
+    const std::optional<double> x = numberIn(*value, key, range, told);
     // 60.0 in the file does not count as whole, but the result of an expression is always a double.
     const bool whole = value->kind != Value::Kind::real && x && *x == std::floor(*x);
     if (whole && *x >= range.low && *x <= range.high) return static_cast<std::int64_t>(*x);
@@ -277,6 +317,14 @@ void Keys::later(std::initializer_list<std::string_view> keys) {
     later_.insert(later_.end(), keys.begin(), keys.end());
 }
 
+std::string Keys::meant(const std::string& key) const {
+    const std::vector<std::string> known(known_.begin(), known_.end());
+    if (nearest(key, known).empty())
+        if (const std::string elsewhere = otherTables(where_, key, *scope_); !elsewhere.empty())
+            return elsewhere;
+    return suggestion(key, known);
+}
+
 void Keys::done() {
     constexpr int kMostSuggestions = 100;  // a file may consist of unknown keys only
     int unknown = 0;
@@ -288,8 +336,7 @@ void Keys::done() {
             continue;
         }
         std::string what = "unknown key '" + shown(key.name) + "' in " + where_;
-        if (++unknown <= kMostSuggestions)
-            what += suggestion(key.name, {known_.begin(), known_.end()});
+        if (++unknown <= kMostSuggestions) what += meant(key.name);
         complaints_.add(key.place, what);
     }
 }

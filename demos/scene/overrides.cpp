@@ -30,6 +30,48 @@ bool holdsCalled(const Value& item, const std::string& name) {
     return false;
 }
 
+/// The names by which listItem() finds the items.
+std::vector<std::string> namesIn(const Value& list) {
+    std::vector<std::string> names;
+    const auto add = [&](const Value& table) {
+        if (const Value* own = table.find("name"); own && own->kind == Value::Kind::text)
+            names.push_back(own->text);
+    };
+    for (const Value& item : list.items) {
+        add(item);
+        for (const char* key : {"body", "joint", "force"})
+            if (const Value* inner = item.find(key)) {
+                add(*inner);
+                for (const Value& one : inner->items) add(one);
+            }
+    }
+    return names;
+}
+
+/// Whether a [[repeat]] makes items whose names begin like this one: box3 of box{i}.
+bool isRepeated(const Value& document, const std::string& name) {
+    const Value* repeats = document.find("repeat");
+    if (!repeats) return false;
+    for (const std::string& pattern : namesIn(*repeats))
+        if (const std::size_t brace = pattern.find('{');
+            brace != 0 && brace != std::string::npos && name.starts_with(pattern.substr(0, brace)))
+            return true;
+    return false;
+}
+
+/// Why a list has no such item, with what would be right. `list`: its key.
+std::string noItem(const Value& document, const std::string& list, const Value& items,
+                   const std::string& part) {
+    const std::string what = "there is no '" + shown(part) + "' in [[" + shown(list) + "]]";
+    if (countedNumber(part))
+        return what + "; it has " + plural(items.items.size(), "table") + ", counted from 0";
+    const std::string stem = part.substr(0, part.find_last_not_of("0123456789") + 1);
+    if (list != "repeat" && isRepeated(document, part) && !stem.empty())
+        return what + "; what a [[repeat]] makes is reached like " + list + "." + stem + "[0]";
+    const std::string meant = suggestion(part, namesIn(items));
+    return what + (meant.empty() ? "; a list takes a number from 0" : meant);
+}
+
 /// The item of a list with this number or name; null if there is none.
 Value* listItem(Value& list, const std::string& part) {
     if (const std::optional<std::size_t> number = countedNumber(part))
@@ -74,10 +116,15 @@ Setting settingAt(const std::vector<std::string>& path, Place place, Value& docu
     for (auto part = path.begin(); part != path.end(); ++part) {
         Value& around = *at.value;
         at = {};
-        auto missing = part;
         if (around.kind == Value::Kind::array) {
             at.value = listItem(around, *part);
-        } else if (around.kind == Value::Kind::table) {
+            if (at.value) continue;
+            const std::string& list = part == path.begin() ? *part : *(part - 1);
+            complaints.add(place, noItem(document, list, around, *part));
+            return {};
+        }
+        auto missing = part;
+        if (around.kind == Value::Kind::table) {
             const bool known = around.find(*part) != nullptr;
             if (!known) missing = std::find_if(part, path.end(), countedNumber);
             if (known || missing == path.end()) {

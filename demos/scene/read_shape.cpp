@@ -4,6 +4,7 @@
 
 #include "demos/scene/ranges.h"
 #include "demos/scene/table_readers.h"
+#include "demos/text/nearest.h"
 #include "engine/base/trigonometry.h"
 
 namespace demos {
@@ -72,19 +73,38 @@ std::optional<Shape> readPlane(Keys& keys, ShapeReading&) {
 struct ShapeKind {
     const char* key;
     std::optional<Shape> (*read)(Keys& keys, ShapeReading& reading);
+    const char* example;
 };
 
+constexpr const char* kRoundExample = "{ radius = 0.1, height = 0.5 }";
+
 constexpr ShapeKind kShapeKinds[] = {
-    {"sphere", readSphere},     {"box", readBox},   {"capsule", readCapsule},
-    {"cylinder", readCylinder}, {"cone", readCone}, {"plane", readPlane},
-    {"hull", readHull},         {"mesh", readMesh}, {"height_field", readHeightField},
-    {"compound", readCompound},
+    {"sphere", readSphere, "0.5"},
+    {"box", readBox, "[1, 1, 1]"},
+    {"capsule", readCapsule, kRoundExample},
+    {"cylinder", readCylinder, kRoundExample},
+    {"cone", readCone, kRoundExample},
+    {"plane", readPlane, "[0, 1, 0]"},
+    {"hull", readHull, "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
+    {"mesh", readMesh, "\"thing.stl\""},
+    {"height_field", readHeightField, "{ ... }"},
+    {"compound", readCompound, "[{ ... }, ...]"},
 };
 
 std::string kindNames() {
     std::vector<std::string> names;
     for (const ShapeKind& kind : kShapeKinds) names.emplace_back(kind.key);
     return anyOf(names);
+}
+
+/// "{ sphere = 0.5 }" for the word "ball"; empty if it means no kind of shape.
+std::string shapeExample(const std::string& word) {
+    std::vector<std::string> names;
+    for (const ShapeKind& kind : kShapeKinds) names.emplace_back(kind.key);
+    const std::string meant = nearest(word, names);
+    for (const ShapeKind& kind : kShapeKinds)
+        if (meant == kind.key) return "{ " + meant + " = " + kind.example + " }";
+    return {};
 }
 
 /// Only points can be scaled and rotated, not shapes with sizes of their own.
@@ -154,6 +174,13 @@ std::optional<Shape> readShape(Keys& body, double density, ShapeFiles& files) {
     if (!table) {
         body.complain("shape",
                       "a [[body]] has no shape; write shape = { sphere = 0.5 }, or " + kindNames());
+        return std::nullopt;
+    }
+    if (table->kind == Value::Kind::text) {
+        const std::string example = shapeExample(table->text);
+        body.complainOf("shape", "shape is " + describe(*table) + "; it should be a table like " +
+                                     (example.empty() ? "{ sphere = 0.5 }, or " + kindNames()
+                                                      : example));
         return std::nullopt;
     }
     ShapeReading reading{density, files};

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "demos/scene/toml_limits.h"
+#include "demos/scene/toml_mend.h"
 
 namespace demos {
 namespace {
@@ -121,10 +122,8 @@ Value parseToml(std::string_view text, Complaints& complaints) {
     } catch (const toml::parse_error& error) {
         Place place = placeOf(error.source());
         if (place.line < 1) place = {1, 1};
-        std::string what = "not TOML: " + std::string(error.description());
-        if (what.find("unknown escape sequence") != std::string::npos)
-            what += "; single quotes keep backslashes, as LaTeX needs them";
-        complaints.add(place, what);
+        const std::string_view what = error.description();
+        complaints.add(place, "not TOML: " + std::string(what) + tomlMend(text, place.line, what));
     }
     return {};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "demos/text/synonyms.h"
+
 namespace demos {
 
 int editDistance(std::string_view a, std::string_view b, int most) {
@@ -28,13 +30,19 @@ int editDistance(std::string_view a, std::string_view b, int most) {
 std::string nearest(std::string_view word, std::span<const std::string> names) {
     constexpr std::size_t kLongest = 64;  // no name is longer
     if (word.size() > kLongest + 2) return {};
-    // Fewer edits than letters: otherwise any letter would be near a name of one letter.
-    int best = std::min(word.size() <= 3 ? 2 : 3, static_cast<int>(word.size()));
+    if (std::string name = sameMeaning(word, names); !name.empty()) return name;
+    // Two edits of four letters make any word: 'ball' would be near 'hull'. Fewer edits than
+    // letters: otherwise any letter would be near a name of one letter.
+    int best = std::min(word.size() <= 4 ? 2 : 3, static_cast<int>(word.size()));
     std::string name;
     for (const std::string& candidate : names) {
         const int distance = editDistance(word, candidate, best);
         if (distance < best) best = distance, name = candidate;
     }
+    constexpr std::size_t kBeginning = 3;
+    if (name.empty() && word.size() >= kBeginning)
+        for (const std::string& candidate : names)
+            if (candidate.starts_with(word)) return candidate;
     return name;
 }
 

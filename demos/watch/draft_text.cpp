@@ -104,8 +104,8 @@ std::vector<std::string> draftLines(const Draft& draft, const FilmPlan& plan,
 std::vector<std::string> failureLines(const Draft& draft, const FilmPlan& plan) {
     std::vector<std::string> lines;
     for (const ExpectationResult& result : draft.failed)
-        lines.push_back(fmt::format("{}: failed: {}: {:.6g}{}{}", printable(plan.name), result.text,
-                                    result.value, result.unit.empty() ? "" : " " + result.unit,
+        lines.push_back(fmt::format("{}: failed: {}: {}{}", printable(plan.name), result.text,
+                                    cameOut(result),
                                     result.why.empty() ? "" : " (" + printable(result.why) + ")"));
     if (!draft.trouble.empty()) lines.push_back(draft.trouble);
     return lines;
@@ -130,6 +130,7 @@ std::string draftJson(const Draft& draft, const FilmPlan& plan, const DraftPlace
             {{"text", result.text},
              {"value", std::isfinite(result.value) ? Json(result.value) : Json(nullptr)},
              {"unit", result.unit},
+             {"worst", result.worst},
              {"why", result.why}});
     if (!draft.trouble.empty()) json["diverged"] = draft.trouble;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

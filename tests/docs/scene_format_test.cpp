@@ -31,7 +31,7 @@ protected:
 
 TEST_F(SceneReadme, ItsSceneKeepsItsContract) {
     const std::string out = sim("--hash");
-    EXPECT_NE(out.find("ok      drift of ball below 2 m"), std::string::npos) << out;
+    EXPECT_NE(out.find("ok      largest drift of ball below 2 m"), std::string::npos) << out;
     EXPECT_EQ(out.find("impulse: "), std::string::npos) << out;
 }
 

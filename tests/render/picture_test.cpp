@@ -185,5 +185,24 @@ TEST(Renderer, NamesItsDriver) {
     EXPECT_NE(renderer().describe().find("Mesa"), std::string::npos);
 }
 
+/// A sky of one colour.
+Frame emptyFrame() {
+    Frame frame;
+    frame.look.skyTop = frame.look.skyHorizon = frame.look.fog = fromHex(0x808080);
+    return frame;
+}
+
+TEST(EmptyPicture, IsAnErrorOnlyBeforeAnythingWasDrawn) {
+    Renderer renderer(small());
+    try {
+        renderer.draw(emptyFrame());
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("nothing is in view"), std::string::npos);
+    }
+    renderer.draw(still());
+    EXPECT_NO_THROW(renderer.draw(emptyFrame()));  // what was there has left
+}
+
 }  // namespace
 }  // namespace render

@@ -58,9 +58,10 @@ function outcomeCard(scene) {
 
 function expectationRow(result) {
   const value = result.value === null ? "not measured" : `${short(result.value, 4)} ${result.unit}`;
+  const worst = result.worst ? ` (${result.worst})` : "";
   return make("tr", { class: result.passed ? "passed" : "failed" },
     make("td", { class: "state" }, result.passed ? "passed" : "failed"),
-    make("td", { class: "wide" }, result.text), make("td", { class: "number" }, value),
+    make("td", { class: "wide" }, result.text), make("td", { class: "number" }, value + worst),
     make("td", { class: "wide" }, result.why));
 }
 

@@ -245,5 +245,23 @@ TEST_F(Compare, AComparisonInPartsGivesTheChartOfOneRun) {
     EXPECT_FALSE(contentOf(folder / "one.svg").empty());
 }
 
+TEST_F(Compare, ASweepMarksTheRunsWhoseExpectationsFailed) {
+    write(folder / "high.toml", kBall + "[[expect]]\nwhat = 'height'\nof = 'ball'\nabove = 1\n");
+    const std::vector<std::string> whole = {"high.toml", "--over", "world.gravity=[0,-1,0],[0,-10,0]"};
+    const Ended ended = sweep(whole);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const std::size_t second = ended.out.find("gravity = [0,-10,0]");
+    EXPECT_EQ(ended.out.substr(0, second).find("expectation failed"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.substr(second).find("  expectation failed\n"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.err.find("gravity = [0,-10,0]: the expectation failed: least height of ball"),
+              std::string::npos)
+        << ended.err;
+    // The same from parts.
+    for (const char* part : {"1/2", "2/2"})
+        EXPECT_EQ(sweep(with(whole, {"--shard", part})).code, 0);
+    const Ended merged = sweep(with(whole, {"--merge"}));
+    EXPECT_EQ(merged.err, ended.err);
+}
+
 }  // namespace
 }  // namespace demos::test

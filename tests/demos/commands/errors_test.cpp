@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
          2,
          "known are: auto"},
         {"ThemeCase", {"render", "stack", "--theme", "Dark"}, 2, "did you mean 'dark'"},
-        {"QualityCase", {"render", "stack", "-q", "HIGH"}, 2, "known are: draft"},
+        {"QualityCase", {"render", "stack", "-q", "HIGH"}, 2, "did you mean 'high'"},
         {"OverlayAlone", {"render", "stack", "--show"}, 2, "--show needs a value"},
         {"OddSides", {"render", "stack", "-o", "a.mp4", "--size", "99x98"}, 2, "even"},
         {"FilmPattern", {"render", "stack", "-o", "a####.mp4"}, 2, "one file"},

@@ -51,6 +51,29 @@ TEST_F(Sim, WritesARowAStepAndOneForTimeZero) {
     EXPECT_NE(ended.out.find("next: impulse render ball.toml"), std::string::npos) << ended.out;
 }
 
+TEST_F(Sim, WarnsOfABodyThatFallsOutAndOfAGas) {
+    write(folder / "lost.toml", "format = 1\nseconds = 4\n[[body]]\nname = 'lost'\n"
+                                "shape = { sphere = 0.5 }\ndensity = 2.7\n");
+    const Ended ended = run(folder.path(), {"sim", "lost.toml"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.errorLines(), 2) << ended.err;
+    EXPECT_NE(ended.err.find("warning: lost: 'lost': a density of 2.7 kg/m^3"), std::string::npos)
+        << ended.err;
+    EXPECT_NE(ended.err.find("warning: lost: 'lost' falls out of the scene"), std::string::npos)
+        << ended.err;
+    EXPECT_EQ(sim({}).err, "");
+}
+
+TEST_F(Sim, NamesTheBodyAndTheTimeOfAFailedExpectation) {
+    write(folder / "low.toml", kBall + "[[expect]]\nwhat = 'height'\nof = 'b*'\nabove = 1\n");
+    const Ended ended = run(folder.path(), {"sim", "low.toml"});
+    EXPECT_EQ(ended.code, 1) << ended.err;
+    EXPECT_NE(ended.err.find("low: failed: least height of b* above 1 m, 0 s to 1 s: 0."),
+              std::string::npos)
+        << ended.err;
+    EXPECT_NE(ended.err.find(" m ('ball' at 0."), std::string::npos) << ended.err;
+}
+
 TEST_F(Sim, SaysARunInBriefIfNothingIsExpected) {
     const std::string hash = sim({"--hash", "--quiet"}).out;
     const Ended ended = sim({"--csv", "a.csv"});

@@ -122,7 +122,7 @@ TEST_F(Snapshots, CheckTheContract) {
     change("below = 0.05", "below = 1e-9");
     const Ended ended = test();
     EXPECT_EQ(ended.code, 1);
-    EXPECT_NE(ended.err.find("expectation failed: penetration"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("expectation failed: deepest penetration"), std::string::npos) << ended.err;
     EXPECT_FALSE(has("ball.snapshots"));  // no baseline of a broken contract
     EXPECT_EQ(test({"--update", "all"}).code, 1);
     EXPECT_FALSE(has("ball.snapshots"));

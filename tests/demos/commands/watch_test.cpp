@@ -167,7 +167,7 @@ TEST_F(Watch, AFailedExpectationIsTold) {
           kFall + "[[expect]]\nwhat = \"speed\"\nof = [\"ball\"]\nbelow = 1\nwhy = \"slow\"\n");
     const Ended ended = run(launch({"--once"}));
     EXPECT_EQ(ended.code, 1);
-    EXPECT_NE(ended.err.find("impulse: my: failed: speed of ball below 1 m/s"), std::string::npos)
+    EXPECT_NE(ended.err.find("impulse: my: failed: largest speed of ball below 1 m/s"), std::string::npos)
         << ended.err;
     EXPECT_NE(ended.err.find("(slow)"), std::string::npos) << ended.err;
     EXPECT_TRUE(fs::exists(made("draft.png")));

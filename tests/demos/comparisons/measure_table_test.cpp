@@ -63,5 +63,26 @@ TEST(MeasureTable, WritesSmallNumbersWithoutPowersOfTen) {
     EXPECT_EQ(cells.rows[1], (std::vector<std::string>{"0.000030", "0.000020"}));
 }
 
+TEST(MeasureTable, LeavesOutWhatIsOnlyRounding) {
+    const MeasureCells cells = cellsOf({withValues("a", 4e-13, -3.6e-9), withValues("b", 0.0, 0.0)});
+    EXPECT_TRUE(cells.head.empty());
+    const MeasureCells one = cellsOf({withValues("a", 0.49999999998, 2.0), withValues("b", 3e-12, 0.0)});
+    EXPECT_EQ(one.rows[0], (std::vector<std::string>{"500", "2"}));
+    EXPECT_EQ(one.rows[1], (std::vector<std::string>{"0", "0"}));
+}
+
+TEST(MeasureTable, MarksRunsWhoseExpectationsFailed) {
+    std::vector<Measured> runs = {withValues("a", 1.0, 2.0), withValues("b", 1.0, 2.0),
+                                  withValues("c", 1.0, 2.0)};
+    EXPECT_EQ(failedRunsLine(runs), "");
+    runs[1].summary.failed = runs[2].summary.failed = "the expectation failed: x: 2 m";
+    EXPECT_EQ(failedRunsLine(runs), "b: the expectation failed: x: 2 m; also 1 other run");
+    const std::string text = tableText(runs);
+    EXPECT_EQ(text.find("\nb") < text.find("  expectation failed\nc"), true) << text;
+    EXPECT_TRUE(text.ends_with("  expectation failed")) << text;
+    EXPECT_NE(jsonLine(runs[0]).find("\"failed\":null"), std::string::npos);
+    EXPECT_NE(jsonLine(runs[1]).find("\"failed\":\"the"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace demos

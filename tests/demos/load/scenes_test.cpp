@@ -11,6 +11,7 @@
 #include "demos/load/builtin.h"
 #include "demos/load/load_scene.h"
 #include "demos/play/expect.h"
+#include "demos/play/falls.h"
 
 namespace demos {
 namespace {
@@ -56,12 +57,14 @@ std::string failures(const std::string& scene, int hz) {
     Stage stage(loadScene(scene, overrides));
     ExpectationChecker checker(stage);
     checker.look(stage);
+    Falls falls;
     const int steps = static_cast<int>(stage.scene.seconds * stage.scene.hz + 0.5);
     for (int i = 0; i < steps; ++i) {
         if (!stage.step()) return "the world diverged at step " + std::to_string(i);
         checker.look(stage);
+        falls.look(stage);
     }
-    std::string text;
+    std::string text = falls.line(stage);
     for (const ExpectationResult& result : checker.results())
         if (!result.passed)
             text += result.text + ": " + cameOut(result) + " (" + result.why + ")\n";

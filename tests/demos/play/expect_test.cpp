@@ -118,8 +118,42 @@ TEST(ExpectationBound, HoldsForEveryBody) {
 TEST(ExpectationText, SaysWhatWasAsked) {
     const ExpectationResult r =
         check(kFalling, "what = 'drift'\nof = ['ball']\nbelow = 0.0001\nuntil = 0.5\n");
-    EXPECT_EQ(r.text, "drift of ball below 0.0001 m, 0 s to 0.5 s");
+    EXPECT_EQ(r.text, "largest drift of ball below 0.0001 m, 0 s to 0.5 s");
     EXPECT_EQ(r.unit, "m");
+}
+
+TEST(ExpectationText, NamesTheWorstBodyAndItsTime) {
+    const auto worst = [](const std::string& scene, const std::string& expectation) {
+        return cameOut(check(scene, expectation));
+    };
+    const std::string two = kSpinning + "[[body]]\nname = 'slow'\nshape = { sphere = 0.1 }\n"
+                                        "at = [9, 0, 0]\nspin = [0.5, 0, 0]\n";
+    EXPECT_EQ(worst(two, "what = 'angle_deg'\nof = ['top', 's*']\nbelow = 40\n"),
+              "57.2958 deg ('top' at 1 s)");
+    EXPECT_EQ(worst(two, "what = 'angle_deg'\nof = 's*'\nabove = 10\n"), "0 deg ('still' at 0 s)");
+    EXPECT_EQ(worst(kSpinning, "what = 'angle_deg'\nof = 't*'\nbelow = 60\n"), "57.2958 deg");
+    EXPECT_EQ(worst(two, "what = 'count'\nabove = 1\n"),
+              "0 ('top', 'still', 'slow' did not move)");
+    EXPECT_EQ(worst(kFalling, "what = 'count'\nbelow = 1\n"), "1 ('ball' moved)");
+    EXPECT_EQ(worst(kSpinning, "what = 'position'\nof = 's*'\nnear = [0, 0, 0]\nwithin = 1\n"),
+              "5 m ('still')");
+    EXPECT_EQ(worst(kPressed, "what = 'penetration'\nbelow = 0.001\n"), "0.01 m (at 0 s)");
+}
+
+TEST(ExpectationText, SaysOfWhichValueItIs) {
+    EXPECT_TRUE(check(kDropped, "what = 'height'\nabove = 0.2\n").text.starts_with("least height"));
+    EXPECT_TRUE(check(kSpinning, "what = 'angle_deg'\nbelow = 9\n").text.starts_with("largest angle"));
+    EXPECT_TRUE(check(kFalling, "what = 'count'\nbelow = 1\n").text.starts_with("count of"));
+}
+
+TEST(FailedLine, SaysHowManyAndTheFirst) {
+    const ExpectationResult good{"a", 1.0, "m", true, ""}, bad{"b", 2.0, "m", false, ""};
+    ExpectationResult later = bad;
+    later.finished = false;  // its window was still open
+    EXPECT_EQ(failedLine({good, later}), "");
+    EXPECT_EQ(failedLine({bad}), "the expectation failed: b: 2 m");
+    EXPECT_EQ(failedLine({good, bad}), "1 of 2 expectations failed: b: 2 m");
+    EXPECT_EQ(failedLine({bad, bad, good}), "2 of 3 expectations failed, the first: b: 2 m");
 }
 
 TEST(ExpectationPeriod, NeedsAFullSwing) {

@@ -170,7 +170,7 @@ TEST(SetOption, ReachesIntoRepeatsByNumberAndByName) {
                       "unknown key 'cont' in a [[repeat]]; did you "
                       "mean 'count'?"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n" + boxes, {"repeat.1.count=3"}),
-                      "--set repeat.1.count=3: ", "there is no '1' in this scene"));
+                      "--set repeat.1.count=3: ", "there is no '1' in [[repeat]]; it has 1 table"));
     const auto none = errorsOf("format = 1\n" + kBall, {"repeat.0.count=5"});
     ASSERT_EQ(none.size(), 1u) << listed(none);
     EXPECT_TRUE(tells(none, "--set repeat.0.count=5: ", "there is no '0' in this scene; a list"));

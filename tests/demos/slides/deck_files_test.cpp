@@ -54,9 +54,8 @@ TEST_F(DeckFiles, NameScenesBesideThem) {
                               path("deck.toml"), path("parts/a.toml"), path("parts/floor.toml")}));
     write("parts/a.toml", "hz = 3\n" + kBall);
     EXPECT_EQ(error("deck.toml"), path("deck.toml") + ":4:9: the scene: " + path("parts/a.toml") +
-                                      ":2:1: unknown key 'hz' in a scene; known are: format, "
-                                      "values, include, title, purpose, group, seconds, world, "
-                                      "solver, material, body, joint ...");
+                                      ":2:1: unknown key 'hz' in a scene; it is a key of "
+                                      "[world] or a spring");
 }
 
 TEST_F(DeckFiles, AreToldFromScenes) {
