@@ -86,10 +86,11 @@ void checkGl() {
     if (error != GL_NO_ERROR) throw Error("OpenGL reports error " + std::to_string(error));
 }
 
-bool hasTwoColors(const Image& image) {
-    const std::uint8_t* first = image.pixels.data();
-    for (std::size_t i = 4; i < image.pixels.size(); i += 4)
-        if (std::memcmp(first, first + i, 4) != 0) return true;
+/// Whether anything was drawn: the sky, if nothing else is in view.
+bool isDrawn(const Image& image) {
+    const auto isBlack = [](std::uint8_t value) { return value == 0; };
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+        if (!std::all_of(&image.pixels[i], &image.pixels[i] + 3, isBlack)) return true;
     return false;
 }
 
@@ -379,17 +380,15 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     return finished(std::move(image), frame.look);
 }
 
-/// A first picture all of one colour means that the driver draws nothing, or that nothing is in
-/// view: stop before a film is made. Later ones may be empty: all bodies have left.
+/// A first picture all black means that the driver draws nothing: stop before a film is made.
 Image Passes::finished(Image image, const Look& look) {
     if (look.transparent) {
         divideByAlpha(image);
         return image;
     }
-    drawsSomething_ = drawsSomething_ || image.width * image.height <= 16 || hasTwoColors(image);
+    drawsSomething_ = drawsSomething_ || isDrawn(image);
     if (!drawsSomething_)
-        throw Error("the picture is all one colour: nothing is in view, or the OpenGL driver draws "
-                    "nothing");
+        throw Error("the picture is all black: the OpenGL driver draws nothing, or nothing is in view");
     return image;
 }
 

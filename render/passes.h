@@ -90,7 +90,7 @@ private:
     Kept kept_;
     DepthMap spare_;  // its memory is used again
     double drawnShare_ = 1.0;
-    bool drawsSomething_ = false;  // a picture had two colours: the driver draws
+    bool drawsSomething_ = false;  // a picture was not all black: the driver draws
 };
 
 }  // namespace render

@@ -49,7 +49,7 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Throws Error if OpenGL reports an error or the first picture is all one colour. Where the
+    /// Throws Error if OpenGL reports an error or the first picture is all black. Where the
     /// frame is like the last one, the last picture is kept: frames of a film are best drawn in
     /// order.
     Image draw(const Frame& frame);
