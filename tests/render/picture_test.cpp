@@ -165,12 +165,6 @@ TEST(Renderer, RefusesSizesItCannotDraw) {
     }
 }
 
-TEST(Renderer, SaysWhenNothingIsDrawn) {
-    Frame empty;
-    empty.look.skyTop = empty.look.skyHorizon = empty.look.fog = fromHex(0x808080);
-    EXPECT_THROW(renderer().draw(empty), Error);
-}
-
 TEST(Renderer, ACameraStraightAboveAndAnEmptySceneWork) {
     Frame frame = still();
     frame.camera.from = {0, 9, 0};
