@@ -17,22 +17,6 @@
 namespace demos::test {
 namespace {
 
-TEST(ClipRate, ShowsAsManyPicturesAsTheStepsAllow) {
-    const struct {
-        int hz, fps;
-        double slow;
-        int drawn, shown;
-    } cases[] = {{60, 30, 1.0, 30, 30},  {60, 30, 0.5, 60, 30},  {60, 30, 2.0, 15, 30},
-                 {60, 30, 0.3, 60, 18},  {240, 30, 0.3, 80, 24}, {60, 24, 1.0, 20, 20},
-                 {60, 30, 0.01, 60, 1},  {60, 30, 50.0, 1, 50},  {300, 30, 0.3, 100, 30},
-                 {60, 30, 900.0, 1, 240}};
-    for (const auto& c : cases) {
-        const ClipRate rate = clipRate(c.hz, c.fps, c.slow);
-        EXPECT_EQ(rate.drawn, c.drawn) << c.hz << " hz, slow " << c.slow;
-        EXPECT_EQ(rate.shown, c.shown) << c.hz << " hz, slow " << c.slow;
-    }
-}
-
 class MakeDeck : public testing::Test {
 protected:
     MakeDeck() {
