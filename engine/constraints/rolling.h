@@ -24,6 +24,12 @@ inline void applyRolling(const ContactConstraint& c, const Vec2& moment, Velocit
     b.angular += c.massB.angular * turn;
 }
 
+/// Applies all accumulated impulses of a contact.
+inline void applyAll(const ContactConstraint& c, Velocity& a, Velocity& b) {
+    for (int i = 0; i < c.count; ++i) applyAt(c, c.rows[i], impulseOf(c, c.rows[i]), a, b);
+    if (c.rolling > 0.0) applyRolling(c, c.rollingMoment, a, b);
+}
+
 inline void solveRolling(ContactConstraint& c, Velocity& a, Velocity& b, Correction& correction) {
     if (c.rolling <= 0.0) return;
     const Vec3 turn = b.angular - a.angular;

@@ -165,16 +165,12 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
     if (c.jointStride > 0) warmStartJoints(c, keep, v);
     for (ContactConstraint& contact : c.contacts) {
         if (contact.stride == 0) continue;
-        Velocity &a = v[contact.a], &b = v[contact.b];
         for (int i = 0; i < contact.count; ++i) {
-            ContactRow& row = contact.rows[i];
-            row.lambda *= keep;
-            row.friction *= keep;
-            applyAt(contact, row, impulseOf(contact, row), a, b);
+            contact.rows[i].lambda *= keep;
+            contact.rows[i].friction *= keep;
         }
-        if (contact.rolling <= 0.0) continue;
         contact.rollingMoment *= keep;
-        applyRolling(contact, contact.rollingMoment, a, b);
+        applyAll(contact, v[contact.a], v[contact.b]);
     }
 }
 

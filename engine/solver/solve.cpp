@@ -7,6 +7,8 @@
 namespace engine {
 namespace {
 
+constexpr double kMuchLeft = 0.5;  // m/s, of a residual: see fresh_start.h
+
 /// Merges sweep i of a group with those of other groups.
 void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& swept) {
     if (report.size() <= i) report.emplace_back();
@@ -70,23 +72,45 @@ SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, doubl
     return limits;
 }
 
-void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings, double step,
-                std::size_t first, std::vector<SweepReport>& report) {
+/// Sweeps a group until it is satisfied. Returns the last residual, or 0 if that is small enough.
+double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
+                  const SweepLimits& limits, std::size_t& next, std::vector<SweepReport>& report) {
     const bool joints = s.groups.hasJoints(group), atOnce = solvedAtOnce(s, group);
-    const SweepLimits limits = limitsOf(s, group, settings, step);
+    const std::size_t first = next;
+    double residual = 0.0;
+    const auto satisfied = [&](const SweepReport& swept) {
+        merge(report, next++, swept);
+        residual = swept.residual;
+        return limits.areEnough(static_cast<int>(next - first), residual);
+    };
     if (s.lanes && s.wide.isLarge(group)) {
-        std::size_t i = first;
-        for (const SweepReport& swept : s.wide.solveLarge(group, limits)) merge(report, i++, swept);
-        return;
+        bool enough = false;
+        for (const SweepReport& swept : s.wide.solveLarge(group, limits)) enough = satisfied(swept);
+        return enough ? 0.0 : residual;
     }
-    if (s.lanes) s.wide.warmStart(group);
     for (int i = 0; i < limits.most; ++i) {
         SweepReport swept = joints ? sweepJoints(s, group, v) : SweepReport{};
         swept = together(swept, sweepContacts(s, group, v, settings));
         if (atOnce) swept.residual = 0.0;
-        merge(report, first + i, swept);
-        if (limits.areEnough(i + 1, swept.residual)) return;
+        if (satisfied(swept)) return 0.0;
     }
+    return residual;
+}
+
+/// Whether an island's impulses have brought energy; they are taken back then.
+bool startsAfresh(Solver& s, int group, std::span<Velocity> v) {
+    if (s.groups.hasJoints(group)) return false;
+    return s.lanes ? s.wide.takeBack(group)
+                   : s.fresh.takeBack(s.constraints, rowsOf(s, group), s.groups, v);
+}
+
+void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings, double step,
+                std::size_t next, std::vector<SweepReport>& report) {
+    const SweepLimits limits = limitsOf(s, group, settings, step);
+    if (s.lanes && !s.wide.isLarge(group)) s.wide.warmStart(group);
+    const double left = sweepGroup(s, group, v, settings, limits, next, report);
+    if (left > kMuchLeft && startsAfresh(s, group, v))
+        sweepGroup(s, group, v, settings, limits, next, report);
 }
 
 /// Starts joints, and contacts that are not in lanes, from their last impulses.

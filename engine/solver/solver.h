@@ -6,6 +6,7 @@
 #include "engine/base/disjoint_sets.h"
 #include "engine/constraints/contact.h"
 #include "engine/solver/constraints.h"
+#include "engine/solver/fresh_start.h"
 #include "engine/solver/kept_impulses.h"
 #include "engine/solver/pressed_bodies.h"
 #include "engine/wide/wide_contacts.h"
@@ -22,6 +23,7 @@ struct Solver {
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     JointTrees trees;
     KeptImpulses kept;               // by groups
+    FreshStart fresh;                // of contacts that are not in lanes
     PressedBodies pressed;
     DisjointSets islands;            // bodies connected by contacts and joints
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made

@@ -93,6 +93,26 @@ void warmStart(ContactBatch& c, WideVelocity* v, const WideStep& step) {
     pair.apply(impulse, v);
 }
 
+/// lambda . (J v0 + b + J dv / 2)
+void measure(const ContactBatch& c, const WideVelocity* changes, float* energy) {
+    const Motion6 change = PairLanes(c, changes).motion();
+    const Lanes half(0.5f);
+    const Lanes3 midway = half * change.along, slip = load3(c.slip) + half * change.across;
+    const Lanes4 along = alongNormal(c, midway);
+    Lanes sum(0.0f);
+    for (int i = 0; i < kPoints; ++i) {
+        const WidePoint& p = c.point[i];
+        sum = sum + Lanes::load(p.lambda) * (Lanes::load(p.bias) + along[i]);
+        sum = sum + Lanes::load(p.friction[0]) * (slip.x - Lanes::load(p.y) * slip.z);
+        sum = sum + Lanes::load(p.friction[1]) * (slip.y + Lanes::load(p.x) * slip.z);
+    }
+    if (resistsRolling(c)) {
+        sum = sum + Lanes::load(c.roll.moment[0]) * (Lanes::load(c.roll.turn[0]) + midway.y);
+        sum = sum + Lanes::load(c.roll.moment[1]) * (Lanes::load(c.roll.turn[1]) + midway.z);
+    }
+    sum.store(energy);
+}
+
 void book(const ContactBatch& c, ContactRecord& record) {
     for (int i = 0; i < kPoints; ++i) {
         const WidePoint& point = c.point[i];
@@ -197,6 +217,6 @@ const ContactKernels kContactKernels{
 #else
     "baseline",
 #endif
-    prepare, separate, setBiases, warmStart, sweep, nudge, book};
+    prepare, separate, setBiases, warmStart, sweep, nudge, book, measure};
 
 }  // namespace engine::ENGINE_LANES

@@ -41,6 +41,8 @@ struct ContactKernels {
     bool (*nudge)(const ContactBatch&, const ContactRecord&, WideVelocity* ways, const WideStep&);
     /// Adds the sub-step's impulses to the totals.
     void (*book)(const ContactBatch&, ContactRecord&);
+    /// Writes the energy (J) that the impulses of each of the eight have brought: solver/fresh_start.h.
+    void (*measure)(const ContactBatch&, const WideVelocity* changes, float* energy);
 };
 
 /// The best kernels for this processor, or the baseline if it is wanted.

@@ -35,10 +35,12 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     jointed_ = count();
     std::ranges::fill(atRest_, 0);
     open_.clear();
-    ofContact_.clear();
+    ofContact_.clear(), islandOfContact_.clear();
     for (const Contact& contact : contacts) {
         const int body = bodies.movable(contact.a, contact.b);
-        Island& island = islands_[islands.leaderOf(body)];
+        const int leader = islands.leaderOf(body);
+        Island& island = islands_[leader];
+        islandOfContact_.push_back(leader);
         if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
         if (!island.calm || island.contacts >= kManyContacts) atRest_[island.group] = 0;
         ofContact_.push_back(island.group);

@@ -23,6 +23,8 @@ public:
     bool hasJoints(int group) const { return group < jointed_; }
     bool isTouched(int group) const { return touched_[group] != 0; }
     int of(int contact) const { return ofContact_[contact]; }
+    /// The island of a contact: one of its bodies, the same for all.
+    int islandOf(int contact) const { return islandOfContact_[contact]; }
     /// That of a joint between two bodies; -1 if they are asleep or cannot move.
     int ofJoint(int a, int b, const Bodies& bodies, DisjointSets& islands) const;
     /// A large island where more than one in fifty contacts is between bodies that pass each other at more
@@ -59,7 +61,7 @@ private:
                            DisjointSets& islands);
 
     std::vector<Open> open_;
-    std::vector<int> ofContact_;
+    std::vector<int> ofContact_, islandOfContact_;
     std::vector<int> candidates_, jointedBodies_, firstBody_;  // the latter by group, and the end
     ByGroup byGroup_;
     std::vector<Island> islands_;  // by leader

@@ -80,7 +80,7 @@ void WideContacts::prepareBodies(const Bodies& bodies) {
     active_ = bodies.active;
     const std::size_t count = bodies.poses.size(), slots = wasteOf(bodies.count(), 2);
     start_.resize(count), axes_.resize(count), turned_.resize(count), farTurn_.resize(count);
-    atStart_.resize(count);
+    atStart_.resize(count), brought_.resize(count);
     for (std::vector<WideVelocity>* v : {&now_, &before_, &motions_, &ways_})
         if (v->size() != slots) v->assign(slots, {});  // other slots are waste now
     for (const int i : active_) {

@@ -49,6 +49,10 @@ public:
     /// Large groups (overlap.h): solveLarge does warm start and sweeps, possibly with two threads.
     bool isLarge(int group) const { return middle_[group] < firstBatch_[group + 1]; }
     std::span<const SweepReport> solveLarge(int group, const SweepLimits& limits);
+    /// Takes back the impulses of the islands of a group without joints that have brought energy:
+    /// solver/fresh_start.h. Returns whether there was one. A large group is one island, so solveLarge may
+    /// follow.
+    bool takeBack(int group);
     /// take: reads velocities that joints have changed. give: writes back the changes by sweeps.
     void take(std::span<const Velocity> v, std::span<const int> bodies);
     void give(std::span<Velocity> v, std::span<const int> bodies);
@@ -100,6 +104,10 @@ private:
     void eachBatch(const Work& work);
     template <class Work>
     void eachBody(const Work& work);
+    /// Calls what(batch, lane, energy of its island) for the contacts of a group, in a fixed order.
+    template <class What>
+    void eachLane(int group, const What& what);
+    void measureBrought(int group);
     const ContactKernels* kernels_ = nullptr;
     Workers* workers_ = nullptr;
     const ContactGroups* groups_ = nullptr;
@@ -123,6 +131,7 @@ private:
     std::vector<char> turned_;               // has turned far since then
     std::vector<double> farTurn_;            // rad, by body
     bool anyTurned_ = false;
+    std::vector<double> brought_;            // J, by island
     WideStep step_;
 };
 
