@@ -10,7 +10,7 @@
 namespace demos {
 namespace {
 
-constexpr std::array kLists = {"body",   "joint",   "force",   "material", "repeat",
+constexpr std::array kTableLists = {"body",   "joint",   "force",   "material", "repeat",
                                "section", "expect", "slide", "keys"};
 
 std::string_view lineOf(std::string_view text, int line) {
@@ -103,7 +103,7 @@ std::string mendOfTwo(std::string_view what) {
     const std::size_t quote = what.find('\'');
     const std::string_view name =
         what.substr(quote + 1, what.find('\'', quote + 1) - quote - 1);
-    if (std::find(kLists.begin(), kLists.end(), name) == kLists.end())
+    if (std::find(kTableLists.begin(), kTableLists.end(), name) == kTableLists.end())
         return "; write [" + shown(name) + "] once";
     return "; write [[" + std::string(name) + "]] over each of them";
 }
