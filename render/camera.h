@@ -22,6 +22,12 @@ inline float pixelsAMeter(const View& view, int height) {
 /// `aspect`: width over height.
 View makeView(const Camera& camera, float aspect);
 
+/// Pictures are drawn upside down, so that the first row read back is the top one.
+inline View upsideDown(View view) {
+    view.projection.row(1) *= -1.0f;
+    return view;
+}
+
 /// Pixels from the top left corner, and the distance along the view axis (m; <= 0: behind).
 struct Projected {
     float x = 0, y = 0, depth = 0;  // pixels, pixels, m

@@ -173,6 +173,7 @@ struct Look {
     bool edges = true;             // lines along the edges of bodies
     bool transparent = false;  // no sky and no ground: alpha is 0 where there is no body
     float lineStrength = 1.0f;  // of edges and of the grid
+    float reflection = 0.0f;  // 0..1: share of the bodies' image in the floor, seen at a flat angle
     float grain = 0.2f;  // m: the size of the patterns of materials
     float gridReach = 0.0f;  // m from lookAt, where a quarter of the grid is left; 0: all everywhere
     float unit = 0.0f;  // pixels for 1 pixel of 1280x720, for text (which then never shrinks),

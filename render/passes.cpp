@@ -35,8 +35,7 @@ PixelRect snapped(const PixelRect& r, int width, int height) {
 /// Adds all that is in one of two rectangles only, and maybe more.
 void addDifference(const PixelRect& a, const PixelRect& b, TileSet& tiles) {
     const PixelRect both = render::boundsOf({a, b});
-    const PixelRect inner{std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1),
-                          std::min(a.y1, b.y1)};
+    const PixelRect inner = common(a, b);
     if (inner.empty()) return tiles.add(both);
     tiles.add(PixelRect{both.x0, both.y0, both.x1, inner.y0});
     tiles.add(PixelRect{both.x0, inner.y1, both.x1, both.y1});
@@ -72,12 +71,6 @@ TileSet scaled(const TileSet& tiles, int side, int fromWidth, int fromHeight, in
         result.add(PixelRect{low(r.x0, fromWidth, width), low(r.y0, fromHeight, height),
                              high(r.x1, fromWidth, width), high(r.y1, fromHeight, height)});
     return result;
-}
-
-/// Pictures are drawn upside down, so that the first row read back is the top one.
-View upsideDown(View view) {
-    view.projection.row(1) *= -1.0f;
-    return view;
 }
 
 void checkGl() {

@@ -50,6 +50,21 @@ PixelRect PixelRect::grown(int border, int width, int height) const {
             std::min(y1 + border, height)};
 }
 
+PixelRect common(const PixelRect& a, const PixelRect& b) {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
+    if (hole.empty()) return {all};
+    std::vector<PixelRect> parts;
+    for (const PixelRect& part : {PixelRect{all.x0, all.y0, all.x1, hole.y0},
+                                  PixelRect{all.x0, hole.y1, all.x1, all.y1},
+                                  PixelRect{all.x0, hole.y0, hole.x0, hole.y1},
+                                  PixelRect{hole.x1, hole.y0, all.x1, hole.y1}})
+        if (!part.empty()) parts.push_back(part);
+    return parts;
+}
+
 std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width, int height) {
     std::vector<PixelRect> rects;
     const auto add = [&rects](const Around& around) {

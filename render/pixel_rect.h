@@ -15,6 +15,11 @@ struct PixelRect {
     PixelRect grown(int border, int width, int height) const;
 };
 
+/// The part of both.
+PixelRect common(const PixelRect& a, const PixelRect& b);
+/// The parts of `all` around a hole within it: above, below, left, right.
+std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all);
+
 /// One around every solid and rod in the picture; the whole picture for a body partly behind the
 /// eye.
 std::vector<PixelRect> bodyRects(const Frame& frame, const View& view, int width, int height);

@@ -5,15 +5,12 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/linear.h"
+#include "render/mirrored_view.h"
+#include "render/scene_light.h"
 #include "render/trails.h"
 
 namespace render {
 namespace {
-
-// Light, linear.
-const Vec3 kSkyLight(0.40f, 0.44f, 0.50f), kNoGround(0.20f, 0.20f, 0.21f);
-const Vec3 kSunLight(1.06f, 1.00f, 0.90f);
 
 float distanceOf(const Frame& frame) { return (frame.camera.from - frame.camera.lookAt).norm(); }
 
@@ -23,25 +20,16 @@ Color lineColor(const Color& ground) {
     return {0.68f * ground.r, 0.69f * ground.g, 0.71f * ground.b, 1.0f};
 }
 
-/// Light from below: sky and sun, reflected by the ground. Part of the ground lies in the shadows of
-/// bodies.
-Vec3 groundLight(const Frame& frame) {
-    constexpr float kSeen = 0.55f;
-    for (const Ground& ground : frame.grounds) {
-        const float facing = ground.normal.dot(frame.look.sunDirection.normalized());
-        if (!ground.visible || ground.normal.y() < 0.5f) continue;
-        const Vec3 light = kSkyLight + std::max(facing, 0.0f) * kSunLight;
-        return kSeen * light.cwiseProduct(linear(frame.look.ground));
-    }
-    return kNoGround;
-}
-
 std::string featuresOf(const Lights& lights) {
     std::string features;
     if (lights.sun) features += " SHADOWS";
     if (lights.openMap) features += " OCCLUSION";
     if (lights.corners) features += " LIT_CORNERS";
     return features;
+}
+
+bool reflects(const Frame& frame, const Lights& lights) {
+    return frame.look.reflection > 0.0f && !frame.look.transparent && !lights.corners;
 }
 
 void bindTexture(int unit, GLuint texture) {
@@ -55,6 +43,16 @@ void setShadow(GLuint program, const ShadowPass& pass) {
     setUniform(program, "worldToShadow", pass.fit().worldToTexels());
     setUniform(program, "shadowTexel", pass.fit().texel);
     setUniform(program, "shadowSize", static_cast<float>(pass.size()));
+}
+
+/// Of a program for the image in the floor.
+void setFloor(GLuint program, const Frame& frame, std::size_t floor) {
+    constexpr float kPerFade = 5.0f;  // of the distance to the subject
+    const Ground& ground = frame.grounds[floor];
+    setUniform(program, "floorNormal", Vec3(ground.normal.normalized()));
+    setUniform(program, "floorOffset", ground.offset);
+    setUniform(program, "plainFloor", mirroredFloor(frame, ground));
+    setUniform(program, "perFade", kPerFade / distanceOf(frame));
 }
 
 /// 1: the picture; 2: also the numbers of its surfaces.
@@ -95,18 +93,6 @@ void clear(const Look& look, bool numbered) {
     if (!look.transparent) return;
     glClearBufferfv(GL_COLOR, 0, kNothing);
     if (numbered) glClearBufferiv(GL_COLOR, 1, kNone);
-}
-
-/// The parts of `all` around a hole: above, below, left, right.
-std::vector<PixelRect> around(const PixelRect& hole, const PixelRect& all) {
-    if (hole.empty()) return {all};
-    std::vector<PixelRect> parts;
-    for (const PixelRect& part : {PixelRect{all.x0, all.y0, all.x1, hole.y0},
-                                  PixelRect{all.x0, hole.y1, all.x1, all.y1},
-                                  PixelRect{all.x0, hole.y0, hole.x0, hole.y1},
-                                  PixelRect{hole.x1, hole.y0, all.x1, hole.y1}})
-        if (!part.empty()) parts.push_back(part);
-    return parts;
 }
 
 }  // namespace
@@ -155,6 +141,7 @@ GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
     setUniform(program, "fogStart", look.transparent ? 1e9f : distance);  // behind the subject
     setUniform(program, "fogDistance", std::max(3.0f * distance, 20.0f));
     if (lights.sun) setShadow(program, *lights.sun);
+    if (scene.floor) setFloor(program, scene.frame, *scene.floor);
     if (lights.openMap) {
         bindTexture(1, lights.openMap);
         setUniform(program, "openMap", 1);
@@ -165,6 +152,8 @@ GLuint ScenePass::lit(const std::string& vertex, const std::string& fragment,
 void ScenePass::draw(const Frame& frame, const View& view, const Lights& lights, bool numbered,
                      const Meshes& meshes, const GroundMesh& ground, const TileSet* only) {
     const Scene scene{frame, view, lights};
+    mirrored_.reset();
+    if (reflects(frame, lights)) drawMirrored(scene, meshes);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width_, height_);
     drawInto(numbered ? 2 : 1);
@@ -207,11 +196,8 @@ void ScenePass::keepAllButDrawn() {
 /// To what is drawn within; false if that is nothing.
 bool ScenePass::scissor(const PixelRect& rect) const {
     std::vector<PixelRect> parts;
-    for (const PixelRect& r : drawn_) {
-        const PixelRect part{std::max(rect.x0, r.x0), std::max(rect.y0, r.y0),
-                             std::min(rect.x1, r.x1), std::min(rect.y1, r.y1)};
-        if (!part.empty()) parts.push_back(part);
-    }
+    for (const PixelRect& r : drawn_)
+        if (const PixelRect part = common(rect, r); !part.empty()) parts.push_back(part);
     const PixelRect bounds = parts.empty() ? PixelRect{} : render::boundsOf(parts);
     glScissor(bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
     return !parts.empty();
@@ -230,7 +216,8 @@ void ScenePass::read(const PixelRect& part, SurfaceMap& map) const {
 }
 
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material material) {
-    std::string features = featuresOf(scene.lights) + (scene.frame.look.edges ? " EDGES" : "");
+    std::string features = featuresOf(scene.lights);
+    features += scene.floor ? " MIRRORED" : scene.frame.look.edges ? " EDGES" : "";
     features += patternOf(material, scene.lights.corners);
     const float perGrain = 1.0f / scene.frame.look.grain;
     const auto program = [&](const char* vertex, const char* fragment, const std::string& more) {
@@ -253,6 +240,26 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material ma
     glDisable(GL_CULL_FACE);
 }
 
+/// Glass has no image, and the images' lines would be too thin.
+void ScenePass::drawMirrored(const Scene& scene, const Meshes& meshes) {
+    const std::optional<std::size_t> floor = floorOf(scene.frame);
+    if (!floor || !isAbove(scene.view.eye, scene.frame.grounds[*floor])) return;
+    mirrored_ = floor;
+    const View below = mirroredView(scene.view, scene.frame.grounds[*floor]);
+    imageRect_ = boundsOf(bodyRects(scene.frame, upsideDown(below), width_, height_))
+                     .grown(MirrorPass::reach(height_), width_, height_);
+    Scene image{scene.frame, below, scene.lights, floor};
+    image.lights.openMap = 0;
+    if (!mirror_) mirror_ = std::make_unique<MirrorPass>(width_, height_);
+    mirror_->begin(mirroredFloor(scene.frame, scene.frame.grounds[*floor]));
+    glFrontFace(GL_CCW);
+    for (std::size_t i = 0; i < kMaterials; ++i)
+        if (meshes.materials()[i] && Material(i) != Material::glass)
+            drawBodies(image, meshes, Material(i));
+    glFrontFace(GL_CW);
+    mirror_->blur(imageRect_);
+}
+
 /// Over all that is behind it. Glass in front of glass does not hide it.
 void ScenePass::drawGlass(const Scene& scene, const Meshes& meshes) {
     if (!meshes.materials()[indexOf(Material::glass)]) return;
@@ -268,11 +275,19 @@ void ScenePass::drawBackground(const Scene& scene, const GroundMesh& mesh) {
     const PixelRect all{0, 0, width_, height_};
     Scene bright = scene;  // where openness is full, no lookup is needed
     bright.lights.openMap = 0;
-    if (scene.lights.openMap && scissor(scene.lights.darkened)) drawGrounds(scene, mesh);
-    for (const PixelRect& part : around(scene.lights.darkened, all))
-        if (scissor(part)) drawGrounds(bright, mesh);
+    if (scene.lights.openMap) drawGrounds(scene, mesh, scene.lights.darkened);
+    for (const PixelRect& part : around(scene.lights.darkened, all)) drawGrounds(bright, mesh, part);
     scissor(all);
     if (!scene.frame.look.transparent) drawSky(scene);
+}
+
+void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh, const PixelRect& part) {
+    Scene glossy = scene;
+    glossy.glossy = mirrored_.has_value();
+    const PixelRect image = common(part, mirrored_ ? imageRect_ : PixelRect{});
+    if (!image.empty() && scissor(image)) drawGrounds(glossy, mesh);
+    for (const PixelRect& rest : around(image, part))
+        if (scissor(rest)) drawGrounds(scene, mesh);
 }
 
 void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh) {
@@ -298,18 +313,16 @@ void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh) {
 void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,
                           const std::string& features) {
     const Look& look = scene.frame.look;
-    const std::string kind = look.transparent ? " SHADOW_CATCHER" : "";
+    const bool glossy = scene.glossy && mirrored_ == number;
+    const std::string kind = look.transparent ? " SHADOW_CATCHER" : glossy ? " GLOSSY" : "";
     const GLuint program = lit("ground", "ground", features + kind, scene);
     setUniform(program, "surface", packedSurface(surfaceOfGround(scene.frame, number), 0));
     constexpr float kStrongPixels = 2.4f;  // of every fifth line (ground.frag): as wide as an edge
     setUniform(program, "lineStrength",
                look.edgePixels > 0.0f ? look.edgePixels / kStrongPixels : look.lineStrength);
     const Vec3 normal = scene.frame.grounds[number].normal.normalized();
-    const float up = 0.5f + 0.5f * normal.y();
-    const float facing = std::max(normal.dot(look.sunDirection.normalized()), 0.0f);
-    const Vec3 ambient = up * kSkyLight + (1.0f - up) * groundLight(scene.frame);
-    setUniform(program, "ambientLight", ambient);
-    setUniform(program, "fullSun", Vec3(facing * kSunLight));
+    setUniform(program, "ambientLight", skyOn(scene.frame, scene.frame.grounds[number]));
+    setUniform(program, "fullSun", sunOn(scene.frame, scene.frame.grounds[number]));
     setUniform(program, "normal", normal);
     setUniform(program, "across", corners.across);
     setUniform(program, "along", corners.along);
@@ -318,7 +331,22 @@ void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCo
     setUniform(program, "perCell", 1.0f / gridCell(scene.frame.camera));
     const Vec3& subject = scene.frame.camera.lookAt;
     setUniform(program, "subject", corners.across.dot(subject), corners.along.dot(subject));
+    if (glossy) setMirror(program, scene, number, corners);
     setUniform(program, "perReach", look.gridReach > 0.0f ? 1.0f / look.gridReach : 0.0f);
+}
+
+void ScenePass::setMirror(GLuint program, const Scene& scene, std::size_t floor,
+                          const GroundCorners& corners) {
+    const Ground& ground = scene.frame.grounds[floor];
+    const Vec3& eye = scene.view.eye;
+    bindTexture(2, mirror_->picture());
+    setUniform(program, "mirror", 2);
+    setUniform(program, "perPixel", 1.0f / static_cast<float>(width_),
+               1.0f / static_cast<float>(height_));
+    setUniform(program, "plainFloor", mirroredFloor(scene.frame, ground));
+    setUniform(program, "reflection", scene.frame.look.reflection);
+    setUniform(program, "eye2", corners.across.dot(eye), corners.along.dot(eye));
+    setUniform(program, "eyeHeight", ground.normal.normalized().dot(eye) - ground.offset);
 }
 
 void ScenePass::drawSky(const Scene& scene) {
@@ -334,9 +362,7 @@ void ScenePass::drawSky(const Scene& scene) {
     color("fogColor", look.fog);
     color("horizonColor", look.skyHorizon);
     color("topColor", look.skyTop);
-    View upright = scene.view;
-    upright.projection.row(1) *= -1.0f;
-    scissor({0, 0, width_, rowsOfSky(scene.frame, upright, width_, height_)});
+    scissor({0, 0, width_, rowsOfSky(scene.frame, upsideDown(scene.view), width_, height_)});
     drawFullScreen(empty_);
     scissor({0, 0, width_, height_});
     glDepthFunc(GL_LESS);

@@ -1,10 +1,13 @@
 /// Draws the picture itself: solids, rods, grounds, sky and trails, with one sample per pixel.
 #pragma once
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "render/depth_pass.h"
 #include "render/image.h"
+#include "render/mirror_pass.h"
 #include "render/shadow_pass.h"
 #include "render/surface_map.h"
 #include "render/tile_set.h"
@@ -37,17 +40,23 @@ private:
         const Frame& frame;
         const View& view;
         Lights lights;
+        std::optional<std::size_t> floor{};  // the ground whose image of the bodies this is
+        bool glossy = false;                 // its image is in the part that is drawn
     };
     void keepAllButDrawn();
     bool scissor(const PixelRect& rect) const;
     GLuint lit(const std::string& vertex, const std::string& fragment, const std::string& features,
                const Scene& scene);
     void drawBodies(const Scene& scene, const Meshes& meshes, Material material);
+    void drawMirrored(const Scene& scene, const Meshes& meshes);
     void drawGlass(const Scene& scene, const Meshes& meshes);
     void drawBackground(const Scene& scene, const GroundMesh& mesh);
+    void drawGrounds(const Scene& scene, const GroundMesh& mesh, const PixelRect& part);
     void drawGrounds(const Scene& scene, const GroundMesh& mesh);
     void setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,
                    const std::string& features);
+    void setMirror(GLuint program, const Scene& scene, std::size_t floor,
+                   const GroundCorners& corners);
     void drawSky(const Scene& scene);
     void drawTrails(const Scene& scene);
 
@@ -61,6 +70,9 @@ private:
     GlArray empty_, trailArray_;
     GlBuffer trailBuffer_;
     EmptyTiles tiles_;
+    std::unique_ptr<MirrorPass> mirror_;  // made when first needed
+    std::optional<std::size_t> mirrored_;  // the ground that shows its picture
+    PixelRect imageRect_;                  // where it shows it
 };
 
 }  // namespace render

@@ -82,6 +82,7 @@ struct LookDescription {
     std::string colorBy = "body";     // body | speed | impulse | island | group | material | id
     double colorMax = 0.0;            // m/s or N s, upper end of the scale; 0: the largest so far
     double ghostEvery = 0.25;         // s
+    double reflection = 0.0;          // 0..1, of the bodies in the floor
     std::string plot = "energy";      // the chart of the overlay 'plot'
 };
 

@@ -28,6 +28,7 @@ show = ["contacts"]
 colour_by = "body"
 colour_max = 1
 ghost_every = 0.25
+reflection = 0.2
 plot = "energy"
 trails = ["ball"]
 [snapshot]
@@ -144,6 +145,9 @@ TableTexts lookTexts() {
                 {"ghost_every", inToml(LookDescription{}.ghostEvery),
                  "The time between the fading earlier poses that the overlay ghost draws; shorten "
                  "it for fast motion."},
+                {"reflection", inToml(LookDescription{}.reflection),
+                 "How clearly the floor mirrors the bodies, 0 to 1; 0.2 looks like varnish, and films take "
+                 "longer."},
                 {"plot", inToml(LookDescription{}.plot),
                  "The measure that the overlay plot draws over time below the film."},
                 {"trails", "[]", "Bodies whose paths are drawn, by name or with *."},

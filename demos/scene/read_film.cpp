@@ -92,6 +92,7 @@ void readLook(Keys& top, SceneDescription& scene) {
     constexpr Range kScale{1e-9, 1e9, "m/s or N s"};
     set(scene.look.colorMax, keys.number("colour_max", kScale));
     set(scene.look.ghostEvery, keys.number("ghost_every", {1e-3, 1e5, "s"}));
+    set(scene.look.reflection, keys.number("reflection", {0.0, 1.0, ""}));
     set(scene.look.plot, keys.word("plot", measureNames()));
     const auto trails = keys.texts("trails").value_or(std::vector<std::string>{});
     if (trails.size() > kMostPatterns)

@@ -44,6 +44,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     if (overlays.text && overlays.theme == "lab") addGridScale(frame);
     applyTheme(overlays.theme, frame);
     colorHeadings(frame);
+    frame.look.reflection = static_cast<float>(stage.scene.look.reflection);
     const CameraDescription& camera = stage.scene.camera;
     frame.look.sunDirection = keyLight(camera.from, camera.lookAt);
     const auto height = static_cast<float>(viewHeight(camera));

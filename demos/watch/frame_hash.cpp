@@ -47,9 +47,9 @@ private:
     }
     void one(const render::Look& look) {
         const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
-                     lineStrength, grain, gridReach, unit, edgePixels, ink, plate] = look;
+                     lineStrength, reflection, grain, gridReach, unit, edgePixels, ink, plate] = look;
         add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
-            lineStrength, grain, gridReach, unit, edgePixels, ink, plate);
+            lineStrength, reflection, grain, gridReach, unit, edgePixels, ink, plate);
     }
     void one(const render::Ground& ground) {
         const auto& [visible, normal, offset, id] = ground;

@@ -32,6 +32,27 @@ vec3 light() {
     return ambientLight * sees + fullSun * sunShare(place, sees);
 }
 
+#ifdef GLOSSY
+uniform sampler2D mirror;     // square roots of linear values
+uniform vec2 perPixel;        // 1 / size of the picture
+uniform vec3 plainFloor;      // linear, as in the mirror where no body is
+uniform vec2 eye2;            // m, on the plane
+uniform float eyeHeight;      // m, above it
+uniform float reflection;     // 0..1
+
+// Where the image is brighter than the room that an empty floor shows, it adds light; where it is darker,
+// it takes away a share, also of the light in shadows.
+vec3 withMirror(vec3 color) {
+    vec2 away = grid - eye2;
+    float down = eyeHeight * inversesqrt(dot(away, away) + eyeHeight * eyeHeight);
+    vec3 image = texture(mirror, gl_FragCoord.xy * perPixel).rgb;
+    vec3 change = reflection * (1.0 - 0.5 * down) * (image * image - plainFloor);
+    return color * (1.0 + min(change, 0.0) / max(plainFloor, 1e-4)) + max(change, 0.0);
+}
+#else
+vec3 withMirror(vec3 color) { return color; }
+#endif
+
 #ifdef SHADOW_CATCHER
 // Black, with the missing share of light as alpha: over any background it looks like the shadow.
 void main() {
@@ -49,6 +70,6 @@ void main() {
 void main() {
     vec3 color = mix(groundColor, lineColor, lines());
     seen = surface;
-    result = vec4(encode(fogged(color * light())), 1.0);
+    result = vec4(encode(fogged(withMirror(color * light()))), 1.0);
 }
 #endif

@@ -1,5 +1,6 @@
 // The materials of bodies: one program each, chosen by a macro; without one, plastic.
 #include "light.glsl"
+#include "mirrored.glsl"
 
 // Of a body whose light is that of its corners: in drafts glass has no reflections.
 #ifdef SEEN_THROUGH
@@ -111,5 +112,9 @@ vec4 shaded(vec3 tint, vec3 world, vec3 normal, float shine, int number) {
     float g = gloss16(normal, toEye);
     color += shine * (g * g * g * lit * sunLight * 0.35 + rim(normal, toEye) * skyLight * 0.10);
 #endif
+#ifdef MIRRORED
+    return seenInFloor(toned(color), world);
+#else
     return vec4(encode(fogged(toned(color))), alpha);
+#endif
 }

@@ -135,6 +135,12 @@ TEST(GoldenPicture, DarkWithoutOcclusion) {
     expectGolden("dark", frame);
 }
 
+TEST(GoldenPicture, GlossyFloor) {
+    Frame frame = still();
+    frame.look.reflection = 0.4f;
+    expectGolden("glossy", frame);
+}
+
 // The damage that the gate must find: a body one centimetre off, a missing shadow, a hidden body.
 TEST(Gate, CatchesPlantedDamage) {
     const Image right = renderer().draw(still());

@@ -143,6 +143,14 @@ TEST(Snapshot, HeadingsHaveContrastOnThePlateOfEveryTheme) {
     }
 }
 
+TEST(Snapshot, TheFloorReflectsAsMuchAsTheSceneSays) {
+    EXPECT_EQ(snapshot(Stage(sceneFrom(kBall)), {}, 0.5).look.reflection, 0.0f);
+    SceneDescription scene = sceneFrom(kBall);
+    scene.look.reflection = 0.25;
+    const Stage glossy(scene);
+    EXPECT_EQ(snapshot(glossy, {.theme = "dark"}, 0.5).look.reflection, 0.25f);
+}
+
 TEST(Snapshot, TheFirstLineIsAPartOfStatisticsOnPaper) {
     const Stage stage(sceneFrom(kBall));
     const auto first = [&](const Overlays& overlays) {
