@@ -85,6 +85,12 @@ float widthOf(const PlacedText& p) {
     return width + 2.0f * p.pad;
 }
 
+/// A plate of the smallest letters that would still hide the scene.
+bool hidesTooMuch(const PlacedText& p, float height, const Margins& m) {
+    constexpr float kMost = 1.0f / 8.0f;  // of the picture's height
+    return m.look.unit <= 0.0f && p.pad > 0.0f && p.pixels <= kSmallestText && height > kMost * m.height;
+}
+
 void addText(const Text& text, const Margins& m, CornerLayout& layout) {
     const std::span<const float> shares = sharesOf(kTextShares, m.look);
     for (const float share : shares) {
@@ -92,6 +98,7 @@ void addText(const Text& text, const Margins& m, CornerLayout& layout) {
         if (p.lines.size() > 2 && share != shares.back() && p.pixels > kSmallestText) continue;
         const float height =
             p.headingHeight + p.lineHeight * static_cast<float>(p.lines.size()) + 2.0f * p.pad;
+        if (hidesTooMuch(p, height, m)) continue;
         const float gap = 0.2f * static_cast<float>(p.pixels);
         const auto box = placed(widthOf(p), height, text.corner, gap, layout, m);
         if (!box) continue;

@@ -94,6 +94,27 @@ TEST(Corners, AHeadingIsLeftOutWhereLettersAreSmallest) {
     }
 }
 
+// A caption of a small picture would hide a fifth of it.
+TEST(Corners, APlateIsLeftOutWhereItWouldHideMoreThanAnEighth) {
+    Frame frame;
+    frame.texts.push_back({"400 kg at 17 m/s", Corner::bottomLeft, 24});
+    frame.texts.back().plate = true;
+    const auto isShown = [&frame](int width, int height) {
+        return !layoutCorners(frame, width, height).texts.empty();
+    };
+    EXPECT_TRUE(isShown(1280, 720));
+    EXPECT_TRUE(isShown(480, 270));
+    EXPECT_TRUE(isShown(180, 320));
+    EXPECT_FALSE(isShown(320, 180));
+    EXPECT_FALSE(isShown(256, 144));
+    EXPECT_FALSE(isShown(192, 108));
+    frame.look.unit = 1.0f;  // letters of a given size
+    EXPECT_TRUE(isShown(256, 144));
+    frame.look.unit = 0.0f;
+    frame.texts[0].plate = false;
+    EXPECT_TRUE(isShown(256, 144));
+}
+
 TEST(Corners, LongTextsAreBrokenBetweenWords) {
     const std::string text = "one two three four five six";
     const float room = textWidth("one two three", 20) + 1.0f;
