@@ -40,6 +40,11 @@ double beyondLimits(const Joint& joint, const Pose& a, const Pose& b) {
     return worst;
 }
 
+bool holdsAPoint(JointType type) {
+    return type == JointType::ball || type == JointType::hinge || type == JointType::weld ||
+           type == JointType::universal || type == JointType::constantVelocity;
+}
+
 /// |C| of the rows measured in metres.
 double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     const JointDef& def = joint.def;
@@ -47,7 +52,7 @@ double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     const double distance =
         (b.toWorld(def.anchorB) - a.toWorld(def.anchorA)).norm();
     if (def.type == JointType::distance) return std::abs(distance - def.length);
-    if (def.type <= JointType::weld) return distance;
+    if (holdsAPoint(def.type)) return distance;
     const JointRows rows = rowsOf(def.type, geometryOf(joint, a, b));
     double sum = 0.0;
     for (int i = 0; i < rows.count; ++i)
@@ -55,17 +60,50 @@ double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     return std::sqrt(sum);
 }
 
-/// Detects a joint of a tree that is farther apart than the errors of a step, because not all constraints can
-/// hold (solver/joint_forests.h). It stays torn until it has closed again.
-void findTorn(WorldState& s, Joint& joint) {
-    constexpr double kTorn = 0.02, kWhole = 0.002;  // of its arms
+/// The distance of the ends of a joint of a tree, in lengths of its arms.
+double missedShare(const WorldState& s, const Joint& joint) {
     const JointDef& def = joint.def;
-    if (!joint.present || def.type > JointType::weld || def.spring.isSoft()) return;
+    if (!joint.present || treeRowsOf(def) == 0 || def.spring.isSoft()) return 0.0;
     const double arm = larger(larger(def.anchorA.norm(), def.anchorB.norm()), def.length);
-    const double miss = missOf(joint, s.bodies.poses[def.a.index], s.bodies.poses[def.b.index]);
-    const bool torn = miss > (joint.torn ? kWhole : kTorn) * larger(arm, 0.01);
-    s.treesStale = s.treesStale || torn != joint.torn;
-    joint.torn = torn;
+    return missOf(joint, s.bodies.poses[def.a.index], s.bodies.poses[def.b.index]) / larger(arm, 0.01);
+}
+
+/// Joins the bodies that joints connect; `open`, by leader: whether one of these joints has not closed.
+void findOpen(const WorldState& s, DisjointSets& sets, std::vector<char>& open) {
+    constexpr double kWhole = 0.002;  // of the arms
+    const int bodies = s.bodies.count();
+    sets.reset(bodies);
+    open.assign(bodies, 0);
+    for (const Joint& joint : s.joints)
+        if (joint.present && s.bodies.isDynamic(joint.def.a.index) && s.bodies.isDynamic(joint.def.b.index))
+            sets.join(joint.def.a.index, joint.def.b.index);
+    for (const Joint& joint : s.joints)
+        if (missedShare(s, joint) > kWhole)
+            open[sets.leaderOf(s.bodies.movable(joint.def.a.index, joint.def.b.index))] = 1;
+}
+
+/// Finds the joints of trees that are farther apart than the errors of a step, because not all constraints can
+/// hold (solver/joint_forests.h). They stay torn until all joints connected with them have closed: which of
+/// them does not close depends on the order in which they are solved.
+void findTorn(WorldState& s) {
+    constexpr double kTorn = 0.02;  // of the arms
+    bool any = false;
+    for (Joint& joint : s.joints) {
+        const bool torn = missedShare(s, joint) > kTorn;
+        s.treesStale = s.treesStale || (torn && !joint.torn);
+        joint.torn = joint.present && (joint.torn || torn);
+        any = any || joint.torn;
+    }
+    if (!any) return;
+    DisjointSets sets;
+    std::vector<char> open;
+    findOpen(s, sets, open);
+    for (Joint& joint : s.joints) {
+        if (!joint.torn || open[sets.leaderOf(s.bodies.movable(joint.def.a.index, joint.def.b.index))])
+            continue;
+        joint.torn = false;
+        s.treesStale = true;
+    }
 }
 
 }  // namespace
@@ -132,8 +170,8 @@ void followJoints(WorldState& s) {
         if (joint.present && (counts || joint.acts))
             followCoordinates(joint, s.bodies.poses[joint.def.a.index],
                               s.bodies.poses[joint.def.b.index]);
-        findTorn(s, joint);
     }
+    findTorn(s);
 }
 
 void findOnPaths(WorldState& s, int body) {

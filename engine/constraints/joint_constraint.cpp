@@ -114,20 +114,28 @@ int rowCount(JointType type) {
     return 0;
 }
 
-int treeRowsOf(JointType type) {
-    if (type == JointType::distance) return 3;
-    if (type == JointType::slider) return 6;
-    if (type == JointType::gear) return 5;
-    const bool swept = type > JointType::constantVelocity;
-    return swept ? 0 : rowCount(type);
+int lockedOf(const JointDef& def, int first) {
+    int count = 0;
+    for (int i = first; i < first + 3; ++i) count += def.free[i].locked ? 1 : 0;
+    return count;
+}
+
+int treeRowsOf(const JointDef& def) {
+    if (def.type == JointType::distance) return 3;
+    if (def.type == JointType::slider) return 6;
+    if (def.type == JointType::gear) return 5;
+    if (def.type == JointType::sixDof) {
+        const int twists = lockedOf(def, 3);
+        return twists == 0 ? 3 : twists < 3 ? 5 : 6;
+    }
+    const bool swept = def.type > JointType::constantVelocity;
+    return swept ? 0 : rowCount(def.type);
 }
 
 int rowCount(const JointDef& def) {
     if (def.type == JointType::distance) return def.spring.isSoft() || !def.acts() ? 1 : 0;
     if (def.type != JointType::sixDof) return rowCount(def.type);
-    int count = 0;
-    for (const Freedom& f : def.free) count += f.locked ? 1 : 0;
-    return count;
+    return lockedOf(def, 0) + lockedOf(def, 3);
 }
 
 JointRows rowsOf(JointType type, const JointGeometry& geometry) {

@@ -103,9 +103,11 @@ inline void push(JointConstraint& joint, int i, double lambda, Velocity& a, Velo
 int rowCount(JointType type);
 /// The same for a definition: 0 for a free distance, the locked coordinates for a sixDof.
 int rowCount(const JointDef& def);
-/// Rows in a tree: 3 for a rod, whose row has any direction, 5 for a gear, whose row is the fourth, 6 for a
-/// slider, 0 for types that are swept.
-int treeRowsOf(JointType type);
+/// Rows in a tree, the first three for a point, the others for twists: 3 for a rod, whose row has any
+/// direction, 5 for a gear, whose row is the fourth, 6 for a slider, 0 for types that are swept.
+int treeRowsOf(const JointDef& def);
+/// The number of locked coordinates of a sixDof, from `first` on, of three.
+int lockedOf(const JointDef& def, int first);
 
 JointGeometry geometryOf(const Joint& joint, const Pose& a, const Pose& b);
 

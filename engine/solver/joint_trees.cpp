@@ -7,8 +7,7 @@ template <int N>
 void report(const TreeJoint<N>& t, double dt, Joint& joint) {
     joint.force = t.impulse / dt;
     joint.torque = t.torque / dt;
-    // An exact solve needs no start values.
-    if (t.type == JointType::slider || t.isGear) return;
+    if (!t.hasOwnRows) return;  // an exact solve needs no start values
     for (int i = 0; i < rowCount(t.type); ++i) joint.lambda[i] = t.lambda[i];
 }
 

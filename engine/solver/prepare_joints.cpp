@@ -21,7 +21,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         joint.count = rowCount(def);
         joint.spring = def.spring;
         joint.asBlock = def.type > JointType::weld;
-        joint.treeRows = treeRowsOf(def.type);
+        joint.treeRows = treeRowsOf(def);
         joint.isGear = def.type == JointType::gear;
         joint.torn = joints[i].torn;
         joint.lambda = joints[i].lambda;

@@ -8,7 +8,8 @@
 /// distance_joint.h in a form a quarter of the size of rows. Of the point, a rod holds the component along n,
 /// and a slider (slider_joint.h) those across its axis, with a's arm to p_b: B u instead of u, where
 ///   B = [n; 0; 0],   B = [t_1; t_2; 0]
-/// Universal (universal_joint.h) and constant velocity joints are ball joints with one twist. A gear
+/// Universal (universal_joint.h) and constant velocity joints are ball joints with one twist. Of six degrees of
+/// freedom (six_dof_joint.h), those that are locked are taken, directions of the point as a slider's. A gear
 /// (gear_joint.h) holds no point, B = 0, and has different twists on its bodies: r rate_a and rate_b. N is 3,
 /// 5 or 6; a joint with fewer rows than its tree has zeros in the last ones, and so has B.
 #pragma once
@@ -46,6 +47,7 @@ struct TreeJoint {
     JointType type = JointType::ball;
     int pointRows = 3;         // 3: x, y and z
     bool isGear = false;
+    bool hasOwnRows = true;    // its rows here are those of rowsOf()
     bool closes = false;       // holds its tree at a second fixed body, or closes a loop
     Vec3 anchorA, anchorB;     // m, in the bodies' axes
     double reach = 0.0;        // m, the longest of its lever arms
@@ -55,6 +57,17 @@ struct TreeJoint {
     TreeRows<N> lambda = TreeRows<N>::Zero();                  // N s, N m s; of this sub-step
     Vec3 impulse = Vec3::Zero(), torque = Vec3::Zero();        // on b, over the whole step
 };
+
+/// How many directions of the point a joint holds.
+inline int pointRowsOf(const JointDef& def) {
+    switch (def.type) {
+        case JointType::gear: return 0;
+        case JointType::distance: return 1;
+        case JointType::slider: return 2;
+        case JointType::sixDof: return lockedOf(def, 0);
+        default: return 3;
+    }
+}
 
 /// The angle that one body of a gear has turned about its axis.
 inline Angle turnOf(const Vec3& axis, const Quat& rotation, const Quat& start, double near) {
@@ -73,6 +86,37 @@ inline void setTwistOfA(const Joint& def, const Pose& a, TreeJoint<N>& joint) {
     if constexpr (N > 3) {
         for (Vec3& t : joint.twistOfA) t.setZero();
         joint.twistOfA[0] = def.def.ratio * turnOfA(def, a).rate;
+    }
+}
+
+/// The axes of a sixDof's frame.
+inline std::array<Vec3, 3> frameOf(const Joint& def, const Pose& a) {
+    const Vec3 x = a.rotation * def.axisA, y = a.rotation * def.axis2A;
+    return {x, y, x.cross(y)};
+}
+
+template <int N>
+inline void addLockedTwists(const Joint& def, const Pose& a, const Pose& b, TreeGeometry<N>& g) {
+    const std::array<Vec3, 3> frame = frameOf(def, a);
+    const Quat turn = b.rotation * (a.rotation * def.turnAtStart).conjugate();
+    for (int i = 0, k = 0; i < 3; ++i) {
+        if (!def.def.free[3 + i].locked) continue;
+        const Angle twist = twistAbout(frame[i], turn);
+        g.twist[k] = twist.rate;
+        g.error[3 + k++] = twist.value;
+    }
+}
+
+/// The directions of the point that a sixDof holds if it does not hold all of them.
+template <int N>
+inline void addLockedDirections(const Joint& def, const Pose& a, const Vec3& between,
+                                TreeGeometry<N>& g) {
+    const std::array<Vec3, 3> frame = frameOf(def, a);
+    g.armA += between;
+    for (int i = 0, k = 0; i < 3; ++i) {
+        if (!def.def.free[i].locked) continue;
+        g.point[k] = frame[i];
+        g.error[k++] = frame[i].dot(between);
     }
 }
 
@@ -103,6 +147,8 @@ inline void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a,
             const Angle twist = twistAbout(a.rotation * def.axisA, turn);
             g.twist[0] = twist.rate;
             g.error[3] = twist.value;
+        } else if (joint.type == JointType::sixDof) {
+            addLockedTwists(def, a, b, g);
         }
         if constexpr (N == 6) {
             if (joint.type != JointType::weld && joint.type != JointType::slider) return;
@@ -131,6 +177,8 @@ inline TreeGeometry<N> geometryOf(const TreeJoint<N>& joint, const Joint& def, c
             g.point[i] = a.rotation * joint.across[i];
             g.error[i] = g.point[i].dot(between);
         }
+    } else if (joint.type == JointType::sixDof && joint.pointRows < 3) {
+        addLockedDirections(def, a, between, g);
     } else if (!joint.isGear) {
         g.error.template head<3>() = between;
     }

@@ -31,17 +31,15 @@ TreeJoint<N> treeJoint(const ForestPlan::Place& place, const JointConstraint& co
     t.anchorA = joint.def.anchorA, t.anchorB = joint.def.anchorB;
     t.reach = larger(larger(t.anchorA.norm(), t.anchorB.norm()), larger(joint.def.length, 1e-3));
     t.isGear = t.type == JointType::gear;
-    t.pointRows = t.isGear                        ? 0
-                  : t.type == JointType::distance ? 1
-                  : t.type == JointType::slider   ? 2
-                                                  : 3;
+    t.pointRows = pointRowsOf(joint.def);
+    t.hasOwnRows = t.type != JointType::slider && t.type != JointType::sixDof && !t.isGear;
     if (t.isGear) t.reach = larger(std::abs(joint.def.ratio), 1.0);  // rad
     if constexpr (N > 3) {
         for (Vec3& across : t.across) across.setZero();
         if (t.type == JointType::hinge || t.type == JointType::slider)
             tangents(joint.axisA, t.across[0], t.across[1]);
     }
-    if (t.type != JointType::slider && !t.isGear)
+    if (t.hasOwnRows)
         for (int i = 0; i < constraint.count; ++i) t.lambda[i] = constraint.lambda[i];
     return t;
 }

@@ -2,6 +2,7 @@
 // IMPULSE_LONG in the environment (tests/run --long), six of every kind; with IMPULSE_WORLDS=N the first N.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/behaviour/torture/worlds.h"
@@ -20,17 +21,33 @@ int cases() {
     return isLong() ? 6 * kKinds : kKinds;
 }
 
-/// An energy scale: that of a fall from a metre, plus what they have.
-double scaleOf(const Case& c) {
+/// All of a world's bodies, N.
+double weightOf(const Case& c) {
     double mass = 0.0;
     for (const engine::BodyId id : c.bodies) mass += c.world.mass(id);
-    return std::abs(c.world.energy().total()) + mass * support::kGravity;
+    return mass * support::kGravity;
+}
+
+/// An energy scale: that of a fall from a metre, plus what they have.
+double scaleOf(const Case& c) { return std::abs(c.world.energy().total()) + weightOf(c); }
+
+/// Bodies that begin inside others or the floor are pushed out by up to a metre a second, and so are lifted.
+double mostLifted(const Case& c, int step) {
+    constexpr double kRate = 1.0, kLasts = 2.0;  // m/s, s
+    if (c.kind != Kind::overlaps) return 0.0;
+    return weightOf(c) * kRate * std::min((step + 1) * support::kStep, kLasts);
 }
 
 /// The share of it that bodies may gain when overlaps or torn joints are resolved at the start.
 double shareThatMayCome(Kind kind) {
     const bool torn = kind == Kind::overlaps || kind == Kind::torn || kind == Kind::loops;
     return torn ? 0.05 : 0.01;
+}
+
+double farthestOutside(const Case& c) {
+    double most = -1.0;
+    for (const engine::BodyId id : c.bodies) most = std::max(most, c.outside(id));
+    return most;
 }
 
 void expectHeld(const Case& c, double most, int step) {
@@ -41,13 +58,15 @@ void expectHeld(const Case& c, double most, int step) {
 void torment(int number, const Settings& settings, int steps = kMinute) {
     Case c = makeCase(number, settings);
     const double most = c.ceiling + shareThatMayCome(c.kind) * scaleOf(c);  // J
+    // A hit may push the centre of a sliver in; bodies that begin inside others may begin outside.
+    const double held = 0.3 + std::max(0.0, farthestOutside(c));
     for (int step = 0; step < steps; ++step) {
         ASSERT_TRUE(c.world.step(support::kStep)) << c.name << ", step " << step;
         for (const engine::Incident& incident : c.world.report().incidents)
             ASSERT_EQ(incident.trouble, Trouble::velocityTooLarge) << c.name << ", step " << step;
         const double energy = c.ceiling > 0.0 ? c.world.energy().total() : 0.0;
-        ASSERT_LE(energy, most) << c.name << ", step " << step;
-        expectHeld(c, 0.3, step);  // a hit may push the centre of a sliver in
+        ASSERT_LE(energy, most + mostLifted(c, step)) << c.name << ", step " << step;
+        expectHeld(c, held, step);
         if (testing::Test::HasFailure()) return;
     }
     expectHeld(c, 0.05, steps);
@@ -61,9 +80,10 @@ TEST_P(Torture, IsStoodFast) { torment(GetParam(), Settings::fast()); }
 /// Worlds that failed once, by number: 77, a rod of 5 g hit by 44 kg left the box while its island was ahead of
 /// others in the step; 125, limbs on universal joints that fall to the floor doubled their energy; 789, torn
 /// limbs closed their joints with a jump of 4 m through the floor; 205 and 854, a heap threw light bodies out at
-/// up to 600 m/s the sub-step after a blow, half as much energy as it had; 689, so one left the box.
+/// up to 600 m/s the sub-step after a blow, half as much energy as it had; 689, so one left the box; 1127, a ring
+/// of hinges that does not fit across its plane was cut open and closed in turn, and gained a fifth each time.
 TEST(FoundTorture, IsStood) {
-    for (const int number : {77, 125, 205, 689, 789, 854})
+    for (const int number : {77, 125, 205, 689, 789, 854, 1127})
         for (const Settings& settings : {Settings::steady(), Settings::fast()})
             torment(number, settings, isLong() ? kMinute : 200);
 }

@@ -51,7 +51,7 @@ struct GuessedChain {
         JointConstraint row;
         row.joint = k, row.count = 3;
         row.a = k < kLinks ? k : 2, row.b = k < kLinks ? k + 1 : kLinks;
-        row.treeRows = k < kLinks ? treeRowsOf(JointType::ball) : 0;
+        row.treeRows = k < kLinks ? 3 : 0;
         const Vec3 at(row.a + 0.4, 0.3, 0.1 * k);
         joint.def.a = {row.a}, joint.def.b = {row.b};
         joint.def.anchorA = bodies.poses[row.a].toLocal(at);
