@@ -60,17 +60,23 @@ double missOf(const Joint& joint, const Pose& a, const Pose& b) {
     return std::sqrt(sum);
 }
 
-/// The distance of the ends of a joint of a tree, in lengths of its arms.
+/// The largest |C| of a joint of a tree, in lengths of its arms, or rad in a loop, where rotations may not fit.
 double missedShare(const WorldState& s, const Joint& joint) {
     const JointDef& def = joint.def;
     if (!joint.present || treeRowsOf(def) == 0 || def.spring.isSoft()) return 0.0;
-    const double arm = larger(larger(def.anchorA.norm(), def.anchorB.norm()), def.length);
-    return missOf(joint, s.bodies.poses[def.a.index], s.bodies.poses[def.b.index]) / larger(arm, 0.01);
+    const Pose &a = s.bodies.poses[def.a.index], &b = s.bodies.poses[def.b.index];
+    const double arm = larger(larger(larger(def.anchorA.norm(), def.anchorB.norm()), def.length), 0.01);
+    if (!joint.inLoop) return missOf(joint, a, b) / arm;
+    double worst = 0.0;
+    const JointRows rows = rowsOf(def.type, geometryOf(joint, a, b));
+    for (int i = 0; i < rows.count; ++i)
+        worst = larger(worst, std::abs(rows.error[i]) / (rows.j[i].linear.isZero(0.0) ? 1.0 : arm));
+    return worst;
 }
 
 /// Joins the bodies that joints connect; `open`, by leader: whether one of these joints has not closed.
 void findOpen(const WorldState& s, DisjointSets& sets, std::vector<char>& open) {
-    constexpr double kWhole = 0.002;  // of the arms
+    constexpr double kClosed = 0.002, kClosedLoop = 0.0005;  // of the arms
     const int bodies = s.bodies.count();
     sets.reset(bodies);
     open.assign(bodies, 0);
@@ -78,19 +84,21 @@ void findOpen(const WorldState& s, DisjointSets& sets, std::vector<char>& open) 
         if (joint.present && s.bodies.isDynamic(joint.def.a.index) && s.bodies.isDynamic(joint.def.b.index))
             sets.join(joint.def.a.index, joint.def.b.index);
     for (const Joint& joint : s.joints)
-        if (missedShare(s, joint) > kWhole)
+        if (missedShare(s, joint) > (joint.inLoop ? kClosedLoop : kClosed))
             open[sets.leaderOf(s.bodies.movable(joint.def.a.index, joint.def.b.index))] = 1;
 }
 
 /// Finds the joints of trees that are farther apart than the errors of a step, because not all constraints can
-/// hold (solver/joint_forests.h). They stay torn until all joints connected with them have closed: which of
-/// them does not close depends on the order in which they are solved.
-void findTorn(WorldState& s) {
-    constexpr double kTorn = 0.02;  // of the arms
+/// hold (solver/joint_forests.h). They stay torn until all joints connected with them have been closed for a
+/// second: which of them does not close depends on how they are solved.
+void findTorn(WorldState& s, double dt) {
+    constexpr double kCalm = 1.0;  // s
+    constexpr double kTorn = 0.02, kTornLoop = 0.002;  // of the arms; a loop that fits closes to round-off
     bool any = false;
     for (Joint& joint : s.joints) {
-        const bool torn = missedShare(s, joint) > kTorn;
+        const bool torn = missedShare(s, joint) > (joint.inLoop ? kTornLoop : kTorn);
         s.treesStale = s.treesStale || (torn && !joint.torn);
+        if (torn) joint.calm = 0.0;
         joint.torn = joint.present && (joint.torn || torn);
         any = any || joint.torn;
     }
@@ -99,8 +107,10 @@ void findTorn(WorldState& s) {
     std::vector<char> open;
     findOpen(s, sets, open);
     for (Joint& joint : s.joints) {
-        if (!joint.torn || open[sets.leaderOf(s.bodies.movable(joint.def.a.index, joint.def.b.index))])
-            continue;
+        if (!joint.torn) continue;
+        const int leader = sets.leaderOf(s.bodies.movable(joint.def.a.index, joint.def.b.index));
+        joint.calm = open[leader] ? 0.0 : joint.calm + dt;
+        if (joint.calm < kCalm) continue;
         joint.torn = false;
         s.treesStale = true;
     }
@@ -163,7 +173,7 @@ JointState stateOf(const WorldState& s, const Joint& joint) {
     return state;
 }
 
-void followJoints(WorldState& s) {
+void followJoints(WorldState& s, double dt) {
     for (Joint& joint : s.joints) {
         const JointType type = joint.def.type;
         const bool counts = type == JointType::hinge || type > JointType::weld;
@@ -171,7 +181,7 @@ void followJoints(WorldState& s) {
             followCoordinates(joint, s.bodies.poses[joint.def.a.index],
                               s.bodies.poses[joint.def.b.index]);
     }
-    findTorn(s);
+    findTorn(s, dt);
 }
 
 void findOnPaths(WorldState& s, int body) {

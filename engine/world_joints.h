@@ -11,7 +11,7 @@ double separationOf(const WorldState& s, const Joint& joint);
 
 /// At the end of a step. followJoints counts turns and finds torn joints; breakJoints removes joints loaded
 /// beyond their strength, and returns true if there were any.
-void followJoints(WorldState& s);
+void followJoints(WorldState& s, double dt);
 bool breakJoints(WorldState& s);
 
 /// After the caller has moved a body: finds its position on paths again.

@@ -201,7 +201,7 @@ void keep(Bytes& bytes, Freedom& f) {
 
 template <class Bytes>
 void keep(Bytes& bytes, Joint& joint) {
-    bytes(joint.present, joint.broken, joint.torn, joint.acts, joint.nearest);
+    bytes(joint.present, joint.broken, joint.torn, joint.calm, joint.acts, joint.nearest);
     bytes(joint.position, joint.lambda, joint.force, joint.torque);
     const auto pieces = static_cast<double>(joint.def.path.size());
     bytes.require(joint.nearest >= 0.0 && joint.nearest <= pieces);

@@ -290,7 +290,7 @@ bool endStep(WorldState& s, double dt) {
     storeImpulses(s.solver, s.finder.contacts);
     storeImpulses(s.solver, s.bodies, s.joints, dt);
     s.solver.pressed.unload(s.bodies);
-    followJoints(s);
+    followJoints(s, dt);
     if (breakJoints(s)) listJointedPairs(s);
     s.listed = WorldState::Listed::solved;
     for (const int i : s.bodies.active) s.bodies.loads[i] = {};

@@ -116,7 +116,8 @@ std::vector<int> choose(Joints joints, Masses masses, const std::vector<char>& t
         else
             closes[i] = linksTwo ? loop || (trees.isHeld(joint.a) && trees.isHeld(joint.b))
                                  : trees.isHeld(moves(masses, joint.a) ? joint.a : joint.b);
-        if (closes[i] && torn[moves(masses, joint.a) ? joint.a : joint.b]) continue;
+        const int body = moves(masses, joint.a) ? joint.a : joint.b;
+        if (closes[i] && torn[body] && !rings[body]) continue;
         joint.inTree = true;
         trees.link(joint);
         chosen.push_back(i);
@@ -198,8 +199,9 @@ void addPlaces(Joints joints, Masses masses, const std::vector<int>& chosen, For
     }
 }
 
-void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
-    std::vector<int> number(bodies, -1);
+void addTrees(Joints joints, Masses masses, const std::vector<char>& torn, Trees& trees,
+              ForestPlan& plan) {
+    std::vector<int> number(masses.size(), -1);
     for (ForestPlan::Place& place : plan.places) {
         const JointConstraint& joint = joints[place.joint];
         int& tree = number[trees.of(joint)];
@@ -209,6 +211,8 @@ void addTrees(Joints joints, Trees& trees, int bodies, ForestPlan& plan) {
         }
         place.tree = tree;
         plan.trees[tree].rows = std::max(plan.trees[tree].rows, joint.treeRows);
+        plan.trees[tree].closed = plan.trees[tree].closed || place.closes;
+        plan.trees[tree].torn = plan.trees[tree].torn || torn[moves(masses, joint.a) ? joint.a : joint.b];
     }
 }
 
@@ -257,7 +261,7 @@ std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
             place.closes = closes[place.joint];
             place.gear = joints[place.joint].isGear;
         }
-        addTrees(joints, trees, static_cast<int>(masses.size()), plan);
+        addTrees(joints, masses, torn, trees, plan);
         findWhole(joints, masses, trees, plan);
         sortByTree(plan);
     }

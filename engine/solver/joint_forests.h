@@ -3,9 +3,11 @@
 /// The first forest takes every joint that closes no loop, and the loops of rings and trusses, which have
 /// few; the second takes what it can of the rest, and so on: for a cloth, the columns form the first forest,
 /// the rows the second. Joints that even the last forest
-/// cannot take, and all soft joints, are left to the sweep. Where joints are torn there is no exact solution,
-/// and a tree held twice would oscillate in search of one. So the joint that holds it a second time is left
-/// to the next forest, and each forest undoes part of what the other does.
+/// cannot take, and all soft joints, are left to the sweep.
+///
+/// Where joints are torn, constraints cannot all hold, and there is no exact solution. A tree with few loops is
+/// then damped (tree_part.h) and solved in several sweeps. With many, the joint that holds it a second time is
+/// left to the next forest, and each forest undoes part of what the other does.
 ///
 /// In a forest, joints of low degree are eliminated first, so a chain costs time linear in its links and a
 /// tree hardly more. Among equals, those with the lowest level come first, so a chain is eliminated from both
@@ -33,6 +35,8 @@ struct ForestPlan {
     struct Tree {
         int rows = 0;       // of the joint with most rows
         bool whole = true;  // no rigid joint outside it acts on it: solved exactly
+        bool closed = false;  // held twice, or with a loop of other joints than gears
+        bool torn = false;    // a joint of its connected set is
     };
     std::vector<Place> places;  // one tree after the other, each in order of elimination
     std::vector<Tree> trees;

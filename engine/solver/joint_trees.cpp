@@ -15,7 +15,7 @@ void report(const TreeJoint<N>& t, double dt, Joint& joint) {
 
 void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> joints,
                        std::span<const InverseMass> masses) {
-    forests_.clear(), order_.clear(), whole_.clear();
+    forests_.clear(), order_.clear(), whole_.clear(), inLoops_.clear();
     for (const ForestPlan& plan : planForests(list, masses)) {
         Forest& forest = forests_.emplace_back();
         forest.balls.build(plan, 0, list, joints);
@@ -23,9 +23,14 @@ void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> j
         forest.welds.build(plan, 5, list, joints);
         for (const ForestPlan::Place& place : plan.places) {
             order_.push_back(place.joint);
-            if (plan.trees[place.tree].whole) whole_.push_back(place.joint);
+            const ForestPlan::Tree& tree = plan.trees[place.tree];
+            if (tree.whole) whole_.push_back(place.joint);
+            if (tree.whole && tree.closed) inLoops_.push_back(place.joint);
         }
     }
+    exact_ = forests_.size() <= 1;
+    for (Forest& forest : forests_)
+        forest.each([&](const auto& part) { exact_ = exact_ && part.exact(); });
 }
 
 void JointTrees::prepare(std::span<const Joint> joints, const Bodies& bodies) {

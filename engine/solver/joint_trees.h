@@ -19,8 +19,8 @@ public:
     void build(std::span<JointConstraint> list, std::span<const Joint> joints,
                std::span<const InverseMass> masses);
     bool empty() const { return forests_.empty(); }
-    /// One solve satisfies all joints: there is only one forest.
-    bool exact() const { return forests_.size() <= 1; }
+    /// One solve satisfies all joints: there is only one forest, and nothing in it is torn.
+    bool exact() const { return exact_; }
 
     /// Computes J, C and the factors of A at the present poses.
     void prepare(std::span<const Joint> joints, const Bodies& bodies);
@@ -70,10 +70,11 @@ public:
             });
     }
 
-    /// All joints in trees, by index in the constraint list, in order of elimination; and those in trees that
-    /// no other joint acts on.
+    /// All joints in trees, by index in the constraint list, in order of elimination; those in trees that no
+    /// other joint acts on; and of these those in trees with loops, or held twice.
     const std::vector<int>& order() const { return order_; }
     const std::vector<int>& whole() const { return whole_; }
+    const std::vector<int>& inLoops() const { return inLoops_; }
 
 private:
     struct Forest {
@@ -92,8 +93,9 @@ private:
     };
 
     std::vector<Forest> forests_;
-    std::vector<int> order_, whole_;
+    std::vector<int> order_, whole_, inLoops_;
     double biasRate_ = 0.0;
+    bool exact_ = true;
 };
 
 }  // namespace engine

@@ -4,13 +4,14 @@
 
 namespace engine {
 
-void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
     std::vector<JointConstraint>& list = solver.constraints.joints;
     list.clear();
     solver.constraints.drives.clear();
     solver.constraints.ratesStale = true;
     for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
+        joints[i].inLoop = false;
         if (!joints[i].present || isAsleep(joints[i], bodies)) continue;
         const JointDef& def = joints[i].def;
         if (def.acts()) solver.constraints.drives.push_back(makeDrive(joints[i], i));
@@ -31,6 +32,7 @@ void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Se
         solver.trees.build(list, joints, bodies.inverseMasses);
     else
         solver.trees = {};
+    for (const int i : solver.trees.inLoops()) joints[list[i].joint].inLoop = true;
 }
 
 void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,

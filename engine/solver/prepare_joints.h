@@ -11,7 +11,7 @@ inline bool isAsleep(const Joint& joint, const Bodies& bodies) {
 
 /// Makes a constraint, and drives along its coordinates, for every joint that is awake. Called when joints
 /// are added or removed.
-void collectJoints(std::span<const Joint> joints, const Bodies& bodies, const Settings& settings,
+void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver);
 
 /// Computes the factors of the trees, and the rows of all joints outside them, at the present poses.

@@ -15,6 +15,9 @@ constexpr double kMet = 1e-8;    // of the lever arms; at 1e-6 a four-bar gains 
 /// Hinges between two held ends constrain the perpendicular directions twice, except for a play so small that
 /// dividing by it gives huge impulses: the last hinge yields by this share of its K.
 constexpr double kPlay = 1e-2;
+/// Of K, added to all rows of a closed tree whose joints are torn: they cannot all be closed, and what is nearly
+/// dependent gets small impulses instead of huge ones.
+constexpr double kDamping = 1e-3;
 
 /// The share of a tree's nudge that becomes velocity: all while the errors are small compared with the arms,
 /// none where linearization fails.
@@ -86,10 +89,12 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
     for (std::size_t k = 0; k < plan.places.size(); ++k)
         if (isHere(plan.places[k])) placeHere[k] = count++;
     ownPlaces.assign(bodies, -1);
-    for (const ForestPlan::Tree& tree : plan.trees) trees_.push_back({tree.whole});
+    for (const ForestPlan::Tree& tree : plan.trees) {
+        Tree& made = trees_.emplace_back();
+        made.whole = tree.whole, made.closed = tree.closed, made.damped = tree.closed && tree.torn;
+    }
     for (const ForestPlan::Place& place : plan.places) {
         Tree& tree = trees_[place.tree];
-        tree.closed = tree.closed || place.closes;
         tree.closings += place.closes;
         tree.geared = tree.geared || place.gear;
     }
@@ -155,6 +160,7 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
         own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
         lookAlong(joint, joint, own);
         if (joint.closes) addPlay(joint, own);
+        if (trees_[joint.tree].damped) own.diagonal() *= 1.0 + kDamping;
         factors_.setDiagonal(k, own);
         for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
             if (link.body < 0) {
@@ -232,7 +238,9 @@ void TreePart<N>::keepEnd(std::span<const Pose> poses) {
 
 template <int N>
 void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge) {
-    const double share = tree.whole && nudge.h > 0.0 ? feedbackShare(tree.ratio) : 0.0;
+    const bool feeds = tree.whole && !tree.damped && nudge.h > 0.0;
+    double share = feeds ? feedbackShare(tree.ratio) : 0.0;
+    if (tree.closed && share < 1.0) share = 0.0;  // perhaps it cannot be closed
     tree.gain = share > 0.0 ? share / nudge.h : 0.0;
     tree.anew = share == 1.0;
     if (nudge.pushed) tree.before = -1.0;

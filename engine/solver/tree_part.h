@@ -2,6 +2,10 @@
 ///   A lambda = -(J v + b),   A = J M^-1 J^T
 /// A has a block for every joint and one for every two joints that share a movable body
 /// (tree_joint.h); block_factors.h solves it.
+///
+/// A tree with loops that do not fit is damped: A + mu diag(A) instead of A. As A + mu diag(A) >= A, no solve
+/// adds energy, however nearly dependent rows are; several solves come as close as needed to J v = 0. It has no
+/// feedback of nudges into velocities, which would be the velocity of a motion that is impossible.
 #pragma once
 #include "engine/constraints/contact_constraint.h"
 #include "engine/settings.h"
@@ -78,6 +82,12 @@ public:
     }
 
     bool empty() const { return joints_.empty(); }
+    /// One solve satisfies all of its trees.
+    bool exact() const {
+        for (const int number : here_)
+            if (trees_[number].damped) return false;
+        return true;
+    }
     std::vector<TreeJoint<N>>& joints() { return joints_; }
     const std::vector<TreeJoint<N>>& joints() const { return joints_; }
 
@@ -92,6 +102,7 @@ private:
         double before = 0.0;    // the same at the previous nudge; below 0: none
         bool closed = false;    // held twice, or with a loop of other joints than gears
         bool geared = false;
+        bool damped = false;    // closed and torn
         int closings = 0;       // joints that close it
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
