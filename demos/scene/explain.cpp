@@ -198,7 +198,7 @@ std::vector<Reached> keysEndingIn(const Catalog& catalog, const std::string& pat
 }  // namespace
 
 std::vector<KeyFacts> keyFacts() {
-    const Catalog catalog = formatCatalog();
+    const Catalog& catalog = formatCatalog();
     std::vector<KeyFacts> facts;
     for (const Reached& key : allKeys(catalog))
         facts.push_back({key.path, key.text().sentence, typesOf(key.forms()), unitsOf(key.forms()),
@@ -207,7 +207,7 @@ std::vector<KeyFacts> keyFacts() {
 }
 
 std::string explanationOf(const std::string& path) {
-    const Catalog catalog = formatCatalog();
+    const Catalog& catalog = formatCatalog();
     if (path == "scene")
         return "the tables and keys of a scene:\n" + keyList(keysOf(catalog.tables().front(), ""));
     const std::vector<std::string> parts = keyParts(path);

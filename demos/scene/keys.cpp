@@ -42,7 +42,7 @@ std::vector<std::string> namesOf(const AskedTable& table) {
 std::string otherTables(const std::string& where, const std::string& key, const Scope& scope) {
     constexpr std::size_t kMost = 3;
     if (scope.catalog) return {};  // the format itself is being read
-    static const Catalog format = formatCatalog();
+    const Catalog& format = formatCatalog();
     std::vector<std::string> same, like;
     bool ofFormat = false;
     for (const AskedTable& table : format.tables()) {

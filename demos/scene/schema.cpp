@@ -109,15 +109,18 @@ Json schemaOf(const AskedTable& table) {
 
 }  // namespace
 
-Catalog formatCatalog() {
-    Catalog catalog;
-    for (const KeyExample& example : everyKey())
-        catalogScene(sceneOf(example), example.what, catalog);
-    return catalog;
+const Catalog& formatCatalog() {
+    static const Catalog format = [] {
+        Catalog catalog;
+        for (const KeyExample& example : everyKey())
+            catalogScene(sceneOf(example), example.what, catalog);
+        return catalog;
+    }();
+    return format;
 }
 
 std::string sceneSchema() {
-    const Catalog catalog = formatCatalog();
+    const Catalog& catalog = formatCatalog();
     Json schema{{"$schema", kDraft}, {"title", "a scene of impulse, format 1"}};
     Json definitions{
         {"expression",

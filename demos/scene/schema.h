@@ -6,8 +6,8 @@ namespace demos {
 
 class Catalog;
 
-/// The keys that the reader asks for in the scenes of every_key.h.
-Catalog formatCatalog();
+/// The keys that the reader asks for in the scenes of every_key.h, which are read once.
+const Catalog& formatCatalog();
 
 std::string sceneSchema();
 

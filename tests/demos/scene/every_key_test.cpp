@@ -18,15 +18,10 @@
 namespace demos::test {
 namespace {
 
-const Catalog& format() {
-    static const Catalog catalog = formatCatalog();
-    return catalog;
-}
-
 /// Calls `use` with every key, "*" for any.
 template <class Use>
 void forEveryKey(const Use& use) {
-    for (const AskedTable& table : format().tables()) {
+    for (const AskedTable& table : formatCatalog().tables()) {
         for (const AskedKey& key : table.keys) use(table, key.name, key.forms);
         if (!table.others.empty()) use(table, std::string("*"), table.others);
     }
@@ -115,7 +110,7 @@ void findSites(const Value& value, const AskedTable& table, Site site, std::vect
     all.push_back(site);
     for (std::size_t i = 0; i < value.items.size(); ++i)
         for (const AskedKey& key : table.keys) {
-            const AskedTable* held = format().heldBy(key);
+            const AskedTable* held = formatCatalog().heldBy(key);
             if (key.name != value.keys[i].name || !held) continue;
             const Value& item = value.items[i];
             Site inner = site;
@@ -140,7 +135,7 @@ const std::vector<Site>& sites() {
         }
         std::vector<Site> found;
         for (const Value& document : documents)
-            findSites(document, format().tables().front(), {&document, "", {}}, found);
+            findSites(document, formatCatalog().tables().front(), {&document, "", {}}, found);
         return found;
     }();
     return all;

@@ -154,7 +154,7 @@ TEST(Schema, TakesExpressionsForNumbersOnly) {
 }
 
 TEST(Schema, HasNoKeyThatNoSceneMayHave) {
-    const Catalog catalog = formatCatalog();
+    const Catalog& catalog = formatCatalog();
     EXPECT_GE(catalog.tables().size(), 15u);
     for (const AskedTable& table : catalog.tables())
         for (const AskedKey& key : table.keys) {
