@@ -12,6 +12,9 @@ using support::ReplayInBrowser;
 using support::still;
 using support::told;
 
+/// Many pictures are drawn by the processor: small ones where the size does not matter.
+constexpr support::Window kSmall{300, 400};
+
 TEST_F(ReplayInBrowser, OrbitsPansAndZooms) {
     const Opened opened = open("t=1", driver(R"js(
   const camera = async () => {
@@ -62,14 +65,14 @@ const std::string kPlay = R"js(
 /// Quick frames keep the picture; slow ones make it coarser, take its shadows, then its sides.
 TEST_F(ReplayInBrowser, SlowFramesMakeThePictureCoarserAndThenTakeItsShadows) {
     const std::string play = kPlay + "await play(18, 200);", all = "tell([...seen].join());";
-    EXPECT_EQ(told(openTimed(driver(kPlay + "await play(18, 40);" + all))), "[1.00 ]");
-    const Opened slow = openTimed(driver(play + all));
+    EXPECT_EQ(told(openTimed(driver(kPlay + "await play(18, 40);" + all), kSmall)), "[1.00 ]");
+    const Opened slow = openTimed(driver(play + all), kSmall);
     EXPECT_EQ(told(slow),
               "[1.00 ,0.50 half resolution, to keep up,"
               "0.50 half resolution and no shadows, to keep up,"
               "0.33 a third of the resolution, fewer sides and no shadows, to keep up]");
     EXPECT_TRUE(slow.console.empty()) << slow.console.front();
-    const Opened opened = openTimed(still(play + "await link('t=0');"));
+    const Opened opened = openTimed(still(play + "await link('t=0');"), support::Window{390, 844});
     EXPECT_NEAR(colorOf(opened, {-3.6, -1, -0.67})[0], colorOf(opened, {-2.0, -1, 0.9})[0], 12);
 }
 
@@ -93,7 +96,7 @@ TEST_F(ReplayInBrowser, QuickFramesMakeThePictureFinerAgain) {
   await play(48, 24);
   tell([...seen].join());
 )js"),
-                                    support::Window{300, 400});
+                                    kSmall);
     EXPECT_EQ(told(opened),
               "[true][true][half resolution and no shadows, to keep up]"
               "[0.33 a third of the resolution, fewer sides and no shadows, to keep up]");
@@ -102,7 +105,7 @@ TEST_F(ReplayInBrowser, QuickFramesMakeThePictureFinerAgain) {
 /// Many round solids have fewer sides from the beginning.
 TEST_F(ReplayInBrowser, ManyBallsHaveFewerSides) {
     const auto corners = [this] {
-        return std::stoi(told(openTimed(driver("tell(window.mostCorners);"))).substr(1));
+        return std::stoi(told(openTimed(driver("tell(window.mostCorners);"), kSmall)).substr(1));
     };
     const int few = corners();
     recording_ = support::plantedRecording(400, 2, 1);
@@ -127,7 +130,8 @@ TEST_F(ReplayInBrowser, ACameraThatFollowsStaysAboveTheGround) {
   tell(low[1] > -1 && low[1] < -0.5);
   tell(Math.abs(low[4] + 0.5) < 0.01);
   tell(Math.abs((await camera(60))[1] - 2) < 0.01);
-)js"));
+)js"),
+                               kSmall);
     EXPECT_EQ(told(opened), "[true][true][true]");
 }
 
@@ -151,11 +155,13 @@ TEST_F(ReplayInBrowser, TheCameraStaysAboveTheGround) {
   tell((await camera())[1] > -1);
   for (let i = 0; i < 40; ++i) await key("S", true);
   tell((await camera())[1] > -1);
-)js"));
+)js"),
+                               kSmall);
     EXPECT_EQ(told(opened), "[true][true][true][true][true]");
     // Below a ground from the beginning, it is free.
     const Opened below = open("t=1&camera=0,-5,9,0,0,0,35",
-                              driver(camera + "await key('s'); tell((await camera())[1] < -5);"));
+                              driver(camera + "await key('s'); tell((await camera())[1] < -5);"),
+                              kSmall);
     EXPECT_EQ(told(below), "[true]");
 }
 
