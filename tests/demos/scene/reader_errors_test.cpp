@@ -310,7 +310,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"four deep",
                  "[[repeat]]\ncount = 1\n[[repeat.repeat]]\ncount = 1\n[[repeat.repeat.repeat]]\n"
                  "count = 1\n[[repeat.repeat.repeat.repeat]]\ncount = 1\n",
-                 "8:24", "[[repeat]]s can be nested at most three deep"},
+                 "8:24", "[[repeat]]s can be nested at most three deep"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    ManyTurns, BadScenes,
+    testing::Values(
         BadScene{"turns of nothing",
                  "[[repeat]]\ncount = 10000\n[[repeat.repeat]]\ncount = 10000\n"
                  "[[repeat.repeat.repeat]]\ncount = '0 * i'\nbody = { name = 'a' }\n",
