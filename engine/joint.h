@@ -38,9 +38,10 @@ struct JointId {
 };
 
 /// Makes a joint soft (constraints/soft.h): by the frequency at which the joined masses swing, or, if hz is
-/// 0, by stiffness and resistance.
+/// 0, by stiffness and resistance. k and c follow from a frequency when the joint is made and stay: a stiffness
+/// that changed with the masses' position would put energy in.
 struct Spring {
-    double hz = 0.0;          // frequency of the joined masses, along a row
+    double hz = 0.0;          // frequency of the joined masses, along a row, where the joint is made
     double damping = 0.0;     // damping ratio: 0 none, 1 critical
     double stiffness = 0.0;   // k, N/m; about an axis N m/rad
     double resistance = 0.0;  // c, N s/m; about an axis N m s/rad. Alone: a damper
@@ -53,6 +54,11 @@ struct Spring {
     /// c for such a row.
     double resistanceOf(double inverseMass) const {
         return hz > 0.0 ? 2.0 * damping * (6.283185307179586 * hz) / inverseMass : resistance;
+    }
+    /// The same for that row, by k and c; none for a row that nothing can move.
+    Spring fixedFor(double inverseMass) const {
+        if (hz > 0.0 && !(inverseMass > 0.0)) return {};
+        return {0.0, 0.0, stiffnessOf(inverseMass), resistanceOf(inverseMass)};
     }
 };
 

@@ -1,6 +1,7 @@
 #include "engine/world_joints.h"
 
 #include "engine/constraints/catmull_rom.h"
+#include "engine/solver/drives.h"
 
 namespace engine {
 namespace {
@@ -145,6 +146,7 @@ Joint makeJoint(const WorldState& s, const JointDef& def) {
     joint.startA = qa, joint.startB = qb;
     if (def.type == JointType::path) measurePath(a, b, joint);
     followCoordinates(joint, a, b);
+    measureMasses(joint, s.bodies);
     return joint;
 }
 

@@ -16,6 +16,7 @@ struct Joint {
     Vec3 axis2A = Vec3::UnitX(), axis2B = Vec3::UnitX();  // axis2 in the axes of a and b
     Quat startA = Quat::Identity(), startB = Quat::Identity();  // gear: initial rotations
     std::vector<double> lengths;                          // path: m, from its start to each point
+    std::array<double, 6> rowMasses{}, freeMasses{};      // K of rows and coordinates where it was made
     double nearest = 0.0;                                 // path: parameter of the nearest point
     bool present = true, broken = false;
     bool torn = false;                                    // by constraints that cannot all hold,
@@ -83,6 +84,7 @@ struct JointConstraint {
     std::array<Row, 6> rows;
     std::array<double, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;
+    std::array<Spring, 6> springs;  // of a soft joint's rows, by k and c
     bool pointAtOnce = false;  // the first three rows, of a point, are solved together
     Mat3 pointMass = Mat3::Zero();  // (J M^-1 J^T)^-1 of these three
     bool asBlock = false;      // a type after weld: all its rows are one block if points are blocks

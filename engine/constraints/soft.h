@@ -1,6 +1,6 @@
 /// A soft row: instead of C = 0, a spring and a damper along it,
 ///   k = m w^2,  c = 2 m zeta w,  w = 2 pi hz,  m = 1 / K       k and c match the masses that the
-///   row moves, unless the spring has its own
+///   row moves where the joint is made, unless the spring has its own
 /// It changes the rate along the row, with the rate v0 that everything else leaves, to
 ///   v1 = E (v0 - W C / h)
 /// As a row, with lambda = m (v1 - v0) on top of the other impulses:

@@ -93,13 +93,31 @@ bool hardlyActs(const DriveRow& row, double rate, double h) {
            row.error > kWide + 8.0 * h * std::abs(rate);
 }
 
+/// Of a coordinate, by k and c.
+Spring springOf(const Joint& joint, int coordinate) {
+    const Freedom& f = joint.def.free[coordinate];
+    return f.spring.fixedFor(withInertia(joint.freeMasses[coordinate], f.inertia));
+}
+
 }  // namespace
+
+void measureMasses(Joint& joint, const Bodies& bodies) {
+    const int a = joint.def.a.index, b = joint.def.b.index;
+    const InverseMass &massA = bodies.inverseMasses[a], &massB = bodies.inverseMasses[b];
+    const JointRows rows = rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
+    for (int i = 0; i < rows.count; ++i) joint.rowMasses[i] = makeRow(rows.j[i], massA, massB).k;
+    const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
+    const HeldRows held(joint, bodies, a, b);
+    for (int i = 0; i < free.count; ++i)
+        joint.freeMasses[i] = freeRow(held, free.j[i], massA, massB).k;
+}
 
 JointDrive makeDrive(const Joint& joint, int number) {
     JointDrive drive = driveOf(joint.def);
     drive.joint = number;
     for (int i = 0; i < drive.count; ++i) {
         DriveRow& row = drive.rows[i];
+        row.freedom.spring = springOf(joint, row.coordinate);
         const double kept = joint.driven[row.slot()];
         if (row.kind == DriveKind::limit && kept < 0.0) row.sign = -1.0;
         row.lambda = row.sign * kept;
@@ -206,8 +224,7 @@ double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
         const double stretch = free.error[i] - f.rest - 0.5 * h * rate;
         const double k =
             freeRow(held, free.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        const double ofAll = withInertia(k, f.inertia);
-        if (k > 0.0) energy += 0.5 * f.spring.stiffnessOf(ofAll) * stretch * stretch;
+        if (k > 0.0) energy += 0.5 * springOf(joint, i).stiffness * stretch * stretch;
     }
     return energy;
 }

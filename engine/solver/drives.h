@@ -5,6 +5,9 @@
 
 namespace engine {
 
+/// Sets the masses of a joint that is made, for springs that are given by a frequency.
+void measureMasses(Joint& joint, const Bodies& bodies);
+
 /// Makes the rows of a joint with drives, when joints are added or removed.
 JointDrive makeDrive(const Joint& joint, int number);
 

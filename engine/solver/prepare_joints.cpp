@@ -21,6 +21,8 @@ void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
         joint.joint = i;
         joint.count = rowCount(def);
         joint.spring = def.spring;
+        for (int k = 0; k < joint.count; ++k)
+            joint.springs[k] = def.spring.fixedFor(joints[i].rowMasses[k]);
         joint.asBlock = def.type > JointType::weld;
         joint.treeRows = treeRowsOf(def);
         joint.isGear = def.type == JointType::gear;
@@ -82,7 +84,7 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
         const double rate = velocityAlong(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
         const double stretch = rows.error[i] - 0.5 * h * rate;
-        if (k > 0.0) energy += 0.5 * joint.def.spring.stiffnessOf(k) * stretch * stretch;
+        if (k > 0.0) energy += 0.5 * joint.def.spring.fixedFor(joint.rowMasses[i]).stiffness * stretch * stretch;
     }
     return energy;
 }

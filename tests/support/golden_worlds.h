@@ -173,7 +173,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"chain", goldenChain, 300, 0x3223cafa0540bc05},
         {"pyramid", goldenPyramid, 60, 0xdd09f31fad8c50c6},
         {"forces", goldenForces, 300, 0x5a5595a34dfae3fc},
-        {"machine", goldenMachine, 300, 0x2e922b14896dadc5},
+        {"machine", goldenMachine, 300, 0x7317ffb3769649f1},
         {"shapes", goldenShapes, 180, 0x46fe24225a391c97},
         {"rolling", goldenRolling, 300, 0xb6deabafd842bb07},
     }};
