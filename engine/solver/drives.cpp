@@ -220,7 +220,7 @@ double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
     for (int i = 0; i < free.count; ++i) {
         const Freedom& f = joint.def.free[i];
         if (!f.spring.isSoft()) continue;
-        const double rate = velocityAlong(free.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double rate = rateForEnergy(free.j[i], bodies.velocities[a], bodies.velocities[b]);
         const double stretch = free.error[i] - f.rest - 0.5 * h * rate;
         const double k =
             freeRow(held, free.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;

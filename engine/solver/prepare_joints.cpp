@@ -82,7 +82,7 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
     for (int i = 0; i < rows.count; ++i) {
         const double k =
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        const double rate = velocityAlong(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double rate = rateForEnergy(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
         const double stretch = rows.error[i] - 0.5 * h * rate;
         if (k > 0.0) energy += 0.5 * joint.def.spring.fixedFor(joint.rowMasses[i]).stiffness * stretch * stretch;
     }
