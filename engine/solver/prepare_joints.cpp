@@ -84,7 +84,8 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
         const double rate = rateForEnergy(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
         const double stretch = rows.error[i] - 0.5 * h * rate;
-        if (k > 0.0) energy += 0.5 * joint.def.spring.fixedFor(joint.rowMasses[i]).stiffness * stretch * stretch;
+        const double stiffness = joint.def.spring.fixedFor(joint.rowMasses[i]).stiffness;
+        if (k > 0.0) energy += 0.5 * stiffness * stretch * stretch;
     }
     return energy;
 }
