@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t kAround = 9;  // a pixel and its neighbours, row by row
 constexpr std::size_t kMiddle = 4;
 
-struct Offset {
+struct SampleOffset {
     float x, y;  // pixels from a pixel's middle
 };
 
 /// No two in one row or column, so that a nearly vertical or horizontal edge gets all steps.
-std::vector<Offset> offsets(int samples) {
+std::vector<SampleOffset> offsets(int samples) {
     constexpr int kTwo[][2] = {{4, 4}, {-4, -4}};
     constexpr int kFourth[][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
     constexpr int kEighth[][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5},
@@ -31,7 +31,7 @@ std::vector<Offset> offsets(int samples) {
     constexpr int kSixteenth[][2] = {{1, 1},  {-1, -3}, {-3, 2}, {4, -1}, {-5, -2}, {2, 5},
                                      {5, 3},  {3, -5},  {-2, 6}, {0, -7}, {-4, -6}, {-6, 4},
                                      {-8, 0}, {7, -4},  {6, 7},  {-7, -8}};
-    std::vector<Offset> result;
+    std::vector<SampleOffset> result;
     const auto add = [&result](const auto& places) {
         for (const auto& p : places)
             result.push_back({static_cast<float>(p[0]) / 16.0f, static_cast<float>(p[1]) / 16.0f});
@@ -44,7 +44,7 @@ std::vector<Offset> offsets(int samples) {
 }
 
 /// The places around a pixel, nearest to an offset first.
-std::array<std::size_t, kAround> nearestFirst(const Offset& offset) {
+std::array<std::size_t, kAround> nearestFirst(const SampleOffset& offset) {
     std::array<std::size_t, kAround> order{};
     std::iota(order.begin(), order.end(), 0);
     const auto distance = [&offset](std::size_t place) {
@@ -80,7 +80,7 @@ public:
           sight_(sightOf(view, map_.width, map_.height)),
           seen_(surfaces_.size()) {
         joinFaces(map, fresh, joined_);
-        const std::vector<Offset> all = offsets(samples);
+        const std::vector<SampleOffset> all = offsets(samples);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (i % kFour == 0) x_.emplace_back(), y_.emplace_back();
             x_.back()[i % kFour] = all[i].x;

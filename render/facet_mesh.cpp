@@ -12,7 +12,7 @@
 namespace render {
 namespace {
 
-constexpr float kBase = 2.0f, kTop = 3.0f, kSide = 0.0f;  // faces
+constexpr float kBaseFace = 2.0f, kTopFace = 3.0f, kSideFace = 0.0f;  // faces
 
 Vec3 around(int corner, float share, int corners) {
     const float part = static_cast<float>(corner % corners) + share;
@@ -27,7 +27,7 @@ void addDiscPart(std::vector<FacetVertex>& mesh, int corner, int corners, float 
     const auto vertex = [&](float share, float radius) {
         const Vec3 out = around(corner, share, corners);
         const Vec3 beyond = side.x() * out + side.y() * Vec3::UnitY();
-        return FacetVertex{radius * out + height * Vec3::UnitY(), up, up.y() > 0 ? kTop : kBase,
+        return FacetVertex{radius * out + height * Vec3::UnitY(), up, up.y() > 0 ? kTopFace : kBaseFace,
                            Vec3::Constant(1.0f - radius), {beyond, up, up}, {1, 0}, 1.0f};
     };
     const FacetVertex middle = vertex(0.5f, 0.0f), a = vertex(0.0f, 1.0f), b = vertex(1.0f, 1.0f);
@@ -37,7 +37,7 @@ void addDiscPart(std::vector<FacetVertex>& mesh, int corner, int corners, float 
 FacetVertex coneSide(int corner, float share, int corners, float y) {
     const Vec3 out = around(corner, share, corners), normal = 2.0f * out + Vec3::UnitY();
     const float up = 0.5f * (y + 0.5f);  // 0 at the base, 1 at the tip
-    return {(1.0f - up) * out + y * Vec3::UnitY(), normal, kSide, Vec3::Constant(up),
+    return {(1.0f - up) * out + y * Vec3::UnitY(), normal, kSideFace, Vec3::Constant(up),
             {-Vec3::UnitY(), normal, normal}, {1, 2}, 0.5f};
 }
 
@@ -175,7 +175,7 @@ std::vector<FacetVertex> cylinderMesh(int corners) {
     for (int s = 0; s < corners; ++s) {
         const auto vertex = [&](float share, float y) {
             const Vec3 out = around(s, share, corners);
-            return FacetVertex{out + y * Vec3::UnitY(), out, kSide, Vec3(1 - y, 1 + y, 0),
+            return FacetVertex{out + y * Vec3::UnitY(), out, kSideFace, Vec3(1 - y, 1 + y, 0),
                                {Vec3::UnitY(), -Vec3::UnitY(), out}, {0, 1}, 1.0f};
         };
         const FacetVertex a = vertex(0, -1), b = vertex(1, -1), c = vertex(1, 1), d = vertex(0, 1);

@@ -70,9 +70,9 @@ private:
 
 bool any(FourInts m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
 
-class Search {
+class TreeSearch {
 public:
-    Search(const SolidMesh& mesh, const FourRays& rays, int facet)
+    TreeSearch(const SolidMesh& mesh, const FourRays& rays, int facet)
         : mesh_(mesh), rays_(rays), facet_(facet) {
         found_ = {fourOf(kNever), FourInts{} - 1};
         for (int i = 0; i < 3; ++i) {
@@ -145,7 +145,7 @@ MeshTree treeOf(const std::vector<Vec3>& vertices, const MeshTriangles& triangle
 }
 
 FourTriangles nearestTriangles(const SolidMesh& mesh, const FourRays& rays, int facet) {
-    return Search(mesh, rays, facet).find();
+    return TreeSearch(mesh, rays, facet).find();
 }
 
 }  // namespace render

@@ -6,7 +6,7 @@ namespace engine {
 namespace {
 
 constexpr double kSlowest = 0.01;  // rad/s: slower, a dynamic body carries without a visible creep
-constexpr double kMostTurn = 0.5;  // rad in a sub-step: nothing rides on a faster body
+constexpr double kMostCarrierTurn = 0.5;  // rad in a sub-step: nothing rides on a faster body
 
 bool turns(const Vec3& spin) { return spin.squaredNorm() > kSlowest * kSlowest; }
 
@@ -69,7 +69,7 @@ void RidingContacts::begin(const Bodies& bodies, std::span<const Pose> posesAtSt
         const Vec3 &a = bodies.velocities[c.a].angular, &b = bodies.velocities[c.b].angular;
         const Vec3 w = c.carrier == c.a ? a : c.carrier == c.b ? b : Vec3(0.5 * (a + b));
         const double h = bodies.spans[body], size = w.squaredNorm();
-        if (size == 0.0 || h * h * size > kMostTurn * kMostTurn) continue;
+        if (size == 0.0 || h * h * size > kMostCarrierTurn * kMostCarrierTurn) continue;
         const Vec3 rho = bodies.poses[c.b].position - bodies.poses[c.a].position;
         const Vec3 before = posesAtStart[c.b].position - posesAtStart[c.a].position;
         const Vec3 u = a.cross(c.armA) - b.cross(c.armB);
