@@ -63,7 +63,7 @@ bool World::step(double dt) {
 
         s.phase(Phase::impulses, i);
         updateSeparations(s.bodies, s.solver);  // solver/prepare_contacts.cpp
-        solveConstraints(s.solver, s.bodies.velocities, s.settings, h, s.report);  // solver/solve.cpp
+        solveConstraints(s.solver, s.bodies, s.settings, h, s.report);  // solver/solve.cpp
 
         s.phase(Phase::positions, i);
         integratePositions(s.bodies, s.settings.gyroscope);  // dynamics/integration.cpp

@@ -15,7 +15,7 @@ void report(const TreeJoint<N>& t, double dt, Joint& joint) {
 
 void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> joints,
                        std::span<const InverseMass> masses) {
-    forests_.clear(), order_.clear(), whole_.clear(), inLoops_.clear();
+    forests_.clear(), order_.clear(), whole_.clear(), inLoops_.clear(), inNets_.clear();
     for (const ForestPlan& plan : planForests(list, masses)) {
         Forest& forest = forests_.emplace_back();
         forest.balls.build(plan, 0, list, joints);
@@ -24,7 +24,7 @@ void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> j
         for (const ForestPlan::Place& place : plan.places) {
             order_.push_back(place.joint);
             const ForestPlan::Tree& tree = plan.trees[place.tree];
-            if (tree.whole) whole_.push_back(place.joint);
+            (tree.whole ? whole_ : inNets_).push_back(place.joint);
             if (tree.whole && tree.closed) inLoops_.push_back(place.joint);
         }
     }
@@ -44,7 +44,7 @@ void JointTrees::prepare(std::span<const Joint> joints, const Bodies& bodies) {
 void JointTrees::begin(double keep, double biasRate, std::span<Velocity> v) {
     biasRate_ = biasRate;
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.warmStart(&forest == &forests_[0] ? 0.0 : keep, v); });
+        forest.each([&](auto& part) { part.warmStart(forests_.size() > 1 ? keep : 0.0, v); });
 }
 
 void JointTrees::solveVelocities(std::span<Velocity> v, Correction& correction) {
@@ -59,6 +59,19 @@ void JointTrees::solveVelocities(int group, std::span<Velocity> v, Correction& c
     for (Forest& forest : forests_)
         forest.each([&](auto& part) { part.solveVelocities(part.of(group), biasRate_, v, own); });
     correction.add(exact() ? 0.0 : own.velocity, own.impulse);
+}
+
+bool JointTrees::isNet(int group) const {
+    bool any = false;
+    for (std::size_t i = 1; i < forests_.size(); ++i)
+        forests_[i].each([&](const auto& part) { any = any || !part.of(group).empty(); });
+    return any;
+}
+
+void JointTrees::solveBack(int group, std::span<Velocity> v) {
+    Correction unused;
+    for (int i = static_cast<int>(forests_.size()) - 2; i >= 0; --i)
+        forests_[i].each([&](auto& part) { part.solveVelocities(part.of(group), biasRate_, v, unused); });
 }
 
 void JointTrees::projectVelocities(std::span<Velocity> v) {

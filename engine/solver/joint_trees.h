@@ -25,8 +25,8 @@ public:
     /// Computes J, C and the factors of A at the present poses.
     void prepare(std::span<const Joint> joints, const Bodies& bodies);
 
-    /// Called before the sweeps of a sub-step. The first forest is solved exactly and does not need its
-    /// previous impulses; the others start from theirs. biasRate: Baumgarte's beta / h, 1/s.
+    /// Called before the sweeps of a sub-step. What is solved exactly does not need its previous impulses; nets
+    /// start from theirs. biasRate: Baumgarte's beta / h, 1/s.
     void begin(double keep, double biasRate, std::span<Velocity> v);
     /// Sorts the trees into groups that are solved on their own; `groupOf(a, b)`: that of a joint's bodies.
     template <class GroupOf>
@@ -38,6 +38,10 @@ public:
     /// a group. The corrections of an exact solve do not count as residual, because no error is left.
     void solveVelocities(std::span<Velocity> v, Correction& correction);
     void solveVelocities(int group, std::span<Velocity> v, Correction& correction);
+    /// Whether joints of a group are in several forests; the forests before the last once more, in the opposite
+    /// order: a sweep there and back is symmetric, as conjugate gradients need it.
+    bool isNet(int group) const;
+    void solveBack(int group, std::span<Velocity> v);
     /// Solves J v = 0 once more, for the trees that no other joint acts on.
     void projectVelocities(std::span<Velocity> v);
     /// After the last sweep: stores the velocities with which the bodies will move.
@@ -70,10 +74,19 @@ public:
             });
     }
 
+    /// Calls visit(joint, mass of a, mass of b) for every joint of a group's trees, always in the same order.
+    template <class Visit>
+    void eachJoint(int group, const Visit& visit) {
+        for (Forest& forest : forests_)
+            forest.each([&](auto& part) { part.eachJoint(part.of(group), visit); });
+    }
+    double biasRate() const { return biasRate_; }
+
     /// All joints in trees, by index in the constraint list, in order of elimination; those in trees that no
-    /// other joint acts on; and of these those in trees with loops, or held twice.
+    /// other joint acts on; the others; and of the former those in trees with loops, or held twice.
     const std::vector<int>& order() const { return order_; }
     const std::vector<int>& whole() const { return whole_; }
+    const std::vector<int>& inNets() const { return inNets_; }
     const std::vector<int>& inLoops() const { return inLoops_; }
 
 private:
@@ -93,7 +106,7 @@ private:
     };
 
     std::vector<Forest> forests_;
-    std::vector<int> order_, whole_, inLoops_;
+    std::vector<int> order_, whole_, inNets_, inLoops_;
     double biasRate_ = 0.0;
     bool exact_ = true;
 };

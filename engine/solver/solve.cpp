@@ -8,6 +8,8 @@ namespace engine {
 namespace {
 
 constexpr double kMuchLeft = 0.5;  // m/s, of a residual: see fresh_start.h
+/// Of a net, in a step and in a sub-step: what these leave, five times as many hardly reduce.
+constexpr int kSweepsOfNet = 32, kFewestOfNet = 4;
 
 /// Merges sweep i of a group with those of other groups.
 void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& swept) {
@@ -20,6 +22,12 @@ void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& s
 bool solvedAtOnce(const Solver& s, int group) {
     return s.groups.hasJoints(group) && !s.groups.isTouched(group) && s.trees.exact() &&
            s.constraints.jointsOutside.of(group).empty() &&
+           s.constraints.drivesByGroup.of(group).empty();
+}
+
+/// Solved by conjugate gradients: all rows are without bounds, as there are no contacts, limits or motors.
+bool isConjugate(const Solver& s, int group) {
+    return s.groups.hasJoints(group) && !s.groups.isTouched(group) && s.trees.isNet(group) &&
            s.constraints.drivesByGroup.of(group).empty();
 }
 
@@ -58,10 +66,17 @@ int leastAtRest(const Solver& s, int group, const Settings& settings, double ste
     return smaller(larger(settings.minSweeps, tall), settings.sweeps);
 }
 
+int mostOfNet(const Solver& s, int group, const Settings& settings, double step) {
+    const int substeps = static_cast<int>(step / s.groups.span(group) + 0.5);
+    return smaller(larger(kSweepsOfNet / substeps, kFewestOfNet), settings.sweeps);
+}
+
 SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, double step) {
     SweepLimits limits{settings.minSweeps, settings.minSweeps, settings.sweeps, settings.tolerance};
     if (solvedAtOnce(s, group)) {
         limits.most = smaller(settings.sweeps, 1);
+    } else if (isConjugate(s, group)) {
+        limits.most = mostOfNet(s, group, settings, step);
     } else if (s.groups.moving(group)) {
         limits.most = smaller(settings.movingSweeps, settings.sweeps);
     } else if (s.groups.atRest(group)) {
@@ -88,9 +103,12 @@ double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& s
         for (const SweepReport& swept : s.wide.solveLarge(group, limits)) enough = satisfied(swept);
         return enough ? 0.0 : residual;
     }
+    const bool conjugate = isConjugate(s, group);
+    if (conjugate) s.conjugate.begin(s.constraints, s.trees, group, v);
     for (int i = 0; i < limits.most; ++i) {
         SweepReport swept = joints ? sweepJoints(s, group, v) : SweepReport{};
         swept = together(swept, sweepContacts(s, group, v, settings));
+        if (conjugate) s.conjugate.goOn(s.constraints, s.trees, group, v);
         if (atOnce) swept.residual = 0.0;
         if (satisfied(swept)) return 0.0;
     }
@@ -164,8 +182,10 @@ bool solvedAtOnce(const Solver& s) {
     return !touched && solvedAtOnce(s.constraints, s.trees);
 }
 
-void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
+void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, double h,
                       StepReport& report) {
+    const std::span<Velocity> v = bodies.velocities;
+    solver.conjugate.prepare(bodies.inverseMasses);
     if (solver.byIsland)
         solveIslands(solver, v, settings, h, report);
     else

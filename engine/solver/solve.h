@@ -9,7 +9,7 @@
 namespace engine {
 
 /// h: length of the world's sub-step, s. Sets report.trouble if the method cannot solve it.
-void solveConstraints(Solver& solver, std::span<Velocity> v, const Settings& settings, double h,
+void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, double h,
                       StepReport& report);
 
 /// One solve is enough for the joints: there are only trees, and no contacts on them.

@@ -5,6 +5,7 @@
 
 #include "engine/base/disjoint_sets.h"
 #include "engine/constraints/contact.h"
+#include "engine/solver/conjugate_joints.h"
 #include "engine/solver/constraints.h"
 #include "engine/solver/fresh_start.h"
 #include "engine/solver/kept_impulses.h"
@@ -22,6 +23,7 @@ struct Solver {
     WideContacts wide;
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     JointTrees trees;
+    ConjugateJoints conjugate;       // while a group is solved
     KeptImpulses kept;               // by groups
     FreshStart fresh;                // of contacts that are not in lanes
     PressedBodies pressed;

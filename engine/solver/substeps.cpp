@@ -6,6 +6,7 @@ namespace {
 constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kTurnInTouch = 0.3;      // rad, with contacts
+constexpr double kTurnInNet = 0.5;        // rad
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr double kSubstepsARatio = 8.0 / 50.0, kLeastHeavy = 4.0, kMostHeavy = 8.0;
 constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
@@ -110,6 +111,13 @@ void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, c
         const JointRates rates = ratesOf(c, joints[c.joint], bodies);
         island.needed = larger(island.needed, dt * rates.swing / kSwingPerSubstep);
         island.turn = larger(island.turn, rates.turn);
+    }
+    for (const int i : solver.trees.inNets()) {
+        const JointConstraint& c = solver.constraints.joints[i];
+        Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
+        const JointRates rates = ratesOf(c, joints[c.joint], bodies);
+        island.needed = larger(island.needed, dt * rates.swing / kSwingPerSubstep);
+        island.needed = larger(island.needed, dt * rates.turn / kTurnInNet);
     }
 }
 

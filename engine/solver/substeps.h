@@ -5,7 +5,8 @@
 ///                           separate by 0.2 mm; at 1.2 by 2 mm, at 1.4 by 30 mm, and energy
 ///                           grows)
 ///   fast joints             h |w| < 0.1: the rotation of the arms in a sub-step is nearly linear; 0.3 in an
-///                           island with contacts, which lose energy in any case
+///                           island with contacts, which lose energy in any case; 0.5 in a net, whose tension
+///                           decides (without h omega < 1 a strip of 5 by 40 balls tears when it whips)
 ///   columns and walls       more for taller ones (columns.h)
 ///   heavy on light          four if a body rests on one of a tenth of its mass, eight on a fiftieth; on a
 ///                           hundredth, 3.2 for every level of the column (1000:1 on four: 16)

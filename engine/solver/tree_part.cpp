@@ -15,8 +15,8 @@ constexpr double kMet = 1e-8;    // of the lever arms; at 1e-6 a four-bar gains 
 /// Hinges between two held ends constrain the perpendicular directions twice, except for a play so small that
 /// dividing by it gives huge impulses: the last hinge yields by this share of its K.
 constexpr double kPlay = 1e-2;
-/// Of K, added to all rows of a closed tree whose joints are torn: they cannot all be closed, and what is nearly
-/// dependent gets small impulses instead of huge ones.
+/// Of K, added to all rows of a closed tree whose joints are torn, or that is part of a net: they cannot all be
+/// closed, or not without the others, and what is nearly dependent gets small impulses instead of huge ones.
 constexpr double kDamping = 1e-3;
 
 /// The share of a tree's nudge that becomes velocity: all while the errors are small compared with the arms,
@@ -160,7 +160,7 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
         own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
         lookAlong(joint, joint, own);
         if (joint.closes) addPlay(joint, own);
-        if (trees_[joint.tree].damped) own.diagonal() *= 1.0 + kDamping;
+        if (trees_[joint.tree].yields()) own.diagonal() *= 1.0 + kDamping;
         factors_.setDiagonal(k, own);
         for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
             if (link.body < 0) {
@@ -182,7 +182,7 @@ void TreePart<N>::warmStart(double keep, std::span<Velocity> v) {
     for (TreeJoint<N>& joint : joints_) {
         const TreeRows<N> lambda = keep * joint.lambda;
         joint.lambda.setZero();
-        if (keep == 0.0) continue;
+        if (keep == 0.0 || trees_[joint.tree].whole) continue;
         book(joint, lambda, 1.0);
         apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
     }

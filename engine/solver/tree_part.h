@@ -6,6 +6,8 @@
 /// A tree with loops that do not fit is damped: A + mu diag(A) instead of A. As A + mu diag(A) >= A, no solve
 /// adds energy, however nearly dependent rows are; several solves come as close as needed to J v = 0. It has no
 /// feedback of nudges into velocities, which would be the velocity of a motion that is impossible.
+/// In a net, every tree that closes loops or is held twice is damped: a flat net that is held all around cannot
+/// move, and its trees would push each other away.
 #pragma once
 #include "engine/constraints/contact_constraint.h"
 #include "engine/settings.h"
@@ -36,7 +38,7 @@ public:
     /// Factors A, for the present J; `masses` are at the same poses.
     void factor(std::span<const InverseMass> masses);
 
-    /// Applies the share `keep` of the impulses of the last step; 0 only discards them.
+    /// Applies the share `keep` of the impulses of the last sub-step; 0, and whole trees, only discard them.
     void warmStart(double keep, std::span<Velocity> v);
     /// Solves J v + biasRate C = 0 in these trees.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
@@ -88,6 +90,13 @@ public:
             if (trees_[number].damped) return false;
         return true;
     }
+    /// Calls visit(joint, mass of a, mass of b) for every joint of these trees, always in the same order.
+    template <class Visit>
+    void eachJoint(std::span<const int> trees, const Visit& visit) {
+        for (const int number : trees)
+            for (int k = trees_[number].first; k < trees_[number].end; ++k)
+                visit(joints_[k], masses_[joints_[k].ownA], masses_[joints_[k].ownB]);
+    }
     std::vector<TreeJoint<N>>& joints() { return joints_; }
     const std::vector<TreeJoint<N>>& joints() const { return joints_; }
 
@@ -103,6 +112,7 @@ private:
         bool closed = false;    // held twice, or with a loop of other joints than gears
         bool geared = false;
         bool damped = false;    // closed and torn
+        bool yields() const { return damped || (closed && !whole); }
         int closings = 0;       // joints that close it
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
