@@ -12,8 +12,9 @@
 /// (Knyazev 1991, locally optimal), with dv and pv the changes of velocity by d and p. No step increases f,
 /// whatever the sweep.
 ///
-/// The impulses of the last sub-step are the first p: nothing of them is kept that does not reduce f. In a net
-/// with more rows than its bodies can move in, they would grow against each other.
+/// The impulses so far, of the last sub-step and of the sweeps before, are the first p: nothing of them is kept
+/// that does not reduce f. In a net with more rows than its bodies can move in, they would grow against each other.
+/// A calm net is satisfied by the first sweeps alone, which cost half as much.
 ///
 /// Limits and contacts are inequalities, for which this is not valid: groups with one of them are only swept.
 #pragma once
@@ -28,7 +29,7 @@ class ConjugateJoints {
 public:
     /// Before the groups of a sub-step. `masses`: of all bodies; they have to stay until the last goOn().
     void prepare(std::span<const InverseMass> masses) { masses_ = masses; }
-    /// Before the first sweep of a group, whose impulses of the last sub-step have been applied.
+    /// Before the first sweep that is completed by goOn().
     void begin(Constraints& c, JointTrees& trees, int group, std::span<Velocity> v);
     /// After a sweep: completes it by the same sweep back, and takes the best step.
     void goOn(Constraints& c, JointTrees& trees, int group, std::span<Velocity> v);

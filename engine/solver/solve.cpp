@@ -76,7 +76,7 @@ SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, doubl
     if (solvedAtOnce(s, group)) {
         limits.most = smaller(settings.sweeps, 1);
     } else if (isConjugate(s, group)) {
-        limits.most = mostOfNet(s, group, settings, step);
+        limits.most = limits.fewest + mostOfNet(s, group, settings, step);
     } else if (s.groups.moving(group)) {
         limits.most = smaller(settings.movingSweeps, settings.sweeps);
     } else if (s.groups.atRest(group)) {
@@ -103,12 +103,12 @@ double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& s
         for (const SweepReport& swept : s.wide.solveLarge(group, limits)) enough = satisfied(swept);
         return enough ? 0.0 : residual;
     }
-    const bool conjugate = isConjugate(s, group);
-    if (conjugate) s.conjugate.begin(s.constraints, s.trees, group, v);
+    const bool conjugate = isConjugate(s, group);  // after the fewest sweeps, which may be enough
     for (int i = 0; i < limits.most; ++i) {
+        if (conjugate && i == limits.fewest) s.conjugate.begin(s.constraints, s.trees, group, v);
         SweepReport swept = joints ? sweepJoints(s, group, v) : SweepReport{};
         swept = together(swept, sweepContacts(s, group, v, settings));
-        if (conjugate) s.conjugate.goOn(s.constraints, s.trees, group, v);
+        if (conjugate && i >= limits.fewest) s.conjugate.goOn(s.constraints, s.trees, group, v);
         if (atOnce) swept.residual = 0.0;
         if (satisfied(swept)) return 0.0;
     }
