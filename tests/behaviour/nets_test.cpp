@@ -19,17 +19,17 @@ struct JointNet {
     double spacing;
     std::function<bool(const GridPlace&)> isHeld;
     std::function<double(const GridPlace&)> density;  // kg/m^3
-    double seconds, mostApart;                    // s, m
-    double spin = 0.0;                            // rad/s, of the net as a whole at the beginning
+    double seconds, mostApart;                        // s, m
+    double spin = 0.0;                                // rad/s, of the net as a whole at the beginning
 };
 
 double asWater(const GridPlace&) { return 1000.0; }
 bool atTheEdge(const GridPlace& at) { return at[1] == 0; }
 bool atTheCorner(const GridPlace& at) { return at[0] == 0 && at[1] == 0; }
 
-// A minute of each has been looked at; the cases are those in which joints came apart by metres, or energy grew.
+// With sweeps alone, all but the plate come apart or gain energy. They hold for a minute too.
 const JointNet kNets[] = {
-    {"ByAnEdge", {20, 20, 1}, JointType::ball, {0.1, 0, 0}, 0.5, atTheEdge, asWater, 3, 0.1},
+    {"ByAnEdge", {20, 20, 1}, JointType::ball, {0.1, 0, 0}, 0.5, atTheEdge, asWater, 2, 0.1},
     {"ByACorner", {12, 12, 1}, JointType::ball, {0.1, 0, 0}, 0.5, atTheCorner, asWater, 4, 0.1},
     {"Strip", {5, 40, 1}, JointType::ball, {0.1, 0, 0}, 0.5, atTheEdge, asWater, 3, 0.1},
     {"Lattice", {5, 5, 5}, JointType::ball, {0.1, 0, 0}, 0.5,
@@ -37,7 +37,7 @@ const JointNet kNets[] = {
     {"SmallBalls", {10, 10, 1}, JointType::ball, {0.02, 0, 0}, 0.5, atTheEdge, asWater, 3, 0.05},
     {"TonAtTheCorner", {10, 10, 1}, JointType::ball, {0.1, 0, 0}, 0.5, atTheCorner,
      [](const GridPlace& at) { return at[0] + at[1] == 18 ? 240e3 : 1000.0; }, 3, 0.1},
-    {"Hinges", {12, 12, 1}, JointType::hinge, {0.2, 0.02, 0.2}, 0.5, atTheEdge, asWater, 5, 0.05},
+    {"Hinges", {12, 12, 1}, JointType::hinge, {0.2, 0.02, 0.2}, 0.5, atTheEdge, asWater, 4, 0.05},
     {"Spinning", {10, 10, 1}, JointType::ball, {0.1, 0, 0}, 0.5,
      [](const GridPlace&) { return false; }, asWater, 2, 0.05, 20.0},
     // It cannot sag: it is as flat as it is wide.
