@@ -136,11 +136,33 @@ TEST(Layering, TheFloorsOfDemosAreThoseOfItsLibraries) {
     EXPECT_EQ(floorsIn(lines), drawnFloors("demos"));
 }
 
-TEST(Layering, NoSourceLiesLooseInDemos) {
+TEST(Layering, EveryFileOfDemosIsInAFolder) {
+    const std::set<std::string> above{"CMakeLists.txt", "README.md", "run"};
     for (const auto& entry : fs::directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / "demos"))
-        EXPECT_TRUE(entry.is_directory() ||
-                    (entry.path().extension() != ".h" && entry.path().extension() != ".cpp"))
-            << entry.path();
+        EXPECT_TRUE(entry.is_directory() || above.contains(entry.path().filename())) << entry.path();
+}
+
+/// Slides, the site and models can be left out of the program (IMPULSE_SLIDES, IMPULSE_MJCF).
+TEST(Layering, WhatMayBeLeftOutIsIncludedUnderItsMacroOnly) {
+    const std::regex include(R"(^#include "demos/(slides|site|mjcf)/)"), macro(R"(^#ifdef (\w+))"),
+        itself("^demos/(slides|site|mjcf)/");
+    int includes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / "demos")) {
+        const std::string path = fs::relative(entry.path(), IMPULSE_SOURCE_DIR);
+        if (entry.is_directory() || std::regex_search(path, itself)) continue;
+        std::ifstream file(entry.path());
+        std::smatch match;
+        std::string under;
+        for (std::string line; std::getline(file, line);) {
+            if (std::regex_search(line, match, macro)) under = match[1];
+            if (startsWith(line, "#e")) under.clear();  // #else, #endif
+            if (!std::regex_search(line, match, include)) continue;
+            EXPECT_EQ(under, match[1] == "mjcf" ? "IMPULSE_HAVE_MJCF" : "IMPULSE_HAVE_SLIDES")
+                << path << ": " << line;
+            ++includes;
+        }
+    }
+    EXPECT_GT(includes, 5);
 }
 
 /// The lines of a fenced block of a README.
