@@ -40,4 +40,13 @@ TEST(TableOfBuilds, NamesBuildsOfTheScript) {
         EXPECT_TRUE(made.count(name)) << name;
 }
 
+// A new library of the engine belongs to the lists of those whose machine code is examined (same_bits.sh).
+TEST(MachineCode, OfEveryLibraryOfTheEngineIsExamined) {
+    const auto libraries = foundIn(fileOfBuilds("../../engine/CMakeLists.txt"), R"(\nengine_library\((\w+))");
+    EXPECT_GT(libraries.size(), 5u);
+    EXPECT_EQ(foundIn(fileOfBuilds("../layering/CMakeLists.txt"), R"(TARGET_FILE:(\w+)>)"), libraries);
+    const std::string run = fileOfBuilds("run"), list = run.substr(run.find("\nENGINE = ["));
+    EXPECT_EQ(foundIn(list.substr(0, list.find(']')), R"re("(\w+)")re"), libraries);
+}
+
 }  // namespace
