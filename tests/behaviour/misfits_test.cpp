@@ -86,13 +86,12 @@ void expectNoGain(int number, const Settings& settings) {
     EXPECT_LT(ring.world.errors().separation, 0.05 * ring.radius + 3.0 * ring.misfit) << number;
 }
 
-TEST(Misfits, NeverGainEnergy) {
+void expectNoGain(const Settings& settings) {
     const int rings = std::getenv("IMPULSE_LONG") ? 300 : 30;
-    for (int number = 0; number < rings; ++number) {
-        expectNoGain(number, Settings::steady());
-        expectNoGain(number, Settings::fast());
-    }
+    for (int number = 0; number < rings; ++number) expectNoGain(number, settings);
 }
+TEST(Misfits, NeverGainEnergyInPresetSteady) { expectNoGain(Settings::steady()); }
+TEST(Misfits, NeverGainEnergyInPresetFast) { expectNoGain(Settings::fast()); }
 
 }  // namespace
 }  // namespace engine
