@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kNoSuchBody = "there is no such body; it was removed or never added";
 constexpr const char* kNoSuchJoint = "there is no such joint; it was removed or never added";
 
-/// As if the caller had placed all bodies anew: what depends on their bounds is found again.
+/// As if the caller had just placed all bodies: what depends on their bounds is found again.
 void placeAll(WorldState& s) {
     for (int i = 0; i < s.bodies.count(); ++i) {
         if (!s.bodies.present[i]) continue;

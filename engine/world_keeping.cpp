@@ -1,5 +1,5 @@
 // World::saveState and restoreState: what is kept of a world, listed once for both directions
-// (base/state_bytes.h). Left out is what every step makes anew (rows, groups, batches), what the
+// (base/state_bytes.h). Left out is what every step computes again (rows, groups, batches), what the
 // caller gives (shapes, settings, functions), and what can be built from the rest (trees of bounds
 // and of joints).
 //
@@ -230,7 +230,7 @@ void keep(Bytes& bytes, JointDrive& drive) {
     }
 }
 
-/// Rows and trees of the joints, unless the next step makes them anew. Which there are follows from
+/// Rows and trees of the joints, unless the next step computes them again. Which there are follows from
 /// the joints; so they are made, and then get their numbers.
 template <class Bytes>
 void keepRows(Bytes& bytes, WorldState& s) {

@@ -14,7 +14,7 @@ public:
     /// Into `map`.
     void draw(const Frame& frame, const View& view, const Meshes& meshes, const GroundMesh& ground,
               DepthMap& map) const;
-    /// Draws these tiles anew over what draw() left; the meshes may lack what is not in them. The
+    /// Draws these tiles again over what draw() left; the meshes may lack what is not in them. The
     /// rectangle around them is read into `map`, which has the size of the last one.
     void drawPart(const TileSet& tiles, const Frame& frame, const View& view,
                   const Meshes& meshes, const GroundMesh& ground, DepthMap& map) const;

@@ -54,7 +54,7 @@ GlRenderbuffer newRenderbuffer(GLenum format, int width, int height);
 GlFramebuffer newFramebuffer(GLuint colorTexture, GLuint depthTexture, GLuint colorBuffer = 0,
                              GLuint depthBuffer = 0, GLuint secondBuffer = 0);
 
-/// Compiles and links two files of render/shaders, given without their endings .vert and .frag.
+/// Compiles and links two files of render/shaders, given without their extensions .vert and .frag.
 /// `defines`: macros defined in both, separated by blanks.
 /// Throws Error with the compiler's first line.
 GlProgram newProgram(const std::string& vertex, const std::string& fragment,

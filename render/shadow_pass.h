@@ -18,7 +18,7 @@ public:
     ShadowFit fitTo(const Frame& frame, const Vec3& toLight) const;
     /// `covered`: texelTiles() where anything is drawn.
     void draw(const ShadowFit& fit, const Meshes& meshes, const TileSet& covered);
-    /// Draws these tiles anew, with the fit of the last drawing; the others are kept. The meshes may
+    /// Draws these tiles again, with the fit of the last drawing; the others are kept. The meshes may
     /// lack what is not there.
     void drawPart(const Meshes& meshes, const TileSet& tiles);
 

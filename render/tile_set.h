@@ -54,16 +54,16 @@ public:
     void addFace(const Vec3* corners, int count, float margin = kMargin);
     /// `u`, `v`, `w`: half axes, m.
     void addBox(const Vec3& middle, const Vec3& u, const Vec3& v, const Vec3& w);
-    /// Adds all tiles that the faces touch, or that lie between them, and begins anew.
+    /// Adds all tiles that the faces touch, or that lie between them, and removes the faces.
     void moveTo(TileSet& set);
-    /// Whether the set has any of these tiles; begins anew.
+    /// Whether the set has any of these tiles; removes the faces.
     bool meet(const TileSet& set);
 
 private:
     struct Extent {
         float low, high;
     };
-    /// Calls visit(x, y) for the tiles until it returns true, and begins anew.
+    /// Calls visit(x, y) for the tiles until it returns true, and removes the faces.
     template <class Visit>
     bool visitTiles(Visit visit);
     void addEdge(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double margin);

@@ -28,7 +28,7 @@ struct BenchOptions : Options {
     bool film = false;    // time drawing instead of steps
     bool phases = false;  // and every phase of the loop
     std::string against;  // an earlier run's JSON lines
-    std::string from;     // a state to go on from; empty: from time 0
+    std::string from;     // a state to continue from; empty: from time 0
 };
 
 /// One scene of an earlier run.
@@ -213,7 +213,7 @@ Run addBench(CLI::App& app) {
                    "compare with the output of an earlier 'impulse bench --json'; default: none")
         ->type_name("FILE");
     app.add_option("--from", options.from,
-                   "go on from a state that 'impulse sim --states' has written, with one scene and "
+                   "continue from a state that 'impulse sim --states' has written, with one scene and "
                    "without --film; default: from time 0")
         ->type_name("FILE");
     addFeedback(app, options);

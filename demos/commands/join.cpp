@@ -38,7 +38,7 @@ struct JoinOptions : Options {
                            fmt::join(parts.troubles, "; ")));
 }
 
-/// --output, or the folder's name with the parts' ending instead of .parts.
+/// --output, or the folder's name with the parts' extension instead of .parts.
 std::string targetOf(const Parts& parts, const JoinOptions& options) {
     const std::string ending = parts.files.front().extension().string();
     if (options.outputs.empty())

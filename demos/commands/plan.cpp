@@ -88,8 +88,8 @@ void sayForecast(const Plan& plan, const PlanOptions& options, const Talk& talk)
                          "the processor time; every part simulates from the start",
                          parts.shards, parts.inParts(), parts.speedUp(), parts.processorRatio()));
     const int pay = parts.partsThatPay();
-    talk.say(fmt::format("up to {} parts pay: with more, a machine is worth less than half of one "
-                         "alone",
+    talk.say(fmt::format("up to {} parts are worthwhile: with more, a machine does less than half of what "
+                         "one does alone",
                          pay));
     talk.say(fmt::format("next: impulse farm slurm {} --shards {}",
                          printable(shellWord(options.scene())), std::min(pay, parts.shards)));
@@ -125,7 +125,7 @@ Run addPlan(CLI::App& app) {
 
 Command planCommand() {
     return {"plan",
-            "predict what a film in parts takes: time, memory, how many parts pay",
+            "predict what a film in parts takes: time, memory, how many parts are worthwhile",
             {"impulse plan wall --shards 16", "impulse plan galton --shards 4 -q high --json",
              "impulse plan wall --shards 8 -j 1"},
             addPlan};

@@ -71,7 +71,7 @@ private:
             talk_.json(fmt::format(R"({{"event":"plot","file":{},"charts":{}}})", jsonString(file),
                                    charts.size()));
         }
-        tellCaptions(files_, options_, talk_);
+        reportCaptions(files_, options_, talk_);
     }
 
     Caption captionOf(const std::vector<Chart>& charts, PictureSize size) const {

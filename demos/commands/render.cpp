@@ -65,6 +65,36 @@ Exit render(const FilmOptions& options) {
     return Exit::ok;
 }
 
+/// The frames that are drawn, by which of several runs.
+void addFrames(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
+    CLI::Option* frames = app.add_option(
+        "--frames", options.frames,
+        "these frames only, with commas: 120..179, 0..-1 (to the last), 0..299:2, 20; default: "
+        "all");
+    frames->type_name("LIST");
+    app.add_option("--shard", texts.shard,
+                   "draw part K of N, for impulse join: PNG frames, or a film in NAME.parts/; what "
+                   "exists is not drawn again; default: the whole film")
+        ->type_name("K/N")
+        ->excludes(frames);
+    app.add_option("--states", options.states,
+                   "a folder with states of 'impulse sim --states': the simulation starts from the "
+                   "last one before the first frame, if one fits; default: from time 0")
+        ->type_name("DIR");
+}
+
+Exit checkAndRender(FilmOptions& options, const OptionTexts& texts) {
+    options.passes = texts.passes;
+    for (const std::string& name : options.passes) checkName("--pass", name, passNames());
+    if (!texts.shard.empty()) options.shard = shardCalled(texts.shard);
+    if (!texts.maxSize.empty()) options.maxSize = bytesFrom(texts.maxSize);
+    if (options.posterTime && options.poster.empty())
+        refuse("--poster-time needs --poster; name a file for the poster");
+    checkTime("--poster-time", options.posterTime);
+    spareScenes(options.scenes, {options.poster, options.captions});
+    return render(options);
+}
+
 Run addRender(CLI::App& app) {
     const auto asked = std::make_shared<Asked<FilmOptions>>();
     auto& options = asked->options;
@@ -85,35 +115,13 @@ Run addRender(CLI::App& app) {
                      "data next to the PNG frames, with commas: depth depth16 normal id flow "
                      "camera poses contacts events; described in passes.json; default: none")
                   ->type_name("NAMES"));
-    CLI::Option* frames = app.add_option(
-        "--frames", options.frames,
-        "these frames only, with commas: 120..179, 0..-1 (to the last), 0..299:2, 20; default: "
-        "all");
-    frames->type_name("LIST");
-    app.add_option("--shard", texts.shard,
-                   "draw part K of N, for impulse join: PNG frames, or a film in NAME.parts/; what "
-                   "exists is not drawn again; default: the whole film")
-        ->type_name("K/N")
-        ->excludes(frames);
-    app.add_option("--states", options.states,
-                   "a folder with states of 'impulse sim --states': the simulation starts from the "
-                   "last one before the first frame, if one fits; default: from time 0")
-        ->type_name("DIR");
+    addFrames(app, options, texts);
     addJobs(app, options);
     app.add_flag("-n,--dry-run", options.dryRun,
                  "print the frames, memory and disk space needed; draw nothing; default: off");
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
-        FilmOptions& given = settled(*asked, commandLine);
-        given.passes = asked->texts.passes;
-        for (const std::string& name : given.passes) checkName("--pass", name, passNames());
-        if (!asked->texts.shard.empty()) given.shard = shardCalled(asked->texts.shard);
-        if (!asked->texts.maxSize.empty()) given.maxSize = bytesFrom(asked->texts.maxSize);
-        if (given.posterTime && given.poster.empty())
-            refuse("--poster-time needs --poster; name a file for the poster");
-        checkTime("--poster-time", given.posterTime);
-        spareScenes(given.scenes, {given.poster, given.captions});
-        return render(given);
+        return checkAndRender(settled(*asked, commandLine), asked->texts);
     };
 }
 

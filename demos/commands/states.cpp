@@ -17,7 +17,7 @@ void addStates(CLI::App& app, StatesOptions& options, Options& picture, OptionTe
                    "and for impulse render --states; default: not written")
         ->type_name("DIR");
     app.add_option("--from", options.from,
-                   "go on from a state, to the same bits; default: from time 0")
+                   "continue from a state, to the same bits; default: from time 0")
         ->type_name("FILE");
     app.add_option("--every", options.every,
                    "write rows and states of every Nth step only; default: rows of every step, "

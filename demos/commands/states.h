@@ -1,4 +1,4 @@
-/// The states that `impulse sim` writes, and the one that it goes on from.
+/// The states that `impulse sim` writes, and the one that it continues from.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -17,7 +17,7 @@ namespace demos {
 
 struct StatesOptions {
     std::string states;  // a folder; empty: not written
-    std::string from;    // a state to go on from; empty: from time 0
+    std::string from;    // a state to continue from; empty: from time 0
     std::optional<int>
         every;  // rows and states of every Nth step; none: every row, a state a second
 };
@@ -33,7 +33,7 @@ public:
     /// asked for.
     const Overlays& overlays() const { return overlays_; }
 
-    /// If a state was named, the player goes on from there. `last`: step with which the run ends.
+    /// If a state was named, the player continues from there. `last`: step with which the run ends.
     /// Throws Stop (usage), render::Error.
     void goOn(long last, Player& player) const;
     /// To be called after every step.

@@ -25,7 +25,7 @@ namespace {
 struct StillOptions : Options {
     std::optional<double> time;  // s
     std::optional<int> frame;    // negative counts from the end
-    std::string from;            // a state to go on from; empty: from time 0
+    std::string from;            // a state to continue from; empty: from time 0
 };
 
 /// The moment of the picture, as a number of steps.
@@ -97,13 +97,13 @@ Exit still(StillOptions options) {
     const Talk talk(options, target == "-");
     const MomentsFigure figure{target, paper, plan, {factsOf(player, plan, seen.back(), paper)}};
     writeMoments(figure, picture, options);
-    tellLeftOut(figure.facts, {plan.picture.width, plan.picture.height}, paper, talk);
+    reportLeftOut(figure.facts, {plan.picture.width, plan.picture.height}, paper, talk);
     const std::string hash = hexText(player.stage().world.hash());
     talk.json(fmt::format(R"({{"event":"done","file":{},"time":{},"state":"{}"}})",
                           jsonString(target), numberText(moment.time), hash));
     talk.say(
         fmt::format("wrote {} (t = {:.3f} s, state {})", printable(target), moment.time, hash));
-    tellCaptions({target}, options, talk);
+    reportCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {}", printable(shellWord(options.scene()))));
     player.stopIfIncident();
     return Exit::ok;
@@ -126,7 +126,7 @@ Run addStill(CLI::App& app) {
         ->type_name("OUT")
         ->expected(1);
     app.add_option("--from", options.from,
-                   "go on from a state that 'impulse sim --states' has written; default: from "
+                   "continue from a state that 'impulse sim --states' has written; default: from "
                    "time 0")
         ->type_name("FILE");
     addSeconds(app, options);

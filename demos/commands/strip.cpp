@@ -110,12 +110,12 @@ Exit strip(const StripOptions& options) {
     const Strip strip = drawStrip(plan, layout, steps, paper);
     writeMoments({target, paper, plan, strip.facts}, strip.image, options);
     const Talk talk(options, target == "-");
-    tellLeftOut(strip.facts, layout.picture, paper, talk);
+    reportLeftOut(strip.facts, layout.picture, paper, talk);
     talk.json(fmt::format(R"({{"event":"done","file":{},"moments":{},"size":[{},{}]}})",
                           jsonString(target), layout.moments, layout.width, layout.height));
     talk.say(fmt::format("wrote {} ({} moments, {}x{})", printable(target), layout.moments,
                          layout.width, layout.height));
-    tellCaptions({target}, options, talk);
+    reportCaptions({target}, options, talk);
     talk.say(fmt::format("next: impulse render {} -o film.mp4",
                          printable(shellWord(options.scene()))));
     if (!strip.incident.empty()) throw Stop(Exit::diverged, strip.incident);

@@ -52,7 +52,7 @@ public:
           run_{options, results_, updateOf(options), {}, nullptr} {
         // What passes within tolerances may still be written again.
         if (options.cache && run_.update != Update::all) run_.cache = &cache_;
-        if (options.shard) verdict_.part = takePart(choice_, options);
+        if (options.shard) verdict_.part = keepPart(choice_, options);
         for (const ChosenScene& scene : choice_.scenes)
             checkApart(scene.name, scene.folder, results_);
     }
@@ -114,7 +114,7 @@ private:
         cache_.remove(scene.name);
         verdict_.scenes.push_back(result.ended ? received(result.text)
                                                : crashed(scene, result.text));
-        tellOfScene(verdict_.scenes.back(), talk_);
+        reportScene(verdict_.scenes.back(), talk_);
     }
 
     /// The verdict that `tested` sent; a scene that passed goes into the cache.
@@ -142,16 +142,7 @@ private:
 
 Exit test(const TestOptions& options) { return Test(options).play(); }
 
-Run addTest(CLI::App& app) {
-    const auto asked = std::make_shared<Asked<TestOptions>>();
-    auto& options = asked->options;
-    auto& texts = asked->texts;
-    addSceneChoice(app, options, texts);
-    app.get_option("scene")
-        ->expected(0, kMostScenes)
-        ->required(false)
-        ->description(
-            "built-in scenes, scene files or folders of them; default: all built-in ones");
+void addTestFiles(CLI::App& app, TestOptions& options) {
     app.add_option("--baselines", options.baselines,
                    "the folder of all NAME.snapshots; default: next to each scene file, and "
                    "snapshots/ for built-in scenes")
@@ -164,6 +155,9 @@ Run addTest(CLI::App& app) {
                    "also write the result with its pictures as Markdown, for the page of a job; "
                    "what $GITHUB_STEP_SUMMARY has already is kept")
         ->type_name("FILE");
+}
+
+void addTestKinds(CLI::App& app, TestOptions& options, OptionTexts& texts) {
     app.add_option("--update", options.update,
                    "which baselines to write: missing, changed (and missing), all or none; "
                    "default: missing, or none if CI=true; with none, a missing baseline fails")
@@ -175,7 +169,9 @@ Run addTest(CLI::App& app) {
     app.add_option("--size", texts.size,
                    "pixels, 1..16384 a side; default: the scene's [snapshot] size")
         ->type_name("WxH");
-    addRenderer(app, options);
+}
+
+void addTestParts(CLI::App& app, TestOptions& options, OptionTexts& texts) {
     app.add_option("--shard", texts.shard,
                    "test every N-th scene from the K-th on, with results in OUTPUT.parts/; "
                    "default: all scenes")
@@ -186,18 +182,37 @@ Run addTest(CLI::App& app) {
     app.add_flag("-n,--dry-run", options.dryRun, "only list the scenes; default: off");
     app.add_option("-j,--jobs", options.jobs, "scenes at a time; default: 0, one per core")
         ->type_name("N");
+}
+
+Exit checkAndTest(TestOptions& options, const OptionTexts& texts) {
+    if (!options.update.empty())
+        checkName("--update", options.update, {"missing", "changed", "all", "none"});
+    if (!options.summary.empty() && options.selfTest)
+        refuse("--summary: a self-test has no verdict on scenes; leave it out");
+    if (!texts.shard.empty()) options.shard = shardCalled(texts.shard);
+    if ((options.selfTest || options.merge) && options.shard)
+        refuse("--shard is for a test; leave --self-test and --merge out");
+    if (options.merge) return mergeTest(options);
+    return options.selfTest ? selfTest(options) : test(options);
+}
+
+Run addTest(CLI::App& app) {
+    const auto asked = std::make_shared<Asked<TestOptions>>();
+    auto& options = asked->options;
+    auto& texts = asked->texts;
+    addSceneChoice(app, options, texts);
+    app.get_option("scene")
+        ->expected(0, kMostScenes)
+        ->required(false)
+        ->description(
+            "built-in scenes, scene files or folders of them; default: all built-in ones");
+    addTestFiles(app, options);
+    addTestKinds(app, options, texts);
+    addRenderer(app, options);
+    addTestParts(app, options, texts);
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
-        TestOptions& given = settled(*asked, commandLine);
-        if (!given.update.empty())
-            checkName("--update", given.update, {"missing", "changed", "all", "none"});
-        if (!given.summary.empty() && given.selfTest)
-            refuse("--summary: a self-test has no verdict on scenes; leave it out");
-        if (!asked->texts.shard.empty()) given.shard = shardCalled(asked->texts.shard);
-        if ((given.selfTest || given.merge) && given.shard)
-            refuse("--shard is for a test; leave --self-test and --merge out");
-        if (given.merge) return mergeTest(given);
-        return given.selfTest ? selfTest(given) : test(given);
+        return checkAndTest(settled(*asked, commandLine), asked->texts);
     };
 }
 

@@ -66,7 +66,7 @@ Exit mergeTest(const TestOptions& options) {
     for (const std::size_t i : review.good) good.push_back(&parts[i]);
     const TestVerdict verdict = mergedVerdict(good, results);
     talk.json(fmt::format(R"({{"event":"start","scenes":{}}})", verdict.scenes.size()));
-    for (const SceneVerdict& scene : verdict.scenes) tellOfScene(scene, talk);
+    for (const SceneVerdict& scene : verdict.scenes) reportScene(scene, talk);
     TestOptions own = options;
     own.overrides = good.front()->report->part->settings;
     return finishTest(verdict, own, results, talk);

@@ -42,7 +42,7 @@ void checkApart(const std::string& name, const fs::path& folder, const fs::path&
                                printable(results.string())));
 }
 
-void tellOfScene(const SceneVerdict& scene, const Talk& talk) {
+void reportScene(const SceneVerdict& scene, const Talk& talk) {
     nlohmann::ordered_json event = jsonOf(scene);
     event["event"] = "scene";
     talk.json(event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

@@ -18,7 +18,7 @@ void checkApart(const std::string& name, const std::filesystem::path& folder,
                 const std::filesystem::path& results);
 
 /// A scene's lines; failures are reported even with --quiet, on standard error.
-void tellOfScene(const SceneVerdict& scene, const Talk& talk);
+void reportScene(const SceneVerdict& scene, const Talk& talk);
 
 /// Writes the report and its summary. Returns `failed` if a scene failed.
 Exit finishTest(const TestVerdict& verdict, const TestOptions& options,

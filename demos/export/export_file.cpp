@@ -23,7 +23,7 @@ ExportFile fileOf(const std::string& name) {
     if (name.find('\0') != std::string::npos) refuseOutput(name, "a name cannot contain NUL");
     for (const auto& [ending, kind] : kEndings)
         if (name.ends_with(ending)) return {kind, name};
-    refuseOutput(name, "the ending says what is written; known are: .glb .csv .npz .json .html");
+    refuseOutput(name, "the file extension selects the format; known are: .glb .csv .npz .json .html");
 }
 
 /// Refuses to overwrite a file that the scene reads.

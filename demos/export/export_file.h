@@ -1,4 +1,4 @@
-/// The files of an export: the ending of a name selects the format.
+/// The files of an export: the extension of a name selects the format.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -71,7 +71,7 @@ void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& 
         if (picture.file == "-") writeResult("-", picture.bytes);
 }
 
-void tellCaptions(const std::vector<std::string>& pictures, const Options& options,
+void reportCaptions(const std::vector<std::string>& pictures, const Options& options,
                   const Talk& talk) {
     for (const std::string& file : captionFiles(pictures, options)) {
         talk.say(fmt::format("wrote {}", printable(file)));

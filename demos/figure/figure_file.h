@@ -32,7 +32,7 @@ void writeFigure(const std::vector<FigurePicture>& pictures, const std::string& 
                  const Options& options, render::Existing existing);
 
 /// Prints a line for every caption that was written.
-void tellCaptions(const std::vector<std::string>& pictures, const Options& options,
+void reportCaptions(const std::vector<std::string>& pictures, const Options& options,
                   const Talk& talk);
 
 }  // namespace demos

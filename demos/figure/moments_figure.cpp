@@ -41,7 +41,7 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
                 existingFiles(options.overwrite));
 }
 
-void tellLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
+void reportLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
                  const Talk& talk) {
     const std::vector<std::string> names = leftOut(facts);
     if (names.empty()) return;

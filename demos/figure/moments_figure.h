@@ -24,7 +24,7 @@ void writeMoments(const MomentsFigure& figure, const render::Image& picture,
                   const Options& options);
 
 /// Reports on standard error what has no room in a figure, where letters do not shrink.
-void tellLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
+void reportLeftOut(const std::vector<PictureFacts>& facts, PictureSize picture, const Paper& paper,
                  const Talk& talk);
 
 }  // namespace demos

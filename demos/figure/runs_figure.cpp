@@ -182,8 +182,8 @@ void RunsFigure::writePictures(const std::vector<Chart>& charts, const Talk& tal
                           jsonString(target_), numberText(panels_->time), size.width, size.height));
     talk.say(fmt::format("wrote {} ({} pictures, t = {:.3f} s, {}x{})", printable(target_),
                          drawn.facts.size(), panels_->time, size.width, size.height));
-    tellLeftOut(drawn.facts, panels_->layout.picture, panels_->paper, talk);
-    tellCaptions({target_}, options_, talk);
+    reportLeftOut(drawn.facts, panels_->layout.picture, panels_->paper, talk);
+    reportCaptions({target_}, options_, talk);
 }
 
 void RunsFigure::writeChart(const std::vector<Chart>& charts, const Talk& talk) const {
@@ -204,7 +204,7 @@ void RunsFigure::writeChart(const std::vector<Chart>& charts, const Talk& talk) 
     writeFigure({{options_.plot, chartBytes(options_.plot, charts, size, theme, paper)}},
                 caption.text(), chartOptions_, existingPlots({options_.plot}, chartOptions_));
     talk.say(fmt::format("wrote {}", printable(options_.plot)));
-    tellCaptions({options_.plot}, chartOptions_, talk);
+    reportCaptions({options_.plot}, chartOptions_, talk);
 }
 
 }  // namespace demos

@@ -60,7 +60,7 @@ Output outputOf(const FilmPlan& plan, const std::string& pattern) {
     const bool folder = ending.empty() || pattern.ends_with('/') || fs::is_directory(pattern);
     if (!folder)
         refuseOutput(pattern,
-                     fmt::format("the ending '{}' is not known; known are: .png .mp4 .webm "
+                     fmt::format("the file extension '{}' is not supported; known are: .png .mp4 .webm "
                                  ".gif .webp .apng, none for a folder",
                                  printable(ending)));
     return framesOutput(plan, (fs::path(pattern) / "frame_{frame:6}.png").string());

@@ -44,7 +44,7 @@ const char* oddness(const PartKind& kind, const PartKind& usual) {
 std::string troubleOf(const PartSeen* part, const PartKind& usual) {
     if (!part) return "missing";
     if (part->readable && kindOf(*part) != usual) return oddness(kindOf(*part), usual);
-    return part->readable && part->whole ? "" : "torn or not finished";
+    return part->readable && part->whole ? "" : "damaged or incomplete";
 }
 
 /// Index of each part by its number, from 1; no index: missing.

@@ -110,7 +110,7 @@ FoundPart stateOfPart(const fs::path& film, const RunRecord& record) {
     const std::optional<RunRecord> old = recordAt(fs::path(film).replace_extension(".json"));
     if (!old) return {};
     if (old->fingerprint != record.fingerprint) return {PartState::another, {}};
-    if (!old->finished || hashOf(film) != old->film) return {PartState::torn, {}};
+    if (!old->finished || hashOf(film) != old->film) return {PartState::damaged, {}};
     return {PartState::done, old->incident};
 }
 

@@ -11,7 +11,7 @@
 
 namespace demos {
 
-enum class PartState { missing, another, torn, done };
+enum class PartState { missing, another, damaged, done };
 
 struct FoundPart {
     PartState state = PartState::missing;

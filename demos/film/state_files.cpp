@@ -107,7 +107,7 @@ StateContent contentOfState(const fs::path& file) {
     const bool whole = told == sealOf(sealed);
     if (whole) content.keep(reader);
     if (!whole || !reader.isGood())
-        fail("is torn or damaged: its bytes do not have the hash that seals them");
+        fail("is truncated or damaged: its hash does not match its content");
     content.state.start = bytes.size() - reader.left().size();
     content.state.file = std::move(bytes);
     return content;
@@ -131,7 +131,7 @@ std::string objectionTo(const StateContent& content, const StateKind& kind,
             printable(kind.scene), hexText(its.settings), hexText(kind.settings));
     const std::string missing = missingFrom(content.remembered, Remembered(overlays));
     if (missing.empty()) return {};
-    return fmt::format("does not remember what pictures with {} show; write it with that option",
+    return fmt::format("lacks what pictures with {} show; write it with that option",
                        missing);
 }
 

@@ -1,4 +1,4 @@
-/// Files with the state of a run: DIR/000240.state, after step 240. Another run goes on from there,
+/// Files with the state of a run: DIR/000240.state, after step 240. Another run continues from there,
 /// to the same bits. A file belongs to one build of the program and one scene with its settings; a
 /// hash seals it.
 #pragma once
@@ -41,11 +41,11 @@ void writeState(const std::filesystem::path& folder, const StateKind& kind,
                 std::vector<std::uint8_t>& memory);
 
 /// Throws render::Error if it is no whole state, Stop (usage) if it is of another program or scene,
-/// or does not remember what these overlays show; both are named.
+/// or lacks what these overlays show; both are named.
 ReadState readState(const std::filesystem::path& file, const StateKind& kind,
                     const Overlays& overlays);
 
-/// readState, and the player goes on from there. Returns the step.
+/// readState, and the player continues from there. Returns the step.
 long long goOnFrom(const std::filesystem::path& file, const StateKind& kind,
                    const Overlays& overlays, Player& player);
 

@@ -50,7 +50,7 @@ PlotChoice plotChoiceOf(const Options& options, const std::vector<std::string>& 
 void checkChartFile(const std::string& file) {
     if (!file.ends_with(".png") && !file.ends_with(".svg"))
         throw Stop(Exit::usage,
-                   fmt::format("plot '{}': unknown ending; use .svg or .png", printable(file)));
+                   fmt::format("plot '{}': unknown file extension; use .svg or .png", printable(file)));
     render::checkReplaceable(file);
 }
 

@@ -26,7 +26,7 @@ PlotChoice plotChoiceOf(const Options& options, const std::vector<std::string>& 
 /// not an ordinary file.
 void checkChartFile(const std::string& file);
 
-/// The content of the file, by its ending. Throws Stop (usage) if a .png would be too large.
+/// The content of the file, by its extension. Throws Stop (usage) if a .png would be too large.
 std::vector<std::uint8_t> chartBytes(const std::string& file, const std::vector<Chart>& charts,
                                      PictureSize size, const std::string& theme,
                                      const Paper& paper = {});

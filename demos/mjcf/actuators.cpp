@@ -42,7 +42,7 @@ public:
     void add(const Known& joints, const Known& free, const Known& tendons, Actuation& actuation) {
         const char* key = own_.has("joint") ? "joint" : "jointinparent";
         if (own_.has(key) && free.contains(own_.text(key)))
-            return own_.note("", "an actuator of a free joint is not available; left out");
+            return own_.note("", "an actuator of a free joint is not supported; left out");
         if (own_.has(key)) return add(key, joints, actuation.joints);
         if (own_.has("tendon")) add("tendon", tendons, actuation.tendons);
     }
@@ -74,7 +74,7 @@ private:
         const bool dynamic = kind_ == "general" && !type.empty() && type != "none";
         if (dynamic)
             own_.note("", "an actuator with activation dynamics (dyntype " +
-                              type.substr(0, 40) + ") is not available; left out");
+                              type.substr(0, 40) + ") is not supported; left out");
         return dynamic;
     }
 
@@ -121,7 +121,7 @@ private:
         const std::string word = says.has(type) ? says.text(type) : words.front();
         if (word != words[0] && word != words[1])
             return own_.note("", std::string(type) + " " + word.substr(0, 40) +
-                                     " of an actuator is not available; replaced by " + words[0]);
+                                     " of an actuator is not supported; replaced by " + words[0]);
         const auto given = saying(name).numbers(name, 1, 10, kAny);
         const bool counts = word != "none";
         const std::size_t most = word == "affine" ? 3 : 1;
@@ -136,7 +136,7 @@ private:
             force.constant = engine::clamped(force.constant, (*limits)[0], (*limits)[1]);
         else
             own_.note("forcerange", "forcerange of an actuator whose force is not constant is "
-                                    "not available; left out");
+                                    "not supported; left out");
         return force;
     }
 

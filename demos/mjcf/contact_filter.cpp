@@ -76,7 +76,7 @@ public:
         if (a == kNone || b == kNone || a == b) return;
         if (a == kWorld || b == kWorld)
             return attributes.note("",
-                                   "<exclude> with a <body> that stands still is not available; "
+                                   "<exclude> with a <body> that stands still is not supported; "
                                    "left out");
         BodyDescription& one = bodyOf(a);
         BodyDescription& other = bodyOf(b);

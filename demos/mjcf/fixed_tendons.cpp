@@ -31,7 +31,7 @@ public:
         if (!force.isConstant() && joints_.size() > 1)
             return attributes_.note("", "a <fixed> tendon of several joints with a spring, a "
                                         "damper or an actuator whose force depends on it is not "
-                                        "available; left out");
+                                        "supported; left out");
         for (const Pulled& pulled : joints_)
             if (force.constant != 0.0 || !force.isConstant())
                 actuation.joints[pulled.joint] += force.geared(pulled.coefficient);
@@ -70,17 +70,17 @@ private:
         if (given && given->front() >= 0.0) rest = given->front();
         if (stiffness > 0.0 && given && given->size() > 1 && (*given)[1] != given->front())
             attributes_.note("springlength", "a springlength of two different numbers is not "
-                                             "available; the first is used");
+                                             "supported; the first is used");
         return {stiffness * rest, stiffness, damping};
     }
 
     void tellOfRest() {
         for (const char* name : {"frictionloss", "armature"})
             if (attributes_.number(name, kStrength).value_or(0.0) > 0.0)
-                attributes_.note(name, std::string(name) + " of a <fixed> tendon is not available; "
+                attributes_.note(name, std::string(name) + " of a <fixed> tendon is not supported; "
                                                            "left out");
         if (isLimited(attributes_, "limited", "range", context_.rules.autoLimits))
-            attributes_.note("range", "range of a <fixed> tendon is not available; left out");
+            attributes_.note("range", "range of a <fixed> tendon is not supported; left out");
     }
 
     Attributes attributes_;

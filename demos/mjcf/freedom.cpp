@@ -26,7 +26,7 @@ void actAlong(Attributes& attributes, AffineForce force, double rest, double ref
     force += own;
     if (force.stiffness < 0.0 || force.resistance < 0.0)
         return attributes.note("", "an actuator that makes stiffness or damping negative is "
-                                   "not available; left out");
+                                   "not supported; left out");
     freedom.spring.stiffness = force.stiffness;
     freedom.spring.resistance = force.resistance;
     if (force.stiffness > 0.0) {
@@ -34,7 +34,7 @@ void actAlong(Attributes& attributes, AffineForce force, double rest, double ref
     } else if (force.constant != 0.0) {
         if (freedom.motor.isOn())
             attributes.note("frictionloss", "frictionloss with the constant force of an actuator "
-                                            "is not available; left out");
+                                            "is not supported; left out");
         freedom.motor = {std::copysign(kOutOfReach, force.constant), std::abs(force.constant)};
     }
 }

@@ -45,7 +45,7 @@ private:
     bool readShape() {
         if (geom_.type == "hfield" || geom_.type == "sdf") {
             attributes_.note("type",
-                             "a <geom> of type " + geom_.type + " is not available; left out");
+                             "a <geom> of type " + geom_.type + " is not supported; left out");
             return false;
         }
         geom_.pose = readPose(attributes_, context_.rules.angles);

@@ -83,12 +83,12 @@ private:
         for (const char* name : {"stiffness", "damping", "frictionloss", "armature"})
             if (attributes_.number(name, kStrength).value_or(0.0) > 0.0)
                 attributes_.note(name,
-                                 std::string(name) + " of a ball joint is not available; left out");
+                                 std::string(name) + " of a ball joint is not supported; left out");
         if (forces_.contains(joint_.name))
-            attributes_.note("", "an actuator of a ball joint is not available; left out");
+            attributes_.note("", "an actuator of a ball joint is not supported; left out");
         attributes_.numbers("range", 2, 2, kCoordinate);
         if (isLimited())
-            attributes_.note("range", "range of a ball joint is not available; left out");
+            attributes_.note("range", "range of a ball joint is not supported; left out");
     }
 
     Attributes attributes_;

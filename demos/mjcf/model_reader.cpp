@@ -40,7 +40,7 @@ void build(const Element& root, const fs::path& folder, const FileReader& read,
         diagnostics.wrong(
             root.spot,
             "the model has no <geom>; give it some" +
-                (tree.lacking.empty() ? "" : ": its <" + tree.lacking + "> is not available"));
+                (tree.lacking.empty() ? "" : ": its <" + tree.lacking + "> is not supported"));
     scene.camera = readView(root, defaults, scene);
     stopIfWrong(diagnostics);
 }

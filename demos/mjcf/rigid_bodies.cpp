@@ -66,7 +66,7 @@ public:
                 link.spot,
                 "a <body> with a joint has no mass to move, or no inertia (mass " +
                     numberText(whole.mass) + " kg); it should have <geom>s, or an <inertial>" +
-                    (link.lacking.empty() ? "" : ": its <" + link.lacking + "> is not available"));
+                    (link.lacking.empty() ? "" : ": its <" + link.lacking + "> is not supported"));
         BodyDescription body;
         body.def.mass = whole.mass;
         const std::vector<const Geom*> solid = solidOf(link);

@@ -21,7 +21,7 @@ public:
     void add(const Actuation& actuation, SceneDescription& scene, Names& names) {
         if (!isStraight())
             return attributes_.note("", "a <spatial> tendon that is not straight between two "
-                                        "<site>s is not available; left out");
+                                        "<site>s is not supported; left out");
         const int before = context_.diagnostics.errors();
         const Whereabouts a = siteOf(element_.children.front());
         const Whereabouts b = siteOf(element_.children.back());
@@ -63,7 +63,7 @@ private:
         const bool atStart = !given || given->front() < 0.0;
         if (given && given->size() > 1 && (*given)[1] != given->front())
             attributes_.note("springlength", "a springlength of two different numbers is not "
-                                             "available; the first is used");
+                                             "supported; the first is used");
         actAlong(attributes_, force, atStart ? now : given->front(), 0.0, freedom);
         const auto range = attributes_.numbers("range", 2, 2, kLength);
         if (!isLimited(attributes_, "limited", "range", context_.rules.autoLimits)) return freedom;

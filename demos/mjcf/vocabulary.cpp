@@ -284,7 +284,7 @@ private:
                         child.spot,
                         "<" + child.name + ">" +
                             (around.name == "mujoco" ? "" : " in <" + around.name + ">") +
-                            " is not available; left out");
+                            " is not supported; left out");
         }
     }
 
@@ -309,7 +309,7 @@ private:
                 equals == word.size() || !saysTheSame(attribute.value, word.substr(equals + 1));
             if (changes)
                 diagnostics_.note(attribute.spot,
-                                  "<" + element.name + " " + name + "> is not available; left out");
+                                  "<" + element.name + " " + name + "> is not supported; left out");
             return;
         }
         diagnostics_.wrong(attribute.spot, "unknown attribute '" + name.substr(0, 64) + "' of <" +

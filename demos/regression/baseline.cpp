@@ -78,7 +78,7 @@ Baseline baselineOf(const Json& json) {
                                      fromHex(picture.at("state").get<std::string>()).value(),
                                      fromHex(picture.at("png").get<std::string>()).value()});
     if (json.contains("inputs"))
-        baseline.inputs = unpackedInputs(json["inputs"].get<std::string>());
+        baseline.inputs = inflatedInputs(json["inputs"].get<std::string>());
     json.at("course").get_to(baseline.trajectoryText);
     baseline.trajectory = trajectoryFrom(baseline.trajectoryText);
     for (const Json& incident : json.value("incidents", Json::array()))
@@ -99,7 +99,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
     if (!baseline.home.empty()) json["home"] = baseline.home;
     Json& settings = json["settings"] = Json::object();
     for (const auto& [key, value] : baseline.settings) settings[key] = value;
-    if (!baseline.inputs.empty()) json["inputs"] = packedInputs(baseline.inputs);
+    if (!baseline.inputs.empty()) json["inputs"] = deflatedInputs(baseline.inputs);
     json["pictures"] = picturesJson(baseline);
     json["course"] = trajectoryText(baseline, tolerance);
     if (!baseline.incidents.empty()) json["incidents"] = incidentsJson(baseline);

@@ -126,14 +126,14 @@ std::vector<SettingChange> changesBetween(const Baseline& baseline, const Baseli
     return changes;
 }
 
-std::string packedInputs(const Settings& inputs) {
+std::string deflatedInputs(const Settings& inputs) {
     std::string text;
     for (const auto& [key, value] : inputs) text += key + "\t" + value + "\n";
     if (text.size() > kMostInputs) text = "all values\t" + hexText(hashOf(text)) + "\n";
     return toBase64(deflated({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
 }
 
-Settings unpackedInputs(const std::string& packed) {
+Settings inflatedInputs(const std::string& packed) {
     const std::optional<std::string> bytes = fromBase64(packed);
     if (!bytes) throw std::invalid_argument("base64");
     const auto plain = inflated(

@@ -23,8 +23,8 @@ std::vector<SettingChange> changedInputs(const Settings& baseline, const Setting
 std::vector<SettingChange> changesBetween(const Baseline& baseline, const Baseline& actual);
 
 /// For baseline.json.
-std::string packedInputs(const Settings& inputs);
+std::string deflatedInputs(const Settings& inputs);
 /// Throws std::invalid_argument.
-Settings unpackedInputs(const std::string& packed);
+Settings inflatedInputs(const std::string& packed);
 
 }  // namespace demos

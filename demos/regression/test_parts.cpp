@@ -107,7 +107,7 @@ fs::path folderOfParts(const fs::path& results) {
     return folder += ".parts";
 }
 
-TestPart takePart(SceneChoice& choice, const TestOptions& options) {
+TestPart keepPart(SceneChoice& choice, const TestOptions& options) {
     checkShard(*options.shard, choice.scenes.size(), "scenes");
     TestPart part{*options.shard, static_cast<int>(choice.scenes.size()),
                   hashOfRun(choice, options), programName(), options.overrides};

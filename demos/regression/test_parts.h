@@ -17,7 +17,7 @@ std::filesystem::path folderOfPart(const std::filesystem::path& results, const S
 
 /// Leaves the scenes of options.shard in `choice`, and describes the part. Throws Stop (usage) if
 /// there are more parts than scenes.
-TestPart takePart(SceneChoice& choice, const TestOptions& options);
+TestPart keepPart(SceneChoice& choice, const TestOptions& options);
 
 /// The report of a part, and where it is.
 struct FoundTestPart {

@@ -19,6 +19,6 @@ struct IndexedPart {
 std::optional<IndexedPart> indexedPart(const std::string& part);
 
 /// The whole text as a number that counts from 0; nothing if it is none.
-std::optional<std::size_t> countedNumber(std::string_view text);
+std::optional<std::size_t> indexNumber(std::string_view text);
 
 }  // namespace demos

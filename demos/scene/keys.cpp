@@ -113,8 +113,8 @@ Place Keys::placeOf(std::string_view key) const {
 }
 
 void Keys::complain(std::string_view key, const std::string& what) {
-    const bool told = table_.kind != Value::Kind::table;  // reported already: it is not a table
-    if (!told) complaints_.add(placeOf(key), what);
+    const bool reported = table_.kind != Value::Kind::table;  // reported already: it is not a table
+    if (!reported) complaints_.add(placeOf(key), what);
 }
 
 void Keys::complainOf(std::string_view key, const std::string& what, std::size_t item) {
@@ -132,26 +132,26 @@ void Keys::wrong(const Value& value, std::string_view key, const std::string& ri
 }
 
 std::optional<double> Keys::numberIn(const Value& value, std::string_view key, const Range& range,
-                                     bool& told) {
+                                     bool& reported) {
     if (value.isNumber()) return value.real;
     if (value.kind != Value::Kind::text) return std::nullopt;
     const Evaluated result = scope_->expressions->evaluate(value.text, scope_->turns);
-    told = !result.value;
+    reported = !result.value;
     if (result.unit)
         wrong(value, key,
               std::string("the number alone, in ") + (*range.unit ? range.unit : "SI units"));
-    else if (told)
+    else if (reported)
         complaints_.add(value.place,
                         std::string(key) + " is " + describe(value) + ": " + result.wrong);
     return result.value;
 }
 
 std::optional<double> Keys::checked(const Value& value, std::string_view key, Range range) {
-    bool told = false;
-    const std::optional<double> x = numberIn(value, key, range, told);
+    bool reported = false;
+    const std::optional<double> x = numberIn(value, key, range, reported);
     if (x && std::isfinite(*x) && *x >= range.low && *x <= range.high)
         return *x + 0.0;  // -0 becomes +0
-    if (!told) wrong(value, key, rangeText(range, "a number"), x);
+    if (!reported) wrong(value, key, rangeText(range, "a number"), x);
     return std::nullopt;
 }
 
@@ -163,12 +163,12 @@ std::optional<double> Keys::number(std::string_view key, Range range) {
 std::optional<std::int64_t> Keys::large(std::string_view key, Range range) {
     const Value* value = ask(key, {Form::Kind::whole, range});
     if (!value) return std::nullopt;
-    bool told = false;
-    const std::optional<double> x = numberIn(*value, key, range, told);
+    bool reported = false;
+    const std::optional<double> x = numberIn(*value, key, range, reported);
     // 60.0 in the file does not count as whole, but the result of an expression is always a double.
     const bool whole = value->kind != Value::Kind::real && x && *x == std::floor(*x);
     if (whole && *x >= range.low && *x <= range.high) return static_cast<std::int64_t>(*x);
-    if (!told) wrong(*value, key, wholeText(range), x);
+    if (!reported) wrong(*value, key, wholeText(range), x);
     return std::nullopt;
 }
 
@@ -275,7 +275,7 @@ std::optional<std::string> Keys::word(std::string_view key, const std::vector<st
         if (std::find(words.begin(), words.end(), value->text) != words.end()) return value->text;
         if (std::find(later.begin(), later.end(), value->text) != later.end()) {
             complaints_.add(value->place, std::string(key) + " \"" + value->text +
-                                              "\" is not available yet; use " + anyOf(words));
+                                              "\" is not supported yet; use " + anyOf(words));
             return std::nullopt;
         }
     }
@@ -332,7 +332,7 @@ void Keys::done() {
         if (holds(known_, key.name)) continue;
         if (holds(later_, key.name)) {
             complaints_.add(key.place, "'" + key.name + "' in " + where_ +
-                                           " is not available yet; leave it out");
+                                           " is not supported yet; leave it out");
             continue;
         }
         std::string what = "unknown key '" + shown(key.name) + "' in " + where_;

@@ -69,9 +69,9 @@ private:
     const Value* ask(std::string_view key, const Form& form);
     /// What an unknown key may have meant, as the end of a sentence.
     std::string meant(const std::string& key) const;
-    /// The number, or the result of its expression. `told`: an error was reported here.
+    /// The number, or the result of its expression. `reported`: an error was reported here.
     std::optional<double> numberIn(const Value& value, std::string_view key, const Range& range,
-                                   bool& told);
+                                   bool& reported);
     std::optional<double> checked(const Value& value, std::string_view key, Range range);
     std::optional<Vec3> checkedVector(const Value& value, std::string_view key, Range range);
     void wrong(const Value& value, std::string_view key, const std::string& right,

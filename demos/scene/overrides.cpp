@@ -63,7 +63,7 @@ bool isRepeated(const Value& document, const std::string& name) {
 std::string noItem(const Value& document, const std::string& list, const Value& items,
                    const std::string& part) {
     const std::string what = "there is no '" + shown(part) + "' in [[" + shown(list) + "]]";
-    if (countedNumber(part))
+    if (indexNumber(part))
         return what + "; it has " + plural(items.items.size(), "table") + ", counted from 0";
     const std::string stem = part.substr(0, part.find_last_not_of("0123456789") + 1);
     if (list != "repeat" && isRepeated(document, part) && !stem.empty())
@@ -74,7 +74,7 @@ std::string noItem(const Value& document, const std::string& list, const Value& 
 
 /// The item of a list with this number or name; null if there is none.
 Value* listItem(Value& list, const std::string& part) {
-    if (const std::optional<std::size_t> number = countedNumber(part))
+    if (const std::optional<std::size_t> number = indexNumber(part))
         return *number < list.items.size() ? &list.items[*number] : nullptr;
     for (Value& item : list.items)
         if (holdsCalled(item, part)) return &item;
@@ -126,7 +126,7 @@ Setting settingAt(const std::vector<std::string>& path, Place place, Value& docu
         auto missing = part;
         if (around.kind == Value::Kind::table) {
             const bool known = around.find(*part) != nullptr;
-            if (!known) missing = std::find_if(part, path.end(), countedNumber);
+            if (!known) missing = std::find_if(part, path.end(), indexNumber);
             if (known || missing == path.end()) {
                 at.value = memberOf(around, *part, place);
                 at.key = &around.keys[static_cast<std::size_t>(at.value - around.items.data())];

@@ -118,7 +118,7 @@ std::vector<std::string> catalogScene(std::string_view text, const std::string& 
 std::string sceneNameOf(const fs::path& file) {
     const std::string name = file.stem().string();
     if (name == "." || name == "..")
-        fail(file.string() + ": its name without the ending is '" + name +
+        fail(file.string() + ": its name without the extension is '" + name +
              "', which is the name of a folder; rename it");
     return name;
 }

@@ -55,8 +55,8 @@ Repeat readRepeat(const Value& table, const Scope& scope, Complaints& complaints
         keys.complain("repeat",
                       "[[repeat]]s can be nested at most three deep: there are only i, j "
                       "and k");
-    const bool told = complaints.count() > before;  // an error in what it holds
-    if (!told && r.bodies.empty() && r.joints.empty() && r.forces.empty() && r.inner.empty())
+    const bool reported = complaints.count() > before;  // an error in what it holds
+    if (!reported && r.bodies.empty() && r.joints.empty() && r.forces.empty() && r.inner.empty())
         complaints.add(table.place,
                        "an empty [[repeat]]; give it a body, a joint, a force or a repeat");
     keys.done();

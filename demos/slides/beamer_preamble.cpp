@@ -250,7 +250,7 @@ std::string declarationsFor(std::string_view body) {
     std::map<char32_t, std::string> declarations;
     while (!body.empty()) {
         const std::string_view before = body;
-        const char32_t letter = takeCharacter(body);
+        const char32_t letter = popCharacter(body);
         if (letter >= 0x80)
             declarations.try_emplace(
                 letter, declarationOf(letter, before.substr(0, before.size() - body.size())));

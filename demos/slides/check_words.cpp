@@ -62,11 +62,11 @@ bool isLatexEscape(char c) { return c == '\b' || c == '\f'; }
 
 class WordsCheck {
 public:
-    WordsCheck(const TomlPosition& written, Complaints& complaints)
-        : written_(written), complaints_(complaints) {}
+    WordsCheck(const TomlPosition& position, Complaints& complaints)
+        : position_(position), complaints_(complaints) {}
 
     void complain(std::size_t byte, const std::string& what) {
-        complaints_.add(placeIn(written_, byte), what);
+        complaints_.add(placeIn(position_, byte), what);
     }
 
     bool isText(const std::string& text) {
@@ -78,7 +78,7 @@ public:
         const auto control = std::find_if(text.begin(), text.end(), isControl);
         if (control == text.end()) return true;
         const auto byte = static_cast<std::size_t>(control - text.begin());
-        complain(byte, isEscape(written_, byte) && isLatexEscape(*control)
+        complain(byte, isEscape(position_, byte) && isLatexEscape(*control)
                            ? "a control byte" + std::string(kLostBackslash)
                            : "a control byte; take it out");
         return false;
@@ -105,7 +105,7 @@ public:
     bool keepsBackslashes(const std::string& text, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const char c = text[i];
-            if ((c != '\t' && c != '\n' && c != '\r') || !isEscape(written_, i)) continue;
+            if ((c != '\t' && c != '\n' && c != '\r') || !isEscape(position_, i)) continue;
             complain(i, (c == '\t' ? "a tab" : "a line break") + std::string(" in a formula") +
                             kLostBackslash);
             return false;
@@ -132,15 +132,15 @@ public:
     }
 
 private:
-    const TomlPosition& written_;
+    const TomlPosition& position_;
     Complaints& complaints_;
 };
 
 }  // namespace
 
-void checkWords(const std::string& words, const TomlPosition& written,
+void checkWords(const std::string& words, const TomlPosition& position,
                 const std::vector<SceneDescription>& runs, Complaints& complaints) {
-    WordsCheck check(written, complaints);
+    WordsCheck check(position, complaints);
     if (!check.isText(words)) return;
     const std::optional<NumberedText> parts = check.numbersIn(words, runs);
     if (!parts) return;
@@ -154,9 +154,9 @@ void checkWords(const std::string& words, const TomlPosition& written,
     }
 }
 
-void checkFormula(const std::string& tex, const TomlPosition& written,
+void checkFormula(const std::string& tex, const TomlPosition& position,
                   const std::vector<SceneDescription>& runs, Complaints& complaints) {
-    WordsCheck check(written, complaints);
+    WordsCheck check(position, complaints);
     if (tex.find_first_not_of(" \t\r\n") == std::string::npos)
         return check.complain(0, "the formula is empty; write LaTeX, or leave it out");
     if (!check.isText(tex)) return;
@@ -165,14 +165,14 @@ void checkFormula(const std::string& tex, const TomlPosition& written,
         check.readFormula([&] { mathMlOf(maskedNumbers(tex, *parts, '1'), true); });
 }
 
-void checkPlain(const std::string& text, const TomlPosition& written, Complaints& complaints) {
-    WordsCheck(written, complaints).isText(text);
+void checkPlain(const std::string& text, const TomlPosition& position, Complaints& complaints) {
+    WordsCheck(position, complaints).isText(text);
 }
 
-void checkLine(const std::string& text, const TomlPosition& written, Complaints& complaints) {
+void checkLine(const std::string& text, const TomlPosition& position, Complaints& complaints) {
     const std::size_t newline = text.find_first_of("\r\n");
     if (newline != std::string::npos)
-        complaints.add(placeIn(written, newline), "a line break; this should be one line");
+        complaints.add(placeIn(position, newline), "a line break; this should be one line");
 }
 
 }  // namespace demos

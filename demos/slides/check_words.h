@@ -12,17 +12,17 @@ namespace demos {
 constexpr std::size_t kMostWords = 16u << 10;  // bytes of a text
 
 /// Checks CommonMark. `runs`: in order, those whose numbers the words may name.
-void checkWords(const std::string& words, const TomlPosition& written,
+void checkWords(const std::string& words, const TomlPosition& position,
                 const std::vector<SceneDescription>& runs, Complaints& complaints);
 
 /// Checks LaTeX, which may contain numbers.
-void checkFormula(const std::string& tex, const TomlPosition& written,
+void checkFormula(const std::string& tex, const TomlPosition& position,
                   const std::vector<SceneDescription>& runs, Complaints& complaints);
 
 /// Checks that the text is one line.
-void checkLine(const std::string& text, const TomlPosition& written, Complaints& complaints);
+void checkLine(const std::string& text, const TomlPosition& position, Complaints& complaints);
 
 /// Checks a text without formulas and numbers.
-void checkPlain(const std::string& text, const TomlPosition& written, Complaints& complaints);
+void checkPlain(const std::string& text, const TomlPosition& position, Complaints& complaints);
 
 }  // namespace demos

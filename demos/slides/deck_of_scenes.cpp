@@ -93,7 +93,7 @@ private:
         for (const Section& section : scene.sections) {
             if (section.at >= scene.seconds) continue;  // --seconds ends the run before it
             Slide slide = film();
-            takeSection(scene, section, false, slide);
+            copySection(scene, section, false, slide);
             checkSection(section, {scene}, section.place, files_, complaints_);
             if (slide.title.empty()) slide.title = titleOf(scene, section);
             deck_.slides.push_back(std::move(slide));

@@ -81,13 +81,13 @@ private:
         std::string_view rest = text;
         std::size_t letters = 0;
         while (!rest.empty()) {
-            takeCharacter(rest);
+            popCharacter(rest);
             ++letters;
         }
         const bool upright = std::string_view(node.attribute("mathvariant").value()) == "normal";
         rest = text;
         while (!rest.empty()) {
-            const PlainLetter plain = plainLetterOf(takeCharacter(rest));
+            const PlainLetter plain = plainLetterOf(popCharacter(rest));
             std::string one;
             putCharacter(one, plain.letter);
             const bool italic = variable && letters == 1 && !upright && !plain.bold;

@@ -44,7 +44,7 @@ struct MadeSlide {
 struct MadeDeck {
     Deck deck;
     std::vector<MadeSlide> slides;
-    std::vector<std::string> remarks;  // notes and warnings, a line each
+    std::vector<std::string> diagnostics;  // notes and warnings, a line each
     std::string incident;  // the first in a slide's only run, "slide 'ID': LINE"; empty: none
     std::string compared;  // the same, of a slide that compares runs
 };

@@ -52,22 +52,22 @@ bool hasFilm(const Deck& deck) {
     });
 }
 
-/// Whether films are made. Adds a remark if they are wanted but cannot be made.
+/// Whether films are made. Adds a note if they are wanted but cannot be made.
 bool filmsAreMade(const Deck& deck, const DeckMaking& making, MadeDeck& made) {
     if (!making.films || !hasFilm(deck)) return false;
     if (render::haveFfmpeg()) return true;
-    made.remarks.push_back(
+    made.diagnostics.push_back(
         "no ffmpeg, so films cannot be made (apt install ffmpeg); each film is replaced by its "
         "poster, everything else is made");
     return false;
 }
 
 /// Adds the notes of the scenes, each once.
-void addNotes(const LoadedRuns& loaded, std::vector<std::string>& remarks) {
+void addNotes(const LoadedRuns& loaded, std::vector<std::string>& diagnostics) {
     for (const Variant& variant : loaded.variants)
         for (const std::string& note : variant.scene.notes)
-            if (std::find(remarks.begin(), remarks.end(), note) == remarks.end())
-                remarks.push_back(note);
+            if (std::find(diagnostics.begin(), diagnostics.end(), note) == diagnostics.end())
+                diagnostics.push_back(note);
 }
 
 class Making {
@@ -80,7 +80,7 @@ public:
 
     MadeDeck make() {
         const Talk talk(making_.options, false);
-        for (const std::string& remark : made_.remarks) talk.mention(remark);
+        for (const std::string& note : made_.diagnostics) talk.mention(note);
         for (Act& act : acts_) at(act.made.slide, making_, [&] { fill(act); });
         Progress progress(making_.options, frames_, 0);
         try {
@@ -107,9 +107,9 @@ private:
         act.made.slide = slide;
         act.made.command = commandOf(slide, deck_, act.loaded);
         if (act.plan) frames_ += static_cast<int>(act.plan->frames.size());
-        addNotes(act.loaded, made_.remarks);
+        addNotes(act.loaded, made_.diagnostics);
         const std::string crowding = crowdingOf(deck_, slide, acts_.size());
-        if (!crowding.empty()) made_.remarks.push_back(crowding);
+        if (!crowding.empty()) made_.diagnostics.push_back(crowding);
     }
 
     void fill(Act& act) {

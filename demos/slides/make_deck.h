@@ -17,7 +17,7 @@ struct DeckMaking {
 
 /// `deck` has been checked by its reader. Throws Stop (interrupted; diverged if a step fails),
 /// render::Error.
-/// Without ffmpeg posters replace films, with a remark; remarks are printed before anything is
+/// Without ffmpeg posters replace films, with a note; notes are printed before anything is
 /// simulated.
 MadeDeck makeDeck(const Deck& deck, const DeckMaking& making);
 

@@ -78,7 +78,7 @@ MarkupTree treeOf(const std::string& commonMark, Words words) {
 }
 
 /// Writes each paragraph as one line, since Marp keeps line ends.
-std::string written(cmark_node* root) {
+std::string commonMarkFrom(cmark_node* root) {
     const std::unique_ptr<char, decltype(&std::free)> text(
         cmark_render_commonmark(root, CMARK_OPT_NOBREAKS, 0), std::free);
     std::string result = text.get();
@@ -108,7 +108,7 @@ void markItems(cmark_node* root) {
 std::string markdownStepsOf(const std::string& commonMark) {
     const MarkupTree tree = treeOf(commonMark, Words::blocks);
     markItems(tree.get());
-    std::string text = written(tree.get());
+    std::string text = commonMarkFrom(tree.get());
     const std::string bullet = "- " + std::string(kItemMark);
     for (std::size_t at = 0; (at = text.find(bullet, at)) != std::string::npos;)
         text.replace(at, bullet.size(), "* ");
@@ -116,11 +116,11 @@ std::string markdownStepsOf(const std::string& commonMark) {
 }
 
 std::string markdownOf(const std::string& commonMark) {
-    return written(treeOf(commonMark, Words::blocks).get());
+    return commonMarkFrom(treeOf(commonMark, Words::blocks).get());
 }
 
 std::string markdownInlineOf(const std::string& commonMark) {
-    return written(treeOf(commonMark, Words::line).get());
+    return commonMarkFrom(treeOf(commonMark, Words::line).get());
 }
 
 std::string markdownEscaped(const std::string& text) {
@@ -130,7 +130,7 @@ std::string markdownEscaped(const std::string& text) {
     cmark_node* node = textNode(text);
     cmark_node_append_child(paragraph, node);
     escapeMarpsMarks(node);
-    return written(document.get());
+    return commonMarkFrom(document.get());
 }
 
 }  // namespace demos

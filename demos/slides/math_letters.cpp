@@ -85,7 +85,7 @@ PlainLetter plainLetterOf(char32_t letter) {
     return {letter, false, false};
 }
 
-char32_t takeCharacter(std::string_view& text) {
+char32_t popCharacter(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
     const std::size_t wanted = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc0 ? 2 : 1;
@@ -102,7 +102,7 @@ std::string inVariant(std::string_view text, std::string_view variant) {
                      [&](const LetterVariant& v) { return v.name == variant; });
     if (found == std::end(kLetterVariants)) return std::string(text);
     std::string result;
-    while (!text.empty()) putCharacter(result, letterIn(*found, takeCharacter(text)));
+    while (!text.empty()) putCharacter(result, letterIn(*found, popCharacter(text)));
     return result;
 }
 

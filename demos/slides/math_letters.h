@@ -20,6 +20,6 @@ PlainLetter plainLetterOf(char32_t letter);
 void putCharacter(std::string& text, char32_t letter);
 
 /// Removes a character from the front of valid UTF-8 and returns it.
-char32_t takeCharacter(std::string_view& text);
+char32_t popCharacter(std::string_view& text);
 
 }  // namespace demos

@@ -73,20 +73,20 @@ private:
         const std::optional<std::string> line = top.text(key);
         if (!line) return std::nullopt;
         to = *line;
-        const TomlPosition written{top.any(key)->place, reading_.source};
-        checkLine(to, written, complaints_);
-        return written;
+        const TomlPosition position{top.any(key)->place, reading_.source};
+        checkLine(to, position, complaints_);
+        return position;
     }
 
     void readLine(Keys& top, const char* key, std::string& to) {
-        if (const std::optional<TomlPosition> written = readText(top, key, to))
-            checkWords(to, *written, {}, complaints_);
+        if (const std::optional<TomlPosition> position = readText(top, key, to))
+            checkWords(to, *position, {}, complaints_);
     }
 
     /// Plain text, not CommonMark: a date may be "24. 12.", an author may be from "$-Soft".
     void readPlain(Keys& top, const char* key, std::string& to) {
-        if (const std::optional<TomlPosition> written = readText(top, key, to))
-            checkPlain(to, *written, complaints_);
+        if (const std::optional<TomlPosition> position = readText(top, key, to))
+            checkPlain(to, *position, complaints_);
     }
 
     void readWords(Keys& top) {

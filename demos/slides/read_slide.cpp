@@ -77,7 +77,7 @@ private:
         for (const Section& section : scene.sections) {
             if (!section.name.empty()) names.push_back(section.name);
             if (section.name != *name) continue;
-            takeSection(scene, section, slide_.runs.several(), slide_);
+            copySection(scene, section, slide_.runs.several(), slide_);
             return checkSection(section, loaded_.scenes, keys_.placeOf("section"),
                                 reading_.sections, reading_.complaints);
         }

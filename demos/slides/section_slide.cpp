@@ -26,7 +26,7 @@ const SectionFiles::File& SectionFiles::of(const std::string& name) {
     return files_.emplace(name, File{complaints_.addFile(name), textOf(name)}).first->second;
 }
 
-void takeSection(const SceneDescription& scene, const Section& section, bool several,
+void copySection(const SceneDescription& scene, const Section& section, bool several,
                  Slide& slide) {
     slide.title = section.slide.title;
     slide.text = section.slide.text;
@@ -49,19 +49,19 @@ void takeSection(const SceneDescription& scene, const Section& section, bool sev
 
 void checkSection(const Section& section, const std::vector<SceneDescription>& runs,
                   Place otherwise, SectionFiles& files, Complaints& complaints) {
-    const auto written = [&](Place place) {
+    const auto position = [&](Place place) {
         if (section.file.empty() || place.line < 1) return TomlPosition{otherwise, {}};
         const SectionFiles::File& file = files.of(section.file);
         place.file = file.number;
         return TomlPosition{place, file.text};
     };
     const SectionSlide& slide = section.slide;
-    if (!slide.title.empty()) checkWords(slide.title, written(slide.titlePlace), runs, complaints);
-    if (!slide.text.empty()) checkWords(slide.text, written(slide.textPlace), runs, complaints);
+    if (!slide.title.empty()) checkWords(slide.title, position(slide.titlePlace), runs, complaints);
+    if (!slide.text.empty()) checkWords(slide.text, position(slide.textPlace), runs, complaints);
     if (!section.notes.empty())
-        checkWords(section.notes, written(slide.notesPlace), runs, complaints);
+        checkWords(section.notes, position(slide.notesPlace), runs, complaints);
     for (std::size_t i = 0; i < slide.formulas.size(); ++i)
-        checkFormula(slide.formulas[i], written(slide.formulaPlaces[i]), runs, complaints);
+        checkFormula(slide.formulas[i], position(slide.formulaPlaces[i]), runs, complaints);
 }
 
 }  // namespace demos

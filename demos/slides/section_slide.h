@@ -28,7 +28,7 @@ private:
 
 /// Copies the section's words, part of the run and playback settings to the slide. `several`: the
 /// slide compares runs, for which the section has no charts.
-void takeSection(const SceneDescription& scene, const Section& section, bool several, Slide& slide);
+void copySection(const SceneDescription& scene, const Section& section, bool several, Slide& slide);
 
 /// Complains about the section's words, at their places in the scene's file; at `otherwise` if they
 /// have no place, as after --set.

@@ -23,7 +23,7 @@ SlidesOutput outputOf(const std::string& name) {
     if (ending == ".pdf") return {SlidesKind::pdf, name};
     if (ending == ".pptx") return {SlidesKind::pptx, name};
     if (file) return {SlidesKind::page, name};
-    refuseOutput(name, "the ending says what is written; known are: .html .pdf .pptx and / of "
+    refuseOutput(name, "the file extension selects the format; known are: .html .pdf .pptx and / of "
                  "a folder");
 }
 

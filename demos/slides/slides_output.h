@@ -1,4 +1,4 @@
-/// The outputs of a deck: the ending of a name selects what is written.
+/// The outputs of a deck: the extension of a name selects what is written.
 #pragma once
 #include <string>
 #include <vector>

@@ -90,8 +90,8 @@ struct Spot {
     char quote;
 };
 
-Spot spotOf(const TomlPosition& written, std::size_t byte) {
-    Spot spot{Cursor(written.source, written.place), '\0'};
+Spot spotOf(const TomlPosition& position, std::size_t byte) {
+    Spot spot{Cursor(position.source, position.place), '\0'};
     spot.quote = openQuotes(spot.cursor);
     if (!spot.quote) return spot;
     const auto passLeftOut = [&] {
@@ -105,15 +105,15 @@ Spot spotOf(const TomlPosition& written, std::size_t byte) {
 
 }  // namespace
 
-Place placeIn(const TomlPosition& written, std::size_t byte) {
-    if (written.place.line < 1) return written.place;
-    const Spot spot = spotOf(written, byte);
-    return spot.quote ? spot.cursor.place() : written.place;
+Place placeIn(const TomlPosition& position, std::size_t byte) {
+    if (position.place.line < 1) return position.place;
+    const Spot spot = spotOf(position, byte);
+    return spot.quote ? spot.cursor.place() : position.place;
 }
 
-bool isEscape(const TomlPosition& written, std::size_t byte) {
-    if (written.place.line < 1) return false;
-    const Spot spot = spotOf(written, byte);
+bool isEscape(const TomlPosition& position, std::size_t byte) {
+    if (position.place.line < 1) return false;
+    const Spot spot = spotOf(position, byte);
     return spot.quote == '"' && spot.cursor.next('\\');
 }
 

@@ -15,9 +15,9 @@ struct TomlPosition {
 
 /// The place of a byte of the string, as an editor counts: it considers escapes, skipped line ends
 /// and the newline after opening quotes. Without a source, as after --set, the place of the string.
-Place placeIn(const TomlPosition& written, std::size_t byte);
+Place placeIn(const TomlPosition& position, std::size_t byte);
 
 /// Whether a byte of the string is an escape in the file: the newline of "\n", the tab of "\theta".
-bool isEscape(const TomlPosition& written, std::size_t byte);
+bool isEscape(const TomlPosition& position, std::size_t byte);
 
 }  // namespace demos

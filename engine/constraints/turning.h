@@ -17,7 +17,7 @@ struct Angle {
 };
 
 /// The same angle, changed by full turns to be as close as possible to `near`.
-inline double counted(double angle, double near) {
+inline double unwrapped(double angle, double near) {
     constexpr double kTurn = 2.0 * kPi;
     return angle + kTurn * std::floor((near - angle) / kTurn + 0.5);
 }
@@ -26,8 +26,8 @@ inline Angle twistAbout(const Vec3& h, const Quat& turn, double near = 0.0) {
     const double s = turn.w();
     const Vec3 u = turn.vec();
     const double along = u.dot(h), size = s * s + along * along;
-    if (size <= 0.0) return {counted(0.0, near), h};  // swung by half a turn: any twist
-    return {counted(2.0 * arctangent(along, s), near),
+    if (size <= 0.0) return {unwrapped(0.0, near), h};  // swung by half a turn: any twist
+    return {unwrapped(2.0 * arctangent(along, s), near),
             (s * s * h - s * h.cross(u) + along * u) / size};
 }
 
@@ -45,7 +45,7 @@ inline Angle swingOf(const Vec3& axisA, const Vec3& axisB) {
 inline Angle turnAround(const Vec3& p, const Vec3& q, const Vec3& axisB, double near) {
     const double x = p.dot(axisB), y = q.dot(axisB), size = x * x + y * y;
     if (size <= 0.0) return {near, Vec3::Zero()};
-    return {counted(arctangent(y, x), near),
+    return {unwrapped(arctangent(y, x), near),
             (x * axisB.cross(q) - y * axisB.cross(p)) / size};
 }
 

@@ -25,7 +25,7 @@ std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
 void checkFilm(const fs::path& path, const VideoFormat* format, const VideoSource& source) {
     if (!format) {
-        throw Error("film " + quoted(path) + ": unknown ending; use .mp4 .webm .gif .webp .apng");
+        throw Error("film " + quoted(path) + ": unknown file extension; use .mp4 .webm .gif .webp .apng");
     }
     const int width = source.width, height = source.height, fps = source.fps;
     const std::string size = sizeText(width, height);

@@ -1,4 +1,4 @@
-/// The kinds of film files by their ending, and the arguments with which ffmpeg writes them.
+/// The kinds of film files by their extension, and the arguments with which ffmpeg writes them.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ struct VideoFormat {
     bool holdsAlpha;        // straight alpha; for a GIF on or off
 };
 
-/// Found by the ending, in upper or lower case; null: not a film this program can write.
+/// Found by the extension, in upper or lower case; null: not a film this program can write.
 const VideoFormat* videoFormatOf(const std::filesystem::path& path);
 
 /// The pictures of a film, as they come in.

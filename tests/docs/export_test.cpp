@@ -43,7 +43,7 @@ TEST(ExportReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kExportFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kExportText, "Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kExportText, "Files")), files);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(FigureReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kFigureFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kFigureText, "Where what is")), files);
+    EXPECT_EQ(firstCells(sectionOf(kFigureText, "Files")), files);
 }
 
 }  // namespace

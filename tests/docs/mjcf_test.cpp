@@ -15,7 +15,7 @@ TEST(MjcfReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files, named;
     for (const fs::directory_entry& file : fs::directory_iterator(kMjcfFolder))
         if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    const std::string table = kMjcfText.substr(kMjcfText.find("| file | what it knows |"));
+    const std::string table = kMjcfText.substr(kMjcfText.find("| file | what it does |"));
     for (const std::string& row : matches(table, R"(\n\| (`[^|]*) \|)"))
         for (const std::string& name : matches(row, R"(`([a-z_]+)`)")) named.insert(name);
     EXPECT_EQ(named, files);

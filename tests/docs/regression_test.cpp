@@ -67,7 +67,7 @@ TEST(RegressionReadme, ItsCommandsAndTheirOptionsExist) {
     }
 }
 
-/// Every source of the folder once, by its name without an ending.
+/// Every source of the folder once, by its name without an extension.
 TEST(RegressionReadme, NamesEveryFileAndNoOther) {
     std::set<std::string> files;
     for (const fs::directory_entry& file : fs::directory_iterator(kRegressionFolder))

@@ -1,4 +1,4 @@
-// A world that goes on from a saved state has the bits of one that never stopped.
+// A world that continues from a saved state has the bits of one that never stopped.
 #include <gtest/gtest.h>
 
 #include "tests/support/golden_worlds.h"

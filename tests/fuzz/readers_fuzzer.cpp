@@ -204,17 +204,17 @@ void baseline(Bytes bytes) {
     checkBaseline(json.dump());
 }
 
-void checkCourse(Bytes packed) {
-    const std::optional<demos::Trajectory> course = demos::decodeTrajectory(packed);
-    if (!course) return;
-    for (const demos::TrajectoryMoment& moment : course->moments)
-        require(moment.poses.size() == course->bodies.size(), "a body has no pose");
-    (void)demos::thinned(*course, 1);
+void checkTrajectory(Bytes packed) {
+    const std::optional<demos::Trajectory> trajectory = demos::decodeTrajectory(packed);
+    if (!trajectory) return;
+    for (const demos::TrajectoryMoment& moment : trajectory->moments)
+        require(moment.poses.size() == trajectory->bodies.size(), "a body has no pose");
+    (void)demos::thinned(*trajectory, 1);
 }
 
-void course(Bytes bytes) {
-    checkCourse(bytes);
-    checkCourse(demos::deflated(bytes));
+void trajectory(Bytes bytes) {
+    checkTrajectory(bytes);
+    checkTrajectory(demos::deflated(bytes));
 }
 
 void runRecord(Bytes bytes) {
@@ -274,7 +274,7 @@ Reader readerCalled(const char* name) {
     static const std::map<std::string_view, Reader> readers = {
         {"obj", obj},           {"stl", stl},         {"gltf", gltf},       {"glb", glb},
         {"png", png},           {"deck", deck},       {"words", words},     {"formula", formula},
-        {"baseline", baseline}, {"course", course},   {"run", runRecord},   {"report", report},
+        {"baseline", baseline}, {"trajectory", trajectory}, {"run", runRecord}, {"report", report},
         {"gallery", gallery},   {"sections", sections}, {"passed", passed}};
     const auto found = readers.find(name ? name : "");
     require(found != readers.end(), "IMPULSE_FUZZ_READER is no reader", name ? name : "");

@@ -229,7 +229,7 @@ TEST_F(Compare, ASweepInPartsGivesTheTableOfOneRun) {
     write(folder / "output/ball-sweep.parts/002-of-003.json", "{\"runs\":[{}]}");
     const Ended torn = sweep(with(words, {"--merge"}));
     EXPECT_EQ(torn.code, 7);
-    EXPECT_NE(torn.err.find("torn or not finished: 2"), std::string::npos) << torn.err;
+    EXPECT_NE(torn.err.find("damaged or incomplete: 2"), std::string::npos) << torn.err;
     EXPECT_EQ(sweep(with(words, {"--shard", "1/8"})).code, 2);
     EXPECT_EQ(sweep(with(words, {"--shard", "1/2", "--merge"})).code, 2);
 }

@@ -125,11 +125,11 @@ struct BadExport {
 
 TEST_F(Export, BadOptionsAreOneLineAndLeaveNothing) {
     const std::vector<BadExport> rows = {
-        {"ending", {"-o", "a.usd"}, 2, "known are: .glb .csv .npz .json .html"},
-        {"no ending", {"-o", "a"}, 2, "the ending says what is written"},
-        {"standard output", {"-o", "-"}, 2, "the ending says what is written"},
+        {"extension", {"-o", "a.usd"}, 2, "known are: .glb .csv .npz .json .html"},
+        {"no extension", {"-o", "a"}, 2, "the file extension selects the format"},
+        {"standard output", {"-o", "-"}, 2, "the file extension selects the format"},
         {"empty", {"-o", ""}, 2, "give it a value"},
-        {"second ending", {"-o", "a.glb", "-o", "a.obj"}, 2, "'a.obj'"},
+        {"second extension", {"-o", "a.glb", "-o", "a.obj"}, 2, "'a.obj'"},
         {"twice", {"-o", "a.glb", "-o", "./a.glb"}, 2, "another --output goes there"},
         {"the scene", {"-o", "ball.toml"}, 2, "is the scene itself"},
         {"frame rate", {"--fps", "7"}, 2, "good: "},

@@ -76,7 +76,7 @@ TEST_F(Shards, JoinNamesWhatIsMissingTornOrOfAnotherRun) {
     EXPECT_EQ(joined.code, 7);
     EXPECT_EQ(joined.errorLines(), 1);
     for (const char* said :
-         {"2 of 5 parts are complete", "missing: 3", "torn or not finished: 2", "of another run: 5"})
+         {"2 of 5 parts are complete", "missing: 3", "damaged or incomplete: 2", "of another run: 5"})
         EXPECT_NE(joined.err.find(said), std::string::npos) << joined.err;
     EXPECT_NE(joined.out.find("to do: impulse render ball.toml"), std::string::npos) << joined.out;
     EXPECT_NE(joined.out.find("--shard 3/5"), std::string::npos) << joined.out;
@@ -109,7 +109,7 @@ TEST_F(Shards, ForeignRecordsAreReportedAndNothingIsRead) {
     write(folder / "p/run.002-of-002.json", "{}");
     const Ended joined = join({"p"});
     EXPECT_EQ(joined.code, 7);
-    EXPECT_NE(joined.err.find("torn or not finished: 1 2"), std::string::npos) << joined.err;
+    EXPECT_NE(joined.err.find("damaged or incomplete: 1 2"), std::string::npos) << joined.err;
     write(folder / "p/001-of-003.json", "{}");
     EXPECT_EQ(join({"p"}).code, 2);
 }

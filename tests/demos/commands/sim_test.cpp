@@ -369,7 +369,7 @@ TEST_F(Sim, PlaysAMujocoModelAndTellsWhatIsLeftOut) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.err,
               "impulse: arm.xml:1:20: <light>: for MuJoCo's viewer and sensors; left out\n"
-              "impulse: arm.xml:1:54: <joint margin> is not available; left out\n");
+              "impulse: arm.xml:1:54: <joint margin> is not supported; left out\n");
     EXPECT_EQ(run(folder.path(), {"sim", "arm.xml", "--seconds", "0.1", "--quiet"}).err, "");
     write(folder / "bad.xml", "<mujoco><worldbody><geom sise='1'/></worldbody></mujoco>");
     const Ended bad = run(folder.path(), {"sim", "bad.xml"});

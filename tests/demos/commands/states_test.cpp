@@ -1,4 +1,4 @@
-// impulse sim --states, and what goes on from them: sim, still and bench --from, render --states.
+// impulse sim --states, and what continues from them: sim, still and bench --from, render --states.
 #include <gtest/gtest.h>
 
 #include "tests/demos/program.h"
@@ -110,7 +110,7 @@ TEST_F(States, AreRefusedWhereTheyDoNotBelong) {
         std::string changed = bytes;
         changed[at] = static_cast<char>(changed[at] ^ 4);
         write(folder_ / "changed.state", changed);
-        refuses(run("sim", {"--from", "changed.state"}), 4, "torn or damaged");
+        refuses(run("sim", {"--from", "changed.state"}), 4, "truncated or damaged");
     }
     write(folder_ / "text.state", "not a state at all, but a text");
     refuses(run("sim", {"--from", "text.state"}), 4, "is no state");

@@ -92,7 +92,7 @@ TEST_F(TestParts, NameWhatIsMissingOrOfAnotherRun) {
     fs::remove(folder / parts / "002-of-004/report.json");  // as if it was interrupted
     const Ended torn = merge();
     EXPECT_EQ(torn.code, 7);
-    EXPECT_NE(torn.err.find("torn or not finished: 2"), std::string::npos) << torn.err;
+    EXPECT_NE(torn.err.find("damaged or incomplete: 2"), std::string::npos) << torn.err;
 }
 
 TEST_F(TestParts, AreRefusedWhereTheyMakeNoSense) {

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"no geom", "", "1:1", "the model has no <geom>; give it some"},
         BadModel{"no geom but copies",
                  "<worldbody><replicate count='2'><geom size='1'/></replicate></worldbody>", "1:1",
-                 "the model has no <geom>; give it some: its <replicate> is not available"}));
+                 "the model has no <geom>; give it some: its <replicate> is not supported"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Words, BadModels,
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a <body> with a joint has no mass to move, or no inertia (mass 0 kg); it should "
                  "have <geom>s, or an <inertial>"},
         BadModel{"no mass but a composite", kFree + "<composite type='rope'/>" + kEnd, "3:1",
-                 "its <composite> is not available"},
+                 "its <composite> is not supported"},
         BadModel{"inertia of nothing",
                  kFree + "<inertial pos='0 0 0' mass='1' diaginertia='1 0 1'/>" + kEnd, "3:1",
                  "has no mass to move, or no inertia"},
@@ -340,17 +340,17 @@ TEST(MujocoNotes, NameWhatChangesTheMotionAndIsNotHad) {
         "<tendon><spatial/></tendon>\n<actuator><muscle joint='j'/></actuator><keyframe/>\n"
         "<contact><pair geom1='a' geom2='b'/></contact>\n");
     const std::vector<std::string> expected{
-        "a.xml:2:9: <option wind> is not available; left out",
-        "a.xml:4:7: <geom solref> is not available; left out",
-        "a.xml:4:42: <joint margin> is not available; left out",
+        "a.xml:2:9: <option wind> is not supported; left out",
+        "a.xml:4:7: <geom solref> is not supported; left out",
+        "a.xml:4:42: <joint margin> is not supported; left out",
         "a.xml:6:16: torsional friction is not supported; left out (2 places)",
-        "a.xml:7:7: a <geom> of type hfield is not available; left out",
-        "a.xml:8:26: damping of a ball joint is not available; left out",
-        "a.xml:8:38: range of a ball joint is not available; left out",
-        "a.xml:9:9: a <spatial> tendon that is not straight between two <site>s is not available; "
+        "a.xml:7:7: a <geom> of type hfield is not supported; left out",
+        "a.xml:8:26: damping of a ball joint is not supported; left out",
+        "a.xml:8:38: range of a ball joint is not supported; left out",
+        "a.xml:9:9: a <spatial> tendon that is not straight between two <site>s is not supported; "
         "left out",
-        "a.xml:10:11: <muscle> in <actuator> is not available; left out",
-        "a.xml:11:10: <pair> in <contact> is not available; left out"};
+        "a.xml:10:11: <muscle> in <actuator> is not supported; left out",
+        "a.xml:11:10: <pair> in <contact> is not supported; left out"};
     EXPECT_EQ(notes, expected);
 }
 
@@ -386,7 +386,7 @@ TEST(MujocoNotes, TellWhatIsApproximate) {
                      "<weld> within one rigid body has no effect; left out"));
     EXPECT_TRUE(said("<worldbody><geom size='1'/><body name='a'><freejoint/><geom size='1'/></body>"
                      "</worldbody><contact><exclude body1='a' body2='world'/></contact>",
-                     "<exclude> with a <body> that stands still is not available; left out"));
+                     "<exclude> with a <body> that stands still is not supported; left out"));
 }
 
 }  // namespace

@@ -138,28 +138,28 @@ TEST(MujocoForces, NoteWhatIsLeftOut) {
         return "<actuator>" + actuator + "</actuator>";
     };
     said(acting("<general joint='way' dyntype='filter'/>"),
-         "an actuator with activation dynamics (dyntype filter) is not available; left out");
+         "an actuator with activation dynamics (dyntype filter) is not supported; left out");
     said(acting("<general joint='way' gaintype='muscle'/>"),
-         "gaintype muscle of an actuator is not available; replaced by fixed");
+         "gaintype muscle of an actuator is not supported; replaced by fixed");
     said(acting("<position joint='way' forcerange='-1 1'/>"),
-         "forcerange of an actuator whose force is not constant is not available; left out");
+         "forcerange of an actuator whose force is not constant is not supported; left out");
     said(acting("<position joint='way' kp='-1'/>"), "an actuator that makes stiffness or damping negative");
-    said(acting("<motor site='s'/>"), "<motor site> is not available; left out");
-    said("<keyframe><key qpos='1 2'/></keyframe>", "<key qpos> is not available; left out");
+    said(acting("<motor site='s'/>"), "<motor site> is not supported; left out");
+    said("<keyframe><key qpos='1 2'/></keyframe>", "<key qpos> is not supported; left out");
     said("<tendon><fixed stiffness='1'><joint joint='way'/><joint joint='turn'/></fixed></tendon>",
          "a <fixed> tendon of several joints with a spring");
     said("<tendon><fixed range='0 1'><joint joint='way'/></fixed></tendon>",
-         "range of a <fixed> tendon is not available; left out");
+         "range of a <fixed> tendon is not supported; left out");
     const std::vector<std::string> ball = readMujoco(
         "<worldbody><body><joint name='b' type='ball' armature='1'/><geom size='1'/></body></worldbody>" +
         acting("<motor joint='b'/>")).notes;
-    EXPECT_TRUE(tells(ball, "a.xml:", "an actuator of a ball joint is not available")) << listed(ball);
-    EXPECT_TRUE(tells(ball, "a.xml:", "armature of a ball joint is not available")) << listed(ball);
+    EXPECT_TRUE(tells(ball, "a.xml:", "an actuator of a ball joint is not supported")) << listed(ball);
+    EXPECT_TRUE(tells(ball, "a.xml:", "armature of a ball joint is not supported")) << listed(ball);
     for (const char* joint : {"<freejoint name='f'/>", "<joint name='f' type='free'/>"}) {
         const std::vector<std::string> free =
             readMujoco("<worldbody><body>" + std::string(joint) + "<geom size='1'/></body></worldbody>" +
                        acting("<motor joint='f'/>")).notes;
-        EXPECT_TRUE(tells(free, "a.xml:", "an actuator of a free joint is not available; left out"))
+        EXPECT_TRUE(tells(free, "a.xml:", "an actuator of a free joint is not supported; left out"))
             << listed(free);
     }
 }

@@ -277,9 +277,9 @@ TEST(SceneInputs, ListAtMostAHundred) {
 
 TEST(SceneInputs, AreRefusedIfTheyAreNone) {
     const Settings inputs = {{"title", "a ball"}, {"values.v", ""}};
-    EXPECT_EQ(unpackedInputs(packedInputs(inputs)), inputs);
+    EXPECT_EQ(inflatedInputs(deflatedInputs(inputs)), inputs);
     for (const char* bad : {"", "!", "AAAA"})
-        EXPECT_THROW(unpackedInputs(bad), std::invalid_argument) << bad;
+        EXPECT_THROW(inflatedInputs(bad), std::invalid_argument) << bad;
 }
 
 TEST(SceneInputs, OfAnOldBaselineAreNotCompared) {

@@ -150,7 +150,7 @@ TEST_F(MakeDeck, ThePosterAloneIsTheSame) {
     EXPECT_EQ(alone.frames, whole.frames);
     EXPECT_TRUE(alone.file.empty());
     EXPECT_FALSE(fs::exists(whole.file));
-    EXPECT_TRUE(makeDeck(deck, making).remarks.empty());
+    EXPECT_TRUE(makeDeck(deck, making).diagnostics.empty());
 }
 
 TEST_F(MakeDeck, TheSameDeckGivesTheSameBits) {
@@ -173,8 +173,8 @@ TEST_F(MakeDeck, WithoutFfmpegThereArePostersAndOneRemark) {
     add(Exhibit::none).text = "t = @{run.time}";
     ::setenv("PATH", "", 1);
     const MadeDeck made = makeDeck(deck, making);
-    ASSERT_EQ(made.remarks.size(), 1u);
-    EXPECT_NE(made.remarks.front().find("apt install ffmpeg"), std::string::npos);
+    ASSERT_EQ(made.diagnostics.size(), 1u);
+    EXPECT_NE(made.diagnostics.front().find("apt install ffmpeg"), std::string::npos);
     for (int i = 0; i < 2; ++i) {
         EXPECT_TRUE(made.slides[i].film->file.empty());
         EXPECT_EQ(render::decodePng(made.slides[i].film->poster.png).width, kWidth);
@@ -314,9 +314,9 @@ TEST_F(MakeDeck, MoreWordsThanFitAreTold) {
     slide.place.line = 7;
     deck.files = {"talk.toml"};
     for (int i = 0; i < 15; ++i) slide.text += "\n\nA paragraph.";
-    EXPECT_TRUE(makeDeck(deck, making).remarks.empty());
+    EXPECT_TRUE(makeDeck(deck, making).diagnostics.empty());
     for (int i = 0; i < 15; ++i) deck.slides[0].text += "\n\nA paragraph.";
-    EXPECT_EQ(makeDeck(deck, making).remarks,
+    EXPECT_EQ(makeDeck(deck, making).diagnostics,
               std::vector<std::string>{
                   "talk.toml:7: slide 1, 'Many words': about 43 lines of the smallest letters, "
                   "but only 24 fit; leave some out, or make two slides"});

@@ -1,4 +1,4 @@
-// A player that goes on from a saved state has the bits and the pictures of one that never stopped:
+// A player that continues from a saved state has the bits and the pictures of one that never stopped:
 // all built-in scenes. With IMPULSE_LONG in the environment at three moments of the whole scene and
 // with 1, 2 and 4 threads.
 #include <gtest/gtest.h>
