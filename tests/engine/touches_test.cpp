@@ -61,7 +61,7 @@ TEST(Touches, WhatRestsBeginsOnceAndAddsUpItsWeight) {
     EXPECT_NEAR(events[0].impulse, 2.0 * kGravity * 2.0, 0.02 * 2.0 * kGravity * 2.0);  // m g t
 }
 
-TEST(Touches, AreToldInTheOrderOfPairs) {
+TEST(Touches, AreReportedInTheOrderOfPairs) {
     World world(Settings::steady());
     world.add(support::floorPlane());
     for (const double x : {4.0, 0.0, 2.0})

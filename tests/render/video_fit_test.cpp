@@ -98,7 +98,7 @@ TEST_F(FitInto, DroppedFramesLeaveTheTimeAsItWas) {
     EXPECT_NEAR(sum / 100.0, static_cast<double>(kNoiseFrames) / kNoiseFps, 0.021);
 }
 
-TEST_F(FitInto, WhatCannotFitIsToldAndLeavesNothing) {
+TEST_F(FitInto, WhatCannotFitIsReportedAndLeavesNothing) {
     NEED_FFMPEG();
     try {
         write("a.gif", {1000, {}, {}});
@@ -190,7 +190,7 @@ TEST(Ladder, TakesAnySize) {
             }
 }
 
-TEST(Ladder, BytesAreToldInThousands) {
+TEST(Ladder, BytesAreReportedInThousands) {
     EXPECT_EQ(render::bytesText(999), "999 bytes");
     EXPECT_EQ(render::bytesText(1000), "1.0 kB");
     EXPECT_EQ(render::bytesText(7'640'000), "7.6 MB");

@@ -238,7 +238,7 @@ TEST_F(Video, NeverWritesThroughASymlink) {
     EXPECT_EQ(filesLeft(), 1);
 }
 
-TEST_F(Video, AMissingFfmpegIsToldWithTheRemedy) {
+TEST_F(Video, AMissingFfmpegIsReportedWithTheRemedy) {
     ::setenv("PATH", "/nonexistent", 1);
     EXPECT_FALSE(render::haveFfmpeg());
     EXPECT_EQ(errorOf([&] {

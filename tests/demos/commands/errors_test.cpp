@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
     }),
     [](const testing::TestParamInfo<BadScene>& row) { return std::string(row.param.name); });
 
-TEST(BadScenePath, WhatIsNoFileIsToldSo) {
+TEST(BadScenePath, WhatIsNoFileIsReported) {
     const TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
     for (const char* path : {"./fifo", "/dev/zero", "/", "./missing.toml"}) {
@@ -243,7 +243,7 @@ TEST(SetOption, IsTakenByEveryCommandThatPlaysAScene) {
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(IncludedFile, IsToldByItsOwnName) {
+TEST(IncludedFile, IsReportedByItsOwnName) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "parts");
     write(folder / "main.toml", "include = [\"parts/floor.toml\"]\n" + kBall);

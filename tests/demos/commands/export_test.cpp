@@ -44,7 +44,7 @@ TEST_F(Export, WhatIsNextIsWordsOfAShell) {
               std::string::npos);
 }
 
-TEST_F(Export, LessThanAFrameIsTold) {
+TEST_F(Export, LessThanAFrameIsReported) {
     const Ended ended = exported({"--seconds", "0.001"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.out.find("(1 frame, 2 bodies)"), std::string::npos) << ended.out;

@@ -203,7 +203,7 @@ TEST_F(Figure, AComparisonNamesItsRuns) {
 }
 
 /// A run that diverges is shown in its last state, and reported.
-TEST_F(Figure, ADivergedRunIsTold) {
+TEST_F(Figure, ADivergedRunIsReported) {
     const Ended ended = impulse(small({"compare", "ball.toml", "--seconds", "20", "--vary",
                                        "body.ball.velocity=[0,0,0],[9999,0,0]", "--set",
                                        "world.gravity=[0,0,0]", "-o", "a.png"}));
@@ -302,7 +302,7 @@ TEST_F(Figure, WhatCannotBeIsRefusedInOneLine) {
 }
 
 /// Type keeps its size, so statistics do not fit into a small picture; that is reported.
-TEST_F(Figure, WhatHasNoRoomIsTold) {
+TEST_F(Figure, WhatHasNoRoomIsReported) {
     const Ended ended = impulse(small({"still", "ball.toml", "--show", "stats", "-o", "a.png"}));
     EXPECT_EQ(ended.code, 0);
     EXPECT_NE(ended.err.find("stats: no room in a picture of 60 x 34 mm"), std::string::npos)

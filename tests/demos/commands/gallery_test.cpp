@@ -135,7 +135,7 @@ TEST_F(Gallery, AShorterListDropsCardsAndKeepsFiles) {
     EXPECT_TRUE(pageHas("other"));
 }
 
-TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
+TEST_F(Gallery, WhatFailsIsReportedAndTheOthersAreMade) {
     write(folder / "broken.toml", "format = 1\nsecond = 3\n");
     const Ended ended = gallery({"broken.toml", "ball.toml"});
     EXPECT_EQ(ended.code, 3);
@@ -145,7 +145,7 @@ TEST_F(Gallery, WhatFailsIsToldAndTheOthersAreMade) {
 }
 
 /// A scene with an incident is made as well, and reported whenever it is there.
-TEST_F(Gallery, AnIncidentIsToldAgainAndItsSceneIsMade) {
+TEST_F(Gallery, AnIncidentIsReportedAgainAndItsSceneIsMade) {
     write(folder / "comet.toml",
           kBall + "velocity = [9995, 0, 0]\n[world]\ngravity = [100, 0, 0]\n");
     for (const char* kept : {"0 kept", "2 kept"}) {
@@ -174,7 +174,7 @@ TEST_F(Gallery, WithoutAScenePageAndSheetAreNotMade) {
     EXPECT_FALSE(isMade("ball.png"));
 }
 
-TEST_F(Gallery, ASheetThatStaysIsNotToldAsWritten) {
+TEST_F(Gallery, ASheetThatStaysIsNotReportedAsWritten) {
     EXPECT_TRUE(told(gallery({"ball.toml"}), "(1 scene, 1 drawn, 0 kept), sheet.png"));
     EXPECT_TRUE(told(gallery({"ball.toml"}), "(1 scene, 0 drawn, 1 kept)\n"));
 }

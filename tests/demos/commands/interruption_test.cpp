@@ -241,7 +241,7 @@ TEST_F(Interruption, ADyingFfmpegIsCode4AndTheFramesBesideStay) {
     EXPECT_NE(without.out.find(" kept"), std::string::npos) << without.out;
 }
 
-TEST_F(Interruption, AHangingFfmpegIsEndedAndTold) {
+TEST_F(Interruption, AHangingFfmpegIsEndedAndReported) {
     Launch launch = small(folder.path(), {"-o", "film.mp4", "--seconds", "600"});
     replaceFfmpeg(launch, "[ \"$1\" = -version ] && exit 0\nexec sleep 1000");
     const Ended ended = run(launch);

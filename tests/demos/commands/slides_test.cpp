@@ -161,7 +161,7 @@ TEST_F(SlidesCommand, WithoutABrowserTheRestIsWritten) {
     EXPECT_FALSE(fs::exists(folder / "a.pdf"));
 }
 
-TEST_F(SlidesCommand, WithoutABrowserAPdfAloneIsToldBeforeAnythingIsPlayed) {
+TEST_F(SlidesCommand, WithoutABrowserAPdfAloneIsReportedBeforeAnythingIsPlayed) {
     const Ended ended = slidesWithBrowser("", {"talk.toml", "-o", "a.pdf", "-o", "b.pdf"});
     EXPECT_EQ(ended.code, 4);
     EXPECT_EQ(ended.err,
@@ -202,7 +202,7 @@ TEST_F(SlidesCommand, ABrowserFindsItsPageWhateverTheTemporaryFolderIsCalled) {
         << ended.err;
 }
 
-TEST_F(SlidesCommand, ABrowserThatFailsIsToldAndLeavesNothing) {
+TEST_F(SlidesCommand, ABrowserThatFailsIsReportedAndLeavesNothing) {
     const std::pair<std::string, std::string> cases[] = {
         {"exit 3", "no 'a.pdf': chromium stopped with status 3"},
         {"exit 0", "no 'a.pdf': chromium printed nothing"},

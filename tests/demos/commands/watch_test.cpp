@@ -118,7 +118,7 @@ TEST_F(Watch, SaysWhenNothingChanged) {
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }
 
-TEST_F(Watch, ErrorsAreToldOnceAndWatchingGoesOn) {
+TEST_F(Watch, ErrorsAreReportedOnceAndWatchingGoesOn) {
     Conversation watching(launch({}));
     watching.until("watching my.toml");
     write(folder / "my.toml", "format = 1\nsecond = 2\n");
@@ -162,7 +162,7 @@ TEST_F(Watch, WhatASceneIncludesIsWatchedOnceItIsIncluded) {
     EXPECT_EQ(watching.endBy(SIGINT), 130);
 }
 
-TEST_F(Watch, AFailedExpectationIsTold) {
+TEST_F(Watch, AFailedExpectationIsReported) {
     write(folder / "my.toml",
           kFall + "[[expect]]\nwhat = \"speed\"\nof = [\"ball\"]\nbelow = 1\nwhy = \"slow\"\n");
     const Ended ended = run(launch({"--once"}));

@@ -165,7 +165,7 @@ TEST(ReplayPage, HoldsTheContactsOfEveryFrame) {
     EXPECT_LT((directionOf(word(5)) - last.normal).norm(), 0.02);
 }
 
-TEST(ReplayPage, ABodyThatStaysIsToldOnce) {
+TEST(ReplayPage, ABodyThatStaysIsWrittenOnce) {
     Recording recording = plantedRecording(2, 50, 0);
     for (RecordedFrame& frame : recording.frames) frame.bodies[1].pose = plantedPose(1, 0.0);
     const Json data = dataOf(replayPage(recording).html);
@@ -234,7 +234,7 @@ TEST(ReplayPage, ALargeRunIsThinnedAndSaysSo) {
 }
 
 /// In a symmetric scene many contacts have equal impulses.
-TEST(ReplayPage, OfEqualContactsAsManyStayAsAreTold) {
+TEST(ReplayPage, OfEqualContactsAsManyStayAsAreCounted) {
     Recording recording = plantedRecording(10, 120, 400);
     for (RecordedFrame& frame : recording.frames)
         for (engine::ContactState& contact : frame.contacts) contact.impulse = 2.0;

@@ -94,14 +94,14 @@ TEST_F(Include, ComplaintsNameTheFile) {
     EXPECT_TRUE(tells({lines[1]}, at("main.toml:3:1"), "did you mean 'seconds'?"));
 }
 
-TEST_F(Include, LongPathsAreToldByTheirBeginning) {
+TEST_F(Include, LongPathsAreReportedByTheirBeginning) {
     write("main.toml", "include = '" + std::string(5000, 'p') + "'\n" + kBall);
     EXPECT_TRUE(tells(errors(), at("main.toml:2:11"),
                       "include is '" + std::string(64, 'p') +
                           "...' of 5000 characters; it should be at most 1000"));
 }
 
-TEST_F(Include, BadTomlInAnIncludedFileIsToldThere) {
+TEST_F(Include, BadTomlInAnIncludedFileIsReportedThere) {
     write("main.toml", "include = ['part.toml']\n" + kBall);
     write("part.toml", "x = = 1\n");
     EXPECT_TRUE(tells(errors(), at("part.toml:2:5"), "not TOML"));
@@ -115,7 +115,7 @@ TEST_F(Include, AsksForTheFormatOfEveryFile) {
     EXPECT_TRUE(tells(errors(), at("part.toml:1:10"), "this version reads format 1"));
 }
 
-TEST_F(Include, WhatIsNoFileIsToldWhereItIsNamed) {
+TEST_F(Include, WhatIsNoFileIsReportedWhereItIsNamed) {
     fs::create_directory(folder_ / "folder");
     ASSERT_EQ(mkfifo((folder_ / "fifo").c_str(), 0600), 0);
     std::ofstream(folder_ / "large.toml") << "format = 1\n#" << std::string(8u << 20, 'x');

@@ -30,7 +30,7 @@ std::ostream& operator<<(std::ostream& out, const BadModel& bad) { return out <<
 
 class BadModels : public testing::TestWithParam<BadModel> {};
 
-TEST_P(BadModels, AreToldWithTheirPlace) {
+TEST_P(BadModels, AreReportedWithTheirPlace) {
     const BadModel& bad = GetParam();
     const std::vector<std::string> lines = modelErrors("<mujoco>\n" + bad.text + "</mujoco>\n");
     EXPECT_TRUE(tells(lines, std::string("a.xml:") + bad.place + ": ", bad.message))
@@ -276,7 +276,7 @@ TEST(MujocoErrors, AnIncludedFileHasItsOwnPlacesAndIsReadOnce) {
     EXPECT_TRUE(tells(inside, "b.xml:3:7: ", "unknown attribute 'sise'")) << listed(inside);
 }
 
-TEST(MujocoErrors, OfAPartAreNotToldAgainOfTheMass) {
+TEST(MujocoErrors, OfAPartAreNotReportedAgainOfTheMass) {
     for (const char* part : {"<geom type='box' size='1'/>", "<geom type='plane' size='1 1 1'/>",
                              "<geom type='mesh' mesh='none'/>",
                              "<inertial pos='0 0 0' mass='1' fullinertia='1 1 1 2 0 0'/>",
@@ -313,14 +313,14 @@ TEST(MujocoErrors, OfFoldersDoNotSpeakOfScenes) {
     }
 }
 
-TEST(MujocoErrors, AnotherRootIsTold) {
+TEST(MujocoErrors, AnotherRootIsReported) {
     EXPECT_TRUE(tells(modelErrors("<robot/>"), "a.xml:1:1: ",
                       "the root element is <robot>; it should be <mujoco>"));
     EXPECT_TRUE(tells(modelErrors(""), "a.xml:1:1: ", "this is not XML: "));
     EXPECT_TRUE(tells(modelErrors("<mujoco/><mujoco/>"), "a.xml:1:1", "a second root element"));
 }
 
-TEST(MujocoErrors, MoreThanThirtyTwoGroupsAreTold) {
+TEST(MujocoErrors, MoreThanThirtyTwoGroupsAreReported) {
     std::string geoms;
     for (int i = 0; i < 40; ++i)
         geoms += "<geom size='1' conaffinity='0' contype='" + std::to_string(i + 1) + "'/>";

@@ -131,7 +131,7 @@ TEST(MujocoMotion, SlidesThenAHingeAreAPlanarJoint) {
     expectNear(stage.world.pose(stage.bodies[0]).rotation * Vec3(1, 0, 0), turn * Vec3(1, 0, 0), 1e-3);
 }
 
-TEST(MujocoMotion, ThreeHingesAreABallWhoseTurnsAreTold) {
+TEST(MujocoMotion, ThreeHingesAreABallWhoseTurnsAreReported) {
     const SceneDescription scene = readMujoco(world(
         "<body><joint axis='1 0 0' range='-10 20'/><joint axis='0 0 1'/><joint axis='0 1 0'/>"
         "<geom type='box' size='1 1 1'/></body>"));
@@ -172,7 +172,7 @@ TEST(MujocoMotion, ConnectAndWeldHold) {
     EXPECT_NEAR(stage.world.pose(stage.bodies[2]).position.y(), 1.0 - 0.5 * kG * 0.25, 5e-3);
 }
 
-TEST(MujocoMotion, AMocapBodyStandsAndIsTold) {
+TEST(MujocoMotion, AMocapBodyStandsAndIsReported) {
     const SceneDescription scene =
         readMujoco(world("<body mocap='true' pos='0 0 1'><geom size='0.1'/></body>"));
     EXPECT_EQ(scene.bodies.at(0).def.kind, engine::BodyKind::fixed);

@@ -27,7 +27,7 @@ const std::string kPlate =
     "[[body]]\nname = 'plate'\nshape = { box = [4, 1, 4] }\nfixed = true\n";
 const std::string kBeside = "[[body]]\nname = 'b'\nshape = { sphere = 0.5 }\nat = [9, 2, 0]\n";
 
-TEST(Falls, WithoutAFloorAreToldAfterThreeSeconds) {
+TEST(Falls, WithoutAFloorAreReportedAfterThreeSeconds) {
     EXPECT_EQ(fell("2.5", kBall), "");
     EXPECT_EQ(fell("4", kBall),
               "a: 'ball' falls out of the scene: 78.6 m below the start after 4 s; a floor is a body "
@@ -35,7 +35,7 @@ TEST(Falls, WithoutAFloorAreToldAfterThreeSeconds) {
     EXPECT_EQ(fell("4", kFloor + kBall), "");
 }
 
-TEST(Falls, BesideAPlateAreToldAHundredMetresBelowIt) {
+TEST(Falls, BesideAPlateAreReportedAHundredMetresBelowIt) {
     EXPECT_EQ(fell("4", kPlate + kBeside), "");
     EXPECT_NE(fell("5", kPlate + kBeside).find("below everything fixed after 5 s"), std::string::npos);
     EXPECT_EQ(fell("5", kPlate + kBall), "");
@@ -72,7 +72,7 @@ TEST(Falls, OfASensorBesideDoNotCountAsFixed) {
               "");
 }
 
-TEST(RunWatch, TellsExpectationsThatFailed) {
+TEST(RunWatch, ReportsExpectationsThatFailed) {
     const std::string expect = "[[expect]]\nwhat = 'height'\nof = 'ball'\nabove = 1\n";
     EXPECT_EQ(fell("0.1", kFloor + kBall + expect), "");
     const std::vector<std::string> lines = linesOfRun("1", kFloor + kBall + expect);

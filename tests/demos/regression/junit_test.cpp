@@ -151,7 +151,7 @@ TEST(JunitXml, SaysWhatFailed) {
                  "made with another setting: preset - -> fast");
 }
 
-TEST(JunitXml, TellsByHowMuchAPictureDiffers) {
+TEST(JunitXml, ReportsByHowMuchAPictureDiffers) {
     const TomlPosition written(failedScene());
     const pugi::xml_node testCase = written.testCase("stack@2.5");
     const std::string message = messageOf(testCase.child("failure"));
@@ -167,7 +167,7 @@ TEST(JunitXml, TellsByHowMuchAPictureDiffers) {
                  "[[ATTACHMENT|output/test/a.snapshots/2.500000.png]]");
 }
 
-TEST(JunitXml, TellsWhyThereIsNothingToCompare) {
+TEST(JunitXml, ReportsWhyThereIsNothingToCompare) {
     SceneVerdict scene = failedScene();
     scene.physics = {};
     scene.pictures[0].kind = PictureVerdict::Kind::added;
@@ -184,7 +184,7 @@ TEST(JunitXml, TellsWhyThereIsNothingToCompare) {
 }
 
 // An unusable baseline fails the physics and every picture, each with the reason.
-TEST(JunitXml, TellsWhatIsWrongWithTheWholeBaseline) {
+TEST(JunitXml, ReportsWhatIsWrongWithTheWholeBaseline) {
     SceneVerdict scene = failedScene();
     scene.physics = {};
     scene.problem = "a.snapshots/baseline.json was edited";

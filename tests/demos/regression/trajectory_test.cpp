@@ -198,7 +198,7 @@ TEST(Divergence, TheSameRunIsTheSame) {
     EXPECT_TRUE(verdict.lines.empty());
 }
 
-TEST(Divergence, TellsTheFirstStepBodyFieldAndConstraint) {
+TEST(Divergence, ReportsTheFirstStepBodyFieldAndConstraint) {
     const PhysicsVerdict verdict =
         diverge(played(), played([](Stage& s) { moveTop(s, 0.002); }), {});
     EXPECT_EQ(verdict.kind, PhysicsVerdict::Kind::changed);
@@ -257,7 +257,7 @@ TEST(Divergence, WorksOnWhatABaselineKeeps) {
     EXPECT_EQ(moved.body, "box3");
 }
 
-TEST(Divergence, TellsBodiesThatCameAndWent) {
+TEST(Divergence, ReportsBodiesThatCameAndWent) {
     Trajectory more = played(), less = more;
     less.bodies[5] = "weight";
     const PhysicsVerdict verdict = diverge(more, less, {});

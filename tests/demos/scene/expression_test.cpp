@@ -83,7 +83,7 @@ struct Mistake {
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreTold) {
+TEST_P(Mistakes, AreReported) {
     Expressions expressions;
     expressions.define("radius", 0.5);
     const Evaluated result = expressions.evaluate(GetParam().text, oneRepeat(3, 10));

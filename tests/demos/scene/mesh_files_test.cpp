@@ -213,7 +213,7 @@ TEST_F(MeshFiles, TheSceneNamesEveryFileThatItReads) {
                                                      (folder_ / "my bytes.bin").string()}));
 }
 
-TEST_F(MeshFiles, BrokenObjFilesAreTold) {
+TEST_F(MeshFiles, BrokenObjFilesAreReported) {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const std::pair<std::string, const char*> bad[] = {
         {"v 1 2\n", "a.toml:4:11: bad.obj: line 1: 2 coordinates; a corner should have three"},
@@ -238,7 +238,7 @@ TEST_F(MeshFiles, BrokenObjFilesAreTold) {
               std::string::npos);
 }
 
-TEST_F(MeshFiles, FilesThatAreNoneAreTold) {
+TEST_F(MeshFiles, FilesThatAreNoneAreReported) {
     const auto error = [&](const std::string& name) {
         try {
             read("mesh = '" + name + "'");
@@ -260,7 +260,7 @@ TEST_F(MeshFiles, FilesThatAreNoneAreTold) {
               std::string::npos);
 }
 
-TEST_F(MeshFiles, BrokenGltfFilesAreTold) {
+TEST_F(MeshFiles, BrokenGltfFilesAreReported) {
     const auto with = [](std::string Gltf::*part, const std::string& text) {
         Gltf file;
         file.*part = text;
@@ -380,7 +380,7 @@ TEST_F(MeshFiles, ManyScalesOfAFileAreTooMuchToRead) {
     }
 }
 
-TEST_F(MeshFiles, BrokenBinaryGltfFilesAreTold) {
+TEST_F(MeshFiles, BrokenBinaryGltfFilesAreReported) {
     Gltf file;
     file.buffer = R"({"byteLength":42})";
     const std::string whole = glb(file.text(), triangleBytes());

@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const BadScene& bad) { return out <<
 
 class BadScenes : public testing::TestWithParam<BadScene> {};
 
-TEST_P(BadScenes, AreToldWithTheirPlace) {
+TEST_P(BadScenes, AreReportedWithTheirPlace) {
     const BadScene& bad = GetParam();
     const std::vector<std::string> lines = errorsOf("format = 1\n" + bad.text);
     EXPECT_TRUE(tells(lines, std::string("a.toml:") + bad.place + ": ", bad.message))
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "hz is a table; it should be a whole number from 10 to 100000"}));
 
 /// If `seconds` is wrong, times are not checked against the default length as well.
-TEST(SceneLength, AMistakeIsToldOnce) {
+TEST(SceneLength, AMistakeIsReportedOnce) {
     for (const std::string length : {"secnds = 7\n", "seconds = true\n"}) {
         const std::vector<std::string> lines =
             errorsOf("format = 1\n" + length + kBall + "[[section]]\nat = 6\n");
@@ -320,7 +320,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "[[repeat.repeat.repeat]]\ncount = '0 * i'\nbody = { name = 'a' }\n",
                  "4:1", "more than 100000 turns of [[repeat]]s"}));
 
-TEST(Reader, TellsSeveralErrorsInTheOrderOfTheFile) {
+TEST(Reader, ReportsSeveralErrorsInTheOrderOfTheFile) {
     const std::vector<std::string> lines =
         errorsOf("format = 1\nx = 1\n" + kBall + "mass = 0\n[camera]\nfov_deg = 0\n");
     ASSERT_EQ(lines.size(), 3u) << listed(lines);
@@ -330,7 +330,7 @@ TEST(Reader, TellsSeveralErrorsInTheOrderOfTheFile) {
 }
 
 /// Consequences of an error are not reported as well.
-TEST(Reader, TellsOneCauseOnce) {
+TEST(Reader, ReportsOneCauseOnce) {
     const std::string cause[] = {
         "[[body]]\nname = 'a'\nshape = { plane = [0, 1, 0] }\n",
         "[[body]]\nname = 'a'\nshape = { mesh = { points = [[0, 0, 0], [1, 0, 0], [0, 0, 1]], "
@@ -344,7 +344,7 @@ TEST(Reader, TellsOneCauseOnce) {
     }
 }
 
-TEST(Reader, TellsTwentyErrorsAndHowManyMore) {
+TEST(Reader, ReportsTwentyErrorsAndHowManyMore) {
     std::string text = "format = 1\n" + kBall;
     for (int i = 0; i < 30; ++i)
         text += std::string(static_cast<std::size_t>(i) + 1, 'x') + " = 1\n";
@@ -358,7 +358,7 @@ TEST(Reader, AsksForTheFormat) {
     EXPECT_TRUE(tells(errorsOf("format = 2\n" + kBall), "a.toml:1:1: ", "reads format 1"));
 }
 
-TEST(Reader, ToldOfAListWhereATableShouldBeSaysWhere) {
+TEST(Reader, ReportsAListWhereATableShouldBe) {
     for (const char* key : {"material", "body", "joint", "repeat", "section", "expect"})
         EXPECT_TRUE(
             tells(errorsOf(std::string(key) + " = ['oak']\n"), "a.toml:1:", "it should be a table"))

@@ -176,7 +176,7 @@ TEST(Overrides, AreReadAsIfTheFileHadSaidSo) {
     EXPECT_EQ(scene.bodies[0].def.pose.position, Vec3(1, 2, 3));
 }
 
-TEST(Overrides, AreToldByTheOption) {
+TEST(Overrides, AreReportedByTheOption) {
     const std::string text = "format = 1\n" + kBall;
     EXPECT_TRUE(tells(errorsOf(text, {"world.hzz=3"}),
                       "--set world.hzz=3: ", "unknown key 'hzz' in [world]; did you mean 'hz'?"));

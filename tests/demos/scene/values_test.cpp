@@ -69,7 +69,7 @@ TEST(Values, HaveNamesOfTheirOwn) {
     EXPECT_TRUE(tells(errorsOf(many + kBall), "a.toml:1003:1: ", "more than 1000 values"));
 }
 
-TEST(Values, ThatAreWrongAreToldWithWhatTheyAre) {
+TEST(Values, ThatAreWrongAreReportedWithWhatTheyAre) {
     EXPECT_TRUE(tells(errorsOf("format = 1\n" + ball("mass = '1 - 2'")), "a.toml:6:8: ",
                       "mass is the text \"1 - 2\" = -1; it should be a number from 1e-06"));
     EXPECT_TRUE(tells(errorsOf("format = 1\n[world]\nhz = '100 / 3'\n" + kBall), "a.toml:3:6: ",
@@ -134,7 +134,7 @@ TEST(RepeatExpressions, InNamesAreWhole) {
     EXPECT_EQ(read("[[body]]\nname = 'a{q}'\nshape = { sphere = 1 }\n").bodies[0].name, "a{q}");
 }
 
-TEST(RepeatExpressions, InNamesOfOtherBodiesAreToldThere) {
+TEST(RepeatExpressions, InNamesOfOtherBodiesAreReportedThere) {
     const std::string repeat = "format = 1\n" + kBall + "[[repeat]]\ncount = 2\n";
     const auto joint = errorsOf(repeat + "joint = { type = 'ball', a = 'world', b = 'ball{(i+1)/4}', "
                                          "anchor = [0, 0, 0] }\n");
@@ -147,7 +147,7 @@ TEST(RepeatExpressions, InNamesOfOtherBodiesAreToldThere) {
     EXPECT_TRUE(tells(force, "a.toml:8:48: ", "{x} in a name: there is no value 'x'"));
 }
 
-TEST(RepeatExpressions, AreToldOnce) {
+TEST(RepeatExpressions, AreReportedOnce) {
     const auto lines = errorsOf(
         "format = 1\n[[repeat]]\ncount = 50\nbody = { name = 'a{i}', shape = { sphere = 'i' } }\n");
     ASSERT_EQ(lines.size(), 1u) << listed(lines);

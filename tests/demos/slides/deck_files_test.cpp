@@ -58,7 +58,7 @@ TEST_F(DeckFiles, NameScenesBesideThem) {
                                       "[world] or a spring");
 }
 
-TEST_F(DeckFiles, AreToldFromScenes) {
+TEST_F(DeckFiles, AreDistinguishedFromScenes) {
     write("deck.toml", "title = 'T'\n[[slide]]\n");
     write("scene.toml", kFall);
     write("broken.toml", "[[slide\n");

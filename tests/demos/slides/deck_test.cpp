@@ -219,7 +219,7 @@ TEST(Deck, HasATitleAndSlides) {
     EXPECT_EQ(deckErrors(many), List{"deck.toml:3:3: 201 slides; a deck has at most 200"});
 }
 
-TEST(Deck, TellsWhereAFormulaIsWrong) {
+TEST(Deck, ReportsWhereAFormulaIsWrong) {
     EXPECT_EQ(wrong("text = '''\none\ntwo $x^1^2$\n'''\n"),
               "deck.toml:6:9: formula: Double superscript");
     EXPECT_EQ(wrong("text = \"\\u00e4 \\\"$\\\\lambda \\\\foo$\"\n"),
@@ -234,7 +234,7 @@ TEST(Deck, TellsWhereAFormulaIsWrong) {
 }
 
 // In double quotes TOML reads \\theta as a tab and heta, \\nabla as a new line and abla.
-TEST(Deck, TellsOfBackslashesThatAreLost) {
+TEST(Deck, ReportsBackslashesThatAreLost) {
     const std::string advice =
         ", written as an escape; write LaTeX in single quotes, which keep its backslashes";
     EXPECT_EQ(wrong("formula = \"\\theta + x\"\n"), "deck.toml:4:12: a tab in a formula" + advice);
@@ -253,7 +253,7 @@ TEST(Deck, TellsOfBackslashesThatAreLost) {
     EXPECT_EQ(wrong("formula = '''\na\n\t+ b\n'''\ntext = \"a\\tb\""), "");
 }
 
-TEST(Deck, TellsOfADollarWithoutAnother) {
+TEST(Deck, ReportsADollarWithoutAnother) {
     EXPECT_EQ(wrong("text = 'a $x and b'\n"),
               "deck.toml:4:11: a $ that neither begins nor ends a formula; write \\$ for a dollar, "
               "and a formula with no space inside its dollars");
@@ -286,7 +286,7 @@ TEST(Deck, RefusesWhatIsNoLineOrNoMoment) {
               "\"box1\"]");
 }
 
-TEST(Deck, TellsWhichNumbersItsRunsDoNotHave) {
+TEST(Deck, ReportsWhichNumbersItsRunsDoNotHave) {
     const std::string stack = "scene = 'stack'\n";
     EXPECT_EQ(wrong(stack + "text = 'a @{body.bx3.speed}'\n").substr(0, 87),
               "deck.toml:5:11: no body of 'stack' is called 'bx3'; did you mean 'box3'?");

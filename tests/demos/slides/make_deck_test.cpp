@@ -283,7 +283,7 @@ why = "nothing pushes it"
     EXPECT_EQ(tables[1].rows[1].back(), "no");
 }
 
-TEST_F(MakeDeck, AnIncidentIsToldWithItsSlideAndTheDeckIsWhole) {
+TEST_F(MakeDeck, AnIncidentIsReportedWithItsSlideAndTheDeckIsWhole) {
     making.films = false;
     add(Exhibit::none).text = "words";
     for (const Exhibit exhibit : {Exhibit::none, Exhibit::film}) {
@@ -300,7 +300,7 @@ TEST_F(MakeDeck, AnIncidentIsToldWithItsSlideAndTheDeckIsWhole) {
     }
 }
 
-TEST_F(MakeDeck, AStepThatFailsIsToldWithItsSlide) {
+TEST_F(MakeDeck, AStepThatFailsIsReportedWithItsSlide) {
     write(folder / "ball.toml", kTooTall);
     add(Exhibit::none).measures = true;
     EXPECT_EQ(stopped().code(), Exit::diverged);
@@ -308,7 +308,7 @@ TEST_F(MakeDeck, AStepThatFailsIsToldWithItsSlide) {
         << stopped().what();
 }
 
-TEST_F(MakeDeck, MoreWordsThanFitAreTold) {
+TEST_F(MakeDeck, MoreWordsThanFitAreReported) {
     Slide& slide = add(Exhibit::none);
     slide.title = "Many *words*";
     slide.place.line = 7;

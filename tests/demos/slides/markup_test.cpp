@@ -44,7 +44,7 @@ TEST(TextFormulas, ArePricesCodeOrNothingOtherwise) {
     EXPECT_EQ(formulas("` $x$"), (List{"$x"})) << "nothing closes the backquote";
 }
 
-TEST(TextFormulas, TellsWhichDollarsAreOfNothing) {
+TEST(TextFormulas, ReportsWhichDollarsAreOfNothing) {
     EXPECT_EQ(scannedText("$x $ `$` $5 \\$ $y$ $$").loose, (std::vector<std::size_t>{0, 3, 19}));
     EXPECT_EQ(scannedText("a `$` b").code.front().begin, 2u);
     EXPECT_EQ(scannedText("a `$` b").code.front().end, 5u);
@@ -128,7 +128,7 @@ TEST(Markup, IsMarkdownForMarp) {
         EXPECT_EQ(htmlOf(markdownOf(text)), htmlOf(text)) << text;
 }
 
-TEST(Markup, TellsTheByteOfAWrongFormula) {
+TEST(Markup, ReportsTheByteOfAWrongFormula) {
     for (const auto& make : {htmlOf, htmlInlineOf, latexOf, latexInlineOf}) try {
             make("a *b* $x$ and $y^1^2$");
             ADD_FAILURE() << "taken";

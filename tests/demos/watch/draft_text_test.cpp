@@ -49,13 +49,13 @@ TEST(DraftText, ManySpansAreCounted) {
               "5 frames in 4 spans of frames 1 to 9 (0.07 to 0.60 s, section 'rest') changed");
 }
 
-TEST(DraftText, ALengthThatDiffersIsTold) {
+TEST(DraftText, ALengthThatDiffersIsReported) {
     Draft shorter = draft({});
     shorter.frames = 60;
     EXPECT_EQ(changeText(shorter, plan()), "the film has 60 frames, it had 90");
 }
 
-TEST(DraftText, TheFirstStepThatDiffersIsTold) {
+TEST(DraftText, TheFirstStepThatDiffersIsReported) {
     Draft moved = draft({{44, 89}});
     moved.firstStep = 174;
     moved.drawn = 46;
