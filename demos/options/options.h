@@ -1,5 +1,6 @@
 /// The options that commands share, as plain values: the scene, its picture, the output. Options of
-/// a single command are in a struct derived from this one, next to the command.
+/// a single command are in a struct derived from this one, next to the command or in the folder that
+/// does its work.
 #pragma once
 #include <optional>
 #include <string>
