@@ -9,7 +9,7 @@ constexpr double kParallel = 1e-9;  // squared sine between the sweep and the la
 template <class Visit>
 void eachRow(const Constraints& c, JointTrees& trees, int group, const Visit& visit) {
     trees.eachJoint(group, [&]<int N>(TreeJoint<N>& joint, const InverseMass&, const InverseMass&) {
-        for (int i = 0; i < N; ++i) visit(joint.lambda[i], trees.biasRate() * joint.now.error[i], 0.0);
+        for (int i = 0; i < N; ++i) visit(joint.lambda[i], trees.biasRate() * joint.now.error[i], joint.softness[i]);
     });
     for (const int k : c.jointsOutside.of(group)) {
         const JointConstraint& joint = c.joints[k];
@@ -108,9 +108,8 @@ void ConjugateJoints::goOn(Constraints& c, JointTrees& trees, int group, std::sp
         return row.step - row.swept;
     });
     for (Body& body : bodies_) {
+        body.step = minus(v[body.number], body.at);  // not by alpha and beta: round-off would grow from step to step
         body.at = v[body.number];
-        body.step.linear = best.alpha * body.swept.linear + best.beta * body.step.linear;
-        body.step.angular = best.alpha * body.swept.angular + best.beta * body.step.angular;
     }
 }
 

@@ -45,15 +45,18 @@ private:
     std::vector<char> held_;
 };
 
-/// For every body: whether a joint of its connected set is torn.
-std::vector<char> findTorn(Joints joints, Masses masses) {
-    std::vector<char> torn(masses.size(), 0);
-    const auto isTorn = [](const JointConstraint& joint) { return joint.torn; };
-    if (std::none_of(joints.begin(), joints.end(), isTorn)) return torn;
+/// Bodies connected by joints; immovable ones do not connect.
+DisjointSets connectedSets(Joints joints, Masses masses) {
     DisjointSets sets;
     sets.reset(static_cast<int>(masses.size()));
     for (const JointConstraint& joint : joints)
         if (moves(masses, joint.a) && moves(masses, joint.b)) sets.join(joint.a, joint.b);
+    return sets;
+}
+
+/// For every body: whether a joint of its connected set is torn.
+std::vector<char> findTorn(Joints joints, Masses masses, DisjointSets& sets) {
+    std::vector<char> torn(masses.size(), 0);
     for (const JointConstraint& joint : joints)
         if (joint.torn) torn[sets.leaderOf(moves(masses, joint.a) ? joint.a : joint.b)] = 1;
     for (int i = 0; i < static_cast<int>(masses.size()); ++i) torn[i] = torn[sets.leaderOf(i)];
@@ -243,12 +246,29 @@ void findWhole(Joints joints, Masses masses, Trees& trees, ForestPlan& plan) {
         if (pulled[trees.of(joints[place.joint])]) plan.trees[place.tree].whole = false;
 }
 
+/// A net: joints of a connected set are in several forests.
+void markNets(Joints joints, Masses masses, DisjointSets& sets, std::vector<ForestPlan>& plans) {
+    const auto setOf = [&](const ForestPlan::Place& place) {
+        const JointConstraint& joint = joints[place.joint];
+        return sets.leaderOf(moves(masses, joint.a) ? joint.a : joint.b);
+    };
+    std::vector<char> inSeveral(masses.size(), 0);
+    for (std::size_t i = 1; i < plans.size(); ++i)
+        for (const ForestPlan::Place& place : plans[i].places) inSeveral[setOf(place)] = 1;
+    for (ForestPlan& plan : plans)
+        for (const ForestPlan::Place& place : plan.places) {
+            ForestPlan::Tree& tree = plan.trees[place.tree];
+            tree.inNet = !tree.whole && inSeveral[setOf(place)];
+        }
+}
+
 }  // namespace
 
 std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
     std::vector<ForestPlan> plans;
     std::vector<char> closes(joints.size(), 0);
-    const std::vector<char> torn = findTorn(joints, masses);
+    DisjointSets sets = connectedSets(joints, masses);
+    const std::vector<char> torn = findTorn(joints, masses, sets);
     const std::vector<char> rings = findRings(joints, masses);
     for (JointConstraint& joint : joints) joint.inTree = false;
     for (int i = 0; i < kMostForests; ++i) {
@@ -265,6 +285,7 @@ std::vector<ForestPlan> planForests(Joints joints, Masses masses) {
         findWhole(joints, masses, trees, plan);
         sortByTree(plan);
     }
+    markNets(joints, masses, sets, plans);
     return plans;
 }
 

@@ -37,6 +37,7 @@ struct ForestPlan {
         bool whole = true;  // no rigid joint outside it acts on it: solved exactly
         bool closed = false;  // held twice, or with a loop of other joints than gears
         bool torn = false;    // a joint of its connected set is
+        bool inNet = false;   // joints of its connected set are in several forests
     };
     std::vector<Place> places;  // one tree after the other, each in order of elimination
     std::vector<Tree> trees;

@@ -18,6 +18,9 @@ constexpr double kPlay = 1e-2;
 /// Of K, added to all rows of a closed tree whose joints are torn, or that is part of a net: they cannot all be
 /// closed, or not without the others, and what is nearly dependent gets small impulses instead of huge ones.
 constexpr double kDamping = 1e-3;
+/// Of K: gamma of the rows of a net. A tenth of it leaves tensions of a thousand times the weight, which come from
+/// errors of a tenth of a millimetre; with ten times as much, a welded plate sags.
+constexpr double kSoftness = 3e-6;
 
 /// The share of a tree's nudge that becomes velocity: all while the errors are small compared with the arms,
 /// none where linearization fails.
@@ -92,6 +95,7 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
     for (const ForestPlan::Tree& tree : plan.trees) {
         Tree& made = trees_.emplace_back();
         made.whole = tree.whole, made.closed = tree.closed, made.damped = tree.closed && tree.torn;
+        made.inNet = tree.inNet;
     }
     for (const ForestPlan::Place& place : plan.places) {
         Tree& tree = trees_[place.tree];
@@ -160,7 +164,10 @@ void TreePart<N>::factor(std::span<const InverseMass> masses) {
         own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
         lookAlong(joint, joint, own);
         if (joint.closes) addPlay(joint, own);
-        if (trees_[joint.tree].yields()) own.diagonal() *= 1.0 + kDamping;
+        const Tree& tree = trees_[joint.tree];
+        joints_[k].softness = (tree.inNet ? kSoftness : 0.0) * own.diagonal();
+        own.diagonal() += joint.softness;
+        if (tree.yields()) own.diagonal() *= 1.0 + kDamping;
         factors_.setDiagonal(k, own);
         for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
             if (link.body < 0) {
@@ -195,7 +202,8 @@ void TreePart<N>::solveVelocities(std::span<const int> trees, double biasRate, s
         const Tree& tree = trees_[number];
         for (int k = tree.first; k < tree.end; ++k) {
             const TreeJoint<N>& joint = joints_[k];
-            x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error;
+            x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error -
+                    joint.softness.cwiseProduct(joint.lambda);
             correction.add(x_[k].cwiseAbs().maxCoeff(), 0.0);
         }
         factors_.solve(x_, tree.first, tree.end, [&](int k, const TreeRows<N>& lambda) {

@@ -7,7 +7,9 @@
 /// adds energy, however nearly dependent rows are; several solves come as close as needed to J v = 0. It has no
 /// feedback of nudges into velocities, which would be the velocity of a motion that is impossible.
 /// In a net, every tree that closes loops or is held twice is damped: a flat net that is held all around cannot
-/// move, and its trees would push each other away.
+/// move, and its trees would push each other away. All rows of a net are soft, with a small gamma:
+///   (A + gamma) lambda' = -(J v + b + gamma lambda)
+/// which keeps impulses small where the bodies can hardly move; it only takes energy, as every softness.
 #pragma once
 #include "engine/constraints/contact_constraint.h"
 #include "engine/settings.h"
@@ -40,7 +42,7 @@ public:
 
     /// Applies the share `keep` of the impulses of the last sub-step; 0, and whole trees, only discard them.
     void warmStart(double keep, std::span<Velocity> v);
-    /// Solves J v + biasRate C = 0 in these trees.
+    /// Solves J v + biasRate C + gamma lambda = 0 in these trees; gamma: 0 but in nets.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
     /// Stores the velocities with which the bodies will move from the poses of place(), and, after they have
@@ -112,6 +114,7 @@ private:
         bool closed = false;    // held twice, or with a loop of other joints than gears
         bool geared = false;
         bool damped = false;    // closed and torn
+        bool inNet = false;     // joints of its connected set are in several forests
         bool yields() const { return damped || (closed && !whole); }
         int closings = 0;       // joints that close it
         double gain = 0.0;      // 1/s

@@ -39,7 +39,7 @@ const JointNet kNets[] = {
      [](const GridPlace& at) { return at[0] + at[1] == 18 ? 240e3 : 1000.0; }, 3, 0.1},
     {"Hinges", {12, 12, 1}, JointType::hinge, {0.2, 0.02, 0.2}, 0.5, atTheEdge, asWater, 4, 0.05},
     {"Spinning", {10, 10, 1}, JointType::ball, {0.1, 0, 0}, 0.5,
-     [](const GridPlace&) { return false; }, asWater, 2, 0.05, 20.0},
+     [](const GridPlace&) { return false; }, asWater, 2, 0.1, 20.0},
     // It cannot sag: it is as flat as it is wide.
     {"Taut", {14, 14, 1}, JointType::ball, {0.05, 0, 0}, 0.25,
      [](const GridPlace& at) { return at[0] % 13 == 0 || at[1] % 13 == 0; },
