@@ -83,7 +83,8 @@ struct Freedom {
     bool locked = false;  // held at 0; sixDof only
     Limits limits;
     Motor motor;
-    Spring spring;        // pulls towards `rest`
+    Spring spring;        // pulls towards `rest`; an angle's fades where the angle is undefined, as a
+                          // twist is after a swing by half a turn
     double rest = 0.0;    // m or rad
     double inertia = 0.0; // I, kg or kg m^2: of a rotor that moves with the coordinate and is
                           // driven by nothing else. Geared n : 1, it is n^2 times the rotor's own

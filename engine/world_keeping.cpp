@@ -226,7 +226,7 @@ void keep(Bytes& bytes, JointDrive& drive) {
     for (int i = 0; i < drive.count; ++i) {
         DriveRow& row = drive.rows[i];
         bytes(row.sign, row.error, row.bias, row.softness, row.rate, row.low, row.high, row.lambda);
-        bytes(drive.along[row.coordinate]);
+        bytes(drive.along[drive.placeOf(row)]);
     }
 }
 

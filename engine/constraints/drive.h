@@ -26,6 +26,7 @@ enum class DriveKind { spring, motor, limit };
 struct DriveRow {
     DriveKind kind = DriveKind::limit;
     int coordinate = 0;
+    bool fades = false;
     Freedom freedom;
     double sign = 1.0;             // s of a limit
     double error = 0.0;            // C, m or rad
@@ -44,13 +45,16 @@ struct JointDrive {
     int joint = -1;                      // number in the world
     int count = 0;
     std::array<DriveRow, kMaxRows> rows;
-    std::array<Row, 6> along;          // by coordinate, projected off the rows that the joint holds
+    std::array<Row, 12> along;         // by place, projected off the rows that the joint holds
     Vec3 totalImpulse = Vec3::Zero();  // N s on b, over the whole step
     Vec3 totalTwist = Vec3::Zero();    // N m s on b about its centre of mass
 
+    /// In `along`: springs on angles that may become undefined have their own J (JointRows::fade).
+    int placeOf(const DriveRow& row) const { return row.coordinate + (row.fades ? 6 : 0); }
+    const Row& alongOf(const DriveRow& row) const { return along[placeOf(row)]; }
     /// s J
     Row rowOf(const DriveRow& row) const {
-        Row r = along[row.coordinate];
+        Row r = alongOf(row);
         r.j = {row.sign * r.j.linear, row.sign * r.j.angularA, row.sign * r.j.angularB};
         r.turnA *= row.sign, r.turnB *= row.sign;
         return r;
@@ -59,7 +63,7 @@ struct JointDrive {
 
 /// Applies an impulse along one row and adds it to the joint's reaction.
 inline void push(JointDrive& drive, const DriveRow& row, double lambda, Velocity& a, Velocity& b) {
-    const Row& along = drive.along[row.coordinate];
+    const Row& along = drive.alongOf(row);
     const double signedLambda = row.sign * lambda;
     apply(along, signedLambda, a, b);
     drive.totalImpulse += signedLambda * along.j.linear;
@@ -91,6 +95,8 @@ inline JointDrive driveOf(const JointDef& def) {
             row.kind = kind;
             row.coordinate = i;
             row.freedom = f;
+            const bool fits = def.type != JointType::ball && def.type != JointType::sixDof && !def.spring.isSoft();
+            row.fades = kind == DriveKind::spring && f.spring.isSoft() && f.inertia == 0.0 && !fits;
         }
     return drive;
 }

@@ -18,6 +18,8 @@
 namespace engine {
 namespace {
 
+constexpr double kCounts = 0.5;  // of an angle's weight; below, turns would wind its spring up for ever
+
 /// Two directions perpendicular to an axis given in a body's axes, and fixed in the body.
 void acrossOf(const Vec3& axis, const Quat& body, Vec3 (&across)[2]) {
     tangents(axis, across[0], across[1]);
@@ -185,8 +187,12 @@ JointRows followCoordinates(Joint& joint, const Pose& a, const Pose& b) {
     if (joint.def.type == JointType::path)
         joint.nearest = nearestOnCurve(joint.def.path, joint.def.closed,
                                        a.toLocal(b.toWorld(joint.def.anchorB)), joint.nearest);
-    const JointRows free = coordinatesOf(joint, a, b);
-    for (int i = 0; i < free.count; ++i) joint.position[i] = free.error[i];
+    JointRows free = coordinatesOf(joint, a, b);
+    for (int i = 0; i < free.count; ++i) {
+        const Freedom& f = joint.def.free[i];
+        if (f.spring.isSoft() && free.weight[i] < kCounts) free.error[i] = unwrapped(free.error[i], f.rest);
+        joint.position[i] = free.error[i];
+    }
     return free;
 }
 

@@ -62,16 +62,30 @@ struct JointRows {
     int count = 0;
     std::array<Jacobian, kMaxRows> j;
     std::array<double, kMaxRows> error;  // C, m or rad
+    std::array<double, kMaxRows> weight;
+    std::array<Vec3, kMaxRows> weightRate;  // of angles, where the weight is below 1
 
     void add(const Jacobian& jacobian, double c) {
         j[count] = jacobian;
+        weight[count] = 1.0;
         error[count++] = c;
+    }
+    /// For a spring along row i: C becomes m (C - rest), with its J. A spring on an angle alone would pull ever harder
+    /// towards where the angle is undefined, and jump there: it would gain energy.
+    void fade(int i, double rest = 0.0) {
+        error[i] -= rest;
+        if (weight[i] == 1.0) return;
+        j[i].angularA = weight[i] * j[i].angularA - error[i] * weightRate[i];
+        j[i].angularB = weight[i] * j[i].angularB + error[i] * weightRate[i];
+        error[i] *= weight[i];
     }
 };
 
 /// Adds the row of an angle; `sign` is the sign of its rate.
 inline void addTurn(const Angle& angle, JointRows& rows, double sign = 1.0) {
     rows.add({Vec3::Zero(), Vec3(-sign * angle.rate), Vec3(sign * angle.rate)}, angle.value);
+    rows.weight[rows.count - 1] = angle.weight;
+    rows.weightRate[rows.count - 1] = sign * angle.weightRate;
 }
 
 struct JointConstraint {

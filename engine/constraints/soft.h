@@ -49,14 +49,6 @@ inline SoftRow softRow(const Spring& spring, double k, double error, double h, S
     return {rate.kept * k / taken, rate.kept * rate.pull * error / (h * taken)};
 }
 
-/// J v, with which the stretch is taken back to the time of the velocities, half a step before. Where an angle is
-/// undefined (turning.h) its rate has no bound and does not last for half a step: 0.
-inline double rateForEnergy(const Jacobian& j, const Velocity& a, const Velocity& b) {
-    constexpr double kMostPerTurn = 4.0;  // rad per rad
-    const bool undefined = j.linear.isZero(0.0) && j.angularB.squaredNorm() > kMostPerTurn * kMostPerTurn;
-    return undefined ? 0.0 : velocityAlong(j, a, b);
-}
-
 /// lambda = -(J v + b + gamma lambda_total) / (K + gamma); with gamma = 0, that of the rigid row.
 inline double correctiveImpulse(const Row& row, double bias, double softness, double total,
                                 const Velocity& a, const Velocity& b) {

@@ -80,7 +80,7 @@ bool isFar(const JointDrive& drive, const DriveRow& row, std::span<const Velocit
     constexpr double kClear = 0.05;  // m, rad
     if (isHeld(row) || row.error < kClear) return false;
     const Limits& limits = row.freedom.limits;
-    const double rate = velocityAlong(drive.along[row.coordinate].j, v[drive.a], v[drive.b]);
+    const double rate = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
     const double span = limits.high - limits.low;  // distance between the bounds
     return row.error > kClear + h * std::abs(rate) && span - row.error > kClear + h * std::abs(rate);
 }
@@ -146,8 +146,13 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
         const HeldRows held(joint, bodies, drive.a, drive.b);
         for (int i = 0; i < drive.count; ++i) {
             DriveRow& row = drive.rows[i];
-            drive.along[row.coordinate] =
-                freeRow(held, free.j[row.coordinate], massA, massB);
+            Jacobian j = free.j[row.coordinate];
+            if (row.fades) {
+                JointRows own = free;
+                own.fade(row.coordinate, row.freedom.rest);
+                j = own.j[row.coordinate], row.error = own.error[row.coordinate];
+            }
+            drive.along[drive.placeOf(row)] = freeRow(held, j, massA, massB);
         }
     }
 }
@@ -155,7 +160,7 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
 void setDriveBiases(Constraints& c, const Settings& settings, double h) {
     for (JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i)
-            setBias(drive.rows[i], drive.along[drive.rows[i].coordinate].k, settings, h);
+            setBias(drive.rows[i], drive.alongOf(drive.rows[i]).k, settings, h);
 }
 
 void keepRates(Constraints& c, std::span<const Velocity> v) {
@@ -164,7 +169,7 @@ void keepRates(Constraints& c, std::span<const Velocity> v) {
         for (int i = 0; i < drive.count; ++i) {
             DriveRow& row = drive.rows[i];
             if (row.kind != DriveKind::spring || row.freedom.inertia <= 0.0) continue;
-            row.rate = velocityAlong(drive.along[row.coordinate].j, v[drive.a], v[drive.b]);
+            row.rate = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
         }
 }
 
@@ -180,7 +185,7 @@ void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v) {
 void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction) {
     for (int i = 0; i < drive.count; ++i) {
         DriveRow& row = drive.rows[i];
-        const Row& along = drive.along[row.coordinate];
+        const Row& along = drive.alongOf(row);
         Velocity &a = v[drive.a], &b = v[drive.b];
         const double lambda = pushWithin(along, row, a, b);
         if (lambda == 0.0) continue;  // most limits are far away
@@ -214,14 +219,15 @@ double driveEnergy(const Joint& joint, const Bodies& bodies, double h) {
     const auto isSoft = [](const Freedom& f) { return f.spring.isSoft(); };
     if (std::ranges::none_of(joint.def.free, isSoft)) return 0.0;
     const int a = joint.def.a.index, b = joint.def.b.index;
-    const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
+    JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     const HeldRows held(joint, bodies, a, b);
     double energy = 0.0;
     for (int i = 0; i < free.count; ++i) {
         const Freedom& f = joint.def.free[i];
         if (!f.spring.isSoft()) continue;
-        const double rate = rateForEnergy(free.j[i], bodies.velocities[a], bodies.velocities[b]);
-        const double stretch = free.error[i] - f.rest - 0.5 * h * rate;
+        free.fade(i, f.rest);
+        const double rate = velocityAlong(free.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double stretch = free.error[i] - 0.5 * h * rate;
         const double k =
             freeRow(held, free.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
         if (k > 0.0) energy += 0.5 * springOf(joint, i).stiffness * stretch * stretch;

@@ -44,10 +44,11 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
         if (joint.def.type == JointType::gear || joint.def.type == JointType::path)
             followCoordinates(joint, bodies.poses[c.a], bodies.poses[c.b]);
         if (c.inTree && !settings.compareExact) continue;
-        const JointRows rows =
+        JointRows rows =
             rowsOf(joint.def.type, geometryOf(joint, bodies.poses[c.a], bodies.poses[c.b]));
         c.count = rows.count;
         for (int i = 0; i < rows.count; ++i) {
+            if (joint.def.spring.isSoft()) rows.fade(i);
             c.rows[i] = makeRow(rows.j[i], bodies.inverseMasses[c.a], bodies.inverseMasses[c.b]);
             c.error[i] = rows.error[i];
         }
@@ -77,12 +78,13 @@ double elasticEnergy(const Joint& joint, const Bodies& bodies) {
     double energy = joint.acts ? driveEnergy(joint, bodies, h) : 0.0;
     if (!joint.def.spring.isSoft()) return energy;
     const int a = joint.def.a.index, b = joint.def.b.index;
-    const JointRows rows =
+    JointRows rows =
         rowsOf(joint.def.type, geometryOf(joint, bodies.poses[a], bodies.poses[b]));
     for (int i = 0; i < rows.count; ++i) {
+        rows.fade(i);
         const double k =
             makeRow(rows.j[i], bodies.inverseMasses[a], bodies.inverseMasses[b]).k;
-        const double rate = rateForEnergy(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double rate = velocityAlong(rows.j[i], bodies.velocities[a], bodies.velocities[b]);
         const double stretch = rows.error[i] - 0.5 * h * rate;
         const double stiffness = joint.def.spring.fixedFor(joint.rowMasses[i]).stiffness;
         if (k > 0.0) energy += 0.5 * stiffness * stretch * stretch;

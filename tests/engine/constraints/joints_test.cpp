@@ -81,6 +81,36 @@ TEST_P(EveryJoint, JvIsTheRateOfItsCoordinates) {
     }
 }
 
+TEST_P(EveryJoint, JvIsTheRateOfWhatASpringPulls) {
+    support::Random random(90 + static_cast<int>(GetParam()));
+    for (int i = 0; i < 100; ++i) {
+        const State state(GetParam(), random);
+        const auto faded = [](JointRows rows, double rest) {
+            for (int k = 0; k < rows.count; ++k) rows.fade(k, rest);
+            return rows;
+        };
+        expectDerivative(state, [&](double t) { return faded(state.coordinates(t), 0.4); });
+        expectDerivative(state, [&](double t) { return faded(state.rows(t), 0.0); });
+    }
+}
+
+// Where the twist is undefined, its rate has no bound.
+TEST(Twist, PullsASpringWithABoundedLever) {
+    support::Random random(7);
+    for (const double left : {1e-2, 1e-5, 1e-9}) {
+        const Vec3 h = random.vector(1).normalized(), across = h.cross(random.vector(1)).normalized();
+        const double half = 0.5 * (kPi - left);
+        Quat turn(cosine(half), 0, 0, 0);
+        turn.vec() = sine(half) * across;
+        JointRows rows;
+        addTurn(twistAbout(h, turn), rows);
+        EXPECT_GT(rows.j[0].angularB.norm(), 1.0 / left);
+        rows.fade(0);
+        EXPECT_LT(rows.j[0].angularB.norm(), 3.0);
+        EXPECT_LT(std::abs(rows.error[0]), left * kPi);
+    }
+}
+
 TEST_P(EveryJoint, HasNoErrorWhereItWasMade) {
     support::Random random(30);
     World world;
