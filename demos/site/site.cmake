@@ -11,6 +11,4 @@ add_custom_command(
           -P ${CMAKE_CURRENT_SOURCE_DIR}/site/embed_documents.cmake
   DEPENDS ${document_paths} site/embed_documents.cmake html/text_pieces.cmake
   VERBATIM)
-target_sources(demos_site PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/documents.cpp)
-set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/documents.cpp
-  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+impulse_made(site ${CMAKE_CURRENT_BINARY_DIR}/documents.cpp)

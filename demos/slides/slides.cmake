@@ -25,13 +25,13 @@ else()
     message(STATUS "No fontTools (python3-fonttools, python3-brotli): slides embed no font for formulas")
   else()
     set(math_font ${CMAKE_CURRENT_BINARY_DIR}/math_font.cpp)
-    target_sources(demos_slides PRIVATE ${math_font})
     target_compile_definitions(demos_slides PRIVATE IMPULSE_HAVE_MATH_FONT)
     add_custom_command(
       OUTPUT ${math_font}
       COMMAND ${IMPULSE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/slides/embed_math_font.py
               ${IMPULSE_MATH_FONT} ${math_font}
       DEPENDS slides/embed_math_font.py ${IMPULSE_MATH_FONT})
+    impulse_made(slides ${math_font})
   endif()
 endif()
 
