@@ -18,8 +18,8 @@ constexpr double kPlay = 1e-2;
 /// Of K, added to all rows of a closed tree whose joints are torn, or that is part of a net: they cannot all be
 /// closed, or not without the others, and what is nearly dependent gets small impulses instead of huge ones.
 constexpr double kDamping = 1e-3;
-/// Of K: gamma of the rows of a net. A tenth of it leaves tensions of a thousand times the weight, which come from
-/// errors of a tenth of a millimetre; with ten times as much, a welded plate sags.
+/// Of K: gamma of the rows of a net. With 1e-7, a net of 20 by 20 balls still asks for 25 sub-steps, instead of 6;
+/// with 1e-5, joints of a welded plate open by 3 mm in preset fast.
 constexpr double kSoftness = 3e-6;
 
 /// The share of a tree's nudge that becomes velocity: all while the errors are small compared with the arms,
