@@ -121,7 +121,7 @@ void keep(Bytes& bytes, MovingPairs::Entry& entry) {
 
 template <class Bytes>
 void keep(Bytes& bytes, Contact& c) {
-    bytes(c.a, c.b, c.normal, c.friction, c.restitution, c.rolling, c.rollingMoment, c.depth);
+    bytes(c.a, c.b, c.normal, c.slideA, c.slideB, c.friction, c.restitution, c.rolling, c.rollingMoment, c.depth);
     bytes(c.normalA, c.seenFromA);
     bytes.within(c.count, 1, Contact::kMaxPoints);
     for (int i = 0; i < c.count; ++i) {

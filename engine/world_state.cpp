@@ -14,6 +14,7 @@ namespace engine {
 namespace {
 
 void findContacts(WorldState& s, double dt) {
+    s.finder.moving.bounceSpeed = s.settings.bounce == Bounce::impacts ? s.settings.bounceSpeed : kFar;
     engine::findContacts(s.bodies, s.finder, s.settings.speculativeMargin, dt);
     s.contactsStale = false;
 }

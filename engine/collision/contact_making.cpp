@@ -33,7 +33,7 @@ Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& man
         together(bodies.defs[pair.a].material, bodies.defs[pair.b].material);
     Contact contact;
     contact.a = pair.a, contact.b = pair.b;
-    contact.normal = manifold.normal;
+    contact.normal = manifold.normal, contact.slideA = manifold.slideA, contact.slideB = manifold.slideB;
     contact.normalA = bodies.poses[pair.a].rotation.conjugate() * manifold.normal;
     if (where == Found::here)
         contact.seenFromA = seenFrom(bodies.poses[pair.a], bodies.poses[pair.b]);
@@ -62,6 +62,7 @@ bool stays(const Contact& contact, const Bodies& bodies) {
 
 Contact kept(const Contact& contact, const Bodies& bodies) {
     Contact same = contact;
+    same.slideA.setZero(), same.slideB.setZero();
     same.normal = bodies.poses[contact.a].rotation * contact.normalA;
     return same;
 }

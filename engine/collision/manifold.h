@@ -14,6 +14,7 @@ struct ManifoldPoint {
 struct Manifold {
     static constexpr int kMaxPoints = 4;
     Vec3 normal = Vec3::Zero();  // unit, from a to b
+    Vec3 slideA = Vec3::Zero(), slideB = Vec3::Zero();  // m, as in Contact
     int count = 0;
     std::array<ManifoldPoint, kMaxPoints> points;
 
@@ -24,6 +25,7 @@ struct Manifold {
     /// The same contact with a and b exchanged.
     void flip() {
         normal = -normal;
+        slideA.swap(slideB);
         for (int i = 0; i < count; ++i) points[i].onA.swap(points[i].onB);
     }
 };

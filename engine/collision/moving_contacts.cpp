@@ -29,18 +29,22 @@ struct Pair {
         const double easeB = bodies.inverseMasses[pair.bodies.b].angular.trace();
         shareOfA = easeA + easeB > 0.0 ? easeB / (easeA + easeB) : 0.5;
     }
-    /// How fast the bodies approach at a present point, m/s: -J v.
-    double closingAt(const Vec3& p, const Vec3& n) const {
-        const Vec3 ofA = a.velocity + a.spin.cross(p - a.start.position);
-        const Vec3 ofB = b.velocity + b.spin.cross(p - b.start.position);
-        return n.dot(ofA - ofB);
+    /// How fast the bodies approach at a present point, with its arms at the impact, m/s: -J v.
+    double closingAt(const Vec3& p, const Manifold& m) const {
+        const Vec3 ofA = a.velocity + a.spin.cross(p + m.slideA - a.start.position);
+        const Vec3 ofB = b.velocity + b.spin.cross(p + m.slideB - b.start.position);
+        return m.normal.dot(ofA - ofB);
     }
 };
 
 /// Moves the manifold of the poses at `time` back to the present; C is at least what is closed within `free`
-/// (s). Motion across the normal until then would take the two points off the normal: the point of the body
-/// that is harder to rotate is moved, because a wrong arm affects it least.
+/// (s). Motion across the normal until then would take the two points off the normal: a common point is taken,
+/// nearer to that of the body that is easier to rotate, and what its arms lack until the impact is noted.
 void seeFromNow(Manifold& m, const Pair& pair, double time, double free) {
+    const Vec3 way = time * (pair.a.velocity - pair.b.velocity);
+    const Vec3 slide = way - m.normal.dot(way) * m.normal;
+    if (pair.shareOfA < 1.0 || pair.a.spin != Vec3::Zero()) m.slideA = -pair.shareOfA * slide;
+    if (pair.shareOfA > 0.0 || pair.b.spin != Vec3::Zero()) m.slideB = (1.0 - pair.shareOfA) * slide;
     for (int i = 0; i < m.count; ++i) {
         const double then = m.separation(i);
         const Vec3 onA = m.points[i].onA - time * pair.a.velocity;
@@ -48,7 +52,7 @@ void seeFromNow(Manifold& m, const Pair& pair, double time, double free) {
         const Vec3 between = onB - onA;
         const Vec3 across = between - m.normal.dot(between) * m.normal;
         const Vec3 p = onA + pair.shareOfA * across;
-        const double c = pair.closingAt(p, m.normal);
+        const double c = pair.closingAt(p, m);
         const double least = larger(smaller(then, 0.0), free * c);  // no push where none is needed
         const double now = larger(then + time * c, least);
         m.points[i].onA = p;
@@ -109,6 +113,10 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     if (!holdsMore(m, first)) m.count = 0;
     seeFromNow(m, pair, time, 0.0);
     return m;
+}
+
+bool bounces(const Bodies& bodies, const PairKey& pair) {
+    return larger(bodies.defs[pair.a].material.restitution, bodies.defs[pair.b].material.restitution) > 0.0;
 }
 
 /// Hits that would continue by `ontoA` and `ontoB` (m) throw both bodies, in inverse ratio of the masses.
@@ -178,7 +186,8 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
         if (bodies.isAsleep(key.a) && bodies.isAsleep(key.b)) continue;
         if (bodies.waits(key.a, key.b)) continue;
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
-        if (wayOf(a, b, dt) <= margin || !broadPhase.boundsMeet(key)) continue;
+        const double least = bounces(bodies, key) ? smaller(margin, dt * moving.bounceSpeed) : margin;
+        if (wayOf(a, b, dt) <= least || !broadPhase.boundsMeet(key)) continue;
         if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
         if (isSensed(bodies, key)) continue;
         moving.entries.push_back({key, {}});
@@ -207,10 +216,10 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {
         if (!entry.impact.meets) continue;
         const Shape *shapes[2] = {&bodies.defs[entry.pair.a].shape, &bodies.defs[entry.pair.b].shape};
         const bool rough = shapes[0]->type == ShapeType::mesh || shapes[1]->type == ShapeType::mesh;
-        double size = 1e9;  // m; a ball may turn freely, except that it may glance off one triangle
-        for (const int k : {0, 1})  // onto the next
+        double size = 1e9;  // m; a ball may turn freely, except that it may glance off one triangle onto
+        for (const int k : {0, 1})  // the next, or bounce off one body onto another
             if (bodies.isDynamic(k == 0 ? entry.pair.a : entry.pair.b) &&
-                (rough || shapes[k]->type != ShapeType::sphere))
+                (rough || bounces(bodies, entry.pair) || shapes[k]->type != ShapeType::sphere))
                 size = smaller(size, 2.0 * reachOf(*shapes[k]));
         const Motion &a = moving.motions[entry.pair.a], &b = moving.motions[entry.pair.b];
         most = larger(most, wayOf(a, b, dt) / size);

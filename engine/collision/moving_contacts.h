@@ -1,8 +1,9 @@
 /// The contacts of fast pairs: found at the poses where they will touch, and given to the solver as if at the
 /// present poses. With the normal n and the points of the time t of impact, and with
 ///   C = C_then - t J v
-/// the solver's linear model of the motion closes the gap at exactly that time. A body that only passes
-/// another is not stopped by the infinite plane of a contact far ahead.
+/// the solver's linear model of the motion closes the gap at exactly that time. Motion across n would make one arm
+/// wrong: the rows have the arms r of time t (Contact::slideA), which keep balls without friction from turning.
+/// A body that only passes another is not stopped by the infinite plane of a contact far ahead.
 ///
 /// Free motion ends with the first impact, so there are two further sources of contacts:
 ///   * a pair that touches continues to turn about its contact: a second manifold, at the poses of the
@@ -34,8 +35,9 @@ struct MovingPairs {
         Impact impact;
         int part = 0, first = 0, count = 0;  // of compounds and meshes: close[part][first], ...
     };
+    double bounceSpeed = kFar;    // m/s: pairs that bounce and are faster need the normal at the impact
     std::vector<Motion> motions;  // by body
-    std::vector<Entry> entries;   // the pairs that move more than the margin; sorted
+    std::vector<Entry> entries;   // the pairs that move more than the margin, or bounce; sorted
     std::vector<std::vector<Close>> close;  // a list for each thread
     std::vector<double> throws;   // m, by body; all zero if nothing is hit
     std::vector<double> throwsBefore;
@@ -45,7 +47,7 @@ struct MovingPairs {
     double throwOf(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
 };
 
-/// Finds impacts and throws of all pairs that move more than `margin` (m) within dt (s), and adds to the
+/// Finds impacts and throws of all pairs that move more than `margin` (m) within dt (s), or bounce, and adds to the
 /// broad phase the pairs of bodies that may be thrown beyond their bounds. The pairs `jointed` (sorted) do
 /// not collide. `workers`, if given, share the pairs.
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,

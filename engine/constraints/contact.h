@@ -18,6 +18,8 @@ struct Contact {
     static constexpr int kMaxPoints = 4;
     int a = -1, b = -1;             // body numbers, a < b
     Vec3 normal = Vec3::UnitY();    // unit, from a to b
+    /// m, across the normal: from the arms of the points to those that the bodies will have when they meet.
+    Vec3 slideA = Vec3::Zero(), slideB = Vec3::Zero();
     double friction = 0.0;          // mu, combined
     double restitution = 0.0;       // e, combined
     double rolling = 0.0;           // rho, combined, m

@@ -1,5 +1,8 @@
 #include "engine/solver/impacts.h"
 
+#include <algorithm>
+#include <array>
+
 #include "engine/dynamics/rotation.h"
 
 namespace engine {
@@ -8,6 +11,8 @@ namespace {
 /// An impact travels through n balls and back in n passes; the sweeps handle the rest.
 constexpr int kPasses = 64;
 constexpr double kLeaves = 1e9;    // m/s
+constexpr double kTogether = 1e-4;  // m: points this close when the first one of a contact touches bounce with it
+constexpr double kSlides = 1e-3;    // m
 constexpr double kMostTurn = 0.2;  // rad: larger rotations cannot be added
 
 ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
@@ -21,10 +26,24 @@ ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies)
         ContactRow& row = c.rows[i];
         const Vec3 onA = a.toWorld(contact.points[i].anchorA);
         const Vec3 onB = b.toWorld(contact.points[i].anchorB);
-        row.armA = onA - a.position, row.armB = onB - b.position;
+        row.armA = onA - a.position + contact.slideA;
+        row.armB = onB - b.position + contact.slideB;
         row.gapAtStart = c.n.dot(onB - onA);
     }
     return impact;
+}
+
+/// Two movable bodies that hit each other obliquely and fast: only a bounce (of 0 m/s) puts them where they meet, and
+/// keeps the angular momentum, as the arms are those of the impact. Not if one hangs on joints: a bounce does not
+/// know the mass behind them, and in a cloth the order of its knots would show.
+bool slides(const Contact& contact, std::span<const Joint> joints, const Bodies& bodies) {
+    const auto joins = [&](const Joint& joint) {
+        const int a = joint.def.a.index, b = joint.def.b.index;
+        return a == contact.a || b == contact.a || a == contact.b || b == contact.b;
+    };
+    return (contact.slideB - contact.slideA).squaredNorm() > kSlides * kSlides &&
+           bodies.inverseMasses[contact.a].linear > 0.0 && bodies.inverseMasses[contact.b].linear > 0.0 &&
+           std::ranges::none_of(joints, joins);
 }
 
 Velocity since(const Pose& now, const Pose& start) {
@@ -34,28 +53,64 @@ Velocity since(const Pose& now, const Pose& start) {
 /// The impact of a point within a sub-step.
 struct Meeting {
     bool hits = false;
-    double time = 0.0;   // s
-    double speed = 0.0;  // u, m/s
+    double time = 0.0;      // s
+    double speed = 0.0;     // u, m/s
+    double approach = 0.0;  // J v, m/s
+    double gap = 0.0;       // C, m
 };
 
-Meeting meet(double approach, double gap, double acceleration, double earliest, double threshold,
+struct Meetings {
+    std::array<Meeting, Contact::kMaxPoints> points;
+    double first = 0.0;  // s, time of the first impact
+    bool any = false;
+};
+
+Meeting meet(double approach, double gap, double acceleration, double earliest, const Settings& settings,
              double h) {
     Meeting m;
+    m.approach = approach, m.gap = gap;
     const double start = approach - 0.5 * h * acceleration;
     const double open = larger(gap, 0.0);
-    m.speed = -std::sqrt(larger(start * start - 2.0 * acceleration * open, 0.0));
-    m.hits = gap + h * approach <= 0.0 && m.speed < -threshold && approach < 0.0;
+    // A point too deep arrived slower than it is now; nudges will lift it before it has left.
+    const double fallen = gap < -settings.slop ? larger(gap + settings.slop, -settings.depenetrationSpeed * h) : open;
+    m.speed = -std::sqrt(larger(start * start - 2.0 * acceleration * fallen, 0.0));
+    m.hits = gap + h * approach <= 0.0 && m.speed < -settings.bounceSpeed && approach < 0.0;
     const double sum = -start - m.speed;
     m.time = clamped(sum > 0.0 ? 2.0 * open / sum : h, earliest, h);
     return m;
 }
 
+/// q in w = K lambda + q >= 0: the bounce speed of the points that touch at the first impact; no faster approach
+/// where it is too slow to bounce. Separating points are ignored: with w = 0 there, Newton's law would add lambda u / 2
+/// to the energy. So are points that touch later: holding them would take energy away.
+Vec4 startOf(const ContactImpact& impact, const Meetings& meetings, double threshold, double h) {
+    Vec4 q = Vec4::Constant(kLeaves);
+    for (int i = 0; i < impact.contact.count; ++i) {
+        const Meeting& m = meetings.points[i];
+        if (m.approach > 0.0 || m.gap + meetings.first * m.approach > kTogether) continue;
+        q[i] = m.speed < -threshold ? m.approach + impact.contact.restitution * m.speed -
+                                          impact.acceleration[i] * (0.5 * h - meetings.first)
+                                    : 0.0;
+    }
+    return q;
+}
+
+/// The block's diagonal is raised, which a sweep makes up for in the next one; there is only one bounce.
+Vec4 solveToTheEnd(const NormalBlock& block, const Vec4& q) {
+    constexpr int kMore = 2;  // each leaves a thousandth of the error
+    Vec4 lambda = solveNormalBlock(block, q);
+    const Vec4 raised = block.k.diagonal() - block.exact;
+    for (int i = 0; i < kMore && block.count > 1; ++i)
+        lambda = solveNormalBlock(block, q - raised.cwiseProduct(lambda));
+    return lambda;
+}
+
 }  // namespace
 
-void Impacts::prepare(std::span<const Contact> contacts, const Bodies& bodies) {
+void Impacts::prepare(std::span<const Contact> contacts, std::span<const Joint> joints, const Bodies& bodies) {
     list_.clear();
     for (std::size_t k = 0; k < contacts.size(); ++k)
-        if (contacts[k].restitution > 0.0)
+        if (contacts[k].restitution > 0.0 || slides(contacts[k], joints, bodies))
             list_.push_back(impactOf(contacts[k], static_cast<int>(k), bodies));
     for (const int i : met_) bodies_[i] = {};
     met_.clear();
@@ -68,7 +123,8 @@ void Impacts::begin(const Bodies& bodies, std::span<const Pose> posesAtStart) {
     all_ = &bodies, starts_ = posesAtStart;
     for (ContactImpact& impact : list_) {
         impact.placed = false;
-        for (int i = 0; i < impact.contact.count; ++i) impact.contact.rows[i].bounce = 0.0;
+        for (int i = 0; i < impact.contact.count; ++i)
+            impact.contact.rows[i].bounce = impact.ahead[i] = 0.0;
     }
 }
 
@@ -90,7 +146,7 @@ void Impacts::place(ContactImpact& impact) const {
     impact.placed = true;
 }
 
-bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double threshold, double h) {
+bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, const Settings& settings, double h) {
     ContactConstraint& c = impact.contact;
     Velocity &a = v[c.a], &b = v[c.b];
     Body &bodyA = bodies_[c.a], &bodyB = bodies_[c.b];
@@ -99,42 +155,31 @@ bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, double thresh
         approach[i] = c.n.dot(velocityBetween(c.rows[i], a, b));
         fastest = smaller(fastest, approach[i]);
     }
-    if (fastest > -0.5 * threshold) return false;  // most contacts rest
+    if (fastest > -0.5 * settings.bounceSpeed) return false;  // most contacts rest
     if (!impact.placed) place(impact);
-    const double earliest = larger(bodyA.time, bodyB.time);
-    Meeting meetings[Contact::kMaxPoints];
-    double time = h;
-    bool any = false;
+    Meetings meetings{{}, h};
     for (int i = 0; i < c.count; ++i) {
-        const ContactRow& row = c.rows[i];
-        const double gap = row.separation + c.n.dot(velocityBetween(row, bodyA.way, bodyB.way));
-        meetings[i] = meet(approach[i], gap, impact.acceleration[i], earliest, threshold, h);
-        if (!meetings[i].hits) continue;
-        any = true;
-        time = smaller(time, meetings[i].time);
+        const double gap = c.rows[i].separation + c.n.dot(velocityBetween(c.rows[i], bodyA.way, bodyB.way));
+        const Meeting& m = meetings.points[i] = meet(approach[i], gap, impact.acceleration[i],
+                                                     larger(bodyA.time, bodyB.time), settings, h);
+        if (m.hits) meetings.any = true, meetings.first = smaller(meetings.first, m.time);
     }
-    if (!any) return false;
-    // w = K lambda + q >= 0: the bounce speed where the two hit, and no approach where they only come near.
-    // Separating points are ignored: with w = 0 there, Newton's law would add lambda u / 2 to the energy.
-    Vec4 q = Vec4::Zero();
-    for (int i = 0; i < c.count; ++i)
-        q[i] = meetings[i].hits ? approach[i] + c.restitution * meetings[i].speed -
-                                      impact.acceleration[i] * (0.5 * h - time)
-                 : approach[i] > 0.0 ? kLeaves
-                                     : 0.0;
-    const Vec4 lambda = solveNormalBlock(c.block, q);
+    if (!meetings.any) return false;
+    const Vec4 lambda = solveToTheEnd(c.block, startOf(impact, meetings, settings.bounceSpeed, h));
     for (int i = 0; i < c.count; ++i) {
         c.rows[i].bounce += lambda[i];
         applyAt(c, c.rows[i], lambda[i] * c.n, a, b);
-        applyAt(c, c.rows[i], -time * lambda[i] * c.n, bodyA.way, bodyB.way);
+        applyAt(c, c.rows[i], -meetings.first * lambda[i] * c.n, bodyA.way, bodyB.way);
     }
-    for (const auto& [mass, index] : {std::pair(&c.massA, c.a), std::pair(&c.massB, c.b)}) {
-        if (mass->linear == 0.0) continue;
-        bodies_[index].time = time;
-        if (!bodies_[index].met) met_.push_back(index);
-        bodies_[index].met = true;
-    }
+    note(c.massA, c.a, meetings.first);
+    note(c.massB, c.b, meetings.first);
     return true;
+}
+
+void Impacts::note(const InverseMass& mass, int body, double time) {
+    if (mass.linear == 0.0) return;
+    if (!bodies_[body].met) met_.push_back(body);
+    bodies_[body].time = time, bodies_[body].met = true;
 }
 
 void Impacts::solve(std::span<Velocity> v, const Settings& settings) {
@@ -145,8 +190,13 @@ void Impacts::solve(std::span<Velocity> v, const Settings& settings) {
         for (ContactImpact& impact : list_) {
             const int body = all_->movable(impact.contact.a, impact.contact.b);
             if (!all_->acts[body]) continue;
-            any = bounce(impact, v, settings.bounceSpeed, all_->spans[body]) || any;
+            any = bounce(impact, v, settings, all_->spans[body]) || any;
         }
+    }
+    for (ContactImpact& impact : list_) {
+        const ContactConstraint& c = impact.contact;
+        for (int i = 0; i < c.count; ++i)
+            impact.ahead[i] = c.n.dot(velocityBetween(c.rows[i], bodies_[c.a].way, bodies_[c.b].way));
     }
 }
 

@@ -7,12 +7,14 @@
 ///   u_0 = J v - a h / 2,   u = -sqrt(u_0^2 - 2 a C),   t = 2 C / (-u_0 - u)
 ///   J v2 = -e u + a (h / 2 - t)
 ///   x <- x - t (v2 - v),   because until t the bodies moved with v
-/// So a ball reverses on the floor and not above it, and with e = 1 it keeps its energy.
+/// So a ball reverses on the floor and not above it, and with e = 1 it keeps its energy. Of the points of a contact
+/// those bounce together that touch at the time of the first; a corner that comes down later bounces alone.
 #pragma once
 #include <span>
 #include <vector>
 
 #include "engine/constraints/contact_constraint.h"
+#include "engine/constraints/joint_constraint.h"
 #include "engine/dynamics/bodies.h"
 #include "engine/settings.h"
 
@@ -23,13 +25,15 @@ struct ContactImpact {
     ContactConstraint contact;
     int number = -1;                                  // index of the contact
     double acceleration[Contact::kMaxPoints] = {};    // a of each point, m/s^2
+    double ahead[Contact::kMaxPoints] = {};  // m: what the bounces of this sub-step add to the gap, besides v
     bool placed = false;  // gaps, accelerations and block are up to date for this sub-step
 };
 
 class Impacts {
 public:
-    /// At the beginning of a step: collects the contacts with restitution, at the initial poses.
-    void prepare(std::span<const Contact> contacts, const Bodies& bodies);
+    /// At the beginning of a step: collects, at the initial poses, the contacts with restitution, and the oblique hits
+    /// of two bodies without.
+    void prepare(std::span<const Contact> contacts, std::span<const Joint> joints, const Bodies& bodies);
     bool empty() const { return list_.empty(); }
 
     /// Before a sub-step is solved: gaps and accelerations will be taken at this time.
@@ -48,8 +52,9 @@ private:
         double time = 0.0;   // s, of its last impact
         bool met = false;
     };
-    bool bounce(ContactImpact& impact, std::span<Velocity> v, double threshold, double h);
+    bool bounce(ContactImpact& impact, std::span<Velocity> v, const Settings& settings, double h);
     void place(ContactImpact& impact) const;
+    void note(const InverseMass& mass, int body, double time);
 
     const Bodies* all_ = nullptr;  // of this sub-step
     std::span<const Pose> starts_;

@@ -119,6 +119,14 @@ void sweepContact(ContactConstraint& contact, std::span<Velocity> v, const Setti
     solveRolling(contact, a, b, correction);
 }
 
+/// Without `ahead`, a point that will touch after another one has bounced would be stopped before it bounces.
+void setBounce(const ContactImpact& impact, int i, double h, ContactConstraint& contact) {
+    ContactRow& row = contact.rows[i];
+    row.bounce = impact.contact.rows[i].bounce;
+    if (row.separation > 0.0)
+        row.bias = larger(row.separation + impact.ahead[i], 0.0) / (contact.stride * h);
+}
+
 void setLead(const RidingContact& riding, ContactConstraint& contact) {
     contact.lead << contact.t1.dot(riding.lead), contact.t2.dot(riding.lead);
     const double angle = contact.n.dot(riding.turn);
@@ -217,7 +225,7 @@ void beginSolving(Constraints& c, std::span<Velocity> v, const Settings& setting
     if (c.contacts.empty()) return;  // contacts are in lanes
     for (const ContactImpact& impact : c.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
-            c.contacts[impact.number].rows[i].bounce = impact.contact.rows[i].bounce;
+            setBounce(impact, i, h, c.contacts[impact.number]);
     for (const RidingContact& riding : c.riding.list())
         setLead(riding, c.contacts[riding.number]);
 }

@@ -23,10 +23,10 @@ void placePoints(const Contact& contact, const Pose& a, const Pose& b,
     }
     const Vec3 ahead = larger(open, 0.0) * contact.normal;
     for (int i = 0; i < contact.count; ++i)
-        frame.add(0.5 * (onA[i] + onB[i] - ahead) - a.position,
+        frame.add(0.5 * (onA[i] + onB[i] - ahead) - a.position + contact.slideA,
                   contact.normal.dot(onB[i] - onA[i]));
     frame.finish(contact.normal);
-    const Vec3 offset = a.position - b.position + ahead;
+    const Vec3 offset = a.position - b.position + ahead + contact.slideB - contact.slideA;
     for (int i = 0; i < contact.count; ++i)
         points[i] = {frame.arm(i), frame.arm(i) + offset, frame.gap[i]};
 }
@@ -78,7 +78,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     solver.pressed.load(contacts, joints, bodies);
     solver.posesAtStart.resize(bodies.count());
     for (const int i : bodies.active) solver.posesAtStart[i] = bodies.poses[i];
-    c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), bodies);
+    c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), joints, bodies);
     c.riding.find(contacts, joints, bodies, solver.islands);
     solver.lanes = settings.usesLanes();
     solver.byIsland = settings.solvesByIsland();

@@ -152,7 +152,7 @@ void beginRows(Solver& s, std::span<Velocity> v, const Settings& settings, doubl
     s.wide.begin(v, settings);
     for (const ContactImpact& impact : s.constraints.impacts.list())
         for (int i = 0; i < impact.contact.count; ++i)
-            s.wide.setBounce(impact.number, i, impact.contact.rows[i].bounce);
+            s.wide.setBounce(impact.number, i, impact.contact.rows[i].bounce, impact.ahead[i]);
     for (const RidingContact& riding : s.constraints.riding.list())
         s.wide.setLead(riding.number, riding.lead, riding.turn);
 }

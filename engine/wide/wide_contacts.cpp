@@ -147,7 +147,7 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     c.a[lane] = contact.a, c.b[lane] = contact.b;
     c.writeA[lane] = pairs_[record.contact[lane]].a >= 0 ? contact.a : waste;
     c.writeB[lane] = pairs_[record.contact[lane]].b >= 0 ? contact.b : waste;
-    set3(c.offset, lane, offset);
+    set3(c.offset, lane, offset + contact.slideB - contact.slideA);
     c.massA[lane] = static_cast<float>(bodies.inverseMasses[contact.a].linear);
     c.massB[lane] = static_cast<float>(bodies.inverseMasses[contact.b].linear);
     set6(c.turnA, lane, bodies.inverseMasses[contact.a].angular);
@@ -159,7 +159,7 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     for (int i = 0; i < contact.count; ++i) {
         const Vec3 armA = axes_[contact.a] * contact.points[i].anchorA;
         const Vec3 between = axes_[contact.b] * contact.points[i].anchorB - armA - offset;
-        frame.add(armA + 0.5 * between, contact.normal.dot(between) + larger(open, 0.0));
+        frame.add(armA + 0.5 * between + contact.slideA, contact.normal.dot(between) + larger(open, 0.0));
     }
     frame.finish(contact.normal);
     set3(c.n, lane, contact.normal), set3(c.t1, lane, frame.t1), set3(c.t2, lane, frame.t2);
@@ -241,9 +241,13 @@ void WideContacts::begin(std::span<const Velocity> v, const Settings& settings) 
     eachBody([&](int i) { now_[i] = before_[i] = {}; });
 }
 
-void WideContacts::setBounce(int contact, int i, double impulse) {
+void WideContacts::setBounce(int contact, int i, double impulse, double ahead) {
     const int batch = place_[contact] / 8, lane = place_[contact] % 8;
-    batches_[batch].point[i].bounce[lane] = static_cast<float>(impulse);
+    WidePoint& point = batches_[batch].point[i];
+    point.bounce[lane] = static_cast<float>(impulse);
+    const float gap = records_[batch].separation[i][lane];
+    if (gap > 0.0f)
+        point.bias[lane] += (larger(gap + static_cast<float>(ahead), 0.0f) - gap) / batchSpans_[batch];
 }
 
 void WideContacts::setLead(int contact, const Vec3& lead, const Vec3& turn) {

@@ -39,8 +39,8 @@ public:
     bool acts(int group) const { return spans_[group] > 0.0; }
     /// Sets biases from the velocities before solving.
     void begin(std::span<const Velocity> v, const Settings& settings);
-    /// Sets the bounce impulse of a point (solver/impacts.h), N s; after begin().
-    void setBounce(int contact, int i, double impulse);
+    /// Sets the bounce impulse of a point (solver/impacts.h), N s; adds `ahead` (m) to its gap; after begin().
+    void setBounce(int contact, int i, double impulse, double ahead);
     /// Sets the slip that friction leaves, m/s, and turns its start impulses (rad): see
     /// solver/riding_contacts.h. After begin(), before warmStart().
     void setLead(int contact, const Vec3& lead, const Vec3& turn);

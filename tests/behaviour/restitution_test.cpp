@@ -1,6 +1,9 @@
 // mission 34: J v2 = -e J v1, with a threshold.
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "engine/base/trigonometry.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -100,6 +103,108 @@ TEST(Restitution, OfAnObliqueHitIsNewtonsAndCoulombs) {
                 EXPECT_NEAR(world.velocity(id).x() / v, 1.0 - lost / v, 5e-4) << v << ' ' << mu;
                 EXPECT_NEAR(world.spin(id).z(), -2.5 * lost / 0.25, 5e-3 * v) << v << ' ' << mu;
             }
+}
+
+/// Two balls without friction, of which one hits the other, at rest, `offset` (m) beside its centre.
+struct ObliqueHit {
+    static constexpr double kRadius = 0.25, kMassA = 2.0, kMassB = 3.0;  // m, kg
+    Vec3 velocity, expected;                                             // m/s, of the first
+    double turned = 0.0;                                                 // rad/s that it gains
+    double angular = 0.0;  // kg m^2/s, change of the angular momentum about the origin
+
+    ObliqueHit(double e, double v, double offset, double phase, const Settings& settings) {
+        World world(settings);
+        world.setGravity(Vec3::Zero());
+        const double away = 2.0 * kRadius;
+        BodyDef a = body(Shape::sphere(kRadius), {-1.0 - away - phase * v * kStep, offset, 0}, kMassA);
+        BodyDef b = body(Shape::sphere(kRadius), {0, 0, 0}, kMassB);
+        a.velocity = {v, 0, 0}, a.spin = {0, 0, 20.0};
+        for (BodyDef* def : {&a, &b}) def->material.restitution = e, def->material.friction = 0.0;
+        const BodyId first = world.add(a), second = world.add(b);
+        run(world, static_cast<int>((1.0 + away) / v / kStep) + 30);
+        const Vec3 n = Vec3(std::sqrt(away * away - offset * offset), -offset, 0) / away;
+        const double impulse = (1.0 + e) * v * n.x() / (1.0 / kMassA + 1.0 / kMassB);
+        velocity = world.velocity(first), expected = Vec3(v, 0, 0) - impulse / kMassA * n;
+        turned = (world.spin(first) - a.spin).norm() + world.spin(second).norm();
+        const auto momentum = [&](BodyId id, double mass) {
+            return Vec3(mass * world.pose(id).position.cross(world.velocity(id)));
+        };
+        angular = (momentum(first, kMassA) + momentum(second, kMassB)).z() + kMassA * v * offset;
+    }
+};
+
+// Both move on along the line of the centres at the moment of the impact, whenever in the step that is.
+TEST(Restitution, OfTwoBallsIsAlongTheLineOfTheirCentres) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double e : {0.0, 0.5, 1.0})
+            for (const double v : {2.0, 5.0, 20.0, 100.0})
+                for (const double offset : {0.1, 0.3, 0.4})
+                    for (const double phase : {0.0, 0.3, 0.6, 0.9}) {
+                        const ObliqueHit hit(e, v, offset, phase, settings);
+                        EXPECT_LT((hit.velocity - hit.expected).norm() / v, 3e-3)
+                            << e << ' ' << v << ' ' << offset << ' ' << phase;
+                        EXPECT_NEAR(hit.turned, 0.0, 1e-3 * v) << e << ' ' << v << ' ' << offset;
+                        EXPECT_NEAR(hit.angular, 0.0, 3e-3 * v) << e << ' ' << v << ' ' << offset;
+                    }
+}
+
+/// The largest rise and loss of energy in `seconds`, as a share of `scale` (J).
+std::array<double, 2> riseAndLoss(World& world, double scale, double seconds) {
+    const double start = world.energy().total();
+    std::array<double, 2> worst{};
+    for (int i = 0; i < seconds / kStep; ++i) {
+        world.step(kStep);
+        const double change = (world.energy().total() - start) / scale;
+        worst[0] = larger(worst[0], change), worst[1] = larger(worst[1], -change);
+    }
+    return worst;
+}
+
+BodyDef elastic(BodyDef def) {
+    def.material.restitution = 1.0, def.material.friction = 0.0;
+    return def;
+}
+
+// A corner hits, the body turns over, another corner hits: each takes only its own share.
+TEST(Restitution, KeepsTheEnergyOfBodiesThatTumble) {
+    const Shape shapes[] = {Shape::box({0.5, 0.5, 0.5}), Shape::box({1.0, 0.2, 0.4}), Shape::cylinder(0.25, 0.5),
+                            Shape::capsule(0.25, 1.0), Shape::cone(0.25, 0.5)};
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double tilt : {0.0, 0.3})
+            for (const Shape& shape : shapes) {
+                World world(settings);
+                world.add(elastic(support::floorPlane()));
+                BodyDef def = elastic(body(shape, {0, 1.5, 0}, 1.0));
+                def.pose.rotation = engine::turnAboutXyz({tilt, 0.3 * tilt, 0.7 * tilt});
+                world.add(def);
+                const auto [rise, loss] = riseAndLoss(world, kGravity, 20.0);
+                EXPECT_LT(rise, 0.01) << static_cast<int>(shape.type) << ' ' << tilt;
+                EXPECT_LT(loss, 0.01) << static_cast<int>(shape.type) << ' ' << tilt;
+            }
+}
+
+TEST(Restitution, KeepsTheEnergyOfBallsInABox) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        world.setGravity(Vec3::Zero());
+        for (int k = 0; k < 6; ++k) {
+            Vec3 size(4, 4, 4), at = Vec3::Zero();
+            size[k / 2] = 1.0, at[k / 2] = k % 2 ? 2.5 : -2.5;
+            world.add(elastic(support::fixed(Shape::box(size), at)));
+        }
+        double scale = 0.0;
+        for (int i = 0; i < 27; ++i) {
+            const Vec3 at = 1.3 * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            BodyDef ball = elastic(body(Shape::sphere(0.2), at, 1.0 + i % 3));
+            ball.velocity = Vec3(i * 7 % 11 - 5, i * 5 % 11 - 5, i * 3 % 11 - 5);
+            ball.spin = Vec3(i % 5 - 2, i % 7 - 3, i % 3 - 1);
+            scale += 0.5 * (1.0 + i % 3) * ball.velocity.squaredNorm();
+            world.add(ball);
+        }
+        const auto [rise, loss] = riseAndLoss(world, scale, 20.0);
+        EXPECT_LT(rise, 1e-3);
+        EXPECT_LT(loss, 1e-2);
+    }
 }
 
 TEST(Restitution, SlowContactsDoNotBounce) {

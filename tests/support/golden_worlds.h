@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0x0316abca93544d1a},
+        {"stack", goldenStack, 300, 0xee18c1f12b8926e0},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
-        {"chain", goldenChain, 300, 0x3223cafa0540bc05},
-        {"pyramid", goldenPyramid, 60, 0xdd09f31fad8c50c6},
-        {"forces", goldenForces, 300, 0x5a5595a34dfae3fc},
-        {"machine", goldenMachine, 300, 0x7317ffb3769649f1},
-        {"shapes", goldenShapes, 180, 0x46fe24225a391c97},
-        {"rolling", goldenRolling, 300, 0xb6deabafd842bb07},
+        {"chain", goldenChain, 300, 0x27a02b4f94605447},
+        {"pyramid", goldenPyramid, 60, 0x1a37603398b0a18e},
+        {"forces", goldenForces, 300, 0x27dfc6e72ab2a390},
+        {"machine", goldenMachine, 300, 0xdbf4635920230c8d},
+        {"shapes", goldenShapes, 180, 0x49d39597f5f5d09a},
+        {"rolling", goldenRolling, 300, 0xf3f10bf034fcb1dc},
     }};
     return worlds;
 }
