@@ -99,6 +99,7 @@ void beginSubstep(WorldState& s, int i) {
     for (const int k : s.bodies.active) s.bodies.acts[k] = i % s.bodies.strides[k] == 0;
     const int joints = s.paces.ofJoints();
     s.solver.constraints.jointStride = i % joints == 0 ? joints : 0;
+    if (s.solver.constraints.jointStride > 0) measureSprings(s.solver.constraints, s.bodies.velocities);
 }
 
 }  // namespace engine

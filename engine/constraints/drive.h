@@ -32,7 +32,8 @@ struct DriveRow {
     double error = 0.0;            // C, m or rad
     double bias = 0.0;             // b, m/s or rad/s
     double softness = 0.0;         // of a spring
-    double rate = 0.0;             // u, m/s or rad/s; used with an inertia
+    double rate = 0.0;             // m/s or rad/s, after the last solve; used with an inertia
+    double before = 0.0;           // u, m/s or rad/s, before the sub-step's forces; used with a spring
     double low = 0.0, high = 0.0;  // bounds of lambda
     double lambda = 0.0;           // N s (N m s), in one sub-step
 
@@ -130,7 +131,7 @@ inline SoftRow springRow(const DriveRow& row, double k, const Settings& settings
     const double inertia = row.freedom.inertia;
     SoftRow soft;
     if (row.freedom.spring.isSoft())
-        soft = softRow(row.freedom.spring, withInertia(k, inertia), row.error, h, settings.springs);
+        soft = softRow(row.freedom.spring, withInertia(k, inertia), row.error, row.before, h, settings.springs);
     if (inertia <= 0.0) return soft;
     const double stiff = soft.softness > 0.0 ? 1.0 / soft.softness : 0.0;
     const double softness = 1.0 / (stiff + inertia);

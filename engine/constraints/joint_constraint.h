@@ -99,6 +99,7 @@ struct JointConstraint {
     std::array<double, 6> error{}, bias{}, softness{}, lambda{};
     Spring spring;
     std::array<Spring, 6> springs;  // of a soft joint's rows, by k and c
+    std::array<double, 6> before{};  // u of a soft joint's rows: rates before the sub-step's forces
     bool pointAtOnce = false;  // the first three rows, of a point, are solved together
     Mat3 pointMass = Mat3::Zero();  // (J M^-1 J^T)^-1 of these three
     bool asBlock = false;      // a type after weld: all its rows are one block if points are blocks

@@ -42,7 +42,7 @@ void addLoads(const SpringForce& spring, std::span<const BodyId> on, const Bodie
     const SoftRate rate =
         softRate(h * h * spring.stiffness * ease, h * spring.damping * ease, Springs::symplectic);
     const double before = n.dot(b.velocity - a.velocity);
-    const double after = rate.kept * (before - rate.pull * (length - spring.length) / h);
+    const double after = rate.kept * ((1.0 - rate.lag) * before - rate.pull * (length - spring.length) / h);
     const Vec3 force = (before - after) / (ease * h) * n;
     loads[on[0].index].force += force;
     loads[on[0].index].torque += a.arm.cross(force);

@@ -1,6 +1,6 @@
 /// A spring with a damper between a point of one body and a point of another, with W = h^2 k K, where K is
 /// the change of d/dt |d| per unit of impulse along d:
-///   v0 = d/dt |d|,   v1 = E (v0 - W (|d| - l) / h)        constraints/soft.h
+///   v0 = d/dt |d|,   v1 = E ((1 - D) v0 - W (|d| - l) / h)        constraints/soft.h, with u = v0
 ///   F = (v0 - v1) / (K h) d / |d|,   d = p_b - p_a, on a; its opposite on b
 ///   U = k (|d| - l - v0 h / 2)^2 / 2                      at the moment of the velocities
 /// So it swings with T = 2 pi sqrt(m / k), for a hundred periods and more without damping, and is stable at

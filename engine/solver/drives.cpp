@@ -163,6 +163,18 @@ void setDriveBiases(Constraints& c, const Settings& settings, double h) {
             setBias(drive.rows[i], drive.alongOf(drive.rows[i]).k, settings, h);
 }
 
+void measureSprings(Constraints& c, std::span<const Velocity> v) {
+    for (JointConstraint& joint : c.joints)
+        for (int i = 0; joint.spring.isSoft() && i < joint.count; ++i)
+            joint.before[i] = velocityAlong(joint.rows[i].j, v[joint.a], v[joint.b]);
+    for (JointDrive& drive : c.drives)
+        for (int i = 0; i < drive.count; ++i) {
+            DriveRow& row = drive.rows[i];
+            if (row.kind != DriveKind::spring) continue;
+            row.before = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
+        }
+}
+
 void keepRates(Constraints& c, std::span<const Velocity> v) {
     c.ratesStale = false;
     for (JointDrive& drive : c.drives)

@@ -17,6 +17,9 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
 /// Sets b, softness and bounds for a sub-step of length h (s).
 void setDriveBiases(Constraints& c, const Settings& settings, double h);
 
+/// Sets the rates of all springs of joints before a sub-step's forces act (constraints/soft.h).
+void measureSprings(Constraints& c, std::span<const Velocity> v);
+
 /// Stores the rates that inertias keep: after a solve, and before a step if the caller has set velocities.
 void keepRates(Constraints& c, std::span<const Velocity> v);
 

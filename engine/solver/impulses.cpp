@@ -48,8 +48,8 @@ double keptInTurn(const Velocity& a, const Velocity& b, double h) {
 void setBiases(JointConstraint& joint, const Settings& settings, double h) {
     for (int i = 0; i < joint.count; ++i) {
         const SoftRow soft = joint.spring.isSoft()
-                                 ? softRow(joint.springs[i], joint.rows[i].k, joint.error[i], h,
-                                           settings.springs)
+                                 ? softRow(joint.springs[i], joint.rows[i].k, joint.error[i],
+                                           joint.before[i], h, settings.springs)
                                  : SoftRow{0.0, settings.baumgarte * joint.error[i] / h};
         joint.softness[i] = soft.softness;
         joint.bias[i] = soft.bias;
