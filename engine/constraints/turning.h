@@ -42,6 +42,12 @@ inline Angle twistAbout(const Vec3& h, const Quat& turn, double near = 0.0) {
     return angle;
 }
 
+/// 2 u.h, which is zero with the twist and defined at any swing.
+inline Angle heldTwist(const Vec3& h, const Quat& turn) {
+    const Vec3 u = turn.vec();
+    return {2.0 * u.dot(h), turn.w() * h - h.cross(u)};
+}
+
 inline Angle swingOf(const Vec3& axisA, const Vec3& axisB) {
     const Vec3 across = axisA.cross(axisB);
     const double sine = across.norm();

@@ -102,7 +102,7 @@ inline void addLockedTwists(const Joint& def, const Pose& a, const Pose& b, Tree
     const Quat turn = b.rotation * (a.rotation * def.turnAtStart).conjugate();
     for (int i = 0, k = 0; i < 3; ++i) {
         if (!def.def.free[3 + i].locked) continue;
-        const Angle twist = twistAbout(frame[i], turn);
+        const Angle twist = heldTwist(frame[i], turn);
         g.twist[k] = twist.rate;
         g.error[3 + k++] = twist.value;
     }
@@ -145,7 +145,7 @@ inline void addTwist(const TreeJoint<N>& joint, const Joint& def, const Pose& a,
             g.error[3] = pinA.dot(pinB);
         } else if (joint.type == JointType::constantVelocity) {
             const Quat turn = b.rotation * (a.rotation * def.turnAtStart).conjugate();
-            const Angle twist = twistAbout(a.rotation * def.axisA, turn);
+            const Angle twist = heldTwist(a.rotation * def.axisA, turn);
             g.twist[0] = twist.rate;
             g.error[3] = twist.value;
         } else if (joint.type == JointType::sixDof) {

@@ -230,6 +230,38 @@ TEST(ConstantVelocityJoints, KeepTheirEnergyInAChain) {
     }
 }
 
+/// A bar on a hook, lifted by `lift` (rad) and turned about the vertical with 2 rad/s, for half a minute.
+EnergyRange wildBar(JointDef joint, double lift, const Settings& settings) {
+    World world(settings);
+    const Vec3 along(std::cos(lift), std::sin(lift), 0);
+    joint.a = world.add(support::hook()), joint.b = addBar(world, Vec3::Zero(), 0.5 * along);
+    joint.anchorB = world.pose(joint.b).rotation.conjugate() * Vec3(-0.25 * along);
+    joint.axis = along, joint.axis2 = Vec3::UnitZ();
+    const Vec3 spin(0, 2.0, 0);
+    world.setVelocity(joint.b, spin.cross(Vec3(0.25 * along)), spin);
+    world.add(joint);
+    EnergyRange range;
+    range.run(world, 30, support::kGravity * 0.25 * (1 + std::abs(along.y())) + world.energy().kinetic);
+    return range;
+}
+
+// Where the shafts point against each other the twist is undefined, but not the joint.
+TEST(ConstantVelocityJoints, KeepTheEnergyOfABarThatSwingsOver) {
+    JointDef twistFree;
+    twistFree.type = JointType::sixDof;
+    for (const int i : {0, 1, 2, 3}) twistFree.free[i].locked = true;
+    JointDef shafts;
+    shafts.type = JointType::constantVelocity;
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double lift : {0.0, 1.0, 2.5})
+            for (const JointDef& joint : {shafts, twistFree}) {
+                const EnergyRange range = wildBar(joint, lift, settings);
+                EXPECT_LT(range.high, 0.005) << lift;
+                EXPECT_GT(range.low, -0.02) << lift;
+                EXPECT_LT(range.separation, 1e-4) << lift;
+            }
+}
+
 // Two bars and a block on a rail: the slider closes the loop.
 TEST(SliderCrank, KeepsItsEnergy) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {

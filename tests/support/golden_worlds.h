@@ -173,7 +173,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"chain", goldenChain, 300, 0x27a02b4f94605447},
         {"pyramid", goldenPyramid, 60, 0x1a37603398b0a18e},
         {"forces", goldenForces, 300, 0xf62a9c2521cc1e8e},
-        {"machine", goldenMachine, 300, 0x42d01d6931635a3f},
+        {"machine", goldenMachine, 300, 0x003bb3328970d72a},
         {"shapes", goldenShapes, 180, 0x49d39597f5f5d09a},
         {"rolling", goldenRolling, 300, 0xf3f10bf034fcb1dc},
     }};
