@@ -56,6 +56,23 @@ TEST(FastBall, DoesNotPassAThinWallFromAnyAngle) {
             }
 }
 
+TEST(FastBall, StopsAtAWallWithoutRestitution) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double v : {50.0, 350.0, 470.0})
+            for (const double radius : {0.05, 0.5})
+                for (int k = 0; k < 6; ++k) {
+                    World world(settings);
+                    world.setGravity(Vec3::Zero());
+                    world.add(fixed(Shape::box({1, 20, 20})));
+                    BodyDef def = body(Shape::sphere(radius), {-0.5 - radius - (1 + k / 6.0) * v * kStep, 0, 0});
+                    def.velocity = {v, 0, 0};
+                    const BodyId ball = world.add(def);
+                    run(world, 10);
+                    EXPECT_LT(world.velocity(ball).norm(), 0.01) << v << ' ' << radius << ' ' << k;
+                    EXPECT_NEAR(world.pose(ball).position.x(), -0.5 - radius, 2e-3) << v << ' ' << radius << ' ' << k;
+                }
+}
+
 TEST(FastBall, DoesNotPassAWallThatComesTowardIt) {
     for (const BodyKind kind : {BodyKind::kinematic, BodyKind::dynamic})
         for (int k = 0; k < 12; ++k) {

@@ -56,6 +56,17 @@ TEST(Pendulum, TendsToTheEllipticIntegralWithTheStep) {
     EXPECT_NEAR(2 * t2 - t1, 2.367842, 5e-7);
 }
 
+TEST(Pendulum, KeepsItsEnergyForAMinuteFromNearlyUpright) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        Pendulum p(170, settings);
+        const double start = p.world.energy().total(), scale = kGravity * (1.0 - cosine(radians(170)));
+        for (int i = 0; i < 3600; ++i) {
+            p.world.step(kStep);
+            ASSERT_NEAR((p.world.energy().total() - start) / scale, 0.0, 0.005) << i;
+        }
+    }
+}
+
 TEST(Pendulum, SwingsInTwoPiSqrtLOverGWhenSmall) {
     Pendulum p(2);
     EXPECT_NEAR(period(p, 5), 2 * kPi * std::sqrt(1 / kGravity), 0.003 * 2.0);

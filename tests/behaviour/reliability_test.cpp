@@ -92,6 +92,71 @@ TEST(Trouble, ABodyThatIsTooFastIsSlowedDownAndNamed) {
     EXPECT_DOUBLE_EQ(world.velocity(fast).x(), 1e4);
 }
 
+TEST(Trouble, ABodyThatSpinsTooFastIsSlowedDownAndItsNeighboursDoNotNotice) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world = support::stack(3, settings), alone = support::stack(3, settings);
+        const BodyDef def = body(Shape::box({1, 0.3, 0.2}), {10, 500, 0});
+        const BodyId fast = world.add(def);
+        alone.add(def);
+        world.setVelocity(fast, Vec3::Zero(), {1e3, 3e4, 1e3});
+        EXPECT_TRUE(world.step(kStep));
+        ASSERT_EQ(world.report().incidents.size(), 1u);
+        EXPECT_EQ(world.report().incidents[0].body, fast);
+        EXPECT_LE(world.spin(fast).norm(), 1.1e4);  // its energy is that of 1e4 rad/s about another axis
+        alone.step(kStep);
+        for (int i = 0; i < 60; ++i) EXPECT_TRUE(world.step(kStep)), alone.step(kStep);
+        for (int i = 1; i <= 3; ++i)
+            EXPECT_LT((world.pose({i}).position - alone.pose({i}).position).norm(), 1e-5) << i;
+    }
+}
+
+// At most 1 m/s, however deep (Settings::depenetrationSpeed), and no velocity is left.
+TEST(BadScenes, OverlapsComeApartSlowly) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double depth : {0.05, 0.3, 0.9}) {
+            World world(settings);
+            world.add(support::floorPlane());
+            world.add(body(Shape::box({1, 1, 1}), {0, 0.5 - depth, 0}));
+            world.add(body(Shape::sphere(0.5), {3, 0.5 - depth, 0}));
+            for (int i = 0; i < 120; ++i) {
+                const Vec3 box = world.pose({1}).position, ball = world.pose({2}).position;
+                world.step(kStep);
+                EXPECT_LT((world.pose({1}).position - box).norm(), 1.01 * kStep) << depth;
+                EXPECT_LT((world.pose({2}).position - ball).norm(), 1.01 * kStep) << depth;
+            }
+            for (const int i : {1, 2}) {
+                EXPECT_NEAR(world.pose({i}).position.y(), 0.5, 2e-3) << depth;
+                EXPECT_LT(world.velocity({i}).norm(), 1e-3) << depth;
+            }
+        }
+}
+
+// The explicit half step of free rotation that they had once gave them 31 to 450 times their energy.
+TEST(BadScenes, ThrownRodsSettle) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
+        World world(settings);
+        world.add(support::floorPlane());
+        support::Random random(11);
+        for (int i = 0; i < 49; ++i) {
+            const Vec3 at(1.5 * (i % 7) - 4.5, 2.0 + 0.3 * (i % 5), 1.5 * (i / 7) - 4.5);
+            BodyDef rod = body(Shape::box({1, 0.05, 0.05}), at, 2.5);
+            rod.pose.rotation = random.rotation();
+            rod.spin = random.vector(1).normalized() * random.number(10, 30), rod.velocity = random.vector(3);
+            world.add(rod);
+        }
+        const double start = world.energy().total();
+        for (int i = 0; i < 900; ++i) {
+            ASSERT_TRUE(world.step(kStep)) << i;
+            ASSERT_TRUE(world.report().incidents.empty()) << i;
+            ASSERT_LT(world.energy().total(), 1.001 * start) << i;
+        }
+        for (int i = 1; i < 50; ++i) {
+            EXPECT_GT(world.pose({i}).position.y(), 0.02) << i;
+            EXPECT_LT(world.velocity({i}).norm(), 0.1) << i;
+        }
+    }
+}
+
 TEST(Trouble, ABodyLostInSpaceIsReported) {
     World world;
     const BodyId far = world.add(body(Shape::sphere(1), {99999.9, 0, 0}));
