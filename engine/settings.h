@@ -38,7 +38,7 @@ enum class Instructions { best, baseline };
 struct Settings {
     Method method = Method::impulses;
     int substeps = 4;         // repetitions of velocities, impulses, positions and nudges per step
-    int maxSubsteps = 32;     // limit of substeps where joints or masses need more (solver/substeps.h)
+    int maxSubsteps = 128;    // limit of substeps where joints or masses need more (solver/substeps.h)
     int sweeps = 20;          // velocity sweeps per sub-step, at most
     int minSweeps = 2;        // velocity sweeps per sub-step, at least; more for tall structures at rest
     int movingSweeps = 4;     // velocity sweeps at most for a moving island (wide/groups.h), if islands are solved one by one

@@ -71,9 +71,11 @@ bool World::step(double dt) {
         s.phase(Phase::nudges, i);
         const bool seen = s.hasForces() || i + s.paces.ofJoints() >= s.report.substeps;
         solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
+        s.substeps.measure(s.joints, s.bodies, s.solver);  // solver/substeps.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);
     if (!staysFinite(s)) return step(dt);  // without the removed bodies
+    if (turnedTooFast(s, dt)) return step(dt);  // with more sub-steps
     return endStep(s, dt);  // world_state.cpp: collision/contacts.cpp, solved in the next step
 }
 

@@ -76,8 +76,8 @@ void chooseStrides(WorldState& s, int i) {
 
 void choosePaces(WorldState& s, double dt) {
     arrangeContacts(s);
-    const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies,
-                                         s.solver, s.gravity, s.settings, dt);
+    const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies, s.solver,
+                                         {s.gravity, s.settings, dt, s.velocitiesBefore});
     const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
     s.lookedAt.assign(s.bodies.count(), 0);
     s.substepsALook = (needed + looks - 1) / looks;

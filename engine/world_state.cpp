@@ -280,6 +280,17 @@ bool staysFinite(WorldState& s) {
     return false;
 }
 
+bool turnedTooFast(WorldState& s, double dt) {
+    if (s.report.trouble != Trouble::none) return false;
+    if (!s.substeps.raise(s.solver.islands, s.finder.contacts, s.bodies, s.solver,
+                          {s.gravity, s.settings, dt, s.velocitiesBefore}))
+        return false;
+    goBack(s);
+    s.contactsStale = std::ranges::any_of(s.lookedAt, [](int substep) { return substep > 0; });
+    s.jointsStale = s.again = true;
+    return true;
+}
+
 bool endStep(WorldState& s, double dt) {
     const Energy before = s.report.energy, after = energyNow(s);
     if (s.report.trouble != Trouble::none) {

@@ -100,6 +100,9 @@ void removeBody(WorldState& s, BodyId id);
 /// it are removed, or, if the cause is unknown, all affected bodies.
 bool staysFinite(WorldState& s);
 
+/// True: joints turned so fast that they needed more sub-steps (solver/substeps.h). Then the step is undone.
+bool turnedTooFast(WorldState& s, double dt);
+
 /// Step 6 and the report; slows down bodies that are too fast and removes those too far away.
 bool endStep(WorldState& s, double dt);
 

@@ -180,7 +180,8 @@ TableTexts solverTexts() {
              "and joints tighter, at a cost in proportion."},
             {"max_substeps", solverUsual("max_substeps"),
              "The limit to which sub-steps are added on their own for tall columns, heavy on light "
-             "bodies and fast joints; set it to `substeps` for a constant number."},
+             "bodies and fast joints, and to at most 32 with contacts or in long chains; set it to `substeps` "
+             "for a constant number."},
             {"depenetration_speed", solverUsual("depenetration_speed"),
              "The highest speed at which nudges push overlapping bodies apart; raise it if bodies "
              "that start inside each other separate too slowly."},

@@ -7,9 +7,12 @@ constexpr double kSwingPerSubstep = 1.0;  // rad of the links' own oscillation
 constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kTurnInTouch = 0.3;      // rad, with contacts
 constexpr double kTurnInNet = 0.5;        // rad
+constexpr double kChangesAhead = 2.0;     // steps
+constexpr int kMostInTouch = 32, kMostJoints = 2048;  // sub-steps; sub-steps times joints
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr double kSubstepsARatio = 8.0 / 50.0, kLeastHeavy = 4.0, kMostHeavy = 8.0;
 constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
+constexpr double kShortRod = 1e-3;        // m
 constexpr double kCalm = 1.0;             // s
 constexpr double kCalmOfJoints = 10.0;    // s
 
@@ -31,33 +34,40 @@ double turnOfB(const Joint& joint, const Bodies& bodies) {
     return (spin - axle.dot(spin) * axle).norm();
 }
 
-/// Adds a rod's own rotation and its swing across the pull: the bodies at its ends need not turn with it.
-void addRod(const Joint& joint, const Bodies& bodies, double force, double& swing, double& turn) {
-    const int a = joint.def.a.index, b = joint.def.b.index;
-    const Pose &poseA = bodies.poses[a], &poseB = bodies.poses[b];
-    const Vec3 armA = poseA.rotation * joint.def.anchorA, armB = poseB.rotation * joint.def.anchorB;
-    const Vec3 along = poseB.position + armB - poseA.position - armA;
-    const double length = larger(along.norm(), 1e-3);
-    const Velocity &va = bodies.velocities[a], &vb = bodies.velocities[b];
-    const Vec3 apart = vb.linear + vb.angular.cross(armB) - va.linear - va.angular.cross(armA);
-    turn = larger(turn, along.cross(apart).norm() / (length * length));
-    swing = larger(swing, force / length *
-                              (bodies.inverseMasses[a].linear + bodies.inverseMasses[b].linear));
+/// From end to end.
+Vec3 alongRod(const Joint& joint, const Bodies& bodies) {
+    return bodies.poses[joint.def.b.index].toWorld(joint.def.anchorB) -
+           bodies.poses[joint.def.a.index].toWorld(joint.def.anchorA);
 }
 
-/// What one joint of a tree needs: the rate of its swing under tension, and how fast it turns, rad/s.
-struct JointRates {
-    double swing = 0.0, turn = 0.0;
-};
+/// How fast a joint turns, rad/s; a rod also by itself: the bodies at its ends need not turn with it.
+double turnOf(const JointConstraint& c, const Joint& joint, const Bodies& bodies) {
+    const Velocity &va = bodies.velocities[c.a], &vb = bodies.velocities[c.b];
+    const double turn = larger(va.angular.norm(), turnOfB(joint, bodies));
+    if (joint.def.type != JointType::distance) return turn;
+    const Vec3 armA = bodies.poses[c.a].rotation * joint.def.anchorA;
+    const Vec3 armB = bodies.poses[c.b].rotation * joint.def.anchorB;
+    const Vec3 apart = vb.linear + vb.angular.cross(armB) - va.linear - va.angular.cross(armA);
+    const Vec3 along = alongRod(joint, bodies);
+    return larger(turn, along.cross(apart).norm() / larger(along.squaredNorm(), kShortRod * kShortRod));
+}
 
-JointRates ratesOf(const JointConstraint& c, const Joint& joint, const Bodies& bodies) {
+/// The rate at which a joint of a tree swings under tension, rad/s.
+double swingOf(const JointConstraint& c, const Joint& joint, const Bodies& bodies) {
     const double force = joint.force.norm();
-    double swing = larger(
-        swingSquared(bodies.inverseMasses[c.a], bodies.poses[c.a].rotation * joint.def.anchorA, force),
-        swingSquared(bodies.inverseMasses[c.b], bodies.poses[c.b].rotation * joint.def.anchorB, force));
-    double turn = larger(bodies.velocities[c.a].angular.norm(), turnOfB(joint, bodies));
-    if (joint.def.type == JointType::distance) addRod(joint, bodies, force, swing, turn);
-    return {std::sqrt(swing), turn};
+    const InverseMass &a = bodies.inverseMasses[c.a], &b = bodies.inverseMasses[c.b];
+    double swing = larger(swingSquared(a, bodies.poses[c.a].rotation * joint.def.anchorA, force),
+                          swingSquared(b, bodies.poses[c.b].rotation * joint.def.anchorB, force));
+    if (joint.def.type == JointType::distance)
+        swing = larger(swing, force / larger(alongRod(joint, bodies).norm(), kShortRod) * (a.linear + b.linear));
+    return std::sqrt(swing);
+}
+
+/// |w1 - w0|, rad/s: how much the body's rotation changed during the last step.
+double changeOfSpin(int body, const Bodies& bodies, std::span<const Velocity> before) {
+    if (bodies.spans[body] == 0.0 || !bodies.isDynamic(body)) return 0.0;  // new, or not changed by joints
+    if (body >= static_cast<int>(before.size())) return 0.0;
+    return (bodies.velocities[body].angular - before[body].angular).norm();
 }
 
 /// How many times as heavy a body is as the one it rests on; 0 if one of the two is immovable.
@@ -68,7 +78,7 @@ double loadRatio(const Contact& c, const Bodies& bodies, const Vec3& gravity) {
     return larger(below >= 0.0 ? a / b : 0.0, below <= 0.0 ? b / a : 0.0);
 }
 
-/// 4, 8, 12, 16, 24, 32: a power of two times the least, or 1.5 times that; all are multiples of the least.
+/// 4, 8, 12, 16, 24, 32 ...: a power of two times the least, or 1.5 times that; all are multiples of the least.
 int nextNumber(int number, int least) {
     int power = least;
     if (number == least) return 2 * least;
@@ -76,8 +86,7 @@ int nextNumber(int number, int least) {
     return number + larger(power / 2, 1);
 }
 
-int numberFor(double needed, const Settings& settings) {
-    const int least = settings.substeps, most = larger(settings.maxSubsteps, least);
+int numberFor(double needed, int least, int most) {
     int enough = least;
     while (enough < needed && enough < most) enough = nextNumber(enough, least);
     return smaller(enough, most);
@@ -103,29 +112,34 @@ void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& 
 }
 
 void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, const Bodies& bodies,
-                         const Solver& solver, double dt) {
+                         const Solver& solver, const SubstepChoice& step) {
+    const double dt = step.dt;
     for (const int i : solver.trees.whole()) {
         const JointConstraint& c = solver.constraints.joints[i];
         Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
-        island.jointed = true;
-        const JointRates rates = ratesOf(c, joints[c.joint], bodies);
-        island.needed = larger(island.needed, dt * rates.swing / kSwingPerSubstep);
-        island.turn = larger(island.turn, rates.turn);
+        ++island.joints;
+        const double turn = turnOf(c, joints[c.joint], bodies);
+        const double change =
+            larger(changeOfSpin(c.a, bodies, step.before), changeOfSpin(c.b, bodies, step.before));
+        island.needed =
+            larger(island.needed, dt * swingOf(c, joints[c.joint], bodies) / kSwingPerSubstep);
+        island.turn = larger(island.turn, turn);
+        island.turnToCome = larger(island.turnToCome, turn + kChangesAhead * change);
     }
     for (const int i : solver.trees.inNets()) {
         const JointConstraint& c = solver.constraints.joints[i];
         Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
-        const JointRates rates = ratesOf(c, joints[c.joint], bodies);
-        island.needed = larger(island.needed, dt * rates.swing / kSwingPerSubstep);
-        island.needed = larger(island.needed, dt * rates.turn / kTurnInNet);
+        const Joint& joint = joints[c.joint];
+        island.needed = larger(island.needed, dt * swingOf(c, joint, bodies) / kSwingPerSubstep);
+        island.needed = larger(island.needed, dt * turnOf(c, joint, bodies) / kTurnInNet);
     }
 }
 
 void Substeps::addTurns(const Bodies& bodies, double dt) {
     for (const int i : bodies.active) {
         Island& island = islands_[i];
-        const double most = island.touching ? kTurnInTouch : kTurnPerSubstep;
-        island.needed = larger(island.needed, dt * island.turn / most);
+        island.needed = larger(island.needed, island.touching ? dt * island.turn / kTurnInTouch
+                                                              : dt * island.turnToCome / kTurnPerSubstep);
     }
 }
 
@@ -146,16 +160,24 @@ void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> conta
     }
 }
 
+int Substeps::mostOf(const Island& island, const Settings& settings) {
+    int most = larger(kMostInTouch, settings.substeps);
+    if (island.joints > 0 && !island.touching) most = larger(most, kMostJoints / island.joints);
+    return smaller(most, larger(settings.maxSubsteps, settings.substeps));
+}
+
 int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
                      std::span<const Joint> joints, const Bodies& bodies, const Solver& solver,
-                     const Vec3& gravity, const Settings& settings, double dt) {
-    const int least = settings.substeps;
+                     const SubstepChoice& step) {
+    const double dt = step.dt;
+    const int least = step.settings.substeps;
     chosen_.resize(bodies.count());
     islands_.resize(bodies.count());
+    fastest_.clear();
     for (const int i : bodies.active) islands_[i] = {};
-    if (settings.maxSubsteps > least) {
-        addJoints(islands, joints, bodies, solver, dt);
-        addContacts(islands, contacts, bodies, gravity, solver);
+    if (step.settings.maxSubsteps > least) {
+        addJoints(islands, joints, bodies, solver, step);
+        addContacts(islands, contacts, bodies, step.gravity, solver);
         addTurns(bodies, dt);
     }
     for (const int i : bodies.active) {
@@ -173,17 +195,48 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
         Island& island = islands_[i];
         if (!island.any) continue;
         Chosen& chosen = island.chosen;
-        const int enough = numberFor(island.needed, settings);
+        const int enough = numberFor(island.needed, least, mostOf(island, step.settings));
         chosen.enough = larger(chosen.enough, enough);
         chosen.calm += dt;
         if (enough >= chosen.current) chosen = {enough, least, 0.0};
-        if (chosen.calm > (island.jointed && !island.touching ? kCalmOfJoints : kCalm))
+        if (chosen.calm > (island.joints > 0 && !island.touching ? kCalmOfJoints : kCalm))
             chosen = {chosen.enough, least, 0.0};
         most = larger(most, chosen.current);
     }
     for (const int i : bodies.active)
         if (bodies.isMoving(i)) chosen_[i] = islands_[islands.leaderOf(i)].chosen;
     return most;
+}
+
+void Substeps::measure(std::span<const Joint> joints, const Bodies& bodies, const Solver& solver) {
+    fastest_.resize(solver.constraints.joints.size());
+    for (const int i : solver.trees.whole()) {
+        const JointConstraint& c = solver.constraints.joints[i];
+        fastest_[i] = larger(fastest_[i], turnOf(c, joints[c.joint], bodies));
+    }
+}
+
+bool Substeps::raise(DisjointSets& islands, std::span<const Contact> contacts, const Bodies& bodies,
+                     const Solver& solver, const SubstepChoice& step) {
+    if (fastest_.empty()) return false;
+    for (const int i : bodies.active) islands_[i] = {};
+    for (const Contact& c : contacts) islands_[islands.leaderOf(bodies.movable(c.a, c.b))].touching = true;
+    for (const int i : solver.trees.whole()) {
+        const JointConstraint& c = solver.constraints.joints[i];
+        Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
+        ++island.joints;
+        island.turn = larger(island.turn, fastest_[i]);
+    }
+    bool any = false;
+    for (const int i : bodies.active) {
+        const Island& island = islands_[islands.leaderOf(i)];
+        if (island.joints == 0 || island.touching || !bodies.isMoving(i)) continue;
+        const int enough = numberFor(step.dt * island.turn / kTurnPerSubstep, step.settings.substeps,
+                                     mostOf(island, step.settings));
+        any = any || enough > chosen_[i].current;
+        chosen_[i].current = larger(chosen_[i].current, enough);
+    }
+    return any;
 }
 
 }  // namespace engine
