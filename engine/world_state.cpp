@@ -19,14 +19,23 @@ void findContacts(WorldState& s, double dt) {
     s.contactsStale = false;
 }
 
+/// Whether a joint leaves no freedom.
+bool isRigid(const JointDef& def) {
+    if (def.spring.isSoft()) return false;
+    return def.type == JointType::weld ||
+           (def.type == JointType::sixDof && std::ranges::all_of(def.free, &Freedom::locked));
+}
+
 /// Bodies joined by a joint do not collide with each other.
 void listJointedPairs(WorldState& s) {
-    s.finder.jointed.clear();
-    for (const Joint& joint : s.joints)
-        if (joint.present)
-            s.finder.jointed.push_back({std::min(joint.def.a.index, joint.def.b.index),
-                                        std::max(joint.def.a.index, joint.def.b.index)});
-    std::sort(s.finder.jointed.begin(), s.finder.jointed.end());
+    std::vector<PairKey> joined, rigid;
+    for (const Joint& joint : s.joints) {
+        if (!joint.present) continue;
+        joined.push_back({std::min(joint.def.a.index, joint.def.b.index),
+                          std::max(joint.def.a.index, joint.def.b.index)});
+        if (isRigid(joint.def)) rigid.push_back(joined.back());
+    }
+    s.finder.jointed.list(joined, rigid, s.bodies);
 }
 
 bool isFinite(const Bodies& bodies, int i) {

@@ -91,7 +91,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         const double thrown = finder.moving.throwOf(pair);
         if (bodies.waits(pair.a, pair.b) || rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
-        if (std::binary_search(finder.jointed.begin(), finder.jointed.end(), pair)) continue;
+        if (finder.jointed.contains(pair, bodies)) continue;
         if (isSensed(bodies, pair)) continue;
         while (old < previous.size() && isBefore(previous[old], pair)) ++old;
         const std::size_t first = found.size();

@@ -5,6 +5,7 @@
 
 #include "engine/base/workers.h"
 #include "engine/collision/broad_phase.h"
+#include "engine/collision/jointed_pairs.h"
 #include "engine/collision/moving_contacts.h"
 #include "engine/collision/seams.h"
 #include "engine/collision/sensors.h"
@@ -17,7 +18,7 @@ inline constexpr std::size_t kMostContacts = 200'000;
 
 struct ContactFinder {
     BroadPhase broadPhase;
-    std::vector<PairKey> jointed;    // sorted: bodies joined by a joint do not collide
+    JointedPairs jointed;            // they do not collide
     MovingPairs moving;              // pairs that move farther than the margin
     std::vector<Contact> contacts;   // sorted by pair; fast ones may have two
     std::vector<Contact> previous;   // kept for its memory only

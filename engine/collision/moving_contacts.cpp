@@ -177,7 +177,7 @@ Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const Pai
 }  // namespace
 
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
-                 const std::vector<PairKey>& jointed, double margin, double dt,
+                 const JointedPairs& jointed, double margin, double dt,
                  Workers* workers, MovingPairs& moving) {
     moving.motions.resize(bodies.count());
     for (const int i : bodies.active) moving.motions[i] = motionOf(bodies, i, dt);
@@ -188,7 +188,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
         const double least = bounces(bodies, key) ? smaller(margin, dt * moving.bounceSpeed) : margin;
         if (wayOf(a, b, dt) <= least || !broadPhase.boundsMeet(key)) continue;
-        if (std::binary_search(jointed.begin(), jointed.end(), key)) continue;
+        if (jointed.contains(key, bodies)) continue;
         if (isSensed(bodies, key)) continue;
         moving.entries.push_back({key, {}});
     }

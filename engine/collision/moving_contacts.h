@@ -17,6 +17,7 @@
 #include <span>
 
 #include "engine/base/workers.h"
+#include "engine/collision/jointed_pairs.h"
 #include "engine/collision/piece_pairs.h"
 #include "engine/collision/manifold.h"
 #include "engine/constraints/contact.h"
@@ -48,10 +49,10 @@ struct MovingPairs {
 };
 
 /// Finds impacts and throws of all pairs that move more than `margin` (m) within dt (s), or bounce, and adds to the
-/// broad phase the pairs of bodies that may be thrown beyond their bounds. The pairs `jointed` (sorted) do
+/// broad phase the pairs of bodies that may be thrown beyond their bounds. The pairs `jointed` do
 /// not collide. `workers`, if given, share the pairs.
 void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
-                 const std::vector<PairKey>& jointed, double margin, double dt,
+                 const JointedPairs& jointed, double margin, double dt,
                  Workers* workers, MovingPairs& moving);
 
 /// How often the coming step of dt (s) needs contact detection, at most sixteen times: once, unless a body

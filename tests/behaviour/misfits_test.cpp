@@ -93,5 +93,39 @@ void expectNoGain(const Settings& settings) {
 TEST(Misfits, NeverGainEnergyInPresetSteady) { expectNoGain(Settings::steady()); }
 TEST(Misfits, NeverGainEnergyInPresetFast) { expectNoGain(Settings::fast()); }
 
+/// Four cubes that all overlap, each welded to the next.
+std::vector<BodyId> addPiece(World& world, const Vec3& at) {
+    std::vector<BodyId> parts;
+    for (int i = 0; i < 4; ++i) {
+        parts.push_back(world.add(support::body(Shape::box({1, 1, 1}), at + Vec3(0.1 * i, 0, 0.05 * i), 1.0 + i)));
+        if (i > 0) world.add(support::jointAt(world, JointType::weld, parts[i - 1], parts[i], at));
+    }
+    return parts;
+}
+
+TEST(Welds, MakeOnePieceWhosePartsDoNotCollide) {
+    World world;
+    world.setGravity(Vec3::Zero());
+    for (const BodyId part : addPiece(world, Vec3::Zero())) world.setVelocity(part, Vec3::Zero(), {1, 2, 3});
+    world.step(support::kStep);  // the velocities fit the welds
+    const double energy = world.energy().total();
+    support::run(world, 600);
+    EXPECT_EQ(world.errors().contacts, 0);
+    EXPECT_NEAR(world.energy().total(), energy, 1e-3 * energy);
+    EXPECT_LT(world.joint({0}).force.norm(), 100.0);
+}
+
+TEST(Welds, ToTheWorldLetABodyStandInTheFloor) {
+    World world;
+    world.add(support::floorPlane());
+    const std::vector<BodyId> parts = addPiece(world, {0, 0.2, 0});
+    const JointId foot = world.add(support::jointAt(world, JointType::weld, world.add(support::hook()), parts[0], Vec3::Zero()));
+    const Vec3 before = world.pose(parts[3]).position;
+    support::run(world, 600);
+    EXPECT_EQ(world.errors().contacts, 0);
+    EXPECT_LT((world.pose(parts[3]).position - before).norm(), 1e-6);
+    EXPECT_NEAR(world.joint(foot).force.y(), 10 * support::kGravity, 1e-3);
+}
+
 }  // namespace
 }  // namespace engine

@@ -1,6 +1,6 @@
 // No body falls through a surface: bodies that ignore each other are dropped and shot at the corners, edges
-// and faces of meshes, 250 per mesh, at 1 to 300 m/s. A thousand in tests/run; with IMPULSE_LONG in the
-// environment (tests/run --long), a hundred thousand.
+// and faces of meshes and height fields, 125 per mesh, at 1 to 300 m/s. A thousand in tests/run; with
+// IMPULSE_LONG in the environment (tests/run --long), a hundred thousand.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,57 +18,95 @@ using support::Random;
 
 constexpr int kLines = 24;      // of the grid, in each direction
 constexpr double kHalf = 8.0;   // m
-constexpr int kDrops = 250;
+constexpr int kDrops = 125;
 
-/// A grid of triangles with diagonals in either direction, flat or rough, and uneven spacing.
+enum class Lines { regular, uneven, field, free };
+
+/// Triangles over a square: a grid with diagonals in either direction, regular or with uneven spacing; a height
+/// field; or triangles split at random points, with slivers and corners of many triangles.
 class Ground {
 public:
-    Ground(Random& r, bool rough, bool irregular) {
-        const double cell = 2 * kHalf / (kLines - 1);
+    Ground(Random& r, bool rough, Lines lines) : lines_(lines) {
         const double height = rough ? logarithmic(r, 0.05, 0.8) : 0.0;
-        for (std::vector<double>* lines : {&x_, &z_})
-            for (int i = 0; i < kLines; ++i) {
-                const bool moves = irregular && i > 0 && i + 1 < kLines;
-                lines->push_back(i * cell - kHalf + (moves ? r.number(-0.48, 0.48) * cell : 0.0));
-            }
-        for (int i = 0; i < kLines * kLines; ++i) {
-            corners_.push_back({x_[i % kLines], r.number(0, 1) * height, z_[i / kLines]});
-            falling_.push_back(chance(r, 0.5));
-        }
+        const auto raise = [&](double x, double z) { corners_.push_back({x, r.number(0, 1) * height, z}); };
+        if (lines == Lines::free) split(r, raise);
+        else makeGrid(r, raise);
     }
-    const Vec3& corner(int i, int j) const { return corners_[j * kLines + i]; }
-
     Shape shape() const {
-        std::vector<std::array<int, 3>> faces;
-        for (int j = 0; j + 1 < kLines; ++j)
-            for (int i = 0; i + 1 < kLines; ++i) {
-                const int a = j * kLines + i, b = a + 1, d = a + kLines, e = d + 1;
-                if (falling_[a]) faces.push_back({a, d, b}), faces.push_back({b, d, e});
-                else faces.push_back({a, d, e}), faces.push_back({a, e, b});
-            }
-        return Shape::meshOf(corners_, faces);
+        if (lines_ != Lines::field) return Shape::meshOf(corners_, faces_);
+        std::vector<double> heights;
+        for (const Vec3& corner : corners_) heights.push_back(corner.y());
+        return Shape::heightField(kLines, kLines, 2 * kHalf / (kLines - 1), heights);
     }
-
     double height(double x, double z) const {
-        const int i = cellOf(x_, x), j = cellOf(z_, z);
-        const double u = (x - x_[i]) / (x_[i + 1] - x_[i]), v = (z - z_[j]) / (z_[j + 1] - z_[j]);
-        const double a = corner(i, j).y(), b = corner(i + 1, j).y();
-        const double d = corner(i, j + 1).y(), e = corner(i + 1, j + 1).y();
-        if (falling_[j * kLines + i])
-            return u + v <= 1 ? a + u * (b - a) + v * (d - a) : e + (1 - u) * (d - e) + (1 - v) * (b - e);
-        return u > v ? a + u * (b - a) + v * (e - b) : a + v * (d - a) + u * (e - d);
+        for (const auto& face : faces_) {
+            const Vec3 shares = sharesOf(face, x, z);
+            if (shares.minCoeff() < -1e-9) continue;
+            const auto y = [&](int i) { return corners_[face[i]].y(); };
+            return shares[0] * y(0) + shares[1] * y(1) + shares[2] * y(2);
+        }
+        return 0.0;
+    }
+    /// A corner, a point on an edge, or any point, away from the rim.
+    Vec3 target(Random& r, int where) const {
+        for (;;) {
+            const auto& face = faces_[std::size_t(r.number(0, double(faces_.size())))];
+            Vec3 shares(r.number(0, 1), r.number(0, 1), r.number(0, 1));
+            if (where < 2) shares[1] = 0.0;
+            if (where < 1) shares[2] = 0.0;
+            shares /= shares.sum();
+            const Vec3 at = shares[0] * corners_[face[0]] + shares[1] * corners_[face[1]] + shares[2] * corners_[face[2]];
+            if (larger(std::abs(at.x()), std::abs(at.z())) < 6.0) return at;
+        }
     }
 
 private:
-    static int cellOf(const std::vector<double>& lines, double at) {
-        int i = 0;
-        while (i + 2 < kLines && lines[i + 1] < at) ++i;
-        return i;
+    template <class Raise>
+    void makeGrid(Random& r, Raise raise) {
+        const double cell = 2 * kHalf / (kLines - 1);
+        std::vector<double> x, z;
+        for (std::vector<double>* lines : {&x, &z})
+            for (int i = 0; i < kLines; ++i) {
+                const bool moves = lines_ == Lines::uneven && i > 0 && i + 1 < kLines;
+                lines->push_back(i * cell - kHalf + (moves ? r.number(-0.48, 0.48) * cell : 0.0));
+            }
+        for (int i = 0; i < kLines * kLines; ++i) raise(x[i % kLines], z[i / kLines]);
+        for (int i = 0; i + kLines < kLines * kLines; ++i) {
+            if (i % kLines == kLines - 1) continue;
+            const int a = i, b = a + 1, d = a + kLines, e = d + 1;
+            if (lines_ == Lines::field || chance(r, 0.5)) faces_.push_back({a, d, b}), faces_.push_back({b, d, e});
+            else faces_.push_back({a, d, e}), faces_.push_back({a, e, b});
+        }
+    }
+    template <class Raise>
+    void split(Random& r, Raise raise) {
+        for (const double z : {-kHalf, kHalf})
+            for (const double x : {-kHalf, kHalf}) raise(x, z);
+        faces_ = {{0, 2, 1}, {1, 2, 3}};
+        for (int i = 4; i < 300; ++i) {
+            const double x = r.number(-kHalf, kHalf), z = r.number(-kHalf, kHalf);
+            std::size_t k = 0;
+            while (sharesOf(faces_[k], x, z).minCoeff() < 0.0) ++k;
+            if (sharesOf(faces_[k], x, z).minCoeff() < 1e-6) continue;
+            raise(x, z);
+            const int corner = int(corners_.size()) - 1;
+            const auto [a, b, c] = faces_[k];
+            faces_[k] = {a, b, corner};
+            faces_.push_back({b, c, corner}), faces_.push_back({c, a, corner});
+        }
+    }
+    /// Barycentric, seen from above.
+    Vec3 sharesOf(const std::array<int, 3>& face, double x, double z) const {
+        const Vec3 &a = corners_[face[0]], &b = corners_[face[1]], &c = corners_[face[2]];
+        const auto area = [&](double px, double pz, const Vec3& q, const Vec3& s) {
+            return (q.x() - px) * (s.z() - pz) - (q.z() - pz) * (s.x() - px);
+        };
+        return Vec3(area(x, z, b, c), area(x, z, c, a), area(x, z, a, b)) / area(a.x(), a.z(), b, c);
     }
 
-    std::vector<double> x_, z_;
+    Lines lines_;
     std::vector<Vec3> corners_;
-    std::vector<bool> falling_;  // the diagonal, from where u + v = 1
+    std::vector<std::array<int, 3>> faces_;
 };
 
 /// Of about the size s (m).
@@ -95,24 +133,13 @@ Shape anyShape(Random& r, int kind, double s) {
     }
 }
 
-/// A corner of the ground, a point on an edge, or any point.
-Vec3 target(Random& r, const Ground& ground, int where) {
-    const int i = 2 + static_cast<int>(r.number(0, kLines - 5));
-    const int j = 2 + static_cast<int>(r.number(0, kLines - 5));
-    if (where == 0) return ground.corner(i, j);
-    const double share = r.number(0, 1);
-    if (where == 1) return (1 - share) * ground.corner(i, j) + share * ground.corner(i + 1, j);
-    const double x = r.number(-6, 6), z = r.number(-6, 6);
-    return {x, ground.height(x, z), z};
-}
-
 BodyDef anyDrop(Random& r, const Ground& ground, int number) {
     BodyDef def;
     def.shape = anyShape(r, number % 7, logarithmic(r, 0.02, 0.6));
     def.groups = def.ignores = 1;
     def.material.restitution = chance(r, 0.3) ? 0.5 : 0.0;
     def.material.friction = r.number(0, 1);
-    const Vec3 at = target(r, ground, number / 7 % 3);
+    const Vec3 at = ground.target(r, number / 7 % 3);
     const double speed = logarithmic(r, 1, 300);
     Vec3 way = -Vec3::UnitY();
     if (chance(r, 0.5)) way = (way + r.vector(1)).normalized();
@@ -131,7 +158,7 @@ class Drops : public testing::TestWithParam<int> {};
 
 TEST_P(Drops, NoneFallsThrough) {
     Random r(static_cast<std::uint64_t>(GetParam()) + 1000);
-    const Ground ground(r, GetParam() % 2 == 1, GetParam() % 4 >= 2);
+    const Ground ground(r, GetParam() % 2 == 1, static_cast<Lines>(GetParam() / 2 % 4));
     World world(GetParam() % 3 == 2 ? Settings::fast() : Settings::steady());
     world.add(support::fixed(ground.shape()));
     for (int i = 0; i < kDrops; ++i) world.add(anyDrop(r, ground, i));
@@ -142,7 +169,8 @@ TEST_P(Drops, NoneFallsThrough) {
     };
     for (int step = 0; step < 75; ++step) {
         ASSERT_TRUE(world.step(support::kStep));
-        ASSERT_TRUE(world.report().incidents.empty()) << step;
+        for (const Incident& incident : world.report().incidents)  // a needle at 300 m/s spins above 1e4 rad/s
+            ASSERT_EQ(incident.trouble, Trouble::velocityTooLarge) << step;
         for (int i = 1; i <= kDrops; ++i) gone[i] = gone[i] || isBeyond(i);
     }
     int held = 0;
@@ -159,7 +187,7 @@ TEST_P(Drops, NoneFallsThrough) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Drops,
-                         testing::Range(0, std::getenv("IMPULSE_LONG") ? 400 : 4));
+                         testing::Range(0, std::getenv("IMPULSE_LONG") ? 800 : 8));
 
 }  // namespace
 }  // namespace torture

@@ -12,7 +12,6 @@ inline double logarithmic(support::Random& r, double low, double high) {
 }
 inline bool chance(support::Random& r, double share) { return r.number(0, 1) < share; }
 
-/// World number k is of kind k % kKinds.
 enum class Kind {
     rain,        // any shapes, aspect 1 to 100, 1 g to 1 t, thrown into a box
     shots,       // up to 300 m/s and 200 rad/s, from wall to wall
@@ -25,6 +24,7 @@ enum class Kind {
     torn,        // joints whose ends are apart at the start
     bounces,     // restitution 1, no friction, or a lot of both
     movers,      // kinematic paddles and pistons in a heap
+    machines,    // cars, gears, beads on rails, bodies that look at or stay parallel to others
     count
 };
 constexpr int kKinds = static_cast<int>(Kind::count);
@@ -36,7 +36,8 @@ struct Case {
     Kind kind = Kind::rain;
     std::string name;
     std::vector<engine::BodyId> bodies;  // dynamic
-    double ceiling = 0.0;   // J: maximum energy; 0: motors and paddles may add some
+    double ceiling = 0.0;   // J: maximum energy at the start; 0: paddles may add any
+    double power = 0.0;     // W: what all motors together can add
     double half = 0.0;      // m: the box, open above, is x, z in [-half, half], y > 0
     std::vector<double> heights;  // m, of its height field, row by row; empty: flat
     int columns = 0;
@@ -46,6 +47,11 @@ struct Case {
     double outside(engine::BodyId id) const;
 };
 
-Case makeCase(int number, const engine::Settings& settings);
+/// World number `number` of a kind.
+Case makeCase(Kind kind, int number, const engine::Settings& settings);
+
+/// Adds a joint, and the power of its motors to that of the case.
+void addJoint(Case& c, const engine::JointDef& def);
+void addMachines(Case& c, support::Random& r);
 
 }  // namespace torture
