@@ -173,11 +173,12 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
     if (c.jointStride > 0) warmStartJoints(c, keep, v);
     for (ContactConstraint& contact : c.contacts) {
         if (contact.stride == 0) continue;
+        const double share = keep * contact.kept;
         for (int i = 0; i < contact.count; ++i) {
-            contact.rows[i].lambda *= keep;
-            contact.rows[i].friction *= keep;
+            contact.rows[i].lambda *= share;
+            contact.rows[i].friction *= share;
         }
-        contact.rollingMoment *= keep;
+        contact.rollingMoment *= share;
         applyAll(contact, v[contact.a], v[contact.b]);
     }
 }

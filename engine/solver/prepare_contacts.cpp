@@ -101,6 +101,7 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
         c.contacts.push_back(makeContactConstraint(contact, points,
                                                    bodies.inverseMasses[contact.a],
                                                    bodies.inverseMasses[contact.b]));
+        if (solver.byIsland) c.contacts.back().kept = solver.groups.keptShare(contact, bodies);
     }
 }
 

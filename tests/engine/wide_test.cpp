@@ -156,14 +156,14 @@ TEST(Lanes, AnIslandAtRestPaysNothingForOneThatMoves) {
 }
 
 /// Pairs 1-2, 3-4, 5-6 and 7-8 are joined; 1 and 3 lie on the floor with twenty contacts, 9 with three.
-struct JointedPairs {
+struct FourPairs {
     Bodies bodies;
     std::vector<Contact> contacts;
     std::vector<Joint> joints;
     DisjointSets islands;
     ContactGroups groups;
 
-    JointedPairs() {
+    FourPairs() {
         for (int i = 0; i < 10; ++i) {
             BodyDef def = body(Shape::sphere(0.5), Vec3(3.0 * i, 0.5, 0), 1.0);
             if (i == 0) def.kind = BodyKind::fixed;
@@ -188,7 +188,7 @@ struct JointedPairs {
 };
 
 TEST(ContactGroups, HoldIslandsWithJointsApartFromOthersAndFromEachOther) {
-    JointedPairs s;
+    FourPairs s;
     EXPECT_EQ(s.ofPair(1), s.groups.of(0));
     EXPECT_EQ(s.ofPair(3), s.groups.of(20));
     EXPECT_NE(s.ofPair(1), s.ofPair(3));
