@@ -8,7 +8,8 @@ constexpr double kTurnPerSubstep = 0.1;   // rad
 constexpr double kTurnInTouch = 0.3;      // rad, with contacts
 constexpr double kTurnInNet = 0.5;        // rad
 constexpr double kChangesAhead = 2.0;     // steps
-constexpr int kMostInTouch = 32, kMostJoints = 2048;  // sub-steps; sub-steps times joints
+constexpr int kMostUsual = 32;            // sub-steps
+constexpr int kMostJoints = 2048;         // sub-steps times joints
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr double kSubstepsARatio = 8.0 / 50.0, kLeastHeavy = 4.0, kMostHeavy = 8.0;
 constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
@@ -121,8 +122,8 @@ void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, c
         const double turn = turnOf(c, joints[c.joint], bodies);
         const double change =
             larger(changeOfSpin(c.a, bodies, step.before), changeOfSpin(c.b, bodies, step.before));
-        island.needed =
-            larger(island.needed, dt * swingOf(c, joints[c.joint], bodies) / kSwingPerSubstep);
+        const double swing = dt * swingOf(c, joints[c.joint], bodies) / kSwingPerSubstep;
+        island.needed = larger(island.needed, smaller(double{kMostUsual}, swing));
         island.turn = larger(island.turn, turn);
         island.turnToCome = larger(island.turnToCome, turn + kChangesAhead * change);
     }
@@ -161,7 +162,7 @@ void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> conta
 }
 
 int Substeps::mostOf(const Island& island, const Settings& settings) {
-    int most = larger(kMostInTouch, settings.substeps);
+    int most = larger(kMostUsual, settings.substeps);
     if (island.joints > 0 && !island.touching) most = larger(most, kMostJoints / island.joints);
     return smaller(most, larger(settings.maxSubsteps, settings.substeps));
 }

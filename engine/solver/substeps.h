@@ -13,8 +13,8 @@
 ///   columns and walls       more for taller ones (columns.h)
 ///   heavy on light          four if a body rests on one of a tenth of its mass, eight on a fiftieth; on a
 ///                           hundredth, 3.2 for every level of the column (1000:1 on four: 16)
-/// The number is 4, 8, 12, 16, 24, 32 ... (with 4 `substeps`), never above `maxSubsteps`, and never above 32
-/// with contacts, without joints, or where sub-steps times joints would exceed 2048. It rises at once, and
+/// The number is 4, 8, 12, 16, 24, 32 ... (with 4 `substeps`), never above `maxSubsteps`, and above 32
+/// only for fast joints without contacts, up to 2048 sub-steps times joints. It rises at once, and
 /// falls only after a second in which fewer would have been enough; with joints and no contacts, after ten
 /// seconds, because a symplectic integrator conserves energy only while its step is constant (five links lose
 /// 10 % in two minutes with one second, 0.4 % with ten).

@@ -28,27 +28,11 @@ const std::vector<std::string> kGroups = {
 
 class BuiltinScenes : public testing::TestWithParam<std::string> {};
 
-/// A scene that does not meet its expectations at a rate, and why.
-struct Exception {
-    const char* scene;
-    int hz;
-    const char* why;
-};
-constexpr Exception kExceptions[] = {
-    {"three-body", 60, "forces between bodies: the orbit's phase is of first order in the step"},
-};
-
 /// Scenes that take more than half a second at 240 Hz: tested with IMPULSE_LONG only.
 const std::set<std::string> kHeavy = {"ball-pit",      "galton",  "hanging-cloth", "jenga",
                                       "look-at",       "ragdoll", "rope-bridge",   "safety-net",
                                       "shapes",        "tumbler", "trampoline",    "wall",
                                       "wrecking-ball", "car"};
-
-const Exception* exceptionOf(const std::string& scene, int hz) {
-    for (const Exception& exception : kExceptions)
-        if (scene == exception.scene && hz == exception.hz) return &exception;
-    return nullptr;
-}
 
 /// The expectations that fail; `hz` 0: at the scene's own rate.
 std::string failures(const std::string& scene, int hz) {
@@ -110,11 +94,7 @@ TEST_P(BuiltinScenes, KeepItAtSixtyAndTwoHundredAndFortyHertz) {
     for (const int hz : {60, 240}) {
         if (hz == own) continue;
         if (hz == 240 && kHeavy.contains(GetParam()) && !std::getenv("IMPULSE_LONG")) continue;
-        const std::string failed = failures(GetParam(), hz);
-        if (const Exception* exception = exceptionOf(GetParam(), hz))
-            EXPECT_NE(failed, "") << "no exception at " << hz << " Hz any more: " << exception->why;
-        else
-            EXPECT_EQ(failed, "") << "at " << hz << " Hz";
+        EXPECT_EQ(failures(GetParam(), hz), "") << "at " << hz << " Hz";
     }
 }
 
