@@ -116,7 +116,8 @@ public:
     void setForceField(std::function<void(const World&, std::span<Load>)> field);
 
     /// Sets a function called at the beginning of every phase with the number of the sub-step. It may only
-    /// read the world.
+    /// read the world. A step that is undone and repeated, with more sub-steps or without a body, calls it again
+    /// from sub-step 0; so it calls the force field.
     void observe(std::function<void(Phase, int)> observer);
 
 private:
