@@ -13,6 +13,7 @@
 #include "engine/solver/solve.h"
 #include "engine/world_checks.h"
 #include "engine/world_joints.h"
+#include "engine/world_limits.h"
 #include "engine/world_paces.h"
 #include "engine/world_sleep.h"
 
@@ -60,6 +61,7 @@ bool World::step(double dt) {
 
         s.phase(Phase::velocities, i);
         integrateVelocities(s.bodies, s.settings.gyroscope);  // dynamics/integration.cpp
+        limitSpeeds(s);                                       // world_limits.cpp
 
         s.phase(Phase::impulses, i);
         updateSeparations(s.bodies, s.solver);  // solver/prepare_contacts.cpp

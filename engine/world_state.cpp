@@ -7,6 +7,7 @@
 #include "engine/solver/drives.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/world_joints.h"
+#include "engine/world_limits.h"
 #include "engine/world_paces.h"
 #include "engine/world_sleep.h"
 
@@ -36,45 +37,6 @@ void listJointedPairs(WorldState& s) {
         if (isRigid(joint.def)) rigid.push_back(joined.back());
     }
     s.finder.jointed.list(joined, rigid, s.bodies);
-}
-
-bool isFinite(const Bodies& bodies, int i) {
-    return bodies.poses[i].position.allFinite() && bodies.poses[i].rotation.coeffs().allFinite() &&
-           bodies.velocities[i].linear.allFinite() && bodies.velocities[i].angular.allFinite();
-}
-
-Trouble notFinite(const Pose& pose) {
-    return pose.position.allFinite() && pose.rotation.coeffs().allFinite()
-               ? Trouble::velocityNotFinite
-               : Trouble::positionNotFinite;
-}
-
-/// Limits every component of v to `most`. True if it was faster.
-bool limit(Vec3& v, double most) {
-    const double fastest = v.cwiseAbs().maxCoeff();
-    if (fastest <= most) return false;
-    v *= most / fastest;
-    return true;
-}
-
-void limitSpeeds(WorldState& s) {
-    constexpr double kFastest = 1e4;  // m/s or rad/s
-    for (const int i : s.bodies.active) {
-        if (!s.bodies.isMoving(i)) continue;
-        Velocity& v = s.bodies.velocities[i];
-        const bool fast = limit(v.linear, kFastest), spins = limit(v.angular, kFastest);
-        if (fast || spins) s.report.incidents.push_back({Trouble::velocityTooLarge, s.bodyId(i)});
-    }
-}
-
-void removeTheFar(WorldState& s) {
-    constexpr double kFarthest = 1e5;  // m
-    for (const int i : s.bodies.active) {
-        if (!s.bodies.isMoving(i)) continue;
-        if (s.bodies.poses[i].position.cwiseAbs().maxCoeff() <= kFarthest) continue;
-        s.report.incidents.push_back({Trouble::positionTooLarge, s.bodyId(i)});
-        removeBody(s, s.bodyId(i));
-    }
 }
 
 /// Tenfold energy in one step: only a kinematic body, a motor or an external force could add so much. It is
@@ -130,31 +92,6 @@ void listStates(const WorldState& s, std::span<const Contact> awake, std::span<c
     while (next != s.finder.asleep.end()) listAsleep();
 }
 
-void goBack(WorldState& s) {
-    for (const int i : s.bodies.active) {
-        s.bodies.poses[i] = s.posesBefore[i];
-        s.bodies.velocities[i] = s.velocitiesBefore[i];
-    }
-    s.listed = WorldState::Listed::none;  // the impulses belong to an undone step
-    s.touches.events.clear();
-    for (const int i : s.bodies.active)
-        if (s.bodies.present[i]) updateInverseInertia(s.bodies, i);
-}
-
-bool isFinite(const Load& load) { return load.force.allFinite() && load.torque.allFinite(); }
-
-/// The bodies that began the step, or were pushed by the caller, with non-finite values; if there are none,
-/// those that a force gave the first such load; if there are none, all that `ended` so.
-std::vector<Incident> culprits(const WorldState& s, const std::vector<Incident>& ended) {
-    std::vector<Incident> began, loaded;
-    for (const Incident& incident : ended) {
-        const int i = incident.body.index;
-        if (!isFinite(s.bodies.loads[i]) || !isFinite(s.bodies, i)) began.push_back(incident);
-        if (std::ranges::binary_search(s.badlyLoaded, i)) loaded.push_back(incident);
-    }
-    return !began.empty() ? began : !loaded.empty() ? loaded : ended;
-}
-
 void updateJoints(WorldState& s, double dt) {
     if (!s.jointsStale && !s.treesStale) return;
     collectJoints(s.joints, s.bodies, s.settings, s.solver);
@@ -164,6 +101,18 @@ void updateJoints(WorldState& s, double dt) {
 }
 
 }  // namespace
+
+void goBack(WorldState& s) {
+    for (const int i : s.bodies.active) {
+        s.bodies.poses[i] = s.posesBefore[i];
+        s.bodies.velocities[i] = s.velocitiesBefore[i];
+        s.bodies.accelerations[i] = s.accelerationsBefore[i];
+    }
+    s.listed = WorldState::Listed::none;  // the impulses belong to an undone step
+    s.touches.events.clear();
+    for (const int i : s.bodies.active)
+        if (s.bodies.present[i]) updateInverseInertia(s.bodies, i);
+}
 
 void removeBody(WorldState& s, BodyId id) {
     callAround(s, id.index);
@@ -195,10 +144,13 @@ bool beginStep(WorldState& s, double dt) {
     if (!s.again) {
         for (Slots* slots : {&s.bodySlots, &s.jointSlots, &s.forceSlots}) slots->beginStep();
         s.report.incidents.clear();
+        s.tooFast.clear();
     }
     s.again = false;
+    s.badlyLoaded.clear();
     callForced(s, dt);
     wakeCalled(s);
+    limitSpeeds(s);
     leaveOutResting(s.bodies);
     beginSubstep(s, 0);
     if (s.jointsStale) listJointedPairs(s);
@@ -212,13 +164,14 @@ bool beginStep(WorldState& s, double dt) {
     choosePaces(s, dt);
     s.posesBefore.resize(s.bodies.count());
     s.velocitiesBefore.resize(s.bodies.count());
+    s.accelerationsBefore.resize(s.bodies.count());
     for (const int i : s.bodies.active) {
         s.posesBefore[i] = s.bodies.poses[i];
         s.velocitiesBefore[i] = s.bodies.velocities[i];
+        s.accelerationsBefore[i] = s.bodies.accelerations[i];
     }
     s.solvedBefore.clear();
     s.kept.clear();
-    s.badlyLoaded.clear();
     sumResting(s.bodies);
     s.report.energy = energyNow(s);
     s.report.sweeps.clear();
@@ -244,9 +197,6 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
     const ForceMoment now{s.report.time + substep * h, h, s.gravity, s.springs};
     for (const std::optional<ForceDef>& force : s.forces)
         if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
-    if (!s.badlyLoaded.empty()) return;  // later loads may be consequences
-    for (const int i : s.bodies.active)
-        if (s.bodies.isDynamic(i) && !isFinite(s.fieldLoads[i])) s.badlyLoaded.push_back(i);
 }
 
 bool looksAgain(const WorldState& s, int substep, double h) {
@@ -272,23 +222,6 @@ void findContactsWithin(WorldState& s, int substep, double h) {
     prepareContacts(s.finder.contacts, s.joints, s.bodies, s.settings, s.solver);
 }
 
-bool staysFinite(WorldState& s) {
-    std::vector<Incident> ended;
-    for (const int i : s.bodies.active)
-        if (s.bodies.isMoving(i) && !isFinite(s.bodies, i))
-            ended.push_back({notFinite(s.bodies.poses[i]), s.bodyId(i)});
-    if (ended.empty()) return true;
-    goBack(s);
-    for (const Incident& incident : culprits(s, ended)) {
-        s.report.incidents.push_back(incident);
-        removeBody(s, incident.body);
-    }
-    for (std::vector<Contact>* contacts : {&s.finder.contacts, &s.finder.previous})
-        contacts->clear();  // their impulses may not be finite either
-    s.jointsStale = s.contactsStale = s.again = true;
-    return false;
-}
-
 bool turnedTooFast(WorldState& s, double dt) {
     if (s.report.trouble != Trouble::none) return false;
     if (!s.substeps.raise(s.solver.islands, s.finder.contacts, s.bodies, s.solver,
@@ -308,6 +241,7 @@ bool endStep(WorldState& s, double dt) {
     }
     if (energyJumped(s, before, after)) s.report.incidents.push_back({Trouble::energyJump, {}});
     limitSpeeds(s);
+    reportTooFast(s);
     storeImpulses(s.solver, s.finder.contacts);
     storeImpulses(s.solver, s.bodies, s.joints, dt);
     s.solver.pressed.unload(s.bodies);

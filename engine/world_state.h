@@ -38,7 +38,8 @@ struct WorldState {
     std::vector<std::optional<ForceDef>> forces;  // by number; removed: empty
     int forceCount = 0;                           // not counting removed ones
     std::vector<Load> fieldLoads;                 // from field and forces, in this sub-step
-    std::vector<int> badlyLoaded;                 // bodies whose load was the first without a finite value
+    std::vector<int> badlyLoaded;                 // bodies that got the first non-finite velocities by a force
+    std::vector<int> tooFast;                     // bodies slowed down in this step, ascending
     std::vector<int> springs;                     // number of spring forces, by body
     std::function<void(Phase, int)> observer;
     bool calling = false;                         // one of the caller's functions
@@ -61,6 +62,7 @@ struct WorldState {
 
     std::vector<Pose> posesBefore;           // to undo a failed step
     std::vector<Velocity> velocitiesBefore;
+    std::vector<Acceleration> accelerationsBefore;
 
     /// Whether there are forces to evaluate in every sub-step.
     bool hasForces() const { return field || forceCount > 0; }
@@ -96,14 +98,13 @@ void findContactsWithin(WorldState& s, int substep, double h);
 /// Like World::remove.
 void removeBody(WorldState& s, BodyId id);
 
-/// False: the pose or velocity of some body is not finite. Then the step is undone and the bodies that caused
-/// it are removed, or, if the cause is unknown, all affected bodies.
-bool staysFinite(WorldState& s);
+/// Undoes the step up to now.
+void goBack(WorldState& s);
 
 /// True: joints turned so fast that they needed more sub-steps (solver/substeps.h). Then the step is undone.
 bool turnedTooFast(WorldState& s, double dt);
 
-/// Step 6 and the report; slows down bodies that are too fast and removes those too far away.
+/// Step 6 and the report.
 bool endStep(WorldState& s, double dt);
 
 /// The energy of bodies, joints and forces.

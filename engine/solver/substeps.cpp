@@ -234,8 +234,9 @@ bool Substeps::raise(DisjointSets& islands, std::span<const Contact> contacts, c
         if (island.joints == 0 || island.touching || !bodies.isMoving(i)) continue;
         const int enough = numberFor(step.dt * island.turn / kTurnPerSubstep, step.settings.substeps,
                                      mostOf(island, step.settings));
-        any = any || enough > chosen_[i].current;
-        chosen_[i].current = larger(chosen_[i].current, enough);
+        if (enough <= chosen_[i].current) continue;
+        any = true;
+        chosen_[i] = {enough, step.settings.substeps, 0.0};
     }
     return any;
 }

@@ -1,8 +1,10 @@
 // Non-finite states do not spread, and badly built scenes do no harm.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
+#include "tests/support/joints.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -90,6 +92,37 @@ TEST(Trouble, ABodyThatIsTooFastIsSlowedDownAndNamed) {
     EXPECT_EQ(world.report().incidents[0].trouble, Trouble::velocityTooLarge);
     EXPECT_EQ(world.report().incidents[0].body, fast);
     EXPECT_DOUBLE_EQ(world.velocity(fast).x(), 1e4);
+}
+
+/// Four links on a floor, joined by balls.
+std::vector<BodyId> chainOnAFloor(World& world) {
+    world.add(support::floorPlane());
+    std::vector<BodyId> links;
+    for (int i = 0; i < 4; ++i) {
+        links.push_back(world.add(body(Shape::box({1, 0.2, 0.2}), {1.0 * i, 0.1, 0}, 0.5)));
+        if (i > 0) support::join(world, JointType::ball, links[i - 1], links[i], {i - 0.5, 0.1, 0});
+    }
+    return links;
+}
+
+TEST(Trouble, AnEnormousLoadOnOneLinkLosesNoOtherLink) {
+    const std::function<void(World&, BodyId, double)> loads[] = {
+        [](World& w, BodyId link, double size) { w.applyForce(link, {0.6 * size, 0.8 * size, 0}); },
+        [](World& w, BodyId link, double size) {
+            w.applyForce(link, Vec3::Zero(), {0.6 * size, 0, 0.8 * size});
+        },
+        [](World& w, BodyId link, double size) { w.applyImpulse(link, {size, 0, 0}, {0, 0.2, 0}); },
+        [](World& w, BodyId link, double size) { w.setVelocity(link, {size, 0, 0}, {0, size, 0}); }};
+    for (const auto& load : loads)
+        for (const double size : {1e12, 1e20, 1e40, 1e100, 1e200, 1e308, kNoNumber}) {
+            World world;
+            const std::vector<BodyId> links = chainOnAFloor(world);
+            run(world, 10);
+            load(world, links[1], size);
+            EXPECT_TRUE(world.step(kStep)) << size;
+            EXPECT_FALSE(world.report().incidents.empty()) << size;
+            for (const int i : {0, 2, 3}) EXPECT_TRUE(world.has(links[i])) << size << ", " << i;
+        }
 }
 
 TEST(Trouble, ABodyThatSpinsTooFastIsSlowedDownAndItsNeighboursDoNotNotice) {
