@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "demos/commands/commands.h"
-#include "demos/commands/shared_options.h"
-#include "demos/film/film_options.h"
+#include "demos/commands/render_options.h"
 #include "demos/film/outputs.h"
 #include "demos/text/complaints.h"
 #include "demos/text/put_text.h"
@@ -27,6 +26,7 @@ struct FarmOptions {
 /// The parts of a job file; the commands are quoted for a shell.
 struct Job {
     std::string name;   // of the scene
+    std::string states; // impulse sim ... --states, before the parts; may be empty
     std::string part;   // impulse render ..., without --shard
     std::string good;   // after a part's command: the exit code of a complete part, besides 0
     std::string join;   // impulse join ...
@@ -34,6 +34,17 @@ struct Job {
 };
 
 std::string slurmText(const Job& job) {
+    std::string states, after;
+    if (!job.states.empty()) {
+        states = fmt::format(
+            "states=$(sbatch --parsable --requeue --job-name={0}-states \"$@\" <<'END'\n"
+            "#!/bin/sh\n"
+            "{1}\n"
+            "END\n"
+            ")\n",
+            shellWord(job.name), job.states);
+        after = " --dependency=afterany:\"${states%%;*}\"";
+    }
     return fmt::format(
         "#!/bin/sh\n"
         "# Runs {3} parts, then joins them. Run this file with sh. Complete parts are not run\n"
@@ -41,7 +52,8 @@ std::string slurmText(const Job& job) {
         "# ended, and reports what is missing (exit code 7). Options of sbatch (a partition, an\n"
         "# account, a time limit) go after sh THIS_FILE.\n"
         "set -eu\n"
-        "parts=$(sbatch --parsable --requeue --array=1-{3} --job-name={0} \"$@\" <<'END'\n"
+        "{5}"
+        "parts=$(sbatch --parsable --requeue --array=1-{3}{6} --job-name={0} \"$@\" <<'END'\n"
         "#!/bin/sh\n"
         "{1} --shard \"$SLURM_ARRAY_TASK_ID/{3}\"{4}\n"
         "END\n"
@@ -50,19 +62,22 @@ std::string slurmText(const Job& job) {
         "#!/bin/sh\n"
         "exec {2}\n"
         "END\n",
-        shellWord(job.name), job.part, job.join, job.shards, job.good);
+        shellWord(job.name), job.part, job.join, job.shards, job.good, states, after);
 }
+
+/// As a line of a shell script.
+std::string lineOf(const std::string& command) { return command.empty() ? "" : command + "\n"; }
 
 std::string parallelText(const Job& job) {
     return fmt::format(
         "#!/bin/sh\n"
         "# Run this file with sh. To use other machines, add --sshlogin or --sshloginfile to\n"
         "# parallel; this folder must be on all of them.\n"
-        "seq {2} | parallel --retries 3 --joblog {0}.joblog {1}\n"
+        "{4}seq {2} | parallel --retries 3 --joblog {0}.joblog {1}\n"
         "{3}\n",
         shellWord(job.name),
         shellWord(fmt::format("{} --shard {{}}/{}{}", job.part, job.shards, job.good)),
-        job.shards, job.join);
+        job.shards, job.join, lineOf(job.states));
 }
 
 /// A command, escaped for a makefile's recipe.
@@ -73,6 +88,8 @@ std::string recipe(std::string command) {
 }
 
 std::string makeText(const Job& job) {
+    const std::string states =
+        job.states.empty() ? "" : "$(parts): states\n.PHONY: states\nstates:\n\t" + recipe(job.states) + "\n";
     return fmt::format(
         "# make -k -j 4 -f THIS_FILE\n"
         "parts := $(addprefix part-,$(shell seq {2}))\n"
@@ -80,12 +97,13 @@ std::string makeText(const Job& job) {
         "all: $(parts)\n"
         "\t{1}\n"
         "$(parts):\n"
-        "\t{0} --shard $(@:part-%=%)/{2}{3}\n",
-        recipe(job.part), recipe(job.join), job.shards, recipe(job.good));
+        "\t{0} --shard $(@:part-%=%)/{2}{3}\n"
+        "{4}",
+        recipe(job.part), recipe(job.join), job.shards, recipe(job.good), states);
 }
 
 std::string commandsText(const Job& job) {
-    std::string text;
+    std::string text = lineOf(job.states);
     for (int number = 1; number <= job.shards; ++number)
         text += fmt::format("{} --shard {}/{}{}\n", job.part, number, job.shards, job.good);
     return text + job.join + "\n";
@@ -102,11 +120,23 @@ std::string quoted(const std::string& text) {
 }
 
 std::string openJobText(const Job& job) {
+    std::string states, after;
+    if (!job.states.empty()) {
+        states = fmt::format(
+            "- name: states\n"
+            "  script:\n"
+            "    actions:\n"
+            "      onRun: {{command: sh, args: [\"-c\", {}]}}\n",
+            quoted(job.states));
+        after = "  dependencies: [{dependsOn: states}]\n";
+    }
     return fmt::format(
         "specificationVersion: jobtemplate-2023-09\n"
         "name: {0}\n"
         "steps:\n"
+        "{4}"
         "- name: parts\n"
+        "{5}"
         "  parameterSpace:\n"
         "    taskParameterDefinitions:\n"
         "    - {{name: Part, type: INT, range: \"1-{3}\"}}\n"
@@ -121,7 +151,7 @@ std::string openJobText(const Job& job) {
         quoted(job.name),
         quoted(fmt::format("{} --shard {{{{Task.Param.Part}}}}/{}{}", job.part, job.shards,
                            job.good)),
-        quoted(job.join), job.shards);
+        quoted(job.join), job.shards, states, after);
 }
 
 using Writer = std::string (*)(const Job&);
@@ -184,6 +214,25 @@ std::string joinOf(const FarmOptions& options) {
     return output.part ? join + " -o " + shellWord(render.outputs.front()) : join;
 }
 
+/// impulse sim ... --states, for parts that start from states: with the words of the parts that change a
+/// simulation or what its states remember. Four states a part. Empty: the parts do not ask for states.
+std::string statesOf(const FarmOptions& options) {
+    CLI::App app;
+    Asked<FilmOptions> asked;
+    addRenderOptions(app, asked.options, asked.texts);
+    app.parse(std::vector<std::string>(options.words.rbegin(), options.words.rend()));
+    if (asked.options.states.empty()) return {};
+    const FilmPlan plan = planFilm(settled(asked, ""));
+    const long steps = static_cast<long>(plan.frames) * plan.stepsPerFrame;
+    std::string command = "impulse sim " + shellWord(asked.options.scenes.front());
+    for (const char* name : {"--set", "--solver", "--seconds", "--colour-by", "--states"})
+        for (const std::string& value : app.get_option(name)->results())
+            command += fmt::format(" {} {}", name, shellWord(value));
+    const std::string show = fmt::format("{}", fmt::join(app.get_option("--show")->results(), ","));
+    if (!show.empty()) command += " --show " + shellWord(show);
+    return command + fmt::format(" --every {} --no-expect --quiet", std::max(steps / (4L * options.shards), 1L));
+}
+
 Job jobOf(const FarmOptions& options) {
     Job job;
     job.shards = options.shards;
@@ -194,6 +243,7 @@ Job jobOf(const FarmOptions& options) {
     if (options.command == "render") {
         job.good = " || [ $? -eq 6 ]";  // an incident, which the join reports again
         job.join = joinOf(options);
+        if (job.states = statesOf(options); !job.states.empty()) job.states += job.good;
     } else if (options.command == "test") {
         job.good = " || [ $? -eq 1 ]";  // scenes that failed
         const std::string output = outputIn(options.words);

@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "demos/commands/commands.h"
-#include "demos/commands/shared_options.h"
+#include "demos/commands/render_options.h"
 #include "demos/film/film.h"
 #include "demos/film/progress.h"
 #include "demos/play/warnings.h"
@@ -97,8 +97,15 @@ Exit checkAndRender(FilmOptions& options, const OptionTexts& texts) {
 
 Run addRender(CLI::App& app) {
     const auto asked = std::make_shared<Asked<FilmOptions>>();
-    auto& options = asked->options;
-    auto& texts = asked->texts;
+    addRenderOptions(app, asked->options, asked->texts);
+    return [asked](const std::string& commandLine) {
+        return checkAndRender(settled(*asked, commandLine), asked->texts);
+    };
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& app, FilmOptions& options, OptionTexts& texts) {
     addSceneChoice(app, options, texts);
     takesAgain(app.add_option(
                       "-o,--output", options.outputs,
@@ -120,12 +127,7 @@ Run addRender(CLI::App& app) {
     app.add_flag("-n,--dry-run", options.dryRun,
                  "print the frames, memory and disk space needed; draw nothing; default: off");
     addFeedback(app, options);
-    return [asked](const std::string& commandLine) {
-        return checkAndRender(settled(*asked, commandLine), asked->texts);
-    };
 }
-
-}  // namespace
 
 Command renderCommand() {
     return {"render",

@@ -147,5 +147,36 @@ TEST_F(Memory, OfAStillIsRefusedBeyondTheLimitOfAProcess) {
     EXPECT_LT(ended.peakKiB, 200 * 1024);
 }
 
+/// The value of a variable in the environment with which a process was started.
+std::string startedWith(pid_t process, const std::string& name) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/environ");
+    for (std::string entry; std::getline(file, entry, '\0');)
+        if (entry.starts_with(name + "=")) return entry.substr(name.size() + 1);
+    return "none";
+}
+
+TEST_F(Memory, HasLargePagesUnlessTheUserHasChosen) {
+    constexpr const char* kName = "GLIBC_TUNABLES";
+    const std::string choices = contentOf("/sys/kernel/mm/transparent_hugepage/enabled");
+    const bool areLeftToUs = choices.find("[madvise]") != std::string::npos;
+    const std::pair<const char*, std::string> cases[] = {
+        {nullptr, areLeftToUs ? "glibc.malloc.hugetlb=1" : "none"},
+        {"", ""},
+        {"glibc.malloc.check=0", "glibc.malloc.check=0"}};
+    for (const auto& [users, expected] : cases) {
+        std::string found;
+        Launch launch = small(folder.path(), {"-o", "two words", "--json", "--overwrite"});
+        launch.beforeExec = [value = users] {
+            value ? setenv(kName, value, 1) : unsetenv(kName);
+        };
+        launch.awaited = "\"frame\":1,";
+        launch.awaitedCall = [&found](pid_t process) { found = startedWith(process, kName); };
+        const Ended ended = run(launch);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(found, expected);
+        EXPECT_EQ(framesIn(folder / "two words").size(), 10u);
+    }
+}
+
 }  // namespace
 }  // namespace demos::test

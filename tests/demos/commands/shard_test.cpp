@@ -130,26 +130,49 @@ TEST_F(Shards, FramesAreNumberedAsTheFilms) {
 
 TEST_F(Shards, AJobFileDrawsTheFilm) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    fs::create_directories(folder / "bin");
+    fs::create_symlink(IMPULSE_BINARY, folder / "bin/impulse");
     const std::vector<std::string> words = {"ball.toml", "-o",       "film.mp4", "--size",
                                             "96x54",     "--fps",    "10",       "--samples",
                                             "1",         "--shards", "3"};
-    for (const char* engine : {"commands", "make"}) {
+    const std::vector<std::string> withStates = {"--states", "its states", "--show", "trails,com", "--set",
+                                                 "body.ball.at=[0, 3, 0]"};
+    for (const bool states : {false, true}) {
+        const std::string engine = states ? "make" : "commands";
         std::vector<std::string> all = {"farm", engine};
         all.insert(all.end(), words.begin(), words.end());
+        if (states) all.insert(all.end(), withStates.begin(), withStates.end());
         const Ended job = run(folder.path(), all);
         ASSERT_EQ(job.code, 0) << job.err;
         write(folder / "job", job.out);
-        fs::create_directories(folder / "bin");
-        if (!fs::exists(folder / "bin/impulse"))
-            fs::create_symlink(IMPULSE_BINARY, folder / "bin/impulse");
-        const std::string start = std::string(engine) == "make" ? "make -s -f job" : "sh -e job";
+        const std::string start = states ? "make -s -f job" : "sh -e job";
         const std::string command = "cd '" + folder.path().string() +
                                     "' && PATH=\"$PWD/bin:$PATH\" " + start + " > log 2>&1";
         EXPECT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "log");
         EXPECT_EQ(playableFrames(folder / "film.mp4"), kFrames) << engine;
-        fs::remove_all(folder / "film.parts");
+        const std::string log = contentOf(folder / "log");
+        for (const char* first : {"of step 15", "of step 35"})  // before steps 18 and 36, every fifth
+            EXPECT_EQ(log.find(std::string("starts from the state ") + first) != log.npos, states) << log;
+        fs::remove_all(folder / "film.parts"), fs::remove_all(folder / "its states");
         fs::remove(folder / "film.mp4");
     }
+}
+
+/// For engines that are not run here: parts wait for the states.
+TEST_F(Shards, APartOfAJobFileWaitsForItsStates) {
+    const std::pair<const char*, const char*> waits[] = {
+        {"slurm", "--array=1-3 --dependency=afterany:\"${states%%;*}\""},
+        {"parallel", "--quiet || [ $? -eq 6 ]\nseq 3 |"},
+        {"openjd", "- name: parts\n  dependencies: [{dependsOn: states}]"}};
+    for (const auto& [engine, text] : waits)
+        for (const bool states : {false, true}) {
+            std::vector<std::string> words = {"farm", engine, "ball.toml", "--shards", "3"};
+            if (states) words.insert(words.end(), {"--states", "states"});
+            const Ended job = run(folder.path(), words);
+            EXPECT_EQ(job.code, 0) << job.err;
+            EXPECT_EQ(job.out.find(text) != job.out.npos, states) << job.out;
+            EXPECT_EQ(job.out.find("impulse sim") != job.out.npos, states) << job.out;
+        }
 }
 
 /// The times vary; what follows from them is tested in film/part_forecast_test.cpp.
