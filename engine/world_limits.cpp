@@ -45,8 +45,9 @@ std::vector<Incident> culprits(const WorldState& s, const std::vector<Incident>&
 void limitSpeeds(WorldState& s) {
     const bool isFirst = s.badlyLoaded.empty();
     for (const int i : s.bodies.active) {
-        if (!s.bodies.isMoving(i)) continue;
         Velocity& v = s.bodies.velocities[i];
+        if (v.linear.squaredNorm() + v.angular.squaredNorm() <= kFastest * kFastest) continue;  // nearly all
+        if (!s.bodies.isMoving(i)) continue;
         if (isWithin(v.linear, kFastest) && isWithin(v.angular, kFastest)) continue;
         if (!v.linear.allFinite() || !v.angular.allFinite()) {
             if (isFirst) s.badlyLoaded.push_back(i);  // later ones may be consequences
