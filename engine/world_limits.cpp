@@ -54,7 +54,7 @@ void limitSpeeds(WorldState& s) {
             continue;
         }
         limit(v.linear, kFastest), limit(v.angular, kFastest);
-        Acceleration& a = s.bodies.accelerations[i];
+        Acceleration& a = s.bodies.accelerations[i];  // impacts look ahead with it
         limit(a.linear, kFastest), limit(a.angular, kFastest);
         const auto at = std::ranges::lower_bound(s.tooFast, i);
         if (at == s.tooFast.end() || *at != i) s.tooFast.insert(at, i);

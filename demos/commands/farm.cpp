@@ -202,35 +202,41 @@ bool hasScene(const FarmOptions& options) {
 }
 
 /// impulse join ... for the parts of a film.
-std::string joinOf(const FarmOptions& options) {
-    FilmOptions render;
-    render.scenes = {options.words.front()};
-    if (const std::string output = outputIn(options.words); !output.empty())
-        render.outputs = {output};
-    render.shard = Shard{1, options.shards};
-    const Output output = outputsOf(planFilm(render), render).front();
+std::string joinOf(const FilmPlan& plan, const FilmOptions& render) {
+    const Output output = outputsOf(plan, render).front();
     const fs::path folder = output.part ? output.path.parent_path() : output.path;
     const std::string join = "impulse join " + shellWord(folder.string());
     return output.part ? join + " -o " + shellWord(render.outputs.front()) : join;
 }
 
-/// impulse sim ... --states, for parts that start from states: with the words of the parts that change a
+/// impulse sim ... --states, for parts that start from states: with the options of the parts that change a
 /// simulation or what its states remember. Four states a part. Empty: the parts do not ask for states.
-std::string statesOf(const FarmOptions& options) {
+std::string statesOf(const CLI::App& given, const FilmPlan& plan, const FilmOptions& render) {
+    if (render.states.empty()) return {};
+    const long steps = static_cast<long>(plan.frames) * plan.stepsPerFrame;
+    std::string command = "impulse sim " + shellWord(render.scenes.front());
+    for (const char* name : {"--set", "--solver", "--seconds", "--colour-by", "--states"})
+        for (const std::string& value : given.get_option(name)->results())
+            command += fmt::format(" {} {}", name, shellWord(value));
+    const std::string show = fmt::format("{}", fmt::join(given.get_option("--show")->results(), ","));
+    if (!show.empty()) command += " --show " + shellWord(show);
+    const long every = std::max(steps / (4L * render.shard->count), 1L);
+    return command + fmt::format(" --every {} --no-expect --quiet", every);
+}
+
+/// What depends on the film: its words are read as impulse render reads them.
+void planParts(const FarmOptions& options, Job& job) {
     CLI::App app;
     Asked<FilmOptions> asked;
     addRenderOptions(app, asked.options, asked.texts);
     app.parse(std::vector<std::string>(options.words.rbegin(), options.words.rend()));
-    if (asked.options.states.empty()) return {};
-    const FilmPlan plan = planFilm(settled(asked, ""));
-    const long steps = static_cast<long>(plan.frames) * plan.stepsPerFrame;
-    std::string command = "impulse sim " + shellWord(asked.options.scenes.front());
-    for (const char* name : {"--set", "--solver", "--seconds", "--colour-by", "--states"})
-        for (const std::string& value : app.get_option(name)->results())
-            command += fmt::format(" {} {}", name, shellWord(value));
-    const std::string show = fmt::format("{}", fmt::join(app.get_option("--show")->results(), ","));
-    if (!show.empty()) command += " --show " + shellWord(show);
-    return command + fmt::format(" --every {} --no-expect --quiet", std::max(steps / (4L * options.shards), 1L));
+    FilmOptions& render = settled(asked, "");
+    render.shard = Shard{1, options.shards};
+    const FilmPlan plan = planFilm(render);
+    job.good = " || [ $? -eq 6 ]";  // an incident, which the join reports again
+    job.join = joinOf(plan, render);
+    job.states = statesOf(app, plan, render);
+    if (!job.states.empty()) job.states += job.good;
 }
 
 Job jobOf(const FarmOptions& options) {
@@ -241,9 +247,7 @@ Job jobOf(const FarmOptions& options) {
     job.part = "impulse " + options.command;
     for (const std::string& word : options.words) job.part += " " + shellWord(word);
     if (options.command == "render") {
-        job.good = " || [ $? -eq 6 ]";  // an incident, which the join reports again
-        job.join = joinOf(options);
-        if (job.states = statesOf(options); !job.states.empty()) job.states += job.good;
+        planParts(options, job);
     } else if (options.command == "test") {
         job.good = " || [ $? -eq 1 ]";  // scenes that failed
         const std::string output = outputIn(options.words);
