@@ -71,7 +71,8 @@ struct Limits {
     bool any() const { return low > -kUnlimited || high < kUnlimited; }  // on either side
 };
 
-/// Drives a free coordinate to a speed, with limited strength. With speed 0 it is a brake.
+/// Drives a free coordinate to a speed, with limited strength. With speed 0 it is a brake. Of an angle, the speed
+/// and the strength fade where it is undefined, as a twist is after a swing by half a turn.
 struct Motor {
     double speed = 0.0;     // m/s or rad/s
     double strength = 0.0;  // N or N m, maximum; 0: no motor; kUnlimited: no maximum

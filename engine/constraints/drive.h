@@ -11,6 +11,12 @@
 ///            this sub-step but not passed; for C < 0 see setBias. Equal bounds: an equality.
 /// In every sweep the total is clamped to its bounds [low, high], like a contact's.
 ///
+/// Where an angle is undefined (turning.h) its J has no bound: a motor of 6 N m on the twist of a ball joint that
+/// had swung by nearly half a turn turned its bodies with 18 kN m, and the impulse kept for the next sub-step, where
+/// J was another one, threw them away. With the weight m of the angle, motors, limits and rotors act along m J, of
+/// length 1 at most, for m C and m times the speed, and the strength of a motor fades as m. Springs have a potential
+/// that fades (JointRows::fade).
+///
 /// An impulse along J alone would violate the rows J_r that the joint holds, and the sweep would alternate
 /// between the two (a thousand times for a small bob on a long arm). So J is first projected:
 ///   J <- J - (J M^-1 J_r^T) (J_r M^-1 J_r^T)^-1 J_r
@@ -28,6 +34,7 @@ struct DriveRow {
     int coordinate = 0;
     bool fades = false;
     Freedom freedom;
+    double weight = 1.0;           // m of an angle; J, C and the speed of a motor are multiplied by it
     double sign = 1.0;             // s of a limit
     double error = 0.0;            // C, m or rad
     double bias = 0.0;             // b, m/s or rad/s
@@ -102,6 +109,15 @@ inline JointDrive driveOf(const JointDef& def) {
     return drive;
 }
 
+/// Below this the weight of an angle counts: joints that fit have round-off.
+constexpr double kFullWeight = 0.9999;
+
+/// The weight of a coordinate in a row. Of a spring that fades it is in J.
+inline double weightOf(const DriveRow& row, double weight) {
+    constexpr double kLeast = 1e-9;  // times an unlimited strength it must be a number
+    return row.fades || weight >= kFullWeight ? 1.0 : larger(weight, kLeast);
+}
+
 /// Sets C of a row, and selects the nearer bound of a limit.
 inline void place(DriveRow& row, double x) {
     const Limits& limits = row.freedom.limits;
@@ -147,8 +163,8 @@ inline void setBias(DriveRow& row, double k, const Settings& settings, double h)
         row.softness = soft.softness;
         row.bias = soft.bias;
     } else if (row.kind == DriveKind::motor) {
-        row.bias = -row.freedom.motor.speed;
-        row.high = row.freedom.motor.strength * h;
+        row.bias = -row.weight * row.freedom.motor.speed;
+        row.high = row.weight * row.freedom.motor.strength * h;
         row.low = -row.high;
     } else {
         if (!isHeld(row)) row.low = 0.0;

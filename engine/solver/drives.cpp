@@ -15,6 +15,7 @@ using Rates = Eigen::Matrix<double, 6, 1>;
 /// The rows that a joint holds rigidly.
 class HeldRows {
 public:
+    HeldRows() = default;  // none
     HeldRows(const Joint& joint, const Bodies& bodies, int a, int b) {
         if (joint.def.spring.isSoft() || rowCount(joint.def) == 0) return;
         const JointRows held =
@@ -93,6 +94,28 @@ bool hardlyActs(const DriveRow& row, double rate, double h) {
            row.error > kWide + 8.0 * h * std::abs(rate);
 }
 
+/// Sets C of a row, and forgets a limit's impulse where J turns fast with the bodies.
+void placeIn(const JointRows& free, DriveRow& row) {
+    constexpr double kSteady = 0.5;  // weight
+    place(row, free.error[row.coordinate]);
+    row.weight = weightOf(row, free.weight[row.coordinate]);
+    if (row.kind == DriveKind::limit) row.lambda *= smaller(row.weight / kSteady, 1.0);
+    row.error *= row.weight;
+}
+
+/// J of a row, with its weight; sets C of a spring that fades.
+Jacobian jacobianIn(const JointRows& free, DriveRow& row) {
+    Jacobian j = free.j[row.coordinate];
+    if (row.fades) {
+        JointRows own = free;
+        own.fade(row.coordinate, row.freedom.rest);
+        j = own.j[row.coordinate], row.error = own.error[row.coordinate];
+    } else if (row.weight < 1.0) {
+        j.angularA *= row.weight, j.angularB *= row.weight;
+    }
+    return j;
+}
+
 /// Of a coordinate, by k and c.
 Spring springOf(const Joint& joint, int coordinate) {
     const Freedom& f = joint.def.free[coordinate];
@@ -132,28 +155,16 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
         const JointRows free = followCoordinates(joint, a, b);
         bool far = true;
         for (DriveRow& row : std::span(drive.rows).first(drive.count)) {
-            place(row, free.error[row.coordinate]);
+            placeIn(free, row);
             const double rate = velocityAlong(free.j[row.coordinate], bodies.velocities[drive.a],
                                               bodies.velocities[drive.b]);
             const double h = bodies.spans[bodies.movable(drive.a, drive.b)];
             far = far && hardlyActs(row, rate, h);
         }
         const InverseMass &massA = bodies.inverseMasses[drive.a], &massB = bodies.inverseMasses[drive.b];
-        if (far) {
-            for (int i = 0; i < free.count; ++i) drive.along[i] = makeRow(free.j[i], massA, massB);
-            continue;
-        }
-        const HeldRows held(joint, bodies, drive.a, drive.b);
-        for (int i = 0; i < drive.count; ++i) {
-            DriveRow& row = drive.rows[i];
-            Jacobian j = free.j[row.coordinate];
-            if (row.fades) {
-                JointRows own = free;
-                own.fade(row.coordinate, row.freedom.rest);
-                j = own.j[row.coordinate], row.error = own.error[row.coordinate];
-            }
-            drive.along[drive.placeOf(row)] = freeRow(held, j, massA, massB);
-        }
+        const HeldRows held = far ? HeldRows() : HeldRows(joint, bodies, drive.a, drive.b);
+        for (DriveRow& row : std::span(drive.rows).first(drive.count))
+            drive.along[drive.placeOf(row)] = freeRow(held, jacobianIn(free, row), massA, massB);
     }
 }
 
@@ -256,7 +267,8 @@ double rotorEnergy(const Joint& joint, const Bodies& bodies) {
     for (int i = 0; i < free.count; ++i) {
         const double inertia = joint.def.free[i].inertia;
         if (inertia <= 0.0) continue;
-        const double rate = velocityAlong(free.j[i], bodies.velocities[a], bodies.velocities[b]);
+        const double weight = free.weight[i] < kFullWeight ? free.weight[i] : 1.0;
+        const double rate = weight * velocityAlong(free.j[i], bodies.velocities[a], bodies.velocities[b]);
         energy += 0.5 * inertia * rate * rate;
     }
     return energy;

@@ -218,6 +218,52 @@ TEST(JointSprings, HoldNoMoreEnergyThanHalfATurnOfTwist) {
     EXPECT_LT(world.energy().elastic, 0.5 * 100.0 * kPi * kPi);
 }
 
+void joinByMotors(World& world, JointType type, BodyId a, BodyId b, support::Random& random, double& power) {
+    const Vec3 axis = random.vector(1).normalized(), at = 0.5 * (world.pose(a).position + world.pose(b).position);
+    JointDef def = jointAt(world, type, a, b, at, axis);
+    const bool six = type == JointType::sixDof;
+    for (int i = 0; i < 3 && six; ++i) def.free[i].locked = true;
+    for (int i = six ? 3 : 0; i < (six ? 6 : 2); ++i) {
+        def.free[i].motor = {random.number(-10, 10), std::pow(10.0, random.number(-2, 2))};
+        power += std::abs(def.free[i].motor.speed) * def.free[i].motor.strength;
+    }
+    world.add(def);
+}
+
+/// Four boxes that tumble through every angle of their joints, with motors on all of them; adds the power (W) of these.
+World tumblingOnMotors(JointType type, const Settings& settings, std::uint64_t seed, double& power) {
+    support::Random random(seed);
+    World world = support::weightless(settings);
+    BodyId last;
+    for (int i = 0; i < 4; ++i) {
+        BodyDef box = support::body(Shape::box({0.4, random.number(0.05, 0.4), random.number(0.02, 0.4)}),
+                                    {0.6 * i, 0, 0}, std::pow(10.0, random.number(-2, 2)));
+        box.collide = false;
+        box.velocity = random.vector(2), box.spin = random.vector(20);
+        const BodyId id = world.add(box);
+        if (i > 0) joinByMotors(world, type, last, id, random, power);
+        last = id;
+    }
+    return world;
+}
+
+// Swung by nearly half a turn, the twist's motor had the strength times thousands, and threw the bodies away.
+TEST(Motor, HasItsStrengthWhereATwistIsUndefined) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const JointType type : {JointType::ball, JointType::sixDof})
+            for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+                double power = 0.0;
+                World world = tumblingOnMotors(type, settings, seed, power);
+                run(world, 1);
+                for (int i = 0; i < 600; ++i) {
+                    const double before = world.energy().total();
+                    run(world, 1);
+                    ASSERT_LT(world.energy().total(), 1.02 * before + power * kStep)
+                        << static_cast<int>(type) << ", seed " << seed << ", step " << i;
+                }
+            }
+}
+
 TEST(Motor, KeepsAwakeWhatItTurns) {
     Settings settings = Settings::steady();
     settings.sleeping = true;
