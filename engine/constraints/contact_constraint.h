@@ -40,7 +40,6 @@ struct ContactConstraint {
     double friction = 0.0;     // mu
     double restitution = 0.0;  // e
     double rolling = 0.0;      // rho, m
-    double kept = 1.0;         // share of the impulses at the start of a sub-step
     Vec3 n = Vec3::Zero(), t1 = Vec3::Zero(), t2 = Vec3::Zero();
     Vec2 lead = Vec2::Zero();  // m/s along t1, t2: the slip that friction leaves (riding_contacts.h)
     InverseMass massA, massB;

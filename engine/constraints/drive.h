@@ -69,13 +69,15 @@ struct JointDrive {
     }
 };
 
-/// Applies an impulse along one row and adds it to the joint's reaction.
-inline void push(JointDrive& drive, const DriveRow& row, double lambda, Velocity& a, Velocity& b) {
+/// Adds an impulse along one row to the joint's reaction; `push` applies it too.
+inline void book(JointDrive& drive, const DriveRow& row, double lambda) {
     const Row& along = drive.alongOf(row);
-    const double signedLambda = row.sign * lambda;
-    apply(along, signedLambda, a, b);
-    drive.totalImpulse += signedLambda * along.j.linear;
-    drive.totalTwist += signedLambda * along.j.angularB;
+    drive.totalImpulse += row.sign * lambda * along.j.linear;
+    drive.totalTwist += row.sign * lambda * along.j.angularB;
+}
+inline void push(JointDrive& drive, const DriveRow& row, double lambda, Velocity& a, Velocity& b) {
+    apply(drive.alongOf(row), row.sign * lambda, a, b);
+    book(drive, row, lambda);
 }
 
 /// lambda = -(s J v + b + gamma total) / (K + gamma), with the total clamped; returns the change.

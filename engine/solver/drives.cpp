@@ -60,20 +60,21 @@ Row freeRow(const HeldRows& held, const Jacobian& j, const InverseMass& a, const
     return row;
 }
 
-/// Nudges one row, from the poses that the previous one left.
-void nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& settings) {
+/// Nudges one row, from the poses that the previous one left. True if it moved bodies.
+bool nudgeRow(const Joint& joint, DriveRow row, Bodies& bodies, const Settings& settings) {
     const int a = joint.def.a.index, b = joint.def.b.index;
     const JointRows free = coordinatesOf(joint, bodies.poses[a], bodies.poses[b]);
     place(row, free.error[row.coordinate]);
-    if (row.error >= 0.0 && !isHeld(row)) return;
+    if (row.error >= 0.0 && !isHeld(row)) return false;
     const Row along = freeRow(HeldRows(joint, bodies, a, b), free.j[row.coordinate],
                               bodies.inverseMasses[a], bodies.inverseMasses[b]);
-    if (along.k <= 0.0) return;
+    if (along.k <= 0.0) return false;
     const double c = clamped(settings.nudgeFactor * row.error, -kMostNudge, kMostNudge);
     Velocity wayA, wayB;  // m, rad
     apply(along, -row.sign * c / along.k, wayA, wayB);
     moveBy(wayA, a, bodies);
     moveBy(wayB, b, bodies);
+    return true;
 }
 
 /// Neither bound of a limit is near, by its position before the sub-step and its rate since.
@@ -217,13 +218,15 @@ void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction
     }
 }
 
-void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
+bool nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
                  const Settings& settings, double h) {
+    bool moved = false;
     for (const JointDrive& drive : c.drives)
         for (int i = 0; i < drive.count; ++i)
             if (drive.rows[i].kind == DriveKind::limit &&
                 !isFar(drive, drive.rows[i], bodies.velocities, h))
-                nudgeRow(joints[drive.joint], drive.rows[i], bodies, settings);
+                moved = nudgeRow(joints[drive.joint], drive.rows[i], bodies, settings) || moved;
+    return moved;
 }
 
 void storeDrives(const Constraints& c, const Bodies& bodies, std::span<Joint> joints, double dt) {

@@ -27,8 +27,9 @@ void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v);
 
 void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction);
 
-/// Nudges coordinates beyond a limit once, in a sub-step of length h (s):  lambda_n = -beta C / K, C < 0
-void nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
+/// Nudges coordinates beyond a limit once, in a sub-step of length h (s):  lambda_n = -beta C / K, C < 0. True if
+/// bodies were moved.
+bool nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
                  const Settings& settings, double h);
 
 /// Stores the impulses for the next step, and adds them to the joints' mean forces.

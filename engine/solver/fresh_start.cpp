@@ -5,14 +5,14 @@
 namespace engine {
 namespace {
 
-/// lambda . (J (v - dv / 2) + b), with v = v0 + dv
-double energyOf(const ContactConstraint& c, std::span<const Velocity> v,
-                std::span<const Velocity> changes) {
-    const auto midway = [&](int body) {
-        return Velocity{v[body].linear - 0.5 * changes[body].linear,
-                        v[body].angular - 0.5 * changes[body].angular};
-    };
-    const Velocity a = midway(c.a), b = midway(c.b);
+void forget(ContactConstraint& c) {
+    for (ContactRow& row : c.rows) row.lambda = 0.0, row.friction.setZero();
+    c.rollingMoment.setZero();
+}
+
+}  // namespace
+
+double broughtBy(const ContactConstraint& c, const Velocity& a, const Velocity& b) {
     double sum = 0.0;
     for (int i = 0; i < c.count; ++i) {
         const ContactRow& row = c.rows[i];
@@ -23,12 +23,13 @@ double energyOf(const ContactConstraint& c, std::span<const Velocity> v,
     return sum + c.rollingMoment[0] * c.t1.dot(turn) + c.rollingMoment[1] * c.t2.dot(turn);
 }
 
-void forget(ContactConstraint& c) {
-    for (ContactRow& row : c.rows) row.lambda = 0.0, row.friction.setZero();
-    c.rollingMoment.setZero();
+void takeBack(ContactConstraint& c, std::span<Velocity> v) {
+    Velocity changeA, changeB;
+    applyAll(c, changeA, changeB);
+    v[c.a].linear -= changeA.linear, v[c.a].angular -= changeA.angular;
+    v[c.b].linear -= changeB.linear, v[c.b].angular -= changeB.angular;
+    forget(c);
 }
-
-}  // namespace
 
 void FreshStart::measure(const Constraints& c, std::span<const int> contacts,
                          const ContactGroups& groups, std::span<const Velocity> v) {
@@ -39,7 +40,11 @@ void FreshStart::measure(const Constraints& c, std::span<const int> contacts,
     }
     for (const int i : contacts)
         applyAll(c.contacts[i], changes_[c.contacts[i].a], changes_[c.contacts[i].b]);
-    for (const int i : contacts) brought_[groups.islandOf(i)] += energyOf(c.contacts[i], v, changes_);
+    const auto midway = [&](int body) {
+        return Velocity{v[body].linear - 0.5 * changes_[body].linear, v[body].angular - 0.5 * changes_[body].angular};
+    };
+    for (const int i : contacts)
+        brought_[groups.islandOf(i)] += broughtBy(c.contacts[i], midway(c.contacts[i].a), midway(c.contacts[i].b));
 }
 
 bool FreshStart::takeBack(Constraints& c, std::span<const int> contacts, const ContactGroups& groups,

@@ -11,8 +11,7 @@
 /// its impulses, and a blow that the sweeps carry to the end costs nothing. A contact cannot be measured
 /// alone: each contact of a stack seems to bring the energy that the next one takes. To allow a share of the
 /// kinetic energy keeps a few more bits, but a ton that lies on grams then throws them away. Islands with
-/// joints are left as they are: no blow was found after which they gain energy by their contacts (for joints:
-/// kept_impulses.h).
+/// joints: joined_start.h.
 ///
 /// This is for rows in double precision; in lanes it is WideContacts::takeBack.
 #pragma once
@@ -20,6 +19,11 @@
 #include "engine/wide/groups.h"
 
 namespace engine {
+
+/// f of one contact; a, b: the velocities of its bodies midway, v0 + dv / 2.
+double broughtBy(const ContactConstraint& c, const Velocity& a, const Velocity& b);
+/// Takes back its impulses.
+void takeBack(ContactConstraint& c, std::span<Velocity> v);
 
 class FreshStart {
 public:

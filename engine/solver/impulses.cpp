@@ -36,8 +36,7 @@ Eigen::Matrix<double, 6, 6> massOf(const JointConstraint& joint) {
 }
 
 /// The share of the impulses that a joint outside the trees starts from, because its rows turn with its
-/// bodies. With the full impulses, spinning bodies of unequal masses gain energy without limit if few sweeps
-/// cannot converge.
+/// bodies. With the full impulses, few sweeps give spinning bodies of unequal masses more energy in a step.
 double keptInTurn(const Velocity& a, const Velocity& b, double h) {
     constexpr double kStraight = 0.02, kMostLost = 0.1;  // rad; share
     const double turn = h * larger(a.angular.norm(), b.angular.norm());
@@ -173,12 +172,11 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
     if (c.jointStride > 0) warmStartJoints(c, keep, v);
     for (ContactConstraint& contact : c.contacts) {
         if (contact.stride == 0) continue;
-        const double share = keep * contact.kept;
         for (int i = 0; i < contact.count; ++i) {
-            contact.rows[i].lambda *= share;
-            contact.rows[i].friction *= share;
+            contact.rows[i].lambda *= keep;
+            contact.rows[i].friction *= keep;
         }
-        contact.rollingMoment *= share;
+        contact.rollingMoment *= keep;
         applyAll(contact, v[contact.a], v[contact.b]);
     }
 }
@@ -193,12 +191,12 @@ SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v
     return {correction.velocity, correction.impulse};
 }
 
-SweepReport sweepJoints(Constraints& c, JointTrees& trees, int group, std::span<Velocity> v) {
+SweepReport sweepJoints(Constraints& c, JointTrees& trees, TreeDrives& drives, int group, std::span<Velocity> v) {
     Correction correction;
+    const std::span<const int> outside = c.jointsOutside.of(group);
     trees.solveVelocities(group, v, correction);
-    for (const int i : c.jointsOutside.of(group))
-        sweepJoint(c.joints[i], v[c.joints[i].a], v[c.joints[i].b], correction);
-    for (const int i : c.drivesByGroup.of(group)) sweepDrive(c.drives[i], v, correction);
+    for (const int i : outside) sweepJoint(c.joints[i], v[c.joints[i].a], v[c.joints[i].b], correction);
+    drives.solve(group, !outside.empty(), c, trees, v, correction);
     return {correction.velocity, correction.impulse};
 }
 

@@ -5,6 +5,7 @@
 /// The seed starts from 0, but also requires contact caching, which starts from the last step.
 #pragma once
 #include "engine/solver/constraints.h"
+#include "engine/solver/tree_drives.h"
 
 namespace engine {
 
@@ -19,7 +20,7 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings);
 
 /// One sweep over the joints, trees exactly, of all or of a group; or over contacts in this order.
 SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v);
-SweepReport sweepJoints(Constraints& c, JointTrees& trees, int group, std::span<Velocity> v);
+SweepReport sweepJoints(Constraints& c, JointTrees& trees, TreeDrives& drives, int group, std::span<Velocity> v);
 SweepReport sweepContacts(Constraints& c, std::span<const int> order, std::span<Velocity> v,
                           const Settings& settings);
 

@@ -42,8 +42,12 @@ void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, const TreeNudge& nudge) {
     for (const JointConstraint& c : solver.constraints.joints)
         if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
-    nudgeDrives(joints, bodies, solver.constraints, settings, h);
+    // Limits after the trees, which feed back only the error of the motion.
     solver.trees.nudge(nudge, joints, bodies);
+    if (!nudgeDrives(joints, bodies, solver.constraints, settings, h)) return;
+    TreeNudge after = nudge;
+    after.h = 0.0, after.pushed = true;
+    solver.trees.nudge(after, joints, bodies);
 }
 
 void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver,

@@ -28,6 +28,12 @@ void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> j
             if (tree.whole && tree.closed) inLoops_.push_back(place.joint);
         }
     }
+    exactTrees_.assign(joints.size(), -1);
+    if (!forests_.empty())
+        forests_[0].each([&](auto& part) {
+            for (const auto& joint : part.joints())
+                if (part.isExact(joint.tree)) exactTrees_[joint.joint] = joint.tree;
+        });
     exact_ = forests_.size() <= 1;
     for (Forest& forest : forests_)
         forest.each([&](const auto& part) { exact_ = exact_ && part.exact(); });
@@ -59,6 +65,29 @@ void JointTrees::solveVelocities(int group, std::span<Velocity> v, Correction& c
     for (Forest& forest : forests_)
         forest.each([&](auto& part) { part.solveVelocities(part.of(group), biasRate_, v, own); });
     correction.add(exact() ? 0.0 : own.velocity, own.impulse);
+}
+
+int JointTrees::exactTreeOf(int joint) const {
+    return joint < static_cast<int>(exactTrees_.size()) ? exactTrees_[joint] : -1;
+}
+
+int JointTrees::jointsOf(int tree) const {
+    int count = 0;
+    forests_[0].each([&](const auto& part) { count += part.jointsOf(tree); });
+    return count;
+}
+
+void JointTrees::respond(int tree, std::span<Velocity> v, std::vector<double>& impulses) {
+    forests_[0].each([&](auto& part) { part.respond(tree, v, impulses); });
+}
+
+void JointTrees::bookResponse(int tree, std::span<const double> impulses, double share) {
+    forests_[0].each([&](auto& part) { part.bookResponse(tree, impulses, share); });
+}
+
+void JointTrees::solveTree(int tree, std::span<Velocity> v) {
+    Correction unused;
+    forests_[0].each([&](auto& part) { part.solveVelocities(std::span(&tree, 1), biasRate_, v, unused); });
 }
 
 bool JointTrees::isNet(int group) const {

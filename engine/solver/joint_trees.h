@@ -38,6 +38,19 @@ public:
     /// a group. The corrections of an exact solve do not count as residual, because no error is left.
     void solveVelocities(std::span<Velocity> v, Correction& correction);
     void solveVelocities(int group, std::span<Velocity> v, Correction& correction);
+    /// Trees by number, of joints that are solved exactly by themselves (tree_drives.h): that of a joint of the world,
+    /// or -1; its joints; its bodies. `respond`: the changes v of their velocities by some impulse become those after
+    /// the tree is solved again, by impulses that it appends; bookResponse() adds a share of these to the totals.
+    int treeCount() const { return forests_.empty() ? 0 : forests_[0].balls.treeCount(); }
+    int exactTreeOf(int joint) const;
+    int jointsOf(int tree) const;
+    template <class What>
+    void eachBody(int tree, const What& what) const {
+        forests_[0].each([&](const auto& part) { part.eachBody(tree, what); });
+    }
+    void respond(int tree, std::span<Velocity> v, std::vector<double>& impulses);
+    void bookResponse(int tree, std::span<const double> impulses, double share);
+    void solveTree(int tree, std::span<Velocity> v);
     /// Whether joints of a group are in several forests; the forests before the last once more, in the opposite
     /// order: a sweep there and back is symmetric, as conjugate gradients need it.
     bool isNet(int group) const;
@@ -107,6 +120,7 @@ private:
 
     std::vector<Forest> forests_;
     std::vector<int> order_, whole_, inNets_, inLoops_;
+    std::vector<int> exactTrees_;  // by joint of the world
     double biasRate_ = 0.0;
     bool exact_ = true;
 };

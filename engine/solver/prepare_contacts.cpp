@@ -101,7 +101,6 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
         c.contacts.push_back(makeContactConstraint(contact, points,
                                                    bodies.inverseMasses[contact.a],
                                                    bodies.inverseMasses[contact.b]));
-        if (solver.byIsland) c.contacts.back().kept = solver.groups.keptShare(contact, bodies);
     }
 }
 
@@ -126,8 +125,6 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
     solver.constraints.riding.begin(bodies, solver.posesAtStart);
-    if (solver.byIsland && solver.constraints.jointStride > 0)
-        solver.kept.measure(bodies, solver.groups.count(), solver.constraints);
     if (solver.lanes) {  // separations are up to date from the nudges
         solver.wide.beginSubstep(bodies);
         solver.wide.followTurns(bodies);

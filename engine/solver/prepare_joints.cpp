@@ -71,6 +71,7 @@ void groupJoints(const Bodies& bodies, Solver& solver) {
     });
     c.drivesByGroup.sort(static_cast<int>(c.drives.size()), groups,
                          [&](int i) { return groupOf(c.drives[i].a, c.drives[i].b); });
+    solver.treeDrives.sort(c, solver.trees, groups);
 }
 
 double elasticEnergy(const Joint& joint, const Bodies& bodies) {

@@ -7,7 +7,8 @@
 namespace engine {
 namespace {
 
-constexpr double kMuchLeft = 0.5;  // m/s, of a residual: see fresh_start.h
+constexpr double kMuchLeft = 0.5;         // m/s, of a residual: see fresh_start.h
+constexpr double kMuchLeftOfJoined = 0.25;  // m/s or rad/s: joined_start.h
 /// Of a net, in a step and in a sub-step: what these leave, five times as many hardly reduce.
 constexpr int kSweepsOfNet = 32, kFewestOfNet = 4;
 
@@ -41,7 +42,7 @@ std::span<const int> rowsOf(const Solver& s, int group) {
 SweepReport sweepJoints(Solver& s, int group, std::span<Velocity> v) {
     const std::span<const int> shared = s.groups.jointedBodies(group);
     if (s.lanes) s.wide.give(v, shared);
-    const SweepReport swept = sweepJoints(s.constraints, s.trees, group, v);
+    const SweepReport swept = sweepJoints(s.constraints, s.trees, s.treeDrives, group, v);
     if (s.lanes) s.wide.take(v, shared);
     return swept;
 }
@@ -116,18 +117,21 @@ double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& s
 }
 
 /// Whether an island's impulses have brought energy; they are taken back then.
-bool startsAfresh(Solver& s, int group, std::span<Velocity> v) {
-    if (s.groups.hasJoints(group)) return false;
+bool startsAfresh(Solver& s, int group, Bodies& bodies) {
+    if (isConjugate(s, group)) return false;
+    if (s.groups.hasJoints(group)) return s.joined.takeBack(s, group, bodies);
     return s.lanes ? s.wide.takeBack(group)
-                   : s.fresh.takeBack(s.constraints, rowsOf(s, group), s.groups, v);
+                   : s.fresh.takeBack(s.constraints, rowsOf(s, group), s.groups, bodies.velocities);
 }
 
-void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings, double step,
+void solveGroup(Solver& s, int group, Bodies& bodies, const Settings& settings, double step,
                 std::size_t next, std::vector<SweepReport>& report) {
+    const std::span<Velocity> v = bodies.velocities;
     const SweepLimits limits = limitsOf(s, group, settings, step);
     if (s.lanes && !s.wide.isLarge(group)) s.wide.warmStart(group);
     const double left = sweepGroup(s, group, v, settings, limits, next, report);
-    if (left > kMuchLeft && startsAfresh(s, group, v))
+    const double much = s.groups.hasJoints(group) ? kMuchLeftOfJoined : kMuchLeft;
+    if (left > much && startsAfresh(s, group, bodies))
         sweepGroup(s, group, v, settings, limits, next, report);
 }
 
@@ -135,13 +139,11 @@ void solveGroup(Solver& s, int group, std::span<Velocity> v, const Settings& set
 void begin(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
     const int stride = s.constraints.jointStride;
     if (s.lanes && stride == 0) return;
+    if (stride > 0) s.joined.begin(s, v), s.treeDrives.begin();
     const std::span<const int> shared = s.groups.jointedBodies();
     if (s.lanes) s.wide.give(v, shared);
     warmStart(s.constraints, v, settings);
-    if (stride > 0) {
-        s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (stride * h), v);
-        s.kept.check(s.constraints, s.trees, v);
-    }
+    if (stride > 0) s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (stride * h), v);
     if (s.lanes) s.wide.take(v, shared);
 }
 
@@ -157,8 +159,8 @@ void beginRows(Solver& s, std::span<Velocity> v, const Settings& settings, doubl
         s.wide.setLead(riding.number, riding.lead, riding.turn);
 }
 
-void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, double h,
-                  StepReport& stepped) {
+void solveIslands(Solver& s, Bodies& bodies, const Settings& settings, double h, StepReport& stepped) {
+    const std::span<Velocity> v = bodies.velocities;
     std::vector<SweepReport>& report = stepped.sweeps;
     const bool touching = s.lanes ? !s.wide.empty() : !s.constraints.contacts.empty();
     if (s.constraints.joints.empty() && s.constraints.drives.empty() && !touching)
@@ -167,7 +169,7 @@ void solveIslands(Solver& s, std::span<Velocity> v, const Settings& settings, do
     const std::size_t first = report.size();
     begin(s, v, settings, h);
     for (int group = 0; group < s.groups.count(); ++group)
-        if (isTurnOf(s, group)) solveGroup(s, group, v, settings, h * stepped.substeps, first, report);
+        if (isTurnOf(s, group)) solveGroup(s, group, bodies, settings, h * stepped.substeps, first, report);
     if (s.lanes)
         s.wide.finish(v);
     else
@@ -187,7 +189,7 @@ void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, 
     const std::span<Velocity> v = bodies.velocities;
     solver.conjugate.prepare(bodies.inverseMasses);
     if (solver.byIsland)
-        solveIslands(solver, v, settings, h, report);
+        solveIslands(solver, bodies, settings, h, report);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
     if (solver.constraints.jointStride == 0) return;

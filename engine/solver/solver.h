@@ -8,8 +8,9 @@
 #include "engine/solver/conjugate_joints.h"
 #include "engine/solver/constraints.h"
 #include "engine/solver/fresh_start.h"
-#include "engine/solver/kept_impulses.h"
+#include "engine/solver/joined_start.h"
 #include "engine/solver/pressed_bodies.h"
+#include "engine/solver/tree_drives.h"
 #include "engine/wide/wide_contacts.h"
 
 namespace engine {
@@ -23,9 +24,10 @@ struct Solver {
     WideContacts wide;
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     JointTrees trees;
+    TreeDrives treeDrives;           // limits, motors and springs of joints in trees
     ConjugateJoints conjugate;       // while a group is solved
-    KeptImpulses kept;               // by groups
     FreshStart fresh;                // of contacts that are not in lanes
+    JoinedStart joined;              // of islands with joints
     PressedBodies pressed;
     DisjointSets islands;            // bodies connected by contacts and joints
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made

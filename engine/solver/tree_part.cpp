@@ -216,6 +216,25 @@ void TreePart<N>::solveVelocities(std::span<const int> trees, double biasRate, s
 }
 
 template <int N>
+void TreePart<N>::respond(int tree, std::span<Velocity> v, std::vector<double>& impulses) {
+    const int first = trees_[tree].first, end = trees_[tree].end;
+    for (int k = first; k < end; ++k) x_[k] = -velocityAlong(joints_[k], v[joints_[k].a], v[joints_[k].b]);
+    factors_.solve(x_, first, end, [&](int k, const TreeRows<N>& lambda) {
+        const TreeJoint<N>& joint = joints_[k];
+        apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
+        x_[k] = lambda;
+    });
+    for (int k = first; k < end; ++k) impulses.insert(impulses.end(), x_[k].begin(), x_[k].end());
+}
+
+template <int N>
+void TreePart<N>::bookResponse(int tree, std::span<const double> impulses, double share) {
+    const int first = trees_[tree].first, end = trees_[tree].end;
+    for (int k = first; k < end; ++k)
+        book(joints_[k], TreeRows<N>(Eigen::Map<const TreeRows<N>>(impulses.data() + N * (k - first))), share);
+}
+
+template <int N>
 void TreePart<N>::evaluateErrors(Tree& tree, std::span<const Joint> joints,
                                  std::span<const Pose> poses) {
     tree.worst = tree.ratio = tree.sum = 0.0;

@@ -45,6 +45,10 @@ public:
     /// Solves J v + biasRate C + gamma lambda = 0 in these trees; gamma: 0 but in nets.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
+    /// Adds to the changes v of velocities by some impulse those by which a tree responds, and appends its impulses.
+    void respond(int tree, std::span<Velocity> v, std::vector<double>& impulses);
+    /// Adds a share of such impulses to the totals.
+    void bookResponse(int tree, std::span<const double> impulses, double share);
     /// Stores the velocities with which the bodies will move from the poses of place(), and, after they have
     /// moved, the rotations to which these lead: whole trees start from them when they move again.
     void keepStart(std::span<const Velocity> v);
@@ -57,6 +61,15 @@ public:
     std::span<const int> all() const { return here_; }
     std::span<const int> whole() const { return whole_; }
     std::span<const int> of(int group) const { return byGroup_.of(group); }
+    int treeCount() const { return static_cast<int>(trees_.size()); }
+    /// Of a tree, or 0 if they are in another part.
+    int jointsOf(int tree) const { return trees_[tree].end - trees_[tree].first; }
+    /// One solve satisfies the tree, and nothing else acts on it.
+    bool isExact(int tree) const { return trees_[tree].whole && !trees_[tree].damped && !trees_[tree].inNet; }
+    template <class What>
+    void eachBody(int tree, const What& what) const {
+        for (int i = trees_[tree].firstMember; i < trees_[tree].endMember; ++i) what(members_[i].body);
+    }
     /// Sorts the trees into groups by their bodies; -1: into none.
     template <class GroupOf>
     void sortInto(int groups, const GroupOf& groupOf) {

@@ -51,7 +51,6 @@ struct alignas(32) ContactBatch {
     float centre[3][8];        // r_a of c, m
     float offset[3][8];        // d, m
     float massA[8], massB[8];  // 1/kg
-    float kept[8];             // share of the impulses at the start of a sub-step
     float turnA[6][8], turnB[6][8];  // I^-1, world axes: xx xy xz yy yz zz
     float mu[8];
     float reach[8];            // m, largest coordinate of a point from c

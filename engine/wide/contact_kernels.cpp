@@ -73,7 +73,7 @@ void setBiases(ContactBatch& c, ContactRecord& record, const WideVelocity* v,
 
 void warmStart(ContactBatch& c, WideVelocity* v, const WideStep& step) {
     const PairLanes pair(c, v);
-    const Lanes keep = Lanes(step.keep) * Lanes::load(c.kept);
+    const Lanes keep(step.keep);
     Lanes4 lambda;
     Lanes3 across{Lanes(0.0f), Lanes(0.0f), Lanes(0.0f)};
     for (int i = 0; i < kPoints; ++i) {

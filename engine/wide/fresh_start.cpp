@@ -1,4 +1,5 @@
-// solver/fresh_start.h, in lanes: the velocities of a group without joints are what its impulses changed.
+// solver/fresh_start.h and joined_start.h, in lanes: the velocities of a group without joints are what its
+// impulses changed.
 #include "engine/wide/wide_contacts.h"
 
 namespace engine {
@@ -17,32 +18,46 @@ void WideContacts::eachLane(int group, const What& what) {
     for (int k = firstBatch_[group]; k < firstBatch_[group + 1]; ++k)
         for (int lane = 0; lane < 8; ++lane) {
             const int contact = records_[k].contact[lane];
-            if (contact >= 0) what(k, lane, brought_[groups_->islandOf(contact)]);
+            if (contact >= 0) what(k, lane, groups_->islandOf(contact));
         }
 }
 
-void WideContacts::measureBrought(int group) {
-    eachLane(group, [&](int, int, double& brought) { brought = 0.0; });
+void WideContacts::addBrought(int group, std::span<double> brought) {
     float energy[8];
     int measured = -1;
-    eachLane(group, [&](int k, int lane, double& brought) {
+    eachLane(group, [&](int k, int lane, int island) {
         if (measured != k) kernels_->measure(batches_[k], now_.data(), energy);
         measured = k;
-        brought += static_cast<double>(energy[lane]);
+        brought[island] += static_cast<double>(energy[lane]);
     });
 }
 
 bool WideContacts::takeBack(int group) {
-    measureBrought(group);
+    eachLane(group, [&](int, int, int island) { brought_[island] = 0.0; });
+    addBrought(group, brought_);
     bool any = false;
-    eachLane(group, [&](int k, int lane, double brought) {
-        if (!(brought > 0.0)) return;
+    eachLane(group, [&](int k, int lane, int island) {
+        if (!(brought_[island] > 0.0)) return;
         any = true;
         ContactBatch& c = batches_[k];
         forget(c, lane);
         now_[c.a[lane]] = now_[c.b[lane]] = {};
     });
     return any;
+}
+
+void WideContacts::withdraw(int group, std::span<const double> brought) {
+    WideStep step = step_;
+    step.keep = -1.0f;
+    for (int k = firstBatch_[group]; k < firstBatch_[group + 1]; ++k) {
+        ContactBatch taken = batches_[k];
+        for (int lane = 0; lane < 8; ++lane) {
+            const int contact = records_[k].contact[lane];
+            const bool bad = contact >= 0 && brought[groups_->islandOf(contact)] > 0.0;
+            forget(bad ? batches_[k] : taken, lane);
+        }
+        kernels_->warmStart(taken, now_.data(), step);
+    }
 }
 
 }  // namespace engine

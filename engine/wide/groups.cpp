@@ -10,7 +10,6 @@ constexpr double kCalm = 0.25;        // m/s: a house of cards that loses its ba
 constexpr int kManyContacts = 1024;   // of an island, whose rest would be too expensive
 constexpr int kFewContacts = 64;      // islands with fewer share a group
 constexpr int kFewOfJointed = 16;     // the same for those with joints
-constexpr double kLostInTurn = 2.0, kMostLost = 0.1;  // shares of impulses: per rad; in a sub-step at most
 
 /// m^2/s^2
 double passingSquared(const Contact& contact, const Bodies& bodies) {
@@ -25,10 +24,8 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     for (const int i : bodies.active) islands_[i] = {};
     count(contacts, bodies, islands);
     moving_.clear(), touched_.clear(), atRest_.clear(), spans_.clear(), open_.clear();
-    onJoint_.assign(bodies.count(), 0);
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
-        for (const BodyId id : {joint.def.a, joint.def.b}) onJoint_[id.index] = bodies.isDynamic(id.index);
         const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
         if (!bodies.isAwake(body)) continue;
         Island& island = islands_[islands.leaderOf(body)];
@@ -107,13 +104,6 @@ void ContactGroups::findJointedBodies(std::span<const Contact> contacts, const B
         for (const int k : byGroup_.of(g)) jointedBodies_.push_back(candidates_[k]);
         firstBody_.push_back(static_cast<int>(jointedBodies_.size()));
     }
-}
-
-double ContactGroups::keptShare(const Contact& contact, const Bodies& bodies) const {
-    if (!onJoint_[contact.a] || !onJoint_[contact.b]) return 1.0;
-    const double spin = larger(bodies.velocities[contact.a].angular.norm(),
-                               bodies.velocities[contact.b].angular.norm());
-    return 1.0 - smaller(kLostInTurn * bodies.spans[contact.a] * spin, kMostLost);
 }
 
 int ContactGroups::ofJoint(int a, int b, const Bodies& bodies, DisjointSets& islands) const {

@@ -23,13 +23,6 @@ public:
     bool hasJoints(int group) const { return group < jointed_; }
     bool isTouched(int group) const { return touched_[group] != 0; }
     int of(int contact) const { return ofContact_[contact]; }
-    /// The share of its impulses with which a contact starts a sub-step. Between two bodies on joints it is less
-    /// than 1 while they turn. Where joints hardly let the two separate, sweeps change what is left of J v by a
-    /// few thousandths only: then v and the kept lambda are an oscillator without damping,
-    ///   v' = K lambda,   lambda' = -s v / K_0,   K << K_0
-    /// which turning bodies pump: parts of one machine that overlap flew apart. To lose impulses while they
-    /// turn damps it; at rest all are kept.
-    double keptShare(const Contact& contact, const Bodies& bodies) const;
     /// The island of a contact: one of its bodies, the same for all.
     int islandOf(int contact) const { return islandOfContact_[contact]; }
     /// That of a joint between two bodies; -1 if they are asleep or cannot move.
@@ -72,7 +65,7 @@ private:
     std::vector<int> candidates_, jointedBodies_, firstBody_;  // the latter by group, and the end
     ByGroup byGroup_;
     std::vector<Island> islands_;  // by leader
-    std::vector<char> touches_, onJoint_;          // by body
+    std::vector<char> touches_;                    // by body
     std::vector<char> moving_, touched_, atRest_;  // by group
     std::vector<double> spans_;
     int jointed_ = 0;                     // groups

@@ -152,7 +152,6 @@ void WideContacts::fillLane(int batch, int lane, const Contact& contact, const B
     c.massB[lane] = static_cast<float>(bodies.inverseMasses[contact.b].linear);
     set6(c.turnA, lane, bodies.inverseMasses[contact.a].angular);
     set6(c.turnB, lane, bodies.inverseMasses[contact.b].angular);
-    c.kept[lane] = static_cast<float>(groups_->keptShare(contact, bodies));
     c.mu[lane] = static_cast<float>(contact.friction);
     c.rolling[lane] = static_cast<float>(contact.rolling);
     record.restitution[lane] = static_cast<float>(contact.restitution);
@@ -203,7 +202,7 @@ void WideContacts::fillEmptyLane(int batch, int lane) {
     c.writeA[lane] = c.writeB[lane] = wasteOf(zeros, overlap_.halfOf(batch));
     set3(c.n, lane, Vec3::UnitX()), set3(c.t1, lane, Vec3::UnitY()), set3(c.t2, lane, Vec3::UnitZ());
     set3(c.centre, lane, Vec3::Zero()), set3(c.offset, lane, Vec3::Zero());
-    c.kept[lane] = c.massA[lane] = c.massB[lane] = c.mu[lane] = c.rolling[lane] = c.reach[lane] = 0.0f;
+    c.massA[lane] = c.massB[lane] = c.mu[lane] = c.rolling[lane] = c.reach[lane] = 0.0f;
     c.roll.moment[0][lane] = c.roll.moment[1][lane] = 0.0f;
     records_[batch].restitution[lane] = 0.0f;
     set6(c.turnA, lane, Mat3::Zero()), set6(c.turnB, lane, Mat3::Zero());

@@ -53,6 +53,10 @@ public:
     /// solver/fresh_start.h. Returns whether there was one. A large group is one island, so solveLarge may
     /// follow.
     bool takeBack(int group);
+    /// The same for a group with joints (solver/joined_start.h): adds the energies that its contacts have brought, by
+    /// island; takes back the impulses of the islands where that is above 0.
+    void addBrought(int group, std::span<double> brought);
+    void withdraw(int group, std::span<const double> brought);
     /// take: reads velocities that joints have changed. give: writes back the changes by sweeps.
     void take(std::span<const Velocity> v, std::span<const int> bodies);
     void give(std::span<Velocity> v, std::span<const int> bodies);
@@ -104,10 +108,9 @@ private:
     void eachBatch(const Work& work);
     template <class Work>
     void eachBody(const Work& work);
-    /// Calls what(batch, lane, energy of its island) for the contacts of a group, in a fixed order.
+    /// Calls what(batch, lane, island) for the contacts of a group, in a fixed order.
     template <class What>
     void eachLane(int group, const What& what);
-    void measureBrought(int group);
     const ContactKernels* kernels_ = nullptr;
     Workers* workers_ = nullptr;
     const ContactGroups* groups_ = nullptr;

@@ -170,10 +170,10 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
         {"stack", goldenStack, 300, 0xee18c1f12b8926e0},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
-        {"chain", goldenChain, 300, 0xd4a2baf2a38a35e9},
+        {"chain", goldenChain, 300, 0xb15ee2728522743a},
         {"pyramid", goldenPyramid, 60, 0x1a37603398b0a18e},
         {"forces", goldenForces, 300, 0xf62a9c2521cc1e8e},
-        {"machine", goldenMachine, 300, 0x14c0310f009d3a42},
+        {"machine", goldenMachine, 300, 0xf932eb0904a7c8b6},
         {"shapes", goldenShapes, 180, 0x49d39597f5f5d09a},
         {"rolling", goldenRolling, 300, 0xf3f10bf034fcb1dc},
     }};
