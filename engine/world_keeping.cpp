@@ -225,7 +225,8 @@ template <class Bytes>
 void keep(Bytes& bytes, JointDrive& drive) {
     for (int i = 0; i < drive.count; ++i) {
         DriveRow& row = drive.rows[i];
-        bytes(row.sign, row.error, row.bias, row.softness, row.rate, row.low, row.high, row.lambda);
+        bytes(row.sign, row.weight, row.error, row.bias, row.softness, row.rate, row.low, row.high, row.lambda);
+        bytes.require(row.weight > 0.0 && row.weight <= 1.0);
         bytes(drive.along[drive.placeOf(row)]);
     }
 }

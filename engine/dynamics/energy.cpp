@@ -9,6 +9,13 @@ Vec3 spinMomentum(const Bodies& bodies, int i) {
     return q * Vec3(bodies.masses[i].inertia * local);
 }
 
+/// Of a dynamic body, J.
+double kineticEnergyOf(const Bodies& bodies, int i) {
+    const Velocity& v = bodies.velocities[i];
+    return 0.5 * (bodies.masses[i].mass * v.linear.squaredNorm() +
+                  v.angular.dot(spinMomentum(bodies, i)));
+}
+
 }  // namespace
 
 Vec3 restMomentOf(const Bodies& bodies) {
@@ -25,12 +32,6 @@ Vec3 restMomentOf(const Bodies& bodies) {
 void sumResting(Bodies& bodies) {
     if (bodies.restStale) bodies.restMoment = restMomentOf(bodies);
     bodies.restStale = false;
-}
-
-double kineticEnergyOf(const Bodies& bodies, int i) {
-    const Velocity& v = bodies.velocities[i];
-    return 0.5 * (bodies.masses[i].mass * v.linear.squaredNorm() +
-                  v.angular.dot(spinMomentum(bodies, i)));
 }
 
 Energy energyOf(const Bodies& bodies, const Vec3& gravity) {

@@ -9,7 +9,6 @@
 namespace engine {
 namespace {
 
-
 double biasOf(const ContactRow& row, double restitution, double approach, const Settings& settings,
               double h) {
     const double slop = settings.slop;

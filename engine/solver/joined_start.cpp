@@ -20,6 +20,13 @@ void takeBackJoint(JointConstraint& joint, std::span<Velocity> v) {
     }
 }
 
+template <int N>
+void takeBackTree(TreeJoint<N>& joint, const InverseMass& a, const InverseMass& b, std::span<Velocity> v) {
+    const TreeRows<N> lambda = -joint.lambda;
+    apply(joint, lambda, a, b, v[joint.a], v[joint.b]);
+    book(joint, lambda, 1.0);
+}
+
 void takeBackDrive(JointDrive& drive, std::span<Velocity> v) {
     for (DriveRow& row : std::span(drive.rows).first(drive.count)) {
         push(drive, row, -row.lambda, v[drive.a], v[drive.b]);
@@ -71,15 +78,28 @@ void JoinedStart::measure(Solver& s, int group, const Bodies& bodies) {
     if (s.lanes) s.wide.addBrought(group, brought_);
 }
 
+void JoinedStart::findIslands(Solver& s, int group, const Bodies& bodies) {
+    const Constraints& c = s.constraints;
+    islands_.clear();
+    const auto add = [&](const auto& pair) { islands_.push_back(s.islands.leaderOf(bodies.movable(pair.a, pair.b))); };
+    for (const int k : c.jointsByGroup.of(group)) add(c.joints[k]);
+    for (const int k : c.drivesByGroup.of(group)) add(c.drives[k]);
+    for (const int body : s.groups.jointedBodies(group)) islands_.push_back(s.islands.leaderOf(body));
+    for (const int island : islands_) brought_[island] = 0.0;
+}
+
 bool JoinedStart::takeBack(Solver& s, int group, Bodies& bodies) {
     Constraints& c = s.constraints;
     const std::span<Velocity> v = bodies.velocities;
     const std::span<const int> shared = s.groups.jointedBodies(group);
     if (s.lanes) s.wide.give(v, shared);
-    std::ranges::fill(brought_, 0.0);
+    findIslands(s, group, bodies);
     measure(s, group, bodies);
-    if (std::ranges::none_of(brought_, [](double energy) { return energy > 0.0; })) return false;
+    if (std::ranges::none_of(islands_, [&](int island) { return brought_[island] > 0.0; })) return false;
     const auto bad = [&](const auto& pair) { return brought_[s.islands.leaderOf(bodies.movable(pair.a, pair.b))] > 0.0; };
+    s.trees.eachJoint(group, [&](auto& joint, const InverseMass& massA, const InverseMass& massB) {
+        if (bad(joint)) takeBackTree(joint, massA, massB, v);
+    });
     for (const int k : c.jointsOutside.of(group))
         if (bad(c.joints[k])) takeBackJoint(c.joints[k], v);
     for (const int k : c.drivesByGroup.of(group))

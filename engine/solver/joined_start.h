@@ -23,16 +23,17 @@ class JoinedStart {
 public:
     /// Before the first impulse of a sub-step, after the bounces: stores the velocities.
     void begin(const Solver& s, std::span<const Velocity> v);
-    /// Takes back the impulses of the islands of a group that have brought energy, except those of the trees, which
-    /// the next sweep solves again; returns whether there was one.
+    /// Takes back the impulses of the islands of a group that have brought energy; returns whether there was one.
     bool takeBack(Solver& s, int group, Bodies& bodies);
 
 private:
+    void findIslands(Solver& s, int group, const Bodies& bodies);
     void measure(Solver& s, int group, const Bodies& bodies);
     Velocity midway(int body, std::span<const Velocity> v) const;
 
     std::vector<Velocity> start_;  // v0, by body
     std::vector<double> brought_;  // f in J, by island
+    std::vector<int> islands_;     // of a group, some more than once
 };
 
 }  // namespace engine

@@ -38,16 +38,17 @@ public:
     /// a group. The corrections of an exact solve do not count as residual, because no error is left.
     void solveVelocities(std::span<Velocity> v, Correction& correction);
     void solveVelocities(int group, std::span<Velocity> v, Correction& correction);
-    /// Trees by number, of joints that are solved exactly by themselves (tree_drives.h): that of a joint of the world,
-    /// or -1; its joints; its bodies. `respond`: the changes v of their velocities by some impulse become those after
-    /// the tree is solved again, by impulses that it appends; bookResponse() adds a share of these to the totals.
+    /// Trees by number, for tree_drives.h.
     int treeCount() const { return forests_.empty() ? 0 : forests_[0].balls.treeCount(); }
+    /// The tree of a joint of the world, if it is solved exactly by itself; or -1.
     int exactTreeOf(int joint) const;
     int jointsOf(int tree) const;
     template <class What>
     void eachBody(int tree, const What& what) const {
         forests_[0].each([&](const auto& part) { part.eachBody(tree, what); });
     }
+    /// The changes v of velocities by some impulse become those after the tree is solved again. Appends its impulses,
+    /// of which bookResponse() adds a share to the totals.
     void respond(int tree, std::span<Velocity> v, std::vector<double>& impulses);
     void bookResponse(int tree, std::span<const double> impulses, double share);
     void solveTree(int tree, std::span<Velocity> v);

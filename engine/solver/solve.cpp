@@ -139,7 +139,7 @@ void solveGroup(Solver& s, int group, Bodies& bodies, const Settings& settings, 
 void begin(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
     const int stride = s.constraints.jointStride;
     if (s.lanes && stride == 0) return;
-    if (stride > 0) s.joined.begin(s, v), s.treeDrives.begin();
+    if (stride > 0) s.joined.begin(s, v), s.treeDrives.begin(s.trees);
     const std::span<const int> shared = s.groups.jointedBodies();
     if (s.lanes) s.wide.give(v, shared);
     warmStart(s.constraints, v, settings);

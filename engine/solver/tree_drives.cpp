@@ -1,20 +1,20 @@
 #include "engine/solver/tree_drives.h"
 
-#include <Eigen/Cholesky>
+#include <cmath>
 
 #include "engine/solver/drives.h"
 
 namespace engine {
 namespace {
 
-/// Columns of a system: beyond this, or this many times the joints of the tree, a sweep over bodies costs less.
+/// At most this many columns, and at most this many solves of a joint for them: then bodies are swept.
 constexpr int kMostColumns = 24, kMostSolves = 512;
 constexpr int kRounds = 8, kSweeps = 4;  // a round: sweeps, and all rows inside their bounds at once
 constexpr double kSolved = 1e-9;         // m/s or rad/s
-constexpr double kRaised = 1e-9;         // of A's diagonal: a spring and a motor may hold the same coordinate
+constexpr double kStuck = 1e-12;         // of K: the tree holds the coordinate, and only round-off is left
+constexpr double kDependent = 1e-9;      // of a diagonal: a spring and a motor may hold the same coordinate
 
-using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostColumns, kMostColumns>;
-using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostColumns, 1>;
+bool areTooMany(int columns, int joints) { return columns > kMostColumns || columns * joints > kMostSolves; }
 
 }  // namespace
 
@@ -30,20 +30,29 @@ void TreeDrives::sort(const Constraints& c, const JointTrees& trees, int groups)
                 systemOfTree_[tree] = static_cast<int>(used);
                 if (used == systems_.size()) systems_.emplace_back();
                 systems_[used].rows.clear();
-                systems_[used].tree = tree, systems_[used].group = group;
+                systems_[used].tree = tree, systems_[used].group = group, systems_[used].always = 0;
                 ++used;
             }
             inSystem_[drive] = 1;
-            for (int row = 0; row < c.drives[drive].count; ++row)
-                systems_[systemOfTree_[tree]].rows.push_back({.drive = drive, .row = row});
+            System& s = systems_[systemOfTree_[tree]];
+            for (int i = 0; i < c.drives[drive].count; ++i) {
+                const DriveRow& row = c.drives[drive].rows[i];
+                s.rows.push_back({});
+                s.rows.back().drive = drive, s.rows.back().row = i;
+                s.always += row.kind == DriveKind::spring || (row.kind == DriveKind::limit && isHeld(row)) ? 1 : 0;
+            }
         }
     systems_.resize(used);
     byGroup_.sort(static_cast<int>(used), groups, [&](int i) { return systems_[i].group; });
 }
 
-void TreeDrives::begin() {
+bool TreeDrives::System::canMove(int row) const {
+    return rows[row].softness > 0.0 || at(row, row) > kStuck * rows[row].k;
+}
+
+void TreeDrives::begin(const JointTrees& trees) {
     for (System& s : systems_) {
-        s.columns = 0, s.tooMany = false;
+        s.columns = 0, s.tooMany = areTooMany(s.always, trees.jointsOf(s.tree));
         s.a.clear(), s.changes.clear(), s.impulses.clear();
         for (Unknown& x : s.rows) x.column = -1;
     }
@@ -55,13 +64,13 @@ void TreeDrives::read(System& s, const Constraints& c, std::span<const Velocity>
         const DriveRow& row = drive.rows[x.row];
         const double rate = row.sign * velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
         x.w = rate + row.bias + row.softness * row.lambda;
+        x.k = drive.alongOf(row).k;
         x.lambda = row.lambda, x.low = row.low, x.high = row.high, x.softness = row.softness;
     }
 }
 
 bool TreeDrives::addColumn(System& s, int row, const Constraints& c, JointTrees& trees) {
-    const int count = s.columns + 1;
-    if (count > kMostColumns || count * trees.jointsOf(s.tree) > kMostSolves) return false;
+    if (areTooMany(s.columns + 1, trees.jointsOf(s.tree))) return false;
     const JointDrive& own = c.drives[s.rows[row].drive];
     const DriveRow& from = own.rows[s.rows[row].row];
     apply(own.alongOf(from), from.sign, response_[own.a], response_[own.b]);
@@ -90,13 +99,13 @@ double TreeDrives::sweepOnce(System& s, const Constraints& c, JointTrees& trees)
     double worst = 0.0;
     for (int i = 0; i < static_cast<int>(s.rows.size()); ++i) {
         Unknown& x = s.rows[i];
-        if (x.isAtBound()) continue;
+        if (x.isAtBound() || !(x.k > 0.0)) continue;
         if (x.column < 0 && !addColumn(s, i, c, trees)) {
             s.tooMany = true;
             continue;
         }
-        const double k = s.at(i, i) + x.softness;
-        if (!(k > 0.0)) continue;
+        if (!s.canMove(i)) continue;
+        const double k = larger(s.at(i, i), 0.0) + x.softness;
         const double lambda = clamped(x.lambda - x.w / k, x.low, x.high) - x.lambda;
         change(s, i, lambda);
         worst = larger(worst, std::abs(k * lambda));
@@ -108,7 +117,31 @@ void TreeDrives::findInside(const System& s) {
     inside_.clear();
     for (int i = 0; i < static_cast<int>(s.rows.size()); ++i) {
         const Unknown& x = s.rows[i];
-        if (x.column >= 0 && x.low < x.lambda && x.lambda < x.high && s.at(i, i) > 0.0) inside_.push_back(i);
+        if (x.column >= 0 && x.low < x.lambda && x.lambda < x.high && s.canMove(i)) inside_.push_back(i);
+    }
+}
+
+/// A x = -w by elimination; a row that depends on the others is left out.
+void TreeDrives::eliminate(const System& s) {
+    const int n = static_cast<int>(inside_.size());
+    const auto a = [&](int i, int k) -> double& { return matrix_[i * n + k]; };
+    matrix_.resize(n * n), x_.resize(n);
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < n; ++k) a(i, k) = s.at(inside_[i], inside_[k]);
+        a(i, i) += s.rows[inside_[i]].softness;
+        x_[i] = -s.rows[inside_[i]].w;
+    }
+    for (int p = 0; p < n; ++p) {
+        if (!(a(p, p) > kDependent * (s.at(inside_[p], inside_[p]) + s.rows[inside_[p]].softness))) a(p, p) = 0.0;
+        for (int i = p + 1; i < n && a(p, p) > 0.0; ++i) {
+            const double share = a(i, p) / a(p, p);
+            for (int k = p + 1; k < n; ++k) a(i, k) -= share * a(p, k);
+            x_[i] -= share * x_[p];
+        }
+    }
+    for (int p = n - 1; p >= 0; --p) {
+        for (int k = p + 1; k < n; ++k) x_[p] -= a(p, k) * x_[k];
+        x_[p] = a(p, p) > 0.0 ? x_[p] / a(p, p) : 0.0;
     }
 }
 
@@ -116,21 +149,15 @@ void TreeDrives::solveInside(System& s) {
     findInside(s);
     const int n = static_cast<int>(inside_.size());
     if (n < 2) return;
-    Block a(n, n);
-    Numbers w(n);
-    for (int i = 0; i < n; ++i) {
-        for (int k = 0; k < n; ++k) a(i, k) = s.at(inside_[i], inside_[k]);
-        a(i, i) += s.rows[inside_[i]].softness + kRaised * a(i, i);
-        w[i] = s.rows[inside_[i]].w;
-    }
-    const Numbers lambda = a.ldlt().solve(-w);
-    double share = lambda.allFinite() ? 1.0 : 0.0;
+    eliminate(s);
+    double share = 1.0;
     for (int i = 0; i < n; ++i) {
         const Unknown& x = s.rows[inside_[i]];
-        const double room = (lambda[i] > 0.0 ? x.high : x.low) - x.lambda;
-        if (std::abs(lambda[i]) > 0.0) share = smaller(share, room / lambda[i]);
+        const double room = (x_[i] > 0.0 ? x.high : x.low) - x.lambda;
+        if (!std::isfinite(x_[i])) return;
+        if (std::abs(x_[i]) > 0.0) share = smaller(share, room / x_[i]);
     }
-    for (int i = 0; i < n && share > 0.0; ++i) change(s, inside_[i], share * lambda[i]);
+    for (int i = 0; i < n; ++i) change(s, inside_[i], share * x_[i]);
 }
 
 void TreeDrives::write(System& s, Constraints& c, JointTrees& trees, std::span<Velocity> v,
@@ -145,7 +172,7 @@ void TreeDrives::write(System& s, Constraints& c, JointTrees& trees, std::span<V
         row.lambda += lambda;
         book(drive, row, lambda);
         applyColumn(s, i, lambda, trees, v);
-        correction.add((s.at(i, i) + x.softness) * lambda, lambda);
+        correction.add((larger(s.at(i, i), 0.0) + x.softness) * lambda, lambda);
     }
 }
 
@@ -160,14 +187,17 @@ void TreeDrives::applyColumn(const System& s, int row, double lambda, JointTrees
     trees.bookResponse(s.tree, std::span(s.impulses).subspan(column * each, each), lambda);
 }
 
-void TreeDrives::solve(int group, bool others, Constraints& c, JointTrees& trees, std::span<Velocity> v,
+void TreeDrives::solve(int group, bool moved, Constraints& c, JointTrees& trees, std::span<Velocity> v,
                        Correction& correction) {
     response_.resize(v.size());
-    for (const int i : c.drivesByGroup.of(group))
-        if (!inSystem_[i]) sweepDrive(c.drives[i], v, correction);
+    for (const int i : c.drivesByGroup.of(group)) {
+        if (inSystem_[i]) continue;
+        sweepDrive(c.drives[i], v, correction);
+        moved = true;
+    }
     for (const int i : byGroup_.of(group)) {
         System& s = systems_[i];
-        if (others) trees.solveTree(s.tree, v);
+        if (moved) trees.solveTree(s.tree, v);
         read(s, c, v);
         double worst = 1.0;
         for (int round = 0; round < kRounds && worst > kSolved && !s.tooMany; ++round) {

@@ -23,24 +23,26 @@ namespace engine {
 
 class TreeDrives {
 public:
-    /// Once per step, after drives and trees were sorted into groups: which drives are solved with a tree.
+    /// After drives and trees were sorted into groups: which drives are solved with a tree.
     void sort(const Constraints& c, const JointTrees& trees, int groups);
     /// Once per sub-step: J and M have changed.
-    void begin();
-    /// Solves the drives of a group; those of trees so that the tree, which is solved, stays so. `others`: joints
-    /// outside the trees have changed velocities since the trees were solved.
-    void solve(int group, bool others, Constraints& c, JointTrees& trees, std::span<Velocity> v, Correction& correction);
+    void begin(const JointTrees& trees);
+    /// Solves the drives of a group; those of trees so that the tree stays solved. `moved`: joints outside the trees
+    /// have changed velocities since the trees were solved.
+    void solve(int group, bool moved, Constraints& c, JointTrees& trees, std::span<Velocity> v, Correction& correction);
 
 private:
     struct Unknown {
         int drive = 0, row = 0;
         int column = -1;                  // of A; -1: none yet
+        double k = 0.0;                   // J M^-1 J^T
         double w = 0.0, lambda = 0.0;
         double low = 0.0, high = 0.0, softness = 0.0;
         bool isAtBound() const { return (w >= 0.0 && lambda <= low) || (w <= 0.0 && lambda >= high); }
     };
     struct System {
         int tree = -1, group = -1;
+        int always = 0;                 // rows that always act
         int columns = 0;
         bool tooMany = false;           // rows that act
         std::vector<Unknown> rows;
@@ -49,12 +51,14 @@ private:
         std::vector<double> impulses;   // of the tree for each column
 
         double at(int row, int of) const { return a[rows[of].column * rows.size() + row]; }
+        bool canMove(int row) const;
     };
 
     void read(System& s, const Constraints& c, std::span<const Velocity> v) const;
     bool addColumn(System& s, int row, const Constraints& c, JointTrees& trees);
     double sweepOnce(System& s, const Constraints& c, JointTrees& trees);
     void findInside(const System& s);
+    void eliminate(const System& s);
     void solveInside(System& s);
     static void change(System& s, int row, double lambda);
     void write(System& s, Constraints& c, JointTrees& trees, std::span<Velocity> v, Correction& correction) const;
@@ -65,7 +69,8 @@ private:
     std::vector<int> systemOfTree_;   // -1: none
     std::vector<char> inSystem_;      // by drive
     std::vector<Velocity> response_;  // by body; 0 between two columns
-    std::vector<int> inside_;         // rows of a system: strictly between their bounds
+    std::vector<int> inside_;         // rows of a system: strictly between their bounds,
+    std::vector<double> matrix_, x_;  // and their A x = -w
 };
 
 }  // namespace engine

@@ -222,7 +222,6 @@ void TreePart<N>::respond(int tree, std::span<Velocity> v, std::vector<double>& 
     factors_.solve(x_, first, end, [&](int k, const TreeRows<N>& lambda) {
         const TreeJoint<N>& joint = joints_[k];
         apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
-        x_[k] = lambda;
     });
     for (int k = first; k < end; ++k) impulses.insert(impulses.end(), x_[k].begin(), x_[k].end());
 }

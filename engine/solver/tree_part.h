@@ -25,7 +25,7 @@ struct TreeNudge {
     double most = 0.0;  // m: limit of one nudge
     double h = 0.0;     // s, of the sub-step whose velocities get feedback; 0: no feedback
     Gyroscope gyroscope = Gyroscope::momentum;
-    bool pushed = false;  // contacts have moved bodies since the last nudge
+    bool pushed = false;  // contacts or limits have moved bodies since the last nudge
 };
 
 template <int N>
@@ -64,7 +64,7 @@ public:
     int treeCount() const { return static_cast<int>(trees_.size()); }
     /// Of a tree, or 0 if they are in another part.
     int jointsOf(int tree) const { return trees_[tree].end - trees_[tree].first; }
-    /// One solve satisfies the tree, and nothing else acts on it.
+    /// One solve satisfies the tree, and no other rigid joint acts on it.
     bool isExact(int tree) const { return trees_[tree].whole && !trees_[tree].damped && !trees_[tree].inNet; }
     template <class What>
     void eachBody(int tree, const What& what) const {

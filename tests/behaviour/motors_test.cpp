@@ -264,6 +264,20 @@ TEST(Motor, HasItsStrengthWhereATwistIsUndefined) {
             }
 }
 
+// The two rows contradict each other: neither impulse may grow without bound.
+TEST(Motor, OfAnyStrengthStopsAtALimit) {
+    World world = support::weightless();
+    const BodyId hook = world.add(support::hook()), wheel = world.add(ballOf(2, 0.3, {0.5, 0, 0}));
+    JointDef def = jointAt(world, JointType::hinge, hook, wheel, Vec3::Zero());
+    def.free[0].motor = {1.0, kUnlimited};
+    def.free[0].limits = {-0.1, 0.1};
+    const JointId id = world.add(def);
+    run(world, 600);
+    EXPECT_NEAR(world.joint(id).position, 0.1, 1e-3);
+    EXPECT_LT(world.velocity(wheel).norm(), 1e-3);
+    EXPECT_LT(world.joint(id).torque.norm(), 1e-3);
+}
+
 TEST(Motor, KeepsAwakeWhatItTurns) {
     Settings settings = Settings::steady();
     settings.sleeping = true;

@@ -93,6 +93,25 @@ TEST(KeepingOfAWorld, HasSleepRemovedBodiesAndMotors) {
     EXPECT_EQ(rest.report().asleep, whole.report().asleep);
 }
 
+/// A bob that swings about x, and a motor on its twist about z, whose weight changes with the swing.
+World twisted() {
+    World world;
+    const BodyId hook = world.add(support::hook({0, 6, 0}));
+    const BodyId bob = world.add(support::body(Shape::box({0.2, 0.4, 0.3}), {0, 6, 1}));
+    JointDef def = support::jointAt(world, JointType::ball, hook, bob, {0, 6, 0}, {0, 0, 1});
+    def.free[0].motor = {3.0, 0.01};
+    world.add(def);
+    return world;
+}
+
+TEST(KeepingOfAWorld, HasMotorsOfAngles) {
+    World whole = twisted(), rest = twisted();
+    support::run(whole, 25);
+    ASSERT_TRUE(rest.restoreState(stateOf(whole)));
+    support::run(whole, 1), support::run(rest, 1);
+    EXPECT_EQ(rest.hash(), whole.hash());
+}
+
 /// Joints that are swept, and a heavy box on a light one.
 World swept() {
     Settings settings;
