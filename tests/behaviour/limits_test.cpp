@@ -213,8 +213,9 @@ World thrownLimbs(const Settings& settings, int links, bool floor, std::uint64_t
         world.setGravity(Vec3::Zero());
     BodyId last;
     for (int i = 0; i < links; ++i) {
-        BodyDef box = support::body(Shape::box({0.4, random.number(0.05, 0.4), random.number(0.02, 0.4)}),
-                                    {0.6 * i, 2, 0}, std::pow(10.0, random.number(-2, 2)));
+        const double mass = std::pow(10.0, random.number(-2, 2));
+        const Vec3 size{0.4, random.number(0.05, 0.4), random.number(0.02, 0.4)};
+        BodyDef box = support::body(Shape::box(size), {0.6 * i, 2, 0}, mass);
         box.collide = floor;
         box.velocity = random.vector(2), box.spin = random.vector(20);
         const BodyId id = world.add(box);
@@ -247,7 +248,7 @@ TEST(BallLimits, OfLightLimbsOnHeavyOnesAddNoEnergy) {
     Settings inRows = Settings::steady();
     inRows.lanes = false;
     for (const auto& [settings, most] :
-         {std::pair{Settings::steady(), 0.005}, {inRows, 0.005}, {Settings::fast(), 0.02}})
+         {std::pair{Settings::steady(), 0.01}, {inRows, 0.01}, {Settings::fast(), 0.02}})
         for (const bool floor : {false, true})
             for (std::uint64_t seed = 1; seed <= 16; ++seed) {
                 World world = thrownLimbs(settings, 4, floor, seed);
