@@ -11,9 +11,9 @@
 ///            this sub-step but not passed; for C < 0 see setBias. Equal bounds: an equality.
 /// In every sweep the total is clamped to its bounds [low, high], like a contact's.
 ///
-/// Where an angle is undefined (turning.h) its J has no bound: a motor of 6 N m on the twist of a ball joint that
-/// had swung by nearly half a turn turned its bodies with 18 kN m, and the impulse kept for the next sub-step, where
-/// J was another one, threw them away. With the weight m of the angle, motors, limits and rotors act along m J, of
+/// Where an angle is undefined (turning.h) its J has no bound: a motor on the twist of a joint that had swung by
+/// nearly half a turn had 2,800 times its strength, and the impulse kept for the next sub-step, where J was another
+/// one, threw the bodies away (torture world limbs 53). With the weight m of the angle, motors, limits and rotors act along m J, of
 /// length 1 at most, for m C and m times the speed, and the strength of a motor fades as m. Springs have a potential
 /// that fades (JointRows::fade).
 ///

@@ -1,6 +1,6 @@
 /// fresh_start.h for islands with joints. What limits, motors, contacts and joints outside the trees keep from
 /// the last sub-step is a guess, and where the trees let bodies hardly follow it (0.01 kg limits 100 kg behind
-/// another joint) sweeps do not take a bad one back: each sub-step adds energy, a tenth in a sixtieth of a second.
+/// another joint) sweeps do not take a bad one back: each sub-step adds energy.
 /// The energy that all impulses of an island have brought, those of the trees included,
 ///   f = sum of lambda . (J (v0 + v) / 2 + b + gamma lambda / 2),   v0, v: before and after the sub-step's impulses
 /// is at most 0 after any number of sweeps from lambda = 0: the trees are solved exactly, and every other row

@@ -213,11 +213,8 @@ World thrownLimbs(const Settings& settings, int links, bool floor, std::uint64_t
         world.setGravity(Vec3::Zero());
     BodyId last;
     for (int i = 0; i < links; ++i) {
-        const double mass = std::pow(10.0, random.number(-2, 2));
-        const Vec3 size{0.4, random.number(0.05, 0.4), random.number(0.02, 0.4)};
-        BodyDef box = support::body(Shape::box(size), {0.6 * i, 2, 0}, mass);
+        BodyDef box = support::thrownBox(random, {0.6 * i, 2, 0});
         box.collide = floor;
-        box.velocity = random.vector(2), box.spin = random.vector(20);
         const BodyId id = world.add(box);
         if (i > 0) {
             JointDef def = jointAt(world, JointType::ball, last, id, {0.6 * i - 0.3, 2, 0}, random.vector(1).normalized());

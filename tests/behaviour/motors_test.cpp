@@ -236,11 +236,8 @@ World tumblingOnMotors(JointType type, const Settings& settings, std::uint64_t s
     World world = support::weightless(settings);
     BodyId last;
     for (int i = 0; i < 4; ++i) {
-        const double mass = std::pow(10.0, random.number(-2, 2));
-        const Vec3 size{0.4, random.number(0.05, 0.4), random.number(0.02, 0.4)};
-        BodyDef box = support::body(Shape::box(size), {0.6 * i, 0, 0}, mass);
+        BodyDef box = support::thrownBox(random, {0.6 * i, 0, 0});
         box.collide = false;
-        box.velocity = random.vector(2), box.spin = random.vector(20);
         const BodyId id = world.add(box);
         if (i > 0) joinByMotors(world, type, last, id, random, power);
         last = id;

@@ -19,6 +19,15 @@ inline JointDef jointAt(const World& world, JointType type, BodyId a, BodyId b, 
     return def;
 }
 
+/// A box of 10 g to 100 kg and 2 to 40 cm, thrown at up to 20 rad/s about each axis.
+inline BodyDef thrownBox(Random& random, const Vec3& at) {
+    const double mass = std::pow(10.0, random.number(-2, 2));
+    const Vec3 size{0.4, random.number(0.05, 0.4), random.number(0.02, 0.4)};
+    BodyDef box = body(Shape::box(size), at, mass);
+    box.velocity = random.vector(2), box.spin = random.vector(20);
+    return box;
+}
+
 /// A ball with the same inertia about every axis, which nothing touches.
 inline BodyDef ballOf(double mass, double inertia, const Vec3& at) {
     BodyDef def = body(Shape::sphere(0.1), at, mass);
