@@ -27,13 +27,12 @@ void turnFreely(const BodyMass& mass, Gyroscope gyroscope, double h, Quat& rotat
 void FreeTurns::add(const BodyMass& mass, double h, Quat& rotation, Vec3& spin) {
     if (gyroscope_ != Gyroscope::momentum || !(mass.mass > 0.0))
         return turnFreely(mass, gyroscope_, h, rotation, spin);
-    const Turn turn{&mass, h, &rotation, &spin};
     Turn& waiting = waiting_[kindOfTurn(mass)];
     if (waiting.mass == nullptr) {
-        waiting = turn;
+        waiting = {&mass, h, &rotation, &spin};
         return;
     }
-    turnTwo(waiting, turn);
+    turnTwo(waiting, {&mass, h, &rotation, &spin});
     waiting = {};
 }
 

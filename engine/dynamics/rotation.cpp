@@ -41,11 +41,8 @@ public:
     }
 
     int count() const { return terms_; }
-    /// The length of a term's quaternion.
-    Real sizeOf(int k) const {
-        using std::sqrt;
-        return sqrt(s_[k] * s_[k] + v_[k].squaredNorm());
-    }
+    /// The squared length of a term's quaternion.
+    Real squaredSizeOf(int k) const { return s_[k] * s_[k] + v_[k].squaredNorm(); }
 
     void add() {
         const int k = terms_++;
@@ -68,9 +65,7 @@ public:
         Vec3 v = partOf(v_[terms], body);
         for (int k = terms - 1; k >= 0; --k)
             s = s * share + partOf(s_[k], body), v = v * share + partOf(v_[k], body);
-        Quat q(s, v.x(), v.y(), v.z());
-        q.normalize();
-        return q;
+        return renormalized(Quat(s, v.x(), v.y(), v.z()));
     }
 
 private:
@@ -81,14 +76,20 @@ private:
     int terms_ = 0;
 };
 
+/// Whether the terms after two of these squared lengths are: the next one is about size / before times the last.
+bool areNegligible(double before, double size) {
+    return size * size <= kSmallest * kSmallest * before;
+}
+
 /// Halves the share until the last two terms are negligible.
 double shortened(const FreeTerms<double>& terms, double share) {
     const int last = terms.count();
+    const double sizes[2] = {std::sqrt(terms.squaredSizeOf(last - 1)), std::sqrt(terms.squaredSizeOf(last))};
     for (int i = 0; i < kMostCuts; ++i) {
         share *= 0.5;
         double power = 1.0;
         for (int k = 1; k < last; ++k) power *= share;
-        if (power * (terms.sizeOf(last - 1) + share * terms.sizeOf(last)) <= kSmallest) break;
+        if (power * (sizes[0] + share * sizes[1]) <= kSmallest) break;
     }
     return share;
 }
@@ -100,9 +101,9 @@ double turnBy(double share, const BodyMass& mass, double h, const Vec3& momentum
     bool enough = false;
     while (terms.count() < kMostTerms && !enough) {
         terms.add();
-        power *= share;
-        const double size = power * terms.sizeOf(terms.count());
-        enough = size * size <= kSmallest * before;  // so is the next term
+        power *= share * share;
+        const double size = power * terms.squaredSizeOf(terms.count());
+        enough = areNegligible(before, size);
         before = size;
     }
     if (!enough) share = shortened(terms, share);
@@ -132,10 +133,9 @@ bool turnAnyBodies(const Turn& a, const Turn& b) {
     while (enough[0] == 0 || enough[1] == 0) {
         if (terms.count() == kMostTerms) return false;
         terms.add();
-        const Two size = terms.sizeOf(terms.count());
+        const Two size = terms.squaredSizeOf(terms.count());
         for (int i = 0; i < 2; ++i) {
-            if (enough[i] == 0 && size[i] * size[i] <= kSmallest * before[i])
-                enough[i] = terms.count();
+            if (enough[i] == 0 && areNegligible(before[i], size[i])) enough[i] = terms.count();
             before[i] = size[i];
         }
     }
@@ -146,35 +146,34 @@ bool turnAnyBodies(const Turn& a, const Turn& b) {
     return true;
 }
 
-/// (c, s turn / 2) q / |...|, with c = cos(x), s = sin(x) / x, x = |turn| / 2
-template <class Real>
-QuatOf<Real> turnedAlong(const Real& c, const Real& s, const Vec3Of<Real>& half,
-                      const QuatOf<Real>& q) {
-    const Vec3Of<Real> v = s * half;
-    QuatOf<Real> turned = QuatOf<Real>(c, v.x(), v.y(), v.z()) * q;
-    turned.normalize();
-    return turned;
-}
-
 constexpr double kSeries = 1e-2;  // x^2: below, the omitted terms are smaller than 1e-16
 
+/// (cos(x), sin(x) / x half), x = |half|: the rotation by 2 half.
 template <class Real>
-QuatOf<Real> turnedALittle(const Vec3Of<Real>& half, const Real& x2, const QuatOf<Real>& q) {
-    // 1 - x^2 / 6 (1 - x^2 / 20 (1 - ...)) and 1 - x^2 / 2 (1 - x^2 / 12 (1 - ...)) side by side
-    constexpr double kDivisors[4][2] = {{72.0, 56.0}, {42.0, 30.0}, {20.0, 12.0}, {6.0, 2.0}};
-    Real sums[2] = {1.0, 1.0};
-    for (const double (&divisors)[2] : kDivisors)
-        for (int i = 0; i < 2; ++i) sums[i] = Real(1.0) - x2 / Real(divisors[i]) * sums[i];
-    return turnedAlong<Real>(sums[1], sums[0], half, q);
+[[gnu::always_inline]] inline QuatOf<Real> smallTurn(const Vec3Of<Real>& half, const Real& x2) {
+    // 1 - x^2 / 3! + x^4 / 5! - ... and 1 - x^2 / 2! + x^4 / 4! - ...
+    constexpr double kFactors[4][2] = {{-1.0 / 5040.0, -1.0 / 720.0},
+                                       {1.0 / 120.0, 1.0 / 24.0},
+                                       {-1.0 / 6.0, -1.0 / 2.0},
+                                       {1.0, 1.0}};
+    Real s = 1.0 / 362880.0, c = 1.0 / 40320.0;
+    for (const double (&factors)[2] : kFactors) s = s * x2 + Real(factors[0]), c = c * x2 + Real(factors[1]);
+    return QuatOf<Real>(c, s * half.x(), s * half.y(), s * half.z());
 }
 
-Quat turned(const Vec3& turn, const Quat& q) { return turnedBy(turn, q); }
+Quat turnOf(const Vec3& turn) {
+    const Vec3 half = 0.5 * turn;
+    const double x2 = half.squaredNorm();
+    if (!(x2 >= kSeries && x2 < 1e200)) return smallTurn<double>(half, x2);  // or NaN
+    const double x = std::sqrt(x2), s = sine(x) / x;
+    return {cosine(x), s * half.x(), s * half.y(), s * half.z()};
+}
 
-QuatOf<Two> turned(const Vec3Of<Two>& turn, const QuatOf<Two>& q) {
+[[gnu::always_inline]] inline QuatOf<Two> turnOf(const Vec3Of<Two>& turn) {
     const Vec3Of<Two> half = Two(0.5) * turn;
     const Two x2 = half.squaredNorm();
-    if (x2[0] < kSeries && x2[1] < kSeries) return turnedALittle<Two>(half, x2, q);
-    return sideBySide(turned(partOf(turn, 0), partOf(q, 0)), turned(partOf(turn, 1), partOf(q, 1)));
+    if (x2[0] < kSeries && x2[1] < kSeries) return smallTurn<Two>(half, x2);
+    return sideBySide(turnOf(partOf(turn, 0)), turnOf(partOf(turn, 1)));
 }
 
 Vec3 topAxisOf(const BodyMass& mass) { return Vec3::Unit(mass.topAxis); }
@@ -190,8 +189,8 @@ void turnTop(const Vec3Of<Real>& axis, const Real& factor, const Real& h, QuatOf
     const Vec3Of<Real> before = rotation * axis;
     const Real own = factor * before.dot(spin);
     const Vec3Of<Real> precession = spin - own * before;
-    rotation = turned(Vec3Of<Real>(h * precession),
-                      turned(Vec3Of<Real>(h * own * before), rotation));
+    rotation = renormalized<Real>(turnOf(Vec3Of<Real>(h * precession)) *
+                                  (turnOf(Vec3Of<Real>(h * own * before)) * rotation));
     spin = precession + own * (rotation * axis);
 }
 
@@ -215,7 +214,7 @@ void turnTwo(const Turn& a, const Turn& b) {
     QuatOf<Two> rotation = sideBySide(*a.rotation, *b.rotation);
     Vec3Of<Two> spin = sideBySide(*a.spin, *b.spin);
     if (a.mass->isRound)
-        rotation = turned(Vec3Of<Two>(h * spin), rotation);
+        rotation = renormalized<Two>(turnOf(Vec3Of<Two>(h * spin)) * rotation);
     else
         turnTop<Two>(sideBySide(topAxisOf(*a.mass), topAxisOf(*b.mass)),
                      Two(topFactorOf(*a.mass), topFactorOf(*b.mass)), h, rotation, spin);
@@ -223,13 +222,7 @@ void turnTwo(const Turn& a, const Turn& b) {
     *a.spin = partOf(spin, 0), *b.spin = partOf(spin, 1);
 }
 
-Quat turnedBy(const Vec3& turn, const Quat& q) {
-    const Vec3 half = 0.5 * turn;
-    const double x2 = half.squaredNorm();
-    if (!(x2 >= kSeries && x2 < 1e200)) return turnedALittle<double>(half, x2, q);  // or NaN
-    const double x = std::sqrt(x2);
-    return turnedAlong<double>(cosine(x), sine(x) / x, half, q);
-}
+Quat turnedBy(const Vec3& turn, const Quat& q) { return renormalized<double>(turnOf(turn) * q); }
 
 Vec3 spinAfterGyroscopicTorque(const BodyMass& mass, const Quat& rotation, const Vec3& spin,
                                double h) {

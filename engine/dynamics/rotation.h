@@ -21,6 +21,12 @@
 
 namespace engine {
 
+/// q / |q| of a q whose length is 1 but for rounding: one step of Newton's method for 1 / |q|.
+template <class Real>
+[[gnu::always_inline]] inline Eigen::Quaternion<Real> renormalized(const Eigen::Quaternion<Real>& q) {
+    return Eigen::Quaternion<Real>((Real(1.5) - Real(0.5) * q.squaredNorm()) * q.coeffs());
+}
+
 /// q turned by the small rotation vector `turn` (rad, world axes), by the Cayley map
 ///   q1 = (1, turn / 2) q / |...|
 inline Quat cayley(const Vec3& turn, const Quat& q) {

@@ -389,8 +389,7 @@ void TreePart<N>::turnToEnd(const Tree& tree, Bodies& bodies) const {
         if (masses_[i].linear == 0.0) continue;
         const Member& member = members_[i];
         Quat& rotation = bodies.poses[member.body].rotation;
-        rotation = rotation * (member.before.conjugate() * member.end);
-        rotation.normalize();
+        rotation = renormalized(rotation * (member.before.conjugate() * member.end));
     }
 }
 

@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0xee18c1f12b8926e0},
+        {"stack", goldenStack, 300, 0x4303d2fb52fbeb9a},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
-        {"chain", goldenChain, 300, 0xb15ee2728522743a},
-        {"pyramid", goldenPyramid, 60, 0x1a37603398b0a18e},
-        {"forces", goldenForces, 300, 0xf62a9c2521cc1e8e},
-        {"machine", goldenMachine, 300, 0xf932eb0904a7c8b6},
-        {"shapes", goldenShapes, 180, 0x49d39597f5f5d09a},
-        {"rolling", goldenRolling, 300, 0xf3f10bf034fcb1dc},
+        {"chain", goldenChain, 300, 0x4d1a2907843d6374},
+        {"pyramid", goldenPyramid, 60, 0x5f2b6257b8548314},
+        {"forces", goldenForces, 300, 0x9ca3f0b77567f25d},
+        {"machine", goldenMachine, 300, 0xc74a8ffab95d1358},
+        {"shapes", goldenShapes, 180, 0xc6f04a592f6086ee},
+        {"rolling", goldenRolling, 300, 0xf78a1dfe1d883b07},
     }};
     return worlds;
 }
