@@ -5,7 +5,7 @@
 namespace demos {
 
 /// `rest`: m, the length without load; it sets the coil's width. A coil that is small in the
-/// picture of `frame.camera` gets few rods.
+/// picture of `frame.camera` gets few rods, a very small one is a bar.
 void addCoil(const render::Vec3& from, const render::Vec3& to, float rest, int id,
              render::Frame& frame);
 

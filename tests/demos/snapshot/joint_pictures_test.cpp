@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/snapshot/coil.h"
 #include "demos/snapshot/snapshot.h"
 #include "engine/base/trigonometry.h"
 #include "tests/demos/reading.h"
@@ -20,6 +21,7 @@ Stage hanging(JointType type, Change change) {
         "[[body]]\nname = 'ball'\nshape = { sphere = 0.2 }\nat = [0, -2, 0]\n"
         "[[joint]]\ntype = 'distance'\na = 'world'\nb = 'ball'\nanchor_a = [0, 0, 0]\n");
     scene.joints[0].def.type = type;
+    scene.camera.from = {0, -1, 6};  // near: small coils are bars
     change(scene.joints[0].def);
     return Stage(scene);
 }
@@ -41,6 +43,22 @@ TEST(JointPicture, ASpringIsACoilFromEndToEnd) {
         EXPECT_EQ(rods[i].from, rods[i - 1].to) << i;
         EXPECT_EQ(rods[i].id, 1) << i;
     }
+}
+
+TEST(JointPicture, ASpringThatIsSmallInThePictureIsABar) {
+    const auto rodsFrom = [](float away) {
+        render::Frame frame;
+        frame.camera.from = {0, 0, away};
+        addCoil({0, 1, 0}, {0, -1, 0}, 1.0f, 7, frame);
+        return frame.rods;
+    };
+    EXPECT_GT(rodsFrom(10).size(), 45u);
+    const std::vector<render::Rod> far = rodsFrom(100);
+    ASSERT_EQ(far.size(), 1u);
+    EXPECT_EQ(far[0].from, render::Vec3(0, 1, 0));
+    EXPECT_EQ(far[0].to, render::Vec3(0, -1, 0));
+    EXPECT_EQ(far[0].id, 7);
+    EXPECT_GT(far[0].radius, coilWire(1.0f));
 }
 
 TEST(JointPicture, ARigidRodIsOneRod) {
