@@ -31,10 +31,13 @@ BestAxis bestFace(const OrientedBox& owner, const OrientedBox& a, const Oriented
     return best;
 }
 
-BestAxis bestEdges(const OrientedBox& a, const OrientedBox& b) {
+/// Of those along which they are more than `least` (m) apart.
+BestAxis bestEdges(const OrientedBox& a, const OrientedBox& b, double least) {
     BestAxis best;
+    const EdgeAxes axes(a, b);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
+            if (!axes.mayExceed(least, i, j)) continue;
             const Vec3 n = a.axes.col(i).cross(b.axes.col(j));
             const double length = n.norm();
             if (length < 1e-3) continue;  // parallel edges: the face normals cover them
@@ -129,10 +132,11 @@ Manifold collideBoxBox(const Shape& shapeA, const Pose& poseA, const Shape& shap
     if (faceA.separation > margin) return m;
     const BestAxis faceB = bestFace(b, a, b);
     if (faceB.separation > margin) return m;
-    const BestAxis edges = bestEdges(a, b);
+    const double beyondFaces = larger(faceA.separation, faceB.separation) + kEdgeBonus;
+    const BestAxis edges = bestEdges(a, b, beyondFaces);
     if (edges.separation > margin) return m;
 
-    if (edges.separation > larger(faceA.separation, faceB.separation) + kEdgeBonus) {
+    if (edges.separation > beyondFaces) {
         m.normal = edges.normal;
         touchEdges(a, b, edges, m);
     } else {

@@ -121,8 +121,10 @@ Gap gapOfBoxes(const OrientedBox& boxA, const OrientedBox& boxB, const Approach&
         see(boxA.axes.col(i)), see(boxB.axes.col(i));
         if (gap.least > near) return gap;
     }
+    const EdgeAxes edges(boxA, boxB);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
+            if (!edges.mayExceed(gap.distance, i, j)) continue;
             const Vec3 axis = boxA.axes.col(i).cross(boxB.axes.col(j));
             const double length = axis.norm();
             if (length > 1e-3) see(axis / length);  // parallel edges: the faces cover them

@@ -4,6 +4,7 @@
 
 #include "engine/base/trigonometry.h"
 #include "engine/collision/collide.h"
+#include "engine/collision/oriented_box.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -115,6 +116,28 @@ TEST(BoxBox, IsSaneForRandomPoses) {
         EXPECT_NEAR(deepest, deepestBack, 3e-3);  // the bonuses of axes may change the choice
     }
     EXPECT_GT(touching, 1000);
+}
+
+TEST(BoxBox, NoAxisOfEdgesIsLeftOutThatMatters) {
+    support::Random random(11);
+    int leftOut = 0, kept = 0;
+    for (int n = 0; n < 2000; ++n) {
+        const OrientedBox a(Shape::box(Vec3::Constant(0.4) + random.vector(0.3)), at(Vec3::Zero(), random.rotation()));
+        const Pose placed = at(random.vector(0.8), random.rotation());
+        const OrientedBox b(Shape::box(Vec3::Constant(0.4) + random.vector(0.3)), placed);
+        const double least = random.number(-0.3, 0.1);
+        const EdgeAxes edges(a, b);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const Vec3 axis = a.axes.col(i).cross(b.axes.col(j)).normalized();
+                const double apart = std::abs(axis.dot(b.centre - a.centre)) - a.extent(axis) - b.extent(axis);
+                const bool may = edges.mayExceed(least, i, j);
+                EXPECT_TRUE(may || (apart <= least && apart <= 0.0)) << n << ": " << i << ", " << j;
+                (may ? kept : leftOut) += 1;
+            }
+    }
+    EXPECT_GT(leftOut, 6000);
+    EXPECT_GT(kept, 4000);
 }
 
 }  // namespace
