@@ -31,7 +31,7 @@ BestAxis bestFace(const OrientedBox& owner, const OrientedBox& a, const Oriented
     return best;
 }
 
-/// Of those along which they are more than `least` (m) apart.
+/// Exact where they are more than `least` (m) apart along one of them.
 BestAxis bestEdges(const OrientedBox& a, const OrientedBox& b, double least) {
     BestAxis best;
     const EdgeAxes axes(a, b);

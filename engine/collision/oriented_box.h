@@ -17,8 +17,9 @@ struct OrientedBox {
 
 /// The nine axes a_i x b_j across the edges of two boxes. In a's axes, with R = A^T B and the centres t apart, and
 /// (i, i', i'') and (j, j', j'') cyclic,
-///   (a_i x b_j) . t = t_i'' R_i'j - t_i' R_i''j,   extents: h_i' |R_i''j| + h_i'' |R_i'j|  and  g_j' |R_ij''| + g_j'' |R_ij'|
-/// Most can be left out by that, without the axis itself, its length or the extents along it (Gottschalk 1996).
+///   (a_i x b_j) . t = t_i'' R_i'j - t_i' R_i''j
+///   extents of a and b: h_i' |R_i''j| + h_i'' |R_i'j|,   g_j' |R_ij''| + g_j'' |R_ij'|
+/// These show for most axes that they do not matter, without their length (Gottschalk 1996).
 class EdgeAxes {
 public:
     EdgeAxes(const OrientedBox& a, const OrientedBox& b)

@@ -13,9 +13,9 @@
 ///
 /// Where an angle is undefined (turning.h) its J has no bound: a motor on the twist of a joint that had swung by
 /// nearly half a turn had 2,800 times its strength, and the impulse kept for the next sub-step, where J was another
-/// one, threw the bodies away (torture world limbs 53). With the weight m of the angle, motors, limits and rotors act along m J, of
-/// length 1 at most, for m C and m times the speed, and the strength of a motor fades as m. Springs have a potential
-/// that fades (JointRows::fade).
+/// one, threw the bodies away (torture world limbs 53). With the weight m of the angle, motors, limits and rotors act
+/// along m J, of length 1 at most, for m C and m times the speed, and the strength of a motor fades as m. Springs have
+/// a potential that fades (JointRows::fade).
 ///
 /// An impulse along J alone would violate the rows J_r that the joint holds, and the sweep would alternate
 /// between the two (a thousand times for a small bob on a long arm). So J is first projected:

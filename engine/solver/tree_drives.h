@@ -8,9 +8,10 @@
 /// one: a limb has two or three at its limits.
 ///
 /// To sweep over bodies instead, with a solve of the tree after each pass, hardly converges where a limit moves much
-/// behind other joints: limits of light limbs on heavy ones gained energy. The problem in numbers is swept too, which costs little, and in between all rows that are not at a
-/// bound are solved at once, as far as the bounds allow (Silcowitz, Niebe, Erleben, 'Projected Gauss-Seidel subspace
-/// minimization method for interactive rigid body dynamics', 2010). Both reduce the energy, so stopping early is safe.
+/// behind other joints: limits of light limbs on heavy ones gained energy. The problem in numbers is swept too, which
+/// costs little, and in between all rows that are not at a bound are solved at once, as far as the bounds allow
+/// (Silcowitz, Niebe, Erleben, 'Projected Gauss-Seidel subspace minimization method for interactive rigid body
+/// dynamics', 2010). Both reduce the energy, so stopping early is safe.
 #pragma once
 #include <span>
 #include <vector>
