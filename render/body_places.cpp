@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/meshes.h"
+#include "render/instances.h"
 #include "render/solid_mesh.h"
 
 namespace render {

@@ -41,7 +41,7 @@ void DepthPass::drawPart(const TileSet& tiles, const Frame& frame, const View& v
 
 void DepthPass::drawBodies(const Frame& frame, const View& view, const Meshes& meshes,
                            const GroundMesh& ground) const {
-    meshes.drawWith(solid_, view.worldToClip(), Detail::coarse);
+    meshes.drawWith(solid_, view.worldToClip(), Detail::coarse, Half::seen);
     glUseProgram(ground_);
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (const Ground& plane : frame.grounds)

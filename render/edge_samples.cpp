@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "render/instances.h"
 #include "render/joined_faces.h"
-#include "render/meshes.h"
 
 namespace render {
 namespace {

@@ -139,8 +139,9 @@ void Passes::enter(Stage stage) const {
     observer(stage);
 }
 
-void Passes::setMeshes(const Frame& frame, const View& view, const std::vector<char>* chosen) {
-    meshes_.set(instancesOf(frame, pixelsAMeter(view, settings_.height), chosen));
+void Passes::setMeshes(const Frame& frame, const View& view, const Vec3& toSun,
+                       const std::vector<char>* chosen) {
+    meshes_.set(instancesOf(frame, pixelsAMeter(view, settings_.height), toSun, chosen));
 }
 
 void Passes::setMeshesIn(const TileSet& tiles, const Frame& frame, const View& view) {
@@ -348,7 +349,7 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     Lights lights;
     const bool full = settings_.finish == Finish::standard;
     lights.corners = !full;
-    setMeshes(moment, view);
+    setMeshes(moment, view, sample.toSun);
     if (full && frame.look.ambientOcclusion) {
         depth_.draw(moment, upsideDown(view), meshes_, ground_, spare_);
         enter(Stage::occlusion);

@@ -62,7 +62,11 @@ private:
     };
 
     /// `chosen`: as in instancesOf().
-    void setMeshes(const Frame& frame, const View& view, const std::vector<char>* chosen = nullptr);
+    void setMeshes(const Frame& frame, const View& view, const std::vector<char>* chosen = nullptr) {
+        setMeshes(frame, view, frame.look.sunDirection, chosen);
+    }
+    void setMeshes(const Frame& frame, const View& view, const Vec3& toSun,
+                   const std::vector<char>* chosen = nullptr);
     void setMeshesIn(const TileSet& tiles, const Frame& frame, const View& view);
     Part partOf(const Frame& frame, const View& view, const ShadowFit* sun);
     TileSet renewDepths(const Frame& frame, const View& view, const Part& part);

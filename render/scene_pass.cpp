@@ -234,8 +234,8 @@ void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material ma
     if (meshes.anyFacets(material))
         meshes.drawFacets(program("facet", "facet", features), Detail::fine, material);
     if (meshes.anyRound(material)) {
-        program("solid", "round", features);
-        meshes.drawRound(Detail::fine, material);  // scenery last: much of it is hidden
+        const GLuint round = program("solid", "round", features);
+        meshes.drawRound(round, Detail::fine, Half::seen, material);  // scenery last: much of it is hidden
     }
     glDisable(GL_CULL_FACE);
 }

@@ -164,7 +164,7 @@ void ShadowPass::drawOver(const Meshes& meshes, const TileSet& tiles) {
     toClip(1, 1) = 1.0f / fit_.half.y();
     toClip(2, 2) = -1.0f / fit_.depth;
     glCullFace(GL_FRONT);  // the picture's rows go down, the map's go up
-    meshes.drawWith(program_, toClip * fit_.worldToLight, Detail::fine);
+    meshes.drawWith(program_, toClip * fit_.worldToLight, Detail::fine, Half::lit);
     glCullFace(GL_BACK);
 }
 

@@ -18,8 +18,8 @@ SurfaceMap SurfacePass::draw(const Frame& frame, const View& view, const Meshes&
     const GLint nothing[] = {kNoSurface, 0, 0, 0};
     glClearBufferiv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
-    meshes.drawWith(solid_, view.worldToClip(), Detail::fine);
-    meshes.drawWith(solid_, view.worldToClip(), Detail::fine, Material::glass);
+    meshes.drawWith(solid_, view.worldToClip(), Detail::fine, Half::seen);
+    meshes.drawWith(solid_, view.worldToClip(), Detail::fine, Half::seen, Material::glass);
     glUseProgram(ground_);
     setUniform(ground_, "worldToClip", view.worldToClip());
     for (std::size_t i = 0; i < frame.grounds.size(); ++i) {

@@ -30,8 +30,10 @@ void setFace(vec3 local) {
     thinnest = min(min(scale.x, scale.y), scale.z);
 }
 #else
+uniform float ofDome;                       // 1 for half a ball, else 0
 out vec3 worldNormal;
-void setFace(vec3 local) {}
+flat out float bulge;                       // m: of half a ball its radius, else 0
+void setFace(vec3 local) { bulge = ofDome * scale.x; }
 #endif
 
 void main() {
