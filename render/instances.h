@@ -23,7 +23,7 @@ struct Instances {
     std::vector<Instance> boxes;
     std::array<std::vector<Instance>, kBarCorners.size()> bars;
     ByCorners balls, cylinders, cones;
-    ByCorners domes;  // half balls, turned towards the eye
+    ByCorners domes;             // half balls, turned towards the eye
     Eigen::Vector4f towardsSun;  // their rotation in the shadow map, x, y, z, w
     std::vector<OfMesh> meshes;  // each once
 };

@@ -7,6 +7,7 @@
 #include "render/unit_meshes.h"
 
 namespace render {
+
 /// Coarse: uses the mesh of the level below, if there is one.
 void Meshes::Levels::draw(const std::vector<InstanceList>& lists, Detail detail,
                           std::optional<Material> only) const {
