@@ -37,22 +37,19 @@ LightBox lightBox(const Rod& rod, float radius, const Eigen::Matrix3f& toLight) 
     return box;
 }
 
-PixelRect texelsUnder(const LightBox& box, const ShadowFit& fit, bool& within) {
+PixelRect texelsUnder(const LightBox& box, const ShadowFit& fit) {
     PixelRect rect;
     int* const ends[2][2] = {{&rect.x0, &rect.x1}, {&rect.y0, &rect.y1}};
-    within = true;
-    bool beside = false;
+    const auto most = static_cast<float>(fit.size);
     for (int i = 0; i < 2; ++i) {
-        const float shift = fit.worldToLight(i, 3) + fit.half[i];
+        const float shift = fit.worldToLight(i, 3) + 0.5f * fit.texel * most;
         const float low = (box.min()[i] + shift) / fit.texel - 2.0f;
         const float high = (box.max()[i] + shift) / fit.texel + 2.0f;
-        const float most = static_cast<float>(fit.used[i]);
-        within = within && low >= 1.0f && high <= most - 1.0f;
-        beside = beside || !(high >= 0.0f) || !(low <= most);
+        if (!(high >= 0.0f) || !(low <= most)) return {};
         *ends[i][0] = static_cast<int>(std::floor(std::clamp(low, 0.0f, most)));
         *ends[i][1] = static_cast<int>(std::ceil(std::clamp(high, 0.0f, most)));
     }
-    return beside ? PixelRect{} : rect;
+    return rect;
 }
 
 std::vector<PixelRect> texelsUnder(const Frame& frame, const View& view, int height,
@@ -60,14 +57,58 @@ std::vector<PixelRect> texelsUnder(const Frame& frame, const View& view, int hei
     const Eigen::Matrix3f toLight = fit.worldToLight.block<3, 3>(0, 0);
     const float pixels = pixelsAMeter(view, height);
     std::vector<PixelRect> under;
-    bool within = true;
     for (const Solid& s : frame.solids)
-        under.push_back(texelsUnder(lightBox(s, toLight), fit, within));
+        under.push_back(texelsUnder(lightBox(s, toLight), fit));
     for (const Rod& rod : frame.rods) {
         const float radius = drawnRadius(rod, view.eye, pixels);
-        under.push_back(texelsUnder(lightBox(rod, radius, toLight), fit, within));
+        under.push_back(texelsUnder(lightBox(rod, radius, toLight), fit));
     }
     return under;
+}
+
+float shadowMargin(const ShadowFit& fit) {
+    constexpr float kReach = 8.0f;  // texels: the kernel, and the lift in shadow_place.glsl
+    return kReach * fit.texel + 4.0f * fit.depth / 65536.0f;
+}
+
+bool addShadow(const LightBox& box, const Ground& ground, const ShadowFit& fit, ShapeTiles& shape) {
+    const Vec3 normal = ground.normal.normalized();
+    const float facing = normal.dot(fit.toLight), margin = shadowMargin(fit);
+    if (facing <= 0.0f) return true;  // it is dark
+    if (facing < 1e-3f) return false;
+    const Eigen::Matrix3f back = fit.worldToLight.block<3, 3>(0, 0).transpose();
+    Vec3 corners[4];
+    bool below = false;
+    int count = 0;
+    for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+        const Vec3 at((x ? box.max() : box.min()).x() + (x ? margin : -margin),
+                      (y ? box.max() : box.min()).y() + (y ? margin : -margin), 0.0f);
+        const Vec3 point = back * at;
+        const float height = (ground.offset - normal.dot(point)) / facing;
+        below = below || height < box.max().z() + margin / facing;
+        corners[count++] = point + height * fit.toLight;
+    }
+    if (below) shape.addFace(corners, 4);
+    return true;
+}
+
+PixelRect groundShadows(const Frame& frame, const View& view, int width, int height,
+                        const ShadowFit& fit) {
+    const Eigen::Matrix3f toLight = fit.worldToLight.block<3, 3>(0, 0);
+    const float pixels = pixelsAMeter(view, height);
+    ShapeTiles shape(view, width, height, kTile);
+    TileSet tiles(width, height, kTile);
+    const auto add = [&](const LightBox& box) {
+        if (texelsUnder(box, fit).empty()) return;
+        for (const Ground& ground : frame.grounds) {
+            if (!ground.visible) continue;
+            if (!addShadow(box, ground, fit, shape)) tiles.addAll();
+            shape.moveTo(tiles);
+        }
+    };
+    for (const Solid& s : frame.solids) add(lightBox(s, toLight));
+    for (const Rod& rod : frame.rods) add(lightBox(rod, drawnRadius(rod, view.eye, pixels), toLight));
+    return render::boundsOf(tiles.rects());
 }
 
 std::vector<char> bodiesIn(const TileSet& tiles, const Frame& frame, const View& view, int width,

@@ -20,12 +20,19 @@ bool addShape(const Rod& rod, const View& view, int height, ShapeTiles& shape);
 LightBox lightBox(const Rod& rod, float radius, const Eigen::Matrix3f& toLight);
 
 /// The texels that a body in this box may cover; empty if it is beside the map.
-/// `within`: false if it reaches the map's border.
-PixelRect texelsUnder(const LightBox& box, const ShadowFit& fit, bool& within);
+PixelRect texelsUnder(const LightBox& box, const ShadowFit& fit);
 /// By number of its surface: those that a solid or rod of a frame may cover. `height`:
 /// of the picture.
 std::vector<PixelRect> texelsUnder(const Frame& frame, const View& view, int height,
                                    const ShadowFit& fit);
+
+/// By how much a shadow's edge and errors of rounding may widen it, m.
+float shadowMargin(const ShadowFit& fit);
+/// Adds the shadow of a body in this box on a ground. False, and nothing is added, if it may be anywhere.
+bool addShadow(const LightBox& box, const Ground& ground, const ShadowFit& fit, ShapeTiles& shape);
+/// Around the shadows of all bodies on all grounds in the picture.
+PixelRect groundShadows(const Frame& frame, const View& view, int width, int height,
+                        const ShadowFit& fit);
 
 /// Parts of a shadow map; empty.
 inline TileSet texelTiles(const ShadowFit& fit) { return {fit.size, fit.size, 4 * kTile}; }

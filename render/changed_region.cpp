@@ -16,7 +16,6 @@
 namespace render {
 namespace {
 
-constexpr float kReach = 8.0f;         // texels: the kernel, and the lift in shadow_place.glsl
 constexpr std::size_t kTogether = 16;  // rods in one box
 constexpr float kEverything = 1e6f;    // m
 
@@ -212,13 +211,8 @@ private:
     void castShadows() {
         TileSet columns(width_, height_, kTile);
         for (const LightBox& caster : casters_) {
-            bool within = true;
-            const PixelRect texels = texelsUnder(caster, *sun_, within);
+            const PixelRect texels = texelsUnder(caster, *sun_);
             if (texels.empty()) continue;
-            if (!within) {  // beyond the border, the shadow has no end
-                everything_ = true;
-                return;
-            }
             found_.texels.add(texels);
             castOnBodies(caster, columns);
             for (const Ground& ground : now_.grounds)
@@ -228,7 +222,7 @@ private:
         found_.shadows.add(columns);
     }
 
-    float margin() const { return kReach * sun_->texel + 4.0f * sun_->depth / 65536.0f; }
+    float margin() const { return shadowMargin(*sun_); }
 
     /// The column under a box, with all whose shadow may change.
     void addColumn(const LightBox& box, float bottom, TileSet& set) {
@@ -281,27 +275,7 @@ private:
     }
 
     void castOnGround(const LightBox& box, const Ground& ground) {
-        const Vec3 normal = ground.normal.normalized();
-        const float facing = normal.dot(sun_->toLight);
-        if (facing <= 0.0f) return;  // it is dark
-        if (facing < 1e-3f) {
-            everything_ = true;
-            return;
-        }
-        const Eigen::Matrix3f back = toLight_.transpose();
-        Vec3 corners[4];
-        bool below = false;
-        int count = 0;
-        for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
-            const Vec3 at((x ? box.max() : box.min()).x() + (x ? 1.0f : -1.0f) * margin(),
-                          (y ? box.max() : box.min()).y() + (y ? 1.0f : -1.0f) * margin(), 0.0f);
-            const Vec3 point = back * at;
-            const float height = (ground.offset - normal.dot(point)) / facing;
-            below = below || height < box.max().z() + margin() / facing;
-            corners[count++] = point + height * sun_->toLight;
-        }
-        if (!below) return;
-        shape_.addFace(corners, 4);
+        if (!addShadow(box, ground, *sun_, shape_)) everything_ = true;
         shape_.moveTo(found_.shadows);
     }
 

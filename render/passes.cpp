@@ -307,7 +307,7 @@ Image Passes::drawScene(const Frame& frame) {
     Lights lights;
     lights.corners = !isFull();
     ShadowFit fit;
-    if (shadows) fit = sun_.fitTo(frame, frame.look.sunDirection);
+    if (shadows) fit = fitShadow(frame, view, frame.look.sunDirection, sun_.size());
     Part part = partOf(frame, view, shadows ? &fit : nullptr);
     kept_.valid = false;
     TileSet deeper;
@@ -322,6 +322,7 @@ Image Passes::drawScene(const Frame& frame) {
     if (shadows) {
         renewShadows(frame, view, fit, part);
         lights.sun = &sun_;
+        lights.shaded = groundShadows(frame, view, settings_.width, settings_.height, fit);
     }
     enter(Stage::scene);
     renewPicture(frame, view, lights, part);
@@ -361,8 +362,10 @@ Image Passes::drawSample(const Frame& frame, const SubSample& sample) {
     }
     enter(Stage::shadow);
     if (full && frame.look.shadows) {
-        drawShadows(moment, view, sun_.fitTo(moment, sample.toSun));
+        const ShadowFit fit = fitShadow(moment, view, sample.toSun, sun_.size());
+        drawShadows(moment, view, fit);
         lights.sun = &sun_;
+        lights.shaded = groundShadows(moment, view, settings_.width, settings_.height, fit);
     }
     enter(Stage::scene);
     scene_.draw(moment, upsideDown(view), lights, false, meshes_, ground_);

@@ -31,8 +31,8 @@ struct RendererSettings {
     bool wholeFrames = false;  // draw every frame as a whole; the pixels are the same
 };
 
-/// Texels per side of a picture's shadow map: 8/5 of its longer side, 512 to 4096. It has a
-/// quarter more, so that it rarely has to move.
+/// Texels per side of a picture's shadow map: 8/5 of its longer side, 512 to 4096. The map has a
+/// quarter more.
 int shadowTexels(const RendererSettings& settings);
 
 /// The stages of drawing a picture, in this order.

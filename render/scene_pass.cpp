@@ -285,29 +285,31 @@ void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh, const Pi
     Scene glossy = scene;
     glossy.glossy = mirrored_.has_value();
     const PixelRect image = common(part, mirrored_ ? imageRect_ : PixelRect{});
-    if (!image.empty() && scissor(image)) drawGrounds(glossy, mesh);
-    for (const PixelRect& rest : around(image, part))
-        if (scissor(rest)) drawGrounds(scene, mesh);
+    for (std::size_t i = 0; i < scene.frame.grounds.size(); ++i) {
+        if (!scene.frame.grounds[i].visible) continue;
+        if (!image.empty()) drawGround(glossy, mesh, i, image);
+        for (const PixelRect& rest : around(image, part)) drawGround(scene, mesh, i, rest);
+    }
 }
 
-void ScenePass::drawGrounds(const Scene& scene, const GroundMesh& mesh) {
-    const std::string all = featuresOf(scene.lights);
+/// Where nothing is in a shadow, no lookup is needed.
+void ScenePass::drawGround(const Scene& scene, const GroundMesh& mesh, std::size_t number,
+                           const PixelRect& part) {
+    const ShadowPass* sun = scene.lights.sun;
+    const Ground& ground = scene.frame.grounds[number];
+    const GroundCorners corners =
+        groundCorners(ground, scene.view, sun ? sun->footprint(ground) : std::vector<Vec3>{});
     Lights unshaded = scene.lights;
     unshaded.sun = nullptr;
-    const std::string around = featuresOf(unshaded);
-    for (std::size_t i = 0; i < scene.frame.grounds.size(); ++i) {
-        const Ground& ground = scene.frame.grounds[i];
-        if (!ground.visible) continue;
-        const ShadowPass* sun = scene.lights.sun;
-        const GroundCorners corners = groundCorners(
-            ground, scene.view, sun ? sun->footprint(ground) : std::vector<Vec3>{});
-        for (const auto& [part, features] : {std::pair(&corners.inside, &all),
-                                             std::pair(&corners.around, &around)}) {
-            if (part->empty()) continue;
-            setGround(scene, i, corners, *features);
-            mesh.draw(*part);
-        }
+    const PixelRect shaded = common(part, scene.lights.shaded);
+    if (!corners.inside.empty() && scissor(shaded)) {
+        setGround(scene, number, corners, featuresOf(scene.lights));
+        mesh.draw(corners.inside);
     }
+    setGround(scene, number, corners, featuresOf(unshaded));
+    for (const PixelRect& lit : around(shaded, part))
+        if (scissor(lit)) mesh.draw(corners.inside);
+    if (scissor(part)) mesh.draw(corners.around);
 }
 
 void ScenePass::setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,

@@ -20,6 +20,7 @@ struct Lights {
     bool corners = false;             // light per vertex only: for drafts
     GLuint openMap = 0;               // visible share of the sky; 0: all of it everywhere
     PixelRect darkened;               // where openMap may be below its maximum
+    PixelRect shaded;                 // where a ground may be in a shadow
 };
 
 class ScenePass {
@@ -52,7 +53,7 @@ private:
     void drawGlass(const Scene& scene, const Meshes& meshes);
     void drawBackground(const Scene& scene, const GroundMesh& mesh);
     void drawGrounds(const Scene& scene, const GroundMesh& mesh, const PixelRect& part);
-    void drawGrounds(const Scene& scene, const GroundMesh& mesh);
+    void drawGround(const Scene& scene, const GroundMesh& mesh, std::size_t number, const PixelRect& part);
     void setGround(const Scene& scene, std::size_t number, const GroundCorners& corners,
                    const std::string& features);
     void setMirror(GLuint program, const Scene& scene, std::size_t floor,

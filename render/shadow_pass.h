@@ -11,11 +11,8 @@ namespace render {
 
 class ShadowPass {
 public:
-    /// `size`: texels per side that the bodies may cover.
+    /// `size`: shadowTexels(); the map has a quarter more.
     explicit ShadowPass(int size);
-    /// `toLight`: of any length. The fit depends on this frame only, but rarely differs from that of
-    /// the frame before.
-    ShadowFit fitTo(const Frame& frame, const Vec3& toLight) const;
     /// `covered`: texelTiles() where anything is drawn.
     void draw(const ShadowFit& fit, const Meshes& meshes, const TileSet& covered);
     /// Draws these tiles again, with the fit of the last drawing; the others are kept. The meshes may
@@ -32,7 +29,7 @@ public:
 private:
     void drawOver(const Meshes& meshes, const TileSet& tiles);
 
-    int size_, texels_;  // per side: covered by bodies at most, and of the map
+    int texels_;  // per side of the map
     GlTexture map_;
     GlFramebuffer framebuffer_;
     GlProgram program_;

@@ -335,7 +335,8 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     fitCameras(plan);
     FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
     RunRecord record = recordOf(plan, options, source.renderer());
-    if (has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();
+    const bool stored = options.shard || has(outputs, OutputKind::frames);  // asking takes ffmpeg a while
+    if (stored && has(outputs, OutputKind::film)) record.ffmpeg = render::ffmpegVersion();
     if (isDone(outputs, record, options, talk)) return;
     Writers writers(plan, outputs, chosen, record, std::move(poster), std::move(captions), options,
                     talk);
