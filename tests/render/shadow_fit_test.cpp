@@ -83,7 +83,7 @@ TEST(ShadowFit, StaysWhileTheCameraDoes) {
     Numbers number(1);
     for (int i = 0; i < 200; ++i) {
         frame.solids.resize(1 + i % 3, ball({0, 1, 0}, 0.4f));
-        frame.solids[0] = ball(Vec3(0, 1.5f, 0) + number.within(1.5f), number(0.1f, 1));
+        frame.solids[0] = ball(Vec3(0, 1.3f, 0) + number.within(1), number(0.1f, 0.5f));
         EXPECT_TRUE(fitOf(frame) == first) << i;
     }
     frame.camera.lookAt.x() += 0.5f;
