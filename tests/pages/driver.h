@@ -31,7 +31,7 @@ const breath = () => new Promise((go) => {
   picture.src = inPage ? `${emptyPicture}${++breaths}"/>` : `empty.svg?${++breaths}`;
 });
 const comes = async (condition) => {
-  for (let i = 0; i < 5000 && !condition(); ++i) await breath();
+  for (let i = 0; i < 20000 && !condition(); ++i) await breath();
   return condition();
 };
 (async () => {

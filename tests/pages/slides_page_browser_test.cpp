@@ -14,7 +14,8 @@ using support::driver;
 using support::Opened;
 using support::told;
 
-/// Helpers for drivers: which slide is shown, and a film's frame by its grey level.
+/// Helpers for drivers: which slide is shown, and a film's frame by its grey level. A film says that
+/// it has moved before its picture has: `frame` waits, but not for ever, for the frame of its time.
 const std::string kEyes = R"js(
   const at = () => document.querySelector(".leaf.seen .number").textContent.split(" ")[0];
   const film = () => document.querySelector(".leaf.seen video");
@@ -28,7 +29,13 @@ const std::string kEyes = R"js(
     context.drawImage(film(), 0, 0, 64, 36);
     return context.getImageData(32, 18, 1, 1).data[0];
   };
-  const frame = async () => Math.round((await grey() - 30) / 8);
+  const frame = async () => {
+    const shown = async () => Math.round((await grey() - 30) / 8);
+    const { fps, frames } = film().dataset;
+    const due = () => Math.min(Math.floor(film().currentTime * fps + 1e-4), frames - 1);
+    for (let i = 0; i < 2000 && await shown() !== due(); ++i) await breath();
+    return shown();
+  };
 )js";
 
 class SlidesInBrowser : public testing::Test {
