@@ -213,7 +213,7 @@ std::string joinOf(const FilmPlan& plan, const FilmOptions& render) {
 /// simulation or what its states remember. Four states a part. Empty: the parts do not ask for states.
 std::string statesOf(const CLI::App& given, const FilmPlan& plan, const FilmOptions& render) {
     if (render.states.empty()) return {};
-    const long steps = static_cast<long>(plan.frames) * plan.stepsPerFrame;
+    const long steps = plan.stepOf(plan.frames);
     std::string command = "impulse sim " + shellWord(render.scenes.front());
     for (const char* name : {"--set", "--solver", "--seconds", "--colour-by", "--states"})
         for (const std::string& value : given.get_option(name)->results())

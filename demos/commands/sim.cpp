@@ -305,7 +305,7 @@ private:
     Recorder recorder_;
     RunInBrief brief_;
     Falls falls_;
-    EventLog events_{0};
+    EventLog events_;
     long steps_;
 };
 

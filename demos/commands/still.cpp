@@ -39,7 +39,8 @@ Moment momentOf(const FilmPlan& plan, const StillOptions& options) {
     Moment moment;
     if (options.time) {
         moment.steps = stepAt(*options.time, plan, "--time");
-        moment.frame = moment.steps / plan.stepsPerFrame;
+        const bool slow = !plan.slowSteps.empty();
+        moment.frame = slow ? plan.frameAt(*options.time) : moment.steps / plan.stepsPerFrame;
     } else {
         const int asked = options.frame.value_or(-1);
         moment.frame = asked < 0 ? plan.frames + asked : asked;
@@ -47,7 +48,7 @@ Moment momentOf(const FilmPlan& plan, const StillOptions& options) {
             throw Stop(Exit::usage,
                        fmt::format("--frame {}: the film has the frames 0 to {}, or -1 to -{}",
                                    asked, plan.frames - 1, plan.frames));
-        moment.steps = moment.frame * plan.stepsPerFrame;
+        moment.steps = plan.stepOf(moment.frame);
     }
     moment.time = static_cast<double>(moment.steps) / plan.scene().hz;
     return moment;

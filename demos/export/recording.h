@@ -89,7 +89,7 @@ private:
     void addFrame(const Player& player, long step);
 
     int stepsPerFrame_;
-    EventLog events_{0};
+    EventLog events_;
     std::vector<SlideRange> slides_;  // by joint, in the frames so far
     Recording recording_;
 };

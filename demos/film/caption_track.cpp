@@ -45,13 +45,16 @@ std::vector<const Section*> captionedSections(const SceneDescription& scene, dou
 
 }  // namespace
 
-std::string captionTrackText(const SceneDescription& scene, double seconds) {
-    const std::vector<const Section*> sections = captionedSections(scene, seconds);
+std::string captionTrackText(const FilmPlan& plan) {
+    const std::vector<const Section*> sections =
+        captionedSections(plan.scene(), plan.timeOf(plan.frames));
     std::string text = "WEBVTT\n";
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const double end = i + 1 < sections.size() ? sections[i + 1]->at : seconds;
+        const double begin = plan.filmTimeAt(sections[i]->at);
+        const double end =
+            i + 1 < sections.size() ? plan.filmTimeAt(sections[i + 1]->at) : plan.seconds();
         text += fmt::format("\n{}\n{} --> {}\n{}\n", cueLine(sections[i]->name),
-                            cueTime(sections[i]->at), cueTime(end), cueLine(sections[i]->caption));
+                            cueTime(begin), cueTime(end), cueLine(sections[i]->caption));
     }
     return text;
 }
@@ -65,13 +68,12 @@ CaptionTrack::CaptionTrack(const FilmPlan& plan, const FilmOptions& options) {
     if (options.shard)
         throw Stop(Exit::usage, "--captions with --shard: they are for the whole film; leave "
                                 "--captions out");
-    const double seconds = plan.timeOf(plan.frames);
-    if (captionedSections(plan.scene(), seconds).empty())
+    if (captionedSections(plan.scene(), plan.timeOf(plan.frames)).empty())
         throw Stop(Exit::usage, fmt::format("--captions '{}': no [[section]] of the scene has a "
                                             "caption",
                                             printable(target_)));
     checkFree(target_, options.overwrite);
-    text_ = captionTrackText(plan.scene(), seconds);
+    text_ = captionTrackText(plan);
     existing_ = existingFiles(options.overwrite);
 }
 

@@ -11,7 +11,7 @@
 namespace demos {
 
 /// A cue per section with a caption, until the next one; times are those of the whole film.
-std::string captionTrackText(const SceneDescription& scene, double seconds);
+std::string captionTrackText(const FilmPlan& plan);
 
 /// Written when the film is complete, like a poster.
 class CaptionTrack {

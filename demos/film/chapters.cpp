@@ -8,9 +8,8 @@ namespace demos {
 namespace {
 
 /// The section's first frame in the film: the number of chosen frames before it.
-int firstFrameOf(double time, int fps, const std::vector<bool>& chosen) {
-    const double before = std::ceil(time * fps - 1e-6);
-    const auto end = std::min(static_cast<std::ptrdiff_t>(before), std::ssize(chosen));
+int firstFrameOf(double time, const FilmPlan& plan, const std::vector<bool>& chosen) {
+    const auto end = std::min<std::ptrdiff_t>(plan.firstFrameAt(time), std::ssize(chosen));
     return static_cast<int>(std::count(chosen.begin(), chosen.begin() + end, true));
 }
 
@@ -21,12 +20,12 @@ std::string chapterName(const Section& section, std::size_t number) {
 
 }  // namespace
 
-std::vector<render::Chapter> chaptersOf(const SceneDescription& scene, int fps,
-                                        const std::vector<bool>& chosen) {
+std::vector<render::Chapter> chaptersOf(const FilmPlan& plan, const std::vector<bool>& chosen) {
+    const SceneDescription& scene = plan.scene();
     if (scene.sections.empty()) return {};
     std::vector<render::Chapter> all = {{0, 0, scene.title.empty() ? "0" : scene.title}};
     for (const Section& section : scene.sections) {
-        all.push_back({firstFrameOf(section.at, fps, chosen), 0,
+        all.push_back({firstFrameOf(section.at, plan, chosen), 0,
                        chapterName(section, all.size())});
         all[all.size() - 2].end = all.back().first;
     }

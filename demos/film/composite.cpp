@@ -97,7 +97,7 @@ std::optional<ReadState> stateBefore(int frame, const FilmPlan& plan) {
         return std::nullopt;
     const int most = plan.shutter.moments > 1 ? frame - 1 : frame;  // it opens before the frame
     return nearestState(plan.states, plan.stateKind, plan.panels.front().overlays,
-                        static_cast<long long>(most) * plan.stepsPerFrame);
+                        plan.stepOf(most));
 }
 
 int Composite::startBefore(int frame) {
@@ -110,8 +110,8 @@ int Composite::startBefore(int frame) {
         return 0;
     }
     const int step = static_cast<int>(state->step);
-    frame_ = (step + show.steps - 1) / show.steps;
-    show.player.step(frame_ * show.steps - step);
+    while (plan_.stepOf(frame_) < step) ++frame_;
+    show.player.step(plan_.stepOf(frame_) - step);
     return frame_;
 }
 
@@ -128,8 +128,9 @@ void Composite::advance(bool drawn) {
 }
 
 void Composite::advance(Show& show, bool drawn, double time) try {
+    if (!plan_.slowSteps.empty()) show.steps = plan_.stepOf(frame_) - plan_.stepOf(frame_ - 1);
     const Shutter shutter(plan_.shutter, show.steps);
-    const double step = 1.0 / (static_cast<double>(plan_.fps) * show.steps);
+    const double step = 1.0 / show.player.stage().scene.hz;
     show.seen.clear();
     for (int left = show.steps; left > 0; --left) {
         if (drawn && shutter.sees(left)) show.seen.push_back(frameOf(show, time - left * step));
@@ -145,7 +146,8 @@ void Composite::advance(Show& show, bool drawn, double time) try {
 render::Image Composite::drawPanel(Show& show, double time, render::Renderer& renderer) const {
     if (plan_.shutter.moments <= 1) return renderer.draw(frameOf(show, time));
     show.seen.push_back(frameOf(show, time));
-    keepShot(show.player.stage().scene.camera, time, 1.0 / (plan_.fps * show.steps), show.seen);
+    const SceneDescription& scene = show.player.stage().scene;
+    keepShot(scene.camera, time, 1.0 / scene.hz, show.seen);
     return renderer.draw(Shutter(plan_.shutter, show.steps).moments(show.seen));
 }
 

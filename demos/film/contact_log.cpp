@@ -17,7 +17,6 @@ engine::ContactState parted(int a, int b) {
 
 void ContactLog::look(const Stage& stage) {
     const long long step = stage.world.report().step;
-    if ((step - 1) % stepsPerFrame_ == 0) events_.clear();  // a frame's first step
     std::set<Pair> now;
     for (const engine::ContactState& contact : stage.world.contacts()) {
         if (!touches(contact)) continue;

@@ -16,17 +16,17 @@ struct ContactEvent {
     engine::ContactState contact;  // end: only a and b
 };
 
-/// Must see every step of a stage. Keeps the events of the latest frame's steps.
+/// Must see every step of a stage.
 class ContactLog {
 public:
-    explicit ContactLog(int stepsPerFrame) : stepsPerFrame_(stepsPerFrame) {}
     /// Call after every step.
     void look(const Stage& stage);
+    /// Forgets the events, not which pairs touch.
+    void clear() { events_.clear(); }
     const std::vector<ContactEvent>& events() const { return events_; }
 
 private:
     using Pair = std::pair<int, int>;
-    int stepsPerFrame_;
     std::set<Pair> touching_;  // in the last step
     std::vector<ContactEvent> events_;
 };

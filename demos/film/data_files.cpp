@@ -63,8 +63,6 @@ bool isText(Pass pass) {
 DataFiles::DataFiles(const FilmPlan& plan, Composite& composite)
     : plan_(plan),
       composite_(composite),
-      log_(plan.stepsPerFrame),
-      eventLog_(plan.stepsPerFrame),
       images_(imagesFor(plan.passes)),
       depthUnit_(depthUnitOf(plan.scene())) {
     watch();
@@ -84,8 +82,14 @@ void DataFiles::watch() {
 }
 
 void DataFiles::advance(bool drawn) {
-    if (!ahead_) composite_.advance(drawn);
+    if (!ahead_) advanceOnce(drawn);
     ahead_ = false;
+}
+
+/// The logs keep the events of one frame.
+void DataFiles::advanceOnce(bool drawn) {
+    log_.clear(), eventLog_.clear();
+    composite_.advance(drawn);
 }
 
 std::vector<Bytes> DataFiles::make(int frame, render::Renderer& renderer) {
@@ -109,7 +113,7 @@ std::vector<Bytes> DataFiles::make(int frame, render::Renderer& renderer) {
 /// why.
 bool DataFiles::goOn(int frame, render::Frame& next) {
     try {
-        composite_.advance(true);  // the next frame may be this worker's too
+        advanceOnce(true);  // the next frame may be this worker's too
     } catch (const Stop&) {
         return false;
     }

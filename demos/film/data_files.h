@@ -27,6 +27,7 @@ public:
 
 private:
     void watch();
+    void advanceOnce(bool drawn);
     bool goOn(int frame, render::Frame& next);
     Bytes textOf(Pass pass, int frame, const render::Camera& camera) const;
     Bytes imageOf(Pass pass, const render::DataImages& images) const;

@@ -153,7 +153,7 @@ std::string passesJson(const FilmPlan& plan, const std::string& pattern) {
     json["size"] = {plan.picture.width, plan.picture.height};
     json["frames"] = plan.frames;
     json["fps"] = plan.fps;
-    json["steps_per_frame"] = plan.stepsPerFrame;
+    json["steps_per_frame"] = plan.slowSteps.empty() ? Json(plan.stepsPerFrame) : Json();  // null: they vary
     json["axes"] = "metres, y up, right-handed; pixels from the top left corner";
     json["depth_unit_m"] = depthUnitOf(plan.scene());
     Json& passes = json["passes"] = Json::object();

@@ -51,7 +51,6 @@ JointBreak breakOf(engine::JointId id, const Stage& stage) {
 }  // namespace
 
 void EventLog::look(const Stage& stage) {
-    if (steps_ > 0 && seen_++ % steps_ == 0) events_ = {};
     const auto touches = stage.world.touches();
     events_.touches.insert(events_.touches.end(), touches.begin(), touches.end());
     for (const engine::JointId id : stage.world.report().broken)

@@ -28,15 +28,13 @@ struct StageEvents {
 /// Must see every step of a stage whose world watches touches.
 class EventLog {
 public:
-    /// Forgets the events after every `steps` steps; 0: never.
-    explicit EventLog(int steps) : steps_(steps) {}
     /// Call after every step.
     void look(const Stage& stage);
+    /// Forgets the events.
+    void clear() { events_ = {}; }
     const StageEvents& events() const { return events_; }
 
 private:
-    int steps_;
-    long long seen_ = 0;
     StageEvents events_;
 };
 

@@ -17,6 +17,7 @@
 #include "demos/film/parts.h"
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
+#include "demos/film/slow_motion.h"
 #include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
 #include "demos/text/plural.h"
@@ -54,7 +55,7 @@ struct Film {
 /// `chosen`: the frames of the film. A part has no chapters: they are the whole film's.
 render::VideoSource sourceOf(const FilmPlan& plan, const std::vector<bool>& chosen, bool part) {
     render::VideoSource source{plan.layout.width, plan.layout.height, plan.fps, plan.alpha()};
-    if (!part) source.chapters = chaptersOf(plan.scene(), plan.fps, chosen);
+    if (!part) source.chapters = chaptersOf(plan, chosen);
     return source;
 }
 
@@ -163,7 +164,7 @@ public:
                                      ? film.writer->summary()
                                      : fmt::format("{}, {:.3g} s",
                                                    plural(film.writer->frames(), "frame"),
-                                                   plan.timeOf(film.writer->frames()))));
+                                                   static_cast<double>(film.writer->frames()) / plan.fps)));
         poster_.tell(plan, talk);
         captions_.tell(talk);
         for (std::size_t at = 0; at < notes_.size(); at = notes_.find('\n', at) + 1)
@@ -219,8 +220,7 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
     record.frames.assign(static_cast<std::size_t>(plan.frames), {});
     if (!options.shard) return record;
     record.shard = options.shard->name();
-    record.chapters =
-        chaptersOf(plan.scene(), plan.fps, std::vector<bool>(record.frames.size(), true));
+    record.chapters = chaptersOf(plan, std::vector<bool>(record.frames.size(), true));
     return record;
 }
 
@@ -277,8 +277,11 @@ bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const F
     return true;
 }
 
-/// Where the simulation of the first frame starts, if states were named.
+/// Jerky slow motion, and where the simulation of the first frame starts, if states were named.
 void tellStart(const FilmPlan& plan, const std::vector<bool>& wanted, const Talk& talk) {
+    if (!plan.slowSteps.empty())
+        for (const std::string& line : jerkySections(plan.scene(), plan.fps))
+            talk.mention("note: " + line);
     const auto first = std::find(wanted.begin(), wanted.end(), true);
     if (plan.states.empty() || first == wanted.end()) return;
     const int frame = static_cast<int>(first - wanted.begin());

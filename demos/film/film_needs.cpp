@@ -185,7 +185,7 @@ std::string needsText(const FilmNeeds& needs, const FilmPlan& plan,
                       const std::vector<Output>& outputs) {
     std::string text =
         fmt::format("{}: {} frames of {}, {} a second, {:.3g} s\n", printable(plan.name),
-                    plan.frames, pictureText(plan), plan.fps, plan.timeOf(plan.frames));
+                    plan.frames, pictureText(plan), plan.fps, plan.seconds());
     text += fmt::format("memory: {} drawing process{} of {}, {} in all; this machine has {}\n",
                         needs.workers, needs.workers == 1 ? "" : "es", bytesText(needs.worker),
                         bytesText(needs.memory()), bytesText(machineMemory()));

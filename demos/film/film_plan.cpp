@@ -7,6 +7,7 @@
 
 #include "demos/film/plot_strip.h"
 #include "demos/film/quality.h"
+#include "demos/film/slow_motion.h"
 #include "demos/load/load_scene.h"
 #include "demos/options/picture_options.h"
 #include "demos/play/motion_camera.h"
@@ -110,6 +111,10 @@ FilmPlan planFilm(const Options& options) {
     panel.scene = sceneOf(options);
     const bool strip = overlaysOf(panel.scene, options).plot && options.plotBelow;
     FilmPlan plan = planFilm({std::move(panel)}, strip, options);
+    if (!options.anyStep && hasSlowMotion(plan.scene())) {
+        plan.frames = frameCount(filmTimeAt(plan.scene().seconds, plan.scene()), plan.fps);
+        plan.slowSteps = stepsOfFrames(plan.scene(), plan.fps, plan.frames);
+    }
     if (strip) addStrip({playedChart(plan.scene())}, plan, paperOf(options));
     return plan;
 }
@@ -124,6 +129,33 @@ FilmPlan planPictures(const Options& options) {
     FilmPlan plan = planFilm(options);
     fitCameras(plan);
     return plan;
+}
+
+int FilmPlan::stepOf(int frame) const {
+    if (slowSteps.empty() || frame < 0) return frame * stepsPerFrame;
+    return slowSteps[static_cast<std::size_t>(std::min(frame, frames))];
+}
+
+double FilmPlan::timeOf(int frame) const {
+    if (slowSteps.empty()) return static_cast<double>(frame) / fps;
+    return static_cast<double>(stepOf(frame)) / scene().hz;
+}
+
+double FilmPlan::filmTimeAt(double time) const {
+    return slowSteps.empty() ? time : demos::filmTimeAt(time, scene());
+}
+
+int FilmPlan::firstFrameAt(double time) const {
+    if (slowSteps.empty()) return static_cast<int>(std::ceil(time * fps - 1e-6));
+    const double step = time * scene().hz - 1e-6;
+    return static_cast<int>(std::ranges::lower_bound(slowSteps, step) - slowSteps.begin());
+}
+
+int FilmPlan::frameAt(double time) const {
+    if (slowSteps.empty())
+        return std::clamp(static_cast<int>(std::lround(time * fps)), 0, frames - 1);
+    const int after = std::clamp(firstFrameAt(time), 0, frames - 1), before = std::max(after - 1, 0);
+    return time - timeOf(before) < timeOf(after) - time ? before : after;
 }
 
 bool FilmPlan::alpha() const {
@@ -142,6 +174,7 @@ std::uint64_t fingerprintOf(const FilmPlan& plan, const Options& options) {
     hash.add(fmt::format("{}x{} {}x{} {} {} {} {} {}", plan.layout.width, plan.layout.height,
                          plan.picture.width, plan.picture.height, plan.picture.samples,
                          plan.picture.reproducible, plan.frames, plan.fps, plan.stepsPerFrame));
+    for (const int step : plan.slowSteps) hash.add(std::to_string(step));
     for (const std::string& name : options.show) hash.add(name);
     for (const Pass pass : plan.passes) hash.add(textOf(pass).name);
     for (const Panel& panel : plan.panels) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "demos/film/data_pass.h"
 #include "demos/film/panel_layout.h"
@@ -41,11 +42,23 @@ struct FilmPlan {
     int frames = 0;
     int fps = 30;
     int stepsPerFrame = 2;
+    std::vector<int> slowSteps;  // of each frame, and the last, in a film with slow motion; else empty
 
     const SceneDescription& scene() const { return panels.front().scene; }
     /// Whether the pictures have a transparent background.
     bool alpha() const;
-    double timeOf(int frame) const { return static_cast<double>(frame) / fps; }  // s
+    /// Of the film, in s.
+    double seconds() const { return static_cast<double>(frames) / fps; }
+    /// The step of the run that a frame shows.
+    int stepOf(int frame) const;
+    /// Of the run, in s.
+    double timeOf(int frame) const;
+    /// The time of the film, in s, at which the run is at `time`, s.
+    double filmTimeAt(double time) const;
+    /// The first frame that shows the run at `time` (s) or later; may be after the film's last.
+    int firstFrameAt(double time) const;
+    /// The frame that is nearest to `time` (s) of the run.
+    int frameAt(double time) const;
 };
 
 /// The frame rates that divide a scene's steps a second, the six nearest to `wanted`: "20 30 60".
@@ -66,11 +79,12 @@ SceneDescription sceneOf(const Options& options);
 Overlays overlaysOf(const SceneDescription& scene, const Options& options);
 
 /// Throws Stop (usage) if the frame rate does not divide the scene's steps a second, the film would
-/// be too long, or the picture too small for its parts.
+/// be too long, or the picture too small for its parts. With the slow motion of the scene's sections,
+/// unless `options.anyStep`.
 FilmPlan planFilm(const Options& options);
 
 /// The same for several panels on one clock: their scenes have the same length, and each has its
-/// own steps per frame. Fills in their overlays. `strip`: leaves room for a plot.
+/// own steps per frame. Fills in their overlays. `strip`: leaves room for a plot. No slow motion.
 FilmPlan planFilm(std::vector<Panel> panels, bool strip, const Options& options);
 
 /// Sets the camera of scenes without one, before anything is drawn. Costs a run of each such scene;

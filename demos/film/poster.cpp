@@ -15,22 +15,18 @@
 namespace demos {
 namespace {
 
-int frameAt(const FilmPlan& plan, double time) {
-    return std::clamp(static_cast<int>(std::lround(time * plan.fps)), 0, plan.frames - 1);
-}
-
-/// "first" and "last" are the section's own frames; a number is a time of the film.
+/// "first" and "last" are the section's own frames; a number is a time of the run.
 int frameOf(const FilmPlan& plan, std::size_t index) {
     const std::vector<Section>& sections = plan.scene().sections;
     const Section& section = sections[index];
-    if (section.poster == "first") return frameAt(plan, section.at);
+    if (section.poster == "first") return plan.frameAt(section.at);
     if (section.poster == "last")
         return index + 1 < sections.size()
-                   ? std::max(frameAt(plan, sections[index + 1].at) - 1, frameAt(plan, section.at))
+                   ? std::max(plan.frameAt(sections[index + 1].at) - 1, plan.frameAt(section.at))
                    : plan.frames - 1;
     double time = 0.0;
     std::from_chars(section.poster.data(), section.poster.data() + section.poster.size(), time);
-    return frameAt(plan, time);
+    return plan.frameAt(time);
 }
 
 }  // namespace
@@ -42,7 +38,7 @@ int posterFrame(const FilmPlan& plan, const std::optional<double>& time) {
             throw Stop(Exit::usage, fmt::format("--poster-time {}: the film's last frame is at "
                                                 "{:.4g} s",
                                                 *time, last));
-        return frameAt(plan, *time);
+        return plan.frameAt(*time);
     }
     const std::vector<Section>& sections = plan.scene().sections;
     for (std::size_t i = 0; i < sections.size(); ++i)

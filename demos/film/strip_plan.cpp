@@ -37,11 +37,12 @@ std::vector<int> stripSteps(const FilmPlan& plan, const StripOptions& options) {
                                                 time, 1.0 / plan.scene().hz));
     }
     if (!steps.empty()) return steps;
-    if (options.moments > plan.frames)
+    const int frames = plan.stepOf(plan.frames) / plan.stepsPerFrame;  // without slow motion
+    if (options.moments > frames)
         throw Stop(Exit::usage, fmt::format("--moments {}: the film has {} frames; ask for fewer "
                                             "moments or more --fps",
-                                            options.moments, plan.frames));
-    const double last = plan.frames - 1;
+                                            options.moments, frames));
+    const double last = frames - 1;
     for (int i = 0; i < options.moments; ++i) {
         const double share =
             options.moments > 1 ? static_cast<double>(i) / (options.moments - 1) : 0.5;

@@ -35,7 +35,7 @@ GalleryCard cardOf(const GalleryChoice& choice, const FilmPlan& plan, const Gall
     card.title = scene.title;
     card.purpose = scene.purpose;
     if (!choice.builtin) card.file = std::filesystem::path(choice.scene).filename().string();
-    card.seconds = plan.timeOf(plan.frames);
+    card.seconds = plan.seconds();
     card.posterTime = plan.timeOf(posterFrame(plan));
     card.bodies = static_cast<int>(scene.bodies.size());
     card.joints = static_cast<int>(scene.joints.size());

@@ -219,8 +219,8 @@ TableTexts sectionTexts() {
              "The frame that stands for the chapter on paper and in previews: the first, the last, "
              "or a time of the run."},
             {"slow", inToml(Section{}.slow),
-             "Plays the chapter at this share of its speed on its slide; 0.25 shows a crash four "
-             "times slower."},
+             "Plays the chapter at this share of its speed, in films and on its slide; 0.25 shows a "
+             "crash four times slower, above 1 is a time lapse."},
             {"pause", inToml(Section{}.pause),
              "Lets the film on the slide wait on its first frame until the speaker starts it."},
             {"loop", inToml(Section{}.loop), "Starts the film on the slide again at its end."},

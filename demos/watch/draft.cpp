@@ -150,7 +150,7 @@ Draft DraftMaker::make(const FilmPlan& plan, const Options& options,
     DraftFilm film(places_, plan, *store_, files_);
     for (int frame = 0; frame < plan.frames; ++frame) {
         if (giveUp()) return draft;
-        if (frame > 0 && !run.step(plan.stepsPerFrame)) break;
+        if (frame > 0 && !run.step(plan.stepOf(frame) - plan.stepOf(frame - 1))) break;
         addFrame(frame, run, film, draft);
     }
     const long steps = std::max(std::lround(plan.scene().seconds * plan.scene().hz), 1L);

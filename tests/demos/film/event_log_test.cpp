@@ -19,7 +19,7 @@ TEST(EventLog, ListsJointsThatBreak) {
                      "break_at = 2000\nname = 'hook'\n" +
                      kFloor));
     stage.world.watchTouches(true);
-    EventLog log(0);
+    EventLog log;
     int steps = 0;
     for (; log.events().breaks.empty() && steps < 120; ++steps) {
         ASSERT_TRUE(stage.step());
