@@ -61,7 +61,7 @@ std::vector<std::string> jerkySections(const SceneDescription& scene, int fps) {
         const double framesAStep = fps / (section.slow * scene.hz);
         if (framesAStep < 1.0 + 1e-9 || section.slow == 1.0 || section.at >= scene.seconds) continue;
         const int smooth = fps * static_cast<int>(std::ceil(1.0 / section.slow - 1e-9));
-        lines.push_back(fmt::format("the section at {:.4g} s: slow = {:.4g} shows each step in {:.3g} frames; "
+        lines.push_back(fmt::format("the section at {:.4g} s: slow = {:.4g} shows each step in {:.4g} frames; "
                                     "with --set world.hz={} each frame has its own",
                                     section.at, section.slow, framesAStep, smooth));
     }

@@ -88,7 +88,7 @@ TEST_F(SlowMotion, ThatNeedsMoreStepsSaysSo) {
     write(folder / "ball.toml", kBall + "[[section]]\nat = 0.4\nslow = 0.05\n");
     const Ended ended = film({"-o", "slow/####.png", "--frames", "0"});
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_NE(ended.err.find("the section at 0.4 s: slow = 0.05 shows each step in 3.33 frames; with --set "
+    EXPECT_NE(ended.err.find("the section at 0.4 s: slow = 0.05 shows each step in 3.333 frames; with --set "
                              "world.hz=200 each frame has its own"),
               std::string::npos)
         << ended.err;
