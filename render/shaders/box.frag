@@ -30,8 +30,11 @@ void main() {
     result = vec4(color, kCornerAlpha);
 #else
 #ifdef EDGES
-    // A rounded edge: the normal leans outwards near the edge.
-    vec2 lean = sign(onFace) * (1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, inner));
+    // A rounded edge: the normal leans outwards near the edge. Where that is less than 2.5 pixels wide it
+    // leans less and from farther, or the edge would be a row of dashes.
+    float bevel = 0.045 * thinnest + 0.004;
+    vec2 width = max(vec2(bevel), 2.5 * fwidth(onFace));
+    vec2 lean = sign(onFace) * (1.0 - smoothstep(vec2(0.0), width, inner)) * bevel / width;
     normal = normalize(normal + 0.55 * (worldU * lean.x + worldV * lean.y));
 #endif
     result = shaded(color, world, normal, 0.6, surface);

@@ -30,7 +30,9 @@ void main() {
 #else
 #ifdef EDGES
     // A rounded edge, as on a box.
-    vec3 near = 1.0 - smoothstep(0.0, 0.045 * thinnest + 0.004, edgeDistances);
+    float bevel = 0.045 * thinnest + 0.004;
+    vec3 width = max(vec3(bevel), 2.5 * fwidth(edgeDistances));
+    vec3 near = (1.0 - smoothstep(vec3(0.0), width, edgeDistances)) * bevel / width;
     normal = normalize(normal + 0.55 * (lean0 * near.x + lean1 * near.y + lean2 * near.z));
 #endif
     result = shaded(color, world, normal, 0.6, surface);

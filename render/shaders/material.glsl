@@ -91,8 +91,10 @@ vec4 shaded(vec3 tint, vec3 world, vec3 normal, float shine, int number) {
 #if defined(STEEL)
     vec3 mirrored = room(reflect(-toEye, normal)) * (0.35 + 0.65 * light.sees);
     float g = gloss16(normal, toEye);
-    color = 0.22 * color + mix(tint, vec3(1.0), 0.5 * rim(normal, toEye)) * 0.85 * mirrored;
-    color += tint * sunLight * g * g * lit * 0.5;
+    vec3 metal = 0.22 * color + mix(tint, vec3(1.0), 0.5 * rim(normal, toEye)) * 0.85 * mirrored;
+    metal += tint * sunLight * g * g * lit * 0.5;
+    // A face seen from its edge has few samples in some pixels: a bright mirror would be a row of dots.
+    color = mix(color, metal, smoothstep(0.0, 0.08, dot(normal, toEye)));
 #elif defined(GLASS)
     float edge = mix(0.05, 1.0, rim(normal, toEye));
     float g = gloss16(normal, toEye);
