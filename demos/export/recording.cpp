@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/look/key_light.h"
 #include "demos/look/theme.h"
 #include "demos/snapshot/camera.h"
 #include "demos/snapshot/colors.h"
@@ -94,7 +93,7 @@ void RunRecorder::begin(const Player& player) {
     recording_.sections = stage.scene.sections;
     recording_.grounds = player.frame(0.0).grounds;
     recording_.look = lookOf(recording_.overlays.theme);
-    recording_.look.sunDirection = keyLight(stage.scene.camera.from, stage.scene.camera.lookAt);
+    recording_.look.sunDirection = lightOf(stage.scene);
     recording_.joints = jointsOf(stage);
     recording_.trails = trailsOf(stage.scene);
     slides_.resize(stage.joints.size());

@@ -29,6 +29,7 @@ colour_by = "body"
 colour_max = 1
 ghost_every = 0.25
 reflection = 0.2
+light = [-1, 1, 2]
 plot = "energy"
 trails = ["ball"]
 [snapshot]
@@ -148,6 +149,9 @@ TableTexts lookTexts() {
                 {"reflection", inToml(LookDescription{}.reflection),
                  "How clearly the floor mirrors the bodies, 0 to 1; 0.2 looks like varnish, and films take "
                  "longer."},
+                {"light", "beside the camera: 50 degrees to its left, 38 above the ground",
+                 "The direction towards the key light, of any length, from at least 10 degrees above the "
+                 "ground; shadows fall the other way."},
                 {"plot", inToml(LookDescription{}.plot),
                  "The measure that the overlay plot draws over time below the film."},
                 {"trails", "[]", "Bodies whose paths are drawn, by name or with *."},

@@ -1,5 +1,7 @@
 // [look] and [[section]]
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "demos/look/measure_names.h"
@@ -56,6 +58,17 @@ void readSlide(Keys& keys, SectionSlide& slide) {
     }
 }
 
+/// A light near the horizon would draw shadows without an end.
+void readLight(Keys& keys, LookDescription& look) {
+    constexpr double kLowest = 0.1736;  // sin 10 deg
+    look.light = keys.vector("light", {-1e6, 1e6});
+    const bool good = !look.light || look.light->y() > kLowest * look.light->norm();
+    if (good) return;
+    keys.complain("light", fmt::format("light is [{:.4g}, {:.4g}, {:.4g}]; it should point from the ground to the "
+                                       "light, at least 10 degrees upwards, like [-1, 1, 2]",
+                                       look.light->x(), look.light->y(), look.light->z()));
+}
+
 Section readSection(Keys keys, const SceneDescription& scene) {
     Section section;
     set(section.at, keys.number("at", {0.0, scene.seconds, "s"}));
@@ -93,6 +106,7 @@ void readLook(Keys& top, SceneDescription& scene) {
     set(scene.look.colorMax, keys.number("colour_max", kScale));
     set(scene.look.ghostEvery, keys.number("ghost_every", {1e-3, 1e5, "s"}));
     set(scene.look.reflection, keys.number("reflection", {0.0, 1.0, ""}));
+    readLight(keys, scene.look);
     set(scene.look.plot, keys.word("plot", measureNames()));
     const auto trails = keys.texts("trails").value_or(std::vector<std::string>{});
     if (trails.size() > kMostPatterns)

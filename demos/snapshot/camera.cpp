@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "demos/look/key_light.h"
+
 namespace demos {
 namespace {
 
@@ -99,6 +101,11 @@ std::optional<Vec3> placeOf(const Stage& stage, const std::string& body) {
     for (std::size_t i = 0; i < stage.bodies.size() && !body.empty(); ++i)
         if (stage.scene.bodies[i].name == body) return stage.world.pose(stage.bodies[i]).position;
     return std::nullopt;
+}
+
+render::Vec3 lightOf(const SceneDescription& scene) {
+    if (scene.look.light) return scene.look.light->normalized().cast<float>();
+    return keyLight(scene.camera.from, scene.camera.lookAt);
 }
 
 render::Camera cameraOf(const Moment& moment) {

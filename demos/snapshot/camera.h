@@ -26,6 +26,9 @@ int shotAt(const CameraDescription& camera, double time);
 /// The position of the body's centre in m; nothing if no body has this name.
 std::optional<Vec3> placeOf(const Stage& stage, const std::string& body);
 
+/// Towards the key light, unit: the scene's own, else beside its camera.
+render::Vec3 lightOf(const SceneDescription& scene);
+
 /// The camera with what it follows, orbit or move, and lens.
 render::Camera cameraOf(const Moment& moment);
 

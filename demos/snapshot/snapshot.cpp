@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "demos/look/key_light.h"
 #include "demos/look/theme.h"
 #include "demos/look/type.h"
 #include "demos/snapshot/camera.h"
@@ -46,7 +45,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     colorHeadings(frame);
     frame.look.reflection = static_cast<float>(stage.scene.look.reflection);
     const CameraDescription& camera = stage.scene.camera;
-    frame.look.sunDirection = keyLight(camera.from, camera.lookAt);
+    frame.look.sunDirection = lightOf(stage.scene);
     const auto height = static_cast<float>(viewHeight(camera));
     frame.look.grain = kGrain * height;
     if (overlays.theme != "lab") frame.look.gridReach = kGridReach * height;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "demos/look/key_light.h"
+#include "demos/snapshot/camera.h"
 
 namespace demos::test {
 namespace {
@@ -26,6 +27,13 @@ TEST(KeyLight, IsFiftyDegreesToTheLeftOfEveryCamera) {
         EXPECT_NEAR(degrees(std::asin(static_cast<double>(light.y()))), 38.0, 1e-4);
         EXPECT_NEAR(turnBetween(sight, light.cast<double>()), 50.0, 1e-3);
     }
+}
+
+TEST(KeyLight, IsTheScenesOwnIfItHasOne) {
+    SceneDescription scene;
+    EXPECT_EQ(lightOf(scene), keyLight(scene.camera.from, scene.camera.lookAt));
+    scene.look.light = Vec3(0, 3, 4);
+    EXPECT_NEAR((lightOf(scene) - render::Vec3(0.0f, 0.6f, 0.8f)).norm(), 0.0f, 1e-6f);
 }
 
 }  // namespace

@@ -241,6 +241,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"coloring", kBall + "[look]\ncolour_by = 'sped'\n", "7:13",
                  "did you mean 'speed'?"},
         BadScene{"color max", kBall + "[look]\ncolour_max = 0\n", "7:14", "m/s or N s"},
+        BadScene{"light", kBall + "[look]\nlight = [1, 0.1, 0]\n", "7:1",
+                 "light is [1, 0.1, 0]; it should point from the ground to the light, at least 10 degrees"},
         BadScene{"ghosts", kBall + "[look]\nghost_every = 0\n", "7:15", "0.001"},
         BadScene{"plot", kBall + "[look]\nplot = 'energie'\n", "7:8", "did you mean 'energy'?"},
         BadScene{"poster", kBall + "[[section]]\nat = 0\nposter = 'lst'\n", "8:10",
