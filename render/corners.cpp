@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "render/coverage.h"
+#include "render/formula_lines.h"
 #include "render/glyphs.h"
 
 namespace render {
@@ -70,8 +70,15 @@ PlacedText linesOf(const Text& text, float share, const Margins& m) {
     p.pixels = pixelsOf(text.size, m, share);
     p.pad = text.plate ? std::round(0.5f * static_cast<float>(p.pixels)) : 0.0f;
     const float room = m.right() - m.side - 2.0f * p.pad;
-    p.lines = brokenText(text.text, p.pixels, room);
-    p.lineHeight = std::round(1.2f * static_cast<float>(p.pixels));
+    p.formulas = text.formulas;
+    p.lines = brokenText(text.text, p.pixels, room, p.formulas);
+    LineReach reach;
+    for (const std::string& line : p.lines) {
+        const LineReach one = lineReach(line, p.formulas, p.pixels);
+        reach = {std::max(reach.above, one.above), std::max(reach.below, one.below)};
+    }
+    p.above = std::round(reach.above);
+    p.lineHeight = std::round(1.2f * static_cast<float>(p.pixels)) + p.above + std::round(reach.below);
     p.right = isRight(text.corner);
     p.color = text.color;
     addHeading(text, m, room, p);
@@ -81,7 +88,7 @@ PlacedText linesOf(const Text& text, float share, const Margins& m) {
 float widthOf(const PlacedText& p) {
     float width = textWidth(p.heading, static_cast<float>(p.headingPixels));
     for (const std::string& line : p.lines)
-        width = std::max(width, textWidth(line, static_cast<float>(p.pixels)));
+        width = std::max(width, lineWidth(line, p.formulas, p.pixels));
     return width + 2.0f * p.pad;
 }
 
@@ -138,10 +145,9 @@ bool CornerLayout::isFree(const Box& box) const {
            std::none_of(plates.begin(), plates.end(), meets);
 }
 
-std::vector<std::string> brokenText(const std::string& text, int pixels, float room) {
-    const auto fits = [&](const std::string& line) {
-        return textWidth(line, static_cast<float>(pixels)) <= room;
-    };
+std::vector<std::string> brokenText(const std::string& text, int pixels, float room,
+                                    std::span<const Formula> formulas) {
+    const auto fits = [&](const std::string& line) { return lineWidth(line, formulas, pixels) <= room; };
     if (fits(text)) return {text};
     std::vector<std::string> lines(1);
     for (std::size_t start = 0; start < text.size();) {

@@ -2,6 +2,7 @@
 /// margins. Earlier items have priority; an item without room is left out.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct Box {
 struct PlacedText {
     Box box;
     std::vector<std::string> lines;
+    std::span<const Formula> formulas;
     int pixels = 0;  // cap-to-descender height of a line
     float lineHeight = 0;
+    float above = 0;  // by which formulas reach above the letters of a line
     bool right = false;  // lines end at the box's right edge
     float pad = 0;       // from the plate's edge to the letters; 0: no plate
     Color color;
@@ -60,7 +63,8 @@ float cornerMargin(int width, int height);
 int textPixels(float size, const Look& look, int width, int height);
 
 /// Breaks the text into lines of at most `room` pixels; the end of a wider word is cut off.
-std::vector<std::string> brokenText(const std::string& text, int pixels, float room);
+std::vector<std::string> brokenText(const std::string& text, int pixels, float room,
+                                    std::span<const Formula> formulas = {});
 
 /// Pixels per metre at the point the camera looks at.
 float pixelsPerMeter(const Camera& camera, int height);

@@ -6,6 +6,9 @@ namespace render {
 /// Inter, made for screens.
 const unsigned char* screenFontBytes();
 
+/// Its italic, for the variables of formulas.
+const unsigned char* italicFontBytes();
+
 /// DejaVu Sans, for characters that Inter lacks: most of the mathematical signs.
 const unsigned char* fallbackFontBytes();
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "render/formula.h"
+
 namespace render {
 
 using Vec3 = Eigen::Vector3f;       // x, y, z
@@ -116,13 +118,14 @@ enum class Corner { topLeft, topRight, bottomLeft, bottomRight };
 /// A text in a corner of the picture; texts in one corner stack in the order given. A text wider
 /// than the picture is broken into lines. Letters have a halo, or stand on a plate.
 struct Text {
-    std::string text;  // UTF-8; glyphs: Latin, Greek, arrows, arithmetic signs
+    std::string text;  // UTF-8; glyphs: Latin, Greek, arrows, arithmetic signs; characters for formulas
     Corner corner = Corner::topLeft;
     float size = 18.0f;  // pixels of cap-to-descender height in a picture of 1280x720
     Color color{0.1f, 0.1f, 0.11f, 1.0f};
     bool plate = false;     // translucent, with Look::plate as its colour
     std::string heading{};  // smaller, above the text; left out where letters are smallest
     Color headingColor{0.1f, 0.1f, 0.11f, 1.0f};  // sRGB
+    std::vector<Formula> formulas{};  // in the text; such a text has no halo
 };
 
 /// The symbol before a row's text: a sample of a mark in the picture.

@@ -92,10 +92,18 @@ public:
         stbtt_GetCodepointHMetrics(&info_, codepoint, &advance, &bearing);
         return advance;
     }
-    Bitmap bitmap(int codepoint, float scale, float shift) const {
+    LetterExtent extent(int codepoint) const {
+        const float em = stbtt_ScaleForMappingEmToPixels(&info_, 1.0f);
+        int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // all 0: it has no ink
+        stbtt_GetCodepointBox(&info_, codepoint, &x0, &y0, &x1, &y1);
+        const auto inEm = [&](int units) { return em * static_cast<float>(units); };
+        return {inEm(advance(codepoint)), inEm(x0), inEm(x1), inEm(y0), inEm(y1)};
+    }
+    /// `stretch`: times as tall as the letter is.
+    Bitmap bitmap(int codepoint, float scale, float shift, float stretch = 1.0f) const {
         Bitmap ink;
         unsigned char* bytes =
-            stbtt_GetCodepointBitmapSubpixel(&info_, scale, scale, shift, 0.0f, codepoint,
+            stbtt_GetCodepointBitmapSubpixel(&info_, scale, stretch * scale, shift, 0.0f, codepoint,
                                              &ink.width, &ink.height, &ink.left, &ink.top);
         ink.cover.assign(bytes, bytes + ink.width * ink.height);
         stbtt_FreeBitmap(bytes, nullptr);
@@ -119,7 +127,7 @@ public:
         const bool wide = figures == Figures::tabular && isDigit(codepoint);
         Glyph& g = glyphs_[{codepoint, pixels, wide}];
         if (g.advance > 0.0f) return g;
-        const Face& face = screen_.has(codepoint) ? screen_ : fallback_;
+        const Face& face = faceOf(codepoint, false);
         const float scale = face.scale(static_cast<float>(pixels));
         const int own = face.advance(codepoint), all = wide ? widestDigit_ : own;
         g.advance = std::max(static_cast<float>(all) * scale, 0.01f);
@@ -128,6 +136,10 @@ public:
         g.ink.left += static_cast<int>(std::floor(aside));
         return g;
     }
+    const Face& faceOf(int codepoint, bool italic) const {
+        if (italic && italic_.has(codepoint)) return italic_;
+        return screen_.has(codepoint) ? screen_ : fallback_;
+    }
     const Bitmap& halo(int codepoint, int pixels) {
         Glyph& g = glyphs_[{codepoint, pixels, false}];
         if (g.halo.cover.empty()) g.halo = haloOf(g.ink, std::max(pixels / 7, 2));
@@ -135,7 +147,7 @@ public:
     }
 
 private:
-    Face screen_{screenFontBytes()}, fallback_{fallbackFontBytes()};
+    Face screen_{screenFontBytes()}, italic_{italicFontBytes()}, fallback_{fallbackFontBytes()};
     int widestDigit_ = 0;
     std::map<std::tuple<int, int, bool>, Glyph> glyphs_;  // by code, pixels, tabular
 };
@@ -181,6 +193,25 @@ float textWidth(const std::string& text, float pixels, Figures figures) {
 }
 
 float textAscent(int pixels) { return kAscentShare * static_cast<float>(pixels); }
+
+LetterExtent letterExtent(int codepoint, bool italic) {
+    return font().faceOf(codepoint, italic).extent(codepoint);
+}
+
+void drawLetter(Image& image, const FormulaLetter& letter, float pixels, Point at, const Color& color) {
+    constexpr float kBold = 0.045f;  // em: a bold letter is drawn twice, this far apart
+    const Face& face = font().faceOf(letter.codepoint, letter.italic);
+    const float scale = face.scale(letter.size * pixels);
+    const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::lround(at.y));
+    Bitmap ink = face.bitmap(letter.codepoint, scale, at.x - std::floor(at.x), letter.stretch);
+    if (letter.bold) {
+        const float shift = at.x - std::floor(at.x) + kBold * letter.size * pixels;
+        Bitmap second = face.bitmap(letter.codepoint, scale, shift - std::floor(shift), letter.stretch);
+        second.left += static_cast<int>(std::floor(shift));
+        paint(image, second, x, y, color);
+    }
+    paint(image, ink, x, y, color);
+}
 
 void drawHaloed(Image& image, const std::string& text, int pixels, float x, float baseline,
                 const Color& color) {

@@ -24,6 +24,16 @@ std::vector<int> codepoints(const std::string& text);
 /// Pixels from the top of a line to its baseline.
 float textAscent(int pixels);
 
+/// A letter's extents in em, from its left end on the baseline.
+struct LetterExtent {
+    float advance = 0.0f;
+    float left = 0.0f, right = 0.0f, bottom = 0.0f, top = 0.0f;  // of its ink; y points up
+};
+LetterExtent letterExtent(int codepoint, bool italic);
+
+/// Draws a letter of a formula. `pixels`: of the text; `at`: its left end, on its baseline.
+void drawLetter(Image& image, const FormulaLetter& letter, float pixels, Point at, const Color& color);
+
 /// Draws one line that begins at x, with a halo of the opposite lightness.
 void drawHaloed(Image& image, const std::string& text, int pixels, float x, float baseline,
                 const Color& color);

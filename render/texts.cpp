@@ -5,6 +5,7 @@
 #include "render/canvas.h"
 #include "render/corners.h"
 #include "render/coverage.h"
+#include "render/formula_lines.h"
 #include "render/label_places.h"
 #include "render/overlay.h"
 #include "render/plate.h"
@@ -16,12 +17,11 @@ constexpr float kLeastOpacity = 0.88f;  // of a text's plate: legible over black
 
 void drawLine(Image& image, const PlacedText& text, const std::string& line, int pixels, float y,
               const Color& color) {
-    const float size = static_cast<float>(pixels);
     const float left = text.box.x + text.pad, right = text.box.x + text.box.width - text.pad;
-    const float x = text.right ? right - textWidth(line, size) : left;
+    const float x = text.right ? right - lineWidth(line, text.formulas, pixels) : left;
     const float base = y + textAscent(pixels);
-    if (text.pad > 0.0f)
-        drawLabel(image, line, {x, std::round(base)}, Anchor::start, size, color);
+    if (text.pad > 0.0f || !text.formulas.empty())
+        drawFormulaLine(image, line, text.formulas, pixels, {x, std::round(base)}, color);
     else
         drawHaloed(image, line, pixels, x, base, color);
 }
@@ -42,7 +42,7 @@ void drawText(Image& image, const PlacedText& text, const Look& look) {
         drawLine(image, text, text.heading, text.headingPixels, y, text.headingColor);
     y += text.headingHeight;
     for (const std::string& line : text.lines) {
-        drawLine(image, text, line, text.pixels, y, text.color);
+        drawLine(image, text, line, text.pixels, y + text.above, text.color);
         y += text.lineHeight;
     }
 }

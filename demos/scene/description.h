@@ -13,6 +13,7 @@
 #include "engine/force.h"
 #include "engine/joint.h"
 #include "engine/settings.h"
+#include "render/formula.h"
 
 namespace render {
 enum class Material;
@@ -98,15 +99,23 @@ struct SectionSlide {
     std::vector<Place> formulaPlaces;
 };
 
+/// A caption with formulas.
+struct FormulaCaption {
+    std::string line;  // each formula is one character, as in render::Text
+    std::vector<render::Formula> formulas;
+    std::vector<std::string> markup;  // of each: LaTeX between dollars
+};
+
 /// A chapter of the film.
 struct Section {
     double at = 0.0;  // s
-    std::string name, caption, notes, poster;
+    std::string name, caption, notes, poster;  // the caption's formulas in ordinary letters
     double slow = 1.0;
     bool pause = false, loop = false;
     SectionSlide slide = {};
     std::string file = {};  // its name in messages
     Place place = {};
+    FormulaCaption formulaCaption = {};  // empty: the caption has no formulas
 };
 
 inline constexpr int kMostExpectations = 1000;  // of a scene

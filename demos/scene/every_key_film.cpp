@@ -215,8 +215,8 @@ TableTexts sectionTexts() {
              "The name by which decks refer to the chapter, and under which `impulse watch` "
              "reports its changes."},
             {"caption", inToml(Section{}.caption),
-             "The line in the picture from this time on, which says what to look at; an empty one "
-             "keeps the line before."},
+             "The line in the picture from this time on, which says what to look at; $x^2$ is a formula in LaTeX; "
+             "an empty one keeps the line before."},
             {"notes", inToml(Section{}.notes),
              "Notes for the speaker, which only the slides have."},
             {"poster", "the middle of the film; on slides the last frame",

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 
+#ifdef IMPULSE_HAVE_SLIDES
+#include "demos/formulas/caption_text.h"
+#include "demos/formulas/formula.h"
+#endif
 #include "demos/look/measure_names.h"
 #include "demos/look/overlays.h"
 #include "demos/look/theme.h"
@@ -69,11 +73,26 @@ void readLight(Keys& keys, LookDescription& look) {
                                        look.light->x(), look.light->y(), look.light->z()));
 }
 
+/// A build without slides shows formulas as they are written.
+void readCaption(Keys& keys, Section& section) {
+    set(section.caption, keys.text("caption"));
+#ifdef IMPULSE_HAVE_SLIDES
+    try {
+        CaptionText text = captionText(section.caption);
+        if (!text.formulas.empty())
+            section.formulaCaption = {std::move(text.line), std::move(text.formulas), std::move(text.markup)};
+        section.caption = std::move(text.letters);
+    } catch (const FormulaError& error) {
+        keys.complain("caption", "formula: " + std::string(error.what()));
+    }
+#endif
+}
+
 Section readSection(Keys keys, const SceneDescription& scene) {
     Section section;
     set(section.at, keys.number("at", {0.0, scene.seconds, "s"}));
     set(section.name, keys.text("name"));
-    set(section.caption, keys.text("caption"));
+    readCaption(keys, section);
     set(section.notes, keys.text("notes"));
     set(section.poster, readPoster(keys, scene.seconds));
     set(section.slow, keys.number("slow", {0.001, 1000.0}));

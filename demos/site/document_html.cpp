@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <memory>
 
+#include "demos/formulas/formula.h"
+#include "demos/formulas/text_formulas.h"
 #include "demos/site/markdown_tables.h"
-#include "demos/slides/formula.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/markup_tree.h"
-#include "demos/slides/text_formulas.h"
 
 namespace demos {
 namespace {

@@ -25,6 +25,8 @@ std::span<const SitePage> sitePages() {
          "pictures for papers, with captions"},
         {"slides.html", "demos/slides/README.md", "Results", "Slides",
          "a talk from scenes or a deck file"},
+        {"formulas.html", "demos/formulas/README.md", "Results", "Formulas",
+         "LaTeX in slides and captions"},
         {"exports.html", "demos/export/README.md", "Results", "Exports",
          "for Blender, numpy and browsers"},
         {"snapshot-tests.html", "demos/regression/README.md", "Tests", "Snapshot tests",

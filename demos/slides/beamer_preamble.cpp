@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "demos/slides/math_letters.h"
+#include "demos/formulas/math_letters.h"
 
 namespace demos {
 namespace {

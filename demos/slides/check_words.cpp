@@ -4,9 +4,9 @@
 #include <charconv>
 #include <optional>
 
-#include "demos/slides/formula.h"
+#include "demos/formulas/formula.h"
+#include "demos/formulas/text_formulas.h"
 #include "demos/slides/numbers.h"
-#include "demos/slides/text_formulas.h"
 #include "demos/text/nearest.h"
 
 namespace demos {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/slides/text_formulas.h"
+#include "demos/formulas/text_formulas.h"
 
 namespace demos {
 

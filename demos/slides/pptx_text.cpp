@@ -9,7 +9,7 @@
 #include <cmath>
 
 
-#include "demos/slides/formula_runs.h"
+#include "demos/formulas/formula_runs.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/markup_tree.h"
 

@@ -1,5 +1,6 @@
 #include "demos/slides/section_slide.h"
 
+#include "demos/formulas/caption_text.h"
 #include "demos/load/builtin.h"
 #include "demos/scene/reader.h"
 #include "demos/slides/check_words.h"
@@ -18,6 +19,18 @@ std::string textOf(const std::string& file) {
     }
 }
 
+/// Words as they are, formulas as formulas.
+std::string captionOf(const Section& section) {
+    const FormulaCaption& formulas = section.formulaCaption;
+    if (formulas.line.empty()) return commonMarkOf(section.caption);
+    std::string commonMark = commonMarkOf(formulas.line);
+    for (std::size_t k = 0; k < formulas.markup.size(); ++k) {
+        const std::string mark = formulaMark(k);
+        commonMark.replace(commonMark.find(mark), mark.size(), formulas.markup[k]);
+    }
+    return commonMark;
+}
+
 }  // namespace
 
 const SectionFiles::File& SectionFiles::of(const std::string& name) {
@@ -31,7 +44,7 @@ void copySection(const SceneDescription& scene, const Section& section, bool sev
     slide.title = section.slide.title;
     slide.text = section.slide.text;
     slide.formulas = section.slide.formulas;
-    slide.caption = commonMarkOf(section.caption);
+    slide.caption = captionOf(section);
     slide.notes = section.notes;
     slide.from = section.at;
     for (const Section& later : scene.sections)

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "demos/slides/formula.h"
+#include "demos/formulas/formula.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/slide_layout.h"
 #include "demos/slides/table_columns.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "demos/slides/text_formulas.h"
+#include "demos/formulas/text_formulas.h"
 
 namespace demos {
 namespace {

@@ -1,13 +1,5 @@
-# Additional dependencies of `impulse slides`: KaTeX run by Duktape, CommonMark, its page, a math font.
+# Additional dependencies of `impulse slides`: CommonMark, its page, a math font.
 pkg_check_modules(CMARK REQUIRED IMPORTED_TARGET libcmark)
-pkg_check_modules(DUKTAPE REQUIRED IMPORTED_TARGET duktape)
-set(IMPULSE_KATEX /usr/share/javascript/katex/katex.js CACHE FILEPATH
-    "KaTeX as one script, built in for the formulas of slides")
-if(NOT EXISTS ${IMPULSE_KATEX})
-  message(FATAL_ERROR "no KaTeX at ${IMPULSE_KATEX}: install libjs-katex, set IMPULSE_KATEX, or "
-                      "build without slides: -DIMPULSE_SLIDES=OFF")
-endif()
-configure_file(slides/katex_text.cpp.in katex_text.cpp @ONLY)
 embed_page(slides slides "" "" state,fit,film,show,speaker,keys,pointer,start)
 
 # A font for the formulas of slides, reduced to what formulas use. Without it they are drawn in the
@@ -34,8 +26,4 @@ else()
     impulse_made(slides ${math_font})
   endif()
 endif()
-
-
-target_sources(demos_slides PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/katex_text.cpp)
-target_link_libraries(demos_slides
-  PRIVATE pugixml::pugixml PkgConfig::DUKTAPE PkgConfig::CMARK)
+target_link_libraries(demos_slides PRIVATE pugixml::pugixml PkgConfig::CMARK)

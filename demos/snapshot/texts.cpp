@@ -16,7 +16,9 @@ render::Text captionAt(const SceneDescription& scene, double time) {
     caption.plate = true;
     for (const Section& section : scene.sections) {
         if (section.at > time + 1e-9 || section.caption.empty()) continue;
-        caption.text = section.caption;
+        const FormulaCaption& formulas = section.formulaCaption;
+        caption.text = formulas.line.empty() ? section.caption : formulas.line;
+        caption.formulas = formulas.formulas;
         caption.heading = section.name;
     }
     return caption;

@@ -86,9 +86,19 @@ private:
         add(points, pixels, color);
     }
     void one(const render::Text& text) {
-        const auto& [words, corner, size, color, plate, heading, headingColor] = text;
-        add(words, corner, size, color, plate, heading, headingColor);
+        const auto& [words, corner, size, color, plate, heading, headingColor, formulas] = text;
+        add(words, corner, size, color, plate, heading, headingColor, formulas);
     }
+    void one(const render::Formula& formula) {
+        const auto& [width, ascent, descent, letters, strokes] = formula;
+        add(width, ascent, descent, letters, strokes);
+    }
+    void one(const render::FormulaLetter& letter) {
+        const auto& [codepoint, x, y, size, stretch, italic, bold] = letter;
+        add(codepoint, x, y, size, stretch, italic, bold);
+    }
+    void one(const render::FormulaStroke& stroke) { one(stroke.corners); }
+    void one(const render::FormulaStroke::Corner& corner) { add(corner.x, corner.y); }
     void one(const render::BarPart& part) {
         const auto& [share, color] = part;
         add(share, color);

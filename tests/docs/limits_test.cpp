@@ -1,6 +1,7 @@
 // "What files may contain" in demos/README.md has the limits of the readers' code.
 #include <gtest/gtest.h>
 
+#include "demos/formulas/formula.h"
 #include "demos/mjcf/xml_tree.h"
 #include "demos/regression/baseline.h"
 #include "demos/scene/expression.h"
@@ -9,7 +10,6 @@
 #include "demos/scene/repeat.h"
 #include "demos/scene/toml_limits.h"
 #include "demos/slides/check_words.h"
-#include "demos/slides/formula.h"
 #include "demos/slides/read_deck.h"
 #include "demos/text/json_limits.h"
 #include "engine/collision/contacts.h"

@@ -66,12 +66,21 @@ TEST(SlidesReadme, ItsNumbersAreRead) {
     }
 }
 
+std::set<std::string> headersOf(const fs::path& folder) {
+    std::set<std::string> files;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder))
+        if (file.path().extension() == ".h") files.insert(file.path().stem().string());
+    return files;
+}
+
 /// Every header of the folder once.
 TEST(SlidesReadme, NamesEveryFileAndNoOther) {
-    std::set<std::string> files;
-    for (const fs::directory_entry& file : fs::directory_iterator(kSlidesFolder))
-        if (file.path().extension() == ".h") files.insert(file.path().stem().string());
-    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "Files")), files);
+    EXPECT_EQ(firstCells(sectionOf(kSlidesText, "Files")), headersOf(kSlidesFolder));
+}
+
+TEST(FormulasReadme, NamesEveryFileAndNoOther) {
+    const fs::path folder = fs::path(IMPULSE_SOURCE_DIR) / "demos/formulas";
+    EXPECT_EQ(firstCells(sectionOf(textOf(folder / "README.md"), "Files")), headersOf(folder));
 }
 
 /// The keys in backquotes in the first column; "click" is not a key.

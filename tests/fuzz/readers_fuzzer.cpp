@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "demos/film/run_record.h"
+#include "demos/formulas/formula.h"
 #include "demos/gallery/gallery_record.h"
 #include "demos/load/builtin.h"
 #include "demos/mjcf/mesh_file.h"
@@ -23,7 +24,6 @@
 #include "demos/regression/verdict_json.h"
 #include "demos/scene/mesh_file.h"
 #include "demos/scene/reader.h"
-#include "demos/slides/formula.h"
 #include "demos/slides/markup.h"
 #include "demos/slides/numbers.h"
 #include "demos/slides/read_deck.h"

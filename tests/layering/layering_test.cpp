@@ -142,10 +142,10 @@ TEST(Layering, EveryFileOfDemosIsInAFolder) {
         EXPECT_TRUE(entry.is_directory() || above.contains(entry.path().filename())) << entry.path();
 }
 
-/// Slides, the site and models can be left out of the program (IMPULSE_SLIDES, IMPULSE_MJCF).
+/// Formulas, slides, the site and models can be left out of the program (IMPULSE_SLIDES, IMPULSE_MJCF).
 TEST(Layering, WhatMayBeLeftOutIsIncludedUnderItsMacroOnly) {
-    const std::regex include(R"(^#include "demos/(slides|site|mjcf)/)"), macro(R"(^#ifdef (\w+))"),
-        itself("^demos/(slides|site|mjcf)/");
+    const std::regex include(R"(^#include "demos/(formulas|slides|site|mjcf)/)"), macro(R"(^#ifdef (\w+))"),
+        itself("^demos/(formulas|slides|site|mjcf)/");
     int includes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(IMPULSE_SOURCE_DIR) / "demos")) {
         const std::string path = fs::relative(entry.path(), IMPULSE_SOURCE_DIR);
@@ -268,9 +268,9 @@ TEST(Layering, EachOfTheseLibrariesHasItsFiles) {
         {"stb/stb_truetype.h", {"render/glyphs.cpp"}},
         {"tiny_obj_loader.h", {"demos/scene/obj_file.cpp"}},
         {"pugixml.hpp",
-         {"demos/mjcf/xml_tree.cpp", "demos/slides/formula_runs.cpp",
-          "demos/slides/math_operators.h", "demos/slides/mathml.cpp"}},
-        {"duktape.h", {"demos/slides/formula.cpp"}},
+         {"demos/mjcf/xml_tree.cpp", "demos/formulas/mathml_elements.h",
+          "demos/formulas/math_operators.h", "demos/formulas/mathml.cpp"}},
+        {"duktape.h", {"demos/formulas/formula.cpp"}},
         {"cmark.h", {"demos/slides/markup_tree.h"}},
         {"CLI/CLI.hpp",
          {"demos/commands/no_slides.cpp", "demos/commands/shared_options.h",

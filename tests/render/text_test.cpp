@@ -2,6 +2,7 @@
 
 #include "render/canvas.h"
 #include "render/corners.h"
+#include "render/formula_lines.h"
 #include "render/overlay.h"
 
 namespace render {
@@ -26,6 +27,49 @@ int ink(const Image& image, bool right, bool bottom) {
         for (int x = right ? image.width / 2 : 0; x < (right ? image.width : image.width / 2); ++x)
             count += image.at(x, y)[0] < 100;
     return count;
+}
+
+/// A bar of 2 em with a letter above it.
+Formula barWithLetter() {
+    Formula formula;
+    formula.width = 2.0f;
+    formula.ascent = 1.5f;
+    formula.letters.push_back({'x', 0.7f, 0.8f});
+    formula.strokes.push_back({{{0.0f, 0.5f}, {2.0f, 0.5f}}});
+    return formula;
+}
+
+TEST(Text, FormulasStandBetweenWordsAndMakeLinesHigher) {
+    const Formula formula = barWithLetter();
+    const std::string line = "a \xf3\xb0\x80\x80 b";  // kFirstFormula
+    EXPECT_NEAR(lineWidth(line, {&formula, 1}, 24),
+                textWidth("a ", 24) + textWidth(" b", 24) + 2.0f * 24.0f * static_cast<float>(kEmShare), 0.01f);
+    EXPECT_GT(lineReach(line, {&formula, 1}, 24).above, 10.0f);
+    EXPECT_EQ(lineReach("a b", {&formula, 1}, 24).above, 0.0f);
+    Frame frame;
+    frame.texts.push_back({"a b", Corner::bottomLeft, 24.0f});
+    frame.texts[0].plate = true;
+    const float plain = layoutCorners(frame, 1280, 720).texts.at(0).box.height;
+    frame.texts[0].text = line;
+    frame.texts[0].formulas = {formula};
+    const PlacedText placed = layoutCorners(frame, 1280, 720).texts.at(0);
+    EXPECT_GT(placed.box.height, plain + 10.0f);
+    Image image = grey(1280, 720);
+    drawTexts(image, frame);
+    int above = 0;  // in the rows of the formula's letter
+    for (int y = static_cast<int>(placed.box.y); y < static_cast<int>(placed.box.y + placed.pad + placed.above); ++y)
+        for (int x = 0; x < 1280; ++x) above += image.at(x, y)[0] < 100;
+    EXPECT_GT(above, 10);
+}
+
+TEST(Text, LinesBreakBesideFormulasNotInThem) {
+    const Formula formula = barWithLetter();
+    const std::string mark = "\xf3\xb0\x80\x80";
+    const std::vector<std::string> lines =
+        brokenText("one two " + mark + " three", 24, textWidth("one two ", 24), {&formula, 1});
+    ASSERT_GE(lines.size(), 2u);
+    EXPECT_EQ(lines[0], "one two");
+    EXPECT_EQ(lines[1].substr(0, 4), mark);
 }
 
 TEST(Text, HasInkAtEverySizeOfPicture) {

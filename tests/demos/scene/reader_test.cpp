@@ -167,6 +167,21 @@ TEST(Repeat, JitterComesFromTheSeedAlone) {
     EXPECT_NE(one.bodies[0].def.pose.position, other.bodies[0].def.pose.position);
 }
 
+TEST(Captions, MayHoldFormulas) {
+    const SceneDescription scene = read(kBall + "[[section]]\ncaption = '$\\frac{v^2}{r}$ at \\$5'\n"
+                                                "[[section]]\nat = 1\ncaption = '5 $'\n");
+    EXPECT_EQ(scene.sections[0].caption, "v²/r at $5");
+    EXPECT_EQ(scene.sections[0].formulaCaption.formulas.size(), 1u);
+    EXPECT_EQ(scene.sections[0].formulaCaption.markup.at(0), "$\\frac{v^2}{r}$");
+    EXPECT_EQ(scene.sections[1].caption, "5 $");
+    EXPECT_TRUE(scene.sections[1].formulaCaption.line.empty());
+    const std::string text = "format = 1\n" + kBall;
+    EXPECT_TRUE(tells(errorsOf(text + "[[section]]\ncaption = '$\\fra{a}$'\n"), "a.toml:7:1: ",
+                      "formula: Undefined control sequence: \\fra"));
+    EXPECT_TRUE(tells(errorsOf(text + "[[section]]\ncaption = \"$\\theta$\"\n"), "a.toml:7:1: ",
+                      "formula: a control byte, written as an escape"));
+}
+
 TEST(Overrides, AreReadAsIfTheFileHadSaidSo) {
     const SceneDescription scene = read(kBall, {"world.hz=240", "title=a film", "body.ball.mass=5",
                                                 "body.0.at=[1, 2, 3]", "world.hz=120"});

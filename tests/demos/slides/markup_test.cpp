@@ -6,8 +6,8 @@
 
 #include <fstream>
 
-#include "demos/slides/formula.h"
-#include "demos/slides/text_formulas.h"
+#include "demos/formulas/formula.h"
+#include "demos/formulas/text_formulas.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/text.h"
 

@@ -1,13 +1,13 @@
-#include "demos/slides/mathml.h"
+#include "demos/formulas/mathml.h"
 
 #include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 #include <vector>
 
-#include "demos/slides/formula.h"
-#include "demos/slides/math_letters.h"
-#include "demos/slides/math_operators.h"
+#include "demos/formulas/formula.h"
+#include "demos/formulas/math_letters.h"
+#include "demos/formulas/math_operators.h"
 
 namespace demos {
 namespace {

@@ -1,10 +1,10 @@
 // LaTeX to MathML: what is drawn, what is refused and where, and hostile input.
 
-#include "demos/slides/formula.h"
+#include "demos/formulas/formula.h"
 
 #include <gtest/gtest.h>
 
-#include "demos/slides/math_letters.h"
+#include "demos/formulas/math_letters.h"
 #include "tests/support/text.h"
 
 namespace demos::test {

@@ -1,9 +1,9 @@
 // Formulas as lines of ordinary letters.
-#include "demos/slides/formula_runs.h"
+#include "demos/formulas/formula_runs.h"
 
 #include <gtest/gtest.h>
 
-#include "demos/slides/formula.h"
+#include "demos/formulas/formula.h"
 
 namespace demos::test {
 namespace {

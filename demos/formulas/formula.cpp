@@ -1,4 +1,4 @@
-#include "demos/slides/formula.h"
+#include "demos/formulas/formula.h"
 
 #include <duktape.h>
 
@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "demos/slides/katex_text.h"
-#include "demos/slides/mathml.h"
+#include "demos/formulas/katex_text.h"
+#include "demos/formulas/mathml.h"
 #include "demos/text/complaints.h"
 #include "demos/text/put_text.h"
 

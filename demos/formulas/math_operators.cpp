@@ -1,4 +1,4 @@
-#include "demos/slides/math_operators.h"
+#include "demos/formulas/math_operators.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "demos/formulas/mathml_elements.h"
 
 namespace demos {
 namespace {
@@ -23,8 +25,6 @@ bool isOneOf(std::string_view text, const std::string_view (&list)[N]) {
 }
 
 bool isElement(pugi::xml_node node) { return node.type() == pugi::node_element; }
-bool isCalled(pugi::xml_node node, std::string_view name) { return node.name() == name; }
-std::string_view textOf(pugi::xml_node node) { return node.child_value(); }
 
 bool isToken(pugi::xml_node node) {
     return isCalled(node, "mo") || isCalled(node, "mi") || isCalled(node, "mn");

@@ -1,9 +1,9 @@
-#include "demos/slides/formula_runs.h"
+#include "demos/formulas/formula_runs.h"
 
-#include <pugixml.hpp>
 #include <string_view>
 
-#include "demos/slides/math_letters.h"
+#include "demos/formulas/math_letters.h"
+#include "demos/formulas/mathml_elements.h"
 
 namespace demos {
 namespace {
@@ -19,12 +19,6 @@ bool isAmongSpaced(std::string_view text) {
 }
 
 constexpr const char* kThinSpace = "\xe2\x80\x89";  // U+2009
-
-/// Multiplication and application that are not drawn: U+2061 to U+2064.
-bool isInvisible(std::string_view text) {
-    return text.size() == 3 && text.starts_with("\xe2\x81") && text[2] >= '\xa1' &&
-           text[2] <= '\xa4';
-}
 
 /// The sign over a letter as one that combines with it; empty: there is none.
 std::string_view combining(std::string_view sign) {
@@ -111,7 +105,7 @@ private:
         while (std::string_view(inner.name()) == "mrow" && inner.first_child() &&
                !inner.first_child().next_sibling())
             inner = inner.first_child();
-        const bool several = std::string_view(inner.name()) == "mrow" && !isSimple(inner);
+        const bool several = isCalled(inner, "mfrac") || (isCalled(inner, "mrow") && !isSimple(inner));
         if (several) put("(", false, false);
         write(node);
         if (several) put(")", false, false);

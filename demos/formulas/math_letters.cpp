@@ -1,4 +1,4 @@
-#include "demos/slides/math_letters.h"
+#include "demos/formulas/math_letters.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,9 +1,9 @@
-#include "demos/slides/text_formulas.h"
+#include "demos/formulas/text_formulas.h"
 
 #include <algorithm>
 #include <string_view>
 
-#include "demos/slides/formula.h"
+#include "demos/formulas/formula.h"
 
 namespace demos {
 namespace {

@@ -1,0 +1,25 @@
+/// Captions: texts of one line with formulas between dollars.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "render/formula.h"
+
+namespace demos {
+
+/// A caption, as letters and as it is drawn.
+struct CaptionText {
+    std::string letters;  // formulas in ordinary letters, as far as Unicode has them
+    std::string line;     // each formula is one character, as in render::Text
+    std::vector<render::Formula> formulas;
+    std::vector<std::string> markup;  // of each, with its dollars
+};
+
+/// The character of formula k in a line.
+std::string formulaMark(std::size_t k);
+
+/// Throws FormulaError with the byte of the text.
+CaptionText captionText(const std::string& text);
+
+}  // namespace demos

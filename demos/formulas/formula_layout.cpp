@@ -1,0 +1,265 @@
+#include "demos/formulas/formula_layout.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include "demos/formulas/formula.h"
+#include "demos/formulas/formula_boxes.h"
+#include "demos/formulas/math_letters.h"
+#include "demos/formulas/mathml_elements.h"
+
+namespace demos {
+namespace {
+
+constexpr std::string_view kRelations[] = {"=", "<", ">", "≤", "≥", "≠", "≈", "≡", "∝", "∼", "≪", "≫", "→", "←", "↔",
+                                           "⇒", "⇐", "⇔", "↦", "∈", "∉", "⊂", "⊆", "⊥", "∥", ":", "≔", "⩽", "⩾"};
+constexpr std::string_view kBinary[] = {"+", "−", "-", "±", "∓", "×", "⋅", "·", "∗", "*", "∘", "∧",
+                                        "∨", "⊗", "⊕", "∪", "∩", "÷", "/"};
+constexpr std::string_view kLarge[] = {"∑", "∏", "∫", "∮", "∬", "⋃", "⋂"};
+constexpr std::string_view kClosing[] = {")", "]", "}", "⟩", "⌋", "⌉", "!", "′"};
+
+template <std::size_t N>
+bool isAmong(std::string_view text, const std::string_view (&list)[N]) {
+    return std::find(std::begin(list), std::end(list), text) != std::end(list);
+}
+
+bool isFence(pugi::xml_node node) { return isCalled(node, "mo") && node.attribute("fence").as_bool(); }
+
+float emOf(const pugi::xml_attribute& length) { return std::strtof(length.value(), nullptr); }
+
+float sizeOfLevel(int level) { return level <= 0 ? 1.0f : level == 1 ? 0.76f : 0.6f; }
+
+/// The layout of MathML's elements.
+class Layout {
+public:
+    Formula of(pugi::xml_node node) {
+        const std::string_view name = node.name();
+        if (name == "mi" || name == "mn" || name == "mtext" || name == "ms") return letters(node, name == "mi");
+        if (name == "mo") return sign(node, size());
+        if (name == "mspace") return space(emOf(node.attribute("width")) * size());
+        if (name == "mfrac") return fraction(node);
+        if (name == "msqrt") return rootBox(row(node), {}, size());
+        if (name == "mroot") return rootBox(of(part(node, 0)), script(part(node, 1), level_ + 2), size());
+        if (name == "msub" || name == "msup" || name == "msubsup") return scripts(node, name);
+        if (name == "munder" || name == "mover" || name == "munderover") return stack(node, name);
+        if (name == "mtable") return table(node);
+        if (name == "mstyle") return styled(node);
+        if (name == "mphantom") return phantom(node);
+        return name == "annotation" ? Formula{} : lined(node);
+    }
+
+private:
+    float size() const { return sizeOfLevel(level_); }
+
+    static pugi::xml_node part(pugi::xml_node node, int number) {
+        pugi::xml_node child = node.first_child();
+        while (number-- > 0) child = child.next_sibling();
+        return child;
+    }
+
+    /// A variable of one letter is italic, a name such as sin upright.
+    Formula letters(pugi::xml_node node, bool variable) const {
+        std::string_view rest = textOf(node);
+        std::vector<PlainLetter> all;
+        while (!rest.empty()) all.push_back(plainLetterOf(popCharacter(rest)));
+        const bool upright = std::string_view(node.attribute("mathvariant").value()) == "normal";
+        Formula box;
+        for (const PlainLetter& letter : all) {
+            const bool italic = letter.italic || (variable && all.size() == 1 && !upright && !letter.bold);
+            append(letterBox(static_cast<int>(letter.letter), {size(), italic, letter.bold}), box);
+        }
+        return box;
+    }
+
+    static Formula sign(pugi::xml_node node, float size) {
+        std::string_view rest = textOf(node);
+        Formula box;
+        if (isInvisible(rest)) return box;
+        while (!rest.empty()) append(letterBox(static_cast<int>(popCharacter(rest)), {size}), box);
+        return box;
+    }
+
+    /// The space before and after an operator; none in scripts, as in TeX.
+    struct Spaces {
+        float before = 0.0f, after = 0.0f;
+    };
+    Spaces spacesOf(pugi::xml_node node) const {
+        if (!isCalled(node, "mo") || level_ > 0) return {};
+        const std::string_view text = textOf(node);
+        Spaces spaces;
+        const pugi::xml_node before = node.previous_sibling();
+        const bool afterTerm = before && (!isCalled(before, "mo") || isAmong(textOf(before), kClosing));
+        const bool prefix = std::string_view(node.attribute("form").value()) == "prefix";
+        if (isAmong(text, kRelations))
+            spaces = {0.28f, 0.28f};
+        else if (isAmong(text, kBinary) && text != "/" && afterTerm && node.next_sibling() && !prefix)
+            spaces = {0.22f, 0.22f};
+        else if (text == "," || text == ";")
+            spaces = {0.0f, 0.25f};  // a list on one line
+        if (node.attribute("lspace")) spaces.before = emOf(node.attribute("lspace"));
+        if (node.attribute("rspace")) spaces.after = emOf(node.attribute("rspace"));
+        return spaces;
+    }
+
+    Formula row(pugi::xml_node node) {
+        std::vector<Formula> parts;
+        Formula between;
+        for (const pugi::xml_node child : node.children()) {
+            parts.push_back(isFence(child) ? Formula{} : of(child));
+            append(parts.back(), between);
+        }
+        Formula box;
+        std::size_t i = 0;
+        for (const pugi::xml_node child : node.children()) {
+            const Spaces spaces = spacesOf(child);
+            append(space(spaces.before), box);
+            append(isFence(child) ? fence(child, between) : parts[i], box);
+            append(space(spaces.after), box);
+            ++i;
+            if (isLarge(child)) append(space(0.17f * size()), box);
+        }
+        return box;
+    }
+
+    static bool isLarge(pugi::xml_node node) {
+        if (node.name() != std::string_view("mo")) node = node.first_child();
+        return isCalled(node, "mo") && isAmong(textOf(node), kLarge);
+    }
+
+    /// \left. has no letter.
+    Formula fence(pugi::xml_node node, const Formula& between) const {
+        std::string_view text = textOf(node);
+        return text.empty() ? Formula{} : fenceBox(static_cast<int>(popCharacter(text)), between, size());
+    }
+
+    Formula at(int level, bool display, pugi::xml_node node) {
+        const int levelBefore = std::exchange(level_, level);
+        const bool displayBefore = std::exchange(display_, display);
+        Formula box = of(node);
+        level_ = levelBefore, display_ = displayBefore;
+        return box;
+    }
+    Formula script(pugi::xml_node node, int level) { return node ? at(level, false, node) : Formula{}; }
+
+    Formula fraction(pugi::xml_node node) {
+        const bool bar = std::string_view(node.attribute("linethickness").value()) != "0px";
+        const int level = display_ ? level_ : level_ + 1;
+        return fractionBox(at(level, false, part(node, 0)), at(level, false, part(node, 1)), size(), bar);
+    }
+
+    /// The sign of a sum is larger than letters.
+    Formula baseOf(pugi::xml_node node) {
+        const pugi::xml_node base = node.first_child();
+        if (!isLarge(base) || !isCalled(base, "mo")) return of(base);
+        Formula box = sign(base, (display_ ? 1.6f : 1.2f) * size()), centred = space(box.width);
+        put(box, 0.0f, mathAxis(size()) - 0.5f * (box.ascent - box.descent), centred);
+        return centred;
+    }
+
+    /// Primes and the sign for degrees, which fonts have in their place. Empty: another script.
+    Formula raisedSign(pugi::xml_node script) const {
+        std::string_view rest = textOf(script);
+        Formula box;
+        if (!isCalled(script, "mo")) return box;
+        while (!rest.empty()) {
+            const char32_t letter = popCharacter(rest);
+            if (letter != U'′' && letter != U'∘') return {};
+            append(letterBox(letter == U'∘' ? 0xb0 : 0x2032, {size()}), box);
+        }
+        return box;
+    }
+
+    Formula scripts(pugi::xml_node node, std::string_view name) {
+        Formula base = baseOf(node);
+        const Formula raised = raisedSign(name == "msup" ? part(node, 1) : part(node, 2));
+        if (!raised.letters.empty()) {
+            const Formula lower = name == "msup" ? Formula{} : script(part(node, 1), level_ + 1);
+            Formula box = lower.letters.empty() ? base : scriptsBox(base, lower, {}, size());
+            box.width = base.width;
+            append(raised, box);
+            box.width = std::max(box.width, base.width + lower.width);
+            return box;
+        }
+        const bool upperOnly = name == "msup";
+        const Formula first = script(part(node, 1), level_ + 1), second = script(part(node, 2), level_ + 1);
+        return scriptsBox(base, upperOnly ? Formula{} : first, upperOnly ? first : second, size());
+    }
+
+    Formula stack(pugi::xml_node node, std::string_view name) {
+        const pugi::xml_node first = part(node, 1);
+        std::string_view text = textOf(first);
+        const bool upper = name == "mover";
+        if (text == "⏟" || text == "⏞") return linedBox(of(part(node, 0)), {upper, !upper}, size());
+        if (upper && node.attribute("accent").as_bool() && !text.empty())
+            return accentBox(of(part(node, 0)), static_cast<int>(popCharacter(text)), size());
+        const Formula base = baseOf(node);
+        const Formula one = script(first, level_ + 1), two = script(part(node, 2), level_ + 1);
+        return limitsBox(base, upper ? Formula{} : one, upper ? one : two, size());
+    }
+
+    Formula table(pugi::xml_node node) {
+        std::vector<std::vector<Formula>> rows;
+        std::vector<Column> columns;
+        for (const pugi::xml_node line : node.children()) {
+            rows.emplace_back();
+            for (const pugi::xml_node cell : line.children()) {
+                const std::string_view style = cell.attribute("style").value();
+                const auto has = [&](const char* word) { return style.find(word) != std::string_view::npos; };
+                if (columns.size() < rows.back().size() + 1)
+                    columns.push_back(has("align:left")    ? Column::left
+                                      : has("align:right") ? Column::right
+                                                           : Column::centre);
+                rows.back().push_back(row(cell));
+            }
+        }
+        return tableBox(rows, columns, size());
+    }
+
+    Formula styled(pugi::xml_node node) {
+        const pugi::xml_attribute level = node.attribute("scriptlevel"), display = node.attribute("displaystyle");
+        const int levelBefore = level_;
+        const bool displayBefore = display_;
+        if (level) level_ = level.as_int();
+        if (display) display_ = display.as_bool();
+        Formula box = row(node);
+        level_ = levelBefore, display_ = displayBefore;
+        return box;
+    }
+
+    Formula phantom(pugi::xml_node node) {
+        Formula box = row(node);
+        box.letters.clear();
+        box.strokes.clear();
+        return box;
+    }
+
+    /// A row, with lines where its style has borders.
+    Formula lined(pugi::xml_node node) {
+        const std::string_view style = node.attribute("style").value();
+        const auto has = [&](const char* word) { return style.find(word) != std::string_view::npos; };
+        const bool all = has("border:");
+        const Sides sides{all || has("border-top"), all || has("border-bottom"), all, all};
+        const bool none = !sides.top && !sides.bottom;
+        return none ? row(node) : linedBox(row(node), sides, size());
+    }
+
+    int level_ = 0;  // of scripts
+    bool display_ = false;
+};
+
+}  // namespace
+
+render::Formula formulaLayout(const std::string& mathMl) {
+    pugi::xml_document document;
+    document.load_string(mathMl.c_str(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+    render::Formula formula = Layout().of(document.document_element());
+    if (formula.letters.size() > kMostFormulaLetters)
+        throw FormulaError(0, "the formula has " + std::to_string(formula.letters.size()) +
+                                  " letters; in a caption it should have at most " +
+                                  std::to_string(kMostFormulaLetters));
+    return formula;
+}
+
+}  // namespace demos
