@@ -36,7 +36,7 @@ bool same(const Look& a, const Look& b) {
     return same(a.sunDirection, b.sunDirection) && same(a.skyTop, b.skyTop) &&
            same(a.skyHorizon, b.skyHorizon) && same(a.fog, b.fog) && same(a.ground, b.ground) &&
            a.shadows == b.shadows && a.ambientOcclusion == b.ambientOcclusion &&
-           a.edges == b.edges && a.transparent == b.transparent &&
+           a.edges == b.edges && a.dither == b.dither && a.transparent == b.transparent &&
            a.lineStrength == b.lineStrength && a.reflection == b.reflection && a.grain == b.grain &&
            a.gridReach == b.gridReach && a.unit == b.unit && a.edgePixels == b.edgePixels;
 }

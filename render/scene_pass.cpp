@@ -20,8 +20,9 @@ Color lineColor(const Color& ground) {
     return {0.68f * ground.r, 0.69f * ground.g, 0.71f * ground.b, 1.0f};
 }
 
-std::string featuresOf(const Lights& lights) {
+std::string featuresOf(const Lights& lights, const Look& look) {
     std::string features;
+    if (look.dither && !lights.corners) features += " DITHERED";
     if (lights.sun) features += " SHADOWS";
     if (lights.openMap) features += " OCCLUSION";
     if (lights.corners) features += " LIT_CORNERS";
@@ -104,7 +105,6 @@ ScenePass::ScenePass(int width, int height)
       number_(newRenderbuffer(GL_R32I, width, height)),
       depth_(newRenderbuffer(GL_DEPTH_COMPONENT32F, width, height)),
       framebuffer_(newFramebuffer(0, 0, color_, depth_, number_)),
-      sky_(newProgram("sky", "sky")),
       trail_(newProgram("trail", "trail")),
       empty_(newArray()),
       trailArray_(newArray()),
@@ -216,7 +216,7 @@ void ScenePass::read(const PixelRect& part, SurfaceMap& map) const {
 }
 
 void ScenePass::drawBodies(const Scene& scene, const Meshes& meshes, Material material) {
-    std::string features = featuresOf(scene.lights);
+    std::string features = featuresOf(scene.lights, scene.frame.look);
     features += scene.floor ? " MIRRORED" : scene.frame.look.edges ? " EDGES" : "";
     features += patternOf(material, scene.lights.corners);
     const float perGrain = 1.0f / scene.frame.look.grain;
@@ -303,10 +303,10 @@ void ScenePass::drawGround(const Scene& scene, const GroundMesh& mesh, std::size
     unshaded.sun = nullptr;
     const PixelRect shaded = common(part, scene.lights.shaded);
     if (!corners.inside.empty() && scissor(shaded)) {
-        setGround(scene, number, corners, featuresOf(scene.lights));
+        setGround(scene, number, corners, featuresOf(scene.lights, scene.frame.look));
         mesh.draw(corners.inside);
     }
-    setGround(scene, number, corners, featuresOf(unshaded));
+    setGround(scene, number, corners, featuresOf(unshaded, scene.frame.look));
     for (const PixelRect& lit : around(shaded, part))
         if (scissor(lit)) mesh.draw(corners.inside);
     if (scissor(part)) mesh.draw(corners.around);
@@ -353,14 +353,17 @@ void ScenePass::setMirror(GLuint program, const Scene& scene, std::size_t floor,
 
 void ScenePass::drawSky(const Scene& scene) {
     const Look& look = scene.frame.look;
-    const auto color = [this](const char* name, const Color& c) {
-        setUniform(sky_, name, Vec3(c.r, c.g, c.b));
+    const std::string features = look.dither && !scene.lights.corners ? "DITHERED" : "";
+    GlProgram& sky = programs_["sky " + features];
+    if (!sky) sky = newProgram("sky", "sky", features);
+    const auto color = [&sky](const char* name, const Color& c) {
+        setUniform(sky, name, Vec3(c.r, c.g, c.b));
     };
     glDepthFunc(GL_LEQUAL);
-    glUseProgram(sky_);
-    setUniform(sky_, "clipToWorld", Eigen::Matrix4f(scene.view.worldToClip().inverse()));
-    setUniform(sky_, "eye", scene.view.eye);
-    setUniform(sky_, "forward", Vec3(-scene.view.view.block<1, 3>(2, 0).transpose()));
+    glUseProgram(sky);
+    setUniform(sky, "clipToWorld", Eigen::Matrix4f(scene.view.worldToClip().inverse()));
+    setUniform(sky, "eye", scene.view.eye);
+    setUniform(sky, "forward", Vec3(-scene.view.view.block<1, 3>(2, 0).transpose()));
     color("fogColor", look.fog);
     color("horizonColor", look.skyHorizon);
     color("topColor", look.skyTop);

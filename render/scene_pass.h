@@ -65,7 +65,7 @@ private:
     GlRenderbuffer color_, number_, depth_;
     GlFramebuffer framebuffer_;
     std::map<std::string, GlProgram> programs_;  // by fragment shader and features, made when used
-    GlProgram sky_, trail_;
+    GlProgram trail_;
     std::vector<PixelRect> drawn_;  // the parts that are drawn
     std::vector<PixelRect> open_;   // the parts where something can be drawn: of other depth than 0
     GlArray empty_, trailArray_;

@@ -99,6 +99,7 @@ FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options) {
         own.size = PictureSize{snapshot.width, snapshot.height};
     }
     FilmPlan plan = planPictures(own);
+    for (Panel& panel : plan.panels) panel.scene.look.dither = false;  // its pixels are compared
     plan.picture.threads = 0;
     checkNeeds(needsOf(plan, 1, {}), plan);
     return plan;

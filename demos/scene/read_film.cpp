@@ -125,6 +125,7 @@ void readLook(Keys& top, SceneDescription& scene) {
     set(scene.look.colorMax, keys.number("colour_max", kScale));
     set(scene.look.ghostEvery, keys.number("ghost_every", {1e-3, 1e5, "s"}));
     set(scene.look.reflection, keys.number("reflection", {0.0, 1.0, ""}));
+    set(scene.look.dither, keys.truth("dither"));
     readLight(keys, scene.look);
     set(scene.look.plot, keys.word("plot", measureNames()));
     const auto trails = keys.texts("trails").value_or(std::vector<std::string>{});

@@ -44,6 +44,7 @@ render::Frame snapshot(const Stage& stage, const Overlays& overlays, double fram
     applyTheme(overlays.theme, frame);
     colorHeadings(frame);
     frame.look.reflection = static_cast<float>(stage.scene.look.reflection);
+    frame.look.dither = stage.scene.look.dither;
     const CameraDescription& camera = stage.scene.camera;
     frame.look.sunDirection = lightOf(stage.scene);
     const auto height = static_cast<float>(viewHeight(camera));

@@ -46,9 +46,9 @@ private:
         add(from, lookAt, up, fovDegrees, aperture, focus);
     }
     void one(const render::Look& look) {
-        const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
+        const auto& [sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, dither, transparent,
                      lineStrength, reflection, grain, gridReach, unit, edgePixels, ink, plate] = look;
-        add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, transparent,
+        add(sun, skyTop, skyHorizon, fog, ground, shadows, occlusion, edges, dither, transparent,
             lineStrength, reflection, grain, gridReach, unit, edgePixels, ink, plate);
     }
     void one(const render::Ground& ground) {

@@ -1,5 +1,6 @@
 #version 330 core
 #include "light.glsl"
+#include "dither.glsl"
 in vec3 place;                        // in the shadow map
 in vec2 grid;                         // m, on the plane
 uniform vec3 groundColor, lineColor;  // linear
@@ -70,6 +71,6 @@ void main() {
 void main() {
     vec3 color = mix(groundColor, lineColor, lines());
     seen = surface;
-    result = vec4(encode(fogged(withMirror(color * light()))), 1.0);
+    result = vec4(dithered(encode(fogged(withMirror(color * light())))), 1.0);
 }
 #endif

@@ -1,6 +1,7 @@
 // The materials of bodies: one program each, chosen by a macro; without one, plastic.
 #include "light.glsl"
 #include "mirrored.glsl"
+#include "dither.glsl"
 
 // Of a body whose light is that of its corners: in drafts glass has no reflections.
 #ifdef SEEN_THROUGH
@@ -117,6 +118,6 @@ vec4 shaded(vec3 tint, vec3 world, vec3 normal, float shine, int number) {
 #ifdef MIRRORED
     return seenInFloor(toned(color), world);
 #else
-    return vec4(encode(fogged(toned(color))), alpha);
+    return vec4(dithered(encode(fogged(toned(color)))), alpha);
 #endif
 }

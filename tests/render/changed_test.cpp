@@ -132,6 +132,12 @@ TEST(ChangedRegion, HasTheSamePixelsWithoutABackground) {
     expectSameFilm(changingFilm(look, 12), {}, 0.8);
 }
 
+TEST(ChangedRegion, HasTheSamePixelsIfDithered) {
+    Look look;
+    look.dither = true;
+    expectSameFilm(changingFilm(look, 6), {}, 0.8);
+}
+
 TEST(ChangedRegion, HasTheSamePixelsWithoutShadowsAndInADraft) {
     Look look;
     look.shadows = false;

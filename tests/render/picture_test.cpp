@@ -153,6 +153,31 @@ TEST(Gate, CatchesPlantedDamage) {
     EXPECT_FALSE(samePicture(compare(right, renderer().draw(hidden)), Gate{}));
 }
 
+/// The mean of a row's greens.
+double meanOfRow(const Image& image, int y) {
+    double sum = 0.0;
+    for (int x = 0; x < image.width; ++x) sum += image.at(x, y)[1];
+    return sum / image.width;
+}
+
+TEST(Renderer, DitheringSpreadsEachLevelOfASlowGradient) {
+    Frame frame;
+    frame.camera = {{0, 5, 20}, {0, 12, 0}};  // the sky only
+    const Image banded = renderer().draw(frame);
+    frame.look.dither = true;
+    const Image dithered = renderer().draw(frame);
+    EXPECT_EQ(compare(banded, dithered).largest, 1);
+    int whole = 0, between = 0;  // rows
+    for (int y = 0; y < banded.height; ++y) {
+        EXPECT_EQ(meanOfRow(banded, y), banded.at(0, y)[1]) << y;
+        EXPECT_NEAR(meanOfRow(dithered, y), meanOfRow(banded, y), 0.6) << y;
+        const double part = meanOfRow(dithered, y) - std::floor(meanOfRow(dithered, y));
+        (part > 0.1 && part < 0.9 ? between : whole)++;
+    }
+    EXPECT_GT(between, whole);
+    EXPECT_EQ(renderer().draw(frame).pixels, dithered.pixels);
+}
+
 TEST(Renderer, DrawsTheSameFrameTwiceToTheByte) {
     const Image first = renderer().draw(annotated());
     renderer().draw(still(1.0f));

@@ -98,6 +98,15 @@ TEST_F(Snapshots, NameWhatWasEditedAndDoesNotMatter) {
     EXPECT_EQ(test().out.find("changed"), std::string::npos);
 }
 
+TEST_F(Snapshots, AreDrawnWithoutDithering) {
+    ASSERT_EQ(test().code, 0);
+    const std::string before = baseline("t0.png");
+    ASSERT_FALSE(before.empty());
+    change("[camera]", "[look]\ndither = true\n[camera]");
+    ASSERT_EQ(test({"--update", "all"}).code, 0);
+    EXPECT_EQ(baseline("t0.png"), before);
+}
+
 TEST_F(Snapshots, LetAHarmlessChangeOfBitsPass) {
     ASSERT_EQ(test().code, 0);
     change("at = [0.1, 2, 0]", "at = [0.1, 2.00000001, 0]");

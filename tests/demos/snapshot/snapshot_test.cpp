@@ -147,8 +147,10 @@ TEST(Snapshot, TheFloorReflectsAsMuchAsTheSceneSays) {
     EXPECT_EQ(snapshot(Stage(sceneFrom(kBall)), {}, 0.5).look.reflection, 0.0f);
     SceneDescription scene = sceneFrom(kBall);
     scene.look.reflection = 0.25;
+    scene.look.dither = true;
     const Stage glossy(scene);
     EXPECT_EQ(snapshot(glossy, {.theme = "dark"}, 0.5).look.reflection, 0.25f);
+    EXPECT_TRUE(snapshot(glossy, {}, 0.5).look.dither);
 }
 
 TEST(Snapshot, TheFirstLineIsAPartOfStatisticsOnPaper) {

@@ -47,6 +47,7 @@ const std::vector<std::function<void(Frame&)>> kChanges = {
     [](Frame& f) { f.camera.focus += 1; },
     [](Frame& f) { f.look.sunDirection.z() += 1; },
     [](Frame& f) { f.look.edges = false; },
+    [](Frame& f) { f.look.dither = true; },
     [](Frame& f) { f.look.plate.a = 0; },
     [](Frame& f) { f.grounds[0].offset = 1; },
     [](Frame& f) { f.grounds.clear(); },
