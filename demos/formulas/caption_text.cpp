@@ -97,16 +97,20 @@ CaptionText captionText(const std::string& text) {
     std::size_t from = 0;
     const auto add = [&](const std::string& both) { result.letters += both, result.line += both; };
     for (const TextFormula& formula : scanned.formulas) {
-        if (result.formulas.size() == render::kMostFormulas)
-            throw FormulaError(formula.begin, "more than " + std::to_string(render::kMostFormulas) +
-                                                  " formulas in a caption; write fewer");
         add(withoutEscapes(text.substr(from, formula.begin - from)));
+        from = formula.end;
         const std::string mathMl = mathMlIn(formula);
         result.letters += lettersOf(mathMl);
-        result.line += formulaMark(result.formulas.size());
-        result.markup.push_back(text.substr(formula.begin, formula.end - formula.begin));
-        result.formulas.push_back(formulaLayout(mathMl));
-        from = formula.end;
+        std::string markup = text.substr(formula.begin, formula.end - formula.begin);
+        for (render::Formula& piece : formulaLayout(mathMl)) {
+            if (result.formulas.size() == render::kMostFormulas)
+                throw FormulaError(formula.begin, "more than " + std::to_string(render::kMostFormulas) +
+                                                      " formulas and relations in a caption; write fewer");
+            if (markup.empty()) result.line += ' ';
+            result.line += formulaMark(result.formulas.size());
+            result.markup.push_back(std::exchange(markup, {}));
+            result.formulas.push_back(std::move(piece));
+        }
     }
     add(withoutEscapes(text.substr(from)));
     return result;

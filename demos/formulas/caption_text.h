@@ -11,9 +11,9 @@ namespace demos {
 /// A caption, as letters and as it is drawn.
 struct CaptionText {
     std::string letters;  // formulas in ordinary letters, as far as Unicode has them
-    std::string line;     // each formula is one character, as in render::Text
+    std::string line;     // formulas are characters, as in render::Text; broken at a space
     std::vector<render::Formula> formulas;
-    std::vector<std::string> markup;  // of each, with its dollars
+    std::vector<std::string> markup;  // of each, with its dollars; empty: it goes on with the one before
 };
 
 /// The character of formula k in a line.

@@ -50,6 +50,30 @@ public:
         return name == "annotation" ? Formula{} : lined(node);
     }
 
+    /// Of a row: each relation begins the next one. `apart`: without the space before it.
+    std::vector<Formula> pieces(pugi::xml_node node, bool apart) {
+        std::vector<Formula> parts;
+        Formula between;
+        for (const pugi::xml_node child : node.children()) {
+            parts.push_back(isFence(child) ? Formula{} : of(child));
+            append(parts.back(), between);
+        }
+        std::vector<Formula> all(1);
+        std::size_t i = 0;
+        for (const pugi::xml_node child : node.children()) {
+            const Spaces spaces = spacesOf(child);
+            const bool next = i > 0 && isCalled(child, "mo") && isAmong(textOf(child), kRelations);
+            if (next) all.emplace_back();
+            Formula& piece = all.back();
+            if (!next || !apart) append(space(spaces.before), piece);
+            append(isFence(child) ? fence(child, between) : parts[i], piece);
+            append(space(spaces.after), piece);
+            ++i;
+            if (isLarge(child)) append(space(0.17f * size()), piece);
+        }
+        return all;
+    }
+
 private:
     float size() const { return sizeOfLevel(level_); }
 
@@ -104,22 +128,8 @@ private:
     }
 
     Formula row(pugi::xml_node node) {
-        std::vector<Formula> parts;
-        Formula between;
-        for (const pugi::xml_node child : node.children()) {
-            parts.push_back(isFence(child) ? Formula{} : of(child));
-            append(parts.back(), between);
-        }
         Formula box;
-        std::size_t i = 0;
-        for (const pugi::xml_node child : node.children()) {
-            const Spaces spaces = spacesOf(child);
-            append(space(spaces.before), box);
-            append(isFence(child) ? fence(child, between) : parts[i], box);
-            append(space(spaces.after), box);
-            ++i;
-            if (isLarge(child)) append(space(0.17f * size()), box);
-        }
+        for (const Formula& piece : pieces(node, false)) append(piece, box);
         return box;
     }
 
@@ -251,15 +261,19 @@ private:
 
 }  // namespace
 
-render::Formula formulaLayout(const std::string& mathMl) {
+std::vector<render::Formula> formulaLayout(const std::string& mathMl) {
     pugi::xml_document document;
     document.load_string(mathMl.c_str(), pugi::parse_default | pugi::parse_ws_pcdata_single);
-    render::Formula formula = Layout().of(document.document_element());
-    if (formula.letters.size() > kMostFormulaLetters)
-        throw FormulaError(0, "the formula has " + std::to_string(formula.letters.size()) +
+    const pugi::xml_node math = document.document_element(), row = math.first_child();
+    const bool only = isCalled(row, "mrow") && !row.next_sibling() && !row.attribute("style");
+    std::vector<render::Formula> pieces = Layout().pieces(only ? row : math, true);
+    std::size_t letters = 0;
+    for (const render::Formula& piece : pieces) letters += piece.letters.size();
+    if (letters > kMostFormulaLetters)
+        throw FormulaError(0, "the formula has " + std::to_string(letters) +
                                   " letters; in a caption it should have at most " +
                                   std::to_string(kMostFormulaLetters));
-    return formula;
+    return pieces;
 }
 
 }  // namespace demos

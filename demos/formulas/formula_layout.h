@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "render/formula.h"
 
@@ -9,7 +10,8 @@ namespace demos {
 
 constexpr std::size_t kMostFormulaLetters = 500;
 
+/// In pieces between which a line can be broken: all but the first begin with a relation such as =.
 /// `mathMl`: as mathMlOf() returns it. Throws FormulaError if it has too many letters.
-render::Formula formulaLayout(const std::string& mathMl);
+std::vector<render::Formula> formulaLayout(const std::string& mathMl);
 
 }  // namespace demos

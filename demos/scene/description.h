@@ -102,9 +102,9 @@ struct SectionSlide {
 
 /// A caption with formulas.
 struct FormulaCaption {
-    std::string line;  // each formula is one character, as in render::Text
+    std::string line;  // formulas are characters, as in render::Text
     std::vector<render::Formula> formulas;
-    std::vector<std::string> markup;  // of each: LaTeX between dollars
+    std::vector<std::string> markup;  // of each: LaTeX between dollars; empty: it belongs to the one before
 };
 
 /// A chapter of the film.

@@ -25,7 +25,7 @@ std::string captionOf(const Section& section) {
     if (formulas.line.empty()) return commonMarkOf(section.caption);
     std::string commonMark = commonMarkOf(formulas.line);
     for (std::size_t k = 0; k < formulas.markup.size(); ++k) {
-        const std::string mark = formulaMark(k);
+        const std::string mark = (formulas.markup[k].empty() ? " " : "") + formulaMark(k);
         commonMark.replace(commonMark.find(mark), mark.size(), formulas.markup[k]);
     }
     return commonMark;

@@ -12,7 +12,7 @@ namespace {
 
 std::string lettersOf(const std::string& tex) { return captionText("$" + tex + "$").letters; }
 
-render::Formula formulaOf(const std::string& tex) { return captionText("$" + tex + "$").formulas.at(0); }
+render::Formula formulaOf(const std::string& tex) { return captionText("${" + tex + "}$").formulas.at(0); }
 
 const render::FormulaLetter& letterOf(const render::Formula& formula, int codepoint) {
     const auto found = std::find_if(formula.letters.begin(), formula.letters.end(),
@@ -36,6 +36,17 @@ TEST(CaptionText, KeepsWordsAndMarksFormulas) {
     EXPECT_EQ(text.letters, "at v² and w, $5 or $6");
     EXPECT_EQ(text.markup, (std::vector<std::string>{"$v^2$", "$w$"}));
     EXPECT_TRUE(captionText("400 kg, 5 $").formulas.empty());
+}
+
+TEST(CaptionText, LinesCanBreakBeforeRelations) {
+    const CaptionText text = captionText("$a = b \\le {c = d}$ or $x$");
+    EXPECT_EQ(text.line, formulaMark(0) + " " + formulaMark(1) + " " + formulaMark(2) + " or " + formulaMark(3));
+    EXPECT_EQ(text.letters, "a = b ≤ c = d or x");
+    EXPECT_EQ(text.markup, (std::vector<std::string>{"$a = b \\le {c = d}$", "", "", "$x$"}));
+    EXPECT_EQ(text.formulas[1].letters.size(), 2u);
+    EXPECT_EQ(text.formulas[2].letters.size(), 4u);
+    EXPECT_EQ(text.formulas[1].letters[0].x, 0.0f);
+    EXPECT_EQ(captionText("$= 3$").formulas.size(), 1u);
 }
 
 TEST(CaptionText, HasOrdinaryLettersAsFarAsUnicodeHasThem) {
@@ -114,7 +125,7 @@ TEST(CaptionText, BadFormulasAreReportedWithTheirByte) {
     EXPECT_NE(errorOf("$a\theta$").find("2: a control byte"), std::string::npos);
     std::string many;
     for (int i = 0; i < 65; ++i) many += "$x$ ";
-    EXPECT_NE(errorOf(many).find("more than 64 formulas"), std::string::npos);
+    EXPECT_NE(errorOf(many).find("more than 64 formulas and relations"), std::string::npos);
     EXPECT_NE(errorOf("$" + std::string(600, 'x') + "$").find("the formula has 600 letters"), std::string::npos);
 }
 

@@ -104,9 +104,9 @@ TEST_F(DeckFiles, TakeSectionsAndSayOtherwiseWhereTheyWish) {
 }
 
 TEST_F(DeckFiles, CaptionsOfSectionsKeepTheirFormulas) {
-    write("a.toml", kFall + "[[section]]\nname = 'up'\ncaption = 'so *much*: $v^2$ and $w_1$, \\$5'\n");
+    write("a.toml", kFall + "[[section]]\nname = 'up'\ncaption = 'so *much*: $v^2$ and $w_1 = 2$, \\$5'\n");
     write("deck.toml", "title = 'T'\n[[slide]]\nscene = 'a.toml'\nsection = 'up'\n");
-    EXPECT_EQ(loadDeck(folder_ / "deck.toml").slides[1].caption, "so \\*much\\*: $v^2$ and $w_1$, \\$5");
+    EXPECT_EQ(loadDeck(folder_ / "deck.toml").slides[1].caption, "so \\*much\\*: $v^2$ and $w_1 = 2$, \\$5");
 }
 
 TEST_F(DeckFiles, ShowNoTableOfNothing) {
