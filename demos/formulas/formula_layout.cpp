@@ -34,6 +34,9 @@ float sizeOfLevel(int level) { return level <= 0 ? 1.0f : level == 1 ? 0.76f : 0
 /// The layout of MathML's elements.
 class Layout {
 public:
+    /// `display`: fractions and sums at their full size, as between $$ and $$.
+    explicit Layout(bool display) : display_(display) {}
+
     Formula of(pugi::xml_node node) {
         const std::string_view name = node.name();
         if (name == "mi" || name == "mn" || name == "mtext" || name == "ms") return letters(node, name == "mi");
@@ -256,7 +259,7 @@ private:
     }
 
     int level_ = 0;  // of scripts
-    bool display_ = false;
+    bool display_;
 };
 
 }  // namespace
@@ -266,7 +269,8 @@ std::vector<render::Formula> formulaLayout(const std::string& mathMl) {
     document.load_string(mathMl.c_str(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     const pugi::xml_node math = document.document_element(), row = math.first_child();
     const bool only = isCalled(row, "mrow") && !row.next_sibling() && !row.attribute("style");
-    std::vector<render::Formula> pieces = Layout().pieces(only ? row : math, true);
+    const bool display = std::string_view(math.attribute("display").value()) == "block";
+    std::vector<render::Formula> pieces = Layout(display).pieces(only ? row : math, true);
     std::size_t letters = 0;
     for (const render::Formula& piece : pieces) letters += piece.letters.size();
     if (letters > kMostFormulaLetters)

@@ -81,6 +81,7 @@ TEST(CaptionText, FractionsStandAboveEachOtherWithABar) {
     EXPECT_GT(formula.descent, -below.y);
     EXPECT_TRUE(formulaOf("\\binom ab").strokes.empty());
     EXPECT_LT(formula.ascent, formulaOf("\\displaystyle\\frac{a}{bcd}").ascent);
+    EXPECT_EQ(letterOf(captionText("$$\\frac{a}{b}$$").formulas.at(0), 'a').size, 1.0f);
 }
 
 TEST(CaptionText, RootsAndFencesReachAroundWhatTheyHold) {
