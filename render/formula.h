@@ -9,7 +9,7 @@ namespace render {
 struct FormulaLetter {
     int codepoint = 0;         // of Unicode
     float x = 0.0f, y = 0.0f;  // of its left end, on its baseline
-    float size = 1.0f;         // of letters like those of the text
+    float size = 1.0f;         // relative to the letters of the text
     float stretch = 1.0f;      // times as tall, about the baseline: parentheses around fractions
     bool italic = false;       // from the italic font, if it has the letter
     bool bold = false;         // drawn twice

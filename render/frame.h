@@ -174,7 +174,7 @@ struct Look {
     bool shadows = true;           // of the sun
     bool ambientOcclusion = true;  // darker where little of the sky is visible
     bool edges = true;             // lines along the edges of bodies
-    bool dither = false;       // no bands in slow gradients, for files of up to twice the size
+    bool dither = false;       // no bands in smooth gradients, for files of up to 2.5 times the size
     bool transparent = false;  // no sky and no ground: alpha is 0 where there is no body
     float lineStrength = 1.0f;  // of edges and of the grid
     float reflection = 0.0f;  // 0..1: share of the bodies' image in the floor, seen at a flat angle

@@ -136,6 +136,7 @@ public:
         g.ink.left += static_cast<int>(std::floor(aside));
         return g;
     }
+    bool has(int codepoint) const { return screen_.has(codepoint) || fallback_.has(codepoint); }
     const Face& faceOf(int codepoint, bool italic) const {
         if (italic && italic_.has(codepoint)) return italic_;
         return screen_.has(codepoint) ? screen_ : fallback_;
@@ -194,11 +195,15 @@ float textWidth(const std::string& text, float pixels, Figures figures) {
 
 float textAscent(int pixels) { return kAscentShare * static_cast<float>(pixels); }
 
+bool hasLetter(int codepoint) { return font().has(codepoint); }
+
 LetterExtent letterExtent(int codepoint, bool italic) {
     return font().faceOf(codepoint, italic).extent(codepoint);
 }
 
 void drawLetter(Image& image, const FormulaLetter& letter, float pixels, Point at, const Color& color) {
+    const float most = 4.0f * static_cast<float>(image.width + image.height);
+    if (!(std::abs(at.x) <= most && std::abs(at.y) <= most)) return;
     constexpr float kBold = 0.045f;  // em: a bold letter is drawn twice, this far apart
     const Face& face = font().faceOf(letter.codepoint, letter.italic);
     const float scale = face.scale(letter.size * pixels);

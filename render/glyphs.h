@@ -1,5 +1,5 @@
 /// Letters as bitmaps with exact coverage at every size, and a soft halo that makes them legible on
-/// any background. Both are made once per letter and size.
+/// any background. Both are made once per letter and size; letters of formulas are made each time.
 #pragma once
 #include <string>
 #include <vector>
@@ -30,6 +30,8 @@ struct LetterExtent {
     float left = 0.0f, right = 0.0f, bottom = 0.0f, top = 0.0f;  // of its ink; y points up
 };
 LetterExtent letterExtent(int codepoint, bool italic);
+/// Whether a font has the letter.
+bool hasLetter(int codepoint);
 
 /// Draws a letter of a formula. `pixels`: of the text; `at`: its left end, on its baseline.
 void drawLetter(Image& image, const FormulaLetter& letter, float pixels, Point at, const Color& color);

@@ -13,11 +13,15 @@ namespace demos {
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kRaised[] = {
-    {"0", "⁰"}, {"1", "¹"}, {"2", "²"}, {"3", "³"}, {"4", "⁴"}, {"5", "⁵"}, {"6", "⁶"}, {"7", "⁷"}, {"8", "⁸"},
-    {"9", "⁹"}, {"+", "⁺"}, {"−", "⁻"}, {"n", "ⁿ"}, {"i", "ⁱ"}, {"′", "′"}, {"∘", "°"}};
+    {"0", "⁰"}, {"1", "¹"}, {"2", "²"}, {"3", "³"}, {"4", "⁴"}, {"5", "⁵"}, {"6", "⁶"}, {"7", "⁷"},
+    {"8", "⁸"}, {"9", "⁹"}, {"+", "⁺"}, {"−", "⁻"}, {"=", "⁼"}, {"(", "⁽"}, {")", "⁾"}, {"a", "ᵃ"},
+    {"b", "ᵇ"}, {"c", "ᶜ"}, {"d", "ᵈ"}, {"i", "ⁱ"}, {"j", "ʲ"}, {"k", "ᵏ"}, {"m", "ᵐ"}, {"n", "ⁿ"},
+    {"p", "ᵖ"}, {"t", "ᵗ"}, {"x", "ˣ"}, {"′", "′"}, {"∘", "°"}};
 constexpr std::pair<std::string_view, std::string_view> kLowered[] = {
-    {"0", "₀"}, {"1", "₁"}, {"2", "₂"}, {"3", "₃"}, {"4", "₄"}, {"5", "₅"}, {"6", "₆"}, {"7", "₇"}, {"8", "₈"},
-    {"9", "₉"}, {"a", "ₐ"}, {"e", "ₑ"}, {"i", "ᵢ"}, {"j", "ⱼ"}, {"n", "ₙ"}, {"r", "ᵣ"}, {"t", "ₜ"}, {"x", "ₓ"}};
+    {"0", "₀"}, {"1", "₁"}, {"2", "₂"}, {"3", "₃"}, {"4", "₄"}, {"5", "₅"}, {"6", "₆"}, {"7", "₇"},
+    {"8", "₈"}, {"9", "₉"}, {"+", "₊"}, {"−", "₋"}, {"=", "₌"}, {"(", "₍"}, {")", "₎"}, {"a", "ₐ"},
+    {"e", "ₑ"}, {"i", "ᵢ"}, {"j", "ⱼ"}, {"k", "ₖ"}, {"m", "ₘ"}, {"n", "ₙ"}, {"p", "ₚ"}, {"r", "ᵣ"},
+    {"s", "ₛ"}, {"t", "ₜ"}, {"v", "ᵥ"}, {"x", "ₓ"}};
 
 /// The run in raised or lowered letters; "^(a + b)" where Unicode lacks one.
 std::string moved(const FormulaRun& run) {
@@ -66,14 +70,23 @@ bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20; }
 /// "\theta" in double quotes is a tab and "heta".
 void checkBackslashes(const std::string& text, const ScannedText& scanned) {
     const auto refuse = [](std::size_t at) {
-        throw FormulaError(at, "a control byte, written as an escape; write LaTeX in single quotes, which keep its "
-                               "backslashes");
+        throw FormulaError(at, "a tab, a line break or a control byte; write LaTeX on one line in single quotes, which "
+                               "keep its backslashes");
     };
     for (const TextFormula& formula : scanned.formulas)
         for (std::size_t i = formula.begin; i < formula.end; ++i)
             if (isControl(text[i])) refuse(i);
     for (const std::size_t dollar : scanned.loose)
         if (dollar + 1 < text.size() && isControl(text[dollar + 1])) refuse(dollar + 1);
+}
+
+/// Throws FormulaError with the byte `at` of the text.
+std::vector<render::Formula> layoutOf(const std::string& mathMl, std::size_t at) {
+    try {
+        return formulaLayout(mathMl);
+    } catch (const FormulaError& error) {
+        throw FormulaError(at + error.at(), error.what());
+    }
 }
 
 /// \$ is a dollar.
@@ -102,7 +115,7 @@ CaptionText captionText(const std::string& text) {
         const std::string mathMl = mathMlIn(formula);
         result.letters += lettersOf(mathMl);
         std::string markup = text.substr(formula.begin, formula.end - formula.begin);
-        for (render::Formula& piece : formulaLayout(mathMl)) {
+        for (render::Formula& piece : layoutOf(mathMl, formula.at)) {
             if (result.formulas.size() == render::kMostFormulas)
                 throw FormulaError(formula.begin, "more than " + std::to_string(render::kMostFormulas) +
                                                       " formulas and relations in a caption; write fewer");

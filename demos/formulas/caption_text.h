@@ -8,9 +8,11 @@
 
 namespace demos {
 
+constexpr std::size_t kMostCaptionFormulas = 1000;  // of a scene
+
 /// A caption, as letters and as it is drawn.
 struct CaptionText {
-    std::string letters;  // formulas in ordinary letters, as far as Unicode has them
+    std::string letters;  // formulas in ordinary letters, scripts as Unicode's small letters or after ^ and _
     std::string line;     // formulas are characters, as in render::Text; broken at a space
     std::vector<render::Formula> formulas;
     std::vector<std::string> markup;  // of each, with its dollars; empty: it goes on with the one before

@@ -27,7 +27,7 @@ if (!Array.prototype.fill)
         return this;
     };
 function refuse(asked) {
-    throw new katex.ParseError(asked.command + ' is not allowed in a slide');
+    throw new katex.ParseError(asked.command + ' is not allowed in a formula');
 }
 function mathMl(tex, display) {
     try {

@@ -160,27 +160,31 @@ Formula linedBox(const Formula& inside, const Sides& sides, float size) {
 
 Formula tableBox(const std::vector<std::vector<Formula>>& rows, const std::vector<Column>& columns, float size) {
     const float gap = 0.8f * size, lead = 0.25f * size;
-    std::vector<float> widths;
-    Formula stack;  // from the baseline of the first row down
+    std::vector<float> lefts, widths(columns.size());
     for (const std::vector<Formula>& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            if (i == widths.size()) widths.push_back(0.0f);
-            widths[i] = std::max(widths[i], row[i].width);
-        }
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].width);
+    Formula stack;  // from the baseline of the first row down
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (i > 0 && !columns[i].joined) stack.width += gap;
+        lefts.push_back(stack.width);
+        stack.width += widths[i];
+    }
     float y = 0.0f;
     for (const std::vector<Formula>& row : rows) {
-        float ascent = 0.7f * size, descent = 0.2f * size, x = 0.0f;
-        for (const Formula& cell : row) ascent = std::max(ascent, cell.ascent), descent = std::max(descent, cell.descent);
+        float ascent = 0.7f * size, descent = 0.2f * size;
+        for (const Formula& cell : row)
+            ascent = std::max(ascent, cell.ascent), descent = std::max(descent, cell.descent);
         if (&row != &rows.front()) y -= ascent + lead;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const Column column = columns.empty() ? Column::centre : columns[std::min(i, columns.size() - 1)];
-            const float room = widths[i] - row[i].width;
-            put(row[i], x + (column == Column::left ? 0.0f : column == Column::right ? room : 0.5f * room), y, stack);
-            x += widths[i] + gap;
-        }
-        stack.width = std::max(stack.width, x - gap);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            put(row[i], lefts[i] + columns[i].side * (widths[i] - row[i].width), y, stack);
         y -= descent;
     }
+    const float top = stack.ascent, bottom = -stack.descent;
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i)
+        if (columns[i].lineAfter) {
+            const float x = 0.5f * (lefts[i] + widths[i] + lefts[i + 1]);
+            stroke({{x, top}, {x, bottom}}, stack);
+        }
     Formula box = space(stack.width);
     put(stack, 0.0f, mathAxis(size) + 0.5f * (stack.descent - stack.ascent), box);
     return box;

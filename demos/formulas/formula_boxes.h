@@ -41,8 +41,12 @@ struct Sides {
 };
 Formula linedBox(const Formula& inside, const Sides& sides, float size);
 
-enum class Column { centre, left, right };
-/// `columns`: of each column; the last one is that of all further ones.
+/// A column of a table.
+struct Column {
+    float side = 0.5f;        // where narrower cells stand: 0 left, 1 right
+    bool joined = false;      // no space before it
+    bool lineAfter = false;
+};
 Formula tableBox(const std::vector<std::vector<Formula>>& rows, const std::vector<Column>& columns, float size);
 
 }  // namespace demos

@@ -9,25 +9,47 @@
 #include "demos/formulas/formula_boxes.h"
 #include "demos/formulas/math_letters.h"
 #include "demos/formulas/mathml_elements.h"
+#include "render/glyphs.h"
 
 namespace demos {
 namespace {
 
-constexpr std::string_view kRelations[] = {"=", "<", ">", "≤", "≥", "≠", "≈", "≡", "∝", "∼", "≪", "≫", "→", "←", "↔",
-                                           "⇒", "⇐", "⇔", "↦", "∈", "∉", "⊂", "⊆", "⊥", "∥", ":", "≔", "⩽", "⩾"};
-constexpr std::string_view kBinary[] = {"+", "−", "-", "±", "∓", "×", "⋅", "·", "∗", "*", "∘", "∧",
-                                        "∨", "⊗", "⊕", "∪", "∩", "÷", "/"};
-constexpr std::string_view kLarge[] = {"∑", "∏", "∫", "∮", "∬", "⋃", "⋂"};
-constexpr std::string_view kClosing[] = {")", "]", "}", "⟩", "⌋", "⌉", "!", "′"};
+constexpr std::string_view kRelations[] = {
+    "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "≃", "≅", "∝", "∼", "≪", "≫", "≲", "≳", "≺", "≻", "≐", "≜", "≔", ":", "⩽",
+    "⩾", "→", "←", "↔", "⟶", "⟵", "⟷", "⇒", "⇐", "⇔", "⟹", "⟸", "⟺", "⇌", "↦", "⟼", "∈", "∉", "∋", "⊂", "⊃", "⊆", "⊇",
+    "⊥", "∥", "∣", "⊢", "⊨"};
+constexpr std::string_view kBinary[] = {"+", "−", "-", "±", "∓", "×", "⋅", "·", "∗", "*", "∘", "∙", "⋆", "∧", "∨",
+                                        "⊗", "⊕", "⊖", "⊙", "∪", "∩", "∖", "÷"};
+constexpr std::string_view kLarge[] = {"∑", "∏", "∐", "∫", "∬", "∭", "∮", "⋃", "⋂", "⋁", "⋀", "⨁", "⨂", "⨀"};
+constexpr std::string_view kThinBack = "\u2009\u2063";  // KaTeX's \!
 
 template <std::size_t N>
 bool isAmong(std::string_view text, const std::string_view (&list)[N]) {
     return std::find(std::begin(list), std::end(list), text) != std::end(list);
 }
 
+/// The innermost base of scripts, accents and limits.
+pugi::xml_node innermost(pugi::xml_node node) {
+    constexpr std::string_view kScripted[] = {"msub", "msup", "msubsup", "munder", "mover", "munderover"};
+    while (isAmong(node.name(), kScripted)) node = node.first_child();
+    return node;
+}
+bool isRelation(pugi::xml_node node) {
+    return isCalled(innermost(node), "mo") && isAmong(textOf(innermost(node)), kRelations);
+}
 bool isFence(pugi::xml_node node) { return isCalled(node, "mo") && node.attribute("fence").as_bool(); }
 
-float emOf(const pugi::xml_attribute& length) { return std::strtof(length.value(), nullptr); }
+float emOf(const pugi::xml_attribute& length) {
+    return std::clamp(std::strtof(length.value(), nullptr), -1.0f, 20.0f);
+}
+
+int drawable(char32_t letter) {
+    std::string text;
+    putCharacter(text, letter);
+    if (!render::hasLetter(static_cast<int>(letter)))
+        throw FormulaError(0, "the fonts of pictures lack the letter '" + text + "'");
+    return static_cast<int>(letter);
+}
 
 float sizeOfLevel(int level) { return level <= 0 ? 1.0f : level == 1 ? 0.76f : 0.6f; }
 
@@ -40,7 +62,7 @@ public:
     Formula of(pugi::xml_node node) {
         const std::string_view name = node.name();
         if (name == "mi" || name == "mn" || name == "mtext" || name == "ms") return letters(node, name == "mi");
-        if (name == "mo") return sign(node, size());
+        if (name == "mo") return isLarge(node) ? largeSign(node) : sign(node, size());
         if (name == "mspace") return space(emOf(node.attribute("width")) * size());
         if (name == "mfrac") return fraction(node);
         if (name == "msqrt") return rootBox(row(node), {}, size());
@@ -50,6 +72,7 @@ public:
         if (name == "mtable") return table(node);
         if (name == "mstyle") return styled(node);
         if (name == "mphantom") return phantom(node);
+        if (name == "mpadded") return padded(node);
         return name == "annotation" ? Formula{} : lined(node);
     }
 
@@ -65,7 +88,7 @@ public:
         std::size_t i = 0;
         for (const pugi::xml_node child : node.children()) {
             const Spaces spaces = spacesOf(child);
-            const bool next = i > 0 && isCalled(child, "mo") && isAmong(textOf(child), kRelations);
+            const bool next = i > 0 && isRelation(child) && !isRelation(child.previous_sibling());
             if (next) all.emplace_back();
             Formula& piece = all.back();
             if (!next || !apart) append(space(spaces.before), piece);
@@ -89,22 +112,38 @@ private:
     /// A variable of one letter is italic, a name such as sin upright.
     Formula letters(pugi::xml_node node, bool variable) const {
         std::string_view rest = textOf(node);
+        if (rest == kThinBack) return space(-0.167f * size());
         std::vector<PlainLetter> all;
         while (!rest.empty()) all.push_back(plainLetterOf(popCharacter(rest)));
+        const std::string_view style = node.attribute("style").value();
         const bool upright = std::string_view(node.attribute("mathvariant").value()) == "normal";
         Formula box;
         for (const PlainLetter& letter : all) {
-            const bool italic = letter.italic || (variable && all.size() == 1 && !upright && !letter.bold);
-            append(letterBox(static_cast<int>(letter.letter), {size(), italic, letter.bold}), box);
+            const bool general = letter.letter >= 0x2000 && letter.letter <= 0x205f;
+            if (general && !render::hasLetter(static_cast<int>(letter.letter))) {
+                append(space(0.2f * size()), box);  // one of Unicode's spaces
+                continue;
+            }
+            const bool bold = letter.bold || style.find("bold") != std::string_view::npos;
+            const bool single = variable && all.size() == 1 && !upright && !bold;
+            const bool italic = letter.italic || single || style.find("italic") != std::string_view::npos;
+            append(letterBox(drawable(letter.letter), {size(), italic, bold}), box);
         }
         return box;
     }
 
+    /// With a least height (\big) it is stretched to it.
     static Formula sign(pugi::xml_node node, float size) {
         std::string_view rest = textOf(node);
         Formula box;
-        if (isInvisible(rest)) return box;
-        while (!rest.empty()) append(letterBox(static_cast<int>(popCharacter(rest)), {size}), box);
+        if (isInvisible(rest) || rest.empty()) return box;
+        if (const pugi::xml_attribute height = node.attribute("minsize")) {
+            Formula least;
+            least.ascent = 0.5f * emOf(height) * size + mathAxis(size);
+            least.descent = least.ascent - 2.0f * mathAxis(size);
+            return fenceBox(drawable(popCharacter(rest)), least, size);
+        }
+        while (!rest.empty()) append(letterBox(drawable(popCharacter(rest)), {size}), box);
         return box;
     }
 
@@ -113,15 +152,14 @@ private:
         float before = 0.0f, after = 0.0f;
     };
     Spaces spacesOf(pugi::xml_node node) const {
-        if (!isCalled(node, "mo") || level_ > 0) return {};
+        if (level_ > 0) return {};
+        const pugi::xml_node before = node.previous_sibling(), next = node.next_sibling();
+        if (isRelation(node)) return {isRelation(before) ? 0.0f : 0.28f, isRelation(next) ? 0.0f : 0.28f};
+        if (!isCalled(node, "mo")) return {};
         const std::string_view text = textOf(node);
         Spaces spaces;
-        const pugi::xml_node before = node.previous_sibling();
-        const bool afterTerm = before && (!isCalled(before, "mo") || isAmong(textOf(before), kClosing));
         const bool prefix = std::string_view(node.attribute("form").value()) == "prefix";
-        if (isAmong(text, kRelations))
-            spaces = {0.28f, 0.28f};
-        else if (isAmong(text, kBinary) && text != "/" && afterTerm && node.next_sibling() && !prefix)
+        if (isAmong(text, kBinary) && before && next && !prefix)
             spaces = {0.22f, 0.22f};
         else if (text == "," || text == ";")
             spaces = {0.0f, 0.25f};  // a list on one line
@@ -144,7 +182,7 @@ private:
     /// \left. has no letter.
     Formula fence(pugi::xml_node node, const Formula& between) const {
         std::string_view text = textOf(node);
-        return text.empty() ? Formula{} : fenceBox(static_cast<int>(popCharacter(text)), between, size());
+        return text.empty() ? Formula{} : fenceBox(drawable(popCharacter(text)), between, size());
     }
 
     Formula at(int level, bool display, pugi::xml_node node) {
@@ -163,41 +201,41 @@ private:
     }
 
     /// The sign of a sum is larger than letters.
-    Formula baseOf(pugi::xml_node node) {
-        const pugi::xml_node base = node.first_child();
-        if (!isLarge(base) || !isCalled(base, "mo")) return of(base);
-        Formula box = sign(base, (display_ ? 1.6f : 1.2f) * size()), centred = space(box.width);
+    Formula largeSign(pugi::xml_node node) const {
+        Formula box = sign(node, (display_ ? 1.6f : 1.2f) * size()), centred = space(box.width);
         put(box, 0.0f, mathAxis(size()) - 0.5f * (box.ascent - box.descent), centred);
         return centred;
     }
 
     /// Primes and the sign for degrees, which fonts have in their place. Empty: another script.
     Formula raisedSign(pugi::xml_node script) const {
-        std::string_view rest = textOf(script);
         Formula box;
-        if (!isCalled(script, "mo")) return box;
-        while (!rest.empty()) {
-            const char32_t letter = popCharacter(rest);
-            if (letter != U'′' && letter != U'∘') return {};
-            append(letterBox(letter == U'∘' ? 0xb0 : 0x2032, {size()}), box);
+        if (isCalled(script, "mrow")) {
+            for (const pugi::xml_node part : script.children()) {
+                const Formula one = raisedSign(part);
+                if (one.letters.empty()) return {};
+                append(one, box);
+            }
+            return box;
         }
-        return box;
+        const std::string_view text = textOf(script);
+        if (!isCalled(script, "mo") || (text != "′" && text != "∘")) return box;
+        return letterBox(text == "∘" ? 0xb0 : 0x2032, {size()});
     }
 
     Formula scripts(pugi::xml_node node, std::string_view name) {
-        Formula base = baseOf(node);
-        const Formula raised = raisedSign(name == "msup" ? part(node, 1) : part(node, 2));
-        if (!raised.letters.empty()) {
-            const Formula lower = name == "msup" ? Formula{} : script(part(node, 1), level_ + 1);
-            Formula box = lower.letters.empty() ? base : scriptsBox(base, lower, {}, size());
-            box.width = base.width;
-            append(raised, box);
-            box.width = std::max(box.width, base.width + lower.width);
-            return box;
-        }
+        const Formula base = of(part(node, 0));
         const bool upperOnly = name == "msup";
-        const Formula first = script(part(node, 1), level_ + 1), second = script(part(node, 2), level_ + 1);
-        return scriptsBox(base, upperOnly ? Formula{} : first, upperOnly ? first : second, size());
+        const Formula raised = raisedSign(part(node, upperOnly ? 1 : 2));
+        const Formula first = script(part(node, 1), level_ + 1);
+        if (raised.letters.empty())
+            return upperOnly ? scriptsBox(base, {}, first, size())
+                             : scriptsBox(base, first, script(part(node, 2), level_ + 1), size());
+        Formula box = upperOnly ? base : scriptsBox(base, first, {}, size());
+        const float above = base.ascent - raised.ascent;  // of a fraction in parentheses
+        put(raised, base.width, above > 0.1f * size() ? above : 0.0f, box);
+        box.width = std::max(box.width, base.width + raised.width);
+        return box;
     }
 
     Formula stack(pugi::xml_node node, std::string_view name) {
@@ -206,8 +244,8 @@ private:
         const bool upper = name == "mover";
         if (text == "⏟" || text == "⏞") return linedBox(of(part(node, 0)), {upper, !upper}, size());
         if (upper && node.attribute("accent").as_bool() && !text.empty())
-            return accentBox(of(part(node, 0)), static_cast<int>(popCharacter(text)), size());
-        const Formula base = baseOf(node);
+            return accentBox(of(part(node, 0)), drawable(popCharacter(text)), size());
+        const Formula base = of(part(node, 0));
         const Formula one = script(first, level_ + 1), two = script(part(node, 2), level_ + 1);
         return limitsBox(base, upper ? Formula{} : one, upper ? one : two, size());
     }
@@ -221,9 +259,8 @@ private:
                 const std::string_view style = cell.attribute("style").value();
                 const auto has = [&](const char* word) { return style.find(word) != std::string_view::npos; };
                 if (columns.size() < rows.back().size() + 1)
-                    columns.push_back(has("align:left")    ? Column::left
-                                      : has("align:right") ? Column::right
-                                                           : Column::centre);
+                    columns.push_back({has("align:left") ? 0.0f : has("align:right") ? 1.0f : 0.5f,
+                                       has("padding-left:0"), has("border-right")});
                 rows.back().push_back(row(cell));
             }
         }
@@ -245,6 +282,18 @@ private:
         Formula box = row(node);
         box.letters.clear();
         box.strokes.clear();
+        return box;
+    }
+
+    /// \vphantom and \smash: no width or no height.
+    Formula padded(pugi::xml_node node) {
+        const auto none = [&](const char* name) {
+            return std::string_view(node.attribute(name).value()).starts_with("0");
+        };
+        Formula box = row(node);
+        if (none("width")) box.width = 0.0f;
+        if (none("height")) box.ascent = 0.0f;
+        if (none("depth")) box.descent = 0.0f;
         return box;
     }
 

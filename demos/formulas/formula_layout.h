@@ -10,7 +10,7 @@ namespace demos {
 
 constexpr std::size_t kMostFormulaLetters = 500;
 
-/// In pieces between which a line can be broken: all but the first begin with a relation such as =.
+/// Returns pieces between which a line can be broken: all but the first begin with a relation such as =.
 /// `mathMl`: as mathMlOf() returns it. Throws FormulaError if it has too many letters.
 std::vector<render::Formula> formulaLayout(const std::string& mathMl);
 

@@ -51,7 +51,7 @@ public:
             writeScripts(node, name);
         else if (name == "mtr")
             writeRow(node);
-        else if (name != "annotation")
+        else if (name != "annotation" && name != "mphantom")
             writeAll(node);
     }
 
@@ -102,7 +102,7 @@ private:
     /// In parentheses if it has several parts.
     void writeTerm(pugi::xml_node node) {
         pugi::xml_node inner = node;
-        while (std::string_view(inner.name()) == "mrow" && inner.first_child() &&
+        while ((isCalled(inner, "mrow") || isCalled(inner, "mstyle")) && inner.first_child() &&
                !inner.first_child().next_sibling())
             inner = inner.first_child();
         const bool several = isCalled(inner, "mfrac") || (isCalled(inner, "mrow") && !isSimple(inner));
@@ -123,7 +123,8 @@ private:
     /// With a little space before the next term: it is not in the denominator.
     void writeFraction(pugi::xml_node node) {
         writeTerm(node.first_child());
-        put("/", false, false);
+        const bool bar = std::string_view(node.attribute("linethickness").value()) != "0px";
+        put(bar ? "/" : " over ", false, false);
         writeTerm(node.first_child().next_sibling());
         const std::string_view next = node.next_sibling().name();
         if (!next.empty() && next != "mo") put(kThinSpace, false, false);
@@ -140,11 +141,15 @@ private:
         put(")", false, false);
     }
 
+    /// A script of a script stands on the line of the first one: 2 to the n^2.
     void writeAt(int level, pugi::xml_node node) {
-        const int before = level_;
-        if (level_ == 0) level_ = level;
+        const bool nested = level_ != 0, several = nested && isCalled(node, "mrow");
+        if (nested) put(level > 0 ? "^" : "_", false, false);
+        if (several) put("(", false, false);
+        if (!nested) level_ = level;
         write(node);
-        level_ = before;
+        if (!nested) level_ = 0;
+        if (several) put(")", false, false);
     }
 
     void writeScripts(pugi::xml_node node, std::string_view name) {
@@ -152,6 +157,8 @@ private:
         const bool upper = name == "msup" || name == "mover";
         write(base);
         const std::string_view sign = combining(first.text().get());
+        const std::string_view text = first.text().get();
+        if (text == "⏟" || text == "⏞") return;
         if (upper && !sign.empty() && !runs.empty()) {
             runs.back().text += sign;
             return;

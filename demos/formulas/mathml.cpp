@@ -97,8 +97,8 @@ void styleCells(pugi::xml_node table) {
 void styleEnclosed(pugi::xml_node node) {
     const std::string_view notation = node.attribute("notation").value();
     if (notation != "box")
-        throw FormulaError(0, "browsers cannot draw a '" + std::string(notation) +
-                                  "' around a term; leave it out, or use \\boxed");
+        throw FormulaError(0, "'" + std::string(notation) +
+                                  "' around a term is not supported; leave it out, or use \\boxed");
     node.set_name("mrow");
     node.remove_attribute("notation");
     setStyle(node, "border:0.06em solid;padding:0.3em;");

@@ -84,7 +84,7 @@ struct LookDescription {
     double colorMax = 0.0;            // m/s or N s, upper end of the scale; 0: the largest so far
     double ghostEvery = 0.25;         // s
     double reflection = 0.0;          // 0..1, of the bodies in the floor
-    bool dither = false;              // no bands in slow gradients
+    bool dither = false;              // no bands in smooth gradients
     std::optional<Vec3> light;        // towards it, of any length; none: beside the camera
     std::string plot = "energy";      // the chart of the overlay 'plot'
 };

@@ -7,6 +7,7 @@
 #ifdef IMPULSE_HAVE_SLIDES
 #include "demos/formulas/caption_text.h"
 #include "demos/formulas/formula.h"
+#include "demos/formulas/text_formulas.h"
 #endif
 #include "demos/look/measure_names.h"
 #include "demos/look/overlays.h"
@@ -73,26 +74,34 @@ void readLight(Keys& keys, LookDescription& look) {
                                        look.light->x(), look.light->y(), look.light->z()));
 }
 
-/// A build without slides shows formulas as they are written.
-void readCaption(Keys& keys, Section& section) {
+/// A build without slides shows formulas as they are written. `formulas`: of all captions so far.
+void readCaption(Keys& keys, Section& section, [[maybe_unused]] std::size_t& formulas) {
     set(section.caption, keys.text("caption"));
 #ifdef IMPULSE_HAVE_SLIDES
+    const std::size_t before = formulas;
+    formulas += formulasIn(section.caption).size();
+    if (formulas > kMostCaptionFormulas) {
+        if (before <= kMostCaptionFormulas)
+            keys.complain("caption", fmt::format("more than {} formulas in all captions; write fewer",
+                                                 kMostCaptionFormulas));
+        return;
+    }
     try {
         CaptionText text = captionText(section.caption);
         if (!text.formulas.empty())
             section.formulaCaption = {std::move(text.line), std::move(text.formulas), std::move(text.markup)};
         section.caption = std::move(text.letters);
     } catch (const FormulaError& error) {
-        keys.complain("caption", "formula: " + std::string(error.what()));
+        keys.complain("caption", fmt::format("formula, byte {} of the caption: {}", error.at() + 1, error.what()));
     }
 #endif
 }
 
-Section readSection(Keys keys, const SceneDescription& scene) {
+Section readSection(Keys keys, const SceneDescription& scene, std::size_t& formulas) {
     Section section;
     set(section.at, keys.number("at", {0.0, scene.seconds, "s"}));
     set(section.name, keys.text("name"));
-    readCaption(keys, section);
+    readCaption(keys, section, formulas);
     set(section.notes, keys.text("notes"));
     set(section.poster, readPoster(keys, scene.seconds));
     set(section.slow, keys.number("slow", {0.001, 1000.0}));
@@ -145,8 +154,9 @@ void readLook(Keys& top, SceneDescription& scene) {
 }
 
 void readSections(Keys& top, SceneDescription& scene) {
+    std::size_t formulas = 0;  // in captions
     for (const Value* table : top.tables("section"))
-        scene.sections.push_back(readSection(top.inner(*table, "a [[section]]"), scene));
+        scene.sections.push_back(readSection(top.inner(*table, "a [[section]]"), scene, formulas));
     std::stable_sort(scene.sections.begin(), scene.sections.end(),
                      [](const Section& a, const Section& b) { return a.at < b.at; });
 }

@@ -136,7 +136,7 @@ Arguments keyed(const VideoSource& source, const Encoding& encoding, const Argum
     return all;
 }
 
-/// One palette for the whole film. Dithered, or from the moving parts alone, films of our scenes have a lower PSNR
+/// One palette for the whole film. Dithered, or from the moving parts alone, films of the built-in scenes have a lower PSNR
 /// and larger files.
 /// The frames are read twice, since a filter that splits them would keep all of them in memory.
 std::string paletteGraph(const std::string& before, int colours) {

@@ -1,4 +1,4 @@
-// Noise of one level of 255, so that slow gradients have no bands. It is the same in every frame.
+// Noise of one level of 255, so that smooth gradients have no bands. It is the same in every frame.
 // Source: J. Jimenez, Next generation post processing in Call of Duty: Advanced Warfare, 2014.
 vec3 dithered(vec3 color) {
 #ifdef DITHERED

@@ -1,7 +1,9 @@
 // "What files may contain" in demos/README.md has the limits of the readers' code.
 #include <gtest/gtest.h>
 
+#include "demos/formulas/caption_text.h"
 #include "demos/formulas/formula.h"
+#include "demos/formulas/formula_layout.h"
 #include "demos/mjcf/xml_tree.h"
 #include "demos/regression/baseline.h"
 #include "demos/scene/expression.h"
@@ -46,7 +48,8 @@ TEST(Limits, OfTomlAndItsTexts) {
                                    text(kMostTomlValues) + " values, " + text(kMostSlides) +
                                    " slides");
     EXPECT_EQ(cellsOf("words"), text(kMostWords >> 10) + " KiB | - | -");
-    EXPECT_EQ(cellsOf("formula"), text(kLongestFormula) + " | - | -");
+    EXPECT_EQ(cellsOf("formula"), text(kLongestFormula) + " | - | in captions " + text(render::kMostFormulas) + ", with relations, of " +
+                  text(kMostFormulaLetters) + " letters each; " + text(kMostCaptionFormulas) + " in a scene");
     EXPECT_EQ(cellsOf("expression"), text(kLongestExpression) + " | - | " + text(kMostEvaluated) +
                                          " evaluated in a scene");
 }

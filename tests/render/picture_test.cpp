@@ -160,7 +160,7 @@ double meanOfRow(const Image& image, int y) {
     return sum / image.width;
 }
 
-TEST(Renderer, DitheringSpreadsEachLevelOfASlowGradient) {
+TEST(Renderer, DitheringSpreadsEachLevelOfASmoothGradient) {
     Frame frame;
     frame.camera = {{0, 5, 20}, {0, 12, 0}};  // the sky only
     const Image banded = renderer().draw(frame);

@@ -52,9 +52,16 @@ TEST(CaptionText, LinesCanBreakBeforeRelations) {
 TEST(CaptionText, HasOrdinaryLettersAsFarAsUnicodeHasThem) {
     EXPECT_EQ(lettersOf("\\omega^2 \\sin\\alpha_{12}"), "ω² sin α₁₂");
     EXPECT_EQ(lettersOf("v_n^{-1}"), "vₙ⁻¹");
-    EXPECT_EQ(lettersOf("x^{a+b} y^k"), "x^(a+b)y^k");
+    EXPECT_EQ(lettersOf("x^{a+b} y^{kq}"), "xᵃ⁺ᵇy^(kq)");
     EXPECT_EQ(lettersOf("\\frac{g\\sin 8^\\circ}{1+k}"), "(g sin 8°)/(1 + k)");
     EXPECT_EQ(lettersOf("\\frac{\\frac ab}c"), "(a/b\u2009)/c");
+    EXPECT_EQ(lettersOf("\\frac{a}{\\dfrac{b}{c}}"), "a/(b/c)");
+    EXPECT_EQ(lettersOf("2^{2^n}"), "2^(2^n)");
+    EXPECT_EQ(lettersOf("e^{-x^2}"), "e^(−x^2)");
+    EXPECT_EQ(lettersOf("a_{n_1}"), "a_(n_1)");
+    EXPECT_EQ(lettersOf("x_{n+1}"), "xₙ₊₁");
+    EXPECT_EQ(lettersOf("\\binom{n}{k}"), "(n over k)");
+    EXPECT_EQ(lettersOf("\\phantom{x}y"), "y");
 }
 
 TEST(CaptionText, ScriptsAreSmallerAndRaisedOrLowered) {
@@ -102,10 +109,41 @@ TEST(CaptionText, OperatorsHaveSpaceBetweenTermsOnly) {
     EXPECT_NEAR(formulaOf("x^{1+2}").width - formulaOf("x^{12}").width, 0.76f * sign, 1e-4f);
 }
 
+TEST(CaptionText, SignsHaveTheSpaceOfTheirKind) {
+    const float plus = formulaOf("+").width, terms = formulaOf("ab").width;
+    EXPECT_GT(formulaOf("\\dots+b").width, formulaOf("\\dots b").width + plus + 0.3f);
+    EXPECT_GT(formulaOf("|a|+b").width, formulaOf("|a|b").width + plus + 0.3f);
+    EXPECT_EQ(captionText("$a\\simeq b$").formulas.size(), 2u);
+    EXPECT_EQ(captionText("$a\\overset{!}{=}b$").formulas.size(), 2u);
+    EXPECT_LT(formulaOf("a\\!b").width, terms);
+    EXPECT_EQ(captionText("$a := b$").formulas.size(), 2u);
+    const render::Formula defined = captionText("$a := b$").formulas[1];
+    EXPECT_LT(letterOf(defined, '=').x - letterOf(defined, ':').x, 0.4f);
+    EXPECT_NEAR(formulaOf("a\\vphantom{x}b").width, terms, 1e-4f);
+}
+
+TEST(CaptionText, SumsAndBracketsHaveTheirSize) {
+    const auto sizeOf = [](const std::string& tex, int codepoint) { return letterOf(formulaOf(tex), codepoint).size; };
+    EXPECT_GT(sizeOf("\\int F", 0x222b), 1.1f);
+    EXPECT_EQ(sizeOf("\\int F", 0x222b), sizeOf("\\int_0^1 F", 0x222b));
+    EXPECT_GT(letterOf(captionText("$$\\sum F$$").formulas[0], 0x2211).size, 1.5f);
+    EXPECT_GT(letterOf(formulaOf("\\Big(x\\Big)"), '(').stretch, 1.5f);
+}
+
+TEST(CaptionText, TablesHaveTheirColumns) {
+    const render::Formula apart = formulaOf("\\begin{matrix}a&b\\end{matrix}");
+    const render::Formula joined = formulaOf("\\begin{aligned}a&=b\\end{aligned}");
+    EXPECT_GT(letterOf(apart, 'b').x, letterOf(apart, 'a').x + 1.0f);
+    EXPECT_LT(letterOf(joined, '=').x, letterOf(joined, 'a').x + 1.0f);
+    EXPECT_EQ(formulaOf("\\begin{array}{c|c}a&b\\end{array}").strokes.size(), 1u);
+}
+
 TEST(CaptionText, DegreesAndPrimesAreTheSignsOfTheFont) {
     EXPECT_EQ(letterOf(formulaOf("30^\\circ"), 0xb0).y, 0.0f);
     EXPECT_EQ(letterOf(formulaOf("v'"), 0x2032).size, 1.0f);
     EXPECT_LT(letterOf(formulaOf("v_n'"), 'n').y, 0.0f);
+    EXPECT_EQ(letterOf(formulaOf("f''"), 0x2032).size, 1.0f);
+    EXPECT_GT(letterOf(formulaOf("\\left(\\frac{a}{b}\\right)'"), 0x2032).y, 0.1f);
 }
 
 TEST(CaptionText, BoldAccentsLimitsAndBoxes) {
@@ -121,9 +159,10 @@ TEST(CaptionText, BoldAccentsLimitsAndBoxes) {
 
 TEST(CaptionText, BadFormulasAreReportedWithTheirByte) {
     EXPECT_EQ(errorOf("at $\\frac{a}$"), "12: Unexpected end of input in a macro argument, expected '}'");
-    EXPECT_NE(errorOf("$\theta$").find("1: a control byte, written as an escape; write LaTeX in single quotes"),
+    EXPECT_NE(errorOf("$\theta$").find("1: a tab, a line break or a control byte; write LaTeX on one line in single"),
               std::string::npos);
-    EXPECT_NE(errorOf("$a\theta$").find("2: a control byte"), std::string::npos);
+    EXPECT_NE(errorOf("$a\theta$").find("2: a tab"), std::string::npos);
+    EXPECT_NE(errorOf("at $\\mathfrak{A}$").find("4: the fonts of pictures lack the letter"), std::string::npos);
     std::string many;
     for (int i = 0; i < 65; ++i) many += "$x$ ";
     EXPECT_NE(errorOf(many).find("more than 64 formulas and relations"), std::string::npos);

@@ -30,7 +30,7 @@ TEST(FormulaRuns, LettersKeepTheirLook) {
 
 TEST(FormulaRuns, IndicesAreLoweredAndPowersRaised) {
     EXPECT_EQ(lineOf("m_a^{-1}"), "/m/_/a/^−1");
-    EXPECT_EQ(lineOf("p_{a_b}"), "/p/_/ab/");  // there is no second level
+    EXPECT_EQ(lineOf("p_{a_b}"), "/p/_/a/___/b/");  // on the line of the first
     EXPECT_EQ(lineOf("\\bar{\\mathbf v}_r"), "*v\xcc\x84*_/r/");
 }
 

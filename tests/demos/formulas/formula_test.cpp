@@ -148,15 +148,15 @@ TEST(Formula, SaysWhatIsWrongAndAtWhichByte) {
               "9: Unexpected end of input in a macro argument, expected '}'");
     EXPECT_EQ(refused("a & b"), "2: Expected 'EOF', got '&'");
     EXPECT_EQ(refused("\\cancel{x}"),
-              "0: browsers cannot draw a 'updiagonalstrike' around a term; leave it out, or use "
+              "0: 'updiagonalstrike' around a term is not supported; leave it out, or use "
               "\\boxed");
 }
 
 TEST(Formula, LeadsNowhere) {
-    EXPECT_EQ(refused("\\href{javascript:alert(1)}{x}"), "0: \\href is not allowed in a slide");
+    EXPECT_EQ(refused("\\href{javascript:alert(1)}{x}"), "0: \\href is not allowed in a formula");
     EXPECT_EQ(refused("\\includegraphics{a.png}"),
-              "0: \\includegraphics is not allowed in a slide");
-    EXPECT_EQ(refused("\\htmlStyle{color: red}{x}"), "0: \\htmlStyle is not allowed in a slide");
+              "0: \\includegraphics is not allowed in a formula");
+    EXPECT_EQ(refused("\\htmlStyle{color: red}{x}"), "0: \\htmlStyle is not allowed in a formula");
     EXPECT_EQ(inside("\\text{<script>}"), "<mrow><mtext>&lt;script&gt;</mtext></mrow>");
     EXPECT_EQ(mathMlOf("\\text{\"><b>}", false).find("<b>"), std::string::npos);
 }

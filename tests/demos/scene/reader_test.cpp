@@ -175,11 +175,18 @@ TEST(Captions, MayHoldFormulas) {
     EXPECT_EQ(scene.sections[0].formulaCaption.markup.at(0), "$\\frac{v^2}{r}$");
     EXPECT_EQ(scene.sections[1].caption, "5 $");
     EXPECT_TRUE(scene.sections[1].formulaCaption.line.empty());
+    std::string many;
+    for (int i = 0; i < 21; ++i) {
+        many += "[[section]]\ncaption = '";
+        for (int k = 0; k < 50; ++k) many += "$x$ ";
+        many += "'\n";
+    }
+    EXPECT_TRUE(tells(errorsOf("format = 1\n" + kBall + many), "a.toml:47:1: ", "more than 1000 formulas in all"));
     const std::string text = "format = 1\n" + kBall;
     EXPECT_TRUE(tells(errorsOf(text + "[[section]]\ncaption = '$\\fra{a}$'\n"), "a.toml:7:1: ",
-                      "formula: Undefined control sequence: \\fra"));
+                      "formula, byte 2 of the caption: Undefined control sequence: \\fra"));
     EXPECT_TRUE(tells(errorsOf(text + "[[section]]\ncaption = \"$\\theta$\"\n"), "a.toml:7:1: ",
-                      "formula: a control byte, written as an escape"));
+                      "formula, byte 2 of the caption: a tab, a line break or a control byte"));
 }
 
 TEST(Overrides, AreReadAsIfTheFileHadSaidSo) {

@@ -230,7 +230,7 @@ TEST(Deck, ReportsWhereAFormulaIsWrong) {
               "deck.toml:4:20: formula: Expected 'EOF', got '&'");
     EXPECT_EQ(wrong("formula = 'a^b^c'\n"), "deck.toml:4:15: formula: Double superscript");
     EXPECT_EQ(wrong("title = \"$\\\\href{http://a}{b}$\"\n"),
-              "deck.toml:4:11: formula: \\href is not allowed in a slide");
+              "deck.toml:4:11: formula: \\href is not allowed in a formula");
 }
 
 // In double quotes TOML reads \\theta as a tab and heta, \\nabla as a new line and abla.
