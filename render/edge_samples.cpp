@@ -6,42 +6,17 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <utility>
 
-#include "render/instances.h"
 #include "render/joined_faces.h"
+#include "render/sampling.h"
+#include "render/seen_surfaces.h"
 
 namespace render {
 namespace {
 
 constexpr std::size_t kAround = 9;  // a pixel and its neighbours, row by row
 constexpr std::size_t kMiddle = 4;
-
-struct SampleOffset {
-    float x, y;  // pixels from a pixel's middle
-};
-
-/// No two in one row or column, so that a nearly vertical or horizontal edge gets all steps.
-std::vector<SampleOffset> offsets(int samples) {
-    constexpr int kTwo[][2] = {{4, 4}, {-4, -4}};
-    constexpr int kFourth[][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
-    constexpr int kEighth[][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5},
-                                  {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
-    constexpr int kSixteenth[][2] = {{1, 1},  {-1, -3}, {-3, 2}, {4, -1}, {-5, -2}, {2, 5},
-                                     {5, 3},  {3, -5},  {-2, 6}, {0, -7}, {-4, -6}, {-6, 4},
-                                     {-8, 0}, {7, -4},  {6, 7},  {-7, -8}};
-    std::vector<SampleOffset> result;
-    const auto add = [&result](const auto& places) {
-        for (const auto& p : places)
-            result.push_back({static_cast<float>(p[0]) / 16.0f, static_cast<float>(p[1]) / 16.0f});
-    };
-    if (samples == 2) add(kTwo), add(kTwo);  // twice, to fill four
-    if (samples == 4) add(kFourth);
-    if (samples == 8) add(kEighth);
-    if (samples == 16) add(kSixteenth);
-    return result;
-}
 
 /// The places around a pixel, nearest to an offset first.
 std::array<std::size_t, kAround> nearestFirst(const SampleOffset& offset) {
@@ -57,30 +32,17 @@ std::array<std::size_t, kAround> nearestFirst(const SampleOffset& offset) {
     return order;
 }
 
-/// The surfaces as they are drawn: thin rods are wider.
-std::vector<Surface> drawnSurfaces(const Frame& frame, const View& view, int height) {
-    std::vector<Surface> surfaces = surfacesOf(frame);
-    for (std::size_t i = 0; i < frame.rods.size(); ++i) {
-        Vec3d& half = surfaces[static_cast<std::size_t>(surfaceOfRod(frame, i))].half;
-        const float radius = drawnRadius(frame.rods[i], view.eye, pixelsAMeter(view, height));
-        half.x() = half.z() = static_cast<double>(radius);
-    }
-    return surfaces;
-}
-
 class EdgeSamples {
 public:
     /// `fresh`: the part of the map whose faces are not joined yet.
     EdgeSamples(const Image& image, SurfaceMap& map, const PixelRect& fresh, const Frame& frame,
                 const View& view, int samples)
         : image_(image),
-          surfaces_(drawnSurfaces(frame, view, map.height)),
-          joined_(joinedFaces(surfaces_, view.eye)),
-          map_(map),
-          sight_(sightOf(view, map_.width, map_.height)),
-          seen_(surfaces_.size()) {
+          seen_(frame, view, map.width, map.height),
+          joined_(joinedFaces(seen_.surfaces(), view.eye)),
+          map_(map) {
         joinFaces(map, fresh, joined_);
-        const std::vector<SampleOffset> all = offsets(samples);
+        const std::vector<SampleOffset> all = sampleOffsets(samples);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (i % kFour == 0) x_.emplace_back(), y_.emplace_back();
             x_.back()[i % kFour] = all[i].x;
@@ -92,11 +54,6 @@ public:
     std::array<std::uint8_t, 4> color(int x, int y);
 
 private:
-    const SeenSurface& seen(int surface) {
-        std::optional<SeenSurface>& one = seen_[static_cast<std::size_t>(surface)];
-        if (!one) one.emplace(surfaces_[static_cast<std::size_t>(surface)], sight_);
-        return *one;
-    }
     void look(int x, int y);
     FourInts packedFaces(int surface, FourInts faces) const;
     FourInts meet(Four x, Four y, int count);
@@ -104,11 +61,9 @@ private:
     std::array<std::uint8_t, 4> mean(const std::array<int, kAround>& times) const;
 
     const Image& image_;
-    const std::vector<Surface> surfaces_;
+    SeenSurfaces seen_;
     const FaceTables joined_;
     const SurfaceMap& map_;
-    const Sight sight_;
-    std::vector<std::optional<SeenSurface>> seen_;  // made when first needed
     std::vector<Four> x_, y_;                       // of the samples
     std::vector<std::array<std::size_t, kAround>> order_;   // by sample
     std::array<std::int32_t, kAround> around_{};    // packed surfaces
@@ -137,7 +92,7 @@ FourInts EdgeSamples::meet(Four x, Four y, int count) {
     Four nearest = fourOf(std::numeric_limits<float>::infinity());
     FourInts met = FourInts{} + kNoSurface;
     for (int i = 0; i < count; ++i) {
-        const FourHits hits = seen(candidates_[i]).enter(x, y);
+        const FourHits hits = seen_[candidates_[i]].enter(x, y);
         const FourInts nearer = hits.t < nearest;
         nearest = nearer ? hits.t : nearest;
         met = nearer ? packedFaces(candidates_[i], hits.face) : met;

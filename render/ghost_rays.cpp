@@ -1,81 +1,154 @@
+// covered  = 1/n sum over rays of  [t_ghost <= t of every surface around the pixel]
+// mirrored = F + (1 - F) (1 - cos)^5, Schlick 1994
 #include "render/ghost_rays.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "render/sampling.h"
 
 namespace render {
 namespace {
 
-/// Where a ray enters a box or ball.
-struct Entry {
-    float distance = 0;  // in lengths of the ray's direction
-    Vec3 normal;         // in the ghost's axes
-};
+// Of the distance: a ghost is seen on its own body in the same place.
+constexpr float kTie = 0.9999f;
+constexpr int kHidden = -2, kMissed = -1;  // instead of a face
+constexpr float kStraight = 0.04f;  // F: what glass reflects of light from straight ahead
 
-/// Slabs (Kay and Kajiya 1986).
-std::optional<Entry> hitBox(const Vec3& half, const Vec3& from, const Vec3& way) {
-    float enter = -1e30f, leave = 1e30f;
-    int face = 0;
-    for (int i = 0; i < 3; ++i) {
-        const float inverse = 1.0f / (std::abs(way[i]) > 1e-12f ? way[i] : 1e-12f);
-        const float a = (-half[i] - from[i]) * inverse, b = (half[i] - from[i]) * inverse;
-        if (std::min(a, b) > enter) enter = std::min(a, b), face = i;
-        leave = std::min(leave, std::max(a, b));
-    }
-    if (enter > leave || enter < 0.0f) return std::nullopt;
-    return Entry{enter, way[face] > 0.0f ? Vec3(-Vec3::Unit(face)) : Vec3(Vec3::Unit(face))};
+std::vector<Vec3> normalsOf(const Surface& surface) {
+    std::vector<Vec3> normals;
+    const Eigen::Matrix3f axes = surface.axes.cast<float>();
+    if (surface.kind == SurfaceKind::box)
+        for (int i = 0; i < 3; ++i) normals.push_back(-axes.col(i)), normals.push_back(axes.col(i));
+    if (surface.kind == SurfaceKind::hull)
+        for (const auto& plane : surface.mesh->planes) normals.push_back(axes * plane.normal);
+    return normals;
 }
 
-/// A ball around the core's point nearest to the ray: exact for a sphere, else an approximation.
-std::optional<Entry> hitRound(float radius, float core, const Vec3& from, const Vec3& way) {
-    const float a = way.squaredNorm(), b = way.y(), d = way.dot(from);
-    const float square = a - b * b;  // |way|^2 |y|^2 - (way . y)^2
-    const float y = square > 1e-9f ? (a * from.y() - b * d) / square : 0.0f;
-    const Vec3 o = from - Vec3(0, std::clamp(y, -core, core), 0);
-    const float half = way.dot(o), rest = half * half - a * (o.squaredNorm() - radius * radius);
-    if (rest < 0.0f) return std::nullopt;
-    const float t = (-half - std::sqrt(rest)) / a;
-    if (t < 0.0f) return std::nullopt;
-    return Entry{t, (o + t * way).normalized()};
+/// m from the eye along the view axis.
+float alongView(const Sight& sight, const Vec3& point) {
+    return (point - sight.eye).dot(sight.right.cross(sight.down).normalized());
 }
 
 }  // namespace
 
-GhostRays::GhostRays(const Solid& ghost, const View& view, const Vec3& sun, int width, int height)
-    : ghost_(ghost), sun_(sun), surface_(surfaceOf(ghost)), sight_(sightOf(view, width, height)),
-      seen_(surface_, sight_) {
-    const Quat back = ghost.rotation.conjugate();
-    const Eigen::Matrix3f turn =
-        back.toRotationMatrix() * view.view.block<3, 3>(0, 0).transpose();
-    const float x = 1.0f / view.projection(0, 0), y = 1.0f / view.projection(1, 1);
-    from_ = back * Vec3(view.eye - ghost.position);
-    corner_ = turn * Vec3(-x, y, -1.0f);
-    right_ = turn.col(0) * (2.0f * x / static_cast<float>(width));
-    down_ = turn.col(1) * (-2.0f * y / static_cast<float>(height));
-    sunInGhost_ = back * sun;
+GhostRays::GhostRays(const Solid& ghost, const Vec3& sun, const Hiding& hiding,
+                     const PixelRange& range)
+    : hiding_(hiding),
+      sun_(sun),
+      hollow_(ghost.mesh && !ghost.mesh->convex),
+      middle_(alongView(hiding.seen.sight(), ghost.position)),
+      surface_(surfaceOf(ghost)),
+      seen_(surface_, hiding.seen.sight()),
+      normals_(normalsOf(surface_)),
+      range_(range),
+      stride_(range.x1 - range.x0 + 1),
+      centres_(static_cast<std::size_t>(stride_) * (range.y1 - range.y0 + 1)) {
+    const std::vector<SampleOffset> offsets = sampleOffsets(kRays);
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        x_[i / kFour][i % kFour] = 0.5f + offsets[i].x;
+        y_[i / kFour][i % kFour] = 0.5f + offsets[i].y;
+    }
+    castCentres();
 }
 
-std::optional<GhostHit> GhostRays::at(const Vec2& pixel) const {
-    const bool capsule = ghost_.shape == SolidShape::capsule;
-    std::optional<Entry> entry;
-    if (ghost_.shape == SolidShape::box)
-        entry = hitBox(ghost_.halfSize, from_, through(pixel));
-    else if (capsule || ghost_.shape == SolidShape::sphere)
-        entry = hitRound(ghost_.halfSize.x(), capsule ? ghost_.halfSize.y() : 0.0f, from_,
-                         through(pixel));
-    else
-        return onSurface(pixel);
-    if (!entry) return std::nullopt;
-    return GhostHit{entry->distance, entry->normal.dot(sunInGhost_)};
+GhostRays::Met GhostRays::meet(Four x, Four y, Four before) const {
+    const FourHits hits = seen_.enter(x, y);
+    const Four none = fourOf(kNever);
+    const FourInts missed = hits.t == none;
+    const Four t = missed ? (hollow_ ? none : fourOf(middle_)) : hits.t;
+    const FourInts first = (kTie * t <= before) & (t < none);
+    return {first, first & ~missed, hits.face};
 }
 
-std::optional<GhostHit> GhostRays::onSurface(const Vec2& pixel) const {
-    const FourHits hits = seen_.enter(fourOf(pixel.x()), fourOf(pixel.y()));
-    if (std::isinf(hits.t[0])) return std::nullopt;
-    const Vec3 way = sight_.ahead + pixel.x() * sight_.right + pixel.y() * sight_.down;
-    const Hit hit =
-        enter(surface_, hits.face[0], {sight_.eye.cast<double>(), way.cast<double>()});
-    return GhostHit{hits.t[0], hit.normal.cast<float>().dot(sun_)};
+/// Where rays through the middles of four pixels in a row meet the surfaces seen there.
+Four GhostRays::beforeFour(int x, int y, Four px, Four py) const {
+    Four t = fourOf(kNever);
+    if (hiding_.map.packed.empty()) return t;
+    int last = kNoSurface;
+    for (int i = 0; i < kFour && x + i <= range_.x1; ++i) {
+        const int surface = hiding_.map.surface(x + i, y);
+        if (surface == kNoSurface || surface == last) continue;
+        const Four hits = hiding_.seen[last = surface].enter(px, py).t;
+        for (int j = i; j < kFour && x + j <= range_.x1; ++j)
+            if (hiding_.map.surface(x + j, y) == surface) t[j] = hits[j];
+    }
+    return t;
+}
+
+void GhostRays::castCentres() {
+    const Four steps{0.5f, 1.5f, 2.5f, 3.5f};
+    std::size_t at = 0;
+    for (int y = range_.y0; y <= range_.y1; ++y)
+        for (int x = range_.x0; x <= range_.x1; x += kFour) {
+            const Four px = steps + static_cast<float>(x), py = fourOf(static_cast<float>(y) + 0.5f);
+            const Met met = meet(px, py, beforeFour(x, y, px, py));
+            for (int i = 0; i < kFour && x + i <= range_.x1; ++i)
+                centres_[at++] = met.lit[i] ? met.face[i] : met.first[i] ? kMissed : kHidden;
+        }
+}
+
+void GhostRays::lookAround(int x, int y) {
+    count_ = 0;
+    const SurfaceMap& map = hiding_.map;
+    if (map.packed.empty()) return;
+    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, map.height - 1); ++row)
+        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, map.width - 1); ++column) {
+            const int surface = map.surface(column, row);
+            const auto end = around_.begin() + static_cast<std::ptrdiff_t>(count_);
+            if (surface >= 0 && std::find(around_.begin(), end, surface) == end)
+                around_[count_++] = surface;
+        }
+}
+
+Four GhostRays::nearest(Four x, Four y) {
+    Four t = fourOf(kNever);
+    for (std::size_t i = 0; i < count_; ++i)
+        t = smaller(hiding_.seen[around_[i]].enter(x, y).t, t);
+    return t;
+}
+
+GhostPixel GhostRays::shade(int x, int y, int face) const {
+    const Sight& sight = hiding_.seen.sight();
+    const Vec2 at = centreOf(x, y);
+    const Vec3 way = sight.ahead + at.x() * sight.right + at.y() * sight.down;
+    const Vec3 normal =
+        normals_.empty()
+            ? enter(surface_, face, {sight.eye.cast<double>(), way.cast<double>()}).normal.cast<float>()
+            : normals_[static_cast<std::size_t>(face)];
+    const float across = 1.0f - std::min(std::abs(normal.dot(way)) / way.norm(), 1.0f);
+    const float square = across * across, fifth = square * square * across;
+    return {1.0f, std::max(normal.dot(sun_), 0.0f), kStraight + (1.0f - kStraight) * fifth};
+}
+
+GhostPixel GhostRays::sampled(int x, int y) {
+    lookAround(x, y);
+    int first = 0, lit = 0;
+    GhostPixel sum;
+    for (std::size_t group = 0; group < x_.size(); ++group) {
+        const Four px = x_[group] + static_cast<float>(x), py = y_[group] + static_cast<float>(y);
+        const Met met = meet(px, py, nearest(px, py));
+        for (int i = 0; i < kFour; ++i) {
+            first -= met.first[i];
+            if (!met.lit[i]) continue;
+            const GhostPixel one = shade(x, y, met.face[i]);
+            sum.facing += one.facing, sum.mirrored += one.mirrored, ++lit;
+        }
+    }
+    const float each = lit > 0 ? 1.0f / static_cast<float>(lit) : 0.0f;
+    return {static_cast<float>(first) / kRays, each * sum.facing, each * sum.mirrored};
+}
+
+bool GhostRays::sameAround(int x, int y) const {
+    const int* row = &centres_[static_cast<std::size_t>(y - range_.y0) * stride_ + (x - range_.x0)];
+    return (x == range_.x0 || row[-1] == *row) && (x == range_.x1 || row[1] == *row) &&
+           (y == range_.y0 || row[-stride_] == *row) && (y == range_.y1 || row[stride_] == *row);
+}
+
+GhostPixel GhostRays::at(int x, int y) {
+    if (!sameAround(x, y)) return sampled(x, y);
+    const int face = centres_[static_cast<std::size_t>(y - range_.y0) * stride_ + (x - range_.x0)];
+    if (face == kHidden) return {};
+    return face == kMissed ? GhostPixel{1.0f} : shade(x, y, face);
 }
 
 }  // namespace render

@@ -1,38 +1,66 @@
-/// Intersects the rays through a picture's pixels with a ghost.
+/// One ray through each pixel of a picture, and eight where neighbours differ: which part of a ghost is
+/// seen there.
 #pragma once
-#include <optional>
+#include <array>
 
 #include "render/coverage.h"
-#include "render/edge_rays.h"
+#include "render/seen_surfaces.h"
+#include "render/surface_map.h"
 
 namespace render {
 
-struct GhostHit {
-    float distance = 0.0f;  // m along the view axis
-    float facing = 0.0f;    // cosine of the angle between the normal and the sun
+/// What a picture shows besides ghosts, and may hide them.
+struct Hiding {
+    const SurfaceMap& map;  // without glass; empty: hides nothing
+    SeenSurfaces& seen;     // of the same frame
+};
+
+/// A ghost in one pixel.
+struct GhostPixel {
+    float covered = 0.0f;  // 0..1: the share of the rays that meet the ghost before anything else
+    float facing = 0.0f;   // mean cosine of the angle between its normal and the sun; below 0: 0
+    float mirrored = 0.0f;  // 0..1: mean share of the light that glass reflects at this angle
 };
 
 class GhostRays {
 public:
-    /// `sun`: direction towards the sun, unit.
-    GhostRays(const Solid& ghost, const View& view, const Vec3& sun, int width, int height);
-    /// `pixel`: from the upper left corner.
-    std::optional<GhostHit> at(const Vec2& pixel) const;
-    /// Approximate distance of the ghost's middle, m along the view axis.
-    float middle(const Vec2& pixel) const { return from_.norm() / through(pixel).norm(); }
+    /// `sun`: direction towards the sun, unit. `range`: of the ghost's silhouette, not empty.
+    GhostRays(const Solid& ghost, const Vec3& sun, const Hiding& hiding, const PixelRange& range);
+    /// The pixel must be in the range and within the silhouette. Rays along its rim that miss count as
+    /// hits, as far away as the ghost's middle, unless it has hollows.
+    GhostPixel at(int x, int y);
 
 private:
-    Vec3 through(const Vec2& p) const { return corner_ + p.x() * right_ + p.y() * down_; }
-    std::optional<GhostHit> onSurface(const Vec2& pixel) const;
+    struct Met {
+        FourInts first;  // -1 for rays that meet the ghost before anything else
+        FourInts lit;    // and for those of them that meet its surface, not only its rim
+        FourInts face;
+    };
+    /// Of four rays; `before`: where they meet something else.
+    Met meet(Four x, Four y, Four before) const;
+    Four beforeFour(int x, int y, Four px, Four py) const;
+    void castCentres();
+    bool sameAround(int x, int y) const;
+    void lookAround(int x, int y);
+    Four nearest(Four x, Four y);
+    GhostPixel sampled(int x, int y);
+    GhostPixel shade(int x, int y, int face) const;
 
-    const Solid& ghost_;
-    // In the ghost's axes: the eye; the direction through the upper left corner of the picture, 1 m
-    // along the view axis; the step of one pixel right and down.
-    Vec3 from_, corner_, right_, down_;
-    Vec3 sun_, sunInGhost_;
+    static constexpr int kRays = 8;
+
+    const Hiding& hiding_;
+    Vec3 sun_;
+    bool hollow_;
+    float middle_;  // m along the view axis
     Surface surface_;
-    Sight sight_;
     SeenSurface seen_;
+    std::array<Four, kRays / kFour> x_{}, y_{};  // of the rays, from a pixel's corner
+    std::vector<Vec3> normals_;  // by face, of boxes and hulls
+    PixelRange range_;
+    int stride_;
+    std::vector<int> centres_;  // of the range, row by row: a face, or kHidden or kMissed
+    std::array<int, 9> around_{};  // the surfaces of the pixel and its neighbours, each once
+    std::size_t count_ = 0;
 };
 
 }  // namespace render

@@ -1,5 +1,5 @@
-// Earlier poses as translucent silhouettes. A ray through every pixel gives the distance of the
-// ghost's surface and its angle to the light; nearer parts of the picture stay.
+// Earlier poses as translucent silhouettes. Rays through every pixel give the share of it that nothing
+// hides, and the angle of the ghost's surface to the light.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -92,10 +92,6 @@ std::vector<Vec2> hullOf(std::vector<Vec2> points) {
     return hull;
 }
 
-Color shaded(const Color& color, float light) {
-    return {color.r * light, color.g * light, color.b * light, color.a};
-}
-
 /// A silhouette as the half planes of its edges.
 class Silhouette {
 public:
@@ -113,6 +109,16 @@ public:
         float most = -1e9f;
         for (const Edge& edge : edges_) most = std::max(most, edge.out.dot(p) - edge.offset);
         return most;
+    }
+    /// Columns x0 <= x < x1 of a row whose pixels' distance is below `limit`.
+    void columns(int y, float limit, int& x0, int& x1) const {
+        for (const Edge& edge : edges_) {
+            const float rest = limit + edge.offset - edge.out.y() * centreOf(0, y).y();
+            const float x = std::clamp(rest / edge.out.x() - 0.5f, -1.0f, 1e6f);
+            if (edge.out.x() > 0.0f) x1 = std::min(x1, static_cast<int>(std::ceil(x)));
+            if (edge.out.x() < 0.0f) x0 = std::max(x0, static_cast<int>(std::floor(x)) + 1);
+            if (edge.out.x() == 0.0f && rest <= 0.0f) x1 = x0;
+        }
     }
     const Vec2& low() const { return low_; }
     const Vec2& high() const { return high_; }
@@ -138,45 +144,53 @@ std::optional<Silhouette> silhouetteOf(const Solid& ghost, const View& view, con
     return Silhouette(hull);
 }
 
+Color mixed(const Color& a, const Color& b, float share) {
+    return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b), a.a};
+}
+
 /// Darker and denser towards the outline, which is `edge` pixels wide; d: pixels, negative inside.
-Color tintOf(const Color& color, const Color& ink, float light, float d, float edge) {
-    const float rim = std::clamp(d + 0.5f + edge, 0.0f, 1.0f), share = 0.35f * rim;
-    Color tint = shaded(color, light);
-    tint.r += share * (ink.r - tint.r);
-    tint.g += share * (ink.g - tint.g);
-    tint.b += share * (ink.b - tint.b);
-    tint.a = std::min(color.a * (1.0f + 1.4f * rim), 1.0f);
+Color tintOf(const Color& color, const Look& look, const GhostPixel& seen, float d, float edge) {
+    const float rim = std::clamp(d + 0.5f + edge, 0.0f, 1.0f);
+    const float light = 0.75f + 0.25f * seen.facing;
+    Color tint{color.r * light, color.g * light, color.b * light, color.a};
+    tint = mixed(mixed(tint, look.skyHorizon, seen.mirrored), look.ink, 0.35f * rim);
+    tint.a += seen.mirrored * (1.0f - tint.a);
+    tint.a = std::min(tint.a * (1.0f + 1.4f * rim), 1.0f);
     return tint;
 }
 
 void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& view,
-               const DepthMap& depth) {
+               const Hiding& hiding) {
     const std::optional<Silhouette> silhouette = silhouetteOf(ghost, view, image);
     if (!silhouette) return;
-    const GhostRays rays(ghost, view, look.sunDirection.normalized(), image.width, image.height);
-    const bool hollow = ghost.mesh && !ghost.mesh->convex;
     const float edge = std::max(0.9f * overlayScale(look, image.width, image.height), 0.7f);
     const PixelRange range =
         pixelsWithin(image, silhouette->low() - Vec2(1, 1), silhouette->high() + Vec2(1, 1));
-    for (int y = range.y0; y <= range.y1; ++y)
-        for (int x = range.x0; x <= range.x1; ++x) {
-            const Vec2 at = centreOf(x, y);
-            const float d = silhouette->distance(at);
-            if (d >= 0.5f) continue;
-            const std::optional<GhostHit> hit = rays.at(at);
-            if (!hit && hollow) continue;
-            if (metersAt(depth, image, x, y) < 0.998f * (hit ? hit->distance : rays.middle(at)))
-                continue;
-            const float light = hit ? 0.75f + 0.25f * std::max(hit->facing, 0.0f) : 0.75f;
-            blend(image.at(x, y), tintOf(ghost.color, look.ink, light, d, edge),
-                  std::clamp(0.5f - d, 0.0f, 1.0f));
+    if (range.x0 > range.x1 || range.y0 > range.y1) return;
+    GhostRays rays(ghost, look.sunDirection.normalized(), hiding, range);
+    for (int y = range.y0; y <= range.y1; ++y) {
+        int begin = range.x0, end = range.x1 + 1;
+        silhouette->columns(y, 0.5f, begin, end);
+        int inner = begin, innerEnd = end;  // beyond the rim
+        silhouette->columns(y, -0.5f - edge, inner, innerEnd);
+        for (int x = begin; x < end; ++x) {
+            const bool within = inner <= x && x < innerEnd;
+            const float d = within ? -0.5f - edge : silhouette->distance(centreOf(x, y));
+            const GhostPixel seen = rays.at(x, y);
+            if (seen.covered == 0.0f) continue;
+            blend(image.at(x, y), tintOf(ghost.color, look, seen, d, edge),
+                  seen.covered * std::clamp(0.5f - d, 0.0f, 1.0f));
         }
+    }
 }
 
 }  // namespace
 
-void drawGhosts(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
-    for (const Solid& ghost : frame.ghosts) drawGhost(image, ghost, frame.look, view, depth);
+void drawGhosts(Image& image, const Frame& frame, const View& view, const SurfaceMap& surfaces) {
+    if (frame.ghosts.empty()) return;
+    SeenSurfaces seen(frame, view, image.width, image.height);
+    const Hiding hiding{surfaces, seen};
+    for (const Solid& ghost : frame.ghosts) drawGhost(image, ghost, frame.look, view, hiding);
 }
 
 }  // namespace render

@@ -117,15 +117,15 @@ void drawArrows(Image& image, const Frame& frame, const View& view, const DepthM
 
 bool needsDepth(const Frame& frame) {
     return !(frame.markers.empty() && frame.arrows.empty() && frame.lines.empty() &&
-             frame.ghosts.empty() && frame.labels.empty());
+             frame.labels.empty());
 }
 
-void drawOverlays(Image& image, const Frame& frame, const View& view, const DepthMap& depth) {
-    drawGhosts(image, frame, view, depth);
-    drawLines(image, frame, view, depth);
-    drawMarkers(image, frame, view, depth);
-    drawArrows(image, frame, view, depth);
-    drawTexts(image, frame, view, depth);
+void drawOverlays(Image& image, const Frame& frame, const View& view, const Scenery& scenery) {
+    drawGhosts(image, frame, view, scenery.surfaces);
+    drawLines(image, frame, view, scenery.depth);
+    drawMarkers(image, frame, view, scenery.depth);
+    drawArrows(image, frame, view, scenery.depth);
+    drawTexts(image, frame, view, scenery.depth);
 }
 
 }  // namespace render

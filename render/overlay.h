@@ -8,6 +8,7 @@
 #include "render/glyphs.h"
 #include "render/image.h"
 #include "render/occlusion.h"
+#include "render/surface_map.h"
 
 namespace render {
 
@@ -18,17 +19,23 @@ inline float metersAt(const DepthMap& depth, const Image& image, int x, int y) {
     return depth.at(x * depth.width / image.width, y * depth.height / image.height);
 }
 
-/// Whether the frame has overlays that bodies can hide.
+/// What bodies hide of the overlays.
+struct Scenery {
+    const DepthMap& depth;       // for all but ghosts; empty: nothing is hidden
+    const SurfaceMap& surfaces;  // for ghosts: of the image's size, without glass; may be empty, too
+};
+
+/// Whether the frame has overlays that depths can hide.
 bool needsDepth(const Frame& frame);
 
 /// Draws all overlays, in the order below.
-void drawOverlays(Image& image, const Frame& frame, const View& view, const DepthMap& depth);
+void drawOverlays(Image& image, const Frame& frame, const View& view, const Scenery& scenery);
 
 /// True if the picture shows something clearly nearer there, by more than `reach` (m).
 bool isHidden(const Projected& p, float reach, const Image& image, const DepthMap& depth);
 
 /// Translucent silhouettes, clipped by bodies in front of them.
-void drawGhosts(Image& image, const Frame& frame, const View& view, const DepthMap& depth);
+void drawGhosts(Image& image, const Frame& frame, const View& view, const SurfaceMap& surfaces);
 /// Thin lines; faint where they are behind something.
 void drawLines(Image& image, const Frame& frame, const View& view, const DepthMap& depth);
 /// Markers behind something are left out.

@@ -159,13 +159,22 @@ DepthMap Passes::drawDepth(const Frame& frame) {
     return map;
 }
 
-SurfaceMap Passes::drawSurfaces(const Frame& frame) {
+SurfaceMap Passes::drawSurfaces(const Frame& frame, const std::vector<char>* chosen) {
     if (!surfaces_) surfaces_ = std::make_unique<SurfacePass>(settings_.width, settings_.height);
     const View view = viewOf(frame);
-    setMeshes(frame, view);
+    setMeshes(frame, view, chosen);
     SurfaceMap map = surfaces_->draw(frame, upsideDown(view), meshes_, ground_);
     checkGl();
     return map;
+}
+
+const SurfaceMap& Passes::opaqueSurfaces(const Frame& frame) {
+    std::vector<char> opaque;
+    for (const Solid& solid : frame.solids) opaque.push_back(solid.material != Material::glass);
+    opaque.resize(opaque.size() + frame.rods.size(), true);
+    const bool glass = std::count(opaque.begin(), opaque.end(), false) > 0;
+    if (kept_.valid && isSmooth() && !glass) return kept_.surfaces;
+    return opaque_ = drawSurfaces(frame, &opaque);
 }
 
 OcclusionSettings Passes::occlusionOf(const Frame& frame, const View& view,

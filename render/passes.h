@@ -28,7 +28,9 @@ public:
     Image drawSample(const Frame& frame, const SubSample& sample);
     /// The depths of a frame, for its overlays.
     DepthMap drawDepth(const Frame& frame);
-    SurfaceMap drawSurfaces(const Frame& frame);
+    SurfaceMap drawSurfaces(const Frame& frame) { return drawSurfaces(frame, nullptr); }
+    /// The surfaces of a frame without its glass, for its ghosts; of the last scene if it is that one.
+    const SurfaceMap& opaqueSurfaces(const Frame& frame);
 
     View viewOf(const Frame& frame) const;
     View sampleView(const Frame& frame, const SubSample& sample) const;
@@ -67,6 +69,7 @@ private:
     }
     void setMeshes(const Frame& frame, const View& view, const Vec3& toSun,
                    const std::vector<char>* chosen = nullptr);
+    SurfaceMap drawSurfaces(const Frame& frame, const std::vector<char>* chosen);
     void setMeshesIn(const TileSet& tiles, const Frame& frame, const View& view);
     Part partOf(const Frame& frame, const View& view, const ShadowFit* sun);
     TileSet renewDepths(const Frame& frame, const View& view, const Part& part);
@@ -92,7 +95,8 @@ private:
     ScenePass scene_;
     std::unique_ptr<SurfacePass> surfaces_;  // made when first needed
     Kept kept_;
-    DepthMap spare_;  // its memory is used again
+    SurfaceMap opaque_;  // where those of `kept_` do not serve
+    DepthMap spare_;     // its memory is used again
     double drawnShare_ = 1.0;
     bool drawsSomething_ = false;  // a picture was not all black: the driver draws
 };

@@ -12,10 +12,12 @@ namespace {
 constexpr std::size_t kMostMoments = 256;
 
 /// Draws the overlays on the finished picture.
-void drawOver(Image& image, const Frame& frame, const DepthMap& depth, const Passes& passes) {
+void drawOver(Image& image, const Frame& frame, const DepthMap& depth, Passes& passes) {
     passes.enter(Stage::overlay);
     const View view = passes.viewOf(frame);
-    drawOverlays(image, frame, view, depth);
+    const SurfaceMap nothing;
+    const SurfaceMap& surfaces = frame.ghosts.empty() ? nothing : passes.opaqueSurfaces(frame);
+    drawOverlays(image, frame, view, {depth, surfaces});
     passes.enter(Stage::done);
 }
 

@@ -34,6 +34,26 @@ float strip(int index, int count, int stride) {
 
 }  // namespace
 
+std::vector<SampleOffset> sampleOffsets(int samples) {
+    constexpr int kTwo[][2] = {{4, 4}, {-4, -4}};
+    constexpr int kFourth[][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
+    constexpr int kEighth[][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5},
+                                  {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+    constexpr int kSixteenth[][2] = {{1, 1},  {-1, -3}, {-3, 2}, {4, -1}, {-5, -2}, {2, 5},
+                                     {5, 3},  {3, -5},  {-2, 6}, {0, -7}, {-4, -6}, {-6, 4},
+                                     {-8, 0}, {7, -4},  {6, 7},  {-7, -8}};
+    std::vector<SampleOffset> result;
+    const auto add = [&result](const auto& places) {
+        for (const auto& p : places)
+            result.push_back({static_cast<float>(p[0]) / 16.0f, static_cast<float>(p[1]) / 16.0f});
+    };
+    if (samples == 2) add(kTwo), add(kTwo);  // twice, to fill four
+    if (samples == 4) add(kFourth);
+    if (samples == 8) add(kEighth);
+    if (samples == 16) add(kSixteenth);
+    return result;
+}
+
 SubSample subSample(int index, int count, const Vec3& sun) {
     SubSample sample;
     sample.pixel = {mirrored(index + 1, 2) - 0.5f, mirrored(index + 1, 3) - 0.5f};

@@ -148,6 +148,43 @@ TEST(EdgeSamples, WorkOnPicturesOfAnySize) {
     }
 }
 
+/// A slab half in a ghost box, as in water; with glass before all.
+Frame afloat(bool glass) {
+    Frame frame = flatSurfaces();
+    frame.solids.erase(frame.solids.begin() + 1, frame.solids.end());
+    frame.rods.clear();
+    frame.solids[0].color = fromHex(0xf0e0d0);
+    Solid water;
+    water.position = {0, 0.2f, 0}, water.halfSize = {3, 0.8f, 1.2f};
+    water.color = {0.1f, 0.3f, 0.8f, 0.7f};
+    frame.ghosts.push_back(water);
+    if (!glass) return frame;
+    Solid pane;
+    pane.position = {0, 1, 2}, pane.halfSize = {4, 3, 0.02f}, pane.material = Material::glass;
+    frame.solids.push_back(pane);
+    return frame;
+}
+
+TEST(Ghosts, MeetBodiesInASmoothLine) {
+    for (const bool glass : {false, true})
+        for (const int samples : {1, 8}) {
+            const Frame frame = afloat(glass);
+            const Image exact = shrunk(Renderer(plainSettings(8 * 160, 8 * 90, 8)).draw(frame));
+            const Image small = Renderer(plainSettings(160, 90, samples)).draw(frame);
+            const SurfaceMap map = Renderer(plainSettings(160, 90, 1)).surfaces(afloat(false));
+            for (int y = 1; y < 89; ++y)  // on the slab, away from its own edges
+                for (int x = 1; x < 159; ++x) {
+                    const int s = map.at(x, y);
+                    if (map.surface(x, y) != 0 || map.at(x - 1, y) != s || map.at(x + 1, y) != s ||
+                        map.at(x, y - 1) != s || map.at(x, y + 1) != s)
+                        continue;
+                    for (int c = 0; c < 3; ++c)
+                        EXPECT_NEAR(small.at(x, y)[c], exact.at(x, y)[c], 16)
+                            << x << "," << y << (glass ? " behind glass" : "");
+                }
+        }
+}
+
 TEST(EdgeSamples, AThinRodHasNoGaps) {
     Frame frame;
     frame.camera = {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 35};

@@ -16,6 +16,7 @@ constexpr int kSize = 200;
 struct Scene {
     Image image;
     DepthMap depth;
+    SurfaceMap surfaces;
     Frame frame;
     View view;
 
@@ -26,10 +27,14 @@ struct Scene {
         image.pixels.assign(4u * kSize * kSize, 255);
         depth.width = depth.height = kSize / 2;  // half size, as in the renderer
         depth.meters.assign(kSize * kSize / 4, distance);
+        Solid& wall = frame.solids.emplace_back();
+        wall.halfSize = {1000, 1000, 0.5f};
+        wall.position = {0, 0, -distance - 0.5f};
+        surfaces = {kSize, kSize, std::vector<std::int32_t>(kSize * kSize, packedSurface(0, 5))};
     }
     /// The amount of ink, in pixels.
     double draw() {
-        drawOverlays(image, frame, view, depth);
+        drawOverlays(image, frame, view, {depth, surfaces});
         double sum = 0.0;
         for (std::size_t i = 0; i < image.pixels.size(); i += 4) sum += 255.0 - image.pixels[i + 1];
         return sum / 255.0;
