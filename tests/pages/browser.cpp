@@ -1,7 +1,6 @@
 #include "tests/pages/browser.h"
 
 #include <algorithm>
-#include <exception>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -25,38 +24,38 @@ DevTools& browser() {
     return tools;
 }
 
-/// A page in a context of its own, closed with it.
-class Page {
+/// The tab that shows all pages, one after the other: a new one takes half a second.
+class Tab {
 public:
-    explicit Page(const std::optional<Window>& window) {
-        context_ = tools_.call("", "Target.createBrowserContext").at("browserContextId");
-        const Json target{{"url", "about:blank"},
-                          {"browserContextId", context_},
-                          {"width", kWidth},
-                          {"height", kHeight}};
+    Tab() {
+        const Json target{
+            {"url", "about:blank"}, {"newWindow", true}, {"width", kWidth}, {"height", kHeight}};
         const std::string id = tools_.call("", "Target.createTarget", target).at("targetId");
         session_ = tools_.call("", "Target.attachToTarget", {{"targetId", id}, {"flatten", true}})
                        .at("sessionId");
         for (const char* domain : {"Page", "Runtime", "Network", "Log"})
             call(std::string(domain) + ".enable");
-        if (window)
-            call("Emulation.setDeviceMetricsOverride", {{"width", window->width},
-                                                        {"height", window->height},
-                                                        {"deviceScaleFactor", 1},
-                                                        {"mobile", false}});
     }
-    ~Page() {
-        try {
-            tools_.call("", "Target.disposeBrowserContext", {{"browserContextId", context_}});
-        } catch (const std::exception&) {
-            return;  // the browser has ended, which the test has reported
-        }
-    }
-    Page(const Page&) = delete;
-    Page& operator=(const Page&) = delete;
+    Tab(const Tab&) = delete;
+    Tab& operator=(const Tab&) = delete;
 
     Json call(const std::string& method, const Json& params = Json::object()) {
         return tools_.call(session_, method, params);
+    }
+
+    /// Removes the page, and what it stored.
+    void leave() {
+        call("Runtime.evaluate",
+             {{"expression", "localStorage.clear(); sessionStorage.clear(); window.name = ''"}});
+        call("Page.navigate", {{"url", "about:blank"}});
+    }
+
+    void resize(const std::optional<Window>& window) {
+        if (!window) return void(call("Emulation.clearDeviceMetricsOverride"));
+        call("Emulation.setDeviceMetricsOverride", {{"width", window->width},
+                                                    {"height", window->height},
+                                                    {"deviceScaleFactor", 1},
+                                                    {"mobile", false}});
     }
 
     /// Returns when the page has used up its virtual time, which begins with its load and goes on
@@ -79,7 +78,7 @@ public:
 
     render::Image screenshot() {
         const std::string png =
-            demos::fromBase64(call("Page.captureScreenshot").at("data").get<std::string>()).value();
+            demos::fromBase64(call("Page.captureScreenshot", {{"optimizeForSpeed", true}}).at("data").get<std::string>()).value();
         return render::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
     }
 
@@ -128,7 +127,7 @@ private:
     }
 
     DevTools& tools_ = browser();
-    std::string context_, session_;
+    std::string session_;
 };
 
 }  // namespace
@@ -143,9 +142,12 @@ Opened Browser::open(std::string page, const std::string& hash, const std::strin
     page.insert(page.rfind("</body>"), "<script>" + driver + "</script>");
     std::ofstream(folder_ / "page.html", std::ios::binary) << page;
     std::ofstream(folder_ / "empty.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"/>)";
-    Page opened(window);
-    opened.go("file://" + (folder_ / "page.html").string() + "#" + hash);
-    return {opened.dom(), opened.console(), opened.requests(), opened.screenshot()};
+    static Tab tab;
+    tab.resize(window);
+    tab.go("file://" + (folder_ / "page.html").string() + "#" + hash);
+    Opened opened{tab.dom(), tab.console(), tab.requests(), tab.screenshot()};
+    tab.leave();
+    return opened;
 }
 
 }  // namespace support

@@ -26,8 +26,8 @@ struct Opened {
     render::Image screenshot;           // 1400x900, or the window
 };
 
-/// Pages in files of a folder. All of them are opened by one browser process, each in a context of
-/// its own: nothing that one stores is there for the next.
+/// Pages in files of a folder. All of them are opened by one browser process, in one tab; nothing that
+/// one stores is there for the next.
 class Browser {
 public:
     explicit Browser(const TemporaryFolder& folder) : folder_(folder) {}

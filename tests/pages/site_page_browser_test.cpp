@@ -39,6 +39,23 @@ protected:
     support::Browser browser_{folder_};
 };
 
+TEST(Browser, ShowsNothingOfThePageBefore) {
+    const support::TemporaryFolder folder;
+    const support::Browser browser(folder);
+    const std::string script = R"js(
+  document.title = `was ${[localStorage.a, sessionStorage.a, window.name, innerWidth]}`;
+  localStorage.a = sessionStorage.a = window.name = "b";
+  console.log("c");
+)js";
+    const std::optional<support::Window> small = support::Window{500, 400}, usual;
+    for (const auto& window : {usual, small, usual}) {
+        const Opened opened = browser.open("<title></title><body></body>", "", script, window);
+        EXPECT_NE(opened.dom.find(window ? "was ,,,500<" : "was ,,,1400<"), std::string::npos)
+            << opened.dom;
+        EXPECT_EQ(opened.console.size(), 1u);
+    }
+}
+
 const std::string kAsk = R"js(
   const shown = () => [...byId("found").querySelectorAll("a")];
   const ask = async (text) => {
