@@ -40,5 +40,5 @@ set(impulse_notices ${CMAKE_CURRENT_BINARY_DIR}/licenses.txt)
 file(CONFIGURE OUTPUT ${impulse_notices} CONTENT "@text@" @ONLY)
 configure_file(program/licenses.cpp.in licenses.cpp @ONLY)
 set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/licenses.cpp PROPERTIES
-  OBJECT_DEPENDS ${impulse_notices} SKIP_UNITY_BUILD_INCLUSION ON)
+  OBJECT_DEPENDS ${impulse_notices} SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_sources(demos_program PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/licenses.cpp)
