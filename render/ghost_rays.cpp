@@ -1,4 +1,4 @@
-// covered  = 1/n sum over rays of  [t_ghost <= t of every surface around the pixel]
+// seen     = 1/n sum over the n rays that meet the ghost of  [t_ghost <= t of every surface around the pixel]
 // mirrored = F + (1 - F) (1 - cos)^5, Schlick 1994
 #include "render/ghost_rays.h"
 
@@ -57,7 +57,7 @@ GhostRays::Met GhostRays::meet(Four x, Four y, Four before) const {
     const FourInts missed = hits.t == none;
     const Four t = missed ? (hollow_ ? none : fourOf(middle_)) : hits.t;
     const FourInts first = (kTie * t <= before) & (t < none);
-    return {first, first & ~missed, hits.face};
+    return {~missed, first, hits.face};
 }
 
 /// Where rays through the middles of four pixels in a row meet the surfaces seen there.
@@ -83,7 +83,7 @@ void GhostRays::castCentres() {
             const Four px = steps + static_cast<float>(x), py = fourOf(static_cast<float>(y) + 0.5f);
             const Met met = meet(px, py, beforeFour(x, y, px, py));
             for (int i = 0; i < kFour && x + i <= range_.x1; ++i)
-                centres_[at++] = met.lit[i] ? met.face[i] : met.first[i] ? kMissed : kHidden;
+                centres_[at++] = !met.first[i] ? kHidden : met.hit[i] ? met.face[i] : kMissed;
         }
 }
 
@@ -107,9 +107,8 @@ Four GhostRays::nearest(Four x, Four y) {
     return t;
 }
 
-GhostPixel GhostRays::shade(int x, int y, int face) const {
+GhostPixel GhostRays::shade(const Vec2& at, int face) const {
     const Sight& sight = hiding_.seen.sight();
-    const Vec2 at = centreOf(x, y);
     const Vec3 way = sight.ahead + at.x() * sight.right + at.y() * sight.down;
     const Vec3 normal =
         normals_.empty()
@@ -122,20 +121,23 @@ GhostPixel GhostRays::shade(int x, int y, int face) const {
 
 GhostPixel GhostRays::sampled(int x, int y) {
     lookAround(x, y);
-    int first = 0, lit = 0;
+    int hits = 0, lit = 0, rim = 0;
     GhostPixel sum;
     for (std::size_t group = 0; group < x_.size(); ++group) {
         const Four px = x_[group] + static_cast<float>(x), py = y_[group] + static_cast<float>(y);
         const Met met = meet(px, py, nearest(px, py));
         for (int i = 0; i < kFour; ++i) {
-            first -= met.first[i];
-            if (!met.lit[i]) continue;
-            const GhostPixel one = shade(x, y, met.face[i]);
+            hits -= met.hit[i];
+            rim -= met.first[i] & ~met.hit[i];
+            if (!(met.first[i] & met.hit[i])) continue;
+            const GhostPixel one = shade({px[i], py[i]}, met.face[i]);
             sum.facing += one.facing, sum.mirrored += one.mirrored, ++lit;
         }
     }
+    if (hits == 0) return {static_cast<float>(rim) / kRays};
     const float each = lit > 0 ? 1.0f / static_cast<float>(lit) : 0.0f;
-    return {static_cast<float>(first) / kRays, each * sum.facing, each * sum.mirrored};
+    const int rays = hollow_ ? kRays : hits;
+    return {static_cast<float>(lit) / static_cast<float>(rays), each * sum.facing, each * sum.mirrored};
 }
 
 bool GhostRays::sameAround(int x, int y) const {
@@ -148,7 +150,7 @@ GhostPixel GhostRays::at(int x, int y) {
     if (!sameAround(x, y)) return sampled(x, y);
     const int face = centres_[static_cast<std::size_t>(y - range_.y0) * stride_ + (x - range_.x0)];
     if (face == kHidden) return {};
-    return face == kMissed ? GhostPixel{1.0f} : shade(x, y, face);
+    return face == kMissed ? GhostPixel{1.0f} : shade(centreOf(x, y), face);
 }
 
 }  // namespace render

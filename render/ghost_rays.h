@@ -17,7 +17,8 @@ struct Hiding {
 
 /// A ghost in one pixel.
 struct GhostPixel {
-    float covered = 0.0f;  // 0..1: the share of the rays that meet the ghost before anything else
+    float seen = 0.0f;  // 0..1: of the rays that meet the ghost (with hollows, of all), those that meet
+                        // nothing before it
     float facing = 0.0f;   // mean cosine of the angle between its normal and the sun; below 0: 0
     float mirrored = 0.0f;  // 0..1: mean share of the light that glass reflects at this angle
 };
@@ -26,14 +27,16 @@ class GhostRays {
 public:
     /// `sun`: direction towards the sun, unit. `range`: of the ghost's silhouette, not empty.
     GhostRays(const Solid& ghost, const Vec3& sun, const Hiding& hiding, const PixelRange& range);
-    /// The pixel must be in the range and within the silhouette. Rays along its rim that miss count as
-    /// hits, as far away as the ghost's middle, unless it has hollows.
+    /// The pixel must be in the range. Where its rays miss the ghost, along the silhouette's rim, they
+    /// count as hits as far away as the ghost's middle; with hollows they count as hidden.
     GhostPixel at(int x, int y);
+    /// Its silhouette is not convex, and is that of the rays.
+    bool hollow() const { return hollow_; }
 
 private:
     struct Met {
-        FourInts first;  // -1 for rays that meet the ghost before anything else
-        FourInts lit;    // and for those of them that meet its surface, not only its rim
+        FourInts hit;    // -1 for rays that meet the ghost
+        FourInts first;  // and for those that meet it, or its rim, before anything else
         FourInts face;
     };
     /// Of four rays; `before`: where they meet something else.
@@ -44,7 +47,7 @@ private:
     void lookAround(int x, int y);
     Four nearest(Four x, Four y);
     GhostPixel sampled(int x, int y);
-    GhostPixel shade(int x, int y, int face) const;
+    GhostPixel shade(const Eigen::Vector2f& at, int face) const;
 
     static constexpr int kRays = 8;
 

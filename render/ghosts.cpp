@@ -1,4 +1,4 @@
-// Earlier poses as translucent silhouettes. Rays through every pixel give the share of it that nothing
+// Earlier poses, and bodies that only sense, as translucent silhouettes. Rays through every pixel give the share of it that nothing
 // hides, and the angle of the ghost's surface to the light.
 #include <algorithm>
 #include <cmath>
@@ -149,13 +149,16 @@ Color mixed(const Color& a, const Color& b, float share) {
 }
 
 /// Darker and denser towards the outline, which is `edge` pixels wide; d: pixels, negative inside.
-Color tintOf(const Color& color, const Look& look, const GhostPixel& seen, float d, float edge) {
+Color tintOf(const Color& color, const Look& look, const GhostPixel& pixel, float d, float edge) {
     const float rim = std::clamp(d + 0.5f + edge, 0.0f, 1.0f);
-    const float light = 0.75f + 0.25f * seen.facing;
-    Color tint{color.r * light, color.g * light, color.b * light, color.a};
-    tint = mixed(mixed(tint, look.skyHorizon, seen.mirrored), look.ink, 0.35f * rim);
-    tint.a += seen.mirrored * (1.0f - tint.a);
-    tint.a = std::min(tint.a * (1.0f + 1.4f * rim), 1.0f);
+    const float light = 0.75f + 0.25f * pixel.facing;
+    // The image of the sky, if there is one, lies over the ghost; that of a faint one is faint.
+    const float sky = look.transparent ? 0.0f : std::min(3.0f * color.a, 1.0f) * pixel.mirrored;
+    const float alpha = sky + (1.0f - sky) * color.a;
+    Color tint{color.r * light, color.g * light, color.b * light};
+    tint = mixed(tint, look.skyHorizon, sky / std::max(alpha, 1e-6f));
+    tint = mixed(tint, look.ink, 0.35f * rim);
+    tint.a = std::min(alpha * (1.0f + 1.4f * rim), 1.0f);
     return tint;
 }
 
@@ -176,10 +179,10 @@ void drawGhost(Image& image, const Solid& ghost, const Look& look, const View& v
         for (int x = begin; x < end; ++x) {
             const bool within = inner <= x && x < innerEnd;
             const float d = within ? -0.5f - edge : silhouette->distance(centreOf(x, y));
-            const GhostPixel seen = rays.at(x, y);
-            if (seen.covered == 0.0f) continue;
-            blend(image.at(x, y), tintOf(ghost.color, look, seen, d, edge),
-                  seen.covered * std::clamp(0.5f - d, 0.0f, 1.0f));
+            const GhostPixel pixel = rays.at(x, y);
+            if (pixel.seen == 0.0f) continue;
+            const float inside = rays.hollow() ? 1.0f : std::clamp(0.5f - d, 0.0f, 1.0f);
+            blend(image.at(x, y), tintOf(ghost.color, look, pixel, d, edge), pixel.seen * inside);
         }
     }
 }

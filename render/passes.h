@@ -29,7 +29,8 @@ public:
     /// The depths of a frame, for its overlays.
     DepthMap drawDepth(const Frame& frame);
     SurfaceMap drawSurfaces(const Frame& frame) { return drawSurfaces(frame, nullptr); }
-    /// The surfaces of a frame without its glass, for its ghosts; of the last scene if it is that one.
+    /// The surfaces of a frame without its glass, for its ghosts. To be called after drawScene() of this
+    /// frame or drawSample().
     const SurfaceMap& opaqueSurfaces(const Frame& frame);
 
     View viewOf(const Frame& frame) const;
