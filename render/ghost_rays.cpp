@@ -1,9 +1,10 @@
-// seen     = 1/n sum over the n rays that meet the ghost of  [t_ghost <= t of every surface around the pixel]
+// seen     = 1/n sum over the n rays that meet the ghost of  [t_ghost <= t of all around the pixel]
 // mirrored = F + (1 - F) (1 - cos)^5, Schlick 1994
 #include "render/ghost_rays.h"
 
 #include <algorithm>
 
+#include "render/mesh_tree.h"
 #include "render/sampling.h"
 
 namespace render {
@@ -80,7 +81,8 @@ void GhostRays::castCentres() {
     std::size_t at = 0;
     for (int y = range_.y0; y <= range_.y1; ++y)
         for (int x = range_.x0; x <= range_.x1; x += kFour) {
-            const Four px = steps + static_cast<float>(x), py = fourOf(static_cast<float>(y) + 0.5f);
+            const Four px = steps + static_cast<float>(x);
+            const Four py = fourOf(static_cast<float>(y) + 0.5f);
             const Met met = meet(px, py, beforeFour(x, y, px, py));
             for (int i = 0; i < kFour && x + i <= range_.x1; ++i)
                 centres_[at++] = !met.first[i] ? kHidden : met.hit[i] ? met.face[i] : kMissed;

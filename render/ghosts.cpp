@@ -1,5 +1,5 @@
-// Earlier poses, and bodies that only sense, as translucent silhouettes. Rays through every pixel give the share of it that nothing
-// hides, and the angle of the ghost's surface to the light.
+// Earlier poses, and bodies that only sense, as translucent silhouettes. Rays through every pixel give
+// the share of it that nothing hides, and the angle of the ghost's surface to the light.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -23,7 +23,7 @@ constexpr double kShare = 0.8;  // of the machine's memory; the rest is for othe
 // 1280x720, 1920x1080 and 3840x2160, as PNG files and as .mp4, with --blur 4 and with every --pass.
 // bytes = fixed + pixels * each; the fixed parts are mostly libraries, which the processes share.
 // The number of samples makes no difference.
-constexpr double kWorker = 66.0 * kMiB;  // plus the shadow map
+constexpr double kWorker = 74.0 * kMiB;  // plus the shadow map
 constexpr double kProgram = 57.0 * kMiB;
 constexpr double kEncoder = 58.0 * kMiB;
 constexpr double kPixel = 31.0;        // buffers, the picture, what is kept of it, a message
