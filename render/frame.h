@@ -197,7 +197,7 @@ struct Frame {
     std::vector<Arrow> arrows;
     std::vector<Marker> markers;
     std::vector<Line> lines;
-    std::vector<Solid> ghosts;  // earlier poses, oldest first; translucent by their colour's a
+    std::vector<Solid> ghosts;  // sensors, earlier poses (oldest first); translucent by their colour's a
     std::vector<Label> labels;
     std::vector<Trail> trails;
     std::vector<Text> texts;
