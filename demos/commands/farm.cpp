@@ -6,6 +6,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/commands/render_options.h"
+#include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
 #include "demos/text/complaints.h"
 #include "demos/text/put_text.h"

@@ -6,6 +6,7 @@
 #include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
 #include "demos/load/builtin.h"
+#include "demos/scene/description.h"
 #include "demos/scene/explain.h"
 #include "demos/scene/reader.h"
 #include "demos/scene/schema.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "demos/film/film_plan.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
 #include "render/encode/ffmpeg.h"

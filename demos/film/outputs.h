@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "demos/film/film_options.h"
-#include "demos/film/film_plan.h"
 #include "demos/film/pattern.h"
 
 namespace demos {
+
+struct FilmPlan;
 
 enum class OutputKind {
     frames,  // PNG files and their run.json

@@ -4,11 +4,12 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "demos/film/film_plan.h"
 #include "demos/gallery/gallery_options.h"
 #include "demos/gallery/gallery_scenes.h"
 
 namespace demos {
+
+struct FilmPlan;
 
 struct GalleryCard {
     std::string name, group, title, purpose;

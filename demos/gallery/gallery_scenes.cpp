@@ -8,6 +8,7 @@
 
 #include "demos/load/builtin.h"
 #include "demos/load/load_scene.h"
+#include "demos/scene/description.h"
 #include "demos/scene/reader.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "demos/scene/description.h"
 #include "demos/scene/scene_values.h"
 
 namespace demos {
+
+struct SceneDescription;
 
 /// `nameOrPath`: a built-in name or a path. Throws SceneError; for an unknown name it suggests the
 /// nearest.

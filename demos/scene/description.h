@@ -25,6 +25,14 @@ using engine::Quat;
 using engine::Vec3;
 
 struct BodyDescription {
+    // These six, here and below, are in description.cpp, so that other files compile faster.
+    BodyDescription();
+    BodyDescription(const BodyDescription&);
+    BodyDescription(BodyDescription&&) noexcept;
+    BodyDescription& operator=(const BodyDescription&);
+    BodyDescription& operator=(BodyDescription&&) noexcept;
+    ~BodyDescription();
+
     std::string name;
     engine::BodyDef def;            // with the material's values in def.material
     std::optional<unsigned> color;  // 0xRRGGBB
@@ -109,6 +117,13 @@ struct FormulaCaption {
 
 /// A chapter of the film.
 struct Section {
+    Section();
+    Section(const Section&);
+    Section(Section&&) noexcept;
+    Section& operator=(const Section&);
+    Section& operator=(Section&&) noexcept;
+    ~Section();
+
     double at = 0.0;  // s
     std::string name, caption, notes, poster;  // the caption's formulas in ordinary letters
     double slow = 1.0;
@@ -171,6 +186,13 @@ struct Snapshot {
 };
 
 struct SceneDescription {
+    SceneDescription();
+    SceneDescription(const SceneDescription&);
+    SceneDescription(SceneDescription&&) noexcept;
+    SceneDescription& operator=(const SceneDescription&);
+    SceneDescription& operator=(SceneDescription&&) noexcept;
+    ~SceneDescription();
+
     std::string name;  // built-in name or the file's stem
     std::optional<std::filesystem::path> folder;  // of the file; files it names are relative to it
     std::uint64_t contents = 0;  // hash of the points and triangles read from such files

@@ -1,16 +1,17 @@
 /// From a scene file's text to its description. Strict: anything not understood is an error.
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "demos/scene/description.h"
-
 namespace demos {
 
 class Catalog;
+struct SceneDescription;
 
 /// All errors of one scene, a line each: `file:line:column: what is wrong, its value, what would be
 /// right`, in the order of the file. Control bytes are escaped.

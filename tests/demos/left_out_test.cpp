@@ -6,6 +6,7 @@
 
 #include "demos/commands/commands.h"
 #include "demos/load/load_scene.h"
+#include "demos/scene/description.h"
 #include "demos/scene/reader.h"
 
 namespace demos {

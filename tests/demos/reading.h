@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/scene/description.h"
 #include "demos/scene/reader.h"
 #include "demos/text/complaints.h"
 
