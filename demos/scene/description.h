@@ -25,14 +25,6 @@ using engine::Quat;
 using engine::Vec3;
 
 struct BodyDescription {
-    // These six, here and below, are in description.cpp, so that other files compile faster.
-    BodyDescription();
-    BodyDescription(const BodyDescription&);
-    BodyDescription(BodyDescription&&) noexcept;
-    BodyDescription& operator=(const BodyDescription&);
-    BodyDescription& operator=(BodyDescription&&) noexcept;
-    ~BodyDescription();
-
     std::string name;
     engine::BodyDef def;            // with the material's values in def.material
     std::optional<unsigned> color;  // 0xRRGGBB
@@ -117,13 +109,6 @@ struct FormulaCaption {
 
 /// A chapter of the film.
 struct Section {
-    Section();
-    Section(const Section&);
-    Section(Section&&) noexcept;
-    Section& operator=(const Section&);
-    Section& operator=(Section&&) noexcept;
-    ~Section();
-
     double at = 0.0;  // s
     std::string name, caption, notes, poster;  // the caption's formulas in ordinary letters
     double slow = 1.0;
@@ -186,6 +171,7 @@ struct Snapshot {
 };
 
 struct SceneDescription {
+    // Defined in description.cpp: inline, every file that has a scene would compile them.
     SceneDescription();
     SceneDescription(const SceneDescription&);
     SceneDescription(SceneDescription&&) noexcept;

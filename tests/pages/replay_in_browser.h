@@ -25,12 +25,8 @@ protected:
         recording_.bodies[0].name = "<img src=http://127.0.0.1:9/name.png>";
         recording_.bodies[1].color = {0.1f, 0.2f, 0.9f, 1.0f};
         recording_.grounds = {{true, {0, 1, 0}, -1.0f, 0}};
-        recording_.sections.resize(2);
-        recording_.sections[0].name = "first";
-        recording_.sections[0].caption = "It starts";
-        recording_.sections[1].at = 1.0;
-        recording_.sections[1].name = "second";
-        recording_.sections[1].caption = "Half way";
+        recording_.sections = {{0.0, "first", "It starts", "", "", 1.0, false, false},
+                               {1.0, "second", "Half way", "", "", 1.0, false, false}};
         for (int i = 0; i < kReplayFrames; ++i) {
             RecordedFrame& frame = recording_.frames[i];
             frame.bodies[0] = {{placeAt(i), engine::Quat::Identity()}, {3, 0, 0}, {0, 0, 0}};

@@ -181,8 +181,7 @@ TEST(ReplayPage, NothingBreaksOutOfItsData) {
     Recording recording = plantedRecording(1, 2, 1);
     const std::string harmless = replayPage(recording).html;
     recording.name = recording.title = recording.bodies[0].name = hostile;
-    Section& section = recording.sections.emplace_back();
-    section.name = section.caption = section.notes = section.poster = hostile;
+    recording.sections = {{0.0, hostile, hostile, hostile, hostile, 1.0, false, false}};
     recording.joints.push_back({hostile, 0, -1, {0, 0, 0}, {0, 0, 0}, 2});
     const ReplayPage page = replayPage(recording);
     for (const char* word : {"<script", "</script", "<!--", "\xe2\x80\xa8"})
