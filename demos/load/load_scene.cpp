@@ -1,6 +1,7 @@
 #include "demos/load/load_scene.h"
 
 #include "demos/load/builtin.h"
+#include "demos/scene/description.h"
 #include "demos/scene/include.h"
 #include "demos/scene/reader.h"
 #include "demos/text/nearest.h"
