@@ -77,8 +77,8 @@ public:
     }
 
     render::Image screenshot() {
-        const std::string png =
-            demos::fromBase64(call("Page.captureScreenshot", {{"optimizeForSpeed", true}}).at("data").get<std::string>()).value();
+        const Json shot = call("Page.captureScreenshot", {{"optimizeForSpeed", true}});
+        const std::string png = demos::fromBase64(shot.at("data").get<std::string>()).value();
         return render::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
     }
 
@@ -145,7 +145,7 @@ Opened Browser::open(std::string page, const std::string& hash, const std::strin
     static Tab tab;
     tab.resize(window);
     tab.go("file://" + (folder_ / "page.html").string() + "#" + hash);
-    Opened opened{tab.dom(), tab.console(), tab.requests(), tab.screenshot()};
+    Opened opened{tab.dom(), tab.console(), tab.requests(), screenshots_ ? tab.screenshot() : render::Image{}};
     tab.leave();
     return opened;
 }

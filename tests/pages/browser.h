@@ -23,14 +23,15 @@ struct Opened {
     std::string dom;                    // after its script ran
     std::vector<std::string> console;   // its messages, including refusals by the content policy
     std::vector<std::string> requests;  // addresses it requested from the network
-    render::Image screenshot;           // 1400x900, or the window
+    render::Image screenshot;           // 1400x900, or the window; if asked for
 };
 
 /// Pages in files of a folder. All of them are opened by one browser process, in one tab; nothing that
 /// one stores is there for the next.
 class Browser {
 public:
-    explicit Browser(const TemporaryFolder& folder) : folder_(folder) {}
+    explicit Browser(const TemporaryFolder& folder, bool screenshots = false)
+        : folder_(folder), screenshots_(screenshots) {}
 
     /// `driver`: a script that runs after the page's own. `hash`: "scene=a&mode=7". `window`: by
     /// default one of 1400x900 with the browser's own frame.
@@ -39,6 +40,7 @@ public:
 
 private:
     const TemporaryFolder& folder_;
+    bool screenshots_;  // a sixth of a second each
 };
 
 }  // namespace support

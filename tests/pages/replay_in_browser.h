@@ -95,7 +95,7 @@ solids.drawArraysInstanced = function (...words) {
     }
 
     TemporaryFolder folder_;
-    Browser browser_{folder_};
+    Browser browser_{folder_, true};
     Recording recording_;
 };
 

@@ -58,7 +58,7 @@ protected:
     }
 
     support::TemporaryFolder folder_;
-    Browser browser_{folder_};
+    Browser browser_{folder_, true};
     TestVerdict verdict_;
     std::vector<ReportTrajectories> trajectories_;
 };

@@ -72,6 +72,7 @@ Names fishOptions(const std::string& text, const std::string& command) {
     for (std::string line; std::getline(lines, line);) {
         const std::string words =
             between(line, "'__fish_seen_subcommand_from " + command + "'", " -d ");
+        if (words.empty()) continue;
         for (const std::string& name : found(words, " -l ([a-z-]+)")) names.insert("--" + name);
         for (const std::string& name : found(words, " -s ([a-z])")) names.insert("-" + name);
     }

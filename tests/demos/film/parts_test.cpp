@@ -29,7 +29,7 @@ protected:
 TEST_F(PartsOfAFilm, HaveTheSameNumberOfFrames) {
     write("001-of-003", 9, "impulse render a --shard 1/3");
     write("002-of-003", 9, "impulse render a --shard 2/3");
-    write("003-of-003", 900'000, "impulse render a --shard 3/3");
+    write("003-of-003", 9'000, "impulse render a --shard 3/3");
     const Parts parts = partsIn(folder_.path());
     EXPECT_EQ(parts.whole.frames.size(), 9u);
     EXPECT_EQ(parts.wanted, std::vector<int>{3});
