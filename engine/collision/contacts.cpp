@@ -17,14 +17,16 @@ constexpr int kPairsAThread = 256;   // at least
 /// Keeps the previous contact; only its normal turns with a. This saves the search, and the points keep their
 /// features.
 bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pair,
-                 const Bodies& bodies, std::vector<Contact>& found) {
+                 const Bodies& bodies, double dt, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
     const auto isOfPair = [&](std::size_t i) {
         return i < previous.size() && pairOf(previous[i]) == pair;
     };
     if (!isOfPair(old) || isOfPair(old + 1) || !stays(previous[old], bodies)) return false;
     found.push_back(kept(previous[old], bodies));
-    return true;
+    if (!mayPass(found.back(), bodies, finder.moving, dt)) return true;
+    found.pop_back();
+    return false;
 }
 
 bool anyStirs(const Bodies& bodies) {
@@ -48,19 +50,19 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
                  std::size_t old, const ContactFinder& finder, std::vector<Contact>& found) {
     const PiecePair whole{pair, wholeOf(bodies.defs[pair.a].shape),
                           wholeOf(bodies.defs[pair.b].shape)};
-    if (const std::optional<Impact> impact =
-            impactOf(bodies, pair, finder.moving, margin, near, dt)) {
-        const MovingManifolds met =
-            collideMoving(bodies, whole, finder.moving, *impact, margin, near, dt);
+    const auto meet = [&](const Impact& impact) {
+        const MovingManifolds met = collideMoving(bodies, whole, finder.moving, impact, margin, near, dt);
         for (int i = 0; i < met.count; ++i)
             found.push_back(contactOf(bodies, pair, met.manifolds[i], Found::onTheWay));
-        return;
-    }
-    if (keepContact(finder, old, pair, bodies, found)) return;
-    const Manifold manifold =
-        collide(bodies.defs[pair.a].shape, bodies.poses[pair.a], bodies.defs[pair.b].shape,
-                bodies.poses[pair.b], margin);
-    if (manifold.count > 0) found.push_back(contactOf(bodies, pair, manifold, Found::here));
+    };
+    if (const auto impact = impactOf(bodies, pair, finder.moving, margin, near, dt)) return meet(*impact);
+    if (keepContact(finder, old, pair, bodies, dt, found)) return;
+    const Shape &a = bodies.defs[pair.a].shape, &b = bodies.defs[pair.b].shape;
+    const Manifold manifold = collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
+    if (manifold.count == 0) return;
+    const Contact contact = contactOf(bodies, pair, manifold, Found::here);
+    if (!mayPass(contact, bodies, finder.moving, dt)) return found.push_back(contact);
+    meet(timeOfImpact(a, finder.moving.motions[pair.a], b, finder.moving.motions[pair.b], dt, near));
 }
 
 /// The contact of the pair in the last step with nearly the same normal, from `old` on. For pairs of whole

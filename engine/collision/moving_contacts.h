@@ -3,7 +3,8 @@
 ///   C = C_then - t J v
 /// the solver's linear model of the motion closes the gap at exactly that time. Motion across n would make one arm
 /// wrong: the rows have the arms r of time t (Contact::slideA), which keep balls without friction from turning.
-/// A body that only passes another is not stopped by the infinite plane of a contact far ahead.
+/// A body that only passes another is not stopped by the infinite plane of a contact far ahead: not one that moves
+/// more than the margin, and not a slower or smaller one (mayPass).
 ///
 /// Free motion ends with the first impact, so there are two further sources of contacts:
 ///   * a pair that touches continues to turn about its contact: a second manifold, at the poses of the
@@ -75,6 +76,10 @@ const Impact* knownImpact(const MovingPairs& moving, const MovingPairs::Entry& e
                           const Piece& a, const Piece& b);
 /// Null if the margin is enough for the pair.
 const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair);
+
+/// Whether a contact of the present poses would act although the bodies may pass each other: they are apart, they
+/// move, and in free motion would cross its plane.
+bool mayPass(const Contact& contact, const Bodies& bodies, const MovingPairs& moving, double dt);
 
 /// A piece of each of two bodies; for most bodies, the whole shape.
 struct PiecePair {

@@ -55,12 +55,18 @@ void add(const Bodies& bodies, const Contact& contact, std::size_t first,
 }
 
 bool keepAll(const std::vector<Contact>& previous, std::size_t old, const PairKey& pair,
-             const Bodies& bodies, std::vector<Contact>& found) {
+             const Bodies& bodies, const MovingPairs& moving, double dt, std::vector<Contact>& found) {
     std::size_t end = old;
     const auto isOfPair = [&](const Contact& c) { return c.a == pair.a && c.b == pair.b; };
     for (; end < previous.size() && isOfPair(previous[end]); ++end)
         if (!stays(previous[end], bodies)) return false;
-    for (std::size_t i = old; i < end; ++i) found.push_back(kept(previous[i], bodies));
+    const std::size_t first = found.size();
+    for (std::size_t i = old; i < end; ++i) {
+        found.push_back(kept(previous[i], bodies));
+        if (!mayPass(found.back(), bodies, moving, dt)) continue;
+        found.resize(first);
+        return false;
+    }
     return end > old;
 }
 
@@ -72,7 +78,7 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
                          std::vector<Contact>& found) {
     const MovingPairs::Entry* known = movingEntry(moving, pair);
     const bool thrown = near > margin;
-    if (!known && !thrown && keepAll(previous, old, pair, bodies, found)) return;
+    if (!known && !thrown && keepAll(previous, old, pair, bodies, moving, dt, found)) return;
     const std::size_t first = found.size();
     const auto take = [&](Manifold& m, const PiecePair& pieces, Found where) {
         for (int i = 0; i < m.count; ++i)
@@ -101,6 +107,9 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
                       if (thrown) return meet(a, b, impactOf(a, b));
                       Manifold m =
                           collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
+                      if (m.count == 0) return;
+                      if (mayPass(contactOf(bodies, pair, m, Found::here), bodies, moving, dt))
+                          return meet(a, b, impactOf(a, b));
                       take(m, {pair, a, b}, Found::here);
                   });
 }

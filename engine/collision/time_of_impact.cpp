@@ -8,7 +8,8 @@
 namespace engine {
 namespace {
 
-constexpr double kTouching = 5e-4;  // m: this close counts as touching
+constexpr double kTouching = 5e-4;  // m: this close counts as touching,
+constexpr double kTouchingShare = 0.01;  // and at most this share of the smaller one's size
 constexpr int kMostAdvances = 64;   // a pair not finished after so many touches
 
 /// The motion of the larger body near the smaller one (time_of_impact.h).
@@ -218,13 +219,14 @@ Impact timeOfImpact(const Piece& pieceA, const Motion& a, const Piece& pieceB, c
                     double dt, double near) {
     Impact closest{false, 0.0, kFar, 0.0};
     const double enough = near + wayOf(a, b, dt);
+    const double touching = smaller(kTouching, kTouchingShare * smaller(a.size, b.size));
     double time = 0.0;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Gap gap = gapAt(pieceA, a.at(time), pieceB, b.at(time), {a, b, time, dt - time}, near,
                               enough);
         if (gap.distance < closest.distance)
             closest = {false, time, gap.distance, gap.closing};
-        closest.meets = gap.distance <= kTouching;
+        closest.meets = gap.distance <= touching;
         if (closest.meets || time >= dt || gap.least > near || gap.least >= closest.distance)
             return closest;
         time = smaller(time + gap.time, dt);

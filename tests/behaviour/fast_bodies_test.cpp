@@ -225,6 +225,35 @@ double lowestCorner(World& world, BodyId id, int steps) {
     return lowest;
 }
 
+/// A body's speed (m/s) along x after it has passed one at rest, at `gap` (m) beside it.
+double speedAfterPassing(const Shape& shape, double size, double speed, double gap, double phase,
+                         const Settings& settings) {
+    World world(settings);
+    world.setGravity(Vec3::Zero());
+    BodyDef mover = body(shape, {-3.0 * size - phase * speed * kStep, size + gap, 0});
+    mover.velocity = {speed, 0, 0};
+    const BodyId id = world.add(mover);
+    const BodyId other = world.add(body(shape, {0, 0, 0}));
+    run(world, static_cast<int>(6.0 * size / speed / kStep) + 10);
+    return world.velocity(id).x() - world.velocity(other).norm() - world.velocity(id).tail<2>().norm();
+}
+
+// Less than the margin in a step, and a margin that is larger than the body: a contact ahead would stop them.
+TEST(SlowBodies, PassingAnotherChangesNothing) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double size : {0.01, 0.04, 0.2})
+            for (const Shape& shape :
+                 {Shape::sphere(size / 2), Shape::box({size, size, size}), Shape::cylinder(size / 2, size),
+                  Shape::capsule(size / 2, size),
+                  Shape::compound(std::array{ShapePart{Shape::box({size, size / 2, size}), {{0, size / 4, 0}}},
+                                             ShapePart{Shape::box({size, size / 2, size}), {{0, -size / 4, 0}}}})})
+                for (const double speed : {0.1, 0.4, 1.1})
+                    for (const double gap : {0.001, 0.004, 0.015})
+                        for (const double phase : {0.0, 0.3, 0.7})
+                            EXPECT_NEAR(speedAfterPassing(shape, size, speed, gap, phase, settings), speed, 1e-9)
+                                << static_cast<int>(shape.type) << ' ' << size << ' ' << gap << ' ' << phase;
+}
+
 TEST(FastBox, LandsFlatWithoutSinkingIn) {
     for (int k = 0; k < 12; ++k)
         for (const double tilt : {0.0, 0.5, 5.0}) {

@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0x4303d2fb52fbeb9a},
+        {"stack", goldenStack, 300, 0x5b10373c7d4da76a},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
         {"chain", goldenChain, 300, 0x4d1a2907843d6374},
-        {"pyramid", goldenPyramid, 60, 0x5f2b6257b8548314},
-        {"forces", goldenForces, 300, 0x9ca3f0b77567f25d},
+        {"pyramid", goldenPyramid, 60, 0x6049d8ea398a69e2},
+        {"forces", goldenForces, 300, 0x8d9dab796682dc33},
         {"machine", goldenMachine, 300, 0xc74a8ffab95d1358},
-        {"shapes", goldenShapes, 180, 0xc6f04a592f6086ee},
-        {"rolling", goldenRolling, 300, 0xf78a1dfe1d883b07},
+        {"shapes", goldenShapes, 180, 0x68d74359e7970333},
+        {"rolling", goldenRolling, 300, 0xa81c7aa9cd3c0d8b},
     }};
     return worlds;
 }
