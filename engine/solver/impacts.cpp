@@ -13,7 +13,6 @@ constexpr int kPasses = 64;
 constexpr double kLeaves = 1e9;    // m/s
 constexpr double kTogether = 1e-4;  // m: points this close when the first one of a contact touches bounce with it
 constexpr double kSlides = 1e-3;    // m
-constexpr double kMostTurn = 0.2;  // rad: larger rotations cannot be added
 
 ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
     ContactImpact impact;
@@ -105,6 +104,13 @@ Vec4 solveToTheEnd(const NormalBlock& block, const Vec4& q) {
     return lambda;
 }
 
+/// A rotation that was reached at the rate `spin` in h, as if `turn` had been added to its first part, until t.
+Quat turnedAgain(const Vec3& turn, const Vec3& spin, double t, double h, const Quat& rotation) {
+    const Quat sinceThen = turnedBy(Vec3((t - h) * spin), rotation);
+    const Quat start = turnedBy(Vec3(-t * spin), sinceThen);
+    return turnedBy(Vec3((h - t) * spin), turnedBy(Vec3(t * spin + turn), start));
+}
+
 }  // namespace
 
 void Impacts::prepare(std::span<const Contact> contacts, std::span<const Joint> joints, const Bodies& bodies) {
@@ -115,10 +121,14 @@ void Impacts::prepare(std::span<const Contact> contacts, std::span<const Joint> 
     for (const int i : met_) bodies_[i] = {};
     met_.clear();
     bodies_.resize(larger(bodies_.size(), list_.empty() ? 0 : bodies.poses.size()));
+    if (list_.empty()) return;
+    for (Body& body : bodies_) body.jointed = false;
+    for (const Joint& joint : joints)
+        if (joint.present) bodies_[joint.def.a.index].jointed = bodies_[joint.def.b.index].jointed = true;
 }
 
 void Impacts::begin(const Bodies& bodies, std::span<const Pose> posesAtStart) {
-    for (const int i : met_) bodies_[i] = {};
+    for (const int i : met_) bodies_[i].way = {}, bodies_[i].time = 0.0, bodies_[i].met = false;
     met_.clear();
     all_ = &bodies, starts_ = posesAtStart;
     for (ContactImpact& impact : list_) {
@@ -193,6 +203,7 @@ void Impacts::solve(std::span<Velocity> v, const Settings& settings) {
             any = bounce(impact, v, settings, all_->spans[body]) || any;
         }
     }
+    for (const int i : met_) bodies_[i].after = v[i];
     for (ContactImpact& impact : list_) {
         const ContactConstraint& c = impact.contact;
         for (int i = 0; i < c.count; ++i)
@@ -202,9 +213,15 @@ void Impacts::solve(std::span<Velocity> v, const Settings& settings) {
 
 void Impacts::movePositions(Bodies& bodies) const {
     for (const int i : met_) {
-        bodies.poses[i].position += bodies_[i].way.linear;
-        const Vec3& turn = bodies_[i].way.angular;
-        if (turn.norm() < kMostTurn) turnTo(turnedBy(turn, bodies.poses[i].rotation), i, bodies);
+        const Body& body = bodies_[i];
+        const Velocity& end = bodies.velocities[i];
+        Velocity way = body.way;
+        if (!body.jointed) {
+            way.linear -= body.time * (end.linear - body.after.linear);
+            way.angular -= body.time * (end.angular - body.after.angular);
+        }
+        bodies.poses[i].position += way.linear;
+        turnTo(turnedAgain(way.angular, end.angular, body.time, bodies.spans[i], bodies.poses[i].rotation), i, bodies);
     }
 }
 

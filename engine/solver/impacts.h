@@ -6,7 +6,7 @@
 /// and leaves so that the sub-step ends as in free flight from the bounce:
 ///   u_0 = J v - a h / 2,   u = -sqrt(u_0^2 - 2 a C),   t = 2 C / (-u_0 - u)
 ///   J v2 = -e u + a (h / 2 - t)
-///   x <- x - t (v2 - v),   because until t the bodies moved with v
+///   x <- x - t (v3 - v),   because until t the bodies moved with v; v3 is the velocity after friction and all else
 /// So a ball reverses on the floor and not above it, and with e = 1 it keeps its energy. Of the points of a contact
 /// those bounce together that touch at the time of the first; a corner that comes down later bounces alone.
 #pragma once
@@ -49,8 +49,9 @@ public:
 private:
     struct Body {
         Velocity way;        // m, rad: correction of the motion with its final v
+        Velocity after;      // m/s, rad/s: after its bounces, before all other impulses
         double time = 0.0;   // s, of its last impact
-        bool met = false;
+        bool met = false, jointed = false;
     };
     bool bounce(ContactImpact& impact, std::span<Velocity> v, const Settings& settings, double h);
     void place(ContactImpact& impact) const;

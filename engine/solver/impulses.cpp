@@ -121,8 +121,8 @@ void sweepContact(ContactConstraint& contact, std::span<Velocity> v, const Setti
 void setBounce(const ContactImpact& impact, int i, double h, ContactConstraint& contact) {
     ContactRow& row = contact.rows[i];
     row.bounce = impact.contact.rows[i].bounce;
-    if (row.separation > 0.0)
-        row.bias = larger(row.separation + impact.ahead[i], 0.0) / (contact.stride * h);
+    const double gap = row.separation;
+    row.bias += (larger(gap + impact.ahead[i], 0.0) - larger(gap, 0.0)) / (contact.stride * h);
 }
 
 void setLead(const RidingContact& riding, ContactConstraint& contact) {

@@ -251,8 +251,8 @@ void WideContacts::setBounce(int contact, int i, double impulse, double ahead) {
     WidePoint& point = batches_[batch].point[i];
     point.bounce[lane] = static_cast<float>(impulse);
     const float gap = records_[batch].separation[i][lane];
-    if (gap > 0.0f)
-        point.bias[lane] += (larger(gap + static_cast<float>(ahead), 0.0f) - gap) / batchSpans_[batch];
+    point.bias[lane] +=
+        (larger(gap + static_cast<float>(ahead), 0.0f) - larger(gap, 0.0f)) / batchSpans_[batch];
 }
 
 void WideContacts::setLead(int contact, const Vec3& lead, const Vec3& turn) {

@@ -183,6 +183,72 @@ TEST(Restitution, KeepsTheEnergyOfBodiesThatTumble) {
             }
 }
 
+/// A body that is thrown at the floor with `speed` and `spin`, tilted about every axis.
+BodyDef thrownDown(const Shape& shape, double speed, double spin) {
+    BodyDef def = body(shape, {0, 3, 0}, 1.0);
+    def.pose.rotation = engine::turnAboutXyz({0.2, 0.35, 0.55});
+    def.velocity = {1, -speed, 0.5}, def.spin = spin * Vec3(0.6, 0.2, -0.7);
+    return def;
+}
+
+// A corner bounces near the end of a sub-step, while another one comes down that touched at its beginning.
+TEST(Restitution, KeepsTheEnergyOfBodiesThrownHard) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const Shape& shape : {Shape::box({0.5, 0.5, 0.5}), Shape::box({0.5, 0.05, 0.5}),
+                                   Shape::box({0.5, 0.05, 0.05}), Shape::cone(0.3, 0.5)})
+            for (const double speed : {0.0, 10.0, 30.0})
+                for (const double spin : {0.0, 3.0, 20.0}) {
+                    World world(settings);
+                    world.add(elastic(support::floorPlane()));
+                    world.add(elastic(thrownDown(shape, speed, spin)));
+                    const auto [rise, loss] = riseAndLoss(world, world.energy().total(), 20.0);
+                    EXPECT_LT(rise, 0.01) << static_cast<int>(shape.type) << ' ' << speed << ' ' << spin;
+                    EXPECT_LT(loss, 0.01) << static_cast<int>(shape.type) << ' ' << speed << ' ' << spin;
+                }
+}
+
+// Friction acts from the impact on, too: not from the beginning of its sub-step.
+TEST(Restitution, WithFrictionLeavesNoCornerInTheFloor) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double speed : {0.0, 10.0, 30.0})
+            for (const double spin : {0.0, 3.0, 20.0}) {
+                World world(settings);
+                world.add(support::floorPlane());
+                BodyDef cube = thrownDown(Shape::box({0.5, 0.5, 0.5}), speed, spin);
+                cube.material.restitution = 0.5, cube.material.friction = 0.5;
+                const BodyId id = world.add(cube);
+                double lowest = 1.0;
+                for (int i = 0; i < 600; ++i) {
+                    world.step(kStep);
+                    for (int k = 0; k < 8; ++k) {
+                        const Vec3 corner(k & 1 ? 0.25 : -0.25, k & 2 ? 0.25 : -0.25, k & 4 ? 0.25 : -0.25);
+                        lowest = smaller(lowest, world.pose(id).toWorld(corner).y());
+                    }
+                }
+                EXPECT_GT(lowest, -0.003) << speed << ' ' << spin;
+            }
+}
+
+// What it rests on acts from the impact on as well.
+TEST(Restitution, OfABallOnABoxDoesNotLiftTheBox) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double e : {0.0, 0.5, 0.9})
+            for (const double speed : {5.0, 10.0, 30.0}) {
+                World world(settings);
+                world.add(support::floorPlane());
+                const BodyId box = world.add(body(Shape::box({1, 0.5, 1}), {0, 0.25, 0}, 500.0));
+                BodyDef ball = body(Shape::sphere(0.25), {0.1, 3.637, 0.05}, 65.0);
+                ball.velocity = {1, -speed, 0}, ball.material.restitution = e;
+                world.add(ball);
+                double highest = 0.0;
+                for (int i = 0; i < 60; ++i) {
+                    world.step(kStep);
+                    highest = larger(highest, world.pose(box).position.y() - 0.25);
+                }
+                EXPECT_LT(highest, 2e-4) << e << ' ' << speed;
+            }
+}
+
 TEST(Restitution, KeepsTheEnergyOfBallsInABox) {
     for (const Settings& settings : {Settings::steady(), Settings::fast()}) {
         World world(settings);

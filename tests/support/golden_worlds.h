@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0x5b10373c7d4da76a},
+        {"stack", goldenStack, 300, 0xd859a93a488b41d4},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
         {"chain", goldenChain, 300, 0x4d1a2907843d6374},
-        {"pyramid", goldenPyramid, 60, 0x6049d8ea398a69e2},
-        {"forces", goldenForces, 300, 0x8d9dab796682dc33},
+        {"pyramid", goldenPyramid, 60, 0xa0e5c7562cdbe545},
+        {"forces", goldenForces, 300, 0x29cfe067faef3f38},
         {"machine", goldenMachine, 300, 0xc74a8ffab95d1358},
-        {"shapes", goldenShapes, 180, 0x68d74359e7970333},
-        {"rolling", goldenRolling, 300, 0xa81c7aa9cd3c0d8b},
+        {"shapes", goldenShapes, 180, 0xdc4cec05d4142cae},
+        {"rolling", goldenRolling, 300, 0xd9691c077ef061ec},
     }};
     return worlds;
 }
