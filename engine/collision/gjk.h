@@ -13,7 +13,7 @@ namespace engine {
 struct Closest {
     double distance = 0.0;       // m, of the cores; 0: they overlap
     Vec3 normal = Vec3::Zero();  // unit, from a to b; zero: they overlap
-    Vec3 onA, onB;               // m
+    Vec3 onA = Vec3::Zero(), onB = Vec3::Zero();  // m; zero: they overlap
 };
 
 /// b is moved by `shift` (m), which onB includes. If the cores are certainly farther apart than `enough` (m),

@@ -1,11 +1,17 @@
 #include "engine/solver/columns.h"
 
+#include <cmath>
+
+#include "engine/shape.h"
+
 namespace engine {
 namespace {
 
 constexpr int kMostOfALevel = 4;
 constexpr int kMostPasses = 4;
 constexpr int kAboveAll = 1 << 20;
+constexpr double kReachOfACube = 0.866;  // times its side
+constexpr double kSlow = 0.5;            // m: larger bodies sway slower, but are given as many sub-steps
 constexpr double kThick = 0.05;  // m: its contacts, made 2 cm ahead, are with what it touches
 
 bool bears(const Contact& c, const Bodies& bodies) {
@@ -58,7 +64,7 @@ void Columns::measure(std::span<const Contact> contacts, std::span<const int> or
     for (const int i : bodies.active) {
         if (levels_[i] >= kAboveAll) continue;
         Island& island = islands_[islands.leaderOf(i)];
-        ++island.bodies;
+        ++island.bodies, island.reach += reachOf(bodies.defs[i].shape);
         if (levels_[i] == 1) ++island.onTheFloor;
         island.levels = larger(island.levels, levels_[i]);
     }
@@ -73,9 +79,11 @@ double Columns::substeps(int leader) const {
     const Island& island = islands_[leader];
     if (island.levels == 0) return 0.0;
     const double levels = island.levels;
-    if (this->levels(leader) > 0) return 0.4 * levels - 2.0;
+    const double side = island.reach / (kReachOfACube * island.bodies);
+    const double sway = larger(1.0, std::sqrt(kSlow / side));
+    if (this->levels(leader) > 0) return sway * (0.4 * levels - 2.0);
     const double carried = smaller(1.0 * island.bodies / island.onTheFloor, levels);
-    return 0.2 * carried * carried / levels;
+    return sway * 0.2 * carried * carried / levels;
 }
 
 }  // namespace engine

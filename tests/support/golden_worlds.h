@@ -175,7 +175,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"forces", goldenForces, 300, 0x29cfe067faef3f38},
         {"machine", goldenMachine, 300, 0xc74a8ffab95d1358},
         {"shapes", goldenShapes, 180, 0xdc4cec05d4142cae},
-        {"rolling", goldenRolling, 300, 0xd9691c077ef061ec},
+        {"rolling", goldenRolling, 300, 0x8c371319f91d3b74},
     }};
     return worlds;
 }
