@@ -19,11 +19,18 @@ int featureOf(int feature, const Piece& a, const Piece& b) {
     return static_cast<int>(mixed & 0x7fffffffu);
 }
 
+/// Whether it was made on the way, from poses to come.
+bool isAhead(const Contact& contact) { return contact.seenFromA.position == Contact{}.seenFromA.position; }
+
 /// Keeps the four best points of both contacts, along the normal of the one that touches first; the other's
 /// normal may be that of an edge hidden by the next piece.
 void merge(const Bodies& bodies, Contact more, Contact& into) {
     const bool askew = into.normal.dot(more.normal) < kSamePlane;
     if (askew && deepestOf(more, bodies) < deepestOf(into, bodies)) std::swap(more, into);
+    if (isAhead(more) != isAhead(into)) {  // for this step only
+        into.slideA.setZero(), into.slideB.setZero();
+        into.seenFromA = Contact{}.seenFromA;
+    }
     std::array<ContactPoint, 8> all;
     ClippedPoints<8> points;
     const Pose &a = bodies.poses[into.a], &b = bodies.poses[into.b];

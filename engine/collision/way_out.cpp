@@ -49,8 +49,9 @@ WayOut wayOut(const Convex& a, const Convex& b, double enough) {
         if (separation <= best.separation + 1e-9 * size) break;
         const Vec3 push = (gap - separation) * n;
         const Closest closest = closestPoints(a, b, push);
-        if (closest.normal.isZero(0.0)) {  // GJK sees no gap: the outermost points along n
-            best = {n, separation, a.support(n), b.support(-n)};
+        if (closest.normal.isZero(0.0)) {  // GJK sees no gap: an outermost point along n
+            const Vec3 onA = a.support(n);
+            best = {n, separation, onA, onA + separation * n};
             break;
         }
         best = {n, separation, closest.onA, closest.onB - push};

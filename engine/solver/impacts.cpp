@@ -13,6 +13,7 @@ constexpr int kPasses = 64;
 constexpr double kLeaves = 1e9;    // m/s
 constexpr double kTogether = 1e-4;  // m: points this close when the first one of a contact touches bounce with it
 constexpr double kSlides = 1e-3;    // m
+constexpr double kRests = 1e-3;     // m in a sub-step: what rests falls by g h^2, much less
 
 ContactImpact impactOf(const Contact& contact, int number, const Bodies& bodies) {
     ContactImpact impact;
@@ -118,17 +119,21 @@ void Impacts::prepare(std::span<const Contact> contacts, std::span<const Joint> 
     for (std::size_t k = 0; k < contacts.size(); ++k)
         if (contacts[k].restitution > 0.0 || slides(contacts[k], joints, bodies))
             list_.push_back(impactOf(contacts[k], static_cast<int>(k), bodies));
-    for (const int i : met_) bodies_[i] = {};
     met_.clear();
-    bodies_.resize(larger(bodies_.size(), list_.empty() ? 0 : bodies.poses.size()));
     if (list_.empty()) return;
-    for (Body& body : bodies_) body.jointed = false;
+    bodies_.assign(bodies.poses.size(), {});
+    auto listed = list_.begin();
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
+        if (listed != list_.end() && listed->number == k)
+            ++listed;
+        else
+            bodies_[contacts[k].a].touched = bodies_[contacts[k].b].touched = true;
     for (const Joint& joint : joints)
         if (joint.present) bodies_[joint.def.a.index].jointed = bodies_[joint.def.b.index].jointed = true;
 }
 
 void Impacts::begin(const Bodies& bodies, std::span<const Pose> posesAtStart) {
-    for (const int i : met_) bodies_[i].way = {}, bodies_[i].time = 0.0, bodies_[i].met = false;
+    for (const int i : met_) bodies_[i].beginSubstep();
     met_.clear();
     all_ = &bodies, starts_ = posesAtStart;
     for (ContactImpact& impact : list_) {
@@ -176,20 +181,21 @@ bool Impacts::bounce(ContactImpact& impact, std::span<Velocity> v, const Setting
     }
     if (!meetings.any) return false;
     const Vec4 lambda = solveToTheEnd(c.block, startOf(impact, meetings, settings.bounceSpeed, h));
+    note(c.a, meetings.first, a, h);
+    note(c.b, meetings.first, b, h);
     for (int i = 0; i < c.count; ++i) {
         c.rows[i].bounce += lambda[i];
         applyAt(c, c.rows[i], lambda[i] * c.n, a, b);
         applyAt(c, c.rows[i], -meetings.first * lambda[i] * c.n, bodyA.way, bodyB.way);
     }
-    note(c.massA, c.a, meetings.first);
-    note(c.massB, c.b, meetings.first);
     return true;
 }
 
-void Impacts::note(const InverseMass& mass, int body, double time) {
-    if (mass.linear == 0.0) return;
-    if (!bodies_[body].met) met_.push_back(body);
-    bodies_[body].time = time, bodies_[body].met = true;
+void Impacts::note(int i, double time, const Velocity& before, double h) {
+    if (all_->inverseMasses[i].linear == 0.0) return;
+    Body& body = bodies_[i];
+    if (!body.met) met_.push_back(i), body.slow = h * before.linear.norm() < kRests;
+    body.time = time, body.met = true;
 }
 
 void Impacts::solve(std::span<Velocity> v, const Settings& settings) {
@@ -216,7 +222,7 @@ void Impacts::movePositions(Bodies& bodies) const {
         const Body& body = bodies_[i];
         const Velocity& end = bodies.velocities[i];
         Velocity way = body.way;
-        if (!body.jointed) {
+        if (body.isFree()) {
             way.linear -= body.time * (end.linear - body.after.linear);
             way.angular -= body.time * (end.angular - body.after.angular);
         }

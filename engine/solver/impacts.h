@@ -6,7 +6,8 @@
 /// and leaves so that the sub-step ends as in free flight from the bounce:
 ///   u_0 = J v - a h / 2,   u = -sqrt(u_0^2 - 2 a C),   t = 2 C / (-u_0 - u)
 ///   J v2 = -e u + a (h / 2 - t)
-///   x <- x - t (v3 - v),   because until t the bodies moved with v; v3 is the velocity after friction and all else
+///   x <- x - t (v3 - v),   because until t the bodies moved with v; v3 is the velocity after friction and all else,
+///                          or v2 where a joint, or another contact that a fast body reaches, may act before t
 /// So a ball reverses on the floor and not above it, and with e = 1 it keeps its energy. Of the points of a contact
 /// those bounce together that touch at the time of the first; a corner that comes down later bounces alone.
 #pragma once
@@ -51,11 +52,17 @@ private:
         Velocity way;        // m, rad: correction of the motion with its final v
         Velocity after;      // m/s, rad/s: after its bounces, before all other impulses
         double time = 0.0;   // s, of its last impact
-        bool met = false, jointed = false;
+        bool met = false;
+        bool jointed = false, touched = false;  // by a joint; by a contact that is not in the list
+        bool slow = false;                      // before its bounces, so that it rests on what it touches
+
+        void beginSubstep() { way = after = {}, time = 0.0, met = slow = false; }
+        /// Whether all that acts on it besides its bounces acts after them.
+        bool isFree() const { return !jointed && (!touched || slow); }
     };
     bool bounce(ContactImpact& impact, std::span<Velocity> v, const Settings& settings, double h);
     void place(ContactImpact& impact) const;
-    void note(const InverseMass& mass, int body, double time);
+    void note(int body, double time, const Velocity& before, double h);
 
     const Bodies* all_ = nullptr;  // of this sub-step
     std::span<const Pose> starts_;

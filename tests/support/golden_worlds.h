@@ -168,14 +168,14 @@ inline World goldenRolling() {
 
 inline const std::array<GoldenWorld, 8>& goldenWorlds() {
     static const std::array<GoldenWorld, 8> worlds{{
-        {"stack", goldenStack, 300, 0xd859a93a488b41d4},
+        {"stack", goldenStack, 300, 0xf69f3198edb973d8},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
         {"chain", goldenChain, 300, 0x4d1a2907843d6374},
-        {"pyramid", goldenPyramid, 60, 0xa0e5c7562cdbe545},
-        {"forces", goldenForces, 300, 0x29cfe067faef3f38},
+        {"pyramid", goldenPyramid, 60, 0x4929ec79df58fe2e},
+        {"forces", goldenForces, 300, 0x3e6bfd9bcd53ffca},
         {"machine", goldenMachine, 300, 0xc74a8ffab95d1358},
-        {"shapes", goldenShapes, 180, 0xdc4cec05d4142cae},
-        {"rolling", goldenRolling, 300, 0x8c371319f91d3b74},
+        {"shapes", goldenShapes, 180, 0x6df54d4af1f50598},
+        {"rolling", goldenRolling, 300, 0x9532510a1c8479dd},
     }};
     return worlds;
 }
