@@ -5,7 +5,7 @@
 /// where c = bodies / bodies on the floor is the load on the lowest ones: n for a wall, n / 2 for a pyramid
 /// (45 rows need 2.4), little for a heap, which supports itself sideways. That is for bodies of half a
 /// metre or more. Smaller ones sway faster, at a rate of sqrt(g / s): times sqrt(0.5 m / s), s the side of a cube
-/// that reaches as far as the mean body. Ten dice of 5 cm need seven, of 1 cm 15; with four they fall.
+/// that reaches as far as the mean body. Ten dice of 5 cm need seven, of 1 cm 15; with four those of 1 cm fall.
 /// Contacts wider than half the thinner body are left out, because what is thinner than the margin of contact
 /// detection has contacts with many of its neighbours, through those between.
 #pragma once
