@@ -71,8 +71,8 @@ bool World::step(double dt) {
         integratePositions(s.bodies, s.settings.gyroscope);  // dynamics/integration.cpp
 
         s.phase(Phase::nudges, i);
-        const bool seen = s.hasForces() || i + s.paces.ofJoints() >= s.report.substeps;
-        solveNudges(s.joints, s.bodies, s.solver, s.settings, h, seen);  // solver/nudges.cpp
+        const int untilSeen = s.hasForces() ? 0 : s.report.substeps - i;
+        solveNudges(s.joints, s.bodies, s.solver, s.settings, h, untilSeen);  // solver/nudges.cpp
         s.substeps.measure(s.joints, s.bodies, s.solver);  // solver/substeps.cpp
     }
     s.phase(Phase::collisions, s.report.substeps - 1);

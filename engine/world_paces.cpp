@@ -8,10 +8,10 @@
 namespace engine {
 namespace {
 
-/// Bodies that forces act on, which may depend on other bodies; all bodies if the forces are unknown or the
-/// method mixes all rows.
+/// Bodies that forces act on, which may depend on other bodies; all bodies if the forces are unknown or islands
+/// are not solved one by one.
 void findWhoMovesAlways(WorldState& s) {
-    const bool all = s.field || s.settings.method != Method::impulses || s.settings.compareExact;
+    const bool all = s.field || !s.settings.solvesByIsland();
     s.everyStep.assign(s.bodies.count(), 0);
     for (const std::optional<ForceDef>& force : s.forces) {
         if (!force) continue;
@@ -57,7 +57,7 @@ void setSpans(WorldState& s, double dt) {
     }
     if (!any) return;
     scaleImpulses(s);
-    keepRates(s.solver.constraints, s.bodies.velocities);
+    keepRates(s.solver.constraints, s.bodies);
 }
 
 /// Finds the connected bodies and the order of the contacts.
@@ -97,9 +97,7 @@ void joinPaces(WorldState& s, int i, double dt) {
 
 void beginSubstep(WorldState& s, int i) {
     for (const int k : s.bodies.active) s.bodies.acts[k] = i % s.bodies.strides[k] == 0;
-    const int joints = s.paces.ofJoints();
-    s.solver.constraints.jointStride = i % joints == 0 ? joints : 0;
-    if (s.solver.constraints.jointStride > 0) measureSprings(s.solver.constraints, s.bodies.velocities);
+    measureSprings(s.solver.constraints, s.bodies);
 }
 
 }  // namespace engine

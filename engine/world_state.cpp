@@ -95,7 +95,7 @@ void listStates(const WorldState& s, std::span<const Contact> awake, std::span<c
 void updateJoints(WorldState& s, double dt) {
     if (!s.jointsStale && !s.treesStale) return;
     collectJoints(s.joints, s.bodies, s.settings, s.solver);
-    prepareJoints(s.joints, s.bodies, s.settings, s.solver);
+    prepareJoints(s.joints, s.bodies, s.settings, 0, s.solver);
     if (s.jointsStale) estimateTension(s.joints, s.bodies, s.gravity, s.solver, dt);
     s.jointsStale = s.treesStale = false;
 }
@@ -182,7 +182,7 @@ bool beginStep(WorldState& s, double dt) {
     for (JointDrive& drive : s.solver.constraints.drives)
         drive.totalImpulse.setZero(), drive.totalTwist.setZero();
     s.solver.trees.beginStep();
-    if (s.solver.constraints.ratesStale) keepRates(s.solver.constraints, s.bodies.velocities);
+    if (s.solver.constraints.ratesStale) keepRates(s.solver.constraints, s.bodies);
     return true;
 }
 

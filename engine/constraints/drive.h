@@ -51,6 +51,7 @@ struct JointDrive {
     static constexpr int kMaxRows = 18;
     int a = -1, b = -1;
     int joint = -1;                      // number in the world
+    int stride = 1;                      // of its bodies; 0: they wait in this sub-step
     int count = 0;
     std::array<DriveRow, kMaxRows> rows;
     std::array<Row, 12> along;         // by place, projected off the rows that the joint holds

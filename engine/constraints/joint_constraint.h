@@ -92,6 +92,7 @@ struct JointConstraint {
     int a = -1, b = -1;
     int count = 0;
     int joint = -1;      // number in the world
+    int stride = 1;      // of its bodies (solver/paces.h); 0: they wait in this sub-step
     bool inTree = false; // solved with its tree, not in the sweep
     bool torn = false;   // see Joint
     double kept = 1.0;   // share of the previous impulses used as the start in this sub-step

@@ -71,6 +71,8 @@ struct Bodies {
     bool waits(int a, int b) const { return waits(a) || waits(b); }
     /// Of two bodies that touch or are joined, one that impulses can move, if any.
     int movable(int a, int b) const { return isDynamic(a) ? a : b; }
+    /// Whether what two bodies share acts in this sub-step.
+    bool act(int a, int b) const { return acts[movable(a, b)]; }
     /// Present, awake and not fixed: steps move it.
     bool isMoving(int i) const {
         return present[i] && defs[i].kind != BodyKind::fixed && !isAsleep(i);

@@ -109,11 +109,11 @@ public:
         return std::span<Link>(links_).subspan(nodes_[k].firstLink, nodes_[k].linkCount);
     }
 
-    /// Computes D_k^-1 and W_ik from A.
-    void factor();
+    // For the places from `first` up to `end`, which are not linked to others:
 
-    /// x = A^-1 x for the places from `first` up to `end`, which are not linked to others; calls
-    /// `give(k, x_k)` for each of them, from last to first.
+    /// Computes D_k^-1 and W_ik from A.
+    void factor(int first, int end);
+    /// x = A^-1 x; calls `give(k, x_k)` for each of them, from last to first.
     template <class Give>
     void solve(std::vector<Rows>& x, int first, int end, Give give) const;
 
@@ -202,8 +202,8 @@ void BlockFactors<N>::connect() {
 }
 
 template <int N>
-void BlockFactors<N>::factor() {
-    for (Node& node : nodes_) {
+void BlockFactors<N>::factor(int first, int end) {
+    for (Node& node : std::span(nodes_).subspan(first, end - first)) {
         invertKept(node.inverse, node.scale, node.vanished);
         int target = node.firstTarget;
         for (int i = 0; i < node.linkCount; ++i) {

@@ -26,13 +26,12 @@ struct Constraints {
     ByGroup drivesByGroup;
     Impacts impacts;         // of contacts with restitution
     RidingContacts riding;   // on bodies that turn
-    int jointStride = 1;     // joints advance by this many of the world's sub-steps; 0: they wait
     bool ratesStale = true;  // velocities changed since the last solve (keepRates in drives.h)
 };
 
 /// One solve is enough for the joints, if no contacts are on them: there are only trees.
 inline bool solvedAtOnce(const Constraints& c, const JointTrees& trees) {
-    return c.drives.empty() && !trees.empty() && trees.exact() &&
+    return c.drives.empty() && !trees.empty() && trees.isExact(0) &&
            trees.order().size() == c.joints.size();
 }
 

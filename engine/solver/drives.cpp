@@ -149,8 +149,9 @@ JointDrive makeDrive(const Joint& joint, int number) {
     return drive;
 }
 
-void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c) {
-    for (JointDrive& drive : c.drives) {
+void prepareDrives(std::span<Joint> joints, const Bodies& bodies, int group, Constraints& c) {
+    for (const int k : c.drivesByGroup.of(group)) {
+        JointDrive& drive = c.drives[k];
         Joint& joint = joints[drive.joint];
         const Pose &a = bodies.poses[drive.a], &b = bodies.poses[drive.b];
         const JointRows free = followCoordinates(joint, a, b);
@@ -171,35 +172,39 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, Constraints& c
 
 void setDriveBiases(Constraints& c, const Settings& settings, double h) {
     for (JointDrive& drive : c.drives)
-        for (int i = 0; i < drive.count; ++i)
-            setBias(drive.rows[i], drive.alongOf(drive.rows[i]).k, settings, h);
+        for (int i = 0; drive.stride > 0 && i < drive.count; ++i)
+            setBias(drive.rows[i], drive.alongOf(drive.rows[i]).k, settings, drive.stride * h);
 }
 
-void measureSprings(Constraints& c, std::span<const Velocity> v) {
-    for (JointConstraint& joint : c.joints)
-        for (int i = 0; joint.spring.isSoft() && i < joint.count; ++i)
+void measureSprings(Constraints& c, const Bodies& bodies) {
+    const std::span<const Velocity> v = bodies.velocities;
+    for (JointConstraint& joint : c.joints) {
+        if (!joint.spring.isSoft() || !bodies.act(joint.a, joint.b)) continue;
+        for (int i = 0; i < joint.count; ++i)
             joint.before[i] = velocityAlong(joint.rows[i].j, v[joint.a], v[joint.b]);
-    for (JointDrive& drive : c.drives)
-        for (int i = 0; i < drive.count; ++i) {
-            DriveRow& row = drive.rows[i];
-            if (row.kind != DriveKind::spring) continue;
-            row.before = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
-        }
+    }
+    for (JointDrive& drive : c.drives) {
+        if (!bodies.act(drive.a, drive.b)) continue;
+        for (DriveRow& row : std::span(drive.rows).first(drive.count))
+            if (row.kind == DriveKind::spring)
+                row.before = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
+    }
 }
 
-void keepRates(Constraints& c, std::span<const Velocity> v) {
+void keepRates(Constraints& c, const Bodies& bodies) {
     c.ratesStale = false;
-    for (JointDrive& drive : c.drives)
-        for (int i = 0; i < drive.count; ++i) {
-            DriveRow& row = drive.rows[i];
-            if (row.kind != DriveKind::spring || row.freedom.inertia <= 0.0) continue;
-            row.rate = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
-        }
+    const std::span<const Velocity> v = bodies.velocities;
+    for (JointDrive& drive : c.drives) {
+        if (!bodies.act(drive.a, drive.b)) continue;
+        for (DriveRow& row : std::span(drive.rows).first(drive.count))
+            if (row.kind == DriveKind::spring && row.freedom.inertia > 0.0)
+                row.rate = velocityAlong(drive.alongOf(row).j, v[drive.a], v[drive.b]);
+    }
 }
 
 void warmStartDrives(Constraints& c, double keep, std::span<Velocity> v) {
     for (JointDrive& drive : c.drives)
-        for (int i = 0; i < drive.count; ++i) {
+        for (int i = 0; drive.stride > 0 && i < drive.count; ++i) {
             DriveRow& row = drive.rows[i];
             row.lambda = clamped(keep * row.lambda, row.low, row.high);
             push(drive, row, row.lambda, v[drive.a], v[drive.b]);
@@ -218,14 +223,15 @@ void sweepDrive(JointDrive& drive, std::span<Velocity> v, Correction& correction
     }
 }
 
-bool nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c,
+bool nudgeDrives(std::span<const Joint> joints, Bodies& bodies, const Constraints& c, int group,
                  const Settings& settings, double h) {
     bool moved = false;
-    for (const JointDrive& drive : c.drives)
-        for (int i = 0; i < drive.count; ++i)
-            if (drive.rows[i].kind == DriveKind::limit &&
-                !isFar(drive, drive.rows[i], bodies.velocities, h))
-                moved = nudgeRow(joints[drive.joint], drive.rows[i], bodies, settings) || moved;
+    for (const int k : c.drivesByGroup.of(group)) {
+        const JointDrive& drive = c.drives[k];
+        for (const DriveRow& row : std::span(drive.rows).first(drive.count))
+            if (row.kind == DriveKind::limit && !isFar(drive, row, bodies.velocities, drive.stride * h))
+                moved = nudgeRow(joints[drive.joint], row, bodies, settings) || moved;
+    }
     return moved;
 }
 

@@ -136,7 +136,7 @@ void setLead(const RidingContact& riding, ContactConstraint& contact) {
 
 void warmStartJoints(Constraints& c, double keep, std::span<Velocity> v) {
     for (JointConstraint& joint : c.joints) {
-        if (joint.inTree) continue;
+        if (joint.inTree || joint.stride == 0) continue;
         for (int i = 0; i < joint.count; ++i) {
             joint.lambda[i] *= keep * joint.kept;
             push(joint, i, joint.lambda[i], v[joint.a], v[joint.b]);
@@ -156,19 +156,17 @@ void setBiases(Constraints& c, std::span<const Velocity> v, const Settings& sett
                               contact.stride * h);
             row.bounce = 0.0;
         }
-    if (c.jointStride == 0) return;
-    const double span = c.jointStride * h;
-    for (JointConstraint& joint : c.joints)
-        if (!joint.inTree || settings.compareExact) {
-            setBiases(joint, settings, span);
-            joint.kept = keptInTurn(v[joint.a], v[joint.b], span);
-        }
-    setDriveBiases(c, settings, span);
+    for (JointConstraint& joint : c.joints) {
+        if (joint.stride == 0 || (joint.inTree && !settings.compareExact)) continue;
+        setBiases(joint, settings, joint.stride * h);
+        joint.kept = keptInTurn(v[joint.a], v[joint.b], joint.stride * h);
+    }
+    setDriveBiases(c, settings, h);
 }
 
 void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) {
     const double keep = settings.warmStart && settings.accumulate ? 1.0 : 0.0;
-    if (c.jointStride > 0) warmStartJoints(c, keep, v);
+    warmStartJoints(c, keep, v);
     for (ContactConstraint& contact : c.contacts) {
         if (contact.stride == 0) continue;
         for (int i = 0; i < contact.count; ++i) {
@@ -182,8 +180,7 @@ void warmStart(Constraints& c, std::span<Velocity> v, const Settings& settings) 
 
 SweepReport sweepJoints(Constraints& c, JointTrees& trees, std::span<Velocity> v) {
     Correction correction;
-    if (c.jointStride == 0) return {};
-    trees.solveVelocities(v, correction);
+    trees.solveVelocities(0, v, correction);
     for (JointConstraint& joint : c.joints)
         if (!joint.inTree) sweepJoint(joint, v[joint.a], v[joint.b], correction);
     for (JointDrive& drive : c.drives) sweepDrive(drive, v, correction);
@@ -242,8 +239,8 @@ void solveImpulses(Constraints& c, JointTrees& trees, std::span<Velocity> v,
     beginSolving(c, v, settings, h);
     const ExactVelocities exact(c, v, settings, h);
     warmStart(c, v, settings);
-    if (c.jointStride > 0)
-        trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (c.jointStride * h), v);
+    trees.begin(0, settings.warmStart ? 1.0 : 0.0, v);
+    trees.setBiasRate(settings.baumgarte / h);
     Settings enough = settings;
     if (c.contacts.empty() && solvedAtOnce(c, trees)) enough.sweeps = smaller(settings.sweeps, 1);
     sweepUntilSatisfied(enough, report, [&] {

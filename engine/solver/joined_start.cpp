@@ -39,7 +39,9 @@ void takeBackDrive(JointDrive& drive, std::span<Velocity> v) {
 void JoinedStart::begin(const Solver& s, std::span<const Velocity> v) {
     const Constraints& c = s.constraints;
     start_.resize(v.size()), brought_.resize(v.size());
-    const auto note = [&](const auto& pair) { start_[pair.a] = v[pair.a], start_[pair.b] = v[pair.b]; };
+    const auto note = [&](const auto& pair) {
+        if (pair.stride > 0) start_[pair.a] = v[pair.a], start_[pair.b] = v[pair.b];
+    };
     std::ranges::for_each(c.joints, note);
     std::ranges::for_each(c.drives, note);
     std::ranges::for_each(c.contacts, note);

@@ -38,24 +38,24 @@ void moveBy(const Velocity& way, int body, Bodies& bodies) {
     pose.rotation = cayley(way.angular, pose.rotation);
 }
 
-void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver, int group,
                  const Settings& settings, double h, const TreeNudge& nudge) {
-    for (const JointConstraint& c : solver.constraints.joints)
-        if (!c.inTree) nudgeJoint(joints[c.joint], bodies, settings);
+    const Constraints& c = solver.constraints;
+    for (const int k : c.jointsOutside.of(group)) nudgeJoint(joints[c.joints[k].joint], bodies, settings);
     // Limits after the trees, which feed back only the error of the motion.
-    solver.trees.nudge(nudge, joints, bodies);
-    if (!nudgeDrives(joints, bodies, solver.constraints, settings, h)) return;
+    solver.trees.nudge(group, nudge, joints, bodies);
+    if (!nudgeDrives(joints, bodies, c, group, settings, h)) return;
     TreeNudge after = nudge;
-    after.h = 0.0, after.pushed = true;
-    solver.trees.nudge(after, joints, bodies);
+    after.feeds = false, after.pushed = true;
+    solver.trees.nudge(group, after, joints, bodies);
 }
 
-void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver,
-                  const Settings& settings, bool seen) {
-    prepareJoints(joints, bodies, settings, solver);
+void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver, int group, const Settings& settings,
+                  bool seen) {
+    prepareJoints(joints, bodies, settings, group, solver);
     const bool linear = settings.gyroscope != Gyroscope::implicitEuler;
-    const bool waits = !seen && linear && solvedAtOnce(solver);
-    if (settings.nudges > 0 && !waits) solver.trees.projectVelocities(bodies.velocities);
+    const bool waits = !seen && linear && solver.byIsland && solvedAtOnce(solver, group);
+    if (settings.nudges > 0 && !waits) solver.trees.projectVelocities(group, bodies.velocities);
 }
 
 }  // namespace engine

@@ -15,16 +15,16 @@
 
 namespace engine {
 
-/// Nudges all joints once, after their sub-step of length h (s).
-void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver,
+/// Nudges all joints of a group once, after a sub-step of the world of h (s).
+void nudgeJoints(std::span<const Joint> joints, Bodies& bodies, Solver& solver, int group,
                  const Settings& settings, double h, const TreeNudge& nudge);
 
 /// Moves one body by a distance (m) and a rotation (rad), unless it is immovable.
 void moveBy(const Velocity& way, int body, Bodies& bodies);
 
-/// After the last nudge: prepares all joints at the new poses, and J v = 0 for trees. With only trees and
+/// After the last nudge: prepares a group's joints at the new poses, and J v = 0 for trees. With only trees and
 /// `seen` false, the latter is left to the next sub-step, at the same poses:  P (P v + h a) = P (v + h a).
-void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver,
-                  const Settings& settings, bool seen);
+void finishJoints(std::span<Joint> joints, Bodies& bodies, Solver& solver, int group, const Settings& settings,
+                  bool seen);
 
 }  // namespace engine

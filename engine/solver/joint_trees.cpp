@@ -34,37 +34,27 @@ void JointTrees::build(std::span<JointConstraint> list, std::span<const Joint> j
             for (const auto& joint : part.joints())
                 if (part.isExact(joint.tree)) exactTrees_[joint.joint] = joint.tree;
         });
-    exact_ = forests_.size() <= 1;
-    for (Forest& forest : forests_)
-        forest.each([&](const auto& part) { exact_ = exact_ && part.exact(); });
+    sortInto(1, [](int, int) { return 0; });
 }
 
-void JointTrees::prepare(std::span<const Joint> joints, const Bodies& bodies) {
+void JointTrees::prepare(int group, std::span<const Joint> joints, const Bodies& bodies) {
     for (Forest& forest : forests_)
         forest.each([&](auto& part) {
-            part.place(joints, bodies.poses);
-            part.factor(bodies.inverseMasses);
+            part.place(part.of(group), joints, bodies.poses);
+            part.factor(part.of(group), bodies.inverseMasses);
         });
 }
 
-void JointTrees::begin(double keep, double biasRate, std::span<Velocity> v) {
-    biasRate_ = biasRate;
+void JointTrees::begin(int group, double keep, std::span<Velocity> v) {
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.warmStart(forests_.size() > 1 ? keep : 0.0, v); });
-}
-
-void JointTrees::solveVelocities(std::span<Velocity> v, Correction& correction) {
-    Correction own;
-    for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.solveVelocities(part.all(), biasRate_, v, own); });
-    correction.add(exact() ? 0.0 : own.velocity, own.impulse);
+        forest.each([&](auto& part) { part.warmStart(part.of(group), forests_.size() > 1 ? keep : 0.0, v); });
 }
 
 void JointTrees::solveVelocities(int group, std::span<Velocity> v, Correction& correction) {
     Correction own;
     for (Forest& forest : forests_)
         forest.each([&](auto& part) { part.solveVelocities(part.of(group), biasRate_, v, own); });
-    correction.add(exact() ? 0.0 : own.velocity, own.impulse);
+    correction.add(isExact(group) ? 0.0 : own.velocity, own.impulse);
 }
 
 int JointTrees::exactTreeOf(int joint) const {
@@ -103,27 +93,28 @@ void JointTrees::solveBack(int group, std::span<Velocity> v) {
         forests_[i].each([&](auto& part) { part.solveVelocities(part.of(group), biasRate_, v, unused); });
 }
 
-void JointTrees::projectVelocities(std::span<Velocity> v) {
+void JointTrees::projectVelocities(int group, std::span<Velocity> v) {
     if (empty()) return;
     Correction unused;
-    forests_[0].each([&](auto& part) { part.solveVelocities(part.whole(), 0.0, v, unused); });
+    forests_[0].each([&](auto& part) {
+        for (const int tree : part.of(group))
+            if (part.isWhole(tree)) part.solveVelocities(std::span(&tree, 1), 0.0, v, unused);
+    });
 }
 
-void JointTrees::keepStart(std::span<const Velocity> v) {
+void JointTrees::keepStart(int group, std::span<const Velocity> v) {
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.keepStart(v); });
+        forest.each([&](auto& part) { part.keepStart(part.of(group), v); });
 }
 
-void JointTrees::keepEnd(std::span<const Pose> poses) {
+void JointTrees::keepEnd(int group, std::span<const Pose> poses) {
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.keepEnd(poses); });
+        forest.each([&](auto& part) { part.keepEnd(part.of(group), poses); });
 }
 
-void JointTrees::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
+void JointTrees::nudge(int group, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) {
-            if (!part.empty()) part.nudge(nudge, joints, bodies);
-        });
+        forest.each([&](auto& part) { part.nudge(part.of(group), nudge, joints, bodies); });
 }
 
 void JointTrees::beginStep() {

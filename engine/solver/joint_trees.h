@@ -15,28 +15,35 @@ namespace engine {
 class JointTrees {
 public:
     /// Chooses the forests and the order of elimination; sets `inTree`. Called when joints are added or
-    /// removed.
+    /// removed. All trees are in group 0 then.
     void build(std::span<JointConstraint> list, std::span<const Joint> joints,
                std::span<const InverseMass> masses);
     bool empty() const { return forests_.empty(); }
-    /// One solve satisfies all joints: there is only one forest, and nothing in it is torn.
-    bool exact() const { return exact_; }
-
-    /// Computes J, C and the factors of A at the present poses.
-    void prepare(std::span<const Joint> joints, const Bodies& bodies);
-
-    /// Called before the sweeps of a sub-step. What is solved exactly does not need its previous impulses; nets
-    /// start from theirs. biasRate: Baumgarte's beta / h, 1/s.
-    void begin(double keep, double biasRate, std::span<Velocity> v);
     /// Sorts the trees into groups that are solved on their own; `groupOf(a, b)`: that of a joint's bodies.
     template <class GroupOf>
     void sortInto(int groups, const GroupOf& groupOf) {
-        for (Forest& forest : forests_)
-            forest.each([&](auto& part) { part.sortInto(groups, groupOf); });
+        exactGroups_.assign(groups, 1);
+        for (std::size_t i = 0; i < forests_.size(); ++i)
+            forests_[i].each([&](auto& part) {
+                part.sortInto(groups, groupOf);
+                for (int g = 0; g < groups; ++g)
+                    exactGroups_[g] = exactGroups_[g] && (i == 0 || part.of(g).empty()) && part.isExact(part.of(g));
+            });
     }
-    /// Solves J v + b = 0 in one forest after the other, accumulating and applying lambda; of all trees or of
-    /// a group. The corrections of an exact solve do not count as residual, because no error is left.
-    void solveVelocities(std::span<Velocity> v, Correction& correction);
+    /// One solve satisfies all joints of the group's trees: they are in one forest, and none is torn.
+    bool isExact(int group) const { return exactGroups_[group] != 0; }
+
+    /// Computes J, C and the factors of A at the present poses.
+    void prepare(int group, std::span<const Joint> joints, const Bodies& bodies);
+
+    /// Called before the sweeps of a sub-step. What is solved exactly does not need its previous impulses; nets
+    /// start from theirs.
+    void begin(int group, double keep, std::span<Velocity> v);
+    /// Of the next solves: Baumgarte's beta / h, 1/s.
+    void setBiasRate(double rate) { biasRate_ = rate; }
+    double biasRate() const { return biasRate_; }
+    /// Solves J v + b = 0 in one forest after the other, accumulating and applying lambda. The corrections of an
+    /// exact solve do not count as residual, because no error is left.
     void solveVelocities(int group, std::span<Velocity> v, Correction& correction);
     /// Trees by number, for tree_drives.h.
     int treeCount() const { return forests_.empty() ? 0 : forests_[0].balls.treeCount(); }
@@ -57,13 +64,13 @@ public:
     bool isNet(int group) const;
     void solveBack(int group, std::span<Velocity> v);
     /// Solves J v = 0 once more, for the trees that no other joint acts on.
-    void projectVelocities(std::span<Velocity> v);
+    void projectVelocities(int group, std::span<Velocity> v);
     /// After the last sweep: stores the velocities with which the bodies will move.
-    void keepStart(std::span<const Velocity> v);
+    void keepStart(int group, std::span<const Velocity> v);
     /// Before the first nudge: stores the rotations to which these have led.
-    void keepEnd(std::span<const Pose> poses);
+    void keepEnd(int group, std::span<const Pose> poses);
     /// Solves C = 0 in one forest after the other (joint_nudges.h).
-    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
+    void nudge(int group, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
     void beginStep();                                           // resets the step's totals
     /// Scales the impulses by scale(a, b), for bodies whose sub-step length has changed.
@@ -84,7 +91,7 @@ public:
             forest.each([&](auto& part) {
                 part.keep(bytes);
                 if constexpr (Bytes::kReads)
-                    if (bytes.isGood()) part.factor(masses);
+                    if (bytes.isGood()) part.factor(part.all(), masses);
             });
     }
 
@@ -94,7 +101,6 @@ public:
         for (Forest& forest : forests_)
             forest.each([&](auto& part) { part.eachJoint(part.of(group), visit); });
     }
-    double biasRate() const { return biasRate_; }
 
     /// All joints in trees, by index in the constraint list, in order of elimination; those in trees that no
     /// other joint acts on; the others; and of the former those in trees with loops, or held twice.
@@ -122,8 +128,8 @@ private:
     std::vector<Forest> forests_;
     std::vector<int> order_, whole_, inNets_, inLoops_;
     std::vector<int> exactTrees_;  // by joint of the world
+    std::vector<char> exactGroups_{1};
     double biasRate_ = 0.0;
-    bool exact_ = true;
 };
 
 }  // namespace engine

@@ -90,24 +90,29 @@ bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, dou
 }  // namespace
 
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h, bool seen) {
-    const Constraints& c = solver.constraints;
-    const bool jointed = c.jointStride > 0 && (!c.joints.empty() || !c.drives.empty());
-    const double ofJoints = c.jointStride * h;
-    TreeNudge nudge{kMostNudge, ofJoints, settings.gyroscope};
-    if (jointed) solver.trees.keepEnd(bodies.poses);
-    c.impacts.movePositions(bodies);
+                 const Settings& settings, double h, int untilSeen) {
+    TreeNudge nudge{kMostNudge, settings.gyroscope, true, false};
+    const std::span<const JointGroup> jointed = solver.actingJoints;
+    for (const JointGroup& group : jointed) solver.trees.keepEnd(group.number, bodies.poses);
+    solver.constraints.impacts.movePositions(bodies);
+    bool pushed = false;  // by contacts
     for (int i = 0; i < settings.nudges; ++i) {
         // Joints first, so that they feed back only the error of the motion, not the pushes of
         // contacts.
-        if (jointed) nudgeJoints(joints, bodies, solver, settings, ofJoints, nudge);
-        nudge.h = 0.0;
-        nudge.pushed = nudgeContacts(bodies, solver, settings, h);
+        for (const JointGroup& group : jointed) {
+            nudge.pushed = pushed && group.touched;
+            nudgeJoints(joints, bodies, solver, group.number, settings, h, nudge);
+        }
+        nudge.feeds = false;
+        pushed = nudgeContacts(bodies, solver, settings, h);
     }
-    if (jointed && nudge.pushed) solver.trees.nudge(nudge, joints, bodies);
+    nudge.pushed = true;
+    for (const JointGroup& group : jointed)
+        if (pushed && group.touched) solver.trees.nudge(group.number, nudge, joints, bodies);
     updateInverseInertias(bodies);
-    if (solver.lanes && (jointed || nudge.pushed)) solver.wide.separate(bodies, settings.slop);
-    if (jointed) finishJoints(joints, bodies, solver, settings, seen);
+    if (solver.lanes && (!jointed.empty() || pushed)) solver.wide.separate(bodies, settings.slop);
+    for (const JointGroup& group : jointed)
+        finishJoints(joints, bodies, solver, group.number, settings, group.stride >= untilSeen);
 }
 
 }  // namespace engine

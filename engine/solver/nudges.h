@@ -10,9 +10,9 @@ namespace engine {
 constexpr double kMostNudge = 0.2;  // m: limit of one nudge, so that joints far apart close over
                                     // several steps; contacts have Settings::depenetrationSpeed
 
-/// Nudges acting bodies, in a sub-step of the world of h (s). seen: whether the velocities are read before
-/// they are solved again; if not, trees may skip a solve (joint_nudges.h).
+/// Nudges acting bodies, in a sub-step of the world of h (s). untilSeen: in how many of them others read the
+/// velocities; trees that are solved again before may skip a solve (joint_nudges.h).
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
-                 const Settings& settings, double h, bool seen);
+                 const Settings& settings, double h, int untilSeen);
 
 }  // namespace engine

@@ -38,27 +38,18 @@ void Paces::choose(DisjointSets& islands, const Substeps& substeps,
     };
     for (const Contact& c : contacts)
         if (bodies.isDriven(c.a) || bodies.isDriven(c.b)) islandOf(c.a, c.b).every = true;
-    Island jointed;
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
         const int a = joint.def.a.index, b = joint.def.b.index;
         if (bodies.isAsleep(bodies.movable(a, b))) continue;
-        Island& island = islandOf(a, b);
-        island.jointed = true;
-        island.every = island.every || bodies.isDriven(a) || bodies.isDriven(b);
-        jointed.substeps = larger(jointed.substeps, island.substeps);
-        jointed.every = jointed.every || island.every;
+        if (bodies.isDriven(a) || bodies.isDriven(b)) islandOf(a, b).every = true;
     }
-    const auto strideOf = [&](const Island& island) {
-        return island.every ? 1 : strideFor(island.substeps, moment);
-    };
-    if (moment.at % ofJoints_ == 0) ofJoints_ = strideOf(jointed);
     for (const int i : bodies.active) {
         if (bodies.waits(i)) continue;
         bodies.strides[i] = 1;
         if (!bodies.isAwake(i)) continue;
         const Island& island = islands_[islands.leaderOf(i)];
-        bodies.strides[i] = island.jointed ? ofJoints_ : strideOf(island);
+        bodies.strides[i] = island.every ? 1 : strideFor(island.substeps, moment);
     }
 }
 

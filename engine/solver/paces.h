@@ -4,8 +4,7 @@
 ///   stride = the largest divisor of the sub-steps between two contact detections that leaves the
 ///            island the number it needs; within a step, also of those already done
 /// So a fast wheel does not slow down a heap next to it. Bodies that a force acts on, and islands that a
-/// moving kinematic body touches or holds, take part in every sub-step. Islands with joints share one stride,
-/// because their trees are solved together.
+/// moving kinematic body touches or holds, take part in every sub-step.
 #pragma once
 #include <span>
 #include <vector>
@@ -28,16 +27,13 @@ public:
                 std::span<const Joint> joints, std::span<const char> everyStep, const Moment& moment,
                 Bodies& bodies);
 
-    int ofJoints() const { return ofJoints_; }
-
 private:
     struct Island {
         int substeps = 0;
-        bool every = false, jointed = false;
+        bool every = false;
     };
 
     std::vector<Island> islands_;  // by leader
-    int ofJoints_ = 1;
 };
 
 /// Joins bodies that are connected by any chain of contacts and joints.

@@ -125,6 +125,7 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 void updateSeparations(const Bodies& bodies, Solver& solver) {
     solver.constraints.impacts.begin(bodies, solver.posesAtStart);
     solver.constraints.riding.begin(bodies, solver.posesAtStart);
+    chooseActingJoints(bodies, solver);
     if (solver.lanes) {  // separations are up to date from the nudges
         solver.wide.beginSubstep(bodies);
         solver.wide.followTurns(bodies);

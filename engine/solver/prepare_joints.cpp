@@ -3,6 +3,23 @@
 #include "engine/solver/drives.h"
 
 namespace engine {
+namespace {
+
+/// groupOf(a, b): by the bodies of a joint.
+template <class GroupOf>
+void sortInto(int groups, const GroupOf& groupOf, Solver& solver) {
+    Constraints& c = solver.constraints;
+    const int joints = static_cast<int>(c.joints.size()), drives = static_cast<int>(c.drives.size());
+    solver.trees.sortInto(groups, groupOf);
+    c.jointsByGroup.sort(joints, groups, [&](int i) { return groupOf(c.joints[i].a, c.joints[i].b); });
+    c.jointsOutside.sort(joints, groups, [&](int i) {
+        return c.joints[i].inTree ? -1 : groupOf(c.joints[i].a, c.joints[i].b);
+    });
+    c.drivesByGroup.sort(drives, groups, [&](int i) { return groupOf(c.drives[i].a, c.drives[i].b); });
+    solver.treeDrives.sort(c, solver.trees, groups);
+}
+
+}  // namespace
 
 void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver) {
@@ -35,11 +52,13 @@ void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
     else
         solver.trees = {};
     for (const int i : solver.trees.inLoops()) joints[list[i].joint].inLoop = true;
+    sortInto(1, [](int, int) { return 0; }, solver);
 }
 
-void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
+void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings, int group,
                    Solver& solver) {
-    for (JointConstraint& c : solver.constraints.joints) {
+    for (const int k : solver.constraints.jointsByGroup.of(group)) {
+        JointConstraint& c = solver.constraints.joints[k];
         Joint& joint = joints[c.joint];
         if (joint.def.type == JointType::gear || joint.def.type == JointType::path)
             followCoordinates(joint, bodies.poses[c.a], bodies.poses[c.b]);
@@ -53,25 +72,31 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
             c.error[i] = rows.error[i];
         }
     }
-    solver.trees.prepare(joints, bodies);
-    prepareDrives(joints, bodies, solver.constraints);
+    solver.trees.prepare(group, joints, bodies);
+    prepareDrives(joints, bodies, group, solver.constraints);
 }
 
 void groupJoints(const Bodies& bodies, Solver& solver) {
-    Constraints& c = solver.constraints;
-    const int groups = solver.groups.count();
     const auto groupOf = [&](int a, int b) {
         return solver.groups.ofJoint(a, b, bodies, solver.islands);
     };
-    solver.trees.sortInto(groups, groupOf);
-    c.jointsByGroup.sort(static_cast<int>(c.joints.size()), groups,
-                         [&](int i) { return groupOf(c.joints[i].a, c.joints[i].b); });
-    c.jointsOutside.sort(static_cast<int>(c.joints.size()), groups, [&](int i) {
-        return c.joints[i].inTree ? -1 : groupOf(c.joints[i].a, c.joints[i].b);
-    });
-    c.drivesByGroup.sort(static_cast<int>(c.drives.size()), groups,
-                         [&](int i) { return groupOf(c.drives[i].a, c.drives[i].b); });
-    solver.treeDrives.sort(c, solver.trees, groups);
+    sortInto(solver.groups.count(), groupOf, solver);
+}
+
+void chooseActingJoints(const Bodies& bodies, Solver& solver) {
+    Constraints& c = solver.constraints;
+    const auto strideOf = [&](int body) { return bodies.acts[body] ? bodies.strides[body] : 0; };
+    for (JointConstraint& joint : c.joints) joint.stride = strideOf(bodies.movable(joint.a, joint.b));
+    for (JointDrive& drive : c.drives) drive.stride = strideOf(bodies.movable(drive.a, drive.b));
+    solver.actingJoints.clear();
+    if (!solver.byIsland) {
+        if (!c.joints.empty() || !c.drives.empty()) solver.actingJoints.push_back({});
+        return;
+    }
+    const ContactGroups& groups = solver.groups;
+    for (int g = 0; g < groups.count() && groups.hasJoints(g); ++g)
+        if (const int stride = strideOf(groups.bodyOf(g)); stride > 0)
+            solver.actingJoints.push_back({g, stride, groups.isTouched(g)});
 }
 
 double elasticEnergy(const Joint& joint, const Bodies& bodies) {

@@ -14,12 +14,16 @@ inline bool isAsleep(const Joint& joint, const Bodies& bodies) {
 void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
                    Solver& solver);
 
-/// Computes the factors of the trees, and the rows of all joints outside them, at the present poses.
-void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings,
+/// Computes the factors of a group's trees, and the rows of its joints outside them, at the present poses.
+void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings& settings, int group,
                    Solver& solver);
 
-/// Sorts trees, joints outside them and drives into the groups of their islands.
+/// Sorts trees, joints outside them and drives into the groups of their islands; initially, and if islands are not
+/// solved one by one, all are in group 0.
 void groupJoints(const Bodies& bodies, Solver& solver);
+
+/// Before a sub-step is solved: which joints act in it.
+void chooseActingJoints(const Bodies& bodies, Solver& solver);
 
 /// The energy stored in a soft joint, J: k C^2 / 2 of its rows, with the stiffness for their masses, plus
 /// that of the springs along its coordinates; at the time of the velocities, half a sub-step ago, like

@@ -19,13 +19,6 @@ void merge(std::vector<SweepReport>& report, std::size_t i, const SweepReport& s
     report[i].delta += swept.delta;
 }
 
-/// One solve is enough: there are only trees, and no contacts are on them.
-bool solvedAtOnce(const Solver& s, int group) {
-    return s.groups.hasJoints(group) && !s.groups.isTouched(group) && s.trees.exact() &&
-           s.constraints.jointsOutside.of(group).empty() &&
-           s.constraints.drivesByGroup.of(group).empty();
-}
-
 /// Solved by conjugate gradients: all rows are without bounds, as there are no contacts, limits or motors.
 bool isConjugate(const Solver& s, int group) {
     return s.groups.hasJoints(group) && !s.groups.isTouched(group) && s.trees.isNet(group) &&
@@ -52,8 +45,8 @@ SweepReport sweepContacts(Solver& s, int group, std::span<Velocity> v, const Set
                    : sweepContacts(s.constraints, rowsOf(s, group), v, settings);
 }
 
-bool isTurnOf(const Solver& s, int group) {
-    if (s.groups.hasJoints(group)) return s.constraints.jointStride > 0;
+bool isTurnOf(const Solver& s, int group, const Bodies& bodies) {
+    if (s.groups.hasJoints(group)) return bodies.acts[s.groups.bodyOf(group)];
     if (s.lanes) return s.wide.acts(group);
     const std::span<const int> rows = rowsOf(s, group);
     return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
@@ -129,6 +122,7 @@ void solveGroup(Solver& s, int group, Bodies& bodies, const Settings& settings, 
     const std::span<Velocity> v = bodies.velocities;
     const SweepLimits limits = limitsOf(s, group, settings, step);
     if (s.lanes && !s.wide.isLarge(group)) s.wide.warmStart(group);
+    s.trees.setBiasRate(settings.baumgarte / s.groups.span(group));
     const double left = sweepGroup(s, group, v, settings, limits, next, report);
     const double much = s.groups.hasJoints(group) ? kMuchLeftOfJoined : kMuchLeft;
     if (left > much && startsAfresh(s, group, bodies))
@@ -136,14 +130,16 @@ void solveGroup(Solver& s, int group, Bodies& bodies, const Settings& settings, 
 }
 
 /// Starts joints, and contacts that are not in lanes, from their last impulses.
-void begin(Solver& s, std::span<Velocity> v, const Settings& settings, double h) {
-    const int stride = s.constraints.jointStride;
-    if (s.lanes && stride == 0) return;
-    if (stride > 0) s.joined.begin(s, v), s.treeDrives.begin(s.trees);
+void begin(Solver& s, std::span<Velocity> v, const Settings& settings) {
+    if (s.lanes && s.actingJoints.empty()) return;
+    s.joined.begin(s, v);
     const std::span<const int> shared = s.groups.jointedBodies();
     if (s.lanes) s.wide.give(v, shared);
     warmStart(s.constraints, v, settings);
-    if (stride > 0) s.trees.begin(settings.warmStart ? 1.0 : 0.0, settings.baumgarte / (stride * h), v);
+    for (const JointGroup& group : s.actingJoints) {
+        s.treeDrives.begin(group.number, s.trees);
+        s.trees.begin(group.number, settings.warmStart ? 1.0 : 0.0, v);
+    }
     if (s.lanes) s.wide.take(v, shared);
 }
 
@@ -167,9 +163,10 @@ void solveIslands(Solver& s, Bodies& bodies, const Settings& settings, double h,
         return;  // all are asleep or in free flight
     beginRows(s, v, settings, h);
     const std::size_t first = report.size();
-    begin(s, v, settings, h);
+    begin(s, v, settings);
     for (int group = 0; group < s.groups.count(); ++group)
-        if (isTurnOf(s, group)) solveGroup(s, group, bodies, settings, h * stepped.substeps, first, report);
+        if (isTurnOf(s, group, bodies))
+            solveGroup(s, group, bodies, settings, h * stepped.substeps, first, report);
     if (s.lanes)
         s.wide.finish(v);
     else
@@ -178,10 +175,10 @@ void solveIslands(Solver& s, Bodies& bodies, const Settings& settings, double h,
 
 }  // namespace
 
-bool solvedAtOnce(const Solver& s) {
-    const bool touched =
-        s.byIsland ? !s.groups.jointedBodies().empty() : !s.constraints.contacts.empty();
-    return !touched && solvedAtOnce(s.constraints, s.trees);
+bool solvedAtOnce(const Solver& s, int group) {
+    return s.groups.hasJoints(group) && !s.groups.isTouched(group) && s.trees.isExact(group) &&
+           s.constraints.jointsOutside.of(group).empty() &&
+           s.constraints.drivesByGroup.of(group).empty();
 }
 
 void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, double h,
@@ -192,9 +189,8 @@ void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, 
         solveIslands(solver, bodies, settings, h, report);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
-    if (solver.constraints.jointStride == 0) return;
-    solver.trees.keepStart(v);
-    keepRates(solver.constraints, v);
+    for (const JointGroup& group : solver.actingJoints) solver.trees.keepStart(group.number, v);
+    if (!solver.actingJoints.empty()) keepRates(solver.constraints, bodies);
 }
 
 }  // namespace engine

@@ -12,7 +12,7 @@ namespace engine {
 void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, double h,
                       StepReport& report);
 
-/// One solve is enough for the joints: there are only trees, and no contacts on them.
-bool solvedAtOnce(const Solver& solver);
+/// One solve is enough for a group: there are only trees, and no contacts on them.
+bool solvedAtOnce(const Solver& solver, int group);
 
 }  // namespace engine

@@ -15,6 +15,13 @@
 
 namespace engine {
 
+/// Joints that act in a sub-step: a group of islands that is solved by itself, or all.
+struct JointGroup {
+    int number = 0;
+    int stride = 1;  // of its bodies, in sub-steps of the world
+    bool touched = true;
+};
+
 struct Solver {
     Constraints constraints;
     Workers workers;
@@ -23,6 +30,7 @@ struct Solver {
     bool lanes = false;              // and their contacts in lanes:
     WideContacts wide;
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
+    std::vector<JointGroup> actingJoints;
     JointTrees trees;
     TreeDrives treeDrives;           // limits, motors and springs of joints in trees
     ConjugateJoints conjugate;       // while a group is solved

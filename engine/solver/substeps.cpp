@@ -107,8 +107,9 @@ void estimateTension(std::span<Joint> joints, const Bodies& bodies, const Vec3& 
     }
     Correction unused;
     solver.trees.beginStep();
-    solver.trees.begin(0.0, 0.0, v);
-    solver.trees.solveVelocities(v, unused);
+    solver.trees.begin(0, 0.0, v);
+    solver.trees.setBiasRate(0.0);
+    solver.trees.solveVelocities(0, v, unused);
     solver.trees.report(joints, dt);
 }
 
@@ -213,6 +214,7 @@ void Substeps::measure(std::span<const Joint> joints, const Bodies& bodies, cons
     fastest_.resize(solver.constraints.joints.size());
     for (const int i : solver.trees.whole()) {
         const JointConstraint& c = solver.constraints.joints[i];
+        if (c.stride == 0) continue;
         fastest_[i] = larger(fastest_[i], turnOf(c, joints[c.joint], bodies));
     }
 }

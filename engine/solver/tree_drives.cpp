@@ -50,8 +50,9 @@ bool TreeDrives::System::canMove(int row) const {
     return rows[row].softness > 0.0 || at(row, row) > kStuck * rows[row].k;
 }
 
-void TreeDrives::begin(const JointTrees& trees) {
-    for (System& s : systems_) {
+void TreeDrives::begin(int group, const JointTrees& trees) {
+    for (const int i : byGroup_.of(group)) {
+        System& s = systems_[i];
         s.columns = 0, s.tooMany = areTooMany(s.always, trees.jointsOf(s.tree));
         s.a.clear(), s.changes.clear(), s.impulses.clear();
         for (Unknown& x : s.rows) x.column = -1;

@@ -25,8 +25,8 @@ class TreeDrives {
 public:
     /// After drives and trees were sorted into groups: which drives are solved with a tree.
     void sort(const Constraints& c, const JointTrees& trees, int groups);
-    /// Once per sub-step: J and M have changed.
-    void begin(const JointTrees& trees);
+    /// Once per sub-step of a group: J and M have changed.
+    void begin(int group, const JointTrees& trees);
     /// Solves the drives of a group; those of trees so that the tree stays solved. `moved`: joints outside the trees
     /// have changed velocities since the trees were solved.
     void solve(int group, bool moved, Constraints& c, JointTrees& trees, std::span<Velocity> v, Correction& correction);

@@ -112,7 +112,6 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
             tree.first = static_cast<int>(joints_.size()) - 1;
             tree.firstMember = static_cast<int>(members_.size());
             here_.push_back(place.tree);
-            if (tree.whole) whole_.push_back(place.tree);
         }
         joint.ownA = own(c.a, ownPlaces);
         joint.ownB = own(c.b, ownPlaces);
@@ -134,13 +133,15 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
 }
 
 template <int N>
-void TreePart<N>::place(std::span<const Joint> joints, std::span<const Pose> poses) {
-    for (TreeJoint<N>& joint : joints_) {
-        joint.now = geometryOf(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
-        if (joint.isGear) setTwistOfA(joints[joint.joint], poses[joint.a], joint);
+void TreePart<N>::place(std::span<const int> trees, std::span<const Joint> joints, std::span<const Pose> poses) {
+    for (const int number : trees) {
+        trees_[number].before = -1.0;
+        for (TreeJoint<N>& joint : jointsIn(number)) {
+            joint.now = geometryOf(joint, joints[joint.joint], poses[joint.a], poses[joint.b]);
+            if (joint.isGear) setTwistOfA(joints[joint.joint], poses[joint.a], joint);
+        }
+        for (Member& member : membersIn(number)) member.start = poses[member.body].rotation;
     }
-    for (Tree& tree : trees_) tree.before = -1.0;
-    for (Member& member : members_) member.start = poses[member.body].rotation;
 }
 
 template <int N>
@@ -154,45 +155,52 @@ TreeBlock<N> TreePart<N>::coupling(const TreeJoint<N>& i, const TreeJoint<N>& k,
 }
 
 template <int N>
-void TreePart<N>::factor(std::span<const InverseMass> masses) {
-    for (std::size_t i = 0; i < members_.size(); ++i) masses_[i] = masses[members_[i].body];
-    for (int k = 0; k < factors_.count(); ++k) {
-        const TreeJoint<N>& joint = joints_[k];
-        const TreeGeometry<N>& g = joint.now;
-        const Twist<N>& twistA = twistOn(joint, false);
-        TreeBlock<N> own = couplingThrough<N>(masses_[joint.ownA], g.armA, twistA, g.armA, twistA);
-        own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
-        lookAlong(joint, joint, own);
-        if (joint.closes) addPlay(joint, own);
-        const Tree& tree = trees_[joint.tree];
-        joints_[k].softness = (tree.inNet ? kSoftness : 0.0) * own.diagonal();
-        own.diagonal() += joint.softness;
-        if (tree.yields()) own.diagonal() *= 1.0 + kDamping;
-        factors_.setDiagonal(k, own);
-        for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
-            if (link.body < 0) {
-                link.block.setZero();
-                continue;
-            }
-            const TreeJoint<N>& other = joints_[link.place];
-            link.block = coupling(other, joint, link.body);
-            if (sharesTwo(other, joint))  // 0 through a body that does not move
-                link.block += coupling(other, joint, joint.a == link.body ? joint.b : joint.a);
-            lookAlong(other, joint, link.block);
-        }
+void TreePart<N>::factor(std::span<const int> trees, std::span<const InverseMass> masses) {
+    for (const int number : trees) {
+        const Tree& tree = trees_[number];
+        for (int i = tree.firstMember; i < tree.endMember; ++i) masses_[i] = masses[members_[i].body];
+        for (int k = tree.first; k < tree.end; ++k) setBlocks(k);
+        factors_.factor(tree.first, tree.end);
     }
-    factors_.factor();
 }
 
 template <int N>
-void TreePart<N>::warmStart(double keep, std::span<Velocity> v) {
-    for (TreeJoint<N>& joint : joints_) {
-        const TreeRows<N> lambda = keep * joint.lambda;
-        joint.lambda.setZero();
-        if (keep == 0.0 || trees_[joint.tree].whole) continue;
-        book(joint, lambda, 1.0);
-        apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
+void TreePart<N>::setBlocks(int k) {
+    TreeJoint<N>& joint = joints_[k];
+    const TreeGeometry<N>& g = joint.now;
+    const Twist<N>& twistA = twistOn(joint, false);
+    TreeBlock<N> own = couplingThrough<N>(masses_[joint.ownA], g.armA, twistA, g.armA, twistA);
+    own += couplingThrough<N>(masses_[joint.ownB], g.armB, g.twist, g.armB, g.twist);
+    lookAlong(joint, joint, own);
+    if (joint.closes) addPlay(joint, own);
+    const Tree& tree = trees_[joint.tree];
+    joint.softness = (tree.inNet ? kSoftness : 0.0) * own.diagonal();
+    own.diagonal() += joint.softness;
+    if (tree.yields()) own.diagonal() *= 1.0 + kDamping;
+    factors_.setDiagonal(k, own);
+    for (typename BlockFactors<N>::Link& link : factors_.links(k)) {
+        if (link.body < 0) {
+            link.block.setZero();
+            continue;
+        }
+        const TreeJoint<N>& other = joints_[link.place];
+        link.block = coupling(other, joint, link.body);
+        if (sharesTwo(other, joint))  // 0 through a body that does not move
+            link.block += coupling(other, joint, joint.a == link.body ? joint.b : joint.a);
+        lookAlong(other, joint, link.block);
     }
+}
+
+template <int N>
+void TreePart<N>::warmStart(std::span<const int> trees, double keep, std::span<Velocity> v) {
+    for (const int number : trees)
+        for (TreeJoint<N>& joint : jointsIn(number)) {
+            const TreeRows<N> lambda = keep * joint.lambda;
+            joint.lambda.setZero();
+            if (keep == 0.0 || trees_[number].whole) continue;
+            book(joint, lambda, 1.0);
+            apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
+        }
 }
 
 template <int N>
@@ -248,26 +256,29 @@ void TreePart<N>::evaluateErrors(Tree& tree, std::span<const Joint> joints,
 }
 
 template <int N>
-void TreePart<N>::keepStart(std::span<const Velocity> v) {
-    for (Member& member : members_) {
-        member.kept = v[member.body];
-        member.spin = member.kept.angular;
+void TreePart<N>::keepStart(std::span<const int> trees, std::span<const Velocity> v) {
+    for (const int number : trees)
+        for (Member& member : membersIn(number)) {
+            member.kept = v[member.body];
+            member.spin = member.kept.angular;
+        }
+}
+
+template <int N>
+void TreePart<N>::keepEnd(std::span<const int> trees, std::span<const Pose> poses) {
+    for (const int number : trees) {
+        if (!trees_[number].whole) continue;
+        for (Member& member : membersIn(number)) member.end = poses[member.body].rotation;
     }
 }
 
 template <int N>
-void TreePart<N>::keepEnd(std::span<const Pose> poses) {
-    for (const int number : whole_)
-        for (int i = trees_[number].firstMember; i < trees_[number].endMember; ++i)
-            members_[i].end = poses[members_[i].body].rotation;
-}
-
-template <int N>
-void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge) {
-    const bool feeds = tree.whole && !tree.damped && nudge.h > 0.0;
+void TreePart<N>::chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies) const {
+    const bool feeds = tree.whole && !tree.damped && nudge.feeds;
     double share = feeds ? feedbackShare(tree.ratio) : 0.0;
     if (tree.closed && share < 1.0) share = 0.0;  // perhaps it cannot be closed
-    tree.gain = share > 0.0 ? share / nudge.h : 0.0;
+    tree.h = bodies.spans[bodies.movable(joints_[tree.first].a, joints_[tree.first].b)];
+    tree.gain = share > 0.0 ? share / tree.h : 0.0;
     tree.anew = share == 1.0;
     if (nudge.pushed) tree.before = -1.0;
 }
@@ -279,7 +290,7 @@ void TreePart<N>::takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& b
         if (masses_[i].linear == 0.0) continue;
         Quat unused = member.start;
         bodies.velocities[member.body] = member.kept;
-        turnFreely(bodies.masses[member.body], nudge.gyroscope, nudge.h, unused,
+        turnFreely(bodies.masses[member.body], nudge.gyroscope, tree.h, unused,
                    bodies.velocities[member.body].angular);
     }
     for (int k = tree.first; k < tree.end; ++k) book(joints_[k], fed_[k], -1.0);
@@ -294,15 +305,16 @@ bool TreePart<N>::goesOn(Tree& tree, const TreeNudge& nudge, Bodies& bodies) {
         takeBackFeedback(tree, nudge, bodies);
         return false;
     }
-    return better && tree.ratio > kMet && (tree.anew || (tree.whole && nudge.h == 0.0));
+    return better && tree.ratio > kMet && (tree.anew || (tree.whole && !nudge.feeds));
 }
 
 template <int N>
-void TreePart<N>::nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
-    for (const int number : here_) {
+void TreePart<N>::nudge(std::span<const int> trees, const TreeNudge& nudge, std::span<const Joint> joints,
+                        Bodies& bodies) {
+    for (const int number : trees) {
         Tree& tree = trees_[number];
         evaluateErrors(tree, joints, bodies.poses);
-        chooseGain(tree, nudge);
+        chooseGain(tree, nudge, bodies);
         for (int k = tree.first; k < tree.end; ++k) fed_[k].setZero();
         nudgeOnce(tree, nudge, bodies);
         for (int i = 1; i < kMostNudges; ++i) {
@@ -371,9 +383,9 @@ void TreePart<N>::move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies)
         pose.position += moved_[i].linear;
         v.linear += tree.gain * moved_[i].linear;
         if (tree.anew) {
-            member.spin += moved_[i].angular / nudge.h;
+            member.spin += moved_[i].angular / tree.h;
             member.before = member.end, member.end = member.start, v.angular = member.spin;
-            turns.add(bodies.masses[member.body], nudge.h, member.end, v.angular);
+            turns.add(bodies.masses[member.body], tree.h, member.end, v.angular);
             continue;
         }
         pose.rotation = cayley(moved_[i].angular, pose.rotation);

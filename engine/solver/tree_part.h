@@ -23,8 +23,8 @@ namespace engine {
 /// One nudge of joints by impulses on positions (solver/joint_nudges.h).
 struct TreeNudge {
     double most = 0.0;  // m: limit of one nudge
-    double h = 0.0;     // s, of the sub-step whose velocities get feedback; 0: no feedback
     Gyroscope gyroscope = Gyroscope::momentum;
+    bool feeds = false;   // velocities get feedback
     bool pushed = false;  // contacts or limits have moved bodies since the last nudge
 };
 
@@ -35,13 +35,14 @@ public:
     void build(const ForestPlan& plan, int fewest, std::span<const JointConstraint> list,
                std::span<const Joint> joints);
 
-    /// Computes J and C at the bodies' poses.
-    void place(std::span<const Joint> joints, std::span<const Pose> poses);
-    /// Factors A, for the present J; `masses` are at the same poses.
-    void factor(std::span<const InverseMass> masses);
+    // Of the trees with these numbers:
 
+    /// Computes J and C at the bodies' poses.
+    void place(std::span<const int> trees, std::span<const Joint> joints, std::span<const Pose> poses);
+    /// Factors A, for the present J; `masses` are at the same poses.
+    void factor(std::span<const int> trees, std::span<const InverseMass> masses);
     /// Applies the share `keep` of the impulses of the last sub-step; 0, and whole trees, only discard them.
-    void warmStart(double keep, std::span<Velocity> v);
+    void warmStart(std::span<const int> trees, double keep, std::span<Velocity> v);
     /// Solves J v + biasRate C + gamma lambda = 0 in these trees; gamma: 0 but in nets.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
@@ -51,16 +52,17 @@ public:
     void bookResponse(int tree, std::span<const double> impulses, double share);
     /// Stores the velocities with which the bodies will move from the poses of place(), and, after they have
     /// moved, the rotations to which these lead: whole trees start from them when they move again.
-    void keepStart(std::span<const Velocity> v);
-    void keepEnd(std::span<const Pose> poses);
+    void keepStart(std::span<const int> trees, std::span<const Velocity> v);
+    void keepEnd(std::span<const int> trees, std::span<const Pose> poses);
     /// Solves C = 0 to first order. Whole trees with feedback are solved to round-off, by repeating the
     /// motion from the start with another velocity, which becomes v.
-    void nudge(const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
+    void nudge(std::span<const int> trees, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
 
-    /// Numbers of the trees with joints here: all; whole ones; those of a group.
+    /// Numbers of the trees with joints here: all, and those of a group.
     std::span<const int> all() const { return here_; }
-    std::span<const int> whole() const { return whole_; }
     std::span<const int> of(int group) const { return byGroup_.of(group); }
+    /// No other joint acts on it.
+    bool isWhole(int tree) const { return trees_[tree].whole; }
     int treeCount() const { return static_cast<int>(trees_.size()); }
     /// Of a tree, or 0 if they are in another part.
     int jointsOf(int tree) const { return trees_[tree].end - trees_[tree].first; }
@@ -98,10 +100,9 @@ public:
             for (Tree& tree : trees_) tree.before = -1.0;
     }
 
-    bool empty() const { return joints_.empty(); }
-    /// One solve satisfies all of its trees.
-    bool exact() const {
-        for (const int number : here_)
+    /// One solve satisfies these trees.
+    bool isExact(std::span<const int> trees) const {
+        for (const int number : trees)
             if (trees_[number].damped) return false;
         return true;
     }
@@ -130,6 +131,7 @@ private:
         bool inNet = false;     // joints of its connected set are in several forests
         bool yields() const { return damped || (closed && !whole); }
         int closings = 0;       // joints that close it
+        double h = 0.0;         // s, of its sub-step
         double gain = 0.0;      // 1/s
         bool anew = false;      // it repeats the motion from the start
     };
@@ -142,7 +144,16 @@ private:
         Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
 
+    std::span<TreeJoint<N>> jointsIn(int tree) {
+        return std::span(joints_).subspan(trees_[tree].first, trees_[tree].end - trees_[tree].first);
+    }
+    std::span<Member> membersIn(int tree) {
+        return std::span(members_).subspan(trees_[tree].firstMember, trees_[tree].endMember - trees_[tree].firstMember);
+    }
+
     int own(int body, std::vector<int>& places);
+    /// Sets the blocks of A in the column of joint k.
+    void setBlocks(int k);
     /// The coupling of joint k with i through a common body.
     TreeBlock<N> coupling(const TreeJoint<N>& i, const TreeJoint<N>& k, int body) const;
     void evaluateErrors(Tree& tree, std::span<const Joint> joints, std::span<const Pose> poses);
@@ -154,7 +165,7 @@ private:
     static bool isInVain(const Tree& tree) {
         return tree.closed && tree.before >= 0.0 && tree.sum >= tree.before;
     }
-    static void chooseGain(Tree& tree, const TreeNudge& nudge);
+    void chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies) const;
     /// One Newton step.
     void nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     /// Whether another step helps. Undoes the feedback of a tree where Newton's method does not converge: its
@@ -169,7 +180,7 @@ private:
     std::vector<TreeJoint<N>> joints_;  // one tree after the other, each in order of elimination
     BlockFactors<N> factors_;
     std::vector<Tree> trees_;
-    std::vector<int> here_, whole_;     // trees with joints here; whole ones among them
+    std::vector<int> here_;             // trees with joints here
     ByGroup byGroup_;
     std::vector<Member> members_;
     std::vector<InverseMass> masses_;  // by member

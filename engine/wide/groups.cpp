@@ -23,14 +23,14 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     count(contacts, bodies, islands);
-    moving_.clear(), touched_.clear(), atRest_.clear(), spans_.clear(), open_.clear();
+    moving_.clear(), touched_.clear(), atRest_.clear(), spans_.clear(), bodies_.clear(), open_.clear();
     for (const Joint& joint : joints) {
         if (!joint.present) continue;
         const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
         if (!bodies.isAwake(body)) continue;
         Island& island = islands_[islands.leaderOf(body)];
         island.jointed = true;
-        if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
+        if (island.group < 0) island.group = groupFor(island, body, bodies.spans[body]);
     }
     jointed_ = count();
     std::ranges::fill(atRest_, 0);
@@ -41,7 +41,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
         const int leader = islands.leaderOf(body);
         Island& island = islands_[leader];
         islandOfContact_.push_back(leader);
-        if (island.group < 0) island.group = groupFor(island, bodies.spans[body]);
+        if (island.group < 0) island.group = groupFor(island, body, bodies.spans[body]);
         if (!island.calm || island.contacts >= kManyContacts) atRest_[island.group] = 0;
         ofContact_.push_back(island.group);
     }
@@ -59,27 +59,28 @@ void ContactGroups::count(std::span<const Contact> contacts, const Bodies& bodie
     }
 }
 
-int ContactGroups::addGroup(bool moving, bool touched, double span) {
+int ContactGroups::addGroup(bool moving, bool touched, int body, double span) {
     moving_.push_back(moving);
     touched_.push_back(touched);
     atRest_.push_back(1);
     spans_.push_back(span);
+    bodies_.push_back(body);
     return count() - 1;
 }
 
-int ContactGroups::groupFor(const Island& island, double span) {
+int ContactGroups::groupFor(const Island& island, int body, double span) {
     const bool touched = island.contacts > 0;
     const int few = island.jointed ? kFewOfJointed : kFewContacts;
     if (island.contacts >= few)
-        return addGroup(!island.jointed && 50 * island.fast > island.contacts, touched, span);
+        return addGroup(!island.jointed && 50 * island.fast > island.contacts, touched, body, span);
     const auto same = [&](const Open& open) {
         return open.span == span && touched_[open.group] == touched;
     };
     auto open = std::ranges::find_if(open_, same);
     if (open == open_.end())
-        open = open_.insert(open_.end(), {span, addGroup(false, touched, span), few});
+        open = open_.insert(open_.end(), {span, addGroup(false, touched, body, span), few});
     else if (open->room <= 0)
-        *open = {span, addGroup(false, touched, span), few};
+        *open = {span, addGroup(false, touched, body, span), few};
     open->room -= island.contacts;
     return open->group;
 }

@@ -35,6 +35,8 @@ public:
     bool atRest(int group) const { return atRest_[group] != 0; }
     /// s: the sub-step of its bodies.
     double span(int group) const { return spans_[group]; }
+    /// One of them.
+    int bodyOf(int group) const { return bodies_[group]; }
     /// Bodies with contacts that are connected with joints, directly or not; all or those of a group.
     std::span<const int> jointedBodies() const { return jointedBodies_; }
     std::span<const int> jointedBodies(int group) const {
@@ -55,8 +57,8 @@ private:
     };
 
     void count(std::span<const Contact> contacts, const Bodies& bodies, DisjointSets& islands);
-    int groupFor(const Island& island, double span);
-    int addGroup(bool moving, bool touched, double span);
+    int groupFor(const Island& island, int body, double span);
+    int addGroup(bool moving, bool touched, int body, double span);
     void findJointedBodies(std::span<const Contact> contacts, const Bodies& bodies,
                            DisjointSets& islands);
 
@@ -68,6 +70,7 @@ private:
     std::vector<char> touches_;                    // by body
     std::vector<char> moving_, touched_, atRest_;  // by group
     std::vector<double> spans_;
+    std::vector<int> bodies_;
     int jointed_ = 0;                     // groups
 };
 

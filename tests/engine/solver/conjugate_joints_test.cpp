@@ -32,10 +32,9 @@ struct SmallNet {
         c.jointsByGroup.sort(static_cast<int>(c.joints.size()), 1, [](int) { return kGroup; });
         c.jointsOutside.sort(static_cast<int>(c.joints.size()), 1, [](int) { return -1; });
         trees.build(c.joints, joints, bodies.inverseMasses);
-        trees.sortInto(1, [](int, int) { return kGroup; });
-        trees.prepare(joints, bodies);
+        trees.prepare(kGroup, joints, bodies);
         eachJoint([&](TreeJoint<3>& joint) { joint.lambda = lastImpulses * random.vector(1); });
-        trees.begin(1.0, 0.0, bodies.velocities);
+        trees.begin(kGroup, 1.0, bodies.velocities);
         conjugate.prepare(bodies.inverseMasses);
     }
     void connect(int a, int b) {
@@ -141,7 +140,7 @@ TEST(JointTrees, OnlyRowsOfANetAreSoft) {
     for (int k = 1; k < SmallNet::kSize; ++k) chain.connect((k - 1) * SmallNet::kSize, k * SmallNet::kSize);
     chain.trees.build(chain.c.joints, chain.joints, chain.bodies.inverseMasses);
     chain.trees.sortInto(1, [](int, int) { return SmallNet::kGroup; });
-    chain.trees.prepare(chain.joints, chain.bodies);
+    chain.trees.prepare(0, chain.joints, chain.bodies);
     int count = 0;
     chain.eachJoint([&](TreeJoint<3>& joint) {
         EXPECT_EQ(joint.softness, TreeRows<3>::Zero());
