@@ -22,6 +22,7 @@ struct Joint {
     bool torn = false;                                    // by constraints that cannot all hold,
     double calm = 0.0;                                    // s, since all connected joints have closed
     bool inLoop = false;                                  // its tree has loops, and no joint outside acts on it
+    bool solvedAtOnce = false;                            // with its tree, and no joint outside acts on it
     bool acts = false;                                    // a spring, motor, limit or rotor acts
     std::array<double, 6> position{};                     // of the coordinates, to count turns
     std::array<double, 6> lambda{};                       // N s (N m s), in one sub-step

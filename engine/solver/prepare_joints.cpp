@@ -52,6 +52,8 @@ void collectJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
     else
         solver.trees = {};
     for (const int i : solver.trees.inLoops()) joints[list[i].joint].inLoop = true;
+    for (int i = 0; i < static_cast<int>(joints.size()); ++i)
+        joints[i].solvedAtOnce = solver.trees.exactTreeOf(i) >= 0;
     sortInto(1, [](int, int) { return 0; }, solver);
 }
 

@@ -24,14 +24,20 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     for (const int i : bodies.active) islands_[i] = {};
     count(contacts, bodies, islands);
     moving_.clear(), touched_.clear(), atRest_.clear(), spans_.clear(), bodies_.clear(), open_.clear();
-    for (const Joint& joint : joints) {
-        if (!joint.present) continue;
-        const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
-        if (!bodies.isAwake(body)) continue;
-        Island& island = islands_[islands.leaderOf(body)];
+    const auto eachAwake = [&](const auto& visit) {
+        for (const Joint& joint : joints) {
+            const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
+            if (joint.present && bodies.isAwake(body)) visit(joint, body, islands_[islands.leaderOf(body)]);
+        }
+    };
+    eachAwake([](const Joint& joint, int, Island& island) {
         island.jointed = true;
+        island.driven = island.driven || joint.acts;
+        island.swept = island.swept || !joint.solvedAtOnce;
+    });
+    eachAwake([&](const Joint&, int body, Island& island) {
         if (island.group < 0) island.group = groupFor(island, body, bodies.spans[body]);
-    }
+    });
     jointed_ = count();
     std::ranges::fill(atRest_, 0);
     open_.clear();
@@ -71,16 +77,16 @@ int ContactGroups::addGroup(bool moving, bool touched, int body, double span) {
 int ContactGroups::groupFor(const Island& island, int body, double span) {
     const bool touched = island.contacts > 0;
     const int few = island.jointed ? kFewOfJointed : kFewContacts;
-    if (island.contacts >= few)
+    if (island.contacts >= few || island.swept)
         return addGroup(!island.jointed && 50 * island.fast > island.contacts, touched, body, span);
     const auto same = [&](const Open& open) {
-        return open.span == span && touched_[open.group] == touched;
+        return open.span == span && open.driven == island.driven && touched_[open.group] == touched;
     };
     auto open = std::ranges::find_if(open_, same);
     if (open == open_.end())
-        open = open_.insert(open_.end(), {span, addGroup(false, touched, body, span), few});
+        open = open_.insert(open_.end(), {span, island.driven, addGroup(false, touched, body, span), few});
     else if (open->room <= 0)
-        *open = {span, addGroup(false, touched, body, span), few};
+        *open = {span, island.driven, addGroup(false, touched, body, span), few};
     open->room -= island.contacts;
     return open->group;
 }

@@ -1,6 +1,7 @@
 /// Islands: bodies not connected by contacts and joints are independent problems, and each is swept as often
 /// as it needs. Small islands with equal sub-steps (Bodies::spans) share a group, to fill the lanes. Islands
-/// with joints are in groups of their own, the first ones; those that nothing touches share one.
+/// with joints are in groups of their own, the first ones; those that nothing touches share one, if their trees are
+/// solved at once, and another one if limits, motors or springs act on them.
 #pragma once
 #include <span>
 #include <vector>
@@ -46,12 +47,13 @@ public:
 private:
     struct Island {
         int contacts = 0, fast = 0, group = -1;
-        bool jointed = false, calm = true;
+        bool jointed = false, driven = false, swept = false, calm = true;
     };
 
     /// A group that takes further small islands.
     struct Open {
         double span = 0.0;  // s, of its bodies
+        bool driven = false;
         int group = -1;
         int room = 0;       // contacts
     };
