@@ -14,6 +14,7 @@
 #include "engine/world_checks.h"
 #include "engine/world_joints.h"
 #include "engine/world_limits.h"
+#include "engine/world_looks.h"
 #include "engine/world_paces.h"
 #include "engine/world_sleep.h"
 
@@ -54,7 +55,7 @@ bool World::step(double dt) {
     const double h = dt / s.report.substeps;
     for (int i = 0; i < s.report.substeps; ++i) {
         beginSubstep(s, i);                                   // world_paces.cpp
-        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // for fast bodies
+        if (looksAgain(s, i, h)) findContactsWithin(s, i, h);  // for fast bodies: world_looks.cpp
         s.phase(Phase::forces, i);
         evaluateForces(*this, s, i, h);                  // world_state.cpp, forces/
         applyForces(s.bodies, s.gravity, s.fieldLoads);  // dynamics/forces.cpp

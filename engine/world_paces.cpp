@@ -1,8 +1,8 @@
 #include "engine/world_paces.h"
 
-#include "engine/collision/moving_contacts.h"
 #include "engine/solver/drives.h"
 #include "engine/solver/prepare_contacts.h"
+#include "engine/world_looks.h"
 #include "engine/world_sleep.h"
 
 namespace engine {
@@ -68,7 +68,7 @@ void arrangeContacts(WorldState& s) {
 }
 
 void chooseStrides(WorldState& s, int i) {
-    s.paces.choose(s.solver.islands, s.substeps, s.finder.contacts, s.joints, s.everyStep,
+    s.paces.choose(s.solver.islands, s.substeps, s.finder.contacts, s.joints, s.everyStep, s.looks,
                    {i, s.report.substeps, s.substepsALook}, s.bodies);
 }
 
@@ -78,8 +78,7 @@ void choosePaces(WorldState& s, double dt) {
     arrangeContacts(s);
     const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies, s.solver,
                                          {s.gravity, s.settings, dt, s.velocitiesBefore});
-    const int looks = looksNeeded(s.finder.moving, s.bodies, dt);
-    s.lookedAt.assign(s.bodies.count(), 0);
+    const int looks = chooseLooks(s, dt);
     s.substepsALook = (needed + looks - 1) / looks;
     s.report.substeps = s.substepsALook * looks;
     findWhoMovesAlways(s);

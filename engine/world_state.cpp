@@ -14,12 +14,6 @@
 namespace engine {
 namespace {
 
-void findContacts(WorldState& s, double dt) {
-    s.finder.moving.bounceSpeed = s.settings.bounce == Bounce::impacts ? s.settings.bounceSpeed : kFar;
-    engine::findContacts(s.bodies, s.finder, s.settings.speculativeMargin, dt);
-    s.contactsStale = false;
-}
-
 /// Whether a joint leaves no freedom.
 bool isRigid(const JointDef& def) {
     if (def.spring.isSoft()) return false;
@@ -101,6 +95,12 @@ void updateJoints(WorldState& s, double dt) {
 }
 
 }  // namespace
+
+void findContacts(WorldState& s, double dt) {
+    s.finder.moving.bounceSpeed = s.settings.bounce == Bounce::impacts ? s.settings.bounceSpeed : kFar;
+    engine::findContacts(s.bodies, s.finder, s.settings.speculativeMargin, dt);
+    s.contactsStale = false;
+}
 
 void goBack(WorldState& s) {
     for (const int i : s.bodies.active) {
@@ -199,27 +199,12 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
         if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
 }
 
-bool looksAgain(const WorldState& s, int substep, double h) {
-    return substep > 0 &&
-           (substep % s.substepsALook == 0 ||
-            anyTurnsFar(s.finder.contacts, s.bodies, s.lookedAt, substep, h));
-}
-
-void findContactsWithin(WorldState& s, int substep, double h) {
-    for (const int i : s.bodies.active)
-        if (!s.bodies.waits(i)) s.lookedAt[i] = substep;
+void keepSolved(WorldState& s) {
     const std::vector<Contact>& solved = s.finder.contacts;
     for (std::size_t k = 0; k < solved.size(); ++k)
         for (int i = 0; i < solved[k].count; ++i)
             s.solvedBefore.push_back(stateOf(s, solved[k], i, impulsesOf(s.solver, int(k), i),
                                              s.solver.posesAtStart));
-    storeImpulses(s.solver, s.finder.contacts);
-    holdInFront(s.bodies, s.finder, s.solver.posesAtStart);
-    findContacts(s, s.substepsALook * h);
-    if (s.finder.tooMany) s.report.trouble = Trouble::tooManyContacts;  // endStep undoes the step
-    joinPaces(s, substep, s.report.substeps * h);
-    beginSubstep(s, substep);
-    prepareContacts(s.finder.contacts, s.joints, s.bodies, s.settings, s.solver);
 }
 
 bool turnedTooFast(WorldState& s, double dt) {

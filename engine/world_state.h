@@ -56,8 +56,10 @@ struct WorldState {
     double lastDt = 0.0;        // s
 
     bool again = false;         // the step is repeated, with fewer bodies
-    int substepsALook = 1;      // sub-steps between two contact detections, at most
+    int substepsALook = 1;      // sub-steps between two contact detections, at most (world_looks.h)
     std::vector<int> lookedAt;  // by body: sub-step of the last contact detection
+    std::vector<char> looks, looksNow;  // by body: takes part in those of this step; in the present one
+    std::vector<int> fast, turned;      // bodies that need them; that have turned far
     std::vector<ContactState> solvedBefore;  // of this step, before the last contact detection
 
     std::vector<Pose> posesBefore;           // to undo a failed step
@@ -90,10 +92,10 @@ bool beginStep(WorldState& s, double dt);
 /// Evaluates the caller's force field and the forces for a sub-step of length h (s).
 void evaluateForces(const World& world, WorldState& s, int substep, double h);
 
-/// Contacts are found again within a step where fast bodies meet, or touching bodies have turned far
-/// (collision/moving_contacts.h): whether before this sub-step. h (s): length of a sub-step.
-bool looksAgain(const WorldState& s, int substep, double h);
-void findContactsWithin(WorldState& s, int substep, double h);
+/// Finds the contacts for the coming dt (s).
+void findContacts(WorldState& s, double dt);
+/// Stores the states of the contacts solved so far, before they are found again within the step.
+void keepSolved(WorldState& s);
 
 /// Like World::remove.
 void removeBody(WorldState& s, BodyId id);

@@ -212,7 +212,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     broadPhase.lookFarther(bodies, moving.thrown, moving.throws, margin);
 }
 
-int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {
+int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std::vector<int>& fast) {
     double most = 1.0;
     for (const MovingPairs::Entry& entry : moving.entries) {
         if (!entry.impact.meets) continue;
@@ -224,13 +224,15 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt) {
                 (rough || bounces(bodies, entry.pair) || shapes[k]->type != ShapeType::sphere))
                 size = smaller(size, 2.0 * reachOf(*shapes[k]));
         const Motion &a = moving.motions[entry.pair.a], &b = moving.motions[entry.pair.b];
-        most = larger(most, wayOf(a, b, dt) / size);
+        const double ways = wayOf(a, b, dt) / size;
+        if (ways > 1.0) fast.push_back(entry.pair.a), fast.push_back(entry.pair.b);
+        most = larger(most, ways);
     }
     return static_cast<int>(std::ceil(smaller(most, kMostLooks)));
 }
 
-bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies,
-                 std::span<const int> lookedAt, int substep, double h) {
+void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, std::span<const int> lookedAt,
+                     int substep, double h, std::vector<int>& turned) {
     const auto turnsFar = [&](int i) {
         if (!bodies.isGoing(i)) return false;
         const Vec3& spin = bodies.velocities[i].angular;
@@ -243,9 +245,9 @@ bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies,
         const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // rotation about it changes nothing
         return axis.cross(spin).norm() * time > kFarToTurn;
     };
-    return std::ranges::any_of(contacts, [&](const Contact& c) {
-        return turnsFar(c.a) || turnsFar(c.b);
-    });
+    for (const Contact& c : contacts)
+        for (const int i : {c.a, c.b})
+            if (turnsFar(i)) turned.push_back(i);
 }
 
 const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair) {

@@ -58,14 +58,14 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
 
 /// How often the coming step of dt (s) needs contact detection, at most sixteen times: once, unless a body
 /// that hits something moves farther than its own size. A body hit at one corner turns, and may come down on
-/// another before the step ends.
-int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt);
+/// another before the step ends. Adds the bodies that do this to `fast`.
+int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std::vector<int>& fast);
 
-/// Whether a body of a contact that does not wait will have turned so far by its next sub-step that other
-/// corners of it may come down. `lookedAt`: by body, the world's sub-step, of length h (s), in which its
+/// Adds the bodies of contacts that do not wait and will have turned so far by their next sub-step that other
+/// corners of them may come down. `lookedAt`: by body, the world's sub-step, of length h (s), in which its
 /// contacts were found.
-bool anyTurnsFar(std::span<const Contact> contacts, const Bodies& bodies,
-                 std::span<const int> lookedAt, int substep, double h);
+void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, std::span<const int> lookedAt,
+                     int substep, double h, std::vector<int>& turned);
 
 /// Null if the margin is enough for the pair; `near` (m) above the margin: never, and only that is certain of
 /// pairs that stay farther apart.

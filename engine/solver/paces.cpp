@@ -3,9 +3,10 @@
 namespace engine {
 namespace {
 
-int strideFor(int needed, const Paces::Moment& moment) {
-    int stride = larger(smaller(moment.total / larger(needed, 1), moment.aLook), 1);
-    while (moment.aLook % stride != 0 || moment.at % stride != 0) --stride;
+int strideFor(int needed, bool looks, const Paces::Moment& moment) {
+    const int whole = looks ? moment.aLook : moment.total;
+    int stride = larger(smaller(moment.total / larger(needed, 1), whole), 1);
+    while (whole % stride != 0 || moment.at % stride != 0) --stride;
     return stride;
 }
 
@@ -24,7 +25,8 @@ void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
 
 void Paces::choose(DisjointSets& islands, const Substeps& substeps,
                    std::span<const Contact> contacts, std::span<const Joint> joints,
-                   std::span<const char> everyStep, const Moment& moment, Bodies& bodies) {
+                   std::span<const char> everyStep, std::span<const char> looks, const Moment& moment,
+                   Bodies& bodies) {
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     for (const int i : bodies.active) {
@@ -32,6 +34,7 @@ void Paces::choose(DisjointSets& islands, const Substeps& substeps,
         Island& island = islands_[islands.leaderOf(i)];
         island.substeps = larger(island.substeps, substeps.of(i));
         island.every = island.every || everyStep[i];
+        island.looks = island.looks || looks[i];
     }
     const auto islandOf = [&](int a, int b) -> Island& {
         return islands_[islands.leaderOf(bodies.movable(a, b))];
@@ -49,7 +52,7 @@ void Paces::choose(DisjointSets& islands, const Substeps& substeps,
         bodies.strides[i] = 1;
         if (!bodies.isAwake(i)) continue;
         const Island& island = islands_[islands.leaderOf(i)];
-        bodies.strides[i] = island.every ? 1 : strideFor(island.substeps, moment);
+        bodies.strides[i] = island.every ? 1 : strideFor(island.substeps, island.looks, moment);
     }
 }
 
