@@ -202,9 +202,12 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
 void keepSolved(WorldState& s) {
     const std::vector<Contact>& solved = s.finder.contacts;
     for (std::size_t k = 0; k < solved.size(); ++k)
-        for (int i = 0; i < solved[k].count; ++i)
-            s.solvedBefore.push_back(stateOf(s, solved[k], i, impulsesOf(s.solver, int(k), i),
-                                             s.solver.posesAtStart));
+        for (int i = 0; i < solved[k].count; ++i) {
+            const PointImpulses got = impulsesOf(s.solver, int(k), i);
+            const bool keeps = s.bodies.waits(solved[k].a, solved[k].b);
+            if (keeps && got.total == 0.0) continue;  // it has not acted since
+            s.solvedBefore.push_back(stateOf(s, solved[k], i, got, s.solver.posesAtStart));
+        }
 }
 
 bool turnedTooFast(WorldState& s, double dt) {

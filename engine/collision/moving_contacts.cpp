@@ -10,7 +10,7 @@
 namespace engine {
 namespace {
 
-constexpr double kMostLooks = 16.0;
+constexpr int kMostLooks = 16;
 constexpr double kFarToTurn = 0.4;  // rad
 constexpr int kMovingPairsAThread = 64;   // at least
 constexpr double kSameDirection = 0.999;  // within 2.6 degrees
@@ -228,7 +228,9 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std:
         if (ways > 1.0) fast.push_back(entry.pair.a), fast.push_back(entry.pair.b);
         most = larger(most, ways);
     }
-    return static_cast<int>(std::ceil(smaller(most, kMostLooks)));
+    int looks = 1;
+    while (looks < most && looks < kMostLooks) looks *= 2;
+    return looks;
 }
 
 void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, std::span<const int> lookedAt,

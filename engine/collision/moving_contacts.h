@@ -58,7 +58,8 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
 
 /// How often the coming step of dt (s) needs contact detection, at most sixteen times: once, unless a body
 /// that hits something moves farther than its own size. A body hit at one corner turns, and may come down on
-/// another before the step ends. Adds the bodies that do this to `fast`.
+/// another before the step ends. A power of two, so that islands that need none still find their number of
+/// sub-steps. Adds the bodies that need more than one to `fast`.
 int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std::vector<int>& fast);
 
 /// Adds the bodies of contacts that do not wait and will have turned so far by their next sub-step that other
