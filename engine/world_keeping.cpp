@@ -53,6 +53,8 @@ bool isSound(const WorldState& s) {
            arePairs(finder.broadPhase.pairs(), bounded, isPair) &&
            std::ranges::all_of(finder.broadPhase.pairs(), moves) &&
            arePairs(finder.moving.entries, smaller(count, moved), ofItem) &&
+           finder.moving.throws.size() == finder.moving.motions.size() &&
+           std::ranges::all_of(finder.moving.thrown, [&](int i) { return i >= 0 && i < smaller(count, moved); }) &&
            arePairs(finder.sensed, count, ofItem) && arePairs(s.touches.before, count, ofItem) &&
            arePairs(s.touches.now, count, ofItem) && s.kept.size() <= 4 * kMostContacts;
 }
@@ -275,6 +277,7 @@ void keepForces(Bytes& bytes, WorldState& s) {
 template <class Bytes>
 void keep(Bytes& bytes, ContactFinder& finder) {
     bytes(finder.broadPhase, finder.jointed, finder.moving.motions, finder.moving.entries);
+    bytes(finder.moving.throws, finder.moving.thrown);
     bytes(finder.contacts, finder.asleep, finder.sensed, finder.tooMany);
 }
 

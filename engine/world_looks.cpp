@@ -17,42 +17,29 @@ Bounds reachOf(const WorldState& s, int body, double dt) {
     return there.grownBy(way + s.settings.speculativeMargin);
 }
 
-/// Marks the islands that these bodies may reach, and those reached from there by thrown bodies.
-class Reached {
-public:
-    Reached(WorldState& s, double dt) : s_(s), dt_(dt), islands_(s.bodies.count(), 0) {}
+bool isReached(WorldState& s, int body) {
+    return s.bodies.isMoving(body) && s.reach.islands[s.solver.islands.leaderOf(body)];
+}
 
-    void add(std::vector<int> bodies) {
-        for (const int i : bodies) mark(i);
-        std::vector<int> waiting = s_.finder.moving.thrown;
-        while (!bodies.empty()) {
-            std::ranges::for_each(bodies, [&](int i) { spread(i); });
-            const auto rest = std::partition(waiting.begin(), waiting.end(), [&](int i) { return !has(i); });
-            bodies.assign(rest, waiting.end());
-            waiting.erase(rest, waiting.end());
-        }
+void reach(WorldState& s, int body) {
+    if (s.bodies.isMoving(body)) s.reach.islands[s.solver.islands.leaderOf(body)] = 1;
+}
+
+/// Marks the islands that these bodies may reach within dt (s), and those reached from there by thrown bodies.
+void findReached(WorldState& s, const std::vector<int>& from, double dt) {
+    Reach& r = s.reach;
+    r.islands.assign(s.bodies.count(), 0);
+    r.next.assign(from.begin(), from.end());
+    r.thrown.assign(s.finder.moving.thrown.begin(), s.finder.moving.thrown.end());
+    for (const int i : r.next) reach(s, i);
+    while (!r.next.empty()) {
+        for (const int i : r.next)
+            if (s.bodies.isMoving(i))
+                s.finder.broadPhase.tree().query(reachOf(s, i, dt), r.open, [&](int other) { reach(s, other); });
+        const auto rest = std::partition(r.thrown.begin(), r.thrown.end(), [&](int i) { return !isReached(s, i); });
+        r.next.assign(rest, r.thrown.end());
+        r.thrown.erase(rest, r.thrown.end());
     }
-    bool has(int body) { return s_.bodies.isAwake(body) && islands_[s_.solver.islands.leaderOf(body)]; }
-
-private:
-    void mark(int body) {
-        if (s_.bodies.isAwake(body)) islands_[s_.solver.islands.leaderOf(body)] = 1;
-    }
-    void spread(int body) {
-        if (!s_.bodies.isAwake(body)) return;
-        s_.finder.broadPhase.tree().query(reachOf(s_, body, dt_), open_, [&](int other) { mark(other); });
-    }
-
-    WorldState& s_;
-    double dt_;
-    std::vector<char> islands_;  // by leader
-    std::vector<int> open_;
-};
-
-/// Dynamic bodies; the others need not look, because all that they may hit does.
-void setLooks(WorldState& s, Reached& reached, std::vector<char>& looks) {
-    looks.assign(s.bodies.count(), 0);
-    for (const int i : s.bodies.active) looks[i] = reached.has(i);
 }
 
 }  // namespace
@@ -60,10 +47,11 @@ void setLooks(WorldState& s, Reached& reached, std::vector<char>& looks) {
 int chooseLooks(WorldState& s, double dt) {
     s.fast.clear();
     const int count = looksNeeded(s.finder.moving, s.bodies, dt, s.fast);
-    Reached reached(s, dt);
-    if (count > 1) reached.add(s.fast);
-    setLooks(s, reached, s.looks);
+    s.looks.assign(s.bodies.count(), 0);
     s.lookedAt.assign(s.bodies.count(), 0);
+    if (count == 1) return 1;
+    findReached(s, s.fast, dt);
+    for (const int i : s.bodies.active) s.looks[i] = isReached(s, i);
     return count;
 }
 
@@ -75,12 +63,10 @@ bool looksAgain(WorldState& s, int substep, double h) {
 }
 
 void findContactsWithin(WorldState& s, int substep, double h) {
-    Reached reached(s, (s.report.substeps - substep) * h);
-    reached.add(s.turned);
-    setLooks(s, reached, s.looksNow);
+    findReached(s, s.turned, (s.report.substeps - substep) * h);
     const bool all = substep % s.substepsALook == 0;
     for (const int i : s.bodies.active)  // who does not look keeps its contacts, like one that waits
-        s.bodies.acts[i] = s.bodies.acts[i] && (s.looksNow[i] || (all && s.looks[i]) || !s.bodies.isAwake(i));
+        s.bodies.acts[i] = s.bodies.acts[i] && ((all && s.looks[i]) || isReached(s, i));
     for (const int i : s.bodies.active)
         if (!s.bodies.waits(i)) s.lookedAt[i] = substep;
     keepSolved(s);

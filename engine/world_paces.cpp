@@ -1,5 +1,6 @@
 #include "engine/world_paces.h"
 
+#include "engine/forces/force.h"
 #include "engine/solver/drives.h"
 #include "engine/solver/prepare_contacts.h"
 #include "engine/world_looks.h"
@@ -8,16 +9,11 @@
 namespace engine {
 namespace {
 
-/// Bodies that forces act on, which may depend on other bodies; all bodies if the forces are unknown or islands
-/// are not solved one by one.
-void findWhoMovesAlways(WorldState& s) {
-    const bool all = s.field || !s.settings.solvesByIsland();
-    s.everyStep.assign(s.bodies.count(), 0);
-    for (const std::optional<ForceDef>& force : s.forces) {
-        if (!force) continue;
-        for (const BodyId id : force->on) s.everyStep[id.index] = 1;
-    }
-    if (all) s.everyStep.assign(s.bodies.count(), 1);
+void findLinked(WorldState& s) {
+    s.linked.clear();
+    for (const std::optional<ForceDef>& force : s.forces)
+        for (std::size_t i = 1; force && linksBodies(*force) && i < force->on.size(); ++i)
+            s.linked.push_back({force->on[0].index, force->on[i].index});
 }
 
 /// Velocities belong to half a sub-step ago (dynamics/energy.h), so they change with its length.
@@ -68,8 +64,10 @@ void arrangeContacts(WorldState& s) {
 }
 
 void chooseStrides(WorldState& s, int i) {
-    s.paces.choose(s.solver.islands, s.substeps, s.finder.contacts, s.joints, s.everyStep, s.looks,
-                   {i, s.report.substeps, s.substepsALook}, s.bodies);
+    // An unknown force may depend on all bodies.
+    const bool every = s.field || !s.settings.solvesByIsland();
+    s.paces.choose(s.solver.islands, s.substeps, {s.finder.contacts, s.joints, s.linked}, s.looks,
+                   {i, s.report.substeps, s.substepsALook, every}, s.bodies);
 }
 
 }  // namespace
@@ -81,7 +79,7 @@ void choosePaces(WorldState& s, double dt) {
     const int looks = chooseLooks(s, dt);
     s.substepsALook = (needed + looks - 1) / looks;
     s.report.substeps = s.substepsALook * looks;
-    findWhoMovesAlways(s);
+    findLinked(s);
     chooseStrides(s, 0);
     setSpans(s, dt);
     if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;

@@ -196,7 +196,7 @@ void evaluateForces(const World& world, WorldState& s, int substep, double h) {
             for (const BodyId id : force->on) ++s.springs[id.index];
     const ForceMoment now{s.report.time + substep * h, h, s.gravity, s.springs};
     for (const std::optional<ForceDef>& force : s.forces)
-        if (force && acts(*force, now.time, h)) addLoads(*force, s.bodies, now, s.fieldLoads);
+        if (force) addLoads(*force, s.bodies, now, s.fieldLoads);
 }
 
 void keepSolved(WorldState& s) {

@@ -19,6 +19,13 @@
 
 namespace engine {
 
+/// Where bodies may get to within a step (world_looks.cpp).
+struct Reach {
+    std::vector<char> islands;       // by leader: reached
+    std::vector<int> next, thrown;   // bodies that spread it; that may still do
+    std::vector<int> open;           // for BoundsTree::query
+};
+
 struct WorldState {
     Settings settings;
     Vec3 gravity{0.0, -9.81, 0.0};
@@ -30,7 +37,7 @@ struct WorldState {
     Solver solver;
     Substeps substeps;
     Paces paces;
-    std::vector<char> everyStep;                  // bodies that act in every sub-step
+    std::vector<PairKey> linked;                  // bodies whose forces depend on each other
     std::vector<double> scales;                   // by body: its sub-step over its previous one
     Sleep sleep;
     StepReport report;
@@ -58,8 +65,9 @@ struct WorldState {
     bool again = false;         // the step is repeated, with fewer bodies
     int substepsALook = 1;      // sub-steps between two contact detections, at most (world_looks.h)
     std::vector<int> lookedAt;  // by body: sub-step of the last contact detection
-    std::vector<char> looks, looksNow;  // by body: takes part in those of this step; in the present one
-    std::vector<int> fast, turned;      // bodies that need them; that have turned far
+    std::vector<char> looks;       // by body: takes part in those of this step
+    std::vector<int> fast, turned; // bodies that need them; that have turned far
+    Reach reach;                   // kept for its memory only
     std::vector<ContactState> solvedBefore;  // of this step, before the last contact detection
 
     std::vector<Pose> posesBefore;           // to undo a failed step

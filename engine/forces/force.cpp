@@ -1,5 +1,7 @@
 #include "engine/forces/force.h"
 
+#include <algorithm>
+
 #include "engine/dynamics/bodies.h"
 
 namespace engine {
@@ -9,10 +11,23 @@ bool acts(const ForceDef& force, double time, double h) {
     return force.from <= middle && middle < force.until;
 }
 
-void addLoads(const ForceDef& force, const Bodies& bodies, const ForceMoment& now,
-              std::span<Load> loads) {
-    std::visit([&](const auto& kind) { addLoads(kind, force.on, bodies, now, loads); },
-               force.kind);
+bool linksBodies(const ForceDef& force) {
+    return std::holds_alternative<NBodyGravity>(force.kind) || std::holds_alternative<SpringForce>(force.kind);
+}
+
+void addLoads(const ForceDef& force, const Bodies& bodies, ForceMoment now, std::span<Load> loads) {
+    const auto add = [&](std::span<const BodyId> on, int body) {
+        now.h = bodies.spans[body];
+        if (!bodies.isActing(body) || !acts(force, now.time, now.h)) return;
+        std::visit([&](const auto& kind) { addLoads(kind, on, bodies, now, loads); }, force.kind);
+    };
+    if (!linksBodies(force)) {
+        for (const BodyId& id : force.on) add(std::span(&id, 1), id.index);
+        return;
+    }
+    const auto moves = [&](const BodyId& id) { return bodies.isAwake(id.index); };
+    const auto first = std::ranges::find_if(force.on, moves);
+    if (first != force.on.end()) add(force.on, first->index);
 }
 
 void addPotential(const ForceDef& force, const Bodies& bodies, Energy& energy) {

@@ -17,8 +17,11 @@ namespace engine {
 /// it acts at its middle.
 bool acts(const ForceDef& force, double time, double h);
 
-void addLoads(const ForceDef& force, const Bodies& bodies, const ForceMoment& now,
-              std::span<Load> loads);
+/// Whether the load of one of its bodies depends on the others, which then need the same sub-steps.
+bool linksBodies(const ForceDef& force);
+
+/// Adds the loads of those bodies that act in the present sub-step, each with a length h of its own.
+void addLoads(const ForceDef& force, const Bodies& bodies, ForceMoment now, std::span<Load> loads);
 
 /// Adds the potential energy of the force (J), if it has any, to `potential` or `elastic`.
 void addPotential(const ForceDef& force, const Bodies& bodies, Energy& energy);

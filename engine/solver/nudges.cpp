@@ -1,5 +1,7 @@
 #include "engine/solver/nudges.h"
 
+#include <algorithm>
+
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/joint_nudges.h"
 #include "engine/solver/prepare_contacts.h"
@@ -8,10 +10,11 @@ namespace engine {
 namespace {
 
 /// x += M^-1 J^T lambda; q is rotated by I^-1 j lambda.
-void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies) {
+void nudge(const Row& row, double lambda, int a, int b, Bodies& bodies, std::vector<char>& pushed) {
     if (lambda == 0.0) return;
     const auto move = [&](int body, double mass, double sign, const Vec3& turn) {
         if (mass == 0.0) return;
+        pushed[body] = 1;
         Pose& pose = bodies.poses[body];
         pose.position += (sign * mass * lambda) * row.j.linear;
         turnTo(cayley(lambda * turn, pose.rotation), body, bodies);
@@ -39,23 +42,24 @@ bool nudgeContact(const ContactConstraint& contact, Bodies& bodies, Solver& solv
     if (settings.block) {
         const Vec4 lambda = solveNormalBlock(contact.block, q);
         for (int i = 0; i < contact.count; ++i)
-            nudge(rowAlong(contact, i, contact.n), lambda[i], contact.a, contact.b, bodies);
+            nudge(rowAlong(contact, i, contact.n), lambda[i], contact.a, contact.b, bodies, solver.pushed);
         return true;
     }
     for (int i = 0; i < contact.count; ++i) {
         const Row row = rowAlong(contact, i, contact.n);
         const double lambda = q[i] < 0.0 && row.k > 0.0 ? -q[i] / row.k : 0.0;
-        nudge(row, lambda, contact.a, contact.b, bodies);
+        nudge(row, lambda, contact.a, contact.b, bodies, solver.pushed);
         for (int k = i + 1; k < contact.count; ++k)
             q[k] += coupling(row, rowAlong(contact, k, contact.n)) * lambda;
     }
     return true;
 }
 
-void move(int body, const WideVelocity& way, Bodies& bodies) {
+void move(int body, const WideVelocity& way, Bodies& bodies, std::vector<char>& pushed) {
     const Vec3 ahead = Eigen::Vector3f(way.linear).cast<double>();
     const Vec3 turn = Eigen::Vector3f(way.angular).cast<double>();
     if (ahead.isZero(0.0) && turn.isZero(0.0)) return;
+    pushed[body] = 1;
     Pose& pose = bodies.poses[body];
     pose.position += ahead;
     turnTo(cayley(turn, pose.rotation), body, bodies);
@@ -69,13 +73,14 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
     const std::span<const int> active = bodies.active;
     s.workers.share(static_cast<int>(active.size()), kLeast, [&](int first, int end, int) {
         for (const int i : active.subspan(first, end - first))
-            if (bodies.isActing(i)) move(i, ways[i], bodies);
+            if (bodies.isActing(i)) move(i, ways[i], bodies, s.pushed);
     });
     return true;
 }
 
 /// True if any body was moved.
 bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, double h) {
+    solver.pushed.assign(bodies.count(), 0);
     const double speed = settings.depenetrationSpeed / settings.nudges;
     bool moved = solver.lanes && nudgeInLanes(solver, bodies, settings);
     for (const int i : solver.constraints.order) {
@@ -84,6 +89,10 @@ bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, dou
         if (contact.stride > 0)
             moved = nudgeContact(contact, bodies, solver, settings, most) || moved;
     }
+    for (JointGroup& group : solver.actingJoints)
+        group.pushed = solver.byIsland ? std::ranges::any_of(solver.groups.jointedBodies(group.number),
+                                                             [&](int body) { return solver.pushed[body] != 0; })
+                                       : moved;
     return moved;
 }
 
@@ -92,7 +101,7 @@ bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, dou
 void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
                  const Settings& settings, double h, int untilSeen) {
     TreeNudge nudge{kMostNudge, settings.gyroscope, true, false};
-    const std::span<const JointGroup> jointed = solver.actingJoints;
+    const std::span<const JointGroup> jointed = solver.actingJoints;  // nudgeContacts() updates `pushed`
     for (const JointGroup& group : jointed) solver.trees.keepEnd(group.number, bodies.poses);
     solver.constraints.impacts.movePositions(bodies);
     bool pushed = false;  // by contacts
@@ -100,7 +109,7 @@ void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
         // Joints first, so that they feed back only the error of the motion, not the pushes of
         // contacts.
         for (const JointGroup& group : jointed) {
-            nudge.pushed = pushed && group.touched;
+            nudge.pushed = group.pushed;
             nudgeJoints(joints, bodies, solver, group.number, settings, h, nudge);
         }
         nudge.feeds = false;
@@ -108,7 +117,7 @@ void solveNudges(std::span<Joint> joints, Bodies& bodies, Solver& solver,
     }
     nudge.pushed = true;
     for (const JointGroup& group : jointed)
-        if (pushed && group.touched) solver.trees.nudge(group.number, nudge, joints, bodies);
+        if (group.pushed) solver.trees.nudge(group.number, nudge, joints, bodies);
     updateInverseInertias(bodies);
     if (solver.lanes && (!jointed.empty() || pushed)) solver.wide.separate(bodies, settings.slop);
     for (const JointGroup& group : jointed)

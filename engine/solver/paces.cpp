@@ -23,36 +23,38 @@ void connect(std::span<const Contact> contacts, std::span<const Joint> joints,
         if (joint.present) join(joint.def.a.index, joint.def.b.index);
 }
 
-void Paces::choose(DisjointSets& islands, const Substeps& substeps,
-                   std::span<const Contact> contacts, std::span<const Joint> joints,
-                   std::span<const char> everyStep, std::span<const char> looks, const Moment& moment,
-                   Bodies& bodies) {
-    islands_.resize(bodies.count());
-    for (const int i : bodies.active) islands_[i] = {};
-    for (const int i : bodies.active) {
-        if (!bodies.isAwake(i)) continue;
-        Island& island = islands_[islands.leaderOf(i)];
-        island.substeps = larger(island.substeps, substeps.of(i));
-        island.every = island.every || everyStep[i];
-        island.looks = island.looks || looks[i];
-    }
-    const auto islandOf = [&](int a, int b) -> Island& {
-        return islands_[islands.leaderOf(bodies.movable(a, b))];
+void Paces::link(DisjointSets& islands, const Links& links, const Bodies& bodies) {
+    linked_.reset(bodies.count(), bodies.active);
+    for (const int i : bodies.active)
+        if (bodies.isAwake(i)) linked_.join(i, islands.leaderOf(i));
+    const auto join = [&](int a, int b) {
+        if (bodies.isMoving(a) && bodies.isMoving(b)) linked_.join(a, b);
     };
-    for (const Contact& c : contacts)
-        if (bodies.isDriven(c.a) || bodies.isDriven(c.b)) islandOf(c.a, c.b).every = true;
-    for (const Joint& joint : joints) {
-        if (!joint.present) continue;
+    for (const PairKey& pair : links.forces) join(pair.a, pair.b);
+    for (const Contact& c : links.contacts)
+        if (bodies.isDriven(c.a) || bodies.isDriven(c.b)) join(c.a, c.b);
+    for (const Joint& joint : links.joints) {
         const int a = joint.def.a.index, b = joint.def.b.index;
-        if (bodies.isAsleep(bodies.movable(a, b))) continue;
-        if (bodies.isDriven(a) || bodies.isDriven(b)) islandOf(a, b).every = true;
+        if (joint.present && (bodies.isDriven(a) || bodies.isDriven(b))) join(a, b);
+    }
+}
+
+void Paces::choose(DisjointSets& islands, const Substeps& substeps, const Links& links,
+                   std::span<const char> looks, const Moment& moment, Bodies& bodies) {
+    link(islands, links, bodies);
+    sets_.resize(bodies.count());
+    for (const int i : bodies.active) sets_[i] = {};
+    for (const int i : bodies.active) {
+        if (!bodies.isMoving(i)) continue;
+        Set& set = sets_[linked_.leaderOf(i)];
+        set.substeps = larger(set.substeps, substeps.of(i));
+        set.looks = set.looks || looks[i];
     }
     for (const int i : bodies.active) {
         if (bodies.waits(i)) continue;
-        bodies.strides[i] = 1;
-        if (!bodies.isAwake(i)) continue;
-        const Island& island = islands_[islands.leaderOf(i)];
-        bodies.strides[i] = island.every ? 1 : strideFor(island.substeps, island.looks, moment);
+        const Set& set = sets_[linked_.leaderOf(i)];
+        const bool chooses = !moment.every && bodies.isMoving(i);
+        bodies.strides[i] = chooses ? strideFor(set.substeps, set.looks, moment) : 1;
     }
 }
 

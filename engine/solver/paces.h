@@ -3,13 +3,14 @@
 /// advances by that many at once:
 ///   stride = the largest divisor of the world's sub-steps that leaves the island the number it needs; if it looks
 ///            (world_looks.h), of those between two looks; within a step, also of those already done
-/// So a fast wheel does not slow down a heap next to it. Bodies that a force acts on, and islands that a
-/// moving kinematic body touches or holds, take part in every sub-step.
+/// So a fast wheel does not slow down a heap next to it. Islands whose bodies depend on each other, because of a force
+/// or because the same moving kinematic body touches or holds them, share one stride, which is also that body's.
 #pragma once
 #include <span>
 #include <vector>
 
 #include "engine/base/disjoint_sets.h"
+#include "engine/collision/broad_phase.h"
 #include "engine/solver/substeps.h"
 
 namespace engine {
@@ -19,21 +20,28 @@ public:
     /// The moment of a choice: before sub-step `at` of `total`, with contact detection after every `aLook`.
     struct Moment {
         int at = 0, total = 1, aLook = 1;
+        bool every = false;  // all take part in every sub-step
+    };
+    /// What depends on what.
+    struct Links {
+        std::span<const Contact> contacts;
+        std::span<const Joint> joints;
+        std::span<const PairKey> forces;  // bodies whose forces depend on each other
     };
 
-    /// Sets Bodies::strides of all that do not wait; those that wait keep theirs. `everyStep`: bodies with
-    /// stride 1; `looks`: those that look.
-    void choose(DisjointSets& islands, const Substeps& substeps, std::span<const Contact> contacts,
-                std::span<const Joint> joints, std::span<const char> everyStep, std::span<const char> looks,
+    /// Sets Bodies::strides of all that do not wait; those that wait keep theirs. `looks`: by body.
+    void choose(DisjointSets& islands, const Substeps& substeps, const Links& links, std::span<const char> looks,
                 const Moment& moment, Bodies& bodies);
 
 private:
-    struct Island {
+    struct Set {
         int substeps = 0;
-        bool every = false, looks = false;
+        bool looks = false;
     };
+    void link(DisjointSets& islands, const Links& links, const Bodies& bodies);
 
-    std::vector<Island> islands_;  // by leader
+    DisjointSets linked_;    // islands that share a stride
+    std::vector<Set> sets_;  // by leader
 };
 
 /// Joins bodies that are connected by any chain of contacts and joints.

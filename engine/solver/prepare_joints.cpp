@@ -98,7 +98,7 @@ void chooseActingJoints(const Bodies& bodies, Solver& solver) {
     const ContactGroups& groups = solver.groups;
     for (int g = 0; g < groups.count() && groups.hasJoints(g); ++g)
         if (const int stride = strideOf(groups.bodyOf(g)); stride > 0)
-            solver.actingJoints.push_back({g, stride, groups.isTouched(g)});
+            solver.actingJoints.push_back({g, stride});
 }
 
 double elasticEnergy(const Joint& joint, const Bodies& bodies) {

@@ -19,7 +19,7 @@ namespace engine {
 struct JointGroup {
     int number = 0;
     int stride = 1;  // of its bodies, in sub-steps of the world
-    bool touched = true;
+    bool pushed = false;  // by contacts that were nudged
 };
 
 struct Solver {
@@ -31,6 +31,7 @@ struct Solver {
     WideContacts wide;
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     std::vector<JointGroup> actingJoints;
+    std::vector<char> pushed;        // by body: nudged by a contact
     JointTrees trees;
     TreeDrives treeDrives;           // limits, motors and springs of joints in trees
     ConjugateJoints conjugate;       // while a group is solved

@@ -312,12 +312,13 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
     if (empty()) return false;
     std::atomic<bool> turned{false};
     eachBody([&](int i) {
-        if (!bodies.isGoing(i)) return;
-        const Pose &now = bodies.poses[i], &start = start_[i];
-        const Vec3 turn = turnBetween(start, now);
-        narrow({now.position - start.position, turn}, motions_[i]);
-        turned_[i] = bodies.isDynamic(i) && !bodies.masses[i].isRound &&
-                     turn.squaredNorm() > farTurn_[i] * farTurn_[i];
+        if (bodies.isGoing(i)) {
+            const Pose &now = bodies.poses[i], &start = start_[i];
+            const Vec3 turn = turnBetween(start, now);
+            narrow({now.position - start.position, turn}, motions_[i]);
+            turned_[i] = bodies.isDynamic(i) && !bodies.masses[i].isRound &&
+                         turn.squaredNorm() > farTurn_[i] * farTurn_[i];
+        }
         if (turned_[i]) turned.store(true, std::memory_order_relaxed);
     });
     anyTurned_ = turned;

@@ -173,8 +173,8 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"chain", goldenChain, 300, 0x4d1a2907843d6374},
         {"pyramid", goldenPyramid, 60, 0x4929ec79df58fe2e},
         {"forces", goldenForces, 300, 0x3e6bfd9bcd53ffca},
-        {"machine", goldenMachine, 300, 0xc74a8ffab95d1358},
-        {"shapes", goldenShapes, 180, 0x6df54d4af1f50598},
+        {"machine", goldenMachine, 300, 0x8715cd7d70c56b86},
+        {"shapes", goldenShapes, 180, 0xa9c5f8a662daed91},
         {"rolling", goldenRolling, 300, 0x9532510a1c8479dd},
     }};
     return worlds;
