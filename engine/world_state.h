@@ -37,7 +37,7 @@ struct WorldState {
     Solver solver;
     Substeps substeps;
     Paces paces;
-    std::vector<PairKey> linked;                  // bodies whose forces depend on each other
+    std::vector<std::pair<int, int>> linked;      // bodies whose forces depend on each other
     std::vector<double> scales;                   // by body: its sub-step over its previous one
     Sleep sleep;
     StepReport report;

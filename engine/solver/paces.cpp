@@ -30,7 +30,7 @@ void Paces::link(DisjointSets& islands, const Links& links, const Bodies& bodies
     const auto join = [&](int a, int b) {
         if (bodies.isMoving(a) && bodies.isMoving(b)) linked_.join(a, b);
     };
-    for (const PairKey& pair : links.forces) join(pair.a, pair.b);
+    for (const auto& [a, b] : links.forces) join(a, b);
     for (const Contact& c : links.contacts)
         if (bodies.isDriven(c.a) || bodies.isDriven(c.b)) join(c.a, c.b);
     for (const Joint& joint : links.joints) {

@@ -7,10 +7,10 @@
 /// or because the same moving kinematic body touches or holds them, share one stride, which is also that body's.
 #pragma once
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/disjoint_sets.h"
-#include "engine/collision/broad_phase.h"
 #include "engine/solver/substeps.h"
 
 namespace engine {
@@ -26,7 +26,7 @@ public:
     struct Links {
         std::span<const Contact> contacts;
         std::span<const Joint> joints;
-        std::span<const PairKey> forces;  // bodies whose forces depend on each other
+        std::span<const std::pair<int, int>> forces;  // bodies whose forces depend on each other
     };
 
     /// Sets Bodies::strides of all that do not wait; those that wait keep theirs. `looks`: by body.
