@@ -82,8 +82,8 @@ struct ForceId {
 using ForceKind = std::variant<ConstantForce, Drag, Medium, PointGravity, NBodyGravity,
                                SpringForce, Airfoil>;
 
-/// A force: its kind, its bodies, and its time span. It is evaluated again in every sub-step, with the
-/// current poses.
+/// A force: its kind, its bodies, and its time span. It is evaluated again in every sub-step of its
+/// bodies, with the current poses.
 struct ForceDef {
     ForceKind kind;
     std::vector<BodyId> on;  // a spring: its two bodies

@@ -1,8 +1,9 @@
 /// Contact detection within a step: a look. A fast body that hits something may fly anywhere in the rest of the
 /// step, and a body that turns about its contact may come down elsewhere (collision/moving_contacts.h).
 ///
-/// Only islands look that such a body may reach, in the ball around it that its speed allows; from there also
-/// the bodies that it may throw. All others keep their contacts, and their sub-steps (solver/paces.h).
+/// Only islands look that such a body may reach, in the ball around it that its speed allows; and from their bodies
+/// on those that a hit passed on may bring them to. All others keep their contacts with the rows that these have, and
+/// their sub-steps (solver/paces.h).
 #pragma once
 #include "engine/world_state.h"
 

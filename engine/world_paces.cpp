@@ -11,9 +11,15 @@ namespace {
 
 void findLinked(WorldState& s) {
     s.linked.clear();
-    for (const std::optional<ForceDef>& force : s.forces)
-        for (std::size_t i = 1; force && linksBodies(*force) && i < force->on.size(); ++i)
-            s.linked.push_back({force->on[0].index, force->on[i].index});
+    for (const std::optional<ForceDef>& force : s.forces) {
+        if (!force || !linksBodies(*force)) continue;
+        int last = -1;
+        for (const BodyId id : force->on) {
+            if (!s.bodies.isAwake(id.index)) continue;
+            if (last >= 0) s.linked.push_back({last, id.index});
+            last = id.index;
+        }
+    }
 }
 
 /// Velocities belong to half a sub-step ago (dynamics/energy.h), so they change with its length.
@@ -56,9 +62,10 @@ void setSpans(WorldState& s, double dt) {
     keepRates(s.solver.constraints, s.bodies);
 }
 
-/// Finds the connected bodies and the order of the contacts.
+/// Finds the connected bodies, those that share sub-steps, and the order of the contacts.
 void arrangeContacts(WorldState& s) {
     connect(s.finder.contacts, s.joints, s.bodies, s.solver.islands);
+    s.paces.link(s.solver.islands, {s.finder.contacts, s.joints, s.linked}, s.bodies);
     orderContacts(s.finder.contacts, s.bodies, s.gravity, s.settings.order, s.solver.keys,
                   s.solver.order);
 }
@@ -66,20 +73,19 @@ void arrangeContacts(WorldState& s) {
 void chooseStrides(WorldState& s, int i) {
     // An unknown force may depend on all bodies.
     const bool every = s.field || !s.settings.solvesByIsland();
-    s.paces.choose(s.solver.islands, s.substeps, {s.finder.contacts, s.joints, s.linked}, s.looks,
-                   {i, s.report.substeps, s.substepsALook, every}, s.bodies);
+    s.paces.choose(s.substeps, s.looks, {i, s.report.substeps, s.substepsALook, every}, s.bodies);
 }
 
 }  // namespace
 
 void choosePaces(WorldState& s, double dt) {
+    findLinked(s);
     arrangeContacts(s);
     const int needed = s.substeps.choose(s.solver.islands, s.finder.contacts, s.joints, s.bodies, s.solver,
                                          {s.gravity, s.settings, dt, s.velocitiesBefore});
     const int looks = chooseLooks(s, dt);
     s.substepsALook = (needed + looks - 1) / looks;
     s.report.substeps = s.substepsALook * looks;
-    findLinked(s);
     chooseStrides(s, 0);
     setSpans(s, dt);
     if (dt != s.lastDt) s.startOfPace = s.report.time, s.stepsAtPace = 0;

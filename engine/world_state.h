@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,13 +19,6 @@
 #include "engine/world_touches.h"
 
 namespace engine {
-
-/// Where bodies may get to within a step (world_looks.cpp).
-struct Reach {
-    std::vector<char> islands;       // by leader: reached
-    std::vector<int> next, thrown;   // bodies that spread it; that may still do
-    std::vector<int> open;           // for BoundsTree::query
-};
 
 struct WorldState {
     Settings settings;
@@ -67,7 +61,9 @@ struct WorldState {
     std::vector<int> lookedAt;  // by body: sub-step of the last contact detection
     std::vector<char> looks;       // by body: takes part in those of this step
     std::vector<int> fast, turned; // bodies that need them; that have turned far
-    Reach reach;                   // kept for its memory only
+    std::vector<char> reached, spread;           // kept for their memory only: by set of Paces; by body
+    std::vector<int> open;                       // for BoundsTree::query
+    std::vector<std::tuple<int, Pose, Velocity>> keepers;  // bodies that keep their contacts
     std::vector<ContactState> solvedBefore;  // of this step, before the last contact detection
 
     std::vector<Pose> posesBefore;           // to undo a failed step

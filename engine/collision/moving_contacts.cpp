@@ -117,6 +117,12 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
+void sortUnique(std::vector<int>& list) {
+    std::ranges::sort(list);
+    const auto rest = std::ranges::unique(list);
+    list.erase(rest.begin(), rest.end());
+}
+
 bool bounces(const Bodies& bodies, const PairKey& pair) {
     return larger(bodies.defs[pair.a].material.restitution, bodies.defs[pair.b].material.restitution) > 0.0;
 }
@@ -228,6 +234,7 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std:
         if (ways > 1.0) fast.push_back(entry.pair.a), fast.push_back(entry.pair.b);
         most = larger(most, ways);
     }
+    sortUnique(fast);
     int looks = 1;
     while (looks < most && looks < kMostLooks) looks *= 2;
     return looks;
@@ -250,6 +257,7 @@ void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, st
     for (const Contact& c : contacts)
         for (const int i : {c.a, c.b})
             if (turnsFar(i)) turned.push_back(i);
+    sortUnique(turned);
 }
 
 const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair) {

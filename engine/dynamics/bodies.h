@@ -66,8 +66,11 @@ struct Bodies {
     /// isActing: forces and impulses move it in this sub-step. isGoing: it moves in this sub-step.
     bool isActing(int i) const { return acts[i] && isAwake(i); }
     bool isGoing(int i) const { return acts[i] && isMoving(i); }
-    /// It has moved ahead and waits for the others, or one of two has. Between steps none waits.
-    bool waits(int i) const { return !acts[i] && isMoving(i); }
+    /// What impulses or its own velocity move; all others are the same at any time of a step.
+    bool mayWait(int i) const { return isAwake(i) || isDriven(i); }
+    /// It has moved ahead and waits for the others, or keeps its contacts when others look for theirs (world_looks.h);
+    /// or one of two does. Between steps none waits.
+    bool waits(int i) const { return !acts[i] && mayWait(i); }
     bool waits(int a, int b) const { return waits(a) || waits(b); }
     /// Of two bodies that touch or are joined, one that impulses can move, if any.
     int movable(int a, int b) const { return isDynamic(a) ? a : b; }

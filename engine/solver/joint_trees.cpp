@@ -47,7 +47,7 @@ void JointTrees::prepare(int group, std::span<const Joint> joints, const Bodies&
 
 void JointTrees::begin(int group, double keep, std::span<Velocity> v) {
     for (Forest& forest : forests_)
-        forest.each([&](auto& part) { part.warmStart(part.of(group), forests_.size() > 1 ? keep : 0.0, v); });
+        forest.each([&](auto& part) { part.warmStart(part.of(group), keep, v); });
 }
 
 void JointTrees::solveVelocities(int group, std::span<Velocity> v, Correction& correction) {

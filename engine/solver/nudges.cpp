@@ -80,7 +80,8 @@ bool nudgeInLanes(Solver& s, Bodies& bodies, const Settings& settings) {
 
 /// True if any body was moved.
 bool nudgeContacts(Bodies& bodies, Solver& solver, const Settings& settings, double h) {
-    solver.pushed.assign(bodies.count(), 0);
+    solver.pushed.resize(bodies.count());
+    for (const int i : solver.groups.jointedBodies()) solver.pushed[i] = 0;
     const double speed = settings.depenetrationSpeed / settings.nudges;
     bool moved = solver.lanes && nudgeInLanes(solver, bodies, settings);
     for (const int i : solver.constraints.order) {

@@ -39,9 +39,7 @@ void Paces::link(DisjointSets& islands, const Links& links, const Bodies& bodies
     }
 }
 
-void Paces::choose(DisjointSets& islands, const Substeps& substeps, const Links& links,
-                   std::span<const char> looks, const Moment& moment, Bodies& bodies) {
-    link(islands, links, bodies);
+void Paces::choose(const Substeps& substeps, std::span<const char> looks, const Moment& moment, Bodies& bodies) {
     sets_.resize(bodies.count());
     for (const int i : bodies.active) sets_[i] = {};
     for (const int i : bodies.active) {

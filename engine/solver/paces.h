@@ -29,16 +29,18 @@ public:
         std::span<const std::pair<int, int>> forces;  // bodies whose forces depend on each other
     };
 
+    /// Finds the sets of bodies that share a stride.
+    void link(DisjointSets& islands, const Links& links, const Bodies& bodies);
+    /// That of a body: one of its bodies.
+    int setOf(int body) { return linked_.leaderOf(body); }
     /// Sets Bodies::strides of all that do not wait; those that wait keep theirs. `looks`: by body.
-    void choose(DisjointSets& islands, const Substeps& substeps, const Links& links, std::span<const char> looks,
-                const Moment& moment, Bodies& bodies);
+    void choose(const Substeps& substeps, std::span<const char> looks, const Moment& moment, Bodies& bodies);
 
 private:
     struct Set {
         int substeps = 0;
         bool looks = false;
     };
-    void link(DisjointSets& islands, const Links& links, const Bodies& bodies);
 
     DisjointSets linked_;    // islands that share a stride
     std::vector<Set> sets_;  // by leader

@@ -31,7 +31,7 @@ struct Solver {
     WideContacts wide;
     std::vector<int> firstOfGroup;   // otherwise in constraints.order, by group; and the end
     std::vector<JointGroup> actingJoints;
-    std::vector<char> pushed;        // by body: nudged by a contact
+    std::vector<char> pushed;        // by body: nudged by a contact; only of jointedBodies()
     JointTrees trees;
     TreeDrives treeDrives;           // limits, motors and springs of joints in trees
     ConjugateJoints conjugate;       // while a group is solved

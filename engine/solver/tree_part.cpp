@@ -197,7 +197,7 @@ void TreePart<N>::warmStart(std::span<const int> trees, double keep, std::span<V
         for (TreeJoint<N>& joint : jointsIn(number)) {
             const TreeRows<N> lambda = keep * joint.lambda;
             joint.lambda.setZero();
-            if (keep == 0.0 || trees_[number].whole) continue;
+            if (keep == 0.0 || !trees_[number].inNet) continue;
             book(joint, lambda, 1.0);
             apply(joint, lambda, masses_[joint.ownA], masses_[joint.ownB], v[joint.a], v[joint.b]);
         }

@@ -41,7 +41,7 @@ public:
     void place(std::span<const int> trees, std::span<const Joint> joints, std::span<const Pose> poses);
     /// Factors A, for the present J; `masses` are at the same poses.
     void factor(std::span<const int> trees, std::span<const InverseMass> masses);
-    /// Applies the share `keep` of the impulses of the last sub-step; 0, and whole trees, only discard them.
+    /// Applies the share `keep` of the impulses of the last sub-step; 0, and trees outside nets, only discard them.
     void warmStart(std::span<const int> trees, double keep, std::span<Velocity> v);
     /// Solves J v + biasRate C + gamma lambda = 0 in these trees; gamma: 0 but in nets.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,

@@ -308,17 +308,20 @@ void WideContacts::finish(std::span<Velocity> v) {
     eachBatch([&](int k) { kernels_->book(batches_[k], records_[k]); });
 }
 
-bool WideContacts::separate(const Bodies& bodies, double slop) {
+void WideContacts::measureMotion(const Bodies& bodies, int i) {
+    const Pose &now = bodies.poses[i], &start = start_[i];
+    const Vec3 turn = turnBetween(start, now);
+    narrow({now.position - start.position, turn}, motions_[i]);
+    turned_[i] = bodies.isDynamic(i) && !bodies.masses[i].isRound &&
+                 turn.squaredNorm() > farTurn_[i] * farTurn_[i];
+}
+
+template <class Measure>
+bool WideContacts::separate(double slop, const Measure& measure) {
     if (empty()) return false;
     std::atomic<bool> turned{false};
     eachBody([&](int i) {
-        if (bodies.isGoing(i)) {
-            const Pose &now = bodies.poses[i], &start = start_[i];
-            const Vec3 turn = turnBetween(start, now);
-            narrow({now.position - start.position, turn}, motions_[i]);
-            turned_[i] = bodies.isDynamic(i) && !bodies.masses[i].isRound &&
-                         turn.squaredNorm() > farTurn_[i] * farTurn_[i];
-        }
+        measure(i);
         if (turned_[i]) turned.store(true, std::memory_order_relaxed);
     });
     anyTurned_ = turned;
@@ -329,6 +332,16 @@ bool WideContacts::separate(const Bodies& bodies, double slop) {
             deep.store(true, std::memory_order_relaxed);
     });
     return deep;
+}
+
+bool WideContacts::separate(const Bodies& bodies, double slop) {
+    return separate(slop, [&](int i) {
+        if (bodies.isGoing(i)) measureMotion(bodies, i);
+    });
+}
+
+bool WideContacts::separateAll(const Bodies& bodies, double slop) {
+    return separate(slop, [&](int i) { measureMotion(bodies, i); });
 }
 
 void WideContacts::followTurns(const Bodies& bodies) {

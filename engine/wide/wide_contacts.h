@@ -65,6 +65,8 @@ public:
 
     /// Updates C of every point at the present poses; true if some overlap is deeper than the slop.
     bool separate(const Bodies& bodies, double slop);
+    /// The same also where bodies wait; after prepare(), for bodies that were at other poses then.
+    bool separateAll(const Bodies& bodies, double slop);
     /// Updates the masses of contacts whose bodies have turned far since their rows were made; after
     /// separate().
     void followTurns(const Bodies& bodies);
@@ -98,6 +100,9 @@ private:
     void fillNoPoint(int batch, int lane, int i);
     void give(Velocity& v, int body);
     bool hasTurned(int batch, int lane) const;
+    void measureMotion(const Bodies& bodies, int i);
+    template <class Measure>
+    bool separate(double slop, const Measure& measure);
     void store(int k, Contact& contact) const;
     SweepReport sweepBatches(int first, int end);
     int solveHalf(int group, int half, const SweepLimits& limits);
