@@ -56,7 +56,7 @@ bool isSound(const WorldState& s) {
            finder.moving.throws.size() == finder.moving.motions.size() &&
            std::ranges::all_of(finder.moving.thrown, [&](int i) { return i >= 0 && i < smaller(count, moved); }) &&
            arePairs(finder.sensed, count, ofItem) && arePairs(s.touches.before, count, ofItem) &&
-           arePairs(s.touches.now, count, ofItem) && s.kept.size() <= 4 * kMostContacts;
+           arePairs(s.touches.now, count, ofItem) && s.kept.size() <= 4 * 17 * kMostContacts;
 }
 
 }  // namespace

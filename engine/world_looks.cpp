@@ -9,49 +9,56 @@
 namespace engine {
 namespace {
 
-/// Whether the body belongs to islands that were reached; planes, which have no bounds, if they move.
-bool isReached(WorldState& s, int body) {
-    if (s.bodies.isDriven(body) && s.bodies.defs[body].shape.type == ShapeType::plane) return true;
-    return s.bodies.mayWait(body) && s.reached[s.paces.setOf(body)];
-}
+constexpr char kReached = 1, kSpreads = 2, kHasSpread = 4;  // of a set of Paces
+
+bool isReached(WorldState& s, int body) { return s.bodies.mayWait(body) && s.reached[s.paces.setOf(body)] > 0; }
 
 void reach(WorldState& s, int body) {
-    if (s.bodies.mayWait(body)) s.reached[s.paces.setOf(body)] = 1;
+    if (s.bodies.mayWait(body)) s.reached[s.paces.setOf(body)] |= kReached;
 }
 
-/// Marks what is where the body may get to within `time` (s), and `farther` (m), whatever hits it.
-void reachFrom(WorldState& s, int body, double time, double farther) {
-    const Bodies& bodies = s.bodies;
-    const Shape& shape = bodies.defs[body].shape;
-    if (!bodies.mayWait(body) || shape.type == ShapeType::plane) return;
-    const Vec3& at = bodies.poses[body].position;
-    const double way = time * bodies.velocities[body].linear.norm() + farther + reachOf(shape);
-    const Bounds there = Bounds{at, at}.grownBy(way + s.settings.speculativeMargin);
-    s.finder.broadPhase.tree().query(there, s.open, [&](int other) { reach(s, other); });
+void beginReaching(WorldState& s) {
+    s.reached.assign(s.bodies.count(), 0);
+    s.bounds.resize(s.bodies.count());
+    for (const int i : s.bodies.active)  // a moving plane has no bounds
+        if (s.bodies.defs[i].shape.type == ShapeType::plane) reach(s, i);
 }
 
-/// Marks all islands that fast bodies, and what they throw, may reach in a step of dt (s): from one island to the
-/// next, because joints and contacts pass a hit on.
-void reachFromFast(WorldState& s, double dt) {
-    double farthest = 0.0;
-    for (const int i : s.finder.moving.thrown) farthest = larger(farthest, s.finder.moving.throws[i]);
-    for (const int i : s.fast) reach(s, i);
-    s.spread.assign(s.bodies.count(), 0);
-    for (bool any = true; any;) {
-        any = false;
-        for (const int i : s.bodies.active) {
-            if (s.spread[i] || !isReached(s, i)) continue;
-            reachFrom(s, i, dt, farthest);
-            s.spread[i] = 1, any = true;
-        }
+/// Where the body may be within `time` (s), and `farther` (m), whatever hits it.
+Bounds boundsWithin(const WorldState& s, int body, double time, double farther) {
+    const Velocity& v = s.bodies.velocities[body];
+    const double size = reachOf(s.bodies.defs[body].shape);
+    const double way = time * (v.linear.norm() + v.angular.norm() * size) + farther + size;
+    const Vec3& at = s.bodies.poses[body].position;
+    return Bounds{at, at}.grownBy(way + s.settings.speculativeMargin);
+}
+
+/// Marks what is where bodies of the reached sets may be. True if there were sets that had not spread yet.
+bool spread(WorldState& s, double time, double farther) {
+    s.next.clear();
+    for (const int i : s.bodies.active) {
+        if (!s.bodies.mayWait(i) || s.bodies.defs[i].shape.type == ShapeType::plane) continue;
+        const int set = s.paces.setOf(i);
+        char& state = s.reached[set];
+        if (state == 0 || (state & kHasSpread) != 0) continue;
+        const Bounds there = boundsWithin(s, i, time, farther);
+        s.bounds[set] = (state & kSpreads) != 0 ? s.bounds[set].with(there) : there;
+        if ((state & kSpreads) == 0) s.next.push_back(set);
+        state |= kSpreads;
     }
+    for (const int set : s.next) s.reached[set] |= kHasSpread;
+    for (const int set : s.next)
+        s.finder.broadPhase.tree().query(s.bounds[set], s.open, [&](int other) { reach(s, other); });
+    return !s.next.empty();
 }
 
 /// Who does not look keeps its contacts, like one that waits. Returns whether one looks that will not again.
 bool chooseWhoLooks(WorldState& s, int substep, double left) {
     const bool all = substep % s.substepsALook == 0;
-    s.reached.assign(s.bodies.count(), 0);
-    for (const int i : s.turned) reach(s, i), reachFrom(s, i, left, 0.0);
+    s.everTurned.insert(s.everTurned.end(), s.turned.begin(), s.turned.end());
+    beginReaching(s);
+    for (const int i : all ? s.everTurned : s.turned) reach(s, i);
+    spread(s, left, 0.0);
     for (const int i : s.bodies.active)
         if (all && s.looks[i]) reach(s, i);
     bool last = false;
@@ -72,7 +79,7 @@ void goBackWithKept(WorldState& s) {
         if (!s.bodies.waits(i)) continue;
         s.keepers.push_back({i, s.bodies.poses[i], s.bodies.velocities[i]});
         s.bodies.poses[i] = s.solver.posesAtStart[i];
-        if (s.lookedAt[i] == 0) s.bodies.velocities[i] = s.velocitiesBefore[i];
+        s.bodies.velocities[i] = s.solver.velocitiesAtStart[i];
         updateInverseInertia(s.bodies, i);
     }
 }
@@ -90,11 +97,14 @@ void bringBackKept(WorldState& s) {
 int chooseLooks(WorldState& s, double dt) {
     s.looks.assign(s.bodies.count(), 0);
     s.lookedAt.assign(s.bodies.count(), 0);
-    s.fast.clear();
+    s.fast.clear(), s.everTurned.clear();
     const int count = looksNeeded(s.finder.moving, s.bodies, dt, s.fast);
     if (count == 1) return 1;
-    s.reached.assign(s.bodies.count(), 0);
-    reachFromFast(s, dt);
+    double farthest = 0.0;  // joints and contacts pass a hit on: from one set to the next
+    for (const int i : s.finder.moving.thrown) farthest = larger(farthest, s.finder.moving.throws[i]);
+    beginReaching(s);
+    for (const int i : s.fast) reach(s, i);
+    while (spread(s, dt, farthest)) {}
     for (const int i : s.bodies.active) s.looks[i] = isReached(s, i);
     return count;
 }

@@ -106,6 +106,7 @@ void goBack(WorldState& s) {
     for (const int i : s.bodies.active) {
         s.bodies.poses[i] = s.posesBefore[i];
         s.bodies.velocities[i] = s.velocitiesBefore[i];
+        s.bodies.spans[i] = s.spansBefore[i];
         s.bodies.accelerations[i] = s.accelerationsBefore[i];
     }
     s.listed = WorldState::Listed::none;  // the impulses belong to an undone step
@@ -164,10 +165,12 @@ bool beginStep(WorldState& s, double dt) {
     choosePaces(s, dt);
     s.posesBefore.resize(s.bodies.count());
     s.velocitiesBefore.resize(s.bodies.count());
+    s.spansBefore.resize(s.bodies.count());
     s.accelerationsBefore.resize(s.bodies.count());
     for (const int i : s.bodies.active) {
         s.posesBefore[i] = s.bodies.poses[i];
         s.velocitiesBefore[i] = s.bodies.velocities[i];
+        s.spansBefore[i] = s.bodies.spans[i];
         s.accelerationsBefore[i] = s.bodies.accelerations[i];
     }
     s.solvedBefore.clear();

@@ -61,13 +61,17 @@ struct WorldState {
     std::vector<int> lookedAt;  // by body: sub-step of the last contact detection
     std::vector<char> looks;       // by body: takes part in those of this step
     std::vector<int> fast, turned; // bodies that need them; that have turned far
-    std::vector<char> reached, spread;           // kept for their memory only: by set of Paces; by body
-    std::vector<int> open;                       // for BoundsTree::query
+    std::vector<int> everTurned;   // the latter, since the step began
+    // Kept for their memory only: by set of Paces, and sets.
+    std::vector<char> reached;
+    std::vector<Bounds> bounds;
+    std::vector<int> next, open;
     std::vector<std::tuple<int, Pose, Velocity>> keepers;  // bodies that keep their contacts
     std::vector<ContactState> solvedBefore;  // of this step, before the last contact detection
 
     std::vector<Pose> posesBefore;           // to undo a failed step
     std::vector<Velocity> velocitiesBefore;
+    std::vector<double> spansBefore;
     std::vector<Acceleration> accelerationsBefore;
 
     /// Whether there are forces to evaluate in every sub-step.

@@ -119,8 +119,7 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
 
 void sortUnique(std::vector<int>& list) {
     std::ranges::sort(list);
-    const auto rest = std::ranges::unique(list);
-    list.erase(rest.begin(), rest.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 bool bounces(const Bodies& bodies, const PairKey& pair) {

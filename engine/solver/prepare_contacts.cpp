@@ -76,8 +76,9 @@ void prepareContacts(std::span<Contact> contacts, std::span<const Joint> joints,
     c.contacts.clear();
     solver.pressed.unload(bodies);
     solver.pressed.load(contacts, joints, bodies);
-    solver.posesAtStart.resize(bodies.count());
-    for (const int i : bodies.active) solver.posesAtStart[i] = bodies.poses[i];
+    solver.posesAtStart.resize(bodies.count()), solver.velocitiesAtStart.resize(bodies.count());
+    for (const int i : bodies.active)
+        solver.posesAtStart[i] = bodies.poses[i], solver.velocitiesAtStart[i] = bodies.velocities[i];
     c.impacts.prepare(settings.bounce == Bounce::impacts ? contacts : contacts.first(0), joints, bodies);
     c.riding.find(contacts, joints, bodies, solver.islands);
     solver.lanes = settings.usesLanes();

@@ -40,6 +40,7 @@ struct Solver {
     PressedBodies pressed;
     DisjointSets islands;            // bodies connected by contacts and joints
     std::vector<Pose> posesAtStart;  // of the step, where the contacts' rows were made
+    std::vector<Velocity> velocitiesAtStart;
     std::vector<int> order;          // of the contacts, from the top down
     std::vector<std::uint64_t> keys; // of the contacts, while they are sorted
 };

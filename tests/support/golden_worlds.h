@@ -174,7 +174,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"pyramid", goldenPyramid, 60, 0x4929ec79df58fe2e},
         {"forces", goldenForces, 300, 0x3e6bfd9bcd53ffca},
         {"machine", goldenMachine, 300, 0x8715cd7d70c56b86},
-        {"shapes", goldenShapes, 180, 0x8a930ae7cc089031},
+        {"shapes", goldenShapes, 180, 0x449343c0ec41fc76},
         {"rolling", goldenRolling, 300, 0x9532510a1c8479dd},
     }};
     return worlds;
