@@ -15,7 +15,7 @@ void findLinked(WorldState& s) {
         if (!force || !linksBodies(*force)) continue;
         int last = -1;
         for (const BodyId id : force->on) {
-            if (!s.bodies.isAwake(id.index)) continue;
+            if (!s.bodies.mayWait(id.index)) continue;
             if (last >= 0) s.linked.push_back({last, id.index});
             last = id.index;
         }

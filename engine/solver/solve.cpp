@@ -45,12 +45,7 @@ SweepReport sweepContacts(Solver& s, int group, std::span<Velocity> v, const Set
                    : sweepContacts(s.constraints, rowsOf(s, group), v, settings);
 }
 
-bool isTurnOf(const Solver& s, int group, const Bodies& bodies) {
-    if (s.groups.hasJoints(group)) return bodies.acts[s.groups.bodyOf(group)];
-    if (s.lanes) return s.wide.acts(group);
-    const std::span<const int> rows = rowsOf(s, group);
-    return !rows.empty() && s.constraints.contacts[rows.front()].stride > 0;
-}
+bool isTurnOf(const Solver& s, int group, const Bodies& bodies) { return bodies.acts[s.groups.bodyOf(group)]; }
 
 /// A structure at rest that needs n sub-steps, more than usual, because it is tall or heavy on light, takes
 /// n / 2 sweeps at least: what two of them leave over makes a column of 30 sway for ever. `step`: s.

@@ -283,6 +283,22 @@ TEST(Paces, IslandsThatMeetKeepMomentumAndGainNoEnergy) {
     }
 }
 
+// A spring pulls spinning rods towards a kinematic body that needs fewer sub-steps: as if all took every one.
+TEST(Paces, ASpringSeesAKinematicBodyAtItsOwnTime) {
+    const auto placeOfRod = [](bool every) {
+        World world = rodsAndBoxes(true);
+        BodyDef hand = support::fixed(Shape::sphere(0.1), {-2, 3, 0});
+        hand.kind = BodyKind::kinematic;
+        hand.velocity = {-4, 1, 0};
+        world.add(ForceDef{SpringForce{Vec3::Zero(), Vec3::Zero(), 1.0, 50.0, 0.0}, {world.add(hand), {0}}});
+        if (every) world.setForceField([](const World&, std::span<Load>) {});
+        run(world, 20);
+        EXPECT_GT(world.report().substeps, world.settings().substeps);
+        return world.pose({0}).position;
+    };
+    EXPECT_EQ(placeOfRod(true), placeOfRod(false));
+}
+
 // A ball falls onto a column with another stride and rests there.
 TEST(Paces, ABallThatLandsOnAColumnRestsOnIt) {
     World world = support::stack(14, Settings::steady(), 0.6, 1.0);
