@@ -123,6 +123,26 @@ void checkFigure(Options& options, const OptionTexts& texts) {
 
 }  // namespace
 
+std::uint64_t maxSizeFrom(const std::string& given) {
+    std::string text = given;
+    if (text.ends_with('B') || text.ends_with('b')) text.pop_back();
+    double unit = 1.0;
+    const std::string units = "kKmMgG";
+    if (const std::size_t at = text.empty() ? units.npos : units.find(text.back());
+        at != units.npos) {
+        for (std::size_t i = 0; i <= at / 2; ++i) unit *= 1000.0;
+        text.pop_back();
+    }
+    double number = 0.0;
+    const char* end = text.data() + text.size();
+    const auto got = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    const bool whole = got.ec == std::errc{} && got.ptr == end;
+    if (!whole || !(number * unit >= 1000.0 && number * unit <= 1e12))
+        refuse(fmt::format("--max-size '{}': must be 1K to 1000G bytes, for example 8M (8 000 000)",
+                           printable(given)));
+    return static_cast<std::uint64_t>(number * unit);
+}
+
 void checkOptions(Options& options, const OptionTexts& texts) {
     checkPicture(options, texts);
     if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= kLongest))

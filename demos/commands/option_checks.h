@@ -1,5 +1,6 @@
 /// Checks of numbers and names on the command line; the messages say what is valid.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct OptionTexts {
 void checkRange(const char* name, int value, int low, int high);
 void checkName(const char* option, const std::string& word, const std::vector<std::string>& names);
 void checkTime(const char* name, const std::optional<double>& time);
+
+/// The bytes of --max-size: "8M", "1.5G", "500k", "8MB" or a plain number; K, M, G count in thousands.
+std::uint64_t maxSizeFrom(const std::string& given);
 
 /// Moves `texts` into `options` and checks the options that commands share. Throws Stop (usage).
 void checkOptions(Options& options, const OptionTexts& texts);

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "demos/commands/commands.h"
 #include "demos/commands/render_options.h"
 #include "demos/film/film.h"
@@ -11,27 +9,6 @@
 
 namespace demos {
 namespace {
-
-/// "8M", "1.5G", "500k", "8MB" or a plain number of bytes; K, M, G count in thousands.
-std::uint64_t bytesFrom(const std::string& given) {
-    std::string text = given;
-    if (text.ends_with('B') || text.ends_with('b')) text.pop_back();
-    double unit = 1.0;
-    const std::string units = "kKmMgG";
-    if (const std::size_t at = text.empty() ? units.npos : units.find(text.back());
-        at != units.npos) {
-        for (std::size_t i = 0; i <= at / 2; ++i) unit *= 1000.0;
-        text.pop_back();
-    }
-    double number = 0.0;
-    const char* end = text.data() + text.size();
-    const auto got = std::from_chars(text.data(), end, number, std::chars_format::fixed);
-    const bool whole = got.ec == std::errc{} && got.ptr == end;
-    if (!whole || !(number * unit >= 1000.0 && number * unit <= 1e12))
-        refuse(fmt::format("--max-size '{}': must be 1K to 1000G bytes, for example 8M (8 000 000)",
-                           printable(given)));
-    return static_cast<std::uint64_t>(number * unit);
-}
 
 /// Options for publishing a film: the size limit of a page or a chat, a picture shown before it
 /// plays.
@@ -87,7 +64,7 @@ Exit checkAndRender(FilmOptions& options, const OptionTexts& texts) {
     options.passes = texts.passes;
     for (const std::string& name : options.passes) checkName("--pass", name, passNames());
     if (!texts.shard.empty()) options.shard = shardCalled(texts.shard);
-    if (!texts.maxSize.empty()) options.maxSize = bytesFrom(texts.maxSize);
+    if (!texts.maxSize.empty()) options.maxSize = maxSizeFrom(texts.maxSize);
     if (options.posterTime && options.poster.empty())
         refuse("--poster-time needs --poster; name a file for the poster");
     checkTime("--poster-time", options.posterTime);

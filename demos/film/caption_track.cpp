@@ -48,6 +48,7 @@ std::vector<const Section*> captionedSections(const SceneDescription& scene, dou
 std::string captionTrackText(const FilmPlan& plan) {
     const std::vector<const Section*> sections =
         captionedSections(plan.scene(), plan.timeOf(plan.frames));
+    if (sections.empty()) return {};
     std::string text = "WEBVTT\n";
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const double begin = plan.filmTimeAt(sections[i]->at);
@@ -66,14 +67,14 @@ CaptionTrack::CaptionTrack(const FilmPlan& plan, const FilmOptions& options) {
         throw Stop(Exit::usage,
                    fmt::format("--captions '{}': captions end in .vtt", printable(target_)));
     if (options.shard)
-        throw Stop(Exit::usage, "--captions with --shard: they are for the whole film; leave "
-                                "--captions out");
-    if (captionedSections(plan.scene(), plan.timeOf(plan.frames)).empty())
+        throw Stop(Exit::usage, "--captions with --shard: they are for the whole film: impulse join "
+                                "has --captions");
+    text_ = captionTrackText(plan);
+    if (text_.empty())
         throw Stop(Exit::usage, fmt::format("--captions '{}': no [[section]] of the scene has a "
                                             "caption",
                                             printable(target_)));
     checkFree(target_, options.overwrite);
-    text_ = captionTrackText(plan);
     existing_ = existingFiles(options.overwrite);
 }
 

@@ -10,7 +10,8 @@
 
 namespace demos {
 
-/// A cue per section with a caption, until the next one; times are those of the whole film.
+/// A cue per section with a caption, until the next one; times are those of the whole film. Empty: no
+/// section has a caption.
 std::string captionTrackText(const FilmPlan& plan);
 
 /// Written when the film is complete, like a poster.

@@ -220,6 +220,8 @@ RunRecord recordOf(const FilmPlan& plan, const FilmOptions& options, const std::
     record.frames.assign(static_cast<std::size_t>(plan.frames), {});
     if (!options.shard) return record;
     record.shard = options.shard->name();
+    record.poster = posterFrame(plan);
+    record.captions = captionTrackText(plan);
     record.chapters = chaptersOf(plan, std::vector<bool>(record.frames.size(), true));
     return record;
 }
@@ -265,12 +267,13 @@ bool isDone(const std::vector<Output>& outputs, const RunRecord& record, const F
             const Talk& talk) {
     const Output& output = outputs.front();
     if (!output.part) return false;
-    const auto [state, incident] = stateOfPart(output.path, record);
+    const auto [state, incident, pixels] = stateOfPart(output.path, record);
     if (state == PartState::another && !options.overwrite)
         refuseToReplace(output.path,
                         "is a part of another run (other settings, scene or program); --overwrite "
                         "replaces it");
-    if (state != PartState::done) return false;
+    const bool replaced = options.overwrite && pixels != record.pixels;
+    if (state != PartState::done || replaced) return false;
     talk.say(fmt::format("{} is complete already", printable(output.path.string())));
     talk.json(R"({"event":"done","frames":0})");
     if (!incident.empty()) throw Stop(Exit::diverged, incident);

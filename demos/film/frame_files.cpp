@@ -102,7 +102,10 @@ std::uint64_t FrameFiles::dataHash(int frame) const {
     return plan_.passes.empty() ? 0 : hash.value();
 }
 
+/// Frames of two classes of processors are not mixed.
 void FrameFiles::takeUp(const RunRecord& old) {
+    if (old.pixels != record_.pixels && !old.finished) return;
+    record_.pixels = old.pixels;
     const std::size_t count = std::min(old.frames.size(), record_.frames.size());
     for (std::size_t i = 0; i < count; ++i) {
         if (!isGood(static_cast<int>(i), old.frames[i])) continue;

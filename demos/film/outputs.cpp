@@ -72,7 +72,8 @@ void takePart(const Shard& shard, const std::string& pattern, Output& output) {
     const std::string ending = endingOf(pattern);
     const bool joins = ending == ".mp4" || ending == ".webm";
     if (output.kind == OutputKind::raw || (output.kind == OutputKind::film && !joins))
-        refuseOutput(pattern, "with --shard a film must be .mp4, .webm or PNG frames");
+        refuseOutput(pattern, "with --shard a film must be .mp4, .webm or a folder of PNG frames, of which "
+                              "impulse join makes any film");
     if (output.kind != OutputKind::film) return;
     output.path = partsFolderOf(output.path) / (shard.name() + ending);
     output.part = true;
@@ -92,37 +93,6 @@ void checkPasses(const std::vector<Output>& outputs, const FilmPlan& plan) {
 bool isThere(const fs::path& path) {
     std::error_code ignored;
     return fs::exists(fs::symlink_status(path, ignored));
-}
-
-void checkFilm(const Output& output, const FilmPlan& plan, bool overwrite) {
-    if (!render::haveFfmpeg())
-        throw render::Error(
-            fmt::format("'{}' needs ffmpeg, which is not installed; PNG frames "
-                        "(-o a folder) do not",
-                        printable(output.path.string())));
-    const bool even = plan.layout.width % 2 == 0 && plan.layout.height % 2 == 0;
-    const std::string ending = endingOf(output.path.string());
-    if (!even && (ending == ".mp4" || ending == ".webm"))
-        throw Stop(Exit::usage, fmt::format("--size {}x{}: a {} film needs even sides",
-                                            plan.layout.width, plan.layout.height, ending));
-    if (plan.alpha() && !render::videoFormatOf(output.path)->holdsAlpha)
-        throw Stop(Exit::usage, fmt::format("--output '{}': a {} holds no alpha, which the theme "
-                                            "'transparent' needs; use .webm, .webp, .apng or .gif",
-                                            printable(output.path.string()), ending));
-    if (plan.fps > render::videoFormatOf(output.path)->largestFps)
-        throw Stop(Exit::usage, fmt::format("--fps {}: a {} film takes at most {} frames a second",
-                                            plan.fps, ending,
-                                            render::videoFormatOf(output.path)->largestFps));
-    if (output.part) return;
-    if (render::sweepTemporaries(output.path))
-        throw Stop(Exit::wouldOverwrite,
-                   fmt::format("'{}' is being written by another run; wait for it, or give "
-                               "another name",
-                               printable(output.path.string())));
-    render::checkReplaceable(output.path);
-    if (isThere(output.path) && !overwrite)
-        throw Stop(Exit::wouldOverwrite, fmt::format("'{}' already exists; --overwrite replaces it",
-                                                     printable(output.path.string())));
 }
 
 }  // namespace
@@ -157,14 +127,49 @@ std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options) 
         throw Stop(Exit::usage, "--max-size needs a film; name one, as in -o film.gif");
     if (options.shard && (outputs.size() > 1 || options.maxSize || !options.poster.empty()))
         throw Stop(Exit::usage, "--shard: a part has one --output and neither --max-size nor "
-                                "--poster, which are for the whole film");
+                                "--poster, which are for the whole film: impulse join has them");
     checkPasses(outputs, plan);
     return outputs;
 }
 
+void checkFilm(const fs::path& path, const render::VideoSource& source) {
+    const std::string name = printable(path.string()), ending = endingOf(path.string());
+    if (!render::haveFfmpeg())
+        throw render::Error(fmt::format("'{}' needs ffmpeg, which is not installed; PNG frames "
+                                        "(-o a folder) do not",
+                                        name));
+    const render::VideoFormat& format = *render::videoFormatOf(path);
+    const bool even = source.width % 2 == 0 && source.height % 2 == 0;
+    if (!even && (ending == ".mp4" || ending == ".webm"))
+        throw Stop(Exit::usage, fmt::format("--size {}x{}: a {} film needs even sides", source.width,
+                                            source.height, ending));
+    if (source.alpha && !format.holdsAlpha)
+        throw Stop(Exit::usage, fmt::format("--output '{}': a {} holds no alpha, which the theme "
+                                            "'transparent' needs; use .webm, .webp, .apng or .gif",
+                                            name, ending));
+    if (source.fps > format.largestFps)
+        throw Stop(Exit::usage, fmt::format("--fps {}: a {} film takes at most {} frames a second",
+                                            source.fps, ending, format.largestFps));
+}
+
+void checkPlace(const fs::path& film, bool overwrite) {
+    if (render::sweepTemporaries(film))
+        throw Stop(Exit::wouldOverwrite,
+                   fmt::format("'{}' is being written by another run; wait for it, or give "
+                               "another name",
+                               printable(film.string())));
+    render::checkReplaceable(film);
+    if (isThere(film) && !overwrite)
+        throw Stop(Exit::wouldOverwrite, fmt::format("'{}' already exists; --overwrite replaces it",
+                                                     printable(film.string())));
+}
+
 void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite) {
-    for (const Output& output : outputs)
-        if (output.kind == OutputKind::film) checkFilm(output, plan, overwrite);
+    for (const Output& output : outputs) {
+        if (output.kind != OutputKind::film) continue;
+        checkFilm(output.path, {plan.layout.width, plan.layout.height, plan.fps, plan.alpha()});
+        if (!output.part) checkPlace(output.path, overwrite);
+    }
 }
 
 void refuseToReplace(const fs::path& path, const std::string& what) {

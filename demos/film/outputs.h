@@ -6,6 +6,7 @@
 
 #include "demos/film/film_options.h"
 #include "demos/film/pattern.h"
+#include "render/encode/video_format.h"
 
 namespace demos {
 
@@ -31,6 +32,12 @@ bool has(const std::vector<Output>& outputs, OutputKind kind);
 
 /// Throws Stop (usage) for an output that cannot be written or is given twice.
 std::vector<Output> outputsOf(const FilmPlan& plan, const FilmOptions& options);
+
+/// Throws Stop or render::Error if no film of these pictures can be written to `path`.
+void checkFilm(const std::filesystem::path& path, const render::VideoSource& source);
+
+/// Throws Stop (wouldOverwrite) or render::Error if a film there is being written, or is not to be replaced.
+void checkPlace(const std::filesystem::path& film, bool overwrite);
 
 /// Throws Stop or render::Error for problems that can be known before drawing.
 void checkOutputs(const std::vector<Output>& outputs, const FilmPlan& plan, bool overwrite);

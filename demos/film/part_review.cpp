@@ -112,6 +112,7 @@ PartReview reviewed(const std::vector<PartSeen>& parts, const std::string& place
             review.good.push_back(*i);
             continue;
         }
+        if (i && parts[*i].readable && kindOf(parts[*i]) != usual) review.foreign.push_back(number);
         troubles[trouble].push_back(number);
         review.wanted.push_back(number);
     }

@@ -30,6 +30,7 @@ struct PartReview {
     int count = 0;
     std::vector<std::size_t> good;      // indices of the parts that belong together, by number
     std::vector<int> wanted;            // numbers of the parts to make, or make again
+    std::vector<int> foreign;           // those of them that another run, program or processor has made
     std::vector<std::string> troubles;  // "missing: 3 7", "of another program: 5"
 };
 

@@ -69,10 +69,7 @@ bool isWhole(const Found& found, const fs::path& folder) {
         const FrameRecord& entry = record.frames[static_cast<std::size_t>(frame)];
         if (!entry.written) return false;
         if (record.film != 0) continue;
-        const PatternValues values{frame, static_cast<double>(frame) / std::max(record.fps, 1),
-                                   record.scene, record.quality};
-        const fs::path name = fs::path(expandPattern(record.pattern, values)).filename();
-        if (hashOf(folder / name) != entry.png) return false;
+        if (hashOf(frameFile(record, folder, frame)) != entry.png) return false;
     }
     return record.film == 0 || hashOf(found.film) == record.film;
 }
@@ -109,9 +106,9 @@ void addPart(const Found& found, Parts& parts) {
 FoundPart stateOfPart(const fs::path& film, const RunRecord& record) {
     const std::optional<RunRecord> old = recordAt(fs::path(film).replace_extension(".json"));
     if (!old) return {};
-    if (old->fingerprint != record.fingerprint) return {PartState::another, {}};
-    if (!old->finished || hashOf(film) != old->film) return {PartState::damaged, {}};
-    return {PartState::done, old->incident};
+    if (old->fingerprint != record.fingerprint) return {PartState::another, {}, {}};
+    if (!old->finished || hashOf(film) != old->film) return {PartState::damaged, {}, {}};
+    return {PartState::done, old->incident, old->pixels};
 }
 
 void writePartRecord(const fs::path& film, RunRecord record) {
@@ -133,6 +130,7 @@ Parts partsIn(const fs::path& folder) {
     parts.films =
         !all.front().film.empty() || (all.front().record && all.front().record->film != 0);
     parts.wanted = review.wanted;
+    parts.foreign = review.foreign;
     parts.troubles = review.troubles;
     for (const std::size_t i : review.good) addPart(all[i], parts);
     for (const Found& found : all)
@@ -142,7 +140,16 @@ Parts partsIn(const fs::path& folder) {
 }
 
 std::string commandOf(const Parts& parts, int number) {
-    return commandOf(parts.whole.command, "impulse render ", {number, parts.count});
+    const std::string command = commandOf(parts.whole.command, "impulse render ", {number, parts.count});
+    const bool replaces = std::ranges::find(parts.foreign, number) != parts.foreign.end() &&
+                          !command.empty() && command.find(" --overwrite") == command.npos;
+    return replaces ? command + " --overwrite" : command;
+}
+
+fs::path frameFile(const RunRecord& record, const fs::path& folder, int frame) {
+    const PatternValues values{frame, static_cast<double>(frame) / std::max(record.fps, 1), record.scene,
+                               record.quality};
+    return folder / fs::path(expandPattern(record.pattern, values)).filename();
 }
 
 }  // namespace demos

@@ -43,7 +43,8 @@ std::string jsonOf(const RunRecord& record) {
     json["fps"] = record.fps;
     json["hz"] = record.hz;
     if (!record.passes.empty()) json["passes"] = record.passes;
-    if (!record.shard.empty()) json["shard"] = record.shard;
+    if (!record.shard.empty()) json["shard"] = record.shard, json["poster"] = record.poster;
+    if (!record.shard.empty() && !record.captions.empty()) json["captions"] = record.captions;
     if (record.film != 0) json["film"] = hexText(record.film);
     for (const render::Chapter& chapter : record.chapters)
         json["chapters"].push_back(
@@ -87,6 +88,8 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     record.fps = json.value("fps", 0);
     record.hz = json.value("hz", 0);
     record.shard = json.value("shard", "");
+    record.poster = json.value("poster", 0);
+    record.captions = json.value("captions", "");
     record.incident = json.value("incident", "");
     record.incidentFrame = json.value("incident_frame", 0);
     if (json.contains("film"))

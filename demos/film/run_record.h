@@ -29,6 +29,8 @@ struct RunRecord {
     std::string shard;       // "003-of-016": the record of a part; empty: of a whole run
     std::uint64_t film = 0;  // TextHash of a part's film; 0: PNG frames
     std::vector<render::Chapter> chapters;  // of the whole film, in the record of a part
+    int poster = 0;                         // its frame that is the poster
+    std::string captions;                   // its caption track (WebVTT); empty: none
     bool finished = false;
     std::vector<FrameRecord> frames;
     std::string incident;    // of the simulation (Player::incident); empty: none

@@ -96,6 +96,8 @@ StateContent contentOfState(const fs::path& file) {
         throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
     };
     std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
+    std::error_code ignored;
+    if (bytes.empty() && !fs::exists(file, ignored)) fail("there is no such file");
     if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
     if (bytes.size() < kSealed || !std::equal(kMark, kMark + sizeof kMark, bytes.begin()))
         fail("is no state that 'impulse sim --states' of this version has written");

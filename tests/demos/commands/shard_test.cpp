@@ -53,6 +53,80 @@ TEST_F(Shards, AFilmIsItsPartsFrameByFrame) {
     EXPECT_EQ(join({"film.parts", "-o", "film.webm"}).code, 2);
 }
 
+TEST_F(Shards, PngFramesBecomeTheFilmOfOneRun) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    write(folder / "ball.toml", std::string(kBall) + "[[section]]\nat = 0.0\nname = 'fall'\n"
+                                                     "caption = 'It falls.'\nposter = 'last'\n");
+    ASSERT_EQ(film({"-o", "one.gif", "-o", "one.mp4", "--poster", "one.png", "--captions", "one.vtt"}).code, 0);
+    for (const int number : {2, 1}) ASSERT_EQ(film({"-o", "p", "--shard", numbered(number, 2)}).code, 0);
+    const Ended gif = join({"p", "-o", "all.gif", "--poster", "all.png", "--captions", "all.vtt"});
+    ASSERT_EQ(gif.code, 0) << gif.err;
+    ASSERT_EQ(join({"p", "-o", "all.mp4"}).code, 0);
+    for (const char* ending : {".gif", ".mp4", ".png", ".vtt"})
+        EXPECT_EQ(contentOf(folder / (std::string("all") + ending)),
+                  contentOf(folder / (std::string("one") + ending)))
+            << ending;
+    EXPECT_EQ(join({"p", "-o", "small.gif", "--max-size", "1K"}).code, 4);
+    EXPECT_FALSE(fs::exists(folder / "small.gif"));
+    for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
+             {"-o", "all.avi"}, {"--max-size", "1M"}, {"--poster", "all.jpg"}, {"--captions", "all.srt"}}) {
+        std::vector<std::string> words = wrong;
+        words.insert(words.begin(), "p");
+        EXPECT_EQ(join(words).code, 2) << wrong[1];
+    }
+    EXPECT_EQ(join({"p", "-o", "all.gif"}).code, 5);
+}
+
+TEST_F(Shards, PartsOfAFilmHaveNoPosterAndNoLimit) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    ASSERT_EQ(film({"-o", "film.mp4", "--shard", "1/1"}).code, 0);
+    for (const char* option : {"--max-size=1M", "--poster=all.png"}) {
+        const Ended joined = join({"film.parts", option});
+        EXPECT_EQ(joined.code, 2);
+        EXPECT_NE(joined.err.find("need parts of PNG frames"), std::string::npos) << joined.err;
+    }
+}
+
+/// Replaces a text of a file.
+void edit(const fs::path& file, const std::string& from, const std::string& to) {
+    std::string text = contentOf(file);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << text;
+    write(file, text.replace(at, from.size(), to));
+}
+
+TEST_F(Shards, ThePrintedCommandReplacesAPartOfAnotherProcessor) {
+    if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
+    for (const std::string output : {"frames", "film.mp4"}) {
+        for (const int number : {1, 2, 3})
+            ASSERT_EQ(film({"-o", output, "--shard", numbered(number, 3)}).code, 0);
+        const bool frames = output == "frames";
+        edit(folder / (frames ? "frames/run.002-of-003.json" : "film.parts/002-of-003.json"), "\"pixels\": \"",
+             "\"pixels\": \"other ");
+        const std::string parts = frames ? "frames" : "film.parts";
+        const Ended joined = join({parts});
+        ASSERT_EQ(joined.code, 7);
+        EXPECT_NE(joined.err.find("of another class of processors"), std::string::npos) << joined.err;
+        EXPECT_NE(joined.out.find("--shard 2/3"), std::string::npos) << joined.out;
+        EXPECT_NE(joined.out.find(" --overwrite"), std::string::npos) << joined.out;
+        EXPECT_EQ(film({"-o", output, "--shard", "2/3"}).code, 0);  // complete: as a job file may ask again
+        EXPECT_EQ(join({parts}).code, 7);
+        EXPECT_EQ(film({"-o", output, "--shard", "2/3", "--overwrite"}).code, 0);
+        EXPECT_EQ(join({parts}).code, 0);
+    }
+}
+
+TEST_F(Shards, APartIsNotResumedOnAnotherProcessor) {
+    ASSERT_EQ(film({"-o", "frames", "--shard", "2/2"}).code, 0);
+    const fs::path record = folder / "frames/run.002-of-002.json";
+    edit(record, "\"pixels\": \"", "\"pixels\": \"other ");
+    edit(record, "\"finished\": true", "\"finished\": false");
+    const Ended again = film({"-o", "frames", "--shard", "2/2"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(again.out.find(" kept"), std::string::npos) << again.out;
+    EXPECT_EQ(contentOf(record).find("other "), std::string::npos);
+}
+
 TEST_F(Shards, APartThatIsThereIsNotDrawnAgain) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
     ASSERT_EQ(film({"-o", "film.mp4", "--shard", "1/2"}).code, 0);
