@@ -239,7 +239,7 @@ private:
         if (isBrief()) brief_.look(stage);
         if (step > 0) events_.look(stage);
         if (step % options_.every.value_or(1) == 0) addRows(stage, step, tables_);
-        if (step > 0) states_.look(player_, step);
+        states_.look(player_, step);
         if (!options_.plot.empty()) recorder_.look(stage);
         const bool last = step == steps_;
         const bool every = options_.hashEvery > 0 && step % options_.hashEvery == 0;
@@ -272,6 +272,7 @@ private:
         const Stage& stage = player_.stage();
         const bool passed = !expects() || sayExpectations(checker_, stage.scene, talk_);
         writeResults();
+        states_.finish(player_);
         states_.say(talk_);
         talk_.json(fmt::format(R"({{"event":"done","steps":{},"state":"{}"}})", steps_,
                                hexText(stage.world.hash())));

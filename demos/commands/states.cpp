@@ -36,6 +36,7 @@ States::States(const StatesOptions& options, const Options& picture, const Scene
     overlays_.ghost = overlays_.stats = true;
     kind_ = stateKindOf(scene, picture);
     if (!folder_.empty()) render::makeFolder(folder_);
+    if (!folder_.empty() && from_.empty() && scene.camera.fitsMotion) motion_.emplace(scene);
 }
 
 void States::goOn(long last, Player& player) const {
@@ -49,9 +50,14 @@ void States::goOn(long last, Player& player) const {
 }
 
 void States::look(const Player& player, long step) {
-    if (folder_.empty() || step % every_ != 0) return;
+    if (motion_) motion_->look(player.stage(), step);
+    if (folder_.empty() || step == 0 || step % every_ != 0) return;
     writeState(folder_, kind_, overlays_, player, memory_);
     ++count_;
+}
+
+void States::finish(const Player& player) const {
+    if (motion_) writeCamera(folder_, kind_, player.stage().scene, motion_->camera());
 }
 
 void States::say(const Talk& talk) const {

@@ -8,6 +8,7 @@
 #include "demos/commands/option_checks.h"
 #include "demos/film/progress.h"
 #include "demos/film/state_files.h"
+#include "demos/play/motion_camera.h"
 
 namespace CLI {
 class App;
@@ -36,8 +37,10 @@ public:
     /// If a state was named, the player continues from there. `last`: step with which the run ends.
     /// Throws Stop (usage), render::Error.
     void goOn(long last, Player& player) const;
-    /// To be called after every step.
+    /// To be called before the first step and after every one.
     void look(const Player& player, long step);
+    /// After the last step.
+    void finish(const Player& player) const;
     void say(const Talk& talk) const;
 
 private:
@@ -48,6 +51,7 @@ private:
     StateKind kind_;
     int count_ = 0;
     std::vector<std::uint8_t> memory_;  // of the last one
+    std::optional<MotionSampler> motion_;
 };
 
 }  // namespace demos

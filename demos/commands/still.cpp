@@ -87,6 +87,10 @@ Exit still(StillOptions options) {
     const std::string target = targetOf(plan, options, moment);
     checkFigure({target}, options);
     checkNeeds(needsOf(plan, 1, {}), plan);
+    if (!options.from.empty()) {
+        plan.states = std::filesystem::absolute(options.from).parent_path().string();
+        plan.stateKind = stateKindOf(plan.scene(), options);
+    }
     fitCameras(plan);
     Player player(plan.scene(), plan.panels.front().overlays);
     const int from = options.from.empty() ? 0 : goOn(plan, options, moment, player);

@@ -120,6 +120,8 @@ FilmPlan planFilm(const Options& options) {
 }
 
 void fitCameras(FilmPlan& plan) {
+    if (plan.panels.size() == 1 && !plan.states.empty())
+        readCamera(plan.states, plan.stateKind, plan.panels.front().scene);
     std::vector<SceneDescription*> scenes;
     for (Panel& panel : plan.panels) scenes.push_back(&panel.scene);
     fitToMotion(scenes);

@@ -29,7 +29,10 @@ namespace fs = std::filesystem;
 
 /// "impulse state 1", as the first 16 bytes; then the seal of all that follows.
 constexpr char kMark[16] = "impulse state 1";
+constexpr char kCameraMark[16] = "impulse camera1";
 constexpr std::size_t kSealed = sizeof kMark + 8;  // bytes before what is sealed
+constexpr const char* kDamaged = "is truncated or damaged: its hash does not match its content";
+constexpr const char* kCameraFile = "camera.state";
 
 /// Which of the overlays' memories a state has: they are kept only by a run that shows them.
 struct Remembered {
@@ -76,6 +79,38 @@ std::uint64_t sealOf(std::span<const std::uint8_t> bytes) {
     return seal ^ (seal >> 32);
 }
 
+/// Throws render::Error. What follows the seal is what was sealed.
+std::vector<std::uint8_t> sealedFile(const fs::path& file, const char (&mark)[16]) {
+    const auto fail = [&](const char* what) {
+        throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
+    };
+    std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
+    std::error_code ignored;
+    if (bytes.empty() && !fs::exists(file, ignored)) fail("there is no such file");
+    if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
+    if (bytes.size() < kSealed || !std::equal(mark, mark + sizeof mark, bytes.begin()))
+        fail("is no state that 'impulse sim --states' of this version has written");
+    const std::span<const std::uint8_t> all = bytes;
+    engine::StateReader seal(all.subspan(sizeof mark, 8));
+    std::uint64_t told = 0;
+    seal(told);
+    if (told != sealOf(all.subspan(kSealed))) fail(kDamaged);
+    return bytes;
+}
+
+/// Adds the mark and room for the seal.
+void begin(engine::StateWriter& writer, const char (&mark)[16]) {
+    for (char letter : mark) writer(letter);
+    std::uint64_t seal = 0;
+    writer(seal);
+}
+
+void seal(std::vector<std::uint8_t>& bytes) {
+    const std::uint64_t seal = sealOf(std::span(bytes).subspan(kSealed));
+    for (std::size_t i = 0; i < 8; ++i)
+        bytes[sizeof kMark + i] = static_cast<std::uint8_t>(seal >> (8 * i));
+}
+
 /// A file without the player's part, which follows.
 struct StateContent {
     StateKind kind;
@@ -92,28 +127,27 @@ struct StateContent {
 
 /// Throws render::Error.
 StateContent contentOfState(const fs::path& file) {
-    const auto fail = [&](const char* what) {
-        throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
-    };
-    std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
-    std::error_code ignored;
-    if (bytes.empty() && !fs::exists(file, ignored)) fail("there is no such file");
-    if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
-    if (bytes.size() < kSealed || !std::equal(kMark, kMark + sizeof kMark, bytes.begin()))
-        fail("is no state that 'impulse sim --states' of this version has written");
-    const std::span<const std::uint8_t> all = bytes, sealed = all.subspan(kSealed);
-    engine::StateReader seal(all.subspan(sizeof kMark, 8)), reader(sealed);
-    std::uint64_t told = 0;
-    seal(told);
+    std::vector<std::uint8_t> bytes = sealedFile(file, kMark);
+    engine::StateReader reader(std::span<const std::uint8_t>(bytes).subspan(kSealed));
     StateContent content{{}, Remembered({}), {}};
-    const bool whole = told == sealOf(sealed);
-    if (whole) content.keep(reader);
-    if (!whole || !reader.isGood())
-        fail("is truncated or damaged: its hash does not match its content");
+    content.keep(reader);
+    if (!reader.isGood()) throw render::Error(fmt::format("{}: {}", printable(file.string()), kDamaged));
     content.state.start = bytes.size() - reader.left().size();
     content.state.file = std::move(bytes);
     return content;
 }
+
+/// Where the camera is that fits the motion of a run.
+struct CameraContent {
+    StateKind kind;
+    double seconds = 0.0;  // of the run
+    Vec3 from, lookAt;
+
+    template <class Bytes>
+    void keep(Bytes& bytes) {
+        bytes(kind.version, kind.build, kind.scene, kind.settings, seconds, from, lookAt);
+    }
+};
 
 /// What keeps a state from being gone on from; "": nothing.
 std::string objectionTo(const StateContent& content, const StateKind& kind,
@@ -166,13 +200,10 @@ void writeState(const fs::path& folder, const StateKind& kind, const Overlays& o
     StateContent content{kind, Remembered(overlays), {}};
     content.state.step = step;
     engine::StateWriter writer(memory);
-    for (char letter : kMark) writer(letter);
-    std::uint64_t seal = 0;
-    writer(seal, content);
+    begin(writer, kMark);
+    writer(content);
     player.saveState(memory, writer.end());
-    seal = sealOf(std::span(memory).subspan(kSealed));
-    for (std::size_t i = 0; i < 8; ++i)
-        memory[sizeof kMark + i] = static_cast<std::uint8_t>(seal >> (8 * i));
+    seal(memory);
     render::writeFileAtomically(folder / fmt::format("{:06}.state", step), memory);
 }
 
@@ -207,6 +238,30 @@ std::optional<ReadState> nearestState(const fs::path& folder, const StateKind& k
         } catch (const std::exception&) {  // another one may fit
         }
     return std::nullopt;
+}
+
+void writeCamera(const fs::path& folder, const StateKind& kind, const SceneDescription& scene,
+                 const CameraDescription& camera) {
+    CameraContent content{kind, scene.seconds, camera.from, camera.lookAt};
+    std::vector<std::uint8_t> bytes;
+    engine::StateWriter writer(bytes);
+    begin(writer, kCameraMark);
+    writer(content);
+    bytes.resize(writer.end());
+    seal(bytes);
+    render::writeFileAtomically(folder / kCameraFile, bytes);
+}
+
+void readCamera(const fs::path& folder, const StateKind& kind, SceneDescription& scene) try {
+    if (!scene.camera.fitsMotion) return;
+    const std::vector<std::uint8_t> bytes = sealedFile(folder / kCameraFile, kCameraMark);
+    engine::StateReader reader(std::span<const std::uint8_t>(bytes).subspan(kSealed));
+    CameraContent content;
+    content.keep(reader);
+    if (!reader.isGood() || content.kind != kind || content.seconds != scene.seconds) return;
+    scene.camera.from = content.from, scene.camera.lookAt = content.lookAt;
+    scene.camera.fitsMotion = false;
+} catch (const render::Error&) {  // none there: the run is simulated for it
 }
 
 }  // namespace demos

@@ -20,6 +20,8 @@ struct StateKind {
     std::uint64_t build = 0;  // hash of its bytes
     std::string scene;
     std::uint64_t settings = 0;  // hash of the scene's files, and of --set but for threads
+
+    bool operator==(const StateKind&) const = default;
 };
 StateKind stateKindOf(const SceneDescription& scene, const Options& options);
 
@@ -53,5 +55,13 @@ long long goOnFrom(const std::filesystem::path& file, const StateKind& kind,
 /// nothing if there is none. Other files, and states that are damaged, are passed over.
 std::optional<ReadState> nearestState(const std::filesystem::path& folder, const StateKind& kind,
                                       const Overlays& overlays, long long step);
+
+/// Adds DIR/camera.state: where a camera that fits the motion of this whole run is, so that parts of its film
+/// need not simulate it. Throws render::Error.
+void writeCamera(const std::filesystem::path& folder, const StateKind& kind, const SceneDescription& scene,
+                 const CameraDescription& camera);
+
+/// Places the scene's camera, if it fits the motion and the folder has that of a run of the same kind and length.
+void readCamera(const std::filesystem::path& folder, const StateKind& kind, SceneDescription& scene);
 
 }  // namespace demos

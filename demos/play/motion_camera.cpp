@@ -21,20 +21,7 @@ constexpr double kLeastRadius = 0.02;      // m
 constexpr std::size_t kMostSamples = 200'000;
 constexpr int kMostTimes = 120;
 
-/// A body's pose at one of the sampled times.
-struct Sample {
-    const engine::Shape& shape() const { return body->def.shape; }
-
-    const BodyDescription* body;
-    int number;  // of the body
-    engine::Pose pose;
-    bool first;  // before the first step
-};
-
-struct Motion {
-    std::vector<Sample> moving, fixed;
-    std::vector<Vec3> anchors;  // m, of joints to the world
-};
+using Sample = RunMotion::Sample;
 
 /// The k-th smallest, from 0; reorders the values.
 double smallest(std::vector<double>& values, std::size_t k) {
@@ -68,7 +55,7 @@ bool hasAnchor(engine::JointType type) {
     return type != engine::JointType::gear && type != engine::JointType::axis;
 }
 
-void addStill(const SceneDescription& scene, Motion& motion) {
+void addStill(const SceneDescription& scene, RunMotion& motion) {
     for (const BodyDescription& body : scene.bodies)
         if (!moves(body) && body.def.shape.type != engine::ShapeType::plane)
             motion.fixed.push_back({&body, 0, body.def.pose, true});
@@ -81,7 +68,7 @@ void addStill(const SceneDescription& scene, Motion& motion) {
 
 /// `way`: how far the camera has followed.
 void addSamples(const SceneDescription& scene, const Stage& stage, const Vec3& way, bool first,
-                Motion& motion) {
+                RunMotion& motion) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!moves(scene.bodies[i]) || !stage.world.has(stage.bodies[i])) continue;
         engine::Pose pose = stage.world.pose(stage.bodies[i]);
@@ -90,25 +77,13 @@ void addSamples(const SceneDescription& scene, const Stage& stage, const Vec3& w
     }
 }
 
+long stepsOf(const SceneDescription& scene) { return std::lround(scene.seconds * scene.hz); }
+
 /// Steps between two samples of this scene.
-int stride(const SceneDescription& scene, std::size_t scenes, int steps) {
+long stride(const SceneDescription& scene, std::size_t scenes) {
     const std::size_t bodies = std::max<std::size_t>(scene.bodies.size() * scenes, 1);
     const int times = std::clamp(static_cast<int>(kMostSamples / bodies), 8, kMostTimes);
-    return std::max(steps / times, 1);
-}
-
-void addRun(const SceneDescription& scene, std::size_t scenes, Motion& motion) {
-    Stage stage(scene);
-    const int steps = static_cast<int>(std::lround(scene.seconds * scene.hz));
-    const int every = stride(scene, scenes, steps);
-    const bool follows = scene.camera.move == CameraMove::follow;
-    const std::optional<Vec3> start = middleOf(stage);
-    for (int step = 0; step <= steps && !interrupted(); ++step) {
-        if (step > 0 && !stage.step()) break;
-        if (step % every != 0) continue;
-        const std::optional<Vec3> middle = follows ? middleOf(stage) : std::nullopt;
-        addSamples(scene, stage, middle ? Vec3(*middle - *start) : Vec3::Zero(), step == 0, motion);
-    }
+    return std::max(stepsOf(scene) / times, 1L);
 }
 
 /// What half of the bodies never exceed; 0 without bodies.
@@ -121,7 +96,7 @@ double usualOf(const std::map<int, double>& farthest) {
 /// Bodies that have left count while they are near the others: within kAway times the distance from
 /// the middle that half of the bodies never exceed; of two bodies none is the one that has left.
 /// Where only few bodies move, they are what the picture is about: half of their starts are near.
-void dropFar(Motion& motion) {
+void dropFar(RunMotion& motion) {
     const std::vector<Sample>& all = motion.moving;
     const Vec3 middle =
         medianPlace(all.size(), [&](std::size_t i) { return all[i].pose.position; });
@@ -161,7 +136,7 @@ engine::Bounds boundsIn(const Quat& view, const Sample& sample) {
 /// The largest value of most samples, of all before the first step, and of the anchors.
 /// `value`: of bounds in view axes.
 template <class Value>
-double most(const Motion& motion, const Quat& view, Value value) {
+double most(const RunMotion& motion, const Quat& view, Value value) {
     double largest = -1e300;
     std::vector<double> all;
     for (const Sample& sample : motion.moving) {
@@ -173,7 +148,7 @@ double most(const Motion& motion, const Quat& view, Value value) {
     return std::max(largest, quantile(all, 1.0 - kCutShare));
 }
 
-engine::Bounds boxOf(const Motion& motion, const Quat& view) {
+engine::Bounds boxOf(const RunMotion& motion, const Quat& view) {
     engine::Bounds box;
     for (int axis = 0; axis < 3; ++axis) {
         box.low[axis] = -most(motion, view, [=](const auto& one) { return -one.low[axis]; });
@@ -183,7 +158,7 @@ engine::Bounds boxOf(const Motion& motion, const Quat& view) {
 }
 
 /// Adds anchors and fixed bodies as if they moved, if they are near and not larger than the box.
-void addScenery(const Quat& view, const engine::Bounds& box, Motion& motion) {
+void addScenery(const Quat& view, const engine::Bounds& box, RunMotion& motion) {
     const Vec3 centre = 0.5 * (box.low + box.high);
     const double radius = 0.5 * (box.high - box.low).norm();
     for (const Sample& sample : motion.fixed) {
@@ -209,7 +184,7 @@ Vec3 backOf(const std::vector<Sample>& samples) {
 /// A point p is inside the filled share of the picture of a camera at c if, for x and y,
 ///     |p - c| <= k (c_z - p_z),   k = the share times the tangent of half the angle of view.
 /// So, with r = max(p + k p_z) and l = min(p - k p_z),   c = (r + l) / 2,   c_z >= (r - l) / (2 k).
-void place(const Motion& motion, const Quat& view, const Vec3& back, CameraDescription& camera) {
+void place(const RunMotion& motion, const Quat& view, const Vec3& back, CameraDescription& camera) {
     const double angle = engine::radians(0.5 * camera.fovDegrees);
     const double tangent = engine::sine(angle) / engine::cosine(angle);
     const engine::Bounds box = boxOf(motion, view);
@@ -231,7 +206,50 @@ void place(const Motion& motion, const Quat& view, const Vec3& back, CameraDescr
     camera.fitsMotion = false;
 }
 
+void fit(RunMotion& motion, std::span<CameraDescription* const> cameras) {
+    if (motion.moving.empty()) motion.moving.swap(motion.fixed);
+    if (motion.moving.empty()) return;
+    dropFar(motion);
+    const Vec3 back = backOf(motion.moving);
+    const Quat view = viewOf(back);
+    addScenery(view, boxOf(motion, view), motion);
+    for (CameraDescription* camera : cameras) place(motion, view, back, *camera);
+}
+
+/// One run, without pictures.
+RunMotion motionOfRun(const SceneDescription& scene, std::size_t scenes) {
+    Stage stage(scene);
+    MotionSampler sampler(scene, scenes);
+    const long steps = stepsOf(scene);
+    for (long step = 0; step <= steps && !interrupted(); ++step) {
+        if (step > 0 && !stage.step()) break;
+        sampler.look(stage, step);
+    }
+    return sampler.motion();
+}
+
 }  // namespace
+
+MotionSampler::MotionSampler(const SceneDescription& scene, std::size_t scenes)
+    : scene_(scene), every_(stride(scene, scenes)) {
+    addStill(scene, motion_);
+}
+
+void MotionSampler::look(const Stage& stage, long step) {
+    if (step == 0) start_ = middleOf(stage).value_or(Vec3::Zero());
+    if (step % every_ != 0) return;
+    const bool follows = scene_.camera.move == CameraMove::follow;
+    const Vec3 way = follows ? Vec3(middleOf(stage).value_or(start_) - start_) : Vec3::Zero();
+    addSamples(scene_, stage, way, step == 0, motion_);
+}
+
+CameraDescription MotionSampler::camera() const {
+    RunMotion motion = motion_;
+    CameraDescription camera = scene_.camera;
+    CameraDescription* const fitted[] = {&camera};
+    fit(motion, fitted);
+    return camera;
+}
 
 std::optional<Vec3> middleOf(const Stage& stage) {
     std::vector<Vec3> places;
@@ -243,21 +261,18 @@ std::optional<Vec3> middleOf(const Stage& stage) {
 }
 
 void fitToMotion(std::span<SceneDescription* const> scenes) {
-    Motion motion;
+    RunMotion motion;
     std::vector<SceneDescription*> fitted;
+    std::vector<CameraDescription*> cameras;
     for (SceneDescription* scene : scenes)
-        if (scene->camera.fitsMotion) fitted.push_back(scene);
+        if (scene->camera.fitsMotion) fitted.push_back(scene), cameras.push_back(&scene->camera);
     for (const SceneDescription* scene : fitted) {
-        addStill(*scene, motion);
-        addRun(*scene, fitted.size(), motion);
+        const RunMotion own = motionOfRun(*scene, fitted.size());
+        motion.moving.insert(motion.moving.end(), own.moving.begin(), own.moving.end());
+        motion.fixed.insert(motion.fixed.end(), own.fixed.begin(), own.fixed.end());
+        motion.anchors.insert(motion.anchors.end(), own.anchors.begin(), own.anchors.end());
     }
-    if (motion.moving.empty()) motion.moving.swap(motion.fixed);
-    if (motion.moving.empty()) return;
-    dropFar(motion);
-    const Vec3 back = backOf(motion.moving);
-    const Quat view = viewOf(back);
-    addScenery(view, boxOf(motion, view), motion);
-    for (SceneDescription* scene : fitted) place(motion, view, back, scene->camera);
+    fit(motion, cameras);
 }
 
 }  // namespace demos

@@ -90,6 +90,31 @@ TEST_F(States, ShardsStartFromTheNearest) {
     }
 }
 
+/// A camera that fits the motion of the whole run.
+TEST_F(States, HaveTheCameraOfTheWholeRun) {
+    EXPECT_FALSE(fs::exists(folder_ / "states/camera.state"));
+    std::string scene = kRemembering;
+    scene.erase(scene.find("[camera]"), scene.find("[[material]]") - scene.find("[camera]"));
+    write(folder_ / "ball.toml", scene);
+    ASSERT_EQ(run("sim", {"--states", "states", "--every", "10", "--quiet"}).code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "states/camera.state"));
+    const auto areTheSame = [&](const std::string& seconds) {
+        std::vector<std::string> words = {"--seconds", seconds, "--shard", "2/2", "--size", "160x90",
+                                          "--fps", "15", "-o", "alone" + seconds.substr(0, 1)};
+        EXPECT_EQ(run("render", words).code, 0);
+        words.back() = "from" + seconds.substr(0, 1);
+        words.insert(words.end(), {"--states", "states"});
+        EXPECT_EQ(run("render", words).code, 0);
+        return framesIn(folder_ / ("alone" + seconds.substr(0, 1))) == framesIn(folder_ / ("from" + seconds.substr(0, 1)));
+    };
+    EXPECT_TRUE(areTheSame("1"));
+    EXPECT_TRUE(areTheSame("0.5")) << "of another length";
+    const std::vector<std::string> still = {"-t", "0.9", "--size", "160x90", "-o", "-"};
+    std::vector<std::string> from = still;
+    from.insert(from.end(), {"--from", "states/000040.state"});
+    EXPECT_TRUE(run("still", from).out == run("still", still).out);
+}
+
 TEST_F(States, AreRefusedWhereTheyDoNotBelong) {
     const std::string state = "states/000030.state";
     const auto refuses = [&](const Ended& ended, int code, const std::string& why) {

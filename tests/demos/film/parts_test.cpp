@@ -5,7 +5,10 @@
 
 #include "demos/film/part_review.h"
 #include "demos/film/parts.h"
+#include "demos/film/state_files.h"
+#include "demos/text/file_content.h"
 #include "demos/text/stop.h"
+#include "render/encode/file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace demos::test {
@@ -33,7 +36,7 @@ TEST_F(PartsOfAFilm, HaveTheSameNumberOfFrames) {
     const Parts parts = partsIn(folder_.path());
     EXPECT_EQ(parts.whole.frames.size(), 9u);
     EXPECT_EQ(parts.wanted, std::vector<int>{3});
-    EXPECT_EQ(commandOf(parts, 3), "impulse render a --shard 3/3");
+    EXPECT_EQ(commandOf(parts, 3), "impulse render a --shard 3/3 --overwrite");
 }
 
 TEST_F(PartsOfAFilm, PrintNoCommandThatRunsAnotherProgram) {
@@ -73,6 +76,31 @@ TEST(PartsOfMany, MostPartsDecideUnlessTheRunIsKnown) {
     EXPECT_EQ(reviewed(parts, "here").wanted, (std::vector<int>{1}));
     EXPECT_EQ(reviewed(parts, "here", 7).wanted, (std::vector<int>{2, 3}));
     EXPECT_EQ(reviewed(parts, "here", 9).troubles.front(), "of another run: 1 2 3");
+}
+
+TEST_F(PartsOfAFilm, HaveTheCameraOfTheWholeRunFromItsStates) {
+    SceneDescription scene;
+    scene.seconds = 2.0;
+    CameraDescription camera;
+    camera.from = Vec3(1, 2, 3), camera.lookAt = Vec3(4, 5, 6);
+    const StateKind kind{"1.0", 7, "a", 8};
+    writeCamera(folder_.path(), kind, scene, camera);
+    const auto isRead = [&](const StateKind& its, SceneDescription into) {
+        readCamera(folder_.path(), its, into);
+        return !into.camera.fitsMotion && into.camera.from == camera.from && into.camera.lookAt == camera.lookAt;
+    };
+    EXPECT_TRUE(isRead(kind, scene));
+    EXPECT_FALSE(isRead({"1.0", 7, "a", 9}, scene));
+    SceneDescription longer = scene, placed = scene;
+    longer.seconds = 3.0, placed.camera.fitsMotion = false;
+    EXPECT_FALSE(isRead(kind, longer));
+    EXPECT_FALSE(isRead(kind, placed));
+    std::vector<std::uint8_t> bytes = contentOf(folder_ / "camera.state");
+    bytes.back() ^= 1;
+    render::writeFileAtomically(folder_ / "camera.state", bytes);
+    EXPECT_FALSE(isRead(kind, scene));
+    std::filesystem::remove(folder_ / "camera.state");
+    EXPECT_FALSE(isRead(kind, scene));
 }
 
 }  // namespace

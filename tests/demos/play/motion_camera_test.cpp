@@ -50,6 +50,23 @@ TEST(MotionCamera, TheWholePathFillsThePicture) {
     }
 }
 
+TEST(MotionCamera, IsTheSameFromARunThatIsMadeAnyway) {
+    for (const std::string move : {"", "[camera]\nfov_deg = 50\nmove = 'follow'\n"}) {
+        const SceneDescription scene =
+            read("seconds = 2\n" + move + kFloor + ball("a", 0.05, "[0, 1, 0]", "[3, 4, 0]"));
+        Stage stage(scene);
+        MotionSampler sampler(stage.scene);
+        for (long step = 0; step <= std::lround(scene.seconds * scene.hz); ++step) {
+            sampler.look(stage, step);
+            stage.step();
+        }
+        const CameraDescription camera = sampler.camera(), fitted = framed(scene).camera;
+        EXPECT_EQ(camera.from, fitted.from) << move;
+        EXPECT_EQ(camera.lookAt, fitted.lookAt) << move;
+        EXPECT_FALSE(camera.fitsMotion);
+    }
+}
+
 TEST(MotionCamera, ASmallThingAtRestIsLarge) {
     const SceneDescription scene = framed(read(kFloor + ball("a", 0.05, "[7, 0.05, 3]")));
     EXPECT_NEAR((scene.camera.lookAt - Vec3(7, 0.05, 3)).norm(), 0.0, 1e-3);
