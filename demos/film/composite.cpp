@@ -91,10 +91,13 @@ Composite::Composite(const FilmPlan& plan) : plan_(plan) {
             new Show{Player(panel.scene, panel.overlays), panel.scene.hz / plan.fps, {}, {}}));
 }
 
-std::optional<ReadState> stateBefore(int frame, const FilmPlan& plan) {
+bool needsOneState(const FilmPlan& plan) {
     const auto needsAll = [](Pass pass) { return pass == Pass::contacts || pass == Pass::events; };
-    if (plan.states.empty() || plan.panels.size() > 1 || std::ranges::any_of(plan.passes, needsAll))
-        return std::nullopt;
+    return plan.panels.size() == 1 && std::ranges::none_of(plan.passes, needsAll);
+}
+
+std::optional<ReadState> stateBefore(int frame, const FilmPlan& plan) {
+    if (plan.states.empty() || !needsOneState(plan)) return std::nullopt;
     const int most = plan.shutter.moments > 1 ? frame - 1 : frame;  // it opens before the frame
     return nearestState(plan.states, plan.stateKind, plan.panels.front().overlays,
                         plan.stepOf(most));
@@ -113,6 +116,10 @@ int Composite::startBefore(int frame) {
     while (plan_.stepOf(frame_) < step) ++frame_;
     show.player.step(plan_.stepOf(frame_) - step);
     return frame_;
+}
+
+void Composite::writeState(const std::filesystem::path& folder, std::vector<std::uint8_t>& memory) const {
+    demos::writeState(folder, plan_.stateKind, plan_.panels.front().overlays, shows_.front()->player, memory);
 }
 
 void Composite::restoreState(int frame, std::span<const std::uint8_t> bytes) {

@@ -17,8 +17,12 @@ namespace demos {
 render::Image withStrip(render::Image panel, const FilmPlan& plan, double time);
 
 /// The plan's last state before `frame` (what is drawn of it included); nothing if none fits, or if
-/// the film needs all steps: with several panels, or with data passes of contacts and events.
+/// the film needs all steps.
 std::optional<ReadState> stateBefore(int frame, const FilmPlan& plan);
+
+/// Whether a film can continue from a state: not with several panels, nor with data passes of contacts and events,
+/// which need all steps.
+bool needsOneState(const FilmPlan& plan);
 
 class Composite {
 public:
@@ -30,6 +34,8 @@ public:
     int startBefore(int frame);
     /// The single panel at the current frame.
     void saveState(std::vector<std::uint8_t>& bytes) const { shows_.front()->player.saveState(bytes); }
+    /// The same as a file of this folder. `memory`: of the one before. Throws render::Error.
+    void writeState(const std::filesystem::path& folder, std::vector<std::uint8_t>& memory) const;
     /// Goes to `frame`, of which another process has saved these bytes.
     void restoreState(int frame, std::span<const std::uint8_t> bytes);
     /// Advances by one frame. A single panel whose step fails throws Stop; one of several shows its

@@ -17,6 +17,7 @@
 #include "demos/film/parts.h"
 #include "demos/film/poster.h"
 #include "demos/film/progress.h"
+#include "demos/film/resume_states.h"
 #include "demos/film/slow_motion.h"
 #include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
@@ -290,7 +291,7 @@ void tellStart(const FilmPlan& plan, const std::vector<bool>& wanted, const Talk
     const int frame = static_cast<int>(first - wanted.begin());
     if (const std::optional<ReadState> state = stateBefore(frame, plan))
         talk.say(fmt::format("starts from the state of step {}", state->step));
-    else
+    else if (plan.states != plan.resume)
         talk.mention(fmt::format("note: no state in '{}' fits before frame {}; the simulation "
                                  "starts from time 0",
                                  printable(plan.states), frame));
@@ -338,7 +339,8 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     const int frames = countOf(chosen), workers = workerCount(options.jobs, frames);
     if (options.dryRun) return tellPlan(needsOf(plan, workers, outputs), plan, outputs, talk);
     watchSignals();
-    fitCameras(plan);
+    planToResume(outputs, options, plan);
+    fitAndKeepCamera(plan);
     FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
     RunRecord record = recordOf(plan, options, source.renderer());
     const bool stored = options.shard || has(outputs, OutputKind::frames);  // asking takes ffmpeg a while
@@ -357,6 +359,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
         drawAll(source, writers, options, talk, progress);
         progress.finish();
         writers.close(true);
+        clearStates(plan);
     } catch (const Stop& stop) {
         progress.finish();
         if (stop.code() == Exit::diverged) writers.close(false);  // the last good frame is kept

@@ -38,6 +38,7 @@ struct FilmPlan {
     std::string quality;
     std::vector<Pass> passes;  // beside PNG frames; one panel only
     std::string states;        // a folder with states to start from; empty: none
+    std::string resume;        // the folder for states of an unfinished run; empty: none (resume_states.h)
     StateKind stateKind;       // of its states that fit
     int frames = 0;
     int fps = 30;

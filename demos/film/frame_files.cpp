@@ -7,6 +7,7 @@
 #include "demos/film/data_json.h"
 #include "demos/film/frame_choice.h"
 #include "demos/film/outputs.h"
+#include "demos/film/resume_states.h"
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
 #include "demos/text/json_limits.h"
@@ -200,7 +201,8 @@ void FrameFiles::add(const DrawnFrame& frame) {
     record_.frames[frame.frame] = {true, frame.stateHash, hashOf(frame.png), data};
     record_.addIncident(frame.incident, frame.frame);
     // Seldom enough that a long film's record costs little, often enough that little is redrawn.
-    if (++unrecorded_ >= std::max(50, plan_.frames / 64)) close(false);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - recorded_;
+    if (++unrecorded_ >= std::max(50, plan_.frames / 64) || time.count() > kResumeEvery) close(false);
 }
 
 void FrameFiles::close(bool finished) {
@@ -209,6 +211,7 @@ void FrameFiles::close(bool finished) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data());
     render::writeFrameFile(recordName(), {bytes, json.size()});
     unrecorded_ = 0;
+    recorded_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace demos

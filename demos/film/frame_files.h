@@ -1,5 +1,6 @@
 /// A numbered sequence of PNG files in a folder, and the run.json beside them.
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -57,6 +58,7 @@ private:
     std::optional<FolderLock> lock_;
     int kept_ = 0;
     int unrecorded_ = 0;
+    std::chrono::steady_clock::time_point recorded_;
 };
 
 }  // namespace demos

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "demos/film/composite.h"
+#include "demos/film/resume_states.h"
 #include "demos/text/stop.h"
 
 namespace demos {
@@ -18,13 +19,16 @@ void simulate(const FilmPlan& plan, Channel& orders, std::vector<Channel>& feeds
     Message state;
     state.kind = MessageKind::state;
     std::size_t ordinal = 0;
+    ResumeStates resume(plan);
     for (int frame = 0; frame < static_cast<int>(wanted.first.size()); ++frame) {
         if (!wanted.first[frame]) continue;
         if (ordinal == 0) {
             state.frame = composite.startBefore(frame);
             if (state.frame == 0 && wanted.first[last]) composite.watchRun();
         }
+        resume.begin();
         for (; state.frame < frame - earlier; ++state.frame) composite.advance(false);
+        resume.end(composite);
         composite.saveState(state.first);
         if (frame == last) {
             state.incident = composite.incidentAtEnd();

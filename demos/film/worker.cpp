@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "demos/film/data_files.h"
+#include "demos/film/resume_states.h"
 #include "demos/text/stop.h"
 #include "render/encode/png.h"
 #include "render/renderer.h"
@@ -51,9 +52,12 @@ void drawPlayed(Desk& desk, const std::vector<int>& own, const FilmPlan& plan,
     const int start = desk.composite.startBefore(own.front());
     const int last = plan.frames - 1;
     if (start == 0 && own.back() == last) desk.composite.watchRun();
+    ResumeStates resume(plan);
     for (int frame = start; frame <= own.back(); ++frame) {
         const bool mine = std::ranges::binary_search(own, frame);
+        if (task.index == 0) resume.begin();
         if (frame > start) desk.data.advance(mine);
+        if (task.index == 0) resume.end(desk.composite);
         if (!mine) continue;
         Message message = drawnMessage(desk, frame, task);
         if (frame == last) {

@@ -1,0 +1,47 @@
+/// States of an unfinished film, in the folder of its frames: resume/000240.state. A killed run then continues
+/// from the last of them instead of simulating from the beginning. Where simulating takes less than three seconds
+/// nothing is written; when the film is complete, they are removed.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "demos/film/composite.h"
+#include "demos/film/film_plan.h"
+#include "demos/film/outputs.h"
+
+namespace demos {
+
+struct FilmOptions;
+
+/// s: a run's frames are recorded, and its states are written, at least so often.
+inline constexpr double kResumeEvery = 3.0;
+
+/// Names the folder in the plan, and starts from what is there unless other states were named. Nothing for films
+/// without PNG frames, and for those that need all steps.
+void planToResume(const std::vector<Output>& outputs, const FilmOptions& options, FilmPlan& plan);
+
+/// fitCameras; a camera that has taken long is kept.
+void fitAndKeepCamera(FilmPlan& plan);
+
+/// Removes the folder, unless it has other files.
+void clearStates(const FilmPlan& plan);
+
+/// Used by the process that simulates.
+class ResumeStates {
+public:
+    /// `every`: s of processor time between two states.
+    explicit ResumeStates(const FilmPlan& plan, double every = kResumeEvery) : plan_(plan), every_(every) {}
+
+    /// To be called before and after a part of the simulation. A state that cannot be written is left out.
+    void begin();
+    void end(const Composite& composite);
+
+private:
+    const FilmPlan& plan_;
+    double every_;
+    double begin_ = 0.0, unsaved_ = 0.0;  // s, of processor time
+    std::vector<std::uint8_t> memory_;    // of the last state
+};
+
+}  // namespace demos
