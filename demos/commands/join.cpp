@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "demos/commands/commands.h"
 #include "demos/commands/option_checks.h"
@@ -9,6 +11,7 @@
 #include "demos/film/outputs.h"
 #include "demos/film/parts.h"
 #include "demos/film/progress.h"
+#include "demos/film/run_record.h"
 #include "demos/processes/signals.h"
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"

@@ -1,5 +1,7 @@
 /// All panels of a film, simulated on one clock and drawn into one picture.
 #pragma once
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -340,7 +340,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     if (options.dryRun) return tellPlan(needsOf(plan, workers, outputs), plan, outputs, talk);
     watchSignals();
     planToResume(outputs, options, plan);
-    fitAndKeepCamera(plan);
+    const bool fitted = fitForLong(plan, options);
     FrameSource source(plan, workers, has(outputs, OutputKind::frames), moving);
     RunRecord record = recordOf(plan, options, source.renderer());
     const bool stored = options.shard || has(outputs, OutputKind::frames);  // asking takes ffmpeg a while
@@ -348,6 +348,8 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
     if (isDone(outputs, record, options, talk)) return;
     Writers writers(plan, outputs, chosen, record, std::move(poster), std::move(captions), options,
                     talk);
+    if (options.overwrite) clearStates(plan);
+    if (fitted) keepCamera(plan);
     const std::vector<bool> wanted = wantedFrames(writers, chosen);
     const int missing = countOf(wanted);
     tellStart(plan, wanted, talk);
@@ -359,10 +361,10 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
         drawAll(source, writers, options, talk, progress);
         progress.finish();
         writers.close(true);
-        clearStates(plan);
+        if (options.frames.empty()) clearStates(plan);
     } catch (const Stop& stop) {
         progress.finish();
-        if (stop.code() == Exit::diverged) writers.close(false);  // the last good frame is kept
+        if (stop.code() == Exit::diverged) writers.close(false), clearStates(plan);  // the last good frame is kept
         throw;
     } catch (const render::Cancelled& cancelled) {
         stopInterrupted(writers, options, cancelled.what());

@@ -33,6 +33,9 @@ void checkFramesToFilm(const FramesToFilm& job) {
     if (!render::isVideoName(job.film))
         refuse(fmt::format("--output '{}': must end in .mp4, .webm, .gif, .webp or .apng",
                            printable(job.film.string())));
+    if (job.record.width < 1 || job.record.height < 1 || job.record.fps < 1)
+        throw render::Error(fmt::format("'{}': the record of its frames has no size or rate",
+                                        printable(job.folder.string())));
     checkFilm(job.film, sourceOf(job.record));
     checkPlace(job.film, job.existing == render::Existing::replaced);
 }

@@ -95,6 +95,13 @@ bool FrameFiles::isGood(int frame, const FrameRecord& entry) const {
            hashOf(bytes) == entry.png && dataHash(frame) == entry.data;
 }
 
+bool FrameFiles::allGood(const RunRecord& old) const {
+    if (old.frames.size() != record_.frames.size()) return false;
+    for (std::size_t i = 0; i < old.frames.size(); ++i)
+        if (old.frames[i].written && !isGood(static_cast<int>(i), old.frames[i])) return false;
+    return true;
+}
+
 /// Hash of the frame's files of all passes; 0 if there are no passes.
 std::uint64_t FrameFiles::dataHash(int frame) const {
     TextHash hash;
@@ -103,9 +110,9 @@ std::uint64_t FrameFiles::dataHash(int frame) const {
     return plan_.passes.empty() ? 0 : hash.value();
 }
 
-/// Frames of two classes of processors are not mixed.
+/// Frames of two classes of processors are not mixed: all of another class are kept, or none.
 void FrameFiles::takeUp(const RunRecord& old) {
-    if (old.pixels != record_.pixels && !old.finished) return;
+    if (old.pixels != record_.pixels && !(old.finished && allGood(old))) return;
     record_.pixels = old.pixels;
     const std::size_t count = std::min(old.frames.size(), record_.frames.size());
     for (std::size_t i = 0; i < count; ++i) {
@@ -164,14 +171,16 @@ void FrameFiles::sweepTemporaries() const {
 /// A shorter film must not end with frames of the old one, nor keep its data.
 void FrameFiles::removeOutdated(const RunRecord& old) const {
     const int oldFrames = static_cast<int>(old.frames.size());
-    for (int frame = plan_.frames; frame < oldFrames; ++frame) removeOwn(nameOf(frame));
+    const std::optional<Shard> shard = shardNamed(record_.shard);
+    const int first = shard ? shard->first(oldFrames) : 0, end = shard ? shard->end(oldFrames) : oldFrames;
+    for (int frame = std::max(plan_.frames, first); frame < end; ++frame) removeOwn(nameOf(frame));
     for (const Pass pass : passesCalled(old.passes)) {
         if (isSymlink(folder_ / textOf(pass).name)) continue;
-        for (int frame = 0; frame < oldFrames; ++frame) removeOwn(nameOf(frame, pass));
+        for (int frame = first; frame < end; ++frame) removeOwn(nameOf(frame, pass));
         std::error_code ignored;
         fs::remove(folder_ / textOf(pass).name, ignored);  // if nothing else is in it
     }
-    if (!old.passes.empty()) removeOwn(dataName());
+    if (!old.passes.empty() && !shard) removeOwn(dataName());
 }
 
 fs::path FrameFiles::nameOf(int frame) const {
@@ -202,16 +211,28 @@ void FrameFiles::add(const DrawnFrame& frame) {
     record_.addIncident(frame.incident, frame.frame);
     // Seldom enough that a long film's record costs little, often enough that little is redrawn.
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - recorded_;
-    if (++unrecorded_ >= std::max(50, plan_.frames / 64) || time.count() > kResumeEvery) close(false);
+    const double most = std::max(kResumeEvery, 20.0 * recording_);
+    if (++unrecorded_ >= std::max(50, plan_.frames / 64) || time.count() > most) close(false);
 }
 
 void FrameFiles::close(bool finished) {
+    const auto start = std::chrono::steady_clock::now();
     record_.finished = finished && (isPart() || hasAll());
     const std::string json = jsonOf(record_);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data());
     render::writeFrameFile(recordName(), {bytes, json.size()});
     unrecorded_ = 0;
     recorded_ = std::chrono::steady_clock::now();
+    recording_ = std::chrono::duration<double>(recorded_ - start).count();
+    if (!finished) removeStatesBefore(firstMissing(), plan_);
+}
+
+int FrameFiles::firstMissing() const {
+    const std::optional<Shard> shard = shardNamed(record_.shard);
+    const int end = shard ? shard->end(plan_.frames) : plan_.frames;
+    int frame = shard ? shard->first(plan_.frames) : 0;
+    while (frame < end && record_.frames[frame].written) ++frame;
+    return frame;
 }
 
 }  // namespace demos

@@ -49,6 +49,8 @@ private:
     void sweepTemporaries() const;
     void removeOutdated(const RunRecord& old) const;
     bool isGood(int frame, const FrameRecord& entry) const;
+    bool allGood(const RunRecord& old) const;
+    int firstMissing() const;
     bool isPart() const { return !record_.shard.empty(); }
     std::filesystem::path recordName() const;
 
@@ -59,6 +61,7 @@ private:
     int kept_ = 0;
     int unrecorded_ = 0;
     std::chrono::steady_clock::time_point recorded_;
+    double recording_ = 0.0;  // s, the last time
 };
 
 }  // namespace demos

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "demos/film/data_pass.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/part_review.h"
 #include "demos/film/pattern.h"
@@ -60,6 +61,18 @@ std::vector<Found> foundIn(const fs::path& folder) {
     return all;
 }
 
+/// Of a frame's files of all passes; 0 if there are none, and for passes that do not exist.
+std::uint64_t dataHash(const RunRecord& record, const fs::path& png) {
+    const std::vector<std::string> known = passNames();
+    TextHash hash;
+    for (const std::string& name : record.passes) {
+        if (std::ranges::find(known, name) == known.end()) return 0;
+        const PassText& text = textOf(passesCalled({name}).front());
+        hash.add(contentOf(png.parent_path() / text.name / (png.stem().string() + text.ending)));
+    }
+    return record.passes.empty() ? 0 : hash.value();
+}
+
 /// All its frames are recorded, and its files match the record.
 bool isWhole(const Found& found, const fs::path& folder) {
     if (!found.record || !found.record->finished) return false;
@@ -69,7 +82,8 @@ bool isWhole(const Found& found, const fs::path& folder) {
         const FrameRecord& entry = record.frames[static_cast<std::size_t>(frame)];
         if (!entry.written) return false;
         if (record.film != 0) continue;
-        if (hashOf(frameFile(record, folder, frame)) != entry.png) return false;
+        const fs::path png = frameFile(record, folder, frame);
+        if (hashOf(png) != entry.png || dataHash(record, png) != entry.data) return false;
     }
     return record.film == 0 || hashOf(found.film) == record.film;
 }
@@ -140,10 +154,11 @@ Parts partsIn(const fs::path& folder) {
 }
 
 std::string commandOf(const Parts& parts, int number) {
-    const std::string command = commandOf(parts.whole.command, "impulse render ", {number, parts.count});
-    const bool replaces = std::ranges::find(parts.foreign, number) != parts.foreign.end() &&
-                          !command.empty() && command.find(" --overwrite") == command.npos;
-    return replaces ? command + " --overwrite" : command;
+    constexpr std::string_view kReplace = " --overwrite";
+    std::string command = commandOf(parts.whole.command, "impulse render ", {number, parts.count});
+    if (const std::size_t at = command.find(kReplace); at != command.npos) command.erase(at, kReplace.size());
+    const bool replaces = std::ranges::find(parts.foreign, number) != parts.foreign.end();
+    return replaces && !command.empty() ? command.append(kReplace) : command;
 }
 
 fs::path frameFile(const RunRecord& record, const fs::path& folder, int frame) {

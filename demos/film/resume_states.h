@@ -1,30 +1,32 @@
-/// States of an unfinished film, in the folder of its frames: resume/000240.state. A killed run then continues
-/// from the last of them instead of simulating from the beginning. Where simulating takes less than three seconds
-/// nothing is written; when the film is complete, they are removed.
+/// States of an unfinished film, in the folder of its frames: .impulse-resume/000240.state. A killed run then
+/// continues from one of them instead of simulating from the beginning. Where simulating takes less than three
+/// seconds nothing is written; when the film is complete, they are removed.
 #pragma once
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "demos/film/composite.h"
+#include "demos/film/film_options.h"
 #include "demos/film/film_plan.h"
 #include "demos/film/outputs.h"
 
 namespace demos {
 
-struct FilmOptions;
-
-/// s: a run's frames are recorded, and its states are written, at least so often.
+/// s: a run's frames are recorded, and its states are written, about so often.
 inline constexpr double kResumeEvery = 3.0;
 
 /// Names the folder in the plan, and starts from what is there unless other states were named. Nothing for films
 /// without PNG frames, and for those that need all steps.
 void planToResume(const std::vector<Output>& outputs, const FilmOptions& options, FilmPlan& plan);
 
-/// fitCameras; a camera that has taken long is kept.
-void fitAndKeepCamera(FilmPlan& plan);
+/// fitCameras. Returns whether it has simulated for so long that keepCamera() saves time. Throws Stop (interrupted).
+bool fitForLong(FilmPlan& plan, const FilmOptions& options);
+/// To be called when the folder of the frames is this run's.
+void keepCamera(const FilmPlan& plan);
 
-/// Removes the folder, unless it has other files.
+/// Removes the states that are not needed to go on from `frame`.
+void removeStatesBefore(int frame, const FilmPlan& plan);
+/// Removes all, and the folder unless it has other files.
 void clearStates(const FilmPlan& plan);
 
 /// Used by the process that simulates.

@@ -26,9 +26,11 @@ void simulate(const FilmPlan& plan, Channel& orders, std::vector<Channel>& feeds
             state.frame = composite.startBefore(frame);
             if (state.frame == 0 && wanted.first[last]) composite.watchRun();
         }
-        resume.begin();
-        for (; state.frame < frame - earlier; ++state.frame) composite.advance(false);
-        resume.end(composite);
+        for (; state.frame < frame - earlier; ++state.frame) {
+            resume.begin();
+            composite.advance(false);
+            resume.end(composite);
+        }
         composite.saveState(state.first);
         if (frame == last) {
             state.incident = composite.incidentAtEnd();

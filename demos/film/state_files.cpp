@@ -33,6 +33,7 @@ constexpr char kCameraMark[16] = "impulse camera1";
 constexpr std::size_t kSealed = sizeof kMark + 8;  // bytes before what is sealed
 constexpr const char* kDamaged = "is truncated or damaged: its hash does not match its content";
 constexpr const char* kCameraFile = "camera.state";
+constexpr std::uintmax_t kMostCameraBytes = 1u << 16;
 
 /// Which of the overlays' memories a state has: they are kept only by a run that shows them.
 struct Remembered {
@@ -80,11 +81,11 @@ std::uint64_t sealOf(std::span<const std::uint8_t> bytes) {
 }
 
 /// Throws render::Error. What follows the seal is what was sealed.
-std::vector<std::uint8_t> sealedFile(const fs::path& file, const char (&mark)[16]) {
+std::vector<std::uint8_t> sealedFile(const fs::path& file, const char (&mark)[16], std::uintmax_t most) {
     const auto fail = [&](const char* what) {
         throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
     };
-    std::vector<std::uint8_t> bytes = contentOf(file, kMostStateBytes);
+    std::vector<std::uint8_t> bytes = contentOf(file, most);
     std::error_code ignored;
     if (bytes.empty() && !fs::exists(file, ignored)) fail("there is no such file");
     if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
@@ -127,7 +128,7 @@ struct StateContent {
 
 /// Throws render::Error.
 StateContent contentOfState(const fs::path& file) {
-    std::vector<std::uint8_t> bytes = sealedFile(file, kMark);
+    std::vector<std::uint8_t> bytes = sealedFile(file, kMark, kMostStateBytes);
     engine::StateReader reader(std::span<const std::uint8_t>(bytes).subspan(kSealed));
     StateContent content{{}, Remembered({}), {}};
     content.keep(reader);
@@ -171,8 +172,9 @@ std::string objectionTo(const StateContent& content, const StateKind& kind,
                        missing);
 }
 
-/// The step of "000240.state"; nothing for other names.
-std::optional<long long> stepOf(const fs::path& file) {
+}  // namespace
+
+std::optional<long long> stepOfState(const fs::path& file) {
     const std::string name = file.filename().string();
     const std::string digits = name.substr(0, name.find('.'));
     long long step = 0;
@@ -180,8 +182,6 @@ std::optional<long long> stepOf(const fs::path& file) {
     const bool whole = got.ec == std::errc{} && got.ptr == digits.data() + digits.size();
     return whole && name == digits + ".state" ? std::optional(step) : std::nullopt;
 }
-
-}  // namespace
 
 StateKind stateKindOf(const SceneDescription& scene, const Options& options) {
     TextHash hash;
@@ -229,7 +229,7 @@ std::optional<ReadState> nearestState(const fs::path& folder, const StateKind& k
     std::vector<std::pair<long long, fs::path>> files;
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-        if (const auto number = stepOf(entry.path()); number && *number <= step)
+        if (const auto number = stepOfState(entry.path()); number && *number <= step)
             files.push_back({*number, entry.path()});
     std::sort(files.begin(), files.end(), std::greater<>());
     for (const auto& [number, path] : files) try {
@@ -254,7 +254,7 @@ void writeCamera(const fs::path& folder, const StateKind& kind, const SceneDescr
 
 void readCamera(const fs::path& folder, const StateKind& kind, SceneDescription& scene) try {
     if (!scene.camera.fitsMotion) return;
-    const std::vector<std::uint8_t> bytes = sealedFile(folder / kCameraFile, kCameraMark);
+    const std::vector<std::uint8_t> bytes = sealedFile(folder / kCameraFile, kCameraMark, kMostCameraBytes);
     engine::StateReader reader(std::span<const std::uint8_t>(bytes).subspan(kSealed));
     CameraContent content;
     content.keep(reader);

@@ -42,6 +42,9 @@ void writeState(const std::filesystem::path& folder, const StateKind& kind,
                 const Overlays& overlays, const Player& player,
                 std::vector<std::uint8_t>& memory);
 
+/// 240 of "000240.state"; nothing for other names.
+std::optional<long long> stepOfState(const std::filesystem::path& file);
+
 /// Throws render::Error if it is no whole state, Stop (usage) if it is of another program or scene,
 /// or lacks what these overlays show; both are named.
 ReadState readState(const std::filesystem::path& file, const StateKind& kind,

@@ -116,6 +116,24 @@ TEST_F(Shards, ThePrintedCommandReplacesAPartOfAnotherProcessor) {
     }
 }
 
+TEST_F(Shards, APartThatIsReplacedLeavesTheDataOfOthers) {
+    const auto part = [&](int number, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"-o", "p", "--pass", "depth", "--shard", numbered(number, 2)};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(film(words).code, 0);
+    };
+    part(1, {}), part(2, {});
+    ASSERT_EQ(join({"p"}).code, 0);
+    part(2, {"--overwrite"});
+    EXPECT_EQ(namesIn(folder / "p/depth").size(), static_cast<std::size_t>(kFrames));
+    EXPECT_EQ(join({"p"}).code, 0);
+    fs::remove(folder / "p/depth" / *namesIn(folder / "p/depth").begin());
+    const Ended joined = join({"p"});
+    EXPECT_EQ(joined.code, 7);
+    EXPECT_NE(joined.err.find("damaged or incomplete: 1"), std::string::npos) << joined.err;
+    EXPECT_EQ(joined.out.find("--overwrite"), std::string::npos) << joined.out;
+}
+
 TEST_F(Shards, APartIsNotResumedOnAnotherProcessor) {
     ASSERT_EQ(film({"-o", "frames", "--shard", "2/2"}).code, 0);
     const fs::path record = folder / "frames/run.002-of-002.json";
