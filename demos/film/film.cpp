@@ -361,7 +361,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
         drawAll(source, writers, options, talk, progress);
         progress.finish();
         writers.close(true);
-        if (options.frames.empty()) clearStates(plan);
+        clearStates(plan);
     } catch (const Stop& stop) {
         progress.finish();
         if (stop.code() == Exit::diverged) writers.close(false), clearStates(plan);  // the last good frame is kept

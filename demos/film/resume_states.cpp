@@ -55,7 +55,7 @@ void makeResumeFolder(const FilmPlan& plan) {
 void planToResume(const std::vector<Output>& outputs, const FilmOptions& options, FilmPlan& plan) {
     const auto isFrames = [](const Output& output) { return output.kind == OutputKind::frames; };
     const auto frames = std::ranges::find_if(outputs, isFrames);
-    if (frames == outputs.end() || !needsOneState(plan)) return;
+    if (frames == outputs.end() || !needsOneState(plan) || !options.frames.empty()) return;
     const std::string part = options.shard ? "." + options.shard->name() : "";
     plan.resume = (frames->path / (".impulse-resume" + part)).string();
     plan.stateKind = stateKindOf(plan.scene(), options);

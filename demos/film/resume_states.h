@@ -16,7 +16,8 @@ namespace demos {
 inline constexpr double kResumeEvery = 3.0;
 
 /// Names the folder in the plan, and starts from what is there unless other states were named. Nothing for films
-/// without PNG frames, and for those that need all steps.
+/// without PNG frames, for those that need all steps, and with --frames: states are removed as frames are recorded
+/// from the first one on.
 void planToResume(const std::vector<Output>& outputs, const FilmOptions& options, FilmPlan& plan);
 
 /// fitCameras. Returns whether it has simulated for so long that keepCamera() saves time. Throws Stop (interrupted).

@@ -121,6 +121,9 @@ TEST_F(ResumedFilm, HasStatesOnlyNextToFrames) {
     options_.shard = Shard{3, 16};
     EXPECT_TRUE(planned().resume.ends_with(".impulse-resume.003-of-016"));
     options_.shard.reset();
+    options_.frames = "100..200";
+    EXPECT_TRUE(planned().resume.empty());
+    options_.frames.clear();
     options_.outputs = {(folder_ / "a.mp4").string()};
     EXPECT_TRUE(planned().resume.empty());
 }
