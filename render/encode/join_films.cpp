@@ -26,12 +26,13 @@ std::string quotedName(const fs::path& file) {
     return text + "'\n";
 }
 
+/// With chapters there are two inputs, and ffmpeg sleeps for 10 ms whenever the shorter queue of packets is empty.
 std::vector<std::string> arguments(Codec codec, std::span<const Chapter> chapters, int fps,
                                    const fs::path& output) {
     std::vector<std::string> all = {
         "ffmpeg",    "-nostdin", "-hide_banner", "-xerror",  "-loglevel",
         "error",     "-y",       "-progress",    "pipe:1",   "-protocol_whitelist",
-        "file,pipe", "-f",       "concat",       "-safe",    "0",
+        "file,pipe", "-thread_queue_size", "4096", "-f", "concat", "-safe", "0",
         "-i",        "-"};
     const auto append = [&all](const std::vector<std::string>& more) {
         all.insert(all.end(), more.begin(), more.end());
