@@ -105,7 +105,8 @@ TEST_F(States, HaveTheCameraOfTheWholeRun) {
         words.back() = "from" + seconds.substr(0, 1);
         words.insert(words.end(), {"--states", "states"});
         EXPECT_EQ(run("render", words).code, 0);
-        return framesIn(folder_ / ("alone" + seconds.substr(0, 1))) == framesIn(folder_ / ("from" + seconds.substr(0, 1)));
+        return framesIn(folder_ / ("alone" + seconds.substr(0, 1))) ==
+               framesIn(folder_ / ("from" + seconds.substr(0, 1)));
     };
     EXPECT_TRUE(areTheSame("1"));
     EXPECT_TRUE(areTheSame("0.5")) << "of another length";
