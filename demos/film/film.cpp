@@ -251,6 +251,27 @@ void drawAll(FrameSource& source, Writers& writers, const FilmOptions& options, 
     }
 }
 
+/// Draws what is missing and ends all outputs: whole, or with what was drawn where the run has to end.
+void writeFilm(FrameSource& source, Writers& writers, const FilmPlan& plan, const FilmOptions& options,
+               const Talk& talk, Progress& progress) {
+    try {
+        drawAll(source, writers, options, talk, progress);
+        progress.finish();
+        writers.close(true);
+        clearStates(plan);
+    } catch (const Stop& stop) {
+        progress.finish();
+        if (stop.code() == Exit::diverged) writers.close(false), clearStates(plan);  // the last good frame is kept
+        throw;
+    } catch (const render::Cancelled& cancelled) {
+        stopInterrupted(writers, options, cancelled.what());
+    } catch (...) {
+        progress.finish();
+        writers.saveRecords();
+        throw;
+    }
+}
+
 /// The chosen frames that an output still needs.
 std::vector<bool> wantedFrames(const Writers& writers, const std::vector<bool>& chosen) {
     std::vector<bool> wanted = chosen;
@@ -357,22 +378,7 @@ void makeFilm(FilmPlan plan, const FilmOptions& options) {
                           jsonString(plan.name), frames, frames - missing, plan.fps));
     source.order(wanted);
     Progress progress(options, frames, frames - missing);
-    try {
-        drawAll(source, writers, options, talk, progress);
-        progress.finish();
-        writers.close(true);
-        clearStates(plan);
-    } catch (const Stop& stop) {
-        progress.finish();
-        if (stop.code() == Exit::diverged) writers.close(false), clearStates(plan);  // the last good frame is kept
-        throw;
-    } catch (const render::Cancelled& cancelled) {
-        stopInterrupted(writers, options, cancelled.what());
-    } catch (...) {
-        progress.finish();
-        writers.saveRecords();
-        throw;
-    }
+    writeFilm(source, writers, plan, options, talk, progress);
     writers.tell(plan, chosen, options, talk);
     talk.json(fmt::format(R"({{"event":"done","frames":{}}})", frames));
     tellNext(writers, outputs, options, talk);

@@ -165,7 +165,7 @@ bool Ffmpeg::finish(const std::function<bool()>& giveUp) {
 
 void Ffmpeg::end() noexcept {
     if (!running_) return;
-    ::kill(child_, SIGKILL);
+    ::kill(-child_, SIGKILL);  // a script may have started others
     while (::waitpid(child_, &status_, 0) < 0 && errno == EINTR) {
     }
     running_ = false;

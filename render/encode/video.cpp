@@ -107,7 +107,12 @@ void VideoWriter::add(const Image& image) {
 void VideoWriter::close(Existing existing) {
     if (!ffmpeg_) return;
     if (frames_ == 0) fail("no frames; a film needs at least one");
-    if (!ffmpeg_->finish()) failFeeding();
+    bool cancelled = false;
+    if (!ffmpeg_->finish([&] { return cancelled = fit_.cancelled && fit_.cancelled(); })) {
+        if (!cancelled) failFeeding();
+        abandon();
+        throw Cancelled("interrupted while ffmpeg finished film " + quoted(target_));
+    }
     const int written = ffmpeg_->framesWritten();
     if (written != frames_) {
         fail("ffmpeg wrote " + std::to_string(written) + " of " + std::to_string(frames_) +

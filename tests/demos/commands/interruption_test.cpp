@@ -251,5 +251,15 @@ TEST_F(Interruption, AHangingFfmpegIsEndedAndReported) {
     EXPECT_EQ(leftovers(folder.path()), (std::set<std::string>{"ball.toml", "bin"}));
 }
 
+// The signal comes when all frames have been sent; the busy child would be waited for without an end.
+TEST_F(Interruption, ASignalWhileFfmpegFinishesEndsBoth) {
+    Launch launch = small(folder.path(), {"-o", "film.mp4"});
+    replaceFfmpeg(launch, "[ \"$1\" = -version ] && exit 0\ncat > /dev/null; kill -INT $PPID; while :; do :; done");
+    const Ended ended = run(launch);
+    EXPECT_EQ(ended.code, 130) << ended.err;
+    EXPECT_NE(ended.err.find("no film was written"), std::string::npos) << ended.err;
+    EXPECT_EQ(leftovers(folder.path()), (std::set<std::string>{"ball.toml", "bin"}));
+}
+
 }  // namespace
 }  // namespace demos::test
