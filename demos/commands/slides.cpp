@@ -134,10 +134,12 @@ private:
     /// Errors are only noted: the other outputs are useful without this one.
     void writeByBrowser(const SlidesOutput& output) try {
         const bool paper = isPdf(output);
-        (paper ? writeSlidesPdf : writeSlidesPptx)(deck_, output.name);
+        (paper ? writeSlidesPdf : writeSlidesPptx)(deck_, output.name, existingFiles(options_.overwrite));
         std::error_code ignored;
         tell(output.name, slides() + (paper ? "" : ", " + plural(films(), "film")),
              std::filesystem::file_size(output.name, ignored));
+    } catch (const render::AlreadyThere&) {
+        throw;
     } catch (const render::Error& error) {
         if (std::find(troubles_.begin(), troubles_.end(), error.what()) == troubles_.end())
             troubles_.emplace_back(error.what());

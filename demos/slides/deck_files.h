@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "demos/slides/made_deck.h"
+#include "render/encode/file.h"
 
 namespace demos {
 
@@ -28,12 +29,12 @@ void checkSlidesFolder(const std::filesystem::path& folder, bool overwrite);
 
 /// Prints the deck with posters by a headless Chromium; complete or not at all. Throws
 /// render::Error; without Chromium it says what to install.  (slides_pdf.cpp)
-void writeSlidesPdf(const MadeDeck& deck, const std::filesystem::path& file);
+void writeSlidesPdf(const MadeDeck& deck, const std::filesystem::path& file, render::Existing existing);
 
 /// A presentation for PowerPoint and Impress: words as text, formulas as pictures with their LaTeX,
 /// films that start on a click. A headless Chromium says where its parts are. Complete or not at
 /// all; the same deck gives the same bytes. Throws as writeSlidesPdf().  (slides_pptx.cpp)
-void writeSlidesPptx(const MadeDeck& deck, const std::filesystem::path& file);
+void writeSlidesPptx(const MadeDeck& deck, const std::filesystem::path& file, render::Existing existing);
 
 /// The program that prints the PDF and lays out a .pptx; empty if PATH has none.
 std::string pdfBrowser();

@@ -44,7 +44,7 @@ std::string pdfBrowser() {
     return {};
 }
 
-void writeSlidesPdf(const MadeDeck& deck, const fs::path& file) {
+void writeSlidesPdf(const MadeDeck& deck, const fs::path& file, render::Existing existing) {
     const std::string program = pdfBrowser();
     if (program.empty()) throw render::Error(kNoBrowser);
     render::checkReplaceable(file);
@@ -62,7 +62,7 @@ void writeSlidesPdf(const MadeDeck& deck, const fs::path& file) {
         throw render::Error(
             fmt::format("no '{}': {} {}", printable(file.string()), program, trouble));
     render::makeFolder(file.parent_path());
-    render::writeFileAtomically(file, pdf);
+    render::writeFileAtomically(file, pdf, existing);
 }
 
 }  // namespace demos

@@ -94,11 +94,11 @@ std::vector<std::uint8_t> pptxOf(const MadeDeck& deck, const std::vector<Measure
     return writer.bytes();
 }
 
-void writeSlidesPptx(const MadeDeck& deck, const std::filesystem::path& file) {
+void writeSlidesPptx(const MadeDeck& deck, const std::filesystem::path& file, render::Existing existing) {
     render::checkReplaceable(file);
     const std::vector<MeasuredSlide> measured = measuredFor(file, deck);
     render::makeFolder(file.parent_path());
-    render::writeFileAtomically(file, pptxOf(deck, measured));
+    render::writeFileAtomically(file, pptxOf(deck, measured), existing);
 }
 
 }  // namespace demos

@@ -47,8 +47,8 @@ double difference(const std::string& one, const std::string& other) {
 }
 
 TEST_F(PptxInPrograms, TwiceTheSameBytesAndInLibreOfficeWhatThePdfShows) {
-    writeSlidesPptx(deck_, folder_ / "deep/again.pptx");
-    writeSlidesPptx(deck_, folder_ / "theirs.pptx");
+    writeSlidesPptx(deck_, folder_ / "deep/again.pptx", render::Existing::kept);
+    writeSlidesPptx(deck_, folder_ / "theirs.pptx", render::Existing::kept);
     const std::string bytes = support::contentOf(folder_ / "theirs.pptx");
     EXPECT_EQ(support::contentOf(folder_ / "deep/again.pptx"), bytes);
     const auto parts = support::unzipped({bytes.begin(), bytes.end()});
@@ -60,7 +60,7 @@ TEST_F(PptxInPrograms, TwiceTheSameBytesAndInLibreOfficeWhatThePdfShows) {
     for (const char* program : {"soffice", "pdftoppm"})
         if (!render::programPath(program))
             GTEST_SKIP() << "no " << program << ": install libreoffice-impress and poppler-utils";
-    writeSlidesPdf(deck_, folder_ / "ours.pdf");
+    writeSlidesPdf(deck_, folder_ / "ours.pdf", render::Existing::kept);
     ASSERT_TRUE(sh("timeout 120 soffice -env:UserInstallation=file://$PWD/office --headless "
                    "--convert-to pdf theirs.pptx > office.txt 2>&1"));
     for (const char* pdf : {"ours", "theirs"})

@@ -322,7 +322,7 @@ std::string pageSizes(const std::string& pdf) {
 }
 
 TEST_F(SlidesInBrowser, PrintsAPosterASlide) {
-    writeSlidesPdf(deck_, folder_ / "deep/talk.pdf");
+    writeSlidesPdf(deck_, folder_ / "deep/talk.pdf", render::Existing::kept);
     const std::string pdf = support::contentOf(folder_ / "deep/talk.pdf");
     EXPECT_EQ(pageSizes(pdf), "[0 0 960 540][0 0 960 540][0 0 960 540][0 0 960 540]");  // pt
 }
