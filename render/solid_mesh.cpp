@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <compare>
 #include <numeric>
 #include <utility>
 
@@ -66,23 +66,44 @@ std::vector<int> welded(const std::vector<Vec3>& vertices) {
     return first;
 }
 
-/// An edge shared by more than two triangles joins the first two.
-void findNeighbors(SolidMesh& mesh) {
+/// Edge i of triangle t, by its two vertices; equal edges in the order of triangles.
+struct EdgeOfTriangle {
+    int low, high, t, i;
+    bool isUp;  // from low to high
+    auto operator<=>(const EdgeOfTriangle&) const = default;
+};
+
+std::vector<EdgeOfTriangle> sortedEdges(const SolidMesh& mesh) {
     const std::vector<int> same = welded(mesh.vertices);
-    std::map<std::pair<int, int>, std::pair<int, int>> open;  // edge -> triangle and its edge
-    mesh.beyond.assign(mesh.triangles.size(), {-1, -1, -1});
+    std::vector<EdgeOfTriangle> edges;
+    edges.reserve(3 * mesh.triangles.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
         for (int i = 0; i < 3; ++i) {
             const int a = same[mesh.triangles[t][i]], b = same[mesh.triangles[t][(i + 1) % 3]];
-            const auto other = open.find({b, a});
-            if (other == open.end()) {
-                open.insert({{a, b}, {t, i}});
-                continue;
-            }
-            mesh.beyond[t][i] = other->second.first;
-            mesh.beyond[other->second.first][other->second.second] = t;
-            open.erase(other);
+            edges.push_back({std::min(a, b), std::max(a, b), t, i, a < b});
         }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+/// An edge shared by more than two triangles joins the first two that pass it in opposite directions.
+void findNeighbors(SolidMesh& mesh) {
+    mesh.beyond.assign(mesh.triangles.size(), {-1, -1, -1});
+    const EdgeOfTriangle *up = nullptr, *down = nullptr, *last = nullptr;  // open ones of one edge
+    const std::vector<EdgeOfTriangle> edges = sortedEdges(mesh);
+    for (const EdgeOfTriangle& edge : edges) {
+        if (!last || edge.low != last->low || edge.high != last->high) up = down = nullptr;
+        last = &edge;
+        const EdgeOfTriangle*& other = edge.isUp ? down : up;
+        const EdgeOfTriangle*& own = edge.isUp ? up : down;
+        if (!other) {
+            if (!own) own = &edge;
+            continue;
+        }
+        mesh.beyond[edge.t][edge.i] = other->t;
+        mesh.beyond[other->t][other->i] = edge.t;
+        other = nullptr;
+    }
 }
 
 void findCreases(SolidMesh& mesh, float crease) {

@@ -25,20 +25,30 @@ std::vector<int> weld(std::span<const Vec3> corners) {
     return first;
 }
 
-void markSharp(Mesh& mesh) {
-    std::map<std::pair<int, int>, int> edges;  // directed edge: its triangle
+/// A directed edge and one of its triangles: from, to, triangle.
+using EdgeOfTriangle = std::array<int, 3>;
+
+std::vector<EdgeOfTriangle> sortedEdges(const Mesh& mesh) {
+    std::vector<EdgeOfTriangle> edges;
+    edges.reserve(3 * mesh.triangles.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
         for (int i = 0; i < 3; ++i) {
             const std::array<int, 3>& c = mesh.triangles[t].corners;
-            edges.emplace(std::pair(c[i], c[(i + 1) % 3]), t);
+            edges.push_back({c[i], c[(i + 1) % 3], t});
         }
+    std::ranges::sort(edges);
+    return edges;
+}
+
+void markSharp(Mesh& mesh) {
+    const std::vector<EdgeOfTriangle> edges = sortedEdges(mesh);
     for (Mesh::Triangle& triangle : mesh.triangles)
         for (int i = 0; i < 3; ++i) {
             const int from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
-            const auto beside = edges.find({to, from});
+            const auto beside = std::ranges::lower_bound(edges, EdgeOfTriangle{to, from, 0});
             triangle.sharp[i] = true;
-            if (beside == edges.end()) continue;
-            const Mesh::Triangle& other = mesh.triangles[beside->second];
+            if (beside == edges.end() || (*beside)[0] != to || (*beside)[1] != from) continue;
+            const Mesh::Triangle& other = mesh.triangles[(*beside)[2]];
             double height = 0.0;  // of the neighbour's third corner
             for (const int c : other.corners)
                 if (c != from && c != to)
