@@ -47,8 +47,10 @@ TestVerdict reportIn(const fs::path& results) {
     return testVerdictFrom({bytes.begin(), bytes.end()}, file.string());
 }
 
+/// Failed, or passed with changed values.
 bool differs(const SceneVerdict& scene) {
-    return scene.state == SceneVerdict::State::failed && !scene.pictures.empty() &&
+    const bool changed = scene.state == SceneVerdict::State::passed && !scene.changedScene().empty();
+    return (changed || scene.state == SceneVerdict::State::failed) && !scene.pictures.empty() &&
            std::any_of(scene.pictures.begin(), scene.pictures.end(),
                        [](const PictureVerdict& picture) { return !picture.actual.empty(); });
 }

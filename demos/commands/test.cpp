@@ -117,11 +117,12 @@ private:
         reportScene(verdict_.scenes.back(), talk_);
     }
 
-    /// The verdict that `tested` sent; a scene that passed goes into the cache.
+    /// The verdict that `tested` sent; a scene that passed goes into the cache, unless a change of it is to be named
+    /// again.
     SceneVerdict received(const std::string& text) {
         const Json json = Json::parse(text);
         SceneVerdict verdict = sceneVerdictFrom(json.at("verdict"));
-        if (verdict.state == SceneVerdict::State::passed)
+        if (verdict.state == SceneVerdict::State::passed && verdict.changedScene().empty())
             cache_.add(verdict.name, fromHex(json.at("fingerprint").get<std::string>()).value());
         return verdict;
     }

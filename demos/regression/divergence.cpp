@@ -89,7 +89,12 @@ public:
         : baseline_(baseline),
           actual_(actual),
           tolerance_(tolerance),
-          places_(placesOf(baseline.bodies, actual.bodies)) {}
+          places_(placesOf(baseline.bodies, actual.bodies)) {
+        // What a baseline with wide tolerances keeps of a pose is rounded.
+        const TrajectoryResolution& kept = baseline.resolution;
+        inPlace_.position = std::max(inPlace_.position, kept.position);
+        inPlace_.angleDegrees = std::max(inPlace_.angleDegrees, 4.0 * kDegrees * kept.rotation);
+    }
 
     PhysicsVerdict verdict() {
         result_.firstBits = firstDifferent(baseline_, actual_);
@@ -129,7 +134,7 @@ private:
             if (actual == actual_.moments.end()) break;
             if (actual->step != moment.step) continue;
             const Apart worst = worstOf(moment, *actual, tolerance_);
-            if (apartFrom_ == Trajectory::kAll && worstOf(moment, *actual, {}).used > 1.0)
+            if (apartFrom_ == Trajectory::kAll && worstOf(moment, *actual, inPlace_).used > 1.0)
                 apartFrom_ = moment.step;
             if (result_.step == kNone) result_.every = moment.step - before;
             if (worst.used > 1.0 && result_.step == kNone) tellFirst(worst, moment, *actual);
@@ -157,8 +162,9 @@ private:
         result_.used = change->used;
         result_.lines.push_back(fmt::format(
             "step {} ({}): the load of {} differs: {:.4g} -> {:.4g} N, mean until step {}",
-            change->first, timeText(change->first), printable(result_.body), change->before,
-            change->after, change->last));
+            change->first, timeText(change->first),
+            printable(change->joint.empty() ? result_.body : change->joint), change->before, change->after,
+            change->last));
     }
 
     void tellMasses() {
@@ -248,8 +254,8 @@ private:
     const Trajectory& baseline_;
     const Trajectory& actual_;
     const Tolerance& tolerance_;
-    int apartFrom_ =
-        Trajectory::kAll;      // first step in which a pose is beyond the default tolerance
+    Tolerance inPlace_;        // the default one
+    int apartFrom_ = Trajectory::kAll;  // first step in which a pose is beyond it
     std::vector<int> places_;  // index in the actual run of each of the baseline's bodies
     PhysicsVerdict result_;
 };

@@ -1,32 +1,78 @@
 #include "demos/regression/loads.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
 
 namespace demos {
 namespace {
 
 constexpr std::size_t kWindow = 16;   // moments
 constexpr double kWeightShare = 0.1;  // of a body's weight, for loads that are nearly nothing
+constexpr double kShareOfJoint = 1e-3;
+constexpr std::string_view kJoint = "joint ";
 
-/// By body and moment: the sum of its impulses from the start, N s. `rounding`: what each costs.
+/// A joint that acts in both runs.
+struct SharedJoint {
+    int before = -1, after = -1;  // index in Trajectory::constraints
+    int body = -1;                // its lighter body, index in the baseline
+};
+
+/// The lighter one with a mass; -1: none has.
+int lighterEnd(const Trajectory& trajectory, const std::array<int, 2>& ends) {
+    int lighter = -1;
+    for (const int end : ends)
+        if (end >= 0 && trajectory.masses[end] > 0.0 &&
+            (lighter < 0 || trajectory.masses[end] < trajectory.masses[lighter]))
+            lighter = end;
+    return lighter;
+}
+
+std::vector<SharedJoint> sharedJoints(const Trajectory& baseline, const Trajectory& actual) {
+    std::map<std::string, int> known;
+    for (std::size_t i = 0; i < actual.constraints.size(); ++i)
+        known.emplace(actual.constraints[i], static_cast<int>(i));
+    std::vector<SharedJoint> joints;
+    for (std::size_t i = 0; i < baseline.constraints.size(); ++i) {
+        const auto found = known.find(baseline.constraints[i]);
+        const int body = lighterEnd(baseline, baseline.ends[i]);
+        if (found == known.end() || body < 0 || !baseline.constraints[i].starts_with(kJoint)) continue;
+        joints.push_back({static_cast<int>(i), found->second, body});
+    }
+    return joints;
+}
+
+/// By body and moment, then by constraint and moment: the sum of the impulses from the start, N s. `rounding`: what
+/// each costs.
 struct LoadSums {
     std::vector<std::vector<double>> sums, rounding;
 
     LoadSums(const Trajectory& trajectory, std::size_t moments)
-        : sums(trajectory.bodies.size(), std::vector<double>(moments + 1, 0.0)), rounding(sums) {
+        : sums(trajectory.bodies.size() + trajectory.constraints.size(),
+               std::vector<double>(moments + 1, 0.0)),
+          rounding(sums), bodies_(trajectory.bodies.size()) {
         for (std::size_t k = 0; k < moments; ++k) {
-            for (std::size_t body = 0; body < sums.size(); ++body) {
-                sums[body][k + 1] = sums[body][k];
-                rounding[body][k + 1] = rounding[body][k];
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                sums[i][k + 1] = sums[i][k];
+                rounding[i][k + 1] = rounding[i][k];
             }
-            for (const TrajectoryImpulse& impulse : trajectory.moments[k].impulses)
+            for (const TrajectoryImpulse& impulse : trajectory.moments[k].impulses) {
+                add(ofConstraint(impulse.constraint), k, impulse.value, trajectory);
                 for (const int body : trajectory.ends[impulse.constraint])
-                    if (body >= 0) {
-                        sums[body][k + 1] += impulse.value;
-                        rounding[body][k + 1] += trajectory.resolution.impulse / 2;
-                    }
+                    if (body >= 0) add(body, k, impulse.value, trajectory);
+            }
         }
     }
+    std::size_t ofConstraint(int constraint) const { return bodies_ + constraint; }
+
+private:
+    void add(std::size_t i, std::size_t k, double value, const Trajectory& trajectory) {
+        sums[i][k + 1] += value;
+        rounding[i][k + 1] += trajectory.resolution.impulse / 2;
+    }
+    std::size_t bodies_;
 };
 
 /// The number of moments at the start that both have, before the given step.
@@ -48,25 +94,36 @@ public:
           actual_(actual, moments),
           share_(share) {}
 
-    /// From moment `begin` to before `end`, with a moment on each side.
+    /// Of a body, from moment `begin` to before `end`, with a moment on each side. `place`: in the actual run.
     LoadChange change(int body, int place, std::size_t begin, std::size_t end) const {
-        const std::vector<double>& was = baseline_.sums[body];
-        const std::vector<double>& is = actual_.sums[place];
+        return change(body, kWeightShare, body, place, begin, end);
+    }
+    LoadChange change(const SharedJoint& joint, std::size_t begin, std::size_t end) const {
+        LoadChange own = change(joint.body, kShareOfJoint, baseline_.ofConstraint(joint.before),
+                                actual_.ofConstraint(joint.after), begin, end);
+        own.joint = trajectory_.constraints[joint.before];
+        return own;
+    }
+
+private:
+    /// `body`: whose weight counts; `before`, `after`: of which sums.
+    LoadChange change(int body, double shareOfWeight, std::size_t before, std::size_t after, std::size_t begin,
+                      std::size_t end) const {
+        const std::vector<double>& was = baseline_.sums[before];
+        const std::vector<double>& is = actual_.sums[after];
         const int first = trajectory_.moments[begin - 1].step + 1;
         const int last = trajectory_.moments[end - 1].step;
         const double seconds = static_cast<double>(last - first + 1) / trajectory_.hz;
         const double sum = is[end] - is[begin];
         const double most = was[end + 1] - was[begin - 1], least = was[end - 1] - was[begin + 1];
-        const double floor =
-            kWeightShare * trajectory_.masses[body] * trajectory_.gravity * seconds +
-            baseline_.rounding[body][end + 1] - baseline_.rounding[body][begin - 1];
-        const double over = sum > most    ? (sum - most) / (share_ * most + floor)
-                            : sum < least ? (least - sum) / (share_ * least + floor)
-                                          : 0.0;
-        return {body, first, last, (was[end] - was[begin]) / seconds, sum / seconds, over};
+        const double floor = shareOfWeight * trajectory_.masses[body] * trajectory_.gravity * seconds;
+        const double rounding = baseline_.rounding[before][end + 1] - baseline_.rounding[before][begin - 1];
+        const auto allowed = [&](double load) { return std::max(share_ * load, floor) + rounding; };
+        const double beyond = sum > most ? sum - most : sum < least ? least - sum : 0.0;
+        const double used = beyond > 0.0 ? beyond / allowed(sum > most ? most : least) : 0.0;
+        return {body, {}, first, last, (was[end] - was[begin]) / seconds, sum / seconds, used};
     }
 
-private:
     const Trajectory& trajectory_;
     LoadSums baseline_, actual_;
     double share_;
@@ -79,19 +136,22 @@ std::optional<LoadChange> changedLoad(const Trajectory& baseline, const Trajecto
     const std::size_t moments = commonMoments(baseline, actual, steps);
     if (moments < 4 || baseline.masses.empty() || actual.masses.empty()) return std::nullopt;
     const LoadComparison loads(baseline, actual, moments, share);
+    const std::vector<SharedJoint> joints = sharedJoints(baseline, actual);
     const std::size_t window = std::min(kWindow, moments - 3);
     // Before the first moment and after the last nothing is known.
-    for (std::size_t begin = 1; begin + window < moments; begin += std::max(window / 2, 1ul)) {
+    const std::size_t last = moments - 1 - window;
+    for (std::size_t begin = 1;; begin = std::min(begin + std::max(window / 2, 1ul), last)) {
         LoadChange worst;
-        for (std::size_t body = 0; body < places.size(); ++body) {
-            if (places[body] < 0 || !(baseline.masses[body] > 0.0)) continue;
-            const LoadChange own =
-                loads.change(static_cast<int>(body), places[body], begin, begin + window);
+        const auto look = [&worst](const LoadChange& own) {
             if (own.used > worst.used) worst = own;
-        }
+        };
+        for (std::size_t body = 0; body < places.size(); ++body)
+            if (places[body] >= 0 && baseline.masses[body] > 0.0)
+                look(loads.change(static_cast<int>(body), places[body], begin, begin + window));
+        for (const SharedJoint& joint : joints) look(loads.change(joint, begin, begin + window));
         if (worst.used > 1.0) return worst;
+        if (begin == last) return std::nullopt;
     }
-    return std::nullopt;
 }
 
 }  // namespace demos

@@ -9,6 +9,7 @@
 #include "demos/regression/accept.h"
 #include "demos/regression/judge.h"
 #include "demos/scene/reader.h"
+#include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
 #include "demos/text/json_limits.h"
 #include "demos/text/stop.h"
@@ -51,7 +52,8 @@ void update(const fs::path& shown, Update update, SceneVerdict& verdict) {
                              "test --update missing, look at it and commit it");
     if (missing) return acceptAll(shown, verdict.folder);
     const bool all = update == Update::all && !verdict.isAsItWas();
-    if (all || (update == Update::changed && verdict.state == State::failed)) {
+    const bool differs = verdict.state == State::failed || !verdict.changedScene().empty();
+    if (all || (update == Update::changed && differs)) {
         acceptAll(shown, verdict.folder);
         verdict.state = State::updated;
         return;
@@ -70,6 +72,10 @@ void play(const ChosenScene& chosen, const FilmPlan& plan, const TestSetup& run,
     if (played.pictures.empty()) {  // only expectations
         verdict.expectations = played.expectations;
         verdict.state = verdict.keepsContract() ? State::passed : State::failed;
+        if (fs::exists(chosen.folder / kBaselineFile))
+            fail(verdict, fmt::format("there is a baseline in '{}', but the scene lists no [snapshot] times; list "
+                                      "them again, or remove the folder",
+                                      printable(chosen.folder.string())));
         if (!played.incidents.empty())
             throw Stop(Exit::diverged,
                        played.incidents.front().line +

@@ -99,7 +99,7 @@ TEST(InCi, ItsActionTestsScenesAndShowsWhatDiffers) {
     const support::TemporaryFolder folder;
     const fs::path actions = kRoot / ".github/actions/impulse-test/action.yml";
     const std::string script = scriptOf(
-        textOf(actions), "SCENES='scenes'; OPTIONS='--size 64x36 --jobs 1'; RESULTS=results\n");
+        textOf(actions), "SCENES='\nscenes'; OPTIONS='--size 64x36\n--jobs 1'; RESULTS=results\n");
     EXPECT_NE(script.find("command -v impulse"), std::string::npos) << script;
     std::ofstream(folder / "action.sh") << script;
     fs::create_directories(folder / "bin");

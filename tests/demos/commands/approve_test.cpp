@@ -38,6 +38,27 @@ TEST_F(Approvals, RefuseWhatWasChangedAfterTheTest) {
     EXPECT_EQ(baseline("baseline.json"), before);
 }
 
+TEST_F(Approvals, TakeAChangeThatMovesNothing) {
+    ASSERT_EQ(test().code, 0);
+    change("[[body]]", "[[material]]\nname = \"unused\"\n[[body]]");
+    for (int times = 0; times < 2; ++times) {  // named each time, not only before it is in the cache
+        const Ended named = test();
+        EXPECT_EQ(named.code, 0) << named.err;
+        EXPECT_NE(named.out.find("changed, but no motion, force or picture"), std::string::npos) << named.out;
+    }
+    ASSERT_EQ(impulse({"approve", "ball"}).code, 0);
+    EXPECT_EQ(test().out.find("changed, but"), std::string::npos);
+}
+
+TEST_F(Approvals, BelongToASceneThatStillHasItsTimes) {
+    ASSERT_EQ(test().code, 0);
+    change("times = [0.0, 0.5]", "times = []");
+    const Ended ended = test();
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.err.find("the scene lists no [snapshot] times"), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.err.find("to accept it"), std::string::npos) << ended.err;
+}
+
 TEST_F(Approvals, PruneOrphans) {
     ASSERT_EQ(impulse({"test", "."}).code, 0);
     change("times = [0.0, 0.5]", "times = [0.0]");

@@ -152,6 +152,46 @@ TEST(Loads, MayBeSharedOtherwiseAndComeAStepLater) {
     }
 }
 
+TEST(Loads, OfTheLastStepsAreCompared) {
+    for (int count = 24; count < 40; ++count) {  // whatever the windows before the last one end with
+        const std::vector<double> calm(count, 0.16);
+        std::vector<double> other = calm;
+        for (int k = count - 4; k < count; ++k) other[k] = 16.0;
+        EXPECT_TRUE(changedLoadOf(touched(calm, calm), touched(other, calm))) << count;
+    }
+}
+
+/// Of a joint that pulls a body of ten tons.
+TEST(Loads, OfJointsAreComparedOneByOne) {
+    const auto pulled = [](double impulse) {
+        Trajectory trajectory = touched(std::vector(64, impulse), std::vector(64, 1635.0));
+        trajectory.masses = {10'000.0};
+        trajectory.constraints[0] = "joint rope";
+        return trajectory;
+    };
+    const std::optional<LoadChange> change = changedLoadOf(pulled(1.5), pulled(15.0));
+    ASSERT_TRUE(change.has_value());
+    EXPECT_EQ(change->joint, "joint rope");
+    EXPECT_NEAR(change->before, 90.0, 1e-9);
+    EXPECT_NEAR(change->after, 900.0, 1e-9);
+    EXPECT_FALSE(changedLoadOf(pulled(150.0), pulled(160.0)));
+    EXPECT_TRUE(changedLoadOf(pulled(150.0), pulled(200.0)));
+}
+
+TEST(Loads, AreComparedWhateverTheTolerances) {
+    Tolerance wide;
+    wide.position = 0.01;
+    wide.angleDegrees = 1.0;
+    const Trajectory whole = restingRun("at = [0, 0.5, 0]", "at = [0.00123, 0.5, 0]");
+    const auto kept = decodeTrajectory(encodeTrajectory(whole, resolutionOf(whole, wide), 1 << 20));
+    ASSERT_TRUE(kept.has_value());
+    Trajectory heavier = whole;
+    heavier.hashes[1] += 1;
+    for (TrajectoryMoment& moment : heavier.moments)
+        for (TrajectoryImpulse& impulse : moment.impulses) impulse.value *= 10.0;
+    EXPECT_EQ(diverge(*kept, heavier, wide).kind, PhysicsKind::changed);
+}
+
 TEST(Loads, CountOnlyWhileTheBodiesAreWhereTheyWere) {
     const std::vector<double> calm(64, 0.16);
     std::vector<double> other = calm;
