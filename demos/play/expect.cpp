@@ -193,11 +193,16 @@ void ExpectationChecker::measure(const Stage& stage, const Watch& watch, Watched
     const engine::World& world = stage.world;
     const double now = world.report().time;
     const auto most = [&](double value) {
-        if (value > w.value) w.value = value, w.time = now;
+        if (!w.lookedAt || value > w.value) w.value = value, w.time = now;
+        w.lookedAt = now;
     };
     if (e.what == What::penetration) return most(world.errors().penetration);
     if (e.what == What::energy) return most(std::abs(world.energy().total() - startEnergy_));
-    if (e.what == What::separation) return most(world.joint(stage.joints[w.number]).separation);
+    if (e.what == What::separation) {
+        const engine::JointState joint = world.joint(stage.joints[w.number]);
+        w.broken = joint.broken;
+        return most(joint.separation);
+    }
     const engine::BodyId id = stage.bodies[w.number];
     const engine::Pose& pose = world.pose(id);
     const Vec3 moved = pose.position - start_[w.number];
@@ -336,9 +341,15 @@ std::string failedLine(const std::vector<ExpectationResult>& results) {
     return fmt::format("{}: {}: {}", head, first->text, cameOut(*first));
 }
 
-bool ExpectationChecker::hasNoPeriod(const Watch& watch) {
-    return watch.expectation.what == What::period &&
-           std::ranges::any_of(watch.watched, [](const Watched& w) { return !period(w.swings); });
+std::string ExpectationChecker::unmeasured(const Watch& watch) {
+    const What what = watch.expectation.what;
+    if (!watch.measured) return "never reached";
+    if (watch.watched.empty()) return "nothing that moves";
+    if (atClosing(what) && !watch.finished) return "the run ended before";
+    if (std::ranges::any_of(watch.watched, &Watched::broken)) return "a joint broke";
+    const auto hasNone = [](const Watched& w) { return !period(w.swings); };
+    if (what == What::period && std::ranges::any_of(watch.watched, hasNone)) return "not one full swing";
+    return {};
 }
 
 std::vector<ExpectationResult> ExpectationChecker::results() const {
@@ -346,18 +357,13 @@ std::vector<ExpectationResult> ExpectationChecker::results() const {
     for (const Watch& watch : watches_) {
         const Expectation& e = watch.expectation;
         ExpectationResult result = describe(e, watch.until);
-        if (!watch.measured)
-            result.text += " (never reached)";
-        else if (watch.watched.empty())
-            result.text += " (nothing that moves)";
-        else if (hasNoPeriod(watch))
-            result.text += " (not one full swing)";
+        const std::string none = unmeasured(watch);
+        if (!none.empty()) result.text += " (" + none + ")";
         const Watched* worst = nullptr;
         result.value = worstOf(watch, worst);
         result.finished = watch.finished;
-        result.passed = watch.measured && !watch.watched.empty() && !hasNoPeriod(watch) &&
-                        passes(e, result.value);
-        if (!result.passed && watch.measured && !hasNoPeriod(watch))
+        result.passed = none.empty() && passes(e, result.value);
+        if (!result.passed && none.empty())
             result.worst = worstText(watch, worst, result.value);
         list.push_back(std::move(result));
     }

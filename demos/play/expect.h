@@ -3,7 +3,7 @@
 /// What each kind measures, in the window from `after` to `until` (times included):
 ///   drift        m     largest horizontal distance of a body from its place at time 0
 ///   penetration  m     the deepest contact of the world
-///   separation   m     largest separation of a joint
+///   separation   m     largest separation of a joint; one that has broken fails
 ///   energy             largest |E - E0| / the largest kinetic energy since time 0; E0 at time 0
 ///   speed        m/s   largest speed of a body's centre of mass
 ///   position     m     distance of a body from the point `near` when the window closes (between
@@ -74,7 +74,8 @@ private:
         double value = 0.0;  // so far; energy: J; spread: x
         double time = 0.0;   // s, of this value
         std::vector<Swing> swings;
-        std::optional<double> lookedAt;  // s: time of the last look, for position and height
+        std::optional<double> lookedAt;  // s: time of the last look
+        bool broken = false;             // separation: the joint is gone
         Vec3 place{0, 0, 0};             // m, at that time
     };
     struct Watch {
@@ -91,7 +92,8 @@ private:
     double horizontalMove(const Stage& stage, int body) const;
     /// Nothing if there is no full swing.
     static std::optional<double> period(const std::vector<Swing>& swings);
-    static bool hasNoPeriod(const Watch& watch);
+    /// Why there is no value; empty: there is one.
+    static std::string unmeasured(const Watch& watch);
     double valueOf(const Expectation& expectation, const Watched& watched) const;
     static double spreadOf(const std::vector<Watched>& watched);
     double worstOf(const Watch& watch, const Watched*& worst) const;

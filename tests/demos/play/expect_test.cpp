@@ -184,5 +184,25 @@ TEST(ExpectationRun, ThatWasNotFinishedFails) {
     EXPECT_NE(checker.results().at(0).text.find("never reached"), std::string::npos);
 }
 
+TEST(ExpectationRun, ThatEndedBeforeTheWindowClosesFails) {
+    for (const char* what : {"what = 'position'\nof = 'ball'\nnear = [0, 9, 0]\nwithin = 99\n",
+                             "what = 'spread'\nbelow = 99\n"}) {
+        Stage stage(readScene(kFalling + "[[expect]]\nuntil = 0.8\n" + what, "a", "a"));
+        ExpectationChecker checker(stage);
+        checker.look(stage);
+        EXPECT_FALSE(checker.results().at(0).passed) << what;
+        EXPECT_NE(checker.results().at(0).text.find("the run ended before"), std::string::npos) << what;
+    }
+}
+
+TEST(ExpectationRun, WhoseJointBreaksFails) {
+    const std::string weak = "break_at = 1\n";
+    const std::string window = "what = 'separation'\nbelow = 0.1\nafter = 0.5\n";
+    EXPECT_TRUE(check(kSmallSwing, window).passed);
+    const ExpectationResult broken = check(kSmallSwing + weak, window);
+    EXPECT_FALSE(broken.passed);
+    EXPECT_NE(broken.text.find("a joint broke"), std::string::npos) << broken.text;
+}
+
 }  // namespace
 }  // namespace demos
