@@ -138,7 +138,8 @@ std::string homeSeenFrom(const fs::path& folder, const std::string& scene) {
 bool isOrphan(const fs::path& folder, const std::string& baselines) {
     const std::string home = homeIn(folder), name = folder.stem().string();
     if (home == kBuiltinHome) return !isBuiltin(name);
-    if (!home.empty()) return !hasSceneFile(folder / home, name);
+    if (!home.empty())  // baselines that were moved see no folder: nothing is known of their scenes
+        return fs::is_directory(folder / home) && !hasSceneFile(folder / home, name);
     const fs::path here = folder.parent_path();
     return baselines.empty() && !hasSceneFile(here, name) &&
            !(isBuiltin(name) && here.filename() == homeOf(name, ""));

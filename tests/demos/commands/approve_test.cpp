@@ -98,6 +98,8 @@ TEST_F(Approvals, PruneNoBaselineWhoseSceneIsInAnotherFolder) {
     EXPECT_FALSE(has("kept/gone.snapshots"));
     EXPECT_TRUE(has("kept/box.snapshots/baseline.json"));
     EXPECT_TRUE(has("kept/ball.snapshots/baseline.json"));
+    fs::rename(folder / "b", folder / "c");  // as where baselines were moved: nothing is known of their scenes
+    EXPECT_EQ(testOf("a").out.find("belongs to no scene"), std::string::npos);
 }
 
 class EditedReport : public Snapshots {
