@@ -36,7 +36,7 @@ enum class Trouble {
     velocityTooLarge,  // the body was slowed down to 1e4 m/s or rad/s
     energyJump,        // tenfold energy in one step, with no force, motor or moving kinematic body
     tooManyRows,       // more than the direct solver accepts (solver/direct.h): no step was done
-    tooManyContacts    // more than 200 000, or too many pairs of bodies near each other: the same
+    tooManyContacts    // more than 200 000, or too many pairs of bodies or of their pieces: the same
 };
 
 /// Trouble with one body.

@@ -81,7 +81,7 @@ const Contact* sameAs(const Contact& contact, const std::vector<Contact>& previo
 
 /// Finds the contacts of some of the pairs, in their order.
 void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double margin, double dt,
-                 const ContactFinder& finder, std::vector<Contact>& found) {
+                 const ContactFinder& finder, Looked& looked, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
     const auto isBefore = [](const Contact& c, const PairKey& pair) { return pairOf(c) < pair; };
     std::size_t old = 0;
@@ -89,7 +89,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         old = std::lower_bound(previous.begin(), previous.end(), pairs.front(), isBefore) -
               previous.begin();
     for (const PairKey& pair : pairs) {
-        if (found.size() > kMostContacts) return;
+        if (found.size() > kMostContacts || isTooMuch({&looked, 1})) return;
         const double thrown = finder.moving.throwOf(pair);
         if (bodies.waits(pair.a, pair.b) || rests(bodies, finder.asleep, pair, thrown)) continue;
         if (!finder.broadPhase.boundsMeet(pair, thrown)) continue;
@@ -102,7 +102,7 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
             addContacts(bodies, pair, margin, near, dt, old, finder, found);
         else
             addContactsOfPieces(bodies, pair, finder.broadPhase, finder.moving, margin, near, dt,
-                                previous, old, found);
+                                previous, old, looked, found);
         for (std::size_t i = first; i < found.size(); ++i)
             if (const Contact* from =
                     sameAs(found[i], previous, old, i == first, areWhole(bodies, pair)))
@@ -153,11 +153,12 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
     finder.broadPhase.update(bodies, margin, dt, finder.workers);
     finder.tooMany = finder.broadPhase.isCrowded();
     if (finder.tooMany) return;
-    if (bodies.hasSensors) findSensed(bodies, finder.broadPhase, finder.sensed);
+    finder.tooMany = bodies.hasSensors && !findSensed(bodies, finder.broadPhase, finder.sensed);
+    if (finder.tooMany) return;
     const int threads = finder.workers ? finder.workers->count() : 1;
-    findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt, finder.workers,
-                finder.moving);
-    finder.tooMany = finder.broadPhase.isCrowded();
+    const bool fits = findImpacts(bodies, finder.broadPhase, finder.jointed, margin, dt,
+                                  finder.workers, finder.moving);
+    finder.tooMany = !fits || finder.broadPhase.isCrowded();
     if (finder.tooMany) return;
     // A body that sleeps may be thrown against others.
     const std::vector<PairKey>& pairs = finder.moving.thrown.empty()
@@ -165,15 +166,16 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
                                             : finder.broadPhase.pairs();
     finder.found.resize(threads);
     for (std::vector<Contact>& found : finder.found) found.clear();
+    finder.looked.assign(threads, {});
     const auto look = [&](int first, int end, int part) {
         findOfPairs(bodies, std::span(pairs).subspan(first, end - first), margin, dt, finder,
-                    finder.found[part]);
+                    finder.looked[part], finder.found[part]);
     };
     const int count = static_cast<int>(pairs.size());
     finder.workers ? finder.workers->share(count, kPairsAThread, look) : look(0, count, 0);
     std::size_t all = 0;
     for (const std::vector<Contact>& found : finder.found) all += found.size();
-    finder.tooMany = all > kMostContacts;
+    finder.tooMany = all > kMostContacts || isTooMuch(finder.looked);
     if (finder.tooMany) return;
     finder.contacts.swap(finder.found[0]);
     for (int i = 1; i < threads; ++i)

@@ -23,11 +23,12 @@ struct ContactFinder {
     std::vector<Contact> contacts;   // sorted by pair; fast ones may have two
     std::vector<Contact> previous;   // kept for its memory only
     std::vector<std::vector<Contact>> found;  // by thread
+    std::vector<Looked> looked;      // by thread
     Workers* workers = nullptr;      // share the pairs; null: the caller's thread does all
     Seams seams;                     // for floors made of several bodies
     std::vector<Contact> asleep;     // sorted: of sleeping islands (sleeping_contacts.h)
     std::vector<Sensed> sensed;      // sorted: current overlaps of sensors
-    bool tooMany = false;            // contacts or pairs: none are listed
+    bool tooMany = false;            // contacts, or pairs of bodies or pieces: none are listed
 };
 
 inline PairKey pairOf(const Contact& contact) { return {contact.a, contact.b}; }

@@ -163,12 +163,12 @@ void findThrows(const Bodies& bodies, double dt, MovingPairs& moving) {
 /// The first impact over all pieces; pairs of pieces that meet or pass closely are kept in `close`.
 Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const PairKey& pair,
                    double margin, const std::vector<Motion>& motions, double dt,
-                   std::vector<MovingPairs::Close>& close) {
+                   Looked& looked, std::vector<MovingPairs::Close>& close) {
     const Motion &a = motions[pair.a], &b = motions[pair.b];
     if (areWhole(bodies, pair))
         return timeOfImpact(bodies.defs[pair.a].shape, a, bodies.defs[pair.b].shape, b, dt, margin);
     Impact first{false, 0.0, 1e9, 0.0};
-    forPiecePairs(bodies, motions, broadPhase, pair, margin, dt,
+    forPiecePairs(bodies, motions, broadPhase, pair, margin, dt, looked,
                   [&](const Piece& pieceA, const Piece& pieceB) {
                       const Impact impact = timeOfImpact(pieceA, a, pieceB, b, dt, margin);
                       const bool sooner = first.meets ? impact.meets && impact.time < first.time
@@ -183,7 +183,7 @@ Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const Pai
 
 }  // namespace
 
-void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
+bool findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
                  const JointedPairs& jointed, double margin, double dt,
                  Workers* workers, MovingPairs& moving) {
     moving.motions.resize(bodies.count());
@@ -201,13 +201,15 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     }
     moving.close.resize(workers ? workers->count() : 1);
     for (std::vector<MovingPairs::Close>& close : moving.close) close.clear();
+    moving.looked.assign(moving.close.size(), {});
     const auto look = [&](int first, int end, int part) {
         std::vector<MovingPairs::Close>& close = moving.close[part];
         for (int i = first; i < end; ++i) {
             MovingPairs::Entry& entry = moving.entries[i];
             entry.part = part, entry.first = static_cast<int>(close.size());
             entry.impact =
-                firstImpact(bodies, broadPhase, entry.pair, margin, moving.motions, dt, close);
+                firstImpact(bodies, broadPhase, entry.pair, margin, moving.motions, dt,
+                            moving.looked[part], close);
             entry.count = static_cast<int>(close.size()) - entry.first;
         }
     };
@@ -215,6 +217,7 @@ void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     workers ? workers->share(count, kMovingPairsAThread, look) : look(0, count, 0);
     findThrows(bodies, dt, moving);
     broadPhase.lookFarther(bodies, moving.thrown, moving.throws, margin);
+    return !isTooMuch(moving.looked);
 }
 
 int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std::vector<int>& fast) {
@@ -277,12 +280,12 @@ std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
 
 const Impact* knownImpact(const MovingPairs& moving, const MovingPairs::Entry& entry,
                           const Piece& a, const Piece& b) {
-    for (int i = entry.first; i < entry.first + entry.count; ++i) {
-        const MovingPairs::Close& close = moving.close[entry.part][i];
-        if (close.impact.meets && close.a.number == a.number && close.b.number == b.number)
-            return &close.impact;
-    }
-    return nullptr;
+    const auto numbersOf = [](const MovingPairs::Close& c) { return std::pair(c.a.number, c.b.number); };
+    const std::span all = std::span(moving.close[entry.part]).subspan(entry.first, entry.count);
+    const std::pair wanted(a.number, b.number);
+    const auto found = std::ranges::lower_bound(all, wanted, {}, numbersOf);
+    if (found == all.end() || numbersOf(*found) != wanted || !found->impact.meets) return nullptr;
+    return &found->impact;
 }
 
 bool mayPass(const Contact& contact, const Bodies& bodies, const MovingPairs& moving, double dt) {

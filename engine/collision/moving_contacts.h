@@ -41,6 +41,7 @@ struct MovingPairs {
     std::vector<Motion> motions;  // by body
     std::vector<Entry> entries;   // the pairs that move more than the margin, or bounce; sorted
     std::vector<std::vector<Close>> close;  // a list for each thread
+    std::vector<Looked> looked;   // by thread
     std::vector<double> throws;   // m, by body; all zero if nothing is hit
     std::vector<double> throwsBefore;
     std::vector<int> thrown;      // bodies whose throw is not zero
@@ -51,10 +52,10 @@ struct MovingPairs {
 
 /// Finds impacts and throws of all pairs that move more than `margin` (m) within dt (s), or bounce, and adds to the
 /// broad phase the pairs of bodies that may be thrown beyond their bounds. The pairs `jointed` do
-/// not collide. `workers`, if given, share the pairs.
-void findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
-                 const JointedPairs& jointed, double margin, double dt,
-                 Workers* workers, MovingPairs& moving);
+/// not collide. `workers`, if given, share the pairs. False if they have too many pieces (isTooMuch).
+[[nodiscard]] bool findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
+                               const JointedPairs& jointed, double margin, double dt,
+                               Workers* workers, MovingPairs& moving);
 
 /// How often the coming step of dt (s) needs contact detection, at most sixteen times: once, unless a body
 /// that hits something moves farther than its own size. A body hit at one corner turns, and may come down on

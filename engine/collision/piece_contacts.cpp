@@ -81,7 +81,7 @@ bool keepAll(const std::vector<Contact>& previous, std::size_t old, const PairKe
 
 void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase,
                          const MovingPairs& moving, double margin, double near, double dt,
-                         const std::vector<Contact>& previous, std::size_t old,
+                         const std::vector<Contact>& previous, std::size_t old, Looked& looked,
                          std::vector<Contact>& found) {
     const MovingPairs::Entry* known = movingEntry(moving, pair);
     const bool thrown = near > margin;
@@ -91,6 +91,7 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
         for (int i = 0; i < m.count; ++i)
             m.points[i].feature = featureOf(m.points[i].feature, pieces.a, pieces.b);
         if (m.count > 0) add(bodies, contactOf(bodies, pair, m, where), first, found);
+        looked.crowded = looked.crowded || found.size() - first > kMostContactsOfPair;
     };
     const auto meet = [&](const Piece& a, const Piece& b, const Impact& impact) {
         const PiecePair pieces{pair, a, b};
@@ -109,7 +110,7 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
         }
         return;
     }
-    forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt,
+    forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt, looked,
                   [&](const Piece& a, const Piece& b) {
                       if (thrown) return meet(a, b, impactOf(a, b));
                       Manifold m =

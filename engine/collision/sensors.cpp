@@ -1,6 +1,7 @@
 #include "engine/collision/sensors.h"
 
 #include "engine/collision/collide.h"
+#include "engine/collision/piece_pairs.h"
 
 namespace engine {
 namespace {
@@ -25,7 +26,8 @@ private:
     int count_ = 0;
 };
 
-Overlap overlapOf(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase) {
+/// Adds the number of pairs of pieces to `looked`.
+Overlap overlapOf(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase, long& looked) {
     const Shape &a = bodies.defs[pair.a].shape, &b = bodies.defs[pair.b].shape;
     const Pose &poseA = bodies.poses[pair.a], &poseB = bodies.poses[pair.b];
     const bool plane = a.type == ShapeType::plane || b.type == ShapeType::plane;
@@ -33,7 +35,7 @@ Overlap overlapOf(const Bodies& bodies, const PairKey& pair, const BroadPhase& b
     Overlap overlap;
     forPieces(a, poseA, plane ? everywhere : broadPhase.bounds(pair.b), [&](const Piece& ofA) {
         forPieces(b, poseB, plane ? everywhere : boundsOf(ofA, poseA), [&](const Piece& ofB) {
-            overlap.add(collide(ofA, poseA, ofB, poseB, 0.0));
+            if ((looked += costOf(ofA, ofB)) <= kMostPiecePairs) overlap.add(collide(ofA, poseA, ofB, poseB, 0.0));
         });
     });
     return overlap;
@@ -41,13 +43,15 @@ Overlap overlapOf(const Bodies& bodies, const PairKey& pair, const BroadPhase& b
 
 }  // namespace
 
-void findSensed(const Bodies& bodies, const BroadPhase& broadPhase, std::vector<Sensed>& sensed) {
+bool findSensed(const Bodies& bodies, const BroadPhase& broadPhase, std::vector<Sensed>& sensed) {
     sensed.clear();
+    long looked = 0;
     for (const PairKey& pair : broadPhase.pairs()) {
         if (!isSensed(bodies, pair) || !broadPhase.boundsMeet(pair)) continue;
-        const Overlap overlap = overlapOf(bodies, pair, broadPhase);
+        const Overlap overlap = overlapOf(bodies, pair, broadPhase, looked);
         if (overlap.count() > 0) sensed.push_back({pair, overlap.middle(), overlap.normal()});
     }
+    return looked <= kMostPiecePairs;
 }
 
 }  // namespace engine

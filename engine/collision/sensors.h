@@ -20,7 +20,7 @@ inline bool isSensed(const Bodies& bodies, const PairKey& pair) {
 }
 
 /// Finds all overlaps, sorted. Sleeping bodies are included, so a sensor does not lose them.
-void findSensed(const Bodies& bodies, const BroadPhase& broadPhase,
-                  std::vector<Sensed>& sensed);
+/// False if they have too many pieces (kMostPiecePairs).
+[[nodiscard]] bool findSensed(const Bodies& bodies, const BroadPhase& broadPhase, std::vector<Sensed>& sensed);
 
 }  // namespace engine

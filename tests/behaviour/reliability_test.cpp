@@ -72,6 +72,45 @@ TEST(Trouble, TooManyContactsAreNotBegun) {
         }
 }
 
+/// Triangles between corners at random in a cube of 1 m.
+Shape soup(int triangles) {
+    support::Random random(7);
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 1000; ++i) corners.push_back(random.vector(0.5));
+    std::vector<std::array<int, 3>> faces;
+    for (int i = 0; i < triangles; ++i) faces.push_back({i % 1000, (7 * i + i / 1000) % 1000, (31 * i + 500) % 1000});
+    return Shape::meshOf(corners, faces);
+}
+
+TEST(Trouble, ABodyDeepInAFineMeshIsTooMuch) {
+    for (const int triangles : {2000, 50'000}) {
+        World world;
+        BodyDef ground = body(soup(triangles), {0, 0, 0});
+        ground.kind = BodyKind::fixed;
+        world.add(ground);
+        world.add(body(Shape::box({1, 1, 1}), {0.01, 0, 0}));
+        const bool fits = triangles == 2000;
+        EXPECT_EQ(world.step(kStep), fits) << triangles;
+        EXPECT_EQ(world.report().trouble, fits ? Trouble::none : Trouble::tooManyContacts);
+    }
+}
+
+/// A mesh in a corner of the bounds of balls, where no ball reaches.
+TEST(Trouble, TooManyTrianglesAreNotLookedAt) {
+    for (const int balls : {50, 101})
+        for (const int threads : {1, 2}) {
+            Settings settings;
+            settings.threads = threads;
+            World world(settings);
+            std::vector<double> flat(101 * 101, 0.0);
+            BodyDef ground = body(Shape::heightField(101, 101, 0.001, flat), {0.9, 0.9, 0.9});
+            ground.kind = BodyKind::fixed;
+            world.add(ground);
+            for (int i = 0; i < balls; ++i) world.add(body(Shape::sphere(1.0), {0, 0, 0}));
+            EXPECT_EQ(world.step(kStep), balls == 50) << balls;
+        }
+}
+
 // Bodies that are taken out before the first step are no trouble.
 TEST(Trouble, ACrowdThatIsGoneIsNone) {
     World world = heapAtAPoint(5000, 1);
