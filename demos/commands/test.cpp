@@ -161,7 +161,7 @@ void addTestFiles(CLI::App& app, TestOptions& options) {
 void addTestKinds(CLI::App& app, TestOptions& options, OptionTexts& texts) {
     app.add_option("--update", options.update,
                    "which baselines to write: missing, changed (and missing), all or none; "
-                   "default: missing, or none if CI=true; with none, a missing baseline fails")
+                   "default: missing, or none if CI is set; with none, a missing baseline fails")
         ->type_name("WHICH");
     app.add_flag("--cache,!--no-cache", options.cache,
                  "skip scenes that passed and have not changed since; default: on");

@@ -8,6 +8,7 @@
 #include "demos/regression/baseline.h"
 #include "demos/text/complaints.h"
 #include "demos/text/file_content.h"
+#include "demos/text/shell_word.h"
 #include "render/encode/file.h"
 
 namespace demos {
@@ -45,7 +46,7 @@ void checkLike(const Baseline& shown, const Baseline& kept) {
         shown.trajectory.hz != kept.trajectory.hz)
         throw BaselineError(fmt::format("{}: the size of the pictures or the steps a second have "
                                         "changed; accept the whole scene: impulse approve {}",
-                                        printable(shown.scene), printable(shown.scene)));
+                                        printable(shown.scene), printable(shellWord(shown.scene))));
 }
 
 }  // namespace

@@ -53,8 +53,13 @@ void checkSceneHere(const SceneVerdict& scene) {
                 ", which is not a scene file in this folder");
 }
 
+/// A path ends there for the system, but not for fs::path.
+bool holdsNul(const std::string& path) { return path.find('\0') != std::string::npos; }
+
 fs::path placeOf(const SceneVerdict& scene, const std::string& baselines) {
     checkSceneName(scene.name);
+    for (const std::string& path : {scene.scene, scene.folder})
+        if (holdsNul(path)) refusePlace("has a path with a zero byte, " + quoted(path));
     if (baselines.empty()) checkSceneHere(scene);
     const fs::path place = homeOf(scene.scene, baselines) / (scene.name + kSnapshotsEnding);
     if (baselines.empty() && realPath(place) != realPath(scene.folder))

@@ -83,6 +83,10 @@ std::string fieldDifference(const std::string& field, double difference) {
     return field == "turn" ? fmt::format("{:.3g} deg", difference) : lengthText(difference);
 }
 
+const char* unitOf(const std::string& constraint) {
+    return constraint.starts_with(kTorquePrefix) ? "N m" : "N";
+}
+
 class Comparison {
 public:
     Comparison(const Trajectory& baseline, const Trajectory& actual, const Tolerance& tolerance)
@@ -160,11 +164,14 @@ private:
         result_.field = "load";
         result_.difference = change->after - change->before;
         result_.used = change->used;
-        result_.lines.push_back(fmt::format(
-            "step {} ({}): the load of {} differs: {:.4g} -> {:.4g} N, mean until step {}",
-            change->first, timeText(change->first),
-            printable(change->joint.empty() ? result_.body : change->joint), change->before, change->after,
-            change->last));
+        result_.lines.push_back(fmt::format("step {} ({}): the {} differs: {:.4g} -> {:.4g} {}, mean until step {}",
+                                            change->first, timeText(change->first), loadName(*change),
+                                            change->before, change->after, unitOf(change->joint), change->last));
+    }
+
+    std::string loadName(const LoadChange& change) const {
+        if (change.joint.starts_with(kTorquePrefix)) return printable(change.joint);
+        return "load of " + printable(change.joint.empty() ? result_.body : change.joint);
     }
 
     void tellMasses() {
@@ -206,8 +213,8 @@ private:
             fmt::format("step {} ({}): {} {} differs by {}", result_.step, timeText(result_.step),
                         nameOf(worst), worst.field, fieldDifference(worst.field, worst.difference));
         if (!result_.constraint.empty())
-            line += fmt::format("; {} lambda {:.4g} -> {:.4g} N s", printable(result_.constraint),
-                                result_.before, result_.after);
+            line += fmt::format("; {} lambda {:.4g} -> {:.4g} {} s", printable(result_.constraint),
+                                result_.before, result_.after, unitOf(result_.constraint));
         result_.lines.push_back(line);
         tellBegin();
     }

@@ -12,13 +12,15 @@ namespace {
 constexpr std::size_t kWindow = 16;   // moments
 constexpr double kWeightShare = 0.1;  // of a body's weight, for loads that are nearly nothing
 constexpr double kShareOfJoint = 1e-3;
-constexpr std::string_view kJoint = "joint ";
 
-/// A joint that acts in both runs.
+/// A force or torque of a joint that acts in both runs.
 struct SharedJoint {
     int before = -1, after = -1;  // index in Trajectory::constraints
     int body = -1;                // its lighter body, index in the baseline
+    double arm = 1.0;             // m, of a torque: half the diagonal of that body's box
 };
+
+bool isTorque(const std::string& constraint) { return constraint.starts_with(kTorquePrefix); }
 
 /// The lighter one with a mass; -1: none has.
 int lighterEnd(const Trajectory& trajectory, const std::array<int, 2>& ends) {
@@ -38,8 +40,10 @@ std::vector<SharedJoint> sharedJoints(const Trajectory& baseline, const Trajecto
     for (std::size_t i = 0; i < baseline.constraints.size(); ++i) {
         const auto found = known.find(baseline.constraints[i]);
         const int body = lighterEnd(baseline, baseline.ends[i]);
-        if (found == known.end() || body < 0 || !baseline.constraints[i].starts_with(kJoint)) continue;
-        joints.push_back({static_cast<int>(i), found->second, body});
+        const bool torque = isTorque(baseline.constraints[i]);
+        if (found == known.end() || body < 0 || !(torque || baseline.constraints[i].starts_with(kJointPrefix)))
+            continue;
+        joints.push_back({static_cast<int>(i), found->second, body, torque ? baseline.extents[body].norm() : 1.0});
     }
     return joints;
 }
@@ -60,6 +64,7 @@ struct LoadSums {
             }
             for (const TrajectoryImpulse& impulse : trajectory.moments[k].impulses) {
                 add(ofConstraint(impulse.constraint), k, impulse.value, trajectory);
+                if (isTorque(trajectory.constraints[impulse.constraint])) continue;
                 for (const int body : trajectory.ends[impulse.constraint])
                     if (body >= 0) add(body, k, impulse.value, trajectory);
             }
@@ -99,14 +104,14 @@ public:
         return change(body, kWeightShare, body, place, begin, end);
     }
     LoadChange change(const SharedJoint& joint, std::size_t begin, std::size_t end) const {
-        LoadChange own = change(joint.body, kShareOfJoint, baseline_.ofConstraint(joint.before),
+        LoadChange own = change(joint.body, kShareOfJoint * joint.arm, baseline_.ofConstraint(joint.before),
                                 actual_.ofConstraint(joint.after), begin, end);
         own.joint = trajectory_.constraints[joint.before];
         return own;
     }
 
 private:
-    /// `body`: whose weight counts; `before`, `after`: of which sums.
+    /// `body`: whose weight counts, `shareOfWeight` of it (m for a torque); `before`, `after`: of which sums.
     LoadChange change(int body, double shareOfWeight, std::size_t before, std::size_t after, std::size_t begin,
                       std::size_t end) const {
         const std::vector<double>& was = baseline_.sums[before];

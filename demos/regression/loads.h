@@ -8,7 +8,8 @@
 /// of them earlier or later:
 ///   least - allowed(least) <= sum <= most + allowed(most),   allowed(x) = larger(share x, floor) + rounding
 /// least, most: the baseline's sums without the outermost steps and with one more on each side
-/// floor: a tenth of the body's weight; for a joint a thousandth of that of its lighter body
+/// floor: a tenth of the body's weight; for a joint a thousandth of that of its lighter body, for its torque (N m s)
+///        at half the diagonal of that body's box
 /// rounding: what the baseline's numbers have lost
 #pragma once
 #include <optional>
@@ -21,9 +22,9 @@ namespace demos {
 
 struct LoadChange {
     int body = -1;                     // index in the baseline; of a joint: its lighter body
-    std::string joint;                 // "joint NAME", or empty: the load of the body
+    std::string joint;                 // "joint NAME", "torque of joint NAME", or empty: the load of the body
     int first = 0, last = 0;           // steps
-    double before = 0.0, after = 0.0;  // N, means over these steps
+    double before = 0.0, after = 0.0;  // N or N m, means over these steps
     double used = 0.0;                 // the difference as a share of what is allowed
 };
 

@@ -182,14 +182,6 @@ render::Image drawn(const Sight& sight, render::Renderer& renderer) {
     return image;
 }
 
-bool samePoses(const Sight& a, const Sight& b) {
-    return std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(),
-                      [](const engine::Pose& p, const engine::Pose& q) {
-                          return p.position == q.position &&
-                                 p.rotation.coeffs() == q.rotation.coeffs();
-                      });
-}
-
 /// A run of a single moment, so that a mutant is compared as tests compare runs.
 Trajectory trajectoryOf(const Sight& sight, const SceneDescription& scene, std::uint32_t hash) {
     Trajectory trajectory;
@@ -201,10 +193,14 @@ Trajectory trajectoryOf(const Sight& sight, const SceneDescription& scene, std::
     return trajectory;
 }
 
-bool beyond(const Sight& truth, const Sight& sight, const SceneDescription& scene) {
-    const PhysicsVerdict verdict = diverge(trajectoryOf(truth, scene, 0),
-                                           trajectoryOf(sight, scene, 1), scene.snapshot.tolerance);
-    return verdict.kind == PhysicsVerdict::Kind::changed;
+/// The share of a tolerance that the poses use.
+double used(const Sight& truth, const Sight& sight, const SceneDescription& scene, const Tolerance& tolerance) {
+    return diverge(trajectoryOf(truth, scene, 0), trajectoryOf(sight, scene, 1), tolerance).used;
+}
+
+/// A body at rest trembles by less than a thousandth of the usual tolerance.
+bool samePoses(const Sight& truth, const Sight& sight, const SceneDescription& scene) {
+    return used(truth, sight, scene, {}) < 1e-3;
 }
 
 MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const render::Image& truth,
@@ -214,8 +210,9 @@ MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const rende
     MutantVerdict verdict;
     verdict.mutant = &mutant;
     verdict.difference = render::compare(truth, drawn(sight, renderer), gate.levels);
-    verdict.unchanged = samePoses(specimen.now, sight) && verdict.difference.differing == 0;
-    verdict.state = beyond(specimen.now, sight, scene);
+    verdict.unchanged =
+        samePoses(specimen.now, sight, scene) && verdict.difference.differing == 0;
+    verdict.state = used(specimen.now, sight, scene, scene.snapshot.tolerance) > 1.0;
     verdict.picture = !letsPass(gate, verdict.difference);
     return verdict;
 }
@@ -242,7 +239,7 @@ MutantVerdict judged(const ChangedRun& changed, const RecordedPlayer& truth,
     MutantVerdict verdict;
     verdict.mutant = changed.mutant;
     verdict.difference = render::compare(image, drawn(sight, renderer), snapshot.gate.levels);
-    verdict.unchanged = samePoses(specimen.now, sight) && sameImpulses(was, is) &&
+    verdict.unchanged = samePoses(specimen.now, sight, plan.scene()) && sameImpulses(was, is) &&
                         verdict.difference.differing == 0;
     verdict.state = diverge(was, is, snapshot.tolerance).kind == PhysicsVerdict::Kind::changed;
     verdict.picture = !letsPass(snapshot.gate, verdict.difference);

@@ -121,8 +121,12 @@ std::vector<SettingChange> changesBetween(const Baseline& baseline, const Baseli
         changes.push_back({kOldBaseline, "", ""});
         return changes;
     }
+    const auto isListed = [settings = changes](const SettingChange& change) {
+        const std::string key = change.key.substr(0, change.key.find('['));
+        return std::ranges::any_of(settings, [&key](const SettingChange& c) { return c.key == key; });
+    };
     for (SettingChange& change : changedInputs(baseline.inputs, actual.inputs))
-        changes.push_back(std::move(change));
+        if (!isListed(change)) changes.push_back(std::move(change));
     return changes;
 }
 

@@ -111,10 +111,15 @@ FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options) {
     return plan;
 }
 
+/// As other tools read it: set, and neither empty nor "false" nor "0".
+bool inCi() {
+    const char* value = std::getenv("CI");
+    const std::string ci = value ? value : "";
+    return !ci.empty() && ci != "false" && ci != "0";
+}
+
 Update updateOf(const TestOptions& options) {
-    const char* ci = std::getenv("CI");
-    if (options.update.empty())
-        return ci && std::string(ci) == "true" ? Update::none : Update::missing;
+    if (options.update.empty()) return inCi() ? Update::none : Update::missing;
     if (options.update == "none") return Update::none;
     if (options.update == "missing") return Update::missing;
     return options.update == "changed" ? Update::changed : Update::all;

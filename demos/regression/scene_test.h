@@ -18,7 +18,7 @@ FilmPlan planOfTest(const ChosenScene& chosen, const TestOptions& options);
 /// Which baselines a test writes.
 enum class Update { none, missing, changed, all };
 
-/// The value of --update; default: missing, or none if the environment has CI=true.
+/// The value of --update; default: missing, or none if the environment has CI.
 Update updateOf(const TestOptions& options);
 
 /// The settings of all scenes of one test.

@@ -10,7 +10,7 @@ namespace demos {
 
 struct TestOptions : Options {
     std::string baselines;  // a folder; empty = next to the scenes
-    std::string update;     // missing, changed, all, none; empty = missing, or none where CI=true
+    std::string update;     // missing, changed, all, none; empty = missing, or none where CI is set
     bool cache = true;      // skip scenes that have passed
     bool selfTest = false;
     std::optional<Shard> shard;  // a part of the scenes

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/body.h"
@@ -12,8 +13,13 @@ namespace demos {
 /// What a contact or a joint did to its bodies since the moment before: mostly in one step.
 struct TrajectoryImpulse {
     int constraint = 0;   // index in Trajectory::constraints
-    double value = 0.0;   // N s: of a contact along its normals, all points; of a joint |force| dt
+    double value = 0.0;   // N s: of a contact along its normals, all points; of a joint |force| dt, or
+                          // N m s: |torque| dt about its anchor
 };
+
+/// What the names of constraints begin with.
+inline constexpr std::string_view kContactPrefix = "contact ", kJointPrefix = "joint ",
+                                  kTorquePrefix = "torque of joint ";
 
 /// The scene after a step.
 struct TrajectoryMoment {
@@ -30,7 +36,7 @@ struct TrajectoryMoment {
 struct TrajectoryResolution {
     double position = 0.0;  // m
     double rotation = 0.0;  // of a quaternion's four numbers
-    double impulse = 0.0;   // N s
+    double impulse = 0.0;   // N s and N m s
     double energy = 0.0;    // J
 };
 
@@ -42,7 +48,7 @@ struct Trajectory {
     std::vector<engine::Vec3> extents;     // m, half sides of each body's box, in its axes; 0: none
     std::vector<double> masses;            // kg, 0 unless dynamic; none at all: not known
     double gravity = 0.0;                  // m/s^2, its magnitude
-    std::vector<std::string> constraints;  // "contact box8-box9", "joint hook", by first occurrence
+    std::vector<std::string> constraints;  // "contact box8-box9", "torque of joint hook", by first occurrence
     std::vector<std::array<int, 2>> ends;  // of each constraint: indices of its bodies; -1: the world
     std::vector<std::uint32_t> hashes;     // of the state, half of its bits, by step from 0
     std::vector<TrajectoryMoment> moments;  // by step, with step 0 and the last step

@@ -66,17 +66,22 @@ void TrajectoryRecorder::addContacts(const Stage& stage) {
     for (const engine::ContactState& contact : stage.world.contacts())
         if (contact.impulse != 0.0)
             sums_[constraintCalled(
-                "contact " + stage.nameOf(contact.a) + "-" + stage.nameOf(contact.b),
+                std::string(kContactPrefix) + stage.nameOf(contact.a) + "-" + stage.nameOf(contact.b),
                 numberOf(contact.a), numberOf(contact.b))] += contact.impulse;
 }
 
 void TrajectoryRecorder::addJoints(const Stage& stage) {
     for (std::size_t i = 0; i < stage.joints.size(); ++i) {
-        const double value = stage.world.joint(stage.joints[i]).force.norm() * stage.dt();
+        const engine::JointState state = stage.world.joint(stage.joints[i]);
         const JointDescription& joint = stage.scene.joints[i];
-        if (value != 0.0)
-            sums_[constraintCalled("joint " + joint.name, joint.def.a.index, joint.def.b.index)] +=
-                value;
+        const auto add = [&](std::string_view prefix, const Vec3& mean) {
+            const double value = mean.norm() * stage.dt();
+            if (value != 0.0)
+                sums_[constraintCalled(std::string(prefix) + joint.name, joint.def.a.index,
+                                       joint.def.b.index)] += value;
+        };
+        add(kJointPrefix, state.force);
+        add(kTorquePrefix, state.torque);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "demos/text/complaints.h"
 #include "demos/text/plural.h"
+#include "demos/text/shell_word.h"
 
 namespace demos {
 namespace {
@@ -109,7 +110,7 @@ std::vector<std::string> detailsOf(const SceneVerdict& scene) {
         lines.push_back(orphan +
                         " belongs to a time that the scene does not list; impulse approve "
                         "--prune removes it");
-    if (canApprove(scene)) lines.push_back("to accept it: impulse approve " + scene.name);
+    if (canApprove(scene)) lines.push_back("to accept it: impulse approve " + shellWord(scene.name));
     for (std::string& line : lines) line = printable(line);
     return lines;
 }

@@ -127,6 +127,9 @@ TEST(Baselines, SayWhenTheyWereEdited) {
               "has an object with more members than 16384");
     EXPECT_EQ(trouble("[" + support::repeated(value, 2'000'000) + "[]]"),
               "has more values than 4000000");
+    const std::string large = "{" + support::repeated(member, 16'383) + "\"b\":0},";
+    EXPECT_EQ(trouble("[" + large + "0]"), "");
+    EXPECT_EQ(trouble("[" + large + large + "0]"), "has too many objects with thousands of members");
     // Each reader has limits of its own.
     const std::string some = "[" + support::repeated(value, 60'000) + "[]]";
     EXPECT_EQ(jsonTrouble(some, kRunJson), "");
@@ -290,6 +293,18 @@ TEST(SceneInputs, OfAnOldBaselineAreNotCompared) {
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_NE(settingText(changes[0]).find("impulse test --update all renews it"),
               std::string::npos);
+}
+
+TEST(SceneInputs, ThatAreSettingsTooAreListedOnce) {
+    Baseline was = actualWith(1, 1.0).baseline, is;
+    was.settings = {{"look.theme", "paper"}, {"world.gravity", "0 -9.81 0"}};
+    was.inputs = {{"look.theme", "'paper'"}, {"title", "'a'"}, {"world.gravity", "[0, -9.81, 0]"}};
+    is = was;
+    is.settings = {{"look.theme", "dusk"}, {"world.gravity", "0 -1.62 0"}};
+    is.inputs = {{"look.theme", "'dusk'"}, {"title", "'b'"}, {"world.gravity", "[0, -1.62, 0]"}};
+    std::vector<std::string> keys;
+    for (const SettingChange& change : changesBetween(was, is)) keys.push_back(change.key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"look.theme", "world.gravity", "title"}));
 }
 
 TEST(PassCaches, KeepWhatPassed) {

@@ -178,6 +178,51 @@ TEST(Loads, OfJointsAreComparedOneByOne) {
     EXPECT_TRUE(changedLoadOf(pulled(150.0), pulled(200.0)));
 }
 
+/// A motor holds a bar of 2 kg level at its end: 2 kg x 9.81 m/s^2 x 0.5 m.
+Trajectory heldRun(double torque) {
+    Trajectory trajectory = touched(std::vector(64, torque), std::vector(64, 0.3));
+    trajectory.masses = {2.0};
+    trajectory.extents = {{0.5, 0.1, 0.1}};
+    trajectory.constraints[0] = "torque of joint arm";
+    return trajectory;
+}
+
+TEST(Loads, OfJointsAreTorquesToo) {
+    const PhysicsVerdict verdict = diverge(heldRun(9.81 / 60), heldRun(98.1 / 60), {});
+    EXPECT_EQ(verdict.kind, PhysicsKind::changed);
+    ASSERT_FALSE(verdict.lines.empty());
+    EXPECT_EQ(verdict.lines[0], "step 1 (0.01667 s): the torque of joint arm differs: 9.81 -> 98.1 N m, "
+                                "mean until step 16");
+    EXPECT_EQ(diverge(heldRun(9.81 / 60), heldRun(10.3 / 60), {}).kind, PhysicsKind::same);
+    EXPECT_EQ(diverge(heldRun(1e-5), heldRun(1e-4), {}).kind, PhysicsKind::same);  // below the floor
+}
+
+TEST(Loads, OfABrakeAreRecorded) {
+    const auto braked = [](const std::string& most) {
+        Stage stage(test::read("[[body]]\nname = 'post'\nshape = { box = [1, 1, 1] }\nfixed = true\n"
+                               "[[body]]\nname = 'arm'\nshape = { box = [1, 0.1, 0.1] }\nat = [1, 0, 0]\n"
+                               "mass = 2.0\n[[joint]]\nname = 'arm'\ntype = 'hinge'\na = 'post'\nb = 'arm'\n"
+                               "anchor = [0.5, 0, 0]\naxis = [0, 0, 1]\nmotor = { speed = 0, max = " +
+                               most + " }\n"));
+        TrajectoryRecorder recorder(stage, 30);
+        recorder.look(stage);
+        for (int step = 1; step <= 30; ++step) {
+            EXPECT_TRUE(stage.step());
+            recorder.look(stage);
+        }
+        return recorder.trajectory();
+    };
+    for (const auto& [most, torque] : {std::pair{"100", 9.81}, {"5", 5.0}}) {  // N m: it holds, or drags
+        const Trajectory trajectory = braked(most);
+        const auto at = std::ranges::find(trajectory.constraints, "torque of joint arm");
+        ASSERT_NE(at, trajectory.constraints.end());
+        for (const TrajectoryImpulse& impulse : trajectory.moments.back().impulses) {
+            if (&trajectory.constraints[impulse.constraint] != &*at) continue;
+            EXPECT_NEAR(impulse.value, torque / 60, 1e-3) << most;
+        }
+    }
+}
+
 TEST(Loads, AreComparedWhateverTheTolerances) {
     Tolerance wide;
     wide.position = 0.01;

@@ -80,6 +80,16 @@ TEST(SelfTestOf, ASceneWhereNothingMovesHasLessToCatch) {
     }
 }
 
+TEST(SelfTestOf, WhatIsAtRestIsTheSameOneStepLater) {
+    SceneDescription scene = test::read(
+        test::kFloor + "[[body]]\nname = 'box'\nshape = { box = [1, 1, 1] }\nat = [0, 0.5, 0]\n" +
+        "[snapshot]\ntimes = [0.2]\n");
+    for (const MutantSummary& mutant : tested(scene)) {
+        EXPECT_EQ(mutant.unchanged, std::string(mutant.mutant->name) == "late") << mutant.mutant->name;
+        EXPECT_FALSE(mutant.missed()) << mutant.mutant->name;
+    }
+}
+
 TEST(SelfTestOf, TwoTimesOfOneStepAreOne) {
     SceneDescription scene = test::read(test::kFloor + test::kBall);
     scene.snapshot.times = {0.1, 0.1001, 0.2};
