@@ -7,6 +7,7 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/shared_options.h"
 #include "demos/film/progress.h"
+#include "demos/load/load_scene.h"
 #include "demos/processes/folder_lock.h"
 #include "demos/regression/accept.h"
 #include "demos/regression/approved_places.h"
@@ -39,6 +40,11 @@ struct Wish {
 TestVerdict reportIn(const fs::path& results) {
     const fs::path file = results / "report.json";
     const std::vector<std::uint8_t> bytes = contentOf(file, kReportJson.bytes);
+    std::error_code ignored;
+    if (bytes.empty() && fs::exists(fs::symlink_status(file, ignored)))
+        throw Stop(Exit::environment,
+                   fmt::format("'{}' is empty, above 64 MiB or no regular file; run impulse test again",
+                               printable(file.string())));
     if (bytes.empty())
         throw Stop(Exit::environment,
                    fmt::format("there is no '{}'; run impulse test first, or name its folder with "
@@ -163,15 +169,17 @@ private:
 
     void prune() {
         for (const SceneVerdict& scene : verdict_.scenes)
-            prunePictures(placeOf(scene), scene.orphans);
+            if (!scene.orphans.empty()) prunePictures(placeOf(scene), scene);
         for (const fs::path& orphan : places_.orphans) pruneFolder(orphan);
     }
 
-    /// Removes pictures only, and only from a folder of baselines.
-    void prunePictures(const fs::path& folder, const std::vector<std::string>& names) {
+    /// Removes pictures only, only from a folder of baselines, and none of a time that the scene lists, whatever
+    /// the report says.
+    void prunePictures(const fs::path& folder, const SceneVerdict& scene) {
         if (fs::is_symlink(folder) || !fs::exists(folder / kBaselineFile)) return;
-        for (const std::string& picture : orphansOf(folder, {}))
-            if (std::count(names.begin(), names.end(), picture)) remove(folder / picture);
+        const std::vector<double> times = loadScene(scene.scene).snapshot.times;
+        for (const std::string& picture : orphansOf(folder, times))
+            if (std::ranges::count(scene.orphans, picture)) remove(folder / picture);
     }
 
     /// Removes a baseline's files only; the folder stays if it holds other files.

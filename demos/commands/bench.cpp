@@ -56,7 +56,8 @@ EarlierRun readEarlier(const std::string& path) {
                                           : nullptr;
         const bool good = object.is_object() && object.contains("scene") &&
                           object["scene"].is_string() && object.contains("ms_per_step_median") &&
-                          object["ms_per_step_median"].is_number() && object.contains("hash") &&
+                          object["ms_per_step_median"].is_number() &&
+                          object["ms_per_step_median"] > 0.0 && object.contains("hash") &&
                           object["hash"].is_string();
         if (!good)
             throw Stop(Exit::usage,

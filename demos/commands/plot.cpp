@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/input_protection.h"
 #include "demos/commands/play_through.h"
 #include "demos/commands/shared_options.h"
 #include "demos/figure/caption.h"
@@ -129,6 +130,7 @@ Run addPlot(CLI::App& app) {
     addFeedback(app, options);
     return [asked](const std::string& commandLine) {
         PlotOptions& given = settled(*asked, commandLine);
+        if (!given.overwrite) spareOthers(ResultKind::chart, given.outputs);
         given.what = asked->texts.what;
         for (const std::string& name : given.what) checkName("--what", name, measureNames());
         return plot(given);

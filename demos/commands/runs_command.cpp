@@ -68,6 +68,7 @@ void checkRuns(RunsOptions& options, const OptionTexts& texts) {
     if (!texts.shard.empty()) options.shard = shardCalled(texts.shard);
     if (options.shard && options.merge) refuse("--shard and --merge: give one of them");
     spareScenes(options.scenes, {options.plot, options.parts});
+    spareOthers(ResultKind::chart, {options.plot});
 }
 
 Exit sayRuns(const std::vector<Variant>& variants, const RunsOptions& options) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/input_protection.h"
 #include "demos/commands/play_through.h"
 #include "demos/commands/shared_options.h"
 #include "demos/commands/states.h"
@@ -360,6 +361,10 @@ Run addSim(CLI::App& app) {
             refuse("--exact and states do not go together: it changes the bits");
         spareScenes(given.scenes, {given.csv, given.bodies, given.joints, given.contacts,
                                    given.sweeps, given.events, given.plot});
+        spareOthers(ResultKind::table,
+                    {given.csv, given.bodies, given.joints, given.contacts, given.sweeps});
+        spareOthers(ResultKind::events, {given.events});
+        spareOthers(ResultKind::chart, {given.plot});
         return sim(given);
     };
 }

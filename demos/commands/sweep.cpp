@@ -5,6 +5,7 @@
 #include <span>
 
 #include "demos/commands/commands.h"
+#include "demos/commands/input_protection.h"
 #include "demos/commands/runs_command.h"
 #include "demos/comparisons/measure_table.h"
 #include "demos/comparisons/sweeping.h"
@@ -118,6 +119,7 @@ Run addSweep(CLI::App& app) {
         SweepOptions& given = settled(*asked, commandLine);
         checkRuns(given, asked->texts);
         spareScenes(given.scenes, {given.csv});
+        spareOthers(ResultKind::table, {given.csv});
         return sweep(given);
     };
 }

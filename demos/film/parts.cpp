@@ -18,18 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::uint64_t hashOf(const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = contentOf(file);
-    if (bytes.empty()) return 0;
-    TextHash hash;
-    hash.add(bytes);
-    return hash.value();
-}
-
 std::optional<RunRecord> recordAt(const fs::path& file) {
     const std::vector<std::uint8_t> bytes = contentOf(file, kRunJson.bytes);
     return bytes.empty() ? std::nullopt : recordFromJson({bytes.begin(), bytes.end()});
 }
+
+constexpr std::uintmax_t kMostFrameBytes = 2u << 30;  // of 16384x16384 pixels without compression
 
 /// A part found in the folder.
 struct Found {
@@ -75,7 +69,7 @@ std::uint64_t dataHash(const RunRecord& record, const fs::path& png) {
 
 /// All its frames are recorded, and its files match the record.
 bool isWhole(const Found& found, const fs::path& folder) {
-    if (!found.record || !found.record->finished) return false;
+    if (!found.record || !found.record->finished || found.record->frames.empty()) return false;
     const RunRecord& record = *found.record;
     const int frames = static_cast<int>(record.frames.size());
     for (int frame = found.shard.first(frames); frame < found.shard.end(frames); ++frame) {
@@ -83,9 +77,9 @@ bool isWhole(const Found& found, const fs::path& folder) {
         if (!entry.written) return false;
         if (record.film != 0) continue;
         const fs::path png = frameFile(record, folder, frame);
-        if (hashOf(png) != entry.png || dataHash(record, png) != entry.data) return false;
+        if (hashOfFile(png, kMostFrameBytes) != entry.png || dataHash(record, png) != entry.data) return false;
     }
-    return record.film == 0 || hashOf(found.film) == record.film;
+    return record.film == 0 || hashOfFile(found.film) == record.film;
 }
 
 PartSeen seenOf(const Found& found, const fs::path& folder) {
@@ -121,12 +115,12 @@ FoundPart stateOfPart(const fs::path& film, const RunRecord& record) {
     const std::optional<RunRecord> old = recordAt(fs::path(film).replace_extension(".json"));
     if (!old) return {};
     if (old->fingerprint != record.fingerprint) return {PartState::another, {}, {}};
-    if (!old->finished || hashOf(film) != old->film) return {PartState::damaged, {}, {}};
+    if (!old->finished || hashOfFile(film) != old->film) return {PartState::damaged, {}, {}};
     return {PartState::done, old->incident, old->pixels};
 }
 
 void writePartRecord(const fs::path& film, RunRecord record) {
-    record.film = hashOf(film);
+    record.film = hashOfFile(film);
     record.pattern = film.filename().string();
     record.finished = true;
     const std::string json = jsonOf(record);

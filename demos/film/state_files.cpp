@@ -85,11 +85,13 @@ std::vector<std::uint8_t> sealedFile(const fs::path& file, const char (&mark)[16
     const auto fail = [&](const char* what) {
         throw render::Error(fmt::format("{}: {}", printable(file.string()), what));
     };
-    std::vector<std::uint8_t> bytes = contentOf(file, most);
+    const std::vector<std::uint8_t> start = startOf(file, kSealed);
+    const bool marked = start.size() == kSealed && std::equal(mark, mark + sizeof mark, start.begin());
+    std::vector<std::uint8_t> bytes = contentOf(file, marked ? most : 0);
     std::error_code ignored;
-    if (bytes.empty() && !fs::exists(file, ignored)) fail("there is no such file");
-    if (bytes.empty()) fail("is not a file, is empty, or has more than 1 GiB");
-    if (bytes.size() < kSealed || !std::equal(mark, mark + sizeof mark, bytes.begin()))
+    if (start.empty() && !fs::exists(file, ignored)) fail("there is no such file");
+    if (start.empty() || (marked && bytes.empty())) fail("is not a file, is empty, or has more than 1 GiB");
+    if (!marked || bytes.size() < kSealed)
         fail("is no state that 'impulse sim --states' of this version has written");
     const std::span<const std::uint8_t> all = bytes;
     engine::StateReader seal(all.subspan(sizeof mark, 8));

@@ -5,6 +5,7 @@
 #include "demos/export/replay_page.h"
 #include "demos/film/composite.h"
 #include "demos/film/poster.h"
+#include "demos/text/file_content.h"
 #include "render/encode/file.h"
 #include "render/encode/png.h"
 #include "render/encode/video.h"

@@ -20,14 +20,6 @@ std::uint64_t numberOf(const Json& json, const char* key) {
 
 }  // namespace
 
-std::uint64_t hashOfFile(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = contentOf(file);
-    if (bytes.empty()) return 0;
-    TextHash hash;
-    hash.add(bytes);
-    return hash.value();
-}
-
 GalleryRecord::GalleryRecord(std::filesystem::path folder) : folder_(std::move(folder)) {
     try {
         const std::vector<std::uint8_t> bytes =

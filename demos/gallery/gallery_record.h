@@ -57,7 +57,4 @@ private:
     bool found_ = false;
 };
 
-/// TextHash of a file's bytes; 0 if there are none.
-std::uint64_t hashOfFile(const std::filesystem::path& file);
-
 }  // namespace demos

@@ -1,3 +1,7 @@
+#include <map>
+#include <string>
+#include <vector>
+
 #include "demos/mjcf/freedom.h"
 #include "demos/mjcf/tendons.h"
 #include "demos/text/nearest.h"
@@ -13,12 +17,23 @@ struct Pulled {
     double rest = 0.0;  // m or rad, where the joint's own spring is at rest
 };
 
+/// The joints of a model by name; of equal names, the first.
+using JointsByName = std::map<std::string, const JointElement*>;
+
+JointsByName jointsOf(const BodyTree& tree, const Context& context) {
+    JointsByName joints;
+    for (const Link& link : tree.links)
+        for (const JointElement& joint : link.joints)
+            joints.emplace(context.defaults.of(*joint.element, joint.childclass).text("name"), &joint);
+    return joints;
+}
+
 class FixedTendon {
 public:
-    FixedTendon(const Element& element, const BodyTree& tree, const Context& context)
+    FixedTendon(const Element& element, const JointsByName& joints, const Context& context)
         : attributes_(context.defaults.of(element, "", "tendon")), context_(context) {
         for (const Element& child : element.children)
-            if (child.name == "joint") addJoint(child, tree);
+            if (child.name == "joint") addJoint(child, joints);
     }
 
     /// Length L = sum c_i q_i; a force F along L acts as c_i F along q_i.
@@ -38,19 +53,17 @@ public:
     }
 
 private:
-    void addJoint(const Element& child, const BodyTree& tree) {
+    void addJoint(const Element& child, const JointsByName& joints) {
         Attributes attributes = context_.defaults.of(child, "");
         Pulled pulled{attributes.text("joint"), 0.0, 0.0};
         pulled.coefficient = attributes.number("coef", kCoefficient).value_or(1.0);
+        if (const auto found = joints.find(pulled.joint); found != joints.end()) {
+            Attributes of = context_.defaults.of(*found->second->element, found->second->childclass);
+            pulled.rest = restOf(of);
+            return joints_.push_back(pulled);
+        }
         std::vector<std::string> names;
-        for (const Link& link : tree.links)
-            for (const JointElement& joint : link.joints) {
-                Attributes of = context_.defaults.of(*joint.element, joint.childclass);
-                names.push_back(of.text("name"));
-                if (names.back() != pulled.joint) continue;
-                pulled.rest = restOf(of);
-                return joints_.push_back(pulled);
-            }
+        for (const auto& [name, joint] : joints) names.push_back(name);
         attributes.wrong("joint", "no joint is called '" + pulled.joint.substr(0, 64) + "'" +
                                       suggestion(pulled.joint, names));
     }
@@ -92,10 +105,11 @@ private:
 
 void addFixedTendons(const Element& root, const BodyTree& tree, const Context& context,
                      Actuation& actuation) {
+    const JointsByName joints = jointsOf(tree, context);
     for (const Element& section : root.children) {
         if (section.name != "tendon") continue;
         for (const Element& element : section.children)
-            if (element.name == "fixed") FixedTendon(element, tree, context).add(actuation);
+            if (element.name == "fixed") FixedTendon(element, joints, context).add(actuation);
     }
 }
 

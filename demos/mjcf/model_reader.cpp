@@ -9,6 +9,7 @@
 #include "demos/scene/expression.h"
 #include "demos/scene/overrides.h"
 #include "demos/scene/reader.h"
+#include "demos/scene/repeat.h"
 #include "demos/scene/table_readers.h"
 
 namespace demos::mjcf {
@@ -36,6 +37,9 @@ void build(const Element& root, const fs::path& folder, const FileReader& read,
     addSpatialTendons(root, tree, places, context, actuation, scene, jointNames);
     addEqualities(root, tree, places, context, scene, jointNames);
     separate(root, tree, places, context, scene);
+    if (scene.joints.size() > kMostJoints)
+        diagnostics.wrong(root.spot, "the model makes " + std::to_string(scene.joints.size()) +
+                                         " joints; it should make at most " + std::to_string(kMostJoints));
     if (scene.bodies.empty())
         diagnostics.wrong(
             root.spot,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "demos/scene/read_shape.h"
+
 namespace demos::mjcf {
 namespace {
 
@@ -70,6 +72,10 @@ public:
         BodyDescription body;
         body.def.mass = whole.mass;
         const std::vector<const Geom*> solid = solidOf(link);
+        if (solid.size() > kMostParts)
+            return context_.diagnostics.wrong(link.spot, "a <body> has " + std::to_string(solid.size()) +
+                                                             " <geom>s that collide; it should have at most " +
+                                                             std::to_string(kMostParts));
         if (solid.size() == 1 && isCentred(*solid.front(), whole))
             takeShape(link, *solid.front(), whole, body.def);
         else

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
 
@@ -25,7 +26,7 @@ Exit flushed(Exit code) {
 }
 
 Exit tell(Exit code, const std::string& line) {
-    putError(printable(line));
+    putError(shown(printable(line), kLongestMessage));
     return code;
 }
 
@@ -41,6 +42,9 @@ Exit guarded(int argc, const char* const* argv) try {
     return tell(Exit::wouldOverwrite, there.what());
 } catch (const std::bad_alloc&) {
     return tell(Exit::environment, "not enough memory");
+} catch (const std::filesystem::filesystem_error& error) {
+    return tell(Exit::environment,
+                "cannot use '" + shown(error.path1().string(), 200) + "': " + error.code().message());
 } catch (const std::exception& error) {  // render::Error, and what a library throws
     return tell(Exit::environment, error.what());
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cmath>
 
 #include "demos/scene/expression_functions.h"
@@ -71,6 +72,14 @@ bool isUnit(std::string_view text, std::size_t at) {
     while (begin > 0 && (isLetter(text[begin - 1]) || isDigit(text[begin - 1]))) --begin;
     const bool number = begin < at ? isDigit(text[begin]) : at > 0 && text[at - 1] == '.';
     return unit && number;
+}
+
+/// Whether it is a whole number above 2^53, the largest to which each has a double of its own.
+bool isInexact(std::string_view number) {
+    constexpr std::uint64_t kExact = std::uint64_t{1} << 53;
+    std::uint64_t whole = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), whole);
+    return read.ptr == number.data() + number.size() && (read.ec != std::errc{} || whole > kExact);
 }
 
 std::string atCharacter(std::size_t at) { return " at character " + std::to_string(at + 1); }
@@ -217,6 +226,9 @@ std::string Expressions::checkWords(std::string_view text, const Turns& turns,
         if (isDigit(rest[0]) || rest[0] == '.') {
             const std::size_t length = numberLength(rest.data(), rest.data() + rest.size(), number);
             if (length == 0) return "a number that cannot be read" + atCharacter(at);
+            if (isInexact(rest.substr(0, length)))
+                return shown(rest.substr(0, length)) + " is not exact; whole numbers should be up to "
+                       "9007199254740992" + atCharacter(at);
             at += length;
         } else if (isLetter(rest[0])) {
             const std::size_t length = wordLength(rest);

@@ -45,6 +45,17 @@ void checkBufferName(const std::string& name) {
         throw MeshFileError("is not a file name of 1 to 1000 bytes");
 }
 
+/// Also where a link leads.
+void checkBufferPlace(const std::filesystem::path& folder, const std::string& name) {
+    std::error_code ignored;
+    const auto real = [&](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+    };
+    const std::filesystem::path around = real(folder.empty() ? "." : folder), file = real(folder / name);
+    if (std::mismatch(around.begin(), around.end(), file.begin(), file.end()).first != around.end())
+        throw MeshFileError("is a link out of the glTF file's folder; it should be a file in it, or below it");
+}
+
 std::uint32_t littleEndian(const unsigned char* bytes, std::size_t size) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < size; ++i) value |= static_cast<std::uint32_t>(bytes[i]) << (8 * i);
@@ -97,6 +108,7 @@ std::string GltfBuffers::load(const GltfJson& buffer, std::size_t number) {
         const std::string name = unescaped(text);
         try {
             checkBufferName(name);
+            checkBufferPlace(folder_, name);
             paths_.push_back((folder_ / name).string());
             return readWholeFile(folder_ / name);
         } catch (const MeshFileError& error) {

@@ -161,6 +161,11 @@ private:
                 good = good && item.kind == Value::Kind::text;
                 items.push_back(&item);
             }
+        if (items.size() > kMostIncluded) {
+            own.add(list.place, "include has " + std::to_string(items.size()) + " files; it should have at most " +
+                                    std::to_string(kMostIncluded));
+            return {};
+        }
         if (good) return items;
         own.add(list.place, "include is " + describe(list) +
                                 "; it should be files, like [\"parts/floor.toml\"]");

@@ -17,6 +17,7 @@ namespace demos {
 constexpr std::uintmax_t kMostSceneBytes = 8u << 20;  // of all files of a scene
 constexpr std::size_t kDeepestInclude = 8;
 constexpr std::size_t kMostSceneFiles = 64;
+constexpr std::size_t kMostIncluded = 1000;  // of a list: the same file may be named again
 
 struct Document {
     Value table;

@@ -53,6 +53,12 @@ std::span<const std::uint8_t> bytesOf(const std::vector<Item>& items) {
     return {reinterpret_cast<const std::uint8_t*>(items.data()), items.size() * sizeof(Item)};
 }
 
+void checkTriangles(const ShapeFiles& files) {
+    if (files.triangles > kMostTrianglesInAll)
+        throw MeshFileError("with it, the shapes have more than 4 million triangles, or 16 million points; use "
+                            "simpler ones, and fewer scales");
+}
+
 /// Adds each path once: a file may be read for several shapes.
 void notePaths(const fs::path& path, const TriangleMesh& mesh, std::vector<std::string>& paths) {
     std::vector<std::string> read = mesh.buffers;
@@ -90,7 +96,10 @@ std::optional<engine::Shape> readShapeFile(
         if (!ignored && (files.bytes += size) > kMostShapeBytes)
             throw MeshFileError("with it, more than 256 MiB of shapes are read; use fewer files "
                                 "and scales");
+        checkTriangles(files);  // of those before
         TriangleMesh mesh = readMeshFile(path);
+        files.triangles += mesh.triangles.size() + mesh.corners.size() / 4;
+        checkTriangles(files);
         files.contents.add(bytesOf(mesh.corners));
         files.contents.add(bytesOf(mesh.triangles));
         notePaths(path, mesh, files.paths);

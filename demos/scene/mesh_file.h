@@ -26,7 +26,8 @@ struct TriangleMesh {
 /// What is wrong with a file, and what would be right.
 class MeshFileError : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit MeshFileError(const std::string& what)
+        : std::runtime_error(printable(what)) {}  // what() would end at a zero byte
 };
 
 /// The format follows from the file's extension: .obj, .gltf or .glb. Throws MeshFileError.

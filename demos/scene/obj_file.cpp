@@ -19,6 +19,7 @@ constexpr std::size_t kMostSides = 256;  // of a face: the work grows with their
 class ObjLines {
 public:
     explicit ObjLines(std::string_view text) {
+        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
         std::string joined;  // of lines that end in a backslash
         for (int lines = 1; !text.empty(); ++lines) {
             const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());

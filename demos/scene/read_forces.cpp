@@ -4,6 +4,7 @@
 
 #include "demos/scene/pattern.h"
 #include "demos/scene/ranges.h"
+#include "demos/scene/repeat.h"
 #include "demos/scene/table_readers.h"
 #include "demos/text/nearest.h"
 #include "engine/base/trigonometry.h"
@@ -14,7 +15,7 @@ namespace {
 constexpr Range kMediumDensity{1e-6, 1e6, "kg/m^3"};
 constexpr Range kCoefficient{0.0, 100.0};
 constexpr Range kNewtons{-1e12, 1e12, "N"};
-constexpr std::size_t kMostAttracting = 2000;
+constexpr std::size_t kMostAttractions = kMostAttracting * kMostAttracting;  // of all forces
 constexpr std::size_t kMostActed = 1'000'000;  // bodies, of all forces: 8 MB
 
 const std::vector<std::string> kTypes{"wind",           "drag",   "medium",   "point-gravity",
@@ -304,14 +305,20 @@ private:
 void readForces(const std::vector<Instance>& instances, const BodyNumbers& numbers,
                 SceneDescription& scene, Complaints& complaints) {
     const Value* complainedOf = nullptr;  // one message for all turns of a [[repeat]]
-    std::size_t acted = 0;
+    std::size_t acted = 0, attractions = 0;
     for (const Instance& instance : instances) {
         if (instance.table == complainedOf) continue;
         const int before = complaints.count();
         scene.forces.push_back(ForceReader(instance, numbers, scene, complaints).read());
-        acted += scene.forces.back().def.on.size();
+        const engine::ForceDef& def = scene.forces.back().def;
+        acted += def.on.size();
+        if (std::holds_alternative<engine::NBodyGravity>(def.kind)) attractions += def.on.size() * def.on.size();
         if (complaints.count() > before) complainedOf = instance.table;
         if (complaints.count() >= kEnoughComplaints) return;
+        if (complaints.count() == before && attractions > kMostAttractions)
+            return complaints.add(instance.table->place,
+                                  "the n-body-gravities up to this one are between more bodies than one of 2000 "
+                                  "bodies; name fewer in on");
         if (acted <= kMostActed) continue;
         return complaints.add(instance.table->place,
                               "the forces up to this one act on more than a million bodies in "

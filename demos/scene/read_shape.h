@@ -16,6 +16,8 @@ namespace demos {
 inline constexpr std::size_t kMostParts = 1000;  // solids of a compound, at any depth
 /// Bytes of all files with shapes: one is read again for every scale.
 inline constexpr std::uintmax_t kMostShapeBytes = 256u << 20;
+/// Triangles, and a quarter of the points, of all shapes that are built from files, one for every scale: 1 GB.
+inline constexpr std::size_t kMostTrianglesInAll = 4'000'000;
 /// Shapes from files. A shape is built once, however many bodies use it.
 struct ShapeFiles {
     std::optional<std::filesystem::path> folder;  // they are relative to it; none: no files
@@ -23,6 +25,7 @@ struct ShapeFiles {
     TextHash contents = {};                       // of the points and triangles read
     std::vector<std::string> paths = {};          // files that were read
     std::uintmax_t bytes = 0;                     // of these files, up to kMostShapeBytes
+    std::size_t triangles = 0;  // of all shapes built of them, and a quarter of their points
 };
 
 /// What reading a shape needs besides the shape's own keys.

@@ -13,6 +13,7 @@ namespace demos {
 constexpr int kMostBodies = 10'000;
 constexpr int kMostJoints = 20'000;
 constexpr int kMostForces = 10'000;
+constexpr std::size_t kMostAttracting = 2000;  // bodies of an n-body-gravity; all of them have no more pairs
 /// Values in the tables of all of these: a [[repeat]] multiplies large shapes and paths.
 constexpr std::size_t kMostUnrolledValues = 2'000'000;
 

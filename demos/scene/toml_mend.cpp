@@ -115,7 +115,8 @@ std::string tomlMend(std::string_view text, int line, std::string_view what) {
         return "; single quotes keep backslashes, as LaTeX needs them";
     if (what.find("redefine existing") != what.npos && what.find('\'') != what.npos)
         return mendOfTwo(what);
-    const std::string_view wrong = trimmed(lineOf(text, line));
+    constexpr std::size_t kMost = 400;  // bytes: the search takes time with their square
+    const std::string_view wrong = trimmed(lineOf(text, line).substr(0, kMost));
     if (wrong.starts_with('[')) return {};
     if (const std::string_view value = bareValue(wrong); !value.empty()) return mendOf(value);
     if (what.ends_with("saw ','") && wrong.find('[') == wrong.npos)

@@ -55,6 +55,12 @@ public:
     Deck read(const Value& document, const Scope& scope) {
         Keys top(document, "a deck", complaints_, scope);
         readFormat(top);
+        if (const auto dollars = std::ranges::count(reading_.source, '$'); dollars > kMostDollars) {
+            top.complain("", "the deck has " + std::to_string(dollars) +
+                                 " $ around formulas; it should have at most " +
+                                 std::to_string(kMostDollars));
+            return std::move(deck_);
+        }
         readWords(top);
         set(deck_.theme, top.word("theme", {"studio", "dark", "print"}));
         readSize(top, deck_.size);

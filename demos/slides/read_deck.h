@@ -1,6 +1,7 @@
 /// Reads a deck file's text into a Deck. It is as strict as for scene files: unknown keys, and
 /// names of scenes, sections or bodies that do not exist, are errors with their positions.
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 namespace demos {
 
 inline constexpr std::size_t kMostSlides = 200;
+inline constexpr std::ptrdiff_t kMostDollars = 4000;  // around 2000 formulas: a millisecond each
 
 /// Whether the word is a path to a TOML file that has [[slide]] or otherwise looks like a deck;
 /// false for names of scenes and for files that cannot be read.

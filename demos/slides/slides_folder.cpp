@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "demos/film/outputs.h"
@@ -75,9 +76,9 @@ std::vector<fs::path> namesOf(const std::vector<FolderFile>& files) {
     return names;
 }
 
-bool isAmong(const fs::path& name, const std::vector<fs::path>& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
+using Names = std::set<fs::path>;
+
+Names setOf(const std::vector<fs::path>& names) { return {names.begin(), names.end()}; }
 
 /// With a symbolic link films would be written, and files removed, outside of the folder.
 void checkMediaFolder(const fs::path& folder) {
@@ -94,10 +95,11 @@ void checkMediaFolder(const fs::path& folder) {
 void checkStrangers(const fs::path& folder, const std::vector<fs::path>& names,
                     const std::vector<fs::path>& own) {
     checkMediaFolder(folder);
+    const Names ours = setOf(own);
     for (const fs::path& name : names) {
         std::error_code ignored;
         if (!fs::exists(fs::symlink_status(folder / name, ignored))) continue;
-        if (!isAmong(name, own))
+        if (!ours.contains(name))
             throw Stop(Exit::wouldOverwrite,
                        fmt::format("'{}' was not made by impulse slides; remove it or write to "
                                    "another folder",
@@ -217,8 +219,9 @@ void checkWritable(const fs::path& folder) {
 
 /// The names of both lists, `names` first.
 std::vector<fs::path> unionOf(std::vector<fs::path> names, const std::vector<fs::path>& others) {
+    Names known = setOf(names);
     for (const fs::path& name : others)
-        if (!isAmong(name, names)) names.push_back(name);
+        if (known.insert(name).second) names.push_back(name);
     return names;
 }
 
@@ -252,9 +255,10 @@ std::vector<fs::path> writeSlidesFolder(const MadeDeck& deck, const fs::path& ta
     draft.publishList(deck, listed);
     render::makeFolder(folder / "media");
     for (const FolderFile& file : files) draft.publish(file.name);
+    const Names kept = setOf(names);
     for (const fs::path& name : own) {
         std::error_code ignored;
-        if (!isAmong(name, names)) fs::remove(folder / name, ignored);
+        if (!kept.contains(name)) fs::remove(folder / name, ignored);
     }
     if (listed != names) draft.publishList(deck, names);  // else it is this list already
     return names;

@@ -21,6 +21,7 @@ std::string jsonTrouble(std::string_view json, const JsonLimits& limits) {
     if (json.size() > limits.bytes) return beyond("has more bytes than ", limits.bytes);
     std::array<int, kMostJsonDepth + 1> members{};  // of the open objects, by depth
     int depth = 0, values = 0;
+    long search = 0;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char c = json[i];
         if (c == '"') i = endOfString(json, i);
@@ -30,6 +31,8 @@ std::string jsonTrouble(std::string_view json, const JsonLimits& limits) {
         if ((c == ']' || c == '}') && depth > 0) --depth;
         if (c == ':' && ++members[static_cast<std::size_t>(depth)] > kMostJsonMembers)
             return beyond("has an object with more members than ", kMostJsonMembers);
+        if (c == ':' && (search += members[static_cast<std::size_t>(depth)]) > kMostJsonSearch)
+            return "has too many objects with thousands of members";
         if ((c == ',' || c == '[' || c == '{') && ++values > limits.values)
             return beyond("has more values than ", static_cast<std::size_t>(limits.values));
     }

@@ -6,7 +6,8 @@
 namespace demos {
 
 inline constexpr int kMostJsonDepth = 64;       // nested brackets; our files have fewer than ten
-inline constexpr int kMostJsonMembers = 16'384;  // of one object: they are searched linearly
+inline constexpr int kMostJsonMembers = 16'384;  // of one object: they are searched linearly,
+inline constexpr long kMostJsonSearch = 200'000'000;  // in all objects: sum of members^2 / 2
 
 /// What a reader needs at most: a value may take 100 bytes of memory.
 struct JsonLimits {

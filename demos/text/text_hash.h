@@ -9,9 +9,14 @@ namespace demos {
 class TextHash {
 public:
     void add(std::span<const std::uint8_t> bytes) {
-        for (const std::uint8_t byte : bytes) mix(byte);
-        mix(0xff);  // so that "ab" "c" and "a" "bc" differ: no UTF-8 text contains this byte
+        addPiece(bytes);
+        endPieces();
     }
+    /// The same in pieces.
+    void addPiece(std::span<const std::uint8_t> bytes) {
+        for (const std::uint8_t byte : bytes) mix(byte);
+    }
+    void endPieces() { mix(0xff); }  // so that "ab" "c" and "a" "bc" differ: no UTF-8 text contains this byte
     void add(std::string_view text) {
         for (const char c : text) mix(static_cast<std::uint8_t>(c));
         mix(0xff);

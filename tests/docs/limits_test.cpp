@@ -46,7 +46,7 @@ TEST(Limits, OfTomlAndItsTexts) {
                                     text(kDeepestInclude) + " includes deep");
     EXPECT_EQ(cellsOf("deck"), mebibytes(kMostSceneBytes) + " | " + text(kDeepestNesting) + " | " +
                                    text(kMostTomlValues) + " values, " + text(kMostSlides) +
-                                   " slides");
+                                   " slides, " + text(kMostDollars) + " $ around formulas");
     EXPECT_EQ(cellsOf("words"), text(kMostWords >> 10) + " KiB | - | -");
     EXPECT_EQ(cellsOf("formula"), text(kLongestFormula) + " | - | in captions " + text(render::kMostFormulas) + ", with relations, of " +
                   text(kMostFormulaLetters) + " letters each; " + text(kMostCaptionFormulas) + " in a scene");
@@ -90,7 +90,9 @@ TEST(Limits, OfAScene) {
          {text(kMostUnrolledValues) + " values", mebibytes(kMostShapeBytes) + " of files",
           text(kMostParts) + " solids", text(kMostBodies) + " bodies",
           text(kMostJoints) + " joints", text(kMostForces) + " forces",
-          text(kMostExpectations) + " expectations", text(engine::kMostContacts) + " contacts"})
+          text(kMostExpectations) + " expectations", text(engine::kMostContacts) + " contacts",
+          text(engine::kMostContactsOfPair) + " between two", text(engine::kMostPiecePairs) + " pairs",
+          text(kMostTrianglesInAll) + " triangles", "one of " + text(kMostAttracting)})
         EXPECT_NE(kLimits.find(limit), std::string::npos) << limit << kLimits;
 }
 

@@ -176,6 +176,14 @@ TEST_F(EditedReport, RemovesOnlyWhatHasNoScene) {
     EXPECT_FALSE(has("other.snapshots"));
 }
 
+TEST_F(EditedReport, RemovesNoPictureOfATimeThatTheSceneLists) {
+    edit({{"\"orphans\": []\n", "\"orphans\": [\"t0.png\", \"t0.5.png\"]\n"}});
+    EXPECT_EQ(impulse({"approve", "--prune"}).code, 0);
+    for (const char* file : {"t0.png", "t0.5.png"}) EXPECT_TRUE(fs::exists(folder / "ball.snapshots" / file));
+    edit({{"\"scene\": \"ball.toml\"", "\"scene\": \"ball.toml\\u0000/../ball.toml\""}});
+    expectRefused("has a path with a zero byte");
+}
+
 TEST_F(EditedReport, RunsNothing) {
     edit({{"\"command\": \"impulse test", "\"command\": \"impulse test -o ~/.ssh"}});
     const Ended ended = impulse({"approve", "--prune"});

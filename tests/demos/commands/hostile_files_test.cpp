@@ -85,6 +85,54 @@ TEST_F(HostileFiles, ForcesOnEverything) {
                   "the forces up to this one act on more than a million bodies");
 }
 
+TEST_F(HostileFiles, EveryBodyAttractsEveryOtherAgainAndAgain) {
+    std::string text = bodies(2000);
+    for (int i = 0; i < 100; ++i) text += "[[force]]\ntype = 'n-body-gravity'\n";
+    expectRefused("a.toml", text, "are between more bodies than one of 2000 bodies");
+}
+
+TEST_F(HostileFiles, ALineOfOpenBrackets) {
+    expectRefused("a.toml", kHead + "a = 1 " + repeated("(=", 450'000) + "\n", "not TOML");
+}
+
+TEST_F(HostileFiles, TheSameFileAgainAndAgain) {
+    write(folder / "part.toml", kHead);
+    expectRefused("a.toml", kHead + "include = [" + repeated("'part.toml',", 600'000) + "]\n",
+                  "include has 600000 files; it should have at most 1000");
+}
+
+/// A million triangles from 8 MB, built once for every scale.
+TEST_F(HostileFiles, AMeshInManyScales) {
+    write(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + repeated("f 1 2 3\n", 300'000));
+    std::string text = kHead;
+    for (int i = 1; i < 30; ++i)
+        text += "[[body]]\nname = 'b" + std::to_string(i) + "'\nfixed = true\nshape = { hull = 'flat.obj', scale = " +
+                std::to_string(i) + " }\n";
+    expectRefused("a.toml", text, "the shapes have more than 4 million triangles");
+}
+
+TEST_F(HostileFiles, AModelOfTooManyJointsAndParts) {
+    std::string inside, connects, pulled;
+    for (int i = 0; i < 5000; ++i) {
+        const std::string number = std::to_string(i);
+        inside += "<body name='b" + number + "'><joint name='j" + number + "'/><geom size='1'/></body>";
+        pulled += "<joint joint='j" + number + "' coef='1'/>";
+    }
+    for (int i = 1; i < 20'000; ++i)
+        connects += "<connect body1='b0' body2='b" + std::to_string(i % 4999 + 1) + "' anchor='0 0 0'/>";
+    const std::string world = "<worldbody>" + inside + "</worldbody>";
+    expectRefused("a.xml", "<mujoco>" + world + "<equality>" + connects + "</equality></mujoco>",
+                  "the model makes 24999 joints; it should make at most 20000");
+    expectRefused("b.xml",
+                  "<mujoco><worldbody><body><freejoint/>" + repeated("<geom size='1'/>", 100'000) +
+                      "</body></worldbody></mujoco>",
+                  "a <body> has 100000 <geom>s that collide; it should have at most 1000");
+    expectRefused("c.xml",
+                  "<mujoco>" + world + "<tendon><fixed>" + repeated(pulled, 20) +
+                      "<joint joint='none'/></fixed></tendon></mujoco>",
+                  "no joint is called 'none'");
+}
+
 /// Each name may be a misspelt one of ten thousand.
 TEST_F(HostileFiles, ManyUnknownNames) {
     const std::string name(50, 'b');

@@ -175,6 +175,24 @@ TEST_F(Shards, JoinNamesWhatIsMissingTornOrOfAnotherRun) {
     EXPECT_FALSE(fs::exists(folder / "film.mp4"));
 }
 
+TEST_F(Shards, WithoutFramesArePartsOfNothing) {
+    for (const int number : {1, 2})
+        ASSERT_EQ(film({"-o", "frames", "--shard", numbered(number, 2)}).code, 0);
+    fs::resize_file(folder / "frames/frame_000000.png", std::uintmax_t{1} << 40);  // sparse
+    const Ended large = join({"frames"});
+    EXPECT_EQ(large.code, 7) << large.err;
+    EXPECT_NE(large.err.find("damaged or incomplete: 1"), std::string::npos) << large.err;
+    for (const int number : {1, 2}) {
+        const fs::path record = folder / ("frames/run.00" + std::to_string(number) + "-of-002.json");
+        std::string text = contentOf(record);
+        const std::size_t at = text.find("\"frames\":");
+        ASSERT_NE(at, std::string::npos);
+        write(record, text.substr(0, at) + "\"frames\":[]}");
+    }
+    const Ended empty = join({"frames"});
+    EXPECT_EQ(empty.code, 7) << empty.out;
+}
+
 TEST_F(Shards, AKilledPartIsDrawnAgain) {
     if (!haveTools()) GTEST_SKIP() << "no ffmpeg";
     for (const char* output : {"film.mp4", "frames"}) {

@@ -298,6 +298,8 @@ TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
     const Ended bad = run(folder.path(), {"bench", "ball.toml", "--against", "bad.json"});
     EXPECT_EQ(bad.code, 2);
     EXPECT_NE(bad.err.find("bad.json:1"), std::string::npos) << bad.err;
+    write(folder / "bad.json", R"({"scene":"ball","ms_per_step_median":0,"hash":"0"})");
+    EXPECT_EQ(run(folder.path(), {"bench", "ball.toml", "--against", "bad.json"}).code, 2);
     EXPECT_EQ(run(folder.path(), {"bench", "ball.toml", "--against", "none.json"}).code, 4);
     ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
     for (const char* endless : {"/dev/zero", "fifo"}) {
@@ -305,6 +307,26 @@ TEST_F(Sim, BenchTellsPhasesAndComparesWithAnEarlierRun) {
         EXPECT_EQ(refused.code, 4);
         EXPECT_NE(refused.err.find("is not a regular file"), std::string::npos) << refused.err;
     }
+}
+
+TEST_F(Sim, WritesOverItsOwnResultsOnly) {
+    write(folder / "notes", "all my notes\n");
+    for (const char* option : {"--csv", "--bodies", "--joints", "--contacts", "--sweeps", "--events"}) {
+        const Ended refused = run(folder.path(), {"sim", "ball.toml", option, "notes"});
+        EXPECT_EQ(refused.code, 5) << option;
+        EXPECT_NE(refused.err.find("'notes' already exists and is no "), std::string::npos) << refused.err;
+        for (int time = 0; time < 2; ++time)
+            EXPECT_EQ(run(folder.path(), {"sim", "ball.toml", option, "own"}).code, 0) << option;
+        fs::remove(folder / "own");
+    }
+    write(folder / "notes.svg", "all my notes\n");
+    EXPECT_EQ(run(folder.path(), {"sim", "ball.toml", "--plot", "notes.svg"}).code, 5);
+    EXPECT_EQ(run(folder.path(), {"plot", "ball.toml", "-o", "notes.svg"}).code, 5);
+    EXPECT_EQ(run(folder.path(), {"plot", "ball.toml", "-o", "notes.svg", "--overwrite"}).code, 0);
+    for (const char* own : {"own.svg", "own.png"})
+        for (int time = 0; time < 2; ++time)
+            EXPECT_EQ(run(folder.path(), {"plot", "ball.toml", "-o", own}).code, 0) << own;
+    EXPECT_EQ(run(folder.path(), {"sweep", "ball.toml", "--over", "solver.sweeps=1..2", "--csv", "notes"}).code, 5);
 }
 
 TEST_F(Sim, DoesNotWriteOverItsScene) {

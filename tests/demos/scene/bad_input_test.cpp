@@ -57,6 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"beyond every number", "seconds = 1e999\n" + kOneBall, "1:16", "not TOML"},
         BadInput{"beyond 64 bits", "seconds = 9999999999999999999\n" + kOneBall, "1:30",
                  "not TOML"},
+        BadInput{"an expression beyond what is exact", kOneBall + "[world]\nseed = '9007199254740993 - 1'\n",
+                 "7:8", "9007199254740993 is not exact"},
         BadInput{"beyond what is exact", kOneBall + "[world]\nseed = 9007199254740993\n", "7:8",
                  "9007199254740993 is not exact"},
         BadInput{"an inertia that no body has", kOneBall + "mass = 1\ninertia = [1, 1, 2.1]\n",

@@ -345,9 +345,23 @@ TEST_F(MeshFiles, AGltfFileReadsOnlyWhatIsBesideIt) {
                   std::string::npos)
             << errorOf("sub/bad.gltf", file.text());
     }
+    std::filesystem::create_symlink("../outside.bin", folder_ / "sub/link.bin");
+    Gltf linked;
+    linked.buffer = R"({"uri":"link.bin","byteLength":42})";
+    EXPECT_NE(errorOf("sub/bad.gltf", linked.text()).find("is a link out of the glTF file's folder"),
+              std::string::npos);
     Gltf file;
     file.buffer = R"({"uri":"file.bin%00","byteLength":42})";
     EXPECT_NE(errorOf("bad.gltf", file.text()).find("is not a file name"), std::string::npos);
+}
+
+TEST_F(MeshFiles, AnObjFileMayBeginWithAByteOrderMark) {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(errorOf("good.obj", "\xEF\xBB\xBF" + triangle), "nothing");
+    const std::string zero("f 1 2 3\0\0\n", 10);
+    EXPECT_NE(errorOf("bad.obj", triangle + zero).find("line 5: '3\\x00\\x00' should be a corner's number"),
+              std::string::npos)
+        << errorOf("bad.obj", triangle + zero);
 }
 
 TEST_F(MeshFiles, LongValuesAreCut) {

@@ -8,6 +8,7 @@
 #include "demos/slides/read_slide.h"
 #include "demos/slides/slide_plan.h"
 #include "tests/demos/reading.h"
+#include "tests/support/text.h"
 
 namespace demos::test {
 namespace {
@@ -309,6 +310,8 @@ TEST(Deck, SurvivesAnything) {
     EXPECT_EQ(wrong("text = \"a\\u0000b\"\n"), "deck.toml:4:10: a control byte; take it out");
     EXPECT_EQ(wrong("code = \"a\\u001bb\"\n"), "deck.toml:4:10: a control byte; take it out");
     EXPECT_NE(wrong("text = 'a\xff'\n"), "");
+    EXPECT_EQ(wrong("text = '" + support::repeated("$a$ ", 2001) + "'\n"),
+              "deck.toml:1:1: the deck has 4002 $ around formulas; it should have at most 4000");
     for (const std::string& text :
          {std::string(1 << 20, '['), std::string(1 << 20, '\0'), std::string("format"),
           std::string(""), std::string("slide = 3"), std::string("opening = 3\nslide = [1, 'a']"),

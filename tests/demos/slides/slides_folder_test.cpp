@@ -95,6 +95,15 @@ TEST_F(SlidesFolder, SectionsTellProgramsWhatThereIs) {
     EXPECT_EQ(json["slides"][2]["poster"], "media/03-loops.png");
 }
 
+TEST_F(SlidesFolder, AListOfManyFilesIsReadQuickly) {
+    writeSlidesFolder(deck(), talk());
+    auto json = nlohmann::json::parse(textOf(talk() / "sections.json"));
+    for (int i = 0; i < 90'000; ++i) json["files"].push_back("media/x" + std::to_string(i));
+    saved(talk() / "sections.json", json.dump());
+    writeSlidesFolder(deck(), talk());  // took minutes
+    EXPECT_EQ(files(), kFiles);
+}
+
 TEST_F(SlidesFolder, AgainReplacesItsOwnAndTakesAwayWhatIsNotNeededAnyMore) {
     writeSlidesFolder(deck(), talk());
     saved(talk() / "mine.txt", std::string("mine"));
