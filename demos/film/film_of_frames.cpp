@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 #include "demos/film/outputs.h"
 #include "demos/film/parts.h"
 #include "demos/processes/signals.h"
@@ -13,6 +15,8 @@
 
 namespace demos {
 namespace {
+
+constexpr std::int64_t kMostFramePixels = 134'217'728;  // of a frame: read, it takes 1 GB
 
 render::VideoSource sourceOf(const RunRecord& record) {
     render::VideoSource source{record.width, record.height, record.fps, record.theme == "transparent"};
@@ -36,6 +40,10 @@ void checkFramesToFilm(const FramesToFilm& job) {
     if (job.record.width < 1 || job.record.height < 1 || job.record.fps < 1)
         throw render::Error(fmt::format("'{}': the record of its frames has no size or rate",
                                         printable(job.folder.string())));
+    if (std::int64_t{job.record.width} * job.record.height > kMostFramePixels)
+        throw render::Error(fmt::format("'{}': its frames have {}x{} pixels; a film should have at most {} in all",
+                                        printable(job.folder.string()), job.record.width, job.record.height,
+                                        kMostFramePixels));
     checkFilm(job.film, sourceOf(job.record));
     checkPlace(job.film, job.existing == render::Existing::replaced);
 }

@@ -26,6 +26,7 @@
 #include "render/encode/file.h"
 #include "render/encode/png.h"
 #include "render/encode/png_read.h"
+#include "render/error.h"
 
 namespace demos {
 namespace {
@@ -246,6 +247,15 @@ private:
         return {width, std::max(1, first.height * width / first.width)};
     }
 
+    render::Image posterOf(const GalleryCard& card) const {
+        const fs::path file = record_.posterFile(card.name);
+        try {
+            return render::decodePng(contentOf(file), card.width, card.height);
+        } catch (const render::Error& error) {
+            throw render::Error(printable(file.string()) + ": " + error.what());
+        }
+    }
+
     /// False: it is up to date.
     bool writeSheet() {
         TextHash inputs;
@@ -256,10 +266,7 @@ private:
         if (record_.sheet == inputs.value() && fs::exists(record_.sheetFile(), ignored))
             return false;
         GallerySheet sheet(static_cast<int>(cards_.size()), options_.columns, tileSize());
-        for (const GalleryCard& card : cards_)
-            sheet.add(render::decodePng(contentOf(record_.posterFile(card.name)), card.width,
-                                        card.height),
-                      card.name);
+        for (const GalleryCard& card : cards_) sheet.add(posterOf(card), card.name);
         render::writeFileAtomically(record_.sheetFile(), render::encodePng(sheet.paper()));
         record_.sheet = inputs.value();
         return true;

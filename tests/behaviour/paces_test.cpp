@@ -343,6 +343,34 @@ TEST(LoadRatio, CountsIfTheHeavyOneIsAbove) {
     EXPECT_EQ(substepsOfTwo(1000, 1), 2);
 }
 
+/// On a hundredth or less, more for every level.
+TEST(LoadRatio, CountsTheLevelsBelowAVeryHeavyOne) {
+    for (const int levels : {2, 4, 6}) {
+        World world(Settings::fast());
+        world.add(support::floorPlane());
+        for (int i = 0; i <= levels; ++i)
+            world.add(body(Shape::box({1, 1, 1}), {0, i + 0.5, 0}, i < levels ? 1.0 : 1000.0));
+        run(world, 2);
+        EXPECT_EQ(world.report().substeps, levels == 2 ? 12 : levels == 4 ? 16 : 24) << levels;
+    }
+}
+
+// The balls at its ends do not spin.
+TEST(Turns, OfARodNeedSubsteps) {
+    const auto substepsAt = [](double rate) {
+        World world(Settings::fast());
+        world.setGravity(Vec3::Zero());
+        BodyDef ends[2] = {body(Shape::sphere(0.1), {-0.5, 0, 0}), body(Shape::sphere(0.1), {0.5, 0, 0})};
+        ends[0].velocity = {0, -0.5 * rate, 0}, ends[1].velocity = {0, 0.5 * rate, 0};
+        const BodyId a = world.add(ends[0]), b = world.add(ends[1]);
+        support::rod(world, a, b);
+        run(world, 1);
+        return world.report().substeps;
+    };
+    EXPECT_LE(substepsAt(6), 2);
+    EXPECT_GE(substepsAt(60), 10);
+}
+
 /// A box with a wheel that turns at 30 rad/s.
 int substepsOfWheel(double height) {
     World world(Settings::fast());

@@ -101,6 +101,7 @@ TEST(Tree, StaysConsistentThroughRandomInsertsAndRemovals) {
     BoundsTree tree;
     support::Random random(4);
     std::vector<int> leaves;
+    ASSERT_TRUE(tree.isConsistent());
     for (int i = 0; i < 2000; ++i) {
         if (leaves.size() > 20 && random.number(0, 1) < 0.45) {
             const int k = static_cast<int>(random.number(0, static_cast<double>(leaves.size())));
