@@ -203,6 +203,9 @@ bool samePoses(const Sight& truth, const Sight& sight, const SceneDescription& s
     return used(truth, sight, scene, {}) < 1e-3;
 }
 
+/// But for rounding.
+bool isSame(const render::Difference& difference) { return difference.largest <= 1; }
+
 MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const render::Image& truth,
                      const SceneDescription& scene, render::Renderer& renderer) {
     const PictureGate& gate = scene.snapshot.gate;
@@ -210,8 +213,7 @@ MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const rende
     MutantVerdict verdict;
     verdict.mutant = &mutant;
     verdict.difference = render::compare(truth, drawn(sight, renderer), gate.levels);
-    verdict.unchanged =
-        samePoses(specimen.now, sight, scene) && verdict.difference.differing == 0;
+    verdict.unchanged = samePoses(specimen.now, sight, scene) && isSame(verdict.difference);
     verdict.state = used(specimen.now, sight, scene, scene.snapshot.tolerance) > 1.0;
     verdict.picture = !letsPass(gate, verdict.difference);
     return verdict;
@@ -240,7 +242,7 @@ MutantVerdict judged(const ChangedRun& changed, const RecordedPlayer& truth,
     verdict.mutant = changed.mutant;
     verdict.difference = render::compare(image, drawn(sight, renderer), snapshot.gate.levels);
     verdict.unchanged = samePoses(specimen.now, sight, plan.scene()) && sameImpulses(was, is) &&
-                        verdict.difference.differing == 0;
+                        isSame(verdict.difference);
     verdict.state = diverge(was, is, snapshot.tolerance).kind == PhysicsVerdict::Kind::changed;
     verdict.picture = !letsPass(snapshot.gate, verdict.difference);
     return verdict;

@@ -40,7 +40,7 @@ std::span<const Mutant> mutants();
 struct MutantVerdict {
     const Mutant* mutant = nullptr;
     double time = 0.0;              // s, as [snapshot] lists it
-    bool unchanged = false;         // the same pixels and loads, poses but for rounding: nothing to notice
+    bool unchanged = false;         // the same loads, pixels and poses but for rounding: nothing to notice
     bool state = false;             // a body or its load is beyond the scene's tolerance
     bool picture = false;           // the scene's gate rejects the picture
     render::Difference difference;  // from the undamaged picture
