@@ -70,7 +70,6 @@ struct alignas(32) ContactBatch {
 struct alignas(32) ContactRecord {
     int contact[8];                     // index of the contact; -1: empty lane
     float restitution[8];
-    float approach[4][8];               // the velocity along n before solving, m/s
     float gapAtStart[4][8];             // C when the rows were made, m; large for a missing point
     float separation[4][8];             // C now
     float total[4][8];                  // N s along n, over the whole step

@@ -47,7 +47,7 @@ bool separate(const ContactBatch& c, ContactRecord& record, const WideVelocity* 
     return any(least(separation) < Lanes(-step.slop));
 }
 
-void setBiases(ContactBatch& c, ContactRecord& record, const WideVelocity* v,
+void setBiases(ContactBatch& c, const ContactRecord& record, const WideVelocity* v,
                const WideStep& step) {
     const Motion6 motion = PairLanes(c, v).motion();
     const Lanes4 approach = alongNormal(c, motion.along);
@@ -65,7 +65,6 @@ void setBiases(ContactBatch& c, ContactRecord& record, const WideVelocity* v,
                              (separation + h * approach[i] <= zero) &
                              (approach[i] < Lanes(-step.bounceSpeed));
         bias = select(bounces, restitution * approach[i], bias);
-        approach[i].store(record.approach[i]);
         (bias + approach[i]).store(c.point[i].bias);
         zero.store(c.point[i].bounce);
     }

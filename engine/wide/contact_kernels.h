@@ -31,7 +31,7 @@ struct ContactKernels {
     bool (*separate)(const ContactBatch&, ContactRecord&, const WideVelocity* motions,
                      const WideStep&);
     /// Sets b of every row from the velocities before solving; resets the bounces to 0.
-    void (*setBiases)(ContactBatch&, ContactRecord&, const WideVelocity*, const WideStep&);
+    void (*setBiases)(ContactBatch&, const ContactRecord&, const WideVelocity*, const WideStep&);
     /// v += M^-1 J^T lambda
     void (*warmStart)(ContactBatch&, WideVelocity*, const WideStep&);
     /// Sweeps the batches in order: the normals of a manifold together, then its friction.

@@ -96,6 +96,16 @@ TEST(BoxPlane, GivesTheFourLowestCorners) {
     }
 }
 
+TEST(SpherePlane, MayBeAnywhere) {
+    for (const double height : {-7.0, 0.0, 3.0}) {
+        const Manifold m = collide(Shape::sphere(0.5), {{2, height + 0.49, 1}, Quat::Identity()},
+                                   Shape::plane({0, 1, 0}), {{-4, height, 6}, Quat::Identity()}, 0.02);
+        ASSERT_EQ(m.count, 1) << height;
+        EXPECT_NEAR(m.separation(0), -0.01, 1e-14) << height;
+        EXPECT_NEAR(m.points[0].onB.y(), height, 1e-14);
+    }
+}
+
 TEST(CapsuleBox, LyingOnAFaceGivesTwoPoints) {
     const Pose lying{{0, 0.5 + 0.25, 0}, turnAbout(Vec3::UnitZ(), radians(90))};
     const Manifold m =
