@@ -204,7 +204,7 @@ bool samePoses(const Sight& truth, const Sight& sight, const SceneDescription& s
 }
 
 /// But for rounding.
-bool isSame(const render::Difference& difference) { return difference.largest <= 1; }
+bool looksSame(const render::Difference& difference) { return difference.largest <= 1; }
 
 MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const render::Image& truth,
                      const SceneDescription& scene, render::Renderer& renderer) {
@@ -213,7 +213,7 @@ MutantVerdict judged(const Mutant& mutant, const Specimen& specimen, const rende
     MutantVerdict verdict;
     verdict.mutant = &mutant;
     verdict.difference = render::compare(truth, drawn(sight, renderer), gate.levels);
-    verdict.unchanged = samePoses(specimen.now, sight, scene) && isSame(verdict.difference);
+    verdict.unchanged = samePoses(specimen.now, sight, scene) && looksSame(verdict.difference);
     verdict.state = used(specimen.now, sight, scene, scene.snapshot.tolerance) > 1.0;
     verdict.picture = !letsPass(gate, verdict.difference);
     return verdict;
@@ -242,7 +242,7 @@ MutantVerdict judged(const ChangedRun& changed, const RecordedPlayer& truth,
     verdict.mutant = changed.mutant;
     verdict.difference = render::compare(image, drawn(sight, renderer), snapshot.gate.levels);
     verdict.unchanged = samePoses(specimen.now, sight, plan.scene()) && sameImpulses(was, is) &&
-                        isSame(verdict.difference);
+                        looksSame(verdict.difference);
     verdict.state = diverge(was, is, snapshot.tolerance).kind == PhysicsVerdict::Kind::changed;
     verdict.picture = !letsPass(snapshot.gate, verdict.difference);
     return verdict;
