@@ -45,6 +45,18 @@ TEST(BoxBox, FeaturesSurviveRoundingAndSmallTurns) {
     }
 }
 
+// The larger box has the reference face. Impulses are carried by features: those of one arrangement are none of the
+// other's, although the same sides face each other.
+TEST(BoxBox, FeaturesKnowWhoseFaceTheReferenceIs) {
+    const Quat over = turnAbout(Vec3::UnitX(), radians(180)), tilt = turnAbout(Vec3::UnitZ(), radians(2));
+    const Shape wide = Shape::box({4, 1, 4});
+    const std::set<int> ofA = features(collide(wide, at({0, 0, 0}), kCube, at({0, 1, 0}, tilt), 0.1));
+    const std::set<int> ofB = features(collide(kCube, at({0, 0, 0}, tilt * over), wide, at({0, 1, 0}, over), 0.1));
+    ASSERT_EQ(ofA.size(), 4u);
+    ASSERT_EQ(ofB.size(), 4u);
+    for (const int feature : ofA) EXPECT_FALSE(ofB.contains(feature)) << feature;
+}
+
 // Two crossed edges: the distance of two lines at right angles.
 TEST(BoxBox, EdgesThatCrossGiveOnePointBetween) {
     const Quat tiltX = turnAbout(Vec3::UnitX(), radians(45));
