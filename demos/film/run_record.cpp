@@ -6,6 +6,7 @@
 #include "demos/film/film_plan.h"
 #include "demos/text/hex_text.h"
 #include "demos/text/json_limits.h"
+#include "demos/text/json_whole.h"
 
 namespace demos {
 namespace {
@@ -82,20 +83,20 @@ std::optional<RunRecord> recordFromJson(const std::string& text) try {
     record.theme = json.value("theme", "");
     record.show = json.value("show", std::vector<std::string>{});
     record.settings = json.value("set", std::vector<std::string>{});
-    if (json.contains("size")) json["size"].at(0).get_to(record.width);
-    if (json.contains("size")) json["size"].at(1).get_to(record.height);
-    record.samples = json.value("samples", 0);
-    record.fps = json.value("fps", 0);
-    record.hz = json.value("hz", 0);
+    if (json.contains("size")) wholeTo(json["size"].at(0), record.width);
+    if (json.contains("size")) wholeTo(json["size"].at(1), record.height);
+    record.samples = wholeIn<int>(json.value("samples", Json(0)));
+    record.fps = wholeIn<int>(json.value("fps", Json(0)));
+    record.hz = wholeIn<int>(json.value("hz", Json(0)));
     record.shard = json.value("shard", "");
-    record.poster = json.value("poster", 0);
+    record.poster = wholeIn<int>(json.value("poster", Json(0)));
     record.captions = json.value("captions", "");
     record.incident = json.value("incident", "");
-    record.incidentFrame = json.value("incident_frame", 0);
+    record.incidentFrame = wholeIn<int>(json.value("incident_frame", Json(0)));
     if (json.contains("film"))
         record.film = fromHex(json["film"].get<std::string>()).value();
     for (const Json& chapter : json.value("chapters", Json::array()))
-        record.chapters.push_back({chapter.at("first").get<int>(), chapter.at("end").get<int>(),
+        record.chapters.push_back({wholeIn<int>(chapter.at("first")), wholeIn<int>(chapter.at("end")),
                                    chapter.at("name").get<std::string>()});
     if (json.contains("passes")) record.passes = json["passes"].get<std::vector<std::string>>();
     const Json& frames = json.at("frames");

@@ -12,6 +12,7 @@
 #include "demos/text/file_content.h"
 #include "demos/text/hex_text.h"
 #include "demos/text/json_limits.h"
+#include "demos/text/json_whole.h"
 #include "demos/text/text_hash.h"
 
 namespace demos {
@@ -69,8 +70,8 @@ Baseline baselineOf(const Json& json) {
     json.at("impulse").get_to(baseline.version);
     json.at("renderer").get_to(baseline.renderer);
     json.at("pixels").get_to(baseline.pixels);
-    json.at("size").at(0).get_to(baseline.width);
-    json.at("size").at(1).get_to(baseline.height);
+    wholeTo(json.at("size").at(0), baseline.width);
+    wholeTo(json.at("size").at(1), baseline.height);
     for (const auto& [key, value] : json.at("settings").items())
         baseline.settings.emplace_back(key, value.get<std::string>());
     for (const Json& picture : json.at("pictures"))
@@ -82,7 +83,7 @@ Baseline baselineOf(const Json& json) {
     json.at("course").get_to(baseline.trajectoryText);
     baseline.trajectory = trajectoryFrom(baseline.trajectoryText);
     for (const Json& incident : json.value("incidents", Json::array()))
-        baseline.incidents.push_back({incident.at("step").get<long long>(),
+        baseline.incidents.push_back({wholeIn<long long>(incident.at("step")),
                                       incident.at("body").get<std::string>(),
                                       incident.at("trouble").get<std::string>()});
     return baseline;
@@ -110,7 +111,7 @@ std::string jsonOf(const Baseline& baseline, const Tolerance& tolerance) {
 Baseline baselineFrom(const std::string& text, const std::string& name) try {
     checkJson(text, kBaselineJson);
     Json json = Json::parse(text);
-    if (const int format = json.at("format").get<int>(); format < kOldestBaseline || format > kBaselineFormat)
+    if (const int format = wholeIn<int>(json.at("format")); format < kOldestBaseline || format > kBaselineFormat)
         throw BaselineError(fmt::format(
             "{} has format {}, but this impulse reads {}; {}", name, format, kBaselineFormat,
             format > kBaselineFormat ? "use a newer impulse" : "accept the scene again"));

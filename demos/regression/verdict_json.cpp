@@ -9,6 +9,7 @@
 #include "demos/text/complaints.h"
 #include "demos/text/hex_text.h"
 #include "demos/text/json_limits.h"
+#include "demos/text/json_whole.h"
 #include "demos/text/stop.h"
 #include "demos/text/version.h"
 
@@ -47,9 +48,9 @@ Json jsonOf(const PhysicsVerdict& physics) {
 PhysicsVerdict physicsFrom(const Json& json) {
     PhysicsVerdict physics;
     physics.kind = enumFrom(json.at("kind").get<std::string>(), kPhysics);
-    json.at("first_bits").get_to(physics.firstBits);
-    json.at("step").get_to(physics.step);
-    json.at("every").get_to(physics.every);
+    wholeTo(json.at("first_bits"), physics.firstBits);
+    wholeTo(json.at("step"), physics.step);
+    wholeTo(json.at("every"), physics.every);
     json.at("body").get_to(physics.body);
     json.at("field").get_to(physics.field);
     json.at("difference").get_to(physics.difference);
@@ -70,11 +71,11 @@ Json jsonOf(const render::Difference& difference) {
 render::Difference differenceFrom(const Json& json) {
     render::Difference difference;
     difference.sameSize = true;
-    json.at("differing").get_to(difference.differing);
-    json.at("largest").get_to(difference.largest);
-    json.at("window").get_to(difference.worstWindow);
-    json.at("window_at").at(0).get_to(difference.windowX);
-    json.at("window_at").at(1).get_to(difference.windowY);
+    wholeTo(json.at("differing"), difference.differing);
+    wholeTo(json.at("largest"), difference.largest);
+    wholeTo(json.at("window"), difference.worstWindow);
+    wholeTo(json.at("window_at").at(0), difference.windowX);
+    wholeTo(json.at("window_at").at(1), difference.windowY);
     json.at("shift").get_to(difference.worstShift);
     json.at("ssim").get_to(difference.worstSsim);
     return difference;
@@ -142,16 +143,16 @@ Json jsonOf(const Snapshot& snapshot) {
 
 Snapshot snapshotFrom(const Json& json) {
     Snapshot snapshot;
-    json.at("size").at(0).get_to(snapshot.width);
-    json.at("size").at(1).get_to(snapshot.height);
+    wholeTo(json.at("size").at(0), snapshot.width);
+    wholeTo(json.at("size").at(1), snapshot.height);
     const Json& tolerance = json.at("tolerance");
     tolerance.at("position").get_to(snapshot.tolerance.position);
     tolerance.at("angle_deg").get_to(snapshot.tolerance.angleDegrees);
     tolerance.at("load").get_to(snapshot.tolerance.load);
     tolerance.at("why").get_to(snapshot.tolerance.why);
     const Json& gate = json.at("gate");
-    gate.at("levels").get_to(snapshot.gate.levels);
-    gate.at("window").get_to(snapshot.gate.windowPixels);
+    wholeTo(gate.at("levels"), snapshot.gate.levels);
+    wholeTo(gate.at("window"), snapshot.gate.windowPixels);
     gate.at("ssim").get_to(snapshot.gate.ssim);
     gate.at("why").get_to(snapshot.gate.why);
     return snapshot;
@@ -168,7 +169,7 @@ Json jsonOf(const TestPart& part) {
 TestPart partFrom(const Json& json) {
     TestPart part;
     part.shard = shardNamed(json.at("shard").get<std::string>()).value();
-    json.at("scenes").get_to(part.scenes);
+    wholeTo(json.at("scenes"), part.scenes);
     part.run = fromHex(json.at("run").get<std::string>()).value();
     json.at("program").get_to(part.program);
     json.at("settings").get_to(part.settings);
@@ -235,7 +236,7 @@ std::string jsonOf(const TestVerdict& verdict) {
 TestVerdict testVerdictFrom(const std::string& text, const std::string& name) try {
     checkJson(text, kReportJson);
     const Json json = Json::parse(text);
-    if (const int format = json.at("format").get<int>(); format != kVerdictFormat)
+    if (const int format = wholeIn<int>(json.at("format")); format != kVerdictFormat)
         throw Stop(Exit::environment,
                    fmt::format("'{}' has format {}, but this program reads {}; run impulse test "
                                "again",

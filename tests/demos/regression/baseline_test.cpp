@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "demos/processes/process_pool.h"
 #include "demos/regression/accept.h"
@@ -15,6 +16,7 @@
 #include "demos/regression/scene_inputs.h"
 #include "demos/regression/verdict_text.h"
 #include "demos/text/json_limits.h"
+#include "demos/text/json_whole.h"
 #include "demos/text/stop.h"
 #include "demos/text/text_hash.h"
 #include "render/encode/png.h"
@@ -139,6 +141,17 @@ TEST(Baselines, SayWhenTheyWereEdited) {
     EXPECT_NE(complaintAbout("{", "{\"a\":" + many + std::string(many.size(), ']') + ",")
                   .find("is damaged"),
               std::string::npos);
+}
+
+// A number that is no int was converted to one, which is undefined.
+TEST(JsonWhole, IsInTheRangeOfItsType) {
+    using Json = nlohmann::json;
+    EXPECT_EQ(wholeIn<int>(Json::parse("-2147483648")), -2147483647 - 1);
+    EXPECT_EQ(wholeIn<int>(Json::parse("2147483647")), 2147483647);
+    EXPECT_EQ(wholeIn<long long>(Json::parse("-9223372036854775807")), -9223372036854775807LL);
+    for (const char* bad : {"2147483648", "-2147483649", "1e20", "92233720368547758070", "1.5", "\"1\"", "null"})
+        EXPECT_THROW(wholeIn<int>(Json::parse(bad)), std::invalid_argument) << bad;
+    EXPECT_THROW(wholeIn<long long>(Json::parse("9223372036854775808")), std::invalid_argument);
 }
 
 TEST(Baselines, KnowTheirPictures) {
