@@ -7,6 +7,7 @@
 #include "demos/load/builtin.h"
 #include "demos/regression/baseline.h"
 #include "demos/regression/scene_choice.h"
+#include "demos/scene/reader.h"
 #include "demos/text/complaints.h"
 #include "demos/text/stop.h"
 
@@ -41,6 +42,12 @@ void checkSceneName(const std::string& name) {
     if (!good) refusePlace("has a scene called " + quoted(name) + ", which is not a scene's name");
 }
 
+/// Otherwise a report could choose whose times tell which pictures are left over.
+void checkSceneFile(const SceneVerdict& scene) {
+    const bool own = isBuiltin(scene.scene) ? scene.scene == scene.name : sceneNameOf(scene.scene) == scene.name;
+    if (!own) refusePlace("has " + quoted(scene.name) + " from " + quoted(scene.scene) + ", which is another scene");
+}
+
 /// The scene must be here: otherwise a report could choose the folder.
 void checkSceneHere(const SceneVerdict& scene) {
     std::error_code ignored;
@@ -60,6 +67,7 @@ fs::path placeOf(const SceneVerdict& scene, const std::string& baselines) {
     checkSceneName(scene.name);
     for (const std::string& path : {scene.scene, scene.folder})
         if (holdsNul(path)) refusePlace("has a path with a zero byte, " + quoted(path));
+    checkSceneFile(scene);
     if (baselines.empty()) checkSceneHere(scene);
     const fs::path place = homeOf(scene.scene, baselines) / (scene.name + kSnapshotsEnding);
     if (baselines.empty() && realPath(place) != realPath(scene.folder))

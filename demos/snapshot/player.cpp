@@ -28,8 +28,8 @@ const char* what(engine::Trouble trouble) {
             return "more than 1000 rows, the limit of the direct solver; use solver.type = "
                    "\"impulses\"";
         case engine::Trouble::tooManyContacts:
-            return "more than 200000 contacts, or millions of pairs of bodies or of their triangles and "
-                   "parts near each other; move them apart";
+            return "more than 200000 contacts, or millions of pairs of bodies, parts or triangles near each "
+                   "other, as of a body deep in a fine mesh; move them apart";
         case engine::Trouble::energyJump:
             return "energy grew tenfold in one step without a cause";
     }

@@ -182,6 +182,9 @@ TEST_F(EditedReport, RemovesNoPictureOfATimeThatTheSceneLists) {
     for (const char* file : {"t0.png", "t0.5.png"}) EXPECT_TRUE(fs::exists(folder / "ball.snapshots" / file));
     edit({{"\"scene\": \"ball.toml\"", "\"scene\": \"ball.toml\\u0000/../ball.toml\""}});
     expectRefused("has a path with a zero byte");
+    write(folder / "never.toml", kBallOnABox);
+    edit({{"\"scene\": \"ball.toml\"", "\"scene\": \"never.toml\""}});
+    expectRefused("which is another scene");
 }
 
 TEST_F(EditedReport, RunsNothing) {
