@@ -91,7 +91,8 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
         for (int i = 0; i < m.count; ++i)
             m.points[i].feature = featureOf(m.points[i].feature, pieces.a, pieces.b);
         if (m.count > 0) add(bodies, contactOf(bodies, pair, m, where), first, found);
-        looked.crowded = looked.crowded || found.size() - first > kMostContactsOfPair;
+        const bool tooMany = where == Found::here && found.size() - first > kMostContactsOfPair;
+        looked.crowded = looked.crowded || tooMany;
     };
     const auto meet = [&](const Piece& a, const Piece& b, const Impact& impact) {
         const PiecePair pieces{pair, a, b};

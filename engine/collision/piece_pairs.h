@@ -9,9 +9,9 @@
 
 namespace engine {
 
-/// With more pairs of pieces to look at in one step, or more contacts between two bodies, no step is done: these
-/// are bodies deep in fine meshes.
-inline constexpr long kMostPiecePairs = 1'000'000;
+/// With more pairs of pieces to look at in one step, or more contacts of two bodies where they are, no step is done:
+/// these are bodies deep in fine meshes. A fast body may have more contacts ahead of it, on rough ground.
+inline constexpr long kMostPiecePairs = 4'000'000;
 inline constexpr std::size_t kMostContactsOfPair = 2000;
 
 /// What one thread has looked at in a step.
