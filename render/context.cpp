@@ -1,11 +1,15 @@
 #include "render/context.h"
 
+#include <stdexcept>
+
 #include "render/context_kinds.h"
 #include "render/driver_environment.h"
 #include "render/error.h"
 
 namespace render {
 namespace {
+
+bool anyMade = false;  // in this process
 
 constexpr int kMostPixels = 16384;  // per side; OSMesa accepts more but draws nothing
 
@@ -74,6 +78,7 @@ ContextKind contextCalled(std::string_view name) {
 }
 
 void preloadContext([[maybe_unused]] ContextKind kind) {
+    if (anyMade) throw std::logic_error("processes that draw are forked before the first context is made");
 #ifdef IMPULSE_HAVE_OSMESA
     if (kind == ContextKind::egl) return;
     try {
@@ -87,6 +92,7 @@ void preloadContext([[maybe_unused]] ContextKind kind) {
 std::unique_ptr<Context> makeContext(const ContextSettings& settings) {
     checkSides(settings);
     prepareDriverEnvironment(settings);
+    anyMade = true;
     return settings.kind == ContextKind::automatic ? makeAny() : make(settings.kind);
 }
 

@@ -33,7 +33,8 @@ public:
 std::unique_ptr<Context> makeContext(const ContextSettings& settings);
 
 /// Loads the library of such a context ahead of time. Called before processes that draw are forked, so that
-/// they share its memory. Throws nothing: errors are left to makeContext().
+/// they share its memory; errors are left to makeContext(). Throws std::logic_error if this process has made a
+/// context: a thread of the driver lives on, and in a forked process its locks would wait for it for ever.
 void preloadContext(ContextKind kind);
 
 /// The kinds this program was built with, in the order in which they are tried.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <numeric>
@@ -12,6 +13,7 @@
 #include "demos/film/composite.h"
 #include "demos/film/frame_source.h"
 #include "demos/measures/clock.h"
+#include "demos/processes/own_process.h"
 #include "demos/processes/signals.h"
 #include "demos/text/stop.h"
 #include "render/encode/file.h"
@@ -126,6 +128,27 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, double most
     timing.incident = composite.incidentAtEnd();
 }
 
+/// What timeStages() finds, but for the incident.
+struct StageTimes {
+    std::array<double, kFilmStages.size()> ms{};
+    double start = 0.0, pngBytes = 0.0, drawn = 0.0;
+    int frames = 0;
+};
+
+/// timeStages() in a process of its own, because the next scene's workers will be forked from this one.
+void timeStagesApart(const FilmPlan& plan, const TemporaryFolder& folder, double most, FilmTiming& timing) {
+    const std::string found = inOwnProcess("the process that measures", [&] {
+        timeStages(plan, folder, most, timing);
+        const StageTimes times{timing.ms, timing.start, timing.pngBytes, timing.drawn, timing.frames};
+        return std::string(reinterpret_cast<const char*>(&times), sizeof times) + timing.incident;
+    });
+    StageTimes times;
+    std::memcpy(&times, found.data(), sizeof times);
+    timing.ms = times.ms, timing.start = times.start, timing.frames = times.frames;
+    timing.pngBytes = times.pngBytes, timing.drawn = times.drawn;
+    timing.incident = found.substr(sizeof times);
+}
+
 }  // namespace
 
 double FilmTiming::drawing() const {
@@ -140,7 +163,7 @@ FilmTiming timeFrames(const FilmPlan& plan, int frames, double seconds) {
     const TemporaryFolder folder;
     FilmTiming timing;
     timing.frames = std::min(frames, plan.frames);
-    timeStages(plan, folder, seconds, timing);
+    timeStagesApart(plan, folder, seconds, timing);
     return timing;
 }
 
@@ -151,7 +174,7 @@ FilmTiming timeFilm(const FilmPlan& plan, int jobs) {
     timing.workers = workerCount(jobs, plan.frames);
     timing.framesASecond = framesASecond(plan, timing.workers, folder);
     if (canBeMp4(plan)) timing.mp4 = timeMp4(plan, timing.workers, folder.film());
-    timeStages(plan, folder, std::numeric_limits<double>::infinity(), timing);
+    timeStagesApart(plan, folder, std::numeric_limits<double>::infinity(), timing);
     return timing;
 }
 

@@ -35,9 +35,8 @@ struct FilmTiming {
 FilmTiming timeFrames(const FilmPlan& plan, int frames, double seconds);
 
 /// Makes the film three times, in a temporary folder that is removed: by `jobs` workers (0: one per
-/// core) as PNG files and as an .mp4, then in this process with a clock. Throws Stop (interrupted;
-/// diverged if a step fails)
-/// and render::Error.
+/// core) as PNG files and as an .mp4, then in a process of its own with a clock. Throws Stop (interrupted;
+/// diverged if a step fails) and render::Error.
 FilmTiming timeFilm(const FilmPlan& plan, int jobs);
 
 }  // namespace demos
