@@ -60,11 +60,9 @@ bool stays(const Contact& contact, const Bodies& bodies) {
            turn.vec().squaredNorm() < kTurn * kTurn;
 }
 
-Contact kept(const Contact& contact, const Bodies& bodies) {
-    Contact same = contact;
-    same.slideA.setZero(), same.slideB.setZero();
-    same.normal = bodies.poses[contact.a].rotation * contact.normalA;
-    return same;
+void follow(Contact& contact, const Bodies& bodies) {
+    contact.slideA.setZero(), contact.slideB.setZero();
+    contact.normal = bodies.poses[contact.a].rotation * contact.normalA;
 }
 
 double separationOf(const Contact& contact, int point, const Bodies& bodies) {

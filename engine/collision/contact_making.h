@@ -14,8 +14,8 @@ Contact contactOf(const Bodies& bodies, const PairKey& pair, const Manifold& man
 /// quarter of the margin, so that no point is missed that may touch in the next step.
 bool stays(const Contact& contact, const Bodies& bodies);
 
-/// The same contact at the present poses: its normal turns with a.
-Contact kept(const Contact& contact, const Bodies& bodies);
+/// Makes it the same contact at the present poses: its normal turns with a.
+void follow(Contact& contact, const Bodies& bodies);
 
 /// C of a point at the present poses, m.
 double separationOf(const Contact& contact, int point, const Bodies& bodies);

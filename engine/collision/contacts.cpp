@@ -14,8 +14,8 @@ constexpr double kSamePlace = 0.02;  // m
 constexpr double kSameWay = 0.95;    // cosine, between normals
 constexpr int kPairsAThread = 256;   // at least
 
-/// Keeps the previous contact; only its normal turns with a. This saves the search, and the points keep their
-/// features.
+/// Keeps the previous contact with its impulses; only its normal turns with a. This saves the search, and the points
+/// keep their features.
 bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pair,
                  const Bodies& bodies, double dt, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
@@ -23,7 +23,8 @@ bool keepContact(const ContactFinder& finder, std::size_t old, const PairKey& pa
         return i < previous.size() && pairOf(previous[i]) == pair;
     };
     if (!isOfPair(old) || isOfPair(old + 1) || !stays(previous[old], bodies)) return false;
-    found.push_back(kept(previous[old], bodies));
+    found.push_back(previous[old]);
+    follow(found.back(), bodies);
     if (!mayPass(found.back(), bodies, finder.moving, dt)) return true;
     found.pop_back();
     return false;
@@ -45,8 +46,8 @@ bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey&
 }
 
 /// Adds up to two contacts. `near` (m): the margin, or as far as the hits of this step may throw the two.
-/// `old`: the first previous contact that does not belong to an earlier pair.
-void addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
+/// `old`: the first previous contact that does not belong to an earlier pair. Returns true if it was kept.
+bool addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
                  std::size_t old, const ContactFinder& finder, std::vector<Contact>& found) {
     const PiecePair whole{pair, wholeOf(bodies.defs[pair.a].shape),
                           wholeOf(bodies.defs[pair.b].shape)};
@@ -54,15 +55,16 @@ void addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
         const MovingManifolds met = collideMoving(bodies, whole, finder.moving, impact, margin, near, dt);
         for (int i = 0; i < met.count; ++i)
             found.push_back(contactOf(bodies, pair, met.manifolds[i], Found::onTheWay));
+        return false;
     };
     if (const auto impact = impactOf(bodies, pair, finder.moving, margin, near, dt)) return meet(*impact);
-    if (keepContact(finder, old, pair, bodies, dt, found)) return;
+    if (keepContact(finder, old, pair, bodies, dt, found)) return true;
     const Shape &a = bodies.defs[pair.a].shape, &b = bodies.defs[pair.b].shape;
     const Manifold manifold = collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
-    if (manifold.count == 0) return;
+    if (manifold.count == 0) return false;
     const Contact contact = contactOf(bodies, pair, manifold, Found::here);
-    if (!mayPass(contact, bodies, finder.moving, dt)) return found.push_back(contact);
-    meet(timeOfImpact(a, finder.moving.motions[pair.a], b, finder.moving.motions[pair.b], dt, near));
+    if (!mayPass(contact, bodies, finder.moving, dt)) return found.push_back(contact), false;
+    return meet(timeOfImpact(a, finder.moving.motions[pair.a], b, finder.moving.motions[pair.b], dt, near));
 }
 
 /// The contact of the pair in the last step with nearly the same normal, from `old` on. For pairs of whole
@@ -98,14 +100,12 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         while (old < previous.size() && isBefore(previous[old], pair)) ++old;
         const std::size_t first = found.size();
         const double near = larger(margin, thrown);
-        if (areWhole(bodies, pair))
-            addContacts(bodies, pair, margin, near, dt, old, finder, found);
-        else
-            addContactsOfPieces(bodies, pair, finder.broadPhase, finder.moving, margin, near, dt,
-                                previous, old, looked, found);
-        for (std::size_t i = first; i < found.size(); ++i)
-            if (const Contact* from =
-                    sameAs(found[i], previous, old, i == first, areWhole(bodies, pair)))
+        const bool whole = areWhole(bodies, pair);
+        const bool kept = whole ? addContacts(bodies, pair, margin, near, dt, old, finder, found)
+                                : addContactsOfPieces(bodies, pair, finder.broadPhase, finder.moving, margin,
+                                                      near, dt, previous, old, looked, found);
+        for (std::size_t i = first; !kept && i < found.size(); ++i)
+            if (const Contact* from = sameAs(found[i], previous, old, i == first, whole))
                 carryImpulses(*from, found[i]);
     }
 }

@@ -117,6 +117,13 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
+/// True if no point of one moves past the other by kPasses; (x + y + z)^2 <= 3 (x^2 + y^2 + z^2).
+bool hardlyMove(const Motion& a, const Motion& b, const Vec3& between, double dt) {
+    const double most = between.squaredNorm() + a.spin.squaredNorm() * a.size * a.size +
+                        b.spin.squaredNorm() * b.size * b.size;
+    return 3.0 * dt * dt * most < kPasses * kPasses;
+}
+
 void sortUnique(std::vector<int>& list) {
     std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -256,6 +263,7 @@ void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, st
         const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // rotation about it changes nothing
         return axis.cross(spin).norm() * time > kFarToTurn;
     };
+    if (std::ranges::none_of(bodies.active, turnsFar)) return;  // fewer than contacts
     for (const Contact& c : contacts)
         for (const int i : {c.a, c.b})
             if (turnsFar(i)) turned.push_back(i);
@@ -291,12 +299,14 @@ const Impact* knownImpact(const MovingPairs& moving, const MovingPairs::Entry& e
 bool mayPass(const Contact& contact, const Bodies& bodies, const MovingPairs& moving, double dt) {
     const Motion &a = moving.motions[contact.a], &b = moving.motions[contact.b];
     const Velocity &ofA = bodies.velocities[contact.a], &ofB = bodies.velocities[contact.b];
+    if (hardlyMove(a, b, ofB.linear - ofA.linear, dt)) return false;
+    const Pose &poseA = bodies.poses[contact.a], &poseB = bodies.poses[contact.b];
     bool acts = false, moves = false;
     for (int i = 0; i < contact.count; ++i) {
-        const double gap = separationOf(contact, i, bodies);
+        const Vec3 armA = poseA.rotation * contact.points[i].anchorA;
+        const Vec3 armB = poseB.rotation * contact.points[i].anchorB;
+        const double gap = contact.normal.dot((poseB.position + armB) - (poseA.position + armA));
         if (gap <= 0.0) return false;
-        const Vec3 armA = a.start.rotation * contact.points[i].anchorA;
-        const Vec3 armB = b.start.rotation * contact.points[i].anchorB;
         const Vec3 turning = b.spin.cross(armB) - a.spin.cross(armA);
         acts = acts || gap + dt * contact.normal.dot(b.velocity - a.velocity + turning) < 0.0;
         moves = moves || dt * dt * (ofB.linear - ofA.linear + turning).squaredNorm() > kPasses * kPasses;

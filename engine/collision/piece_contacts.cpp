@@ -69,7 +69,8 @@ bool keepAll(const std::vector<Contact>& previous, std::size_t old, const PairKe
         if (!stays(previous[end], bodies)) return false;
     const std::size_t first = found.size();
     for (std::size_t i = old; i < end; ++i) {
-        found.push_back(kept(previous[i], bodies));
+        found.push_back(previous[i]);
+        follow(found.back(), bodies);
         if (!mayPass(found.back(), bodies, moving, dt)) continue;
         found.resize(first);
         return false;
@@ -79,13 +80,13 @@ bool keepAll(const std::vector<Contact>& previous, std::size_t old, const PairKe
 
 }  // namespace
 
-void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase,
+bool addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase,
                          const MovingPairs& moving, double margin, double near, double dt,
                          const std::vector<Contact>& previous, std::size_t old, Looked& looked,
                          std::vector<Contact>& found) {
     const MovingPairs::Entry* known = movingEntry(moving, pair);
     const bool thrown = near > margin;
-    if (!known && !thrown && keepAll(previous, old, pair, bodies, moving, dt, found)) return;
+    if (!known && !thrown && keepAll(previous, old, pair, bodies, moving, dt, found)) return true;
     const std::size_t first = found.size();
     const auto take = [&](Manifold& m, const PiecePair& pieces, Found where) {
         for (int i = 0; i < m.count; ++i)
@@ -109,7 +110,7 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
             const MovingPairs::Close& close = moving.close[known->part][i];
             meet(close.a, close.b, close.impact);
         }
-        return;
+        return false;
     }
     forPiecePairs(bodies, moving.motions, broadPhase, pair, near, dt, looked,
                   [&](const Piece& a, const Piece& b) {
@@ -121,6 +122,7 @@ void addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadP
                           return meet(a, b, impactOf(a, b));
                       take(m, {pair, a, b}, Found::here);
                   });
+    return false;
 }
 
 }  // namespace engine

@@ -31,14 +31,13 @@ void Columns::findBearing(std::span<const Contact> contacts, std::span<const int
                           const Bodies& bodies) {
     bearing_.clear();
     for (const int k : order)
-        if (bears(contacts[k], bodies)) bearing_.push_back(k);
+        if (bears(contacts[k], bodies)) bearing_.push_back({contacts[k].a, contacts[k].b});
 }
 
-void Columns::number(std::span<const Contact> contacts, const Bodies& bodies) {
+void Columns::number(const Bodies& bodies) {
     levels_.resize(bodies.count());
     for (const int i : bodies.active) levels_[i] = kAboveAll;
-    for (const int k : bearing_) {
-        const Contact& c = contacts[k];
+    for (const BodyPair& c : bearing_) {
         const bool a = bodies.isDynamic(c.a), b = bodies.isDynamic(c.b);
         if (!a || !b) levels_[a ? c.a : c.b] = 1;
     }
@@ -46,7 +45,7 @@ void Columns::number(std::span<const Contact> contacts, const Bodies& bodies) {
     for (int pass = 0; pass < kMostPasses && changed; ++pass) {  // one is nearly enough, from the floor up
         changed = false;
         for (std::size_t k = bearing_.size(); k-- > 0;) {
-            const Contact& c = contacts[bearing_[k]];
+            const BodyPair& c = bearing_[k];
             if (!bodies.isDynamic(c.a) || !bodies.isDynamic(c.b)) continue;
             int &a = levels_[c.a], &b = levels_[c.b];
             if (a > b + 1) a = b + 1, changed = true;
@@ -58,7 +57,7 @@ void Columns::number(std::span<const Contact> contacts, const Bodies& bodies) {
 void Columns::measure(std::span<const Contact> contacts, std::span<const int> order,
                       const Bodies& bodies, DisjointSets& islands) {
     findBearing(contacts, order, bodies);
-    number(contacts, bodies);
+    number(bodies);
     islands_.resize(bodies.count());
     for (const int i : bodies.active) islands_[i] = {};
     for (const int i : bodies.active) {
@@ -68,20 +67,21 @@ void Columns::measure(std::span<const Contact> contacts, std::span<const int> or
         if (levels_[i] == 1) ++island.onTheFloor;
         island.levels = larger(island.levels, levels_[i]);
     }
+    for (const int i : bodies.active) islands_[i].substeps = substepsOf(islands_[i]);
 }
 
-int Columns::levels(int leader) const {
-    const Island& island = islands_[leader];
+int Columns::levels(int leader) const { return levelsOf(islands_[leader]); }
+
+int Columns::levelsOf(const Island& island) {
     return island.bodies < kMostOfALevel * island.levels ? island.levels : 0;
 }
 
-double Columns::substeps(int leader) const {
-    const Island& island = islands_[leader];
+double Columns::substepsOf(const Island& island) {
     if (island.levels == 0) return 0.0;
     const double levels = island.levels;
     const double side = island.reach / (kReachOfACube * island.bodies);
     const double sway = larger(1.0, std::sqrt(kSlow / side));
-    if (this->levels(leader) > 0) return sway * (0.4 * levels - 2.0);
+    if (levelsOf(island) > 0) return sway * (0.4 * levels - 2.0);
     const double carried = smaller(1.0 * island.bodies / island.onTheFloor, levels);
     return sway * 0.2 * carried * carried / levels;
 }

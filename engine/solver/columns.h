@@ -15,6 +15,7 @@
 #include "engine/base/disjoint_sets.h"
 #include "engine/constraints/contact.h"
 #include "engine/dynamics/bodies.h"
+#include "engine/wide/schedule.h"
 
 namespace engine {
 
@@ -24,7 +25,7 @@ public:
     void measure(std::span<const Contact> contacts, std::span<const int> order, const Bodies& bodies,
                  DisjointSets& islands);
     /// For an island, given by its leader; 0: no structure.
-    double substeps(int leader) const;
+    double substeps(int leader) const { return islands_[leader].substeps; }
     /// The levels of a column; 0: not a column.
     int levels(int leader) const;
 
@@ -32,16 +33,19 @@ private:
     struct Island {
         int bodies = 0, onTheFloor = 0, levels = 0;
         double reach = 0.0;  // m, of all bodies together
+        double substeps = 0.0;
     };
 
     /// Lists the contacts that bear, in this order.
     void findBearing(std::span<const Contact> contacts, std::span<const int> order,
                      const Bodies& bodies);
-    void number(std::span<const Contact> contacts, const Bodies& bodies);
+    void number(const Bodies& bodies);
+    static int levelsOf(const Island& island);
+    static double substepsOf(const Island& island);
 
     std::vector<Island> islands_;  // by leader
     std::vector<int> levels_;      // by body
-    std::vector<int> bearing_;
+    std::vector<BodyPair> bearing_;
 };
 
 }  // namespace engine

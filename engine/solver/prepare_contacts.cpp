@@ -65,6 +65,8 @@ void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3
         const auto layer = static_cast<std::uint32_t>(static_cast<std::int32_t>(number) + (1 << 30));
         keys.push_back(std::uint64_t{layer} << 32 | keys.size());
     }
+    const auto ascends = [&](int i, int k) { return keys[i] < keys[k]; };
+    if (result.size() == keys.size() && std::ranges::is_sorted(result, ascends)) return;  // as in the last step
     std::sort(keys.begin(), keys.end());
     result.clear();
     for (const std::uint64_t key : keys) result.push_back(static_cast<int>(key & 0xffffffffu));

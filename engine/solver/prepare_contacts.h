@@ -23,7 +23,8 @@ double separationNow(const ContactConstraint& contact, const ContactRow& row, co
 
 /// Gravity order: contacts from the top down, ties in the order of pairs. A contact's height is updated only
 /// when it has moved. If noise in the heights shuffled the contacts of a layer in every step, each step would
-/// have a different error, warm starting would not converge, and a pyramid would sway without end.
+/// have a different error, warm starting would not converge, and a pyramid would sway without end. `result`: empty, or
+/// from an earlier call.
 void orderContacts(std::span<Contact> contacts, const Bodies& bodies, const Vec3& gravity,
                    Order order, std::vector<std::uint64_t>& keys, std::vector<int>& result);
 

@@ -15,6 +15,19 @@ struct Lanes2 {
     Lanes x, y;
 };
 
+ENGINE_INLINE void storeCone(const Lanes& k11, const Lanes& k12, const Lanes& k22, WideCone& cone) {
+    const Lanes determinant = k11 * k22 - k12 * k12;
+    const Mask real = Lanes(0.0f) < determinant;
+    const Lanes over = where(real, Lanes(1.0f) / select(real, determinant, Lanes(1.0f)));
+    (k22 * over).store(cone.stop[0]);
+    (-(k12 * over)).store(cone.stop[1]);
+    (k11 * over).store(cone.stop[2]);
+    const Lanes half = Lanes(0.5f) * (k11 - k22);
+    const Lanes most = Lanes(0.5f) * (k11 + k22) + squareRoot(half * half + k12 * k12);
+    where(real, most).store(cone.k);
+    where(real, Lanes(1.0f) / select(real, most, Lanes(1.0f))).store(cone.mass);
+}
+
 ENGINE_INLINE Lanes2 solveInCone(const WideCone& cone, const Lanes2& before, const Lanes2& slip,
                                  const Lanes& limit) {
     const Lanes k12 = Lanes::load(cone.stop[1]), square = limit * limit;

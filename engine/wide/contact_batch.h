@@ -13,6 +13,7 @@ namespace engine {
 
 /// The gap of a missing point, m: such a point never touches.
 inline constexpr float kNoPoint = 1e6f;
+inline constexpr float kNotMade = -1.0f;  // of a cone
 
 /// The change of [v; w] of one body by the solver, in single precision; the fourth floats are 0. It is a
 /// change because a body that slides at 10 m/s is braked by 0.01 m/s per sub-step, and in the sum a float
@@ -62,7 +63,7 @@ struct alignas(32) ContactBatch {
     float twistMass[6][8];     // its inverse; without w_n for a single point
     float rolling[8];          // rho, m
     WidePoint point[kPoints];
-    WideCone slide[kPoints];   // friction of single points, for slipping manifolds
+    WideCone slide[kPoints];   // friction of single points, made when a manifold slips; k[0] < 0: not made
     WideRolling roll;
 };
 

@@ -2,6 +2,7 @@
 // Compiled once per instruction set, so no header here may define anything with external linkage.
 #include "engine/wide/contact_kernels.h"
 
+#include "engine/wide/fill_lanes.h"
 #include "engine/wide/friction_lanes.h"
 #include "engine/wide/normal_lanes.h"
 #include "engine/wide/pair_lanes.h"
@@ -216,6 +217,6 @@ const ContactKernels kContactKernels{
 #else
     "baseline",
 #endif
-    prepare, separate, setBiases, warmStart, sweep, nudge, book, measure};
+    fill, prepare, separate, setBiases, warmStart, sweep, nudge, book, measure};
 
 }  // namespace engine::ENGINE_LANES

@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/settings.h"
 #include "engine/wide/contact_batch.h"
+#include "engine/wide/contact_inputs.h"
 
 namespace engine {
 
@@ -25,6 +26,8 @@ struct alignas(64) WideSums {
 
 struct ContactKernels {
     const char* name;
+    /// Writes the frames, arms, gaps, masses and last impulses of the contacts.
+    void (*fill)(const ContactInputs&, ContactBatch&, ContactRecord&);
     /// Computes K, its inverse and the friction masses from arms, normals and masses.
     void (*prepare)(ContactBatch&, const ContactRecord&);
     /// C = C0 + J (translation, rotation since then); true if some overlap is deeper than the slop.

@@ -6,9 +6,22 @@
 
 namespace engine::ENGINE_LANES {
 
+/// The cone of one point, with the rows (1, 0, -y) and (0, 1, x).
+ENGINE_INLINE void storeSlide(const Symmetric3& k, const WidePoint& point, WideCone& slide) {
+    const Lanes x = Lanes::load(point.x), y = Lanes::load(point.y);
+    const Lanes zx = k.xz - y * k.zz, zy = k.yz + x * k.zz;  // change of w_n by the rows
+    storeCone(k.xx - y * k.xz - y * zx, k.xy - y * k.yz + x * zx, k.yy + x * k.yz + x * zy, slide);
+}
+
+/// Of all lanes, when the first one slips after prepare(); the same again for those that have slipped before.
+inline void makeSlides(ContactBatch& c) {
+    const Symmetric3 k = load6(c.twistK);
+    for (int i = 0; i < ContactBatch::kPoints; ++i) storeSlide(k, c.point[i], c.slide[i]);
+}
+
 class FrictionLanes {
 public:
-    ENGINE_INLINE explicit FrictionLanes(const ContactBatch& c) : c_(c) {
+    ENGINE_INLINE explicit FrictionLanes(ContactBatch& c) : c_(c) {
         const Lanes mu = Lanes::load(c.mu);
         load_ = total_.x = total_.y = total_.z = Lanes(0.0f);
         for (int i = 0; i < 4; ++i) {
@@ -77,6 +90,7 @@ private:
 
     /// Solves the points of slipping lanes one after the other.
     ENGINE_INLINE Lanes3 slide(const Mask& slips, Lanes3 slip, Corrections& worst) {
+        if (any(Lanes::load(c_.slide[0].k) < Lanes(0.0f))) makeSlides(c_);
         const Symmetric3 k = load6(c_.twistK);
         Lanes3 sum = Lanes(0.0f) * slip;
         for (int i = 0; i < 4; ++i) {
@@ -96,7 +110,7 @@ private:
         return sum;
     }
 
-    const ContactBatch& c_;
+    ContactBatch& c_;
     Lanes limit_[4], before1_[4], before2_[4], after1_[4], after2_[4], x_[4], y_[4];
     Lanes load_;    // sum of mu lambda, N s
     Lanes3 total_;  // F_1, F_2, T before

@@ -5,6 +5,7 @@
 #pragma once
 #include "engine/wide/normal_lanes.h"
 #include "engine/wide/pair_lanes.h"
+#include "engine/wide/rolling_lanes.h"
 
 namespace engine::ENGINE_LANES {
 
@@ -80,26 +81,6 @@ ENGINE_INLINE void storeTwistMass(ContactBatch& c, const Symmetric3& k, const Ma
     for (int i = 0; i < 6; ++i) where(real, entries[i]).store(c.twistMass[i]);
 }
 
-ENGINE_INLINE void storeCone(const Lanes& k11, const Lanes& k12, const Lanes& k22, WideCone& cone) {
-    const Lanes determinant = k11 * k22 - k12 * k12;
-    const Mask real = Lanes(0.0f) < determinant;
-    const Lanes over = where(real, Lanes(1.0f) / select(real, determinant, Lanes(1.0f)));
-    (k22 * over).store(cone.stop[0]);
-    (-(k12 * over)).store(cone.stop[1]);
-    (k11 * over).store(cone.stop[2]);
-    const Lanes half = Lanes(0.5f) * (k11 - k22);
-    const Lanes most = Lanes(0.5f) * (k11 + k22) + squareRoot(half * half + k12 * k12);
-    where(real, most).store(cone.k);
-    where(real, Lanes(1.0f) / select(real, most, Lanes(1.0f))).store(cone.mass);
-}
-
-/// The cone of one point, with the rows (1, 0, -y) and (0, 1, x).
-ENGINE_INLINE void storeSlide(const Symmetric3& k, const WidePoint& point, WideCone& slide) {
-    const Lanes x = Lanes::load(point.x), y = Lanes::load(point.y);
-    const Lanes zx = k.xz - y * k.zz, zy = k.yz + x * k.zz;  // change of w_n by the rows
-    storeCone(k.xx - y * k.xz - y * zx, k.xy - y * k.yz + x * zx, k.yy + x * k.yz + x * zy, slide);
-}
-
 inline void prepare(ContactBatch& c, const ContactRecord& record) {
     const Lanes3 n = load3(c.n), t1 = load3(c.t1), t2 = load3(c.t2);
     const Lanes3 armA = load3(c.centre), armB = armA + load3(c.offset);
@@ -121,9 +102,10 @@ inline void prepare(ContactBatch& c, const ContactRecord& record) {
     const Lanes entries[6] = {k.xx, k.xy, k.xz, k.yy, k.yz, k.zz};
     for (int i = 0; i < 6; ++i) entries[i].store(c.twistK[i]);
     storeTwistMass(c, k, Lanes(0.0f) < Lanes::load(c.reach));
-    for (int i = 0; i < ContactBatch::kPoints; ++i) storeSlide(k, c.point[i], c.slide[i]);
-    storeCone(Levers::k(along, 1, along, 1), Levers::k(along, 1, along, 2),
-              Levers::k(along, 2, along, 2), c.roll.cone);
+    Lanes(kNotMade).store(c.slide[0].k);  // most manifolds never slip
+    if (resistsRolling(c))
+        storeCone(Levers::k(along, 1, along, 1), Levers::k(along, 1, along, 2),
+                  Levers::k(along, 2, along, 2), c.roll.cone);
 }
 
 }  // namespace engine::ENGINE_LANES

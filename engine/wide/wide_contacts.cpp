@@ -9,12 +9,14 @@
 namespace engine {
 namespace {
 
-void set3(float (&x)[3][8], int lane, const Vec3& v) {
-    for (int i = 0; i < 3; ++i) x[i][lane] = static_cast<float>(v[i]);
+void set3(double (&x)[3][8], int lane, const Vec3& v) {
+    for (int i = 0; i < 3; ++i) x[i][lane] = v[i];
 }
-void set6(float (&x)[6][8], int lane, const Mat3& m) {
+/// The upper triangle of a symmetric matrix.
+template <class Number>
+void set6(Number (&x)[6][8], int lane, const Mat3& m) {
     constexpr int kRow[6] = {0, 0, 0, 1, 1, 2}, kColumn[6] = {0, 1, 2, 1, 2, 2};
-    for (int i = 0; i < 6; ++i) x[i][lane] = static_cast<float>(m(kRow[i], kColumn[i]));
+    for (int i = 0; i < 6; ++i) x[i][lane] = static_cast<Number>(m(kRow[i], kColumn[i]));
 }
 void set3(float (&x)[4], const Vec3& v) {
     for (int i = 0; i < 3; ++i) x[i] = static_cast<float>(v[i]);
@@ -34,6 +36,43 @@ void fetchAhead(const Contact& contact) {
     constexpr std::size_t kCacheLine = 64;
     const auto* bytes = reinterpret_cast<const char*>(&contact);
     for (std::size_t at = 0; at < sizeof(Contact); at += kCacheLine) __builtin_prefetch(bytes + at);
+}
+
+void addContact(const Contact& contact, int lane, ContactInputs& inputs) {
+    static const ContactPoint none;
+    inputs.count[lane] = contact.count;
+    for (int i = 0; i < Contact::kMaxPoints; ++i) {
+        const ContactPoint& point = i < contact.count ? contact.points[i] : none;
+        set3(inputs.anchorA[i], lane, point.anchorA), set3(inputs.anchorB[i], lane, point.anchorB);
+        inputs.impulse[i][lane] = point.impulse;
+        set3(inputs.friction[i], lane, point.friction);
+    }
+    set3(inputs.normal, lane, contact.normal);
+    set3(inputs.slideA, lane, contact.slideA), set3(inputs.slideB, lane, contact.slideB);
+    set3(inputs.rollingMoment, lane, contact.rollingMoment);
+    inputs.mu[lane] = contact.friction, inputs.rolling[lane] = contact.rolling;
+    inputs.restitution[lane] = contact.restitution;
+}
+
+void addBodies(const Bodies& bodies, const Contact& contact, std::span<const Mat3> axes, int lane,
+               ContactInputs& inputs) {
+    set3(inputs.apart, lane, bodies.poses[contact.a].position - bodies.poses[contact.b].position);
+    const InverseMass &a = bodies.inverseMasses[contact.a], &b = bodies.inverseMasses[contact.b];
+    inputs.massA[lane] = a.linear, inputs.massB[lane] = b.linear;
+    set6(inputs.turnA, lane, a.angular), set6(inputs.turnB, lane, b.angular);
+    for (int i = 0; i < 9; ++i) {
+        inputs.axesA[i][lane] = axes[contact.a].data()[i];
+        inputs.axesB[i][lane] = axes[contact.b].data()[i];
+    }
+}
+
+/// Bodies that do not move, without a point.
+void leaveEmpty(int lane, ContactInputs& inputs) {
+    addContact(Contact{}, lane, inputs);
+    set3(inputs.apart, lane, Vec3::Zero());
+    inputs.massA[lane] = inputs.massB[lane] = 0.0;
+    set6(inputs.turnA, lane, Mat3::Zero()), set6(inputs.turnB, lane, Mat3::Zero());
+    for (int i = 0; i < 9; ++i) inputs.axesA[i][lane] = inputs.axesB[i][lane] = 0.0;
 }
 
 /// Copies the data of one lane; the other lanes keep every bit.
@@ -123,95 +162,29 @@ void WideContacts::arrange(std::span<const Contact> contacts, std::span<const in
 
 void WideContacts::fillBatch(int batch, std::span<const Contact> contacts, const Bodies& bodies) {
     const std::array<int, 8>& lanes = schedule_.batches()[batch];
+    ContactBatch& c = batches_[batch];
+    ContactRecord& record = records_[batch];
+    const int zeros = static_cast<int>(start_.size()), waste = wasteOf(bodies.count(), overlap_.halfOf(batch));
+    ContactInputs inputs;
     for (int lane = 0; lane < 8; ++lane) {
-        const int contact = records_[batch].contact[lane] = lanes[lane];
+        const int number = record.contact[lane] = lanes[lane];
         if (lane < 7 && lanes[lane + 1] >= 0) fetchAhead(contacts[lanes[lane + 1]]);
-        if (contact < 0) {
-            fillEmptyLane(batch, lane);
-        } else {
-            place_[contact] = 8 * batch + lane;
-            fillLane(batch, lane, contacts[contact], bodies);
+        if (number < 0) {
+            c.a[lane] = c.b[lane] = zeros;
+            c.writeA[lane] = c.writeB[lane] = waste;
+            leaveEmpty(lane, inputs);
+            continue;
         }
+        place_[number] = 8 * batch + lane;
+        const Contact& contact = contacts[number];
+        c.a[lane] = contact.a, c.b[lane] = contact.b;
+        c.writeA[lane] = pairs_[number].a >= 0 ? contact.a : waste;
+        c.writeB[lane] = pairs_[number].b >= 0 ? contact.b : waste;
+        addContact(contact, lane, inputs);
+        addBodies(bodies, contact, axes_, lane, inputs);
     }
-    kernels_->prepare(batches_[batch], records_[batch]);
-}
-
-void WideContacts::fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies) {
-    ContactBatch& c = batches_[batch];
-    ContactRecord& record = records_[batch];
-    const Vec3 apart = bodies.poses[contact.a].position - bodies.poses[contact.b].position;
-    const int waste = wasteOf(bodies.count(), overlap_.halfOf(batch));
-    Vec3 armA[Contact::kMaxPoints], between[Contact::kMaxPoints];
-    double open = 0.0;  // m: the arms end where the two will touch, as if b had moved by the gap
-    for (int i = 0; i < contact.count; ++i) {
-        armA[i] = axes_[contact.a] * contact.points[i].anchorA;
-        between[i] = axes_[contact.b] * contact.points[i].anchorB - armA[i];
-        const double gap = contact.normal.dot(between[i] - apart);
-        open = i == 0 ? gap : smaller(open, gap);
-    }
-    const Vec3 offset = apart + larger(open, 0.0) * contact.normal;
-    c.a[lane] = contact.a, c.b[lane] = contact.b;
-    c.writeA[lane] = pairs_[record.contact[lane]].a >= 0 ? contact.a : waste;
-    c.writeB[lane] = pairs_[record.contact[lane]].b >= 0 ? contact.b : waste;
-    set3(c.offset, lane, offset + contact.slideB - contact.slideA);
-    c.massA[lane] = static_cast<float>(bodies.inverseMasses[contact.a].linear);
-    c.massB[lane] = static_cast<float>(bodies.inverseMasses[contact.b].linear);
-    set6(c.turnA, lane, bodies.inverseMasses[contact.a].angular);
-    set6(c.turnB, lane, bodies.inverseMasses[contact.b].angular);
-    c.mu[lane] = static_cast<float>(contact.friction);
-    c.rolling[lane] = static_cast<float>(contact.rolling);
-    record.restitution[lane] = static_cast<float>(contact.restitution);
-    ManifoldFrame frame;
-    for (int i = 0; i < contact.count; ++i) {
-        const Vec3 left = between[i] - offset;
-        frame.add(armA[i] + 0.5 * left + contact.slideA, contact.normal.dot(left) + larger(open, 0.0));
-    }
-    frame.finish(contact.normal);
-    set3(c.n, lane, contact.normal), set3(c.t1, lane, frame.t1), set3(c.t2, lane, frame.t2);
-    set3(c.centre, lane, frame.centre);
-    c.reach[lane] = static_cast<float>(frame.reach);
-    c.roll.moment[0][lane] = static_cast<float>(contact.rollingMoment.dot(frame.t1));
-    c.roll.moment[1][lane] = static_cast<float>(contact.rollingMoment.dot(frame.t2));
-    for (int i = 0; i < ContactBatch::kPoints; ++i)
-        i < contact.count ? fillPoint(batch, lane, i, contact.points[i], frame)
-                          : fillNoPoint(batch, lane, i);
-}
-
-void WideContacts::fillPoint(int batch, int lane, int i, const ContactPoint& from,
-                             const ManifoldFrame& frame) {
-    WidePoint& point = batches_[batch].point[i];
-    ContactRecord& record = records_[batch];
-    point.x[lane] = static_cast<float>(frame.x[i]), point.y[lane] = static_cast<float>(frame.y[i]);
-    point.lambda[lane] = static_cast<float>(from.impulse);
-    point.friction[0][lane] = static_cast<float>(from.friction.dot(frame.t1));
-    point.friction[1][lane] = static_cast<float>(from.friction.dot(frame.t2));
-    record.gapAtStart[i][lane] = record.separation[i][lane] = static_cast<float>(frame.gap[i]);
-    record.total[i][lane] = 0.0f;
-    record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
-}
-
-void WideContacts::fillNoPoint(int batch, int lane, int i) {
-    WidePoint& point = batches_[batch].point[i];
-    ContactRecord& record = records_[batch];
-    point.x[lane] = point.y[lane] = 0.0f;
-    point.lambda[lane] = point.friction[0][lane] = point.friction[1][lane] = 0.0f;
-    record.gapAtStart[i][lane] = record.separation[i][lane] = kNoPoint;
-    record.total[i][lane] = 0.0f;
-    record.totalFriction[i][0][lane] = record.totalFriction[i][1][lane] = 0.0f;
-}
-
-void WideContacts::fillEmptyLane(int batch, int lane) {
-    ContactBatch& c = batches_[batch];
-    const int zeros = static_cast<int>(start_.size());
-    c.a[lane] = c.b[lane] = zeros;
-    c.writeA[lane] = c.writeB[lane] = wasteOf(zeros, overlap_.halfOf(batch));
-    set3(c.n, lane, Vec3::UnitX()), set3(c.t1, lane, Vec3::UnitY()), set3(c.t2, lane, Vec3::UnitZ());
-    set3(c.centre, lane, Vec3::Zero()), set3(c.offset, lane, Vec3::Zero());
-    c.massA[lane] = c.massB[lane] = c.mu[lane] = c.rolling[lane] = c.reach[lane] = 0.0f;
-    c.roll.moment[0][lane] = c.roll.moment[1][lane] = 0.0f;
-    records_[batch].restitution[lane] = 0.0f;
-    set6(c.turnA, lane, Mat3::Zero()), set6(c.turnB, lane, Mat3::Zero());
-    for (int i = 0; i < ContactBatch::kPoints; ++i) fillNoPoint(batch, lane, i);
+    kernels_->fill(inputs, c, record);
+    kernels_->prepare(c, record);
 }
 
 void WideContacts::beginSubstep(const Bodies& bodies) {

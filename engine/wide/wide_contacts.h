@@ -7,7 +7,6 @@
 
 #include "engine/base/workers.h"
 #include "engine/constraints/contact.h"
-#include "engine/constraints/manifold_frame.h"
 #include "engine/dynamics/bodies.h"
 #include "engine/settings.h"
 #include "engine/step_report.h"
@@ -93,11 +92,6 @@ private:
                  const Bodies& bodies);
     void prepareBodies(const Bodies& bodies);
     void fillBatch(int batch, std::span<const Contact> contacts, const Bodies& bodies);
-    void fillLane(int batch, int lane, const Contact& contact, const Bodies& bodies);
-    void fillEmptyLane(int batch, int lane);
-    void fillPoint(int batch, int lane, int i, const ContactPoint& from,
-                   const ManifoldFrame& frame);
-    void fillNoPoint(int batch, int lane, int i);
     void give(Velocity& v, int body);
     bool hasTurned(int batch, int lane) const;
     void measureMotion(const Bodies& bodies, int i);
